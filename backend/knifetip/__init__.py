@@ -1,0 +1,1 @@
+"""knifetip puts the tip of the knife on the line."""

@@ -1,0 +1,393 @@
+"""Requests and answers of the REST API: the only words that are spoken at this door.
+
+Lengths are mm, angles degrees, times seconds since 1970 (UTC) or durations in seconds.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+LineTypeWord = Literal[
+    "unclassified", "cut", "crease", "v-groove", "perforation", "half-cut", "ignored", "combi"
+]
+Unit = Literal["mm", "cm", "m", "in", "ft"]
+JobState = Literal[
+    "received",
+    "compiling",
+    "ready",
+    "queued",
+    "running",
+    "held",
+    "done",
+    "refused",
+    "interrupted",
+    "scrapped",
+    "cancelled",
+]
+Name = Annotated[str, Field(min_length=1, max_length=200)]
+
+
+class Strict(BaseModel):
+    """A request: what it does not know, it refuses."""
+
+    model_config = ConfigDict(extra="forbid")
+
+
+class QuestionOut(BaseModel):
+    """Something that somebody must decide before anything is cut."""
+
+    kind: Literal["unit", "line-type", "tool"]
+    text: str
+    choices: list[str]
+    edges: list[int]
+    layer: str
+    colour: int
+
+
+class Problem(BaseModel):
+    """An error as RFC 9457 has it, with the mend and the entities that it is about."""
+
+    type: str = "about:blank"
+    title: str
+    status: int
+    detail: str
+    mend: str = ""
+    source: list[str] = []
+    questions: list[QuestionOut] = []
+
+
+class LedgerRow(BaseModel):
+    """What became of one entity of the file."""
+
+    handle: str
+    kind: str
+    layer: str
+    fate: Literal["kept", "merged", "dropped"]
+    reason: str
+    length: float
+
+
+class LineTypeCount(BaseModel):
+    """How much of a drawing has one line type."""
+
+    type: LineTypeWord
+    edges: int
+    length: float
+
+
+class LayerOut(BaseModel):
+    """One pair of layer and colour as the drawing has it."""
+
+    name: str
+    colour: int
+    edges: int
+    length: float
+    types: list[LineTypeWord]
+
+
+class LedgerOut(BaseModel):
+    """The entities of the file, counted and listed."""
+
+    kept: int
+    merged: int
+    dropped: int
+    rows: list[LedgerRow] = Field(description="The first 2,000; all of them under …/ledger")
+
+
+class DrawingOut(BaseModel):
+    """A drawing that was read and classified."""
+
+    id: str
+    name: str
+    created: float
+    sha256: str
+    unit: Unit | None
+    evidence: str
+    profile: str
+    segments: int
+    bounds: tuple[float, float, float, float]
+    width: float
+    height: float
+    counts: list[LineTypeCount]
+    layers: list[LayerOut]
+    questions: list[QuestionOut]
+    overrides: int
+    ledger: LedgerOut
+
+
+class DrawingSummary(BaseModel):
+    """A drawing in a list."""
+
+    id: str
+    name: str
+    created: float
+    unit: Unit | None
+    width: float
+    height: float
+    segments: int
+    questions: int
+
+
+class EdgeOut(BaseModel):
+    """One edge and why it is what it is."""
+
+    row: int
+    handle: str
+    layer: str
+    colour: int
+    linetype: str
+    type: LineTypeWord
+    rule: str
+    confidence: float
+    length: float
+    start: tuple[float, float]
+    end: tuple[float, float]
+    bulge: float
+
+
+class EdgesOut(BaseModel):
+    """All edges of a drawing; the viewer asks for them as columns instead (see ``columns``)."""
+
+    edges: list[EdgeOut]
+
+
+class Override(Strict):
+    """Give edges a line type, named by row, by handle, or by layer (and colour).
+
+    ``type`` null takes an earlier override back.
+    """
+
+    type: LineTypeWord | None
+    edges: list[int] | None = Field(default=None, max_length=200_000)
+    handles: list[str] | None = Field(default=None, max_length=200_000)
+    layer: str | None = None
+    colour: int | None = None
+
+
+class EdgesPatch(Strict):
+    """Overrides, the later ones on top."""
+
+    overrides: list[Override] = Field(min_length=1, max_length=1000)
+
+
+class DrawingPatch(Strict):
+    """What somebody decided about a drawing."""
+
+    unit: Unit | None = None
+    profile: Name | None = None
+
+
+class JobIn(Strict):
+    """An order: this drawing, on this board, on this machine."""
+
+    drawing: Name
+    machine: Name = "demo-table"
+    board: Name
+    profile: Name | None = None
+    copies: int = Field(default=1, ge=1, le=1000)
+    priority: int = Field(default=0, ge=-100, le=100)
+    overrides: list[Override] = Field(default=[], max_length=1000)
+    release: bool = Field(default=False, description="Queue it as soon as it is ready")
+
+
+class VerdictSummary(BaseModel):
+    """The verdict in four figures (mm)."""
+
+    accepted: bool
+    tolerance: float
+    deviation: float
+    overcut: float
+    uncut: float
+    seconds: float
+
+
+class JobOut(BaseModel):
+    """A job and where it stands."""
+
+    id: str
+    state: JobState
+    reason: str
+    mend: str
+    source: list[str]
+    questions: list[QuestionOut]
+    drawing: str
+    drawing_name: str
+    machine: str
+    board: str
+    profile: str
+    copies: int
+    copies_done: int
+    priority: int
+    created: float
+    updated: float
+    stage: str = Field(description="What the compile is doing now, empty when it is not compiling")
+    progress: float = Field(description="0 … 1 of the compile, or of the run")
+    line: int = Field(description="Lines of the program that the machine has executed")
+    lines: int
+    position: tuple[float, float, float, float] | None = Field(
+        description="Head axis X, Y, tip Z, C while running, in sheet coordinates"
+    )
+    seconds: float = Field(description="Nominal machine time of one copy")
+    seconds_left: float | None
+    program_sha256: str
+    verdict: VerdictSummary | None
+
+
+class JobEvent(BaseModel):
+    """One transition of a job: when, who and why."""
+
+    id: int
+    job: str
+    at: float
+    state: JobState
+    who: str
+    why: str
+
+
+class FindingOut(BaseModel):
+    """One thing that the judge found."""
+
+    kind: str
+    text: str
+    measure: float
+    edge: int
+    handle: str
+    line: int
+
+
+class VerdictOut(VerdictSummary):
+    """The verdict, edge by edge: row i is edge i of the drawing."""
+
+    findings: list[FindingOut]
+    edge_deviation: list[float]
+    edge_overcut: list[float]
+    edge_uncut: list[float]
+    edge_setback: list[float]
+
+
+class ToolOut(BaseModel):
+    """A tool with the dimensions that the engines use."""
+
+    kind: Literal["knife", "crease-wheel", "v-cutter", "cutter"]
+    dimensions: dict[str, float | bool]
+
+
+class StationOut(BaseModel):
+    """A station: joint position = programmed position + datum."""
+
+    number: int
+    name: str
+    datum: dict[str, float]
+    output: int
+    tool: ToolOut
+
+
+class MachineOut(BaseModel):
+    """A machine of the library and what is on it now."""
+
+    name: str
+    title: str
+    width: float
+    height: float
+    dialect: str
+    origin: tuple[float, float]
+    travel_z: float
+    into_mat: float
+    axes: dict[str, dict[str, float]]
+    stations: list[StationOut]
+    gateway: Literal["connected", "absent"]
+    job: str | None
+
+
+class BoardOut(BaseModel):
+    """A board of the library."""
+
+    name: str
+    title: str
+    material: str
+    caliper: float
+    grain: float
+    crease_along: float
+    crease_across: float
+    groove_depth: float
+
+
+class RuleOut(BaseModel):
+    """One rule of a profile."""
+
+    type: LineTypeWord
+    words: str
+
+
+class ProfileOut(BaseModel):
+    """A classification profile."""
+
+    name: str
+    title: str
+    rules: list[RuleOut]
+
+
+class StationTool(ToolOut):
+    """A tool and where it is mounted."""
+
+    machine: str
+    station: int
+    name: str
+
+
+class ClaimIn(Strict):
+    """A gateway asks for work and says how long it will wait for it."""
+
+    gateway: Name
+    machine: Name
+    wait: float = Field(default=20.0, ge=0.0, le=60.0)
+
+
+class Claim(BaseModel):
+    """A job for this gateway alone, until the lease runs out."""
+
+    job: str
+    epoch: int
+    lease: float = Field(description="Seconds; each heartbeat renews it")
+    program: str = Field(description="URL of the program's bytes")
+    sha256: str
+    lines: int
+    copies: int
+
+
+class HeartbeatIn(Strict):
+    """What the machine did since the last one."""
+
+    job: Name
+    epoch: int
+    line: int = Field(ge=0)
+    copies_done: int = Field(default=0, ge=0)
+    held: bool = False
+    position: tuple[float, float, float, float] | None = None
+    seconds_left: float | None = None
+
+
+class HeartbeatOut(BaseModel):
+    """What the operator wants."""
+
+    command: Literal["continue", "hold", "resume", "cancel"]
+    lease: float
+
+
+class FinishIn(Strict):
+    """How it ended."""
+
+    job: Name
+    epoch: int
+    outcome: Literal["done", "interrupted", "cancelled"]
+    why: str = ""
+
+
+class Health(BaseModel):
+    """Whether the service is alive and ready."""
+
+    status: Literal["ok", "starting"]
+    version: str
+    checks: dict[str, str] = {}

@@ -1,0 +1,1 @@
+"""Floor 3: says of every edge what it is, and by which rule."""

@@ -1,0 +1,1 @@
+"""Floor 3: DXF bytes in, Drawing out."""

@@ -1,0 +1,220 @@
+"""Every way that knifetip says no: one class to a cause, each with place, measure and mend.
+
+    KnifetipError
+    ├── ReadError                 the bytes are not a drawing that can be used
+    │   ├── NotADrawing           not a DXF at all, empty, or damaged past repair
+    │   ├── DrawingTooLarge       a limit on size, depth, entities or time was met
+    │   └── UnitUnknown           the file does not say its unit and nobody else did
+    ├── ProfileError              a classification profile cannot be read
+    ├── LibraryError              no such machine, board, tool or profile, or its file is wrong
+    ├── GeometryError             a shape that has no answer
+    │   ├── ZeroLengthEdge        an edge too short to have an azimuth
+    │   └── DegenerateArc         an arc that is no arc
+    ├── PlanError                 the job cannot be made on this machine
+    │   ├── OpenQuestions         edges or units that somebody must decide first
+    │   ├── NoToolForLineType     no station of the machine makes this line type
+    │   └── TravelExceeded        a head would leave the machine's travel
+    ├── CompensationError         an engine refuses an edge
+    │   ├── CurvedGroove          a V-groove along an arc
+    │   ├── EdgeTooShort          shorter than the tool that should work it
+    │   └── GrooveTooDeep         a V-groove deeper than the board, or out of its sides
+    ├── ProgramError              the emitted program is wrong
+    │   ├── ProgramUnreadable     a line that the verifier cannot parse
+    │   └── ProgramRefused        the verdict is outside tolerance
+    ├── ControllerError           the controller, or the line to it, failed
+    │   ├── ControllerAlarm       it answered alarm
+    │   ├── ControllerRejected    it answered error to a line
+    │   ├── ControllerReset       it was reset in the middle of a job
+    │   └── ControllerSilent      it stopped answering
+    └── JobError                  the job is not in a state that allows this
+        ├── NoSuchJob             no job, drawing or other thing of this name
+        ├── WrongState            this transition is not allowed from here
+        ├── StaleEpoch            a gateway that no longer owns the job
+        └── MachineBusy           another job is on this machine's table
+
+Everything that a user can cause is one of these. The API sends the same words as problem+json.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+
+class KnifetipError(Exception):
+    """What went wrong (with place and measure), what to do about it, and which edges it is about.
+
+    Parameters
+    ----------
+    message
+        One sentence that names the place and the measure.
+    mend
+        One sentence that says what the user can do.
+    source
+        Handles of the entities, or rows of the edges, that it is about.
+    """
+
+    def __init__(self, message: str, mend: str = "", source: Sequence[str] = ()) -> None:
+        super().__init__(message)
+        self.message = message
+        self.mend = mend
+        self.source = tuple(source)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        # Errors cross from the compile process to the server: keep all three parts on the way.
+        return (_rebuild, (type(self), self.message, self.mend, self.source))
+
+    def __str__(self) -> str:
+        return f"{self.message} {self.mend}".strip()
+
+
+def _rebuild(
+    kind: type[KnifetipError], message: str, mend: str, source: tuple[str, ...]
+) -> KnifetipError:
+    error = kind.__new__(kind)
+    KnifetipError.__init__(error, message, mend, source)
+    return error
+
+
+class ReadError(KnifetipError):
+    """The bytes are not a drawing that can be used."""
+
+
+class NotADrawing(ReadError):
+    """Not a DXF at all, empty, or damaged past repair."""
+
+
+class DrawingTooLarge(ReadError):
+    """A limit on size, depth, number of entities or time was met."""
+
+
+class UnitUnknown(ReadError):
+    """The file does not say its unit, and nobody else did."""
+
+
+class ProfileError(KnifetipError):
+    """A classification profile cannot be read."""
+
+
+class LibraryError(KnifetipError):
+    """There is no such machine, board, tool or profile, or its file is wrong."""
+
+
+class GeometryError(KnifetipError):
+    """A shape that has no answer."""
+
+
+class ZeroLengthEdge(GeometryError):
+    """An edge too short to have an azimuth."""
+
+    def __init__(self, rows: ArrayLike) -> None:
+        listed = [str(row) for row in np.atleast_1d(np.asarray(rows))[:10]]
+        super().__init__(
+            f"Edge {', '.join(listed)} has no length, so it has no azimuth.",
+            "Delete it from the drawing, or raise the speck tolerance.",
+            listed,
+        )
+
+
+class DegenerateArc(GeometryError):
+    """An arc whose radius or sweep is zero or not a number."""
+
+
+class PlanError(KnifetipError):
+    """The job cannot be made on this machine."""
+
+
+class OpenQuestions(PlanError):
+    """Edges or units that somebody must decide before anything is cut.
+
+    ``questions`` are the questions themselves, ready for JSON.
+    """
+
+    def __init__(self, questions: Sequence[dict[str, object]]) -> None:
+        super().__init__(
+            f"{len(questions)} question{'s' * (len(questions) != 1)} must be answered first: "
+            + " ".join(str(question.get("text", "")) for question in questions[:5]),
+            "Answer them on the drawing; nothing is cut by default.",
+        )
+        self.questions = list(questions)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (self.questions,))
+
+
+class NoToolForLineType(PlanError):
+    """No station of the machine makes this line type."""
+
+
+class TravelExceeded(PlanError):
+    """A head would leave the travel of the machine."""
+
+
+class CompensationError(KnifetipError):
+    """An engine refuses an edge."""
+
+
+class CurvedGroove(CompensationError):
+    """A V-groove along an arc, which a straight blade cannot follow."""
+
+
+class EdgeTooShort(CompensationError):
+    """An edge shorter than the tool that should work it."""
+
+
+class GrooveTooDeep(CompensationError):
+    """A V-groove deeper than the board."""
+
+
+class ProgramError(KnifetipError):
+    """The emitted program is wrong."""
+
+
+class ProgramUnreadable(ProgramError):
+    """A line that the verifier cannot parse."""
+
+
+class ProgramRefused(ProgramError):
+    """The verdict is outside tolerance."""
+
+
+class ControllerError(KnifetipError):
+    """The controller, or the line to it, failed."""
+
+
+class ControllerAlarm(ControllerError):
+    """The controller answered with an alarm."""
+
+
+class ControllerRejected(ControllerError):
+    """The controller answered with an error to a line of the program."""
+
+
+class ControllerReset(ControllerError):
+    """The controller was reset in the middle of a job."""
+
+
+class ControllerSilent(ControllerError):
+    """The controller stopped answering."""
+
+
+class JobError(KnifetipError):
+    """The job is not in a state that allows this."""
+
+
+class NoSuchJob(JobError):
+    """No job, drawing or other stored thing of this name."""
+
+
+class WrongState(JobError):
+    """This transition is not allowed from the state that the job is in."""
+
+
+class StaleEpoch(JobError):
+    """A gateway that no longer owns the job."""
+
+
+class MachineBusy(JobError):
+    """Another job is on the table of this machine."""

@@ -1,0 +1,1 @@
+"""Floor 3: beside the table, streams programs to controllers."""

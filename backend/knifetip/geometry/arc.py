@@ -1,0 +1,101 @@
+"""Arcs as bulges: a chord and tan(sweep / 4), positive to the left, 0 a straight line.
+
+All functions take columns, lines and arcs mixed: ``start`` and ``end`` (n, 2) mm, ``bulge`` (n,).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.geometry.azimuth import left
+from knifetip.geometry.columns import F64
+from knifetip.geometry.tolerance import BULGE
+
+
+def sweep(bulge: F64) -> F64:
+    """Return the signed angle of travel (radians), counter-clockwise positive; 0 for a line."""
+    angle: F64 = 4.0 * np.arctan(bulge)
+    return angle
+
+
+def centre(start: F64, end: F64, bulge: F64) -> F64:
+    """Return the centres, (n, 2); NaN for lines."""
+    straight = np.abs(bulge) < BULGE
+    safe = np.where(straight, 1.0, bulge)
+    middle = (start + end) / 2.0
+    # The apothem, along the left normal of the chord: (1 - b²) / 4b chords.
+    result: F64 = middle + left(end - start) * ((1.0 - safe * safe) / (4.0 * safe))[..., None]
+    result[straight] = np.nan
+    return result
+
+
+def radius(start: F64, end: F64, bulge: F64) -> F64:
+    """Return the radii (mm); infinite for lines."""
+    chord = np.hypot(*(end - start).T)
+    size = np.abs(bulge)
+    straight = size < BULGE
+    safe = np.where(straight, 1.0, size)
+    result: F64 = np.where(straight, np.inf, chord * (1.0 + safe * safe) / (4.0 * safe))
+    return result
+
+
+def length(start: F64, end: F64, bulge: F64) -> F64:
+    """Return the lengths along lines and arcs (mm)."""
+    chord = np.hypot(*(end - start).T)
+    quarter = np.arctan(np.abs(bulge))
+    half = 2.0 * quarter
+    # sin x / x without the hole at 0.
+    result: F64 = chord / np.sinc(half / np.pi)
+    return result
+
+
+def _turned(vectors: F64, angle: F64) -> F64:
+    cos, sin = np.cos(angle), np.sin(angle)
+    x, y = vectors[..., 0], vectors[..., 1]
+    return np.stack([x * cos - y * sin, x * sin + y * cos], axis=-1)
+
+
+def tangents(start: F64, end: F64, bulge: F64) -> tuple[F64, F64]:
+    """Return the directions of travel at start and end, (n, 2) each, as long as the chord."""
+    half = sweep(bulge) / 2.0
+    chord = end - start
+    return _turned(chord, -half), _turned(chord, half)
+
+
+def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
+    """Return the points at a fraction of the length, (n, 2)."""
+    theta = sweep(bulge)
+    # Half-angle form: the chord from start to the point is r·2·sin(fθ/2), turned by (f-1)θ/2.
+    half = theta / 2.0
+    ratio = fraction * np.sinc(fraction * half / np.pi) / np.sinc(half / np.pi)
+    result: F64 = start + _turned(end - start, (fraction - 1.0) * half) * ratio[..., None]
+    return result
+
+
+def part(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, F64, F64]:
+    """Return the pieces between two fractions of the length: new start, end and bulge."""
+    return (
+        point_at(start, end, bulge, first),
+        point_at(start, end, bulge, last),
+        np.tan(np.arctan(bulge) * (last - first)),
+    )
+
+
+def bounds(start: F64, end: F64, bulge: F64) -> F64:
+    """Return the boxes, (n, 4): x min, y min, x max, y max, arcs with their bellies."""
+    low = np.minimum(start, end)
+    high = np.maximum(start, end)
+    round_ = np.abs(bulge) >= BULGE
+    if round_.any():
+        middle = centre(start, end, bulge)
+        size = radius(start, end, bulge)
+        theta = sweep(bulge)
+        first = np.arctan2(*(start - middle).T[::-1])
+        for quarter in range(4):
+            axis = quarter * np.pi / 2.0
+            along = np.where(theta > 0, axis - first, first - axis) % (2.0 * np.pi)
+            hit = round_ & (along < np.abs(theta))
+            extreme = middle + size[:, None] * np.array([np.cos(axis), np.sin(axis)])
+            low[hit] = np.minimum(low[hit], extreme[hit])
+            high[hit] = np.maximum(high[hit], extreme[hit])
+    return np.hstack([low, high])

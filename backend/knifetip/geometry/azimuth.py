@@ -1,0 +1,61 @@
+"""Azimuth: the direction of a segment, in degrees, counter-clockwise from +x.
+
+Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker", 4.1:
+five cases of arctan, which are one arctan2.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.errors import ZeroLengthEdge
+from knifetip.geometry.columns import F64
+from knifetip.geometry.tolerance import POINT
+
+
+def unit(vectors: F64) -> F64:
+    """Return the unit vectors, (n, 2), of vectors given in mm.
+
+    Raises
+    ------
+    ZeroLengthEdge
+        A vector shorter than ``tolerance.POINT`` has no direction.
+    """
+    length = np.hypot(vectors[..., 0], vectors[..., 1])
+    short = ~(length >= POINT)  # so that NaN is caught too
+    if short.any():
+        raise ZeroLengthEdge(np.flatnonzero(short))
+    result: F64 = vectors / length[..., None]
+    return result
+
+
+def azimuth(vectors: F64) -> F64:
+    """Return the azimuth, (n,), in [0, 360) degrees, of vectors (n, 2)."""
+    degrees = np.degrees(np.arctan2(vectors[..., 1], vectors[..., 0])) % 360.0
+    # Just below the x axis the remainder rounds up to 360.0: that is 0.
+    folded: F64 = np.where(degrees >= 360.0, 0.0, degrees)
+    return folded
+
+
+def right(vectors: F64) -> F64:
+    """Return the vectors turned by -90 degrees: the normal to the right of travel."""
+    return np.stack([vectors[..., 1], -vectors[..., 0]], axis=-1)
+
+
+def left(vectors: F64) -> F64:
+    """Return the vectors turned by +90 degrees: the normal to the left of travel."""
+    return np.stack([-vectors[..., 1], vectors[..., 0]], axis=-1)
+
+
+def turn(before: F64, after: F64) -> F64:
+    """Return the signed smaller angle from one azimuth to the next, in (-180, 180] degrees."""
+    folded: F64 = 180.0 - (180.0 - (after - before)) % 360.0
+    return folded
+
+
+def unwrap(azimuths: F64, period: float = 360.0) -> F64:
+    """Return the azimuths without jumps: each is the one nearest to its predecessor.
+
+    ``period`` is 180 for a tool that is the same from both sides, such as a crease wheel.
+    """
+    return np.unwrap(azimuths, period=period)

@@ -1,0 +1,16 @@
+"""Every epsilon has its name here."""
+
+from __future__ import annotations
+
+from typing import Final
+
+#: Two points nearer than this are one point (mm).  Far below what any machine can place.
+POINT: Final = 1e-6
+#: Two directions nearer than this are one direction (degrees): a smooth joint, a continued crease.
+ANGLE: Final = 1.0
+#: Ends of edges nearer than this were meant to touch (mm).
+GAP: Final = 0.05
+#: A fitted curve stays within this of the true one (mm).
+CURVE: Final = 0.01
+#: A bulge below this is a straight line: its arc stands off less than POINT on a metre.
+BULGE: Final = 1e-9

@@ -1,0 +1,1 @@
+"""A job is a finished, verified program and a machine."""

@@ -1,0 +1,1 @@
+"""What is shipped: machines, boards and classification profiles, each a TOML file."""

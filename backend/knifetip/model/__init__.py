@@ -1,0 +1,1 @@
+"""Floor 2: the records that travel down the corridor, frozen columns that decide nothing."""

@@ -1,0 +1,24 @@
+"""Board: what lies on the table, and how it likes to be creased and grooved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Board:
+    """One material in one thickness."""
+
+    name: str
+    title: str
+    material: str  #: "greyboard", "corrugated" or "folding boxboard"
+    caliper: float  #: T (mm)
+    grain: float  #: azimuth of flute or grain on the sheet (degrees)
+    crease_along: float  #: depth of a crease that runs along flute or grain (mm)
+    crease_across: float  #: depth of a crease that runs across it (mm)
+    end_clearance: float  #: a crease stops this far before its free end (mm)
+    groove_depth: float  #: of a V-groove below the top face (mm)
+    groove_overcut: float  #: the most by which a V-groove's blade may run past its ends (mm)
+    half_cut_depth: float  #: below the top face (mm)
+    perforation: tuple[float, float]  #: length of cut and of gap (mm)
+    short_crease: str  #: "press" in place at the depth that fits, or "refuse"

@@ -1,0 +1,69 @@
+"""Dieline: the drawing's edges, each with its line type and the rule that decided it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I32, U8, frozen
+
+
+class LineType(IntEnum):
+    """What is to be done along an edge."""
+
+    UNCLASSIFIED = 0
+    CUT = 1
+    CREASE = 2
+    V_GROOVE = 3
+    PERFORATION = 4
+    HALF_CUT = 5
+    IGNORED = 6
+    COMBI = 7
+
+    @property
+    def word(self) -> str:
+        """The name used in files, in JSON and on the page: ``v-groove``, ``half-cut`` …"""
+        return self.name.lower().replace("_", "-")
+
+    @classmethod
+    def of(cls, word: str) -> LineType:
+        """Return the line type of a word.
+
+        Raises
+        ------
+        ValueError
+            No line type has that name.
+        """
+        try:
+            return cls[word.strip().upper().replace("-", "_").replace(" ", "_")]
+        except KeyError:
+            known = ", ".join(kind.word for kind in cls)
+            raise ValueError(f"{word!r} is not a line type; they are {known}") from None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Dieline:
+    """n loose edges, still in drawing order."""
+
+    ends: F64  #: (n, 2, 2) mm
+    bulge: F64  #: (n,) tan(sweep / 4)
+    line_type: U8  #: (n,) LineType
+    source: I32  #: (n,) row in Drawing
+    rule: I32  #: (n,) index into ``rules``
+    confidence: F64  #: (n,) 0 … 1
+    rules: tuple[str, ...]  #: what decided, in words: ``layer "FOLDS"``, ``override`` …
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        put(self, "ends", frozen(self.ends, np.float64, -1, 2, 2))
+        rows = len(self.ends)
+        put(self, "bulge", frozen(self.bulge, np.float64, rows))
+        put(self, "line_type", frozen(self.line_type, np.uint8, rows))
+        put(self, "source", frozen(self.source, np.int32, rows))
+        put(self, "rule", frozen(self.rule, np.int32, rows))
+        put(self, "confidence", frozen(self.confidence, np.float64, rows))
+
+    def __len__(self) -> int:
+        return len(self.ends)

@@ -1,0 +1,97 @@
+"""Drawing: what the file said, entity by entity, as loose segments in millimetres."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, I32, U8, frozen
+
+
+class Fate(IntEnum):
+    """What became of an entity of the file."""
+
+    KEPT = 0
+    MERGED = 1
+    DROPPED = 2
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Ledger:
+    """One row for every entity of the file: nothing vanishes without a reason.
+
+    An entity inside an INSERT has the row of that INSERT's expansion: its handle is
+    ``INSERT/CHILD``, its kind the child's.
+    """
+
+    handle: tuple[str, ...]  #: (m,) the file's handle, or ``#17`` (17th entity) where it has none
+    kind: tuple[str, ...]  #: (m,) LINE, ARC, INSERT …
+    layer: tuple[str, ...]  #: (m,) layer name as the file writes it
+    fate: U8  #: (m,) Fate
+    reason: tuple[str, ...]  #: (m,) why it was kept, merged or dropped, in the user's words
+    length: F64  #: (m,) length of its segments (mm; file units while the unit is unknown)
+
+    def __post_init__(self) -> None:
+        rows = len(self.handle)
+        object.__setattr__(self, "fate", frozen(self.fate, np.uint8, rows))
+        object.__setattr__(self, "length", frozen(self.length, np.float64, rows))
+        if not len(self.kind) == len(self.layer) == len(self.reason) == rows:
+            raise ValueError("ledger columns differ in length")
+
+    def __len__(self) -> int:
+        return len(self.handle)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Drawing:
+    """n segments, lines and arcs of at most half a turn, in the order of the file."""
+
+    ends: F64  #: (n, 2, 2) mm; in file units while ``unit`` is empty
+    bulge: F64  #: (n,) tan(sweep / 4), |bulge| ≤ 1
+    entity: I32  #: (n,) row in ``ledger``
+    layer: I32  #: (n,) index into ``layers``
+    colour: I32  #: (n,) AutoCAD colour index 1 … 255, BYLAYER and BYBLOCK resolved; 7 where silent
+    true_colour: I32  #: (n,) 0xRRGGBB, -1 where there is none
+    linetype: I32  #: (n,) index into ``linetypes``, BYLAYER resolved
+    layers: tuple[str, ...]
+    linetypes: tuple[str, ...]
+    ledger: Ledger
+    unit: str  #: "mm", "cm", "m", "in", "ft"; empty while nobody has said it
+    evidence: str  #: how the unit is known: "$INSUNITS = 4", "given", or why it is not
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        put(self, "ends", frozen(self.ends, np.float64, -1, 2, 2))
+        rows = len(self.ends)
+        put(self, "bulge", frozen(self.bulge, np.float64, rows))
+        for name in ("entity", "layer", "colour", "true_colour", "linetype"):
+            put(self, name, frozen(getattr(self, name), np.int32, rows))
+
+    def __len__(self) -> int:
+        return len(self.ends)
+
+    @property
+    def handles(self) -> list[str]:
+        """(n,) The handle of the entity that each segment came from."""
+        return [self.ledger.handle[row] for row in self.entity]
+
+    @property
+    def lengths(self) -> F64:
+        """(n,) Length along each segment (mm)."""
+        return arc.length(self.ends[:, 0], self.ends[:, 1], self.bulge)
+
+    @property
+    def bounds(self) -> F64:
+        """(4,) x min, y min, x max, y max of all segments; zeros for an empty drawing."""
+        return extents(self.ends, self.bulge)
+
+
+def extents(ends: F64, bulge: F64) -> F64:
+    """Return the box around segments, (4,): x min, y min, x max, y max; zeros for none."""
+    if len(ends) == 0:
+        return np.zeros(4)
+    boxes = arc.bounds(ends[:, 0], ends[:, 1], bulge)
+    return np.concatenate([boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)])

@@ -1,0 +1,53 @@
+"""Operation: one tool along many paths."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I32, U8, frozen
+from knifetip.geometry.path import Paths
+from knifetip.model.dieline import LineType
+from knifetip.model.tool import Tool
+
+
+class End(IntEnum):
+    """What an end of a path meets, and so where the tool must stop."""
+
+    FREE = 0  #: nothing: the tool must leave nothing past it
+    CONTINUED = 1  #: another path of the same tool goes on in the same direction
+    MEETS = 2  #: another cut: the tool may run over
+    CLOSED = 3  #: its own other end
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Operation:
+    """One tool along p paths, in sheet coordinates."""
+
+    paths: Paths  #: p paths of n segments: the line that the tip must follow
+    line_type: LineType
+    tool: Tool
+    station: int  #: T number
+    depth: F64  #: (p, passes) below the board's top face (mm)
+    caliper: float  #: of the board (mm)
+    clearance: float  #: height of the tip above the board where plunging begins (mm)
+    feed: float  #: mm/min
+    plunge: float  #: mm/min
+    end_clearance: float  #: mm, for creases
+    overcut: float  #: the most that a V-groove's blade may run past its ends (mm)
+    short_crease: str  #: "press" or "refuse"
+    start: U8  #: (p,) End, where each path begins
+    finish: U8  #: (p,) End, where it ends
+    source: I32  #: (n,) row in Dieline
+    side: int = 0  #: of the material that stays: +1 tool left of travel, -1 right, 0 on the line
+    corner: str = "B"  #: convex corners of a cutter: B, C, D or auto
+    k: float = 0.5  #: knob of the D type
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        put(self, "depth", frozen(self.depth, np.float64, len(self.paths), -1))
+        put(self, "start", frozen(self.start, np.uint8, len(self.paths)))
+        put(self, "finish", frozen(self.finish, np.uint8, len(self.paths)))
+        put(self, "source", frozen(self.source, np.int32, len(self.paths.bulge)))

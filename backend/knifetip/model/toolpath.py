@@ -1,0 +1,54 @@
+"""Toolpath: where the head goes, compensated."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I32, U8, frozen
+
+
+class Motion(IntEnum):
+    """What a move is for."""
+
+    RAPID = 0  #: in the air, as fast as the machine can
+    PLUNGE = 1  #: down into the board
+    LEAD_IN = 2
+    FEED = 3  #: along an edge
+    SWIVEL = 4  #: C alone, tool in the board
+    LEAD_OUT = 5
+    LIFT = 6  #: up out of the board
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Toolpath:
+    """n moves between n + 1 poses of the head's axis (x, y, c) and the tool's tip (z).
+
+    Moves with ``track`` ≥ 0 belong together and keep their order; between tracks lie RAPIDs with
+    ``track`` -1.  Before ``sequence`` the tracks stand in drawing order and those RAPIDs are
+    only jumps, which ``sequence`` replaces.
+    """
+
+    pose: F64  #: (n + 1, 4) x y z in mm, c in degrees, unwrapped
+    bulge: F64  #: (n,) tan(sweep / 4) of the move in XY
+    motion: U8  #: (n,) Motion
+    feed: F64  #: (n,) mm/min along XYZ; degrees/min for a SWIVEL; 0 for RAPID
+    source: I32  #: (n,) row in Dieline, -1 between edges
+    tool: U8  #: (n,) station number
+    track: I32  #: (n,) which track, -1 between tracks
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        put(self, "bulge", frozen(self.bulge, np.float64, -1))
+        rows = len(self.bulge)
+        put(self, "pose", frozen(self.pose, np.float64, rows + 1, 4))
+        put(self, "motion", frozen(self.motion, np.uint8, rows))
+        put(self, "feed", frozen(self.feed, np.float64, rows))
+        put(self, "source", frozen(self.source, np.int32, rows))
+        put(self, "tool", frozen(self.tool, np.uint8, rows))
+        put(self, "track", frozen(self.track, np.int32, rows))
+
+    def __len__(self) -> int:
+        return len(self.bulge)

@@ -1,0 +1,1 @@
+"""Floor 3: chooses tool, depth and feed for every edge."""

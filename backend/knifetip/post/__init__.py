@@ -1,0 +1,1 @@
+"""Floor 3: writes the program in the controller's words."""

@@ -1,0 +1,1 @@
+"""Floor 3: the independent judge of the emitted bytes."""
