@@ -26,10 +26,13 @@
     │   ├── ControllerRejected    it answered error to a line
     │   ├── ControllerReset       it was reset in the middle of a job
     │   └── ControllerSilent      it stopped answering
+    ├── RequestError              a request that can be read, but is about nothing
     └── JobError                  the job is not in a state that allows this
         ├── NoSuchJob             no job, drawing or other thing of this name
         ├── WrongState            this transition is not allowed from here
         ├── StaleEpoch            a gateway that no longer owns the job
+        ├── StoreError            the database cannot be used
+        ├── KeyReused             an Idempotency-Key that came with another request before
         └── MachineBusy           another job is on this machine's table
 
 Everything that a user can cause is one of these. The API sends the same words as problem+json.
@@ -200,6 +203,10 @@ class ControllerSilent(ControllerError):
     """The controller stopped answering."""
 
 
+class RequestError(KnifetipError):
+    """A request that can be read, but is about nothing."""
+
+
 class JobError(KnifetipError):
     """The job is not in a state that allows this."""
 
@@ -214,6 +221,14 @@ class WrongState(JobError):
 
 class StaleEpoch(JobError):
     """A gateway that no longer owns the job."""
+
+
+class StoreError(JobError):
+    """The database cannot be used."""
+
+
+class KeyReused(JobError):
+    """An Idempotency-Key that came with another request before."""
 
 
 class MachineBusy(JobError):

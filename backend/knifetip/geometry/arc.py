@@ -88,7 +88,7 @@ def bounds(start: F64, end: F64, bulge: F64) -> F64:
     round_ = np.abs(bulge) >= BULGE
     if round_.any():
         middle = centre(start, end, bulge)
-        size = radius(start, end, bulge)
+        size = np.where(round_, radius(start, end, bulge), 0.0)
         theta = sweep(bulge)
         first = np.arctan2(*(start - middle).T[::-1])
         for quarter in range(4):

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from knifetip.geometry import arc
+from knifetip.geometry.azimuth import azimuth
 from knifetip.geometry.columns import F64, I32, Bool, frozen
-from knifetip.geometry.tolerance import POINT
+from knifetip.geometry.tolerance import BULGE, POINT
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -58,3 +59,136 @@ class Paths:
 def chained(xy: F64, bulge: F64) -> Paths:
     """Return one path through the vertices, (n + 1, 2), with bulges (n,)."""
     return Paths(xy[:-1], xy[1:], bulge, np.array([0, len(bulge)]))
+
+
+def trimmed(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
+    """Return the paths without their first and last millimetres, and the segment of each new one.
+
+    A path that is no longer than what is taken off keeps no segments.
+
+    Parameters
+    ----------
+    at_start, at_end : (p,) mm, not negative
+        Lengths to take off.
+    """
+    along = arc.length(paths.start, paths.end, paths.bulge)
+    owner = paths.path_of
+    reached = np.cumsum(along)
+    before = np.concatenate([[0.0], reached])[paths.first[:-1]]
+    begin = reached - along - before[owner]
+    low = (at_start[owner] - begin) / along
+    high = (paths.lengths[owner] - at_end[owner] - begin) / along
+    # What is cut back by nothing must stay to the last bit.
+    low = np.where(low > POINT / along, low, 0.0)
+    high = np.where(high < 1.0 - POINT / along, high, 1.0)
+    kept = high - low > POINT / along
+    rows: I32 = np.flatnonzero(kept).astype(np.int32)
+    start, end = paths.start[rows], paths.end[rows]
+    bulge, low, high = paths.bulge[rows], low[rows], high[rows]
+    near, far, bent = arc.part(start, end, bulge, low, high)
+    near = np.where((low == 0.0)[:, None], start, near)
+    far = np.where((high == 1.0)[:, None], end, far)
+    whole = (low == 0.0) & (high == 1.0)
+    first = np.concatenate([[0], np.cumsum(np.bincount(owner[rows], minlength=len(paths)))])
+    return Paths(near, far, np.where(whole, bulge, bent), first), rows
+
+
+def taken(paths: Paths, which: I32) -> tuple[Paths, I32]:
+    """Return some of the paths, and the segment of each new one.
+
+    Parameters
+    ----------
+    which : (q,)
+        Numbers of the paths; one may be taken more than once.
+    """
+    count = np.diff(paths.first)[which]
+    first = np.concatenate([[0], np.cumsum(count)])
+    rows = np.arange(first[-1]) + np.repeat(paths.first[:-1][which] - first[:-1], count)
+    return Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], first), rows.astype(
+        np.int32
+    )
+
+
+def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
+    """Return the point at a distance along each path, (p, 2), its azimuth and its segment, (p,).
+
+    Parameters
+    ----------
+    distance : (p,) mm, from the start of each path
+    """
+    along = arc.length(paths.start, paths.end, paths.bulge)
+    reached = np.cumsum(along)
+    before = np.concatenate([[0.0], reached])
+    wanted = before[paths.first[:-1]] + distance
+    rows = np.clip(np.searchsorted(reached, wanted), paths.first[:-1], paths.first[1:] - 1)
+    share = np.clip((wanted - before[rows]) / along[rows], 0.0, 1.0)
+    start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
+    ahead = azimuth(arc.tangents(start, end, bulge)[0])
+    heading: F64 = ahead + np.degrees(arc.sweep(bulge)) * share
+    return arc.point_at(start, end, bulge, share), heading, rows.astype(np.int32)
+
+
+def reversed_where(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+    """Return the paths, some travelled the other way, and the segment of each new one.
+
+    Parameters
+    ----------
+    which : (p,)
+        The paths to reverse.
+    """
+    owner = paths.path_of
+    rows = np.arange(len(paths.bulge))
+    mirror = paths.first[:-1][owner] + paths.first[1:][owner] - 1 - rows
+    turn = which[owner]
+    rows = np.where(turn, mirror, rows)
+    start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
+    back = turn[:, None]
+    return (
+        Paths(
+            np.where(back, end, start),
+            np.where(back, start, end),
+            np.where(turn, -bulge, bulge),
+            paths.first,
+        ),
+        rows.astype(np.int32),
+    )
+
+
+def begun_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+    """Return the paths, some closed ones begun in the middle of a segment, and each one's segment.
+
+    The segment is the path's longest line, or its longest arc where it has no line, so that the
+    place where a blade goes in and comes out is a smooth one.  It becomes two, first and last.
+
+    Parameters
+    ----------
+    which : (p,)
+        The paths to begin elsewhere; they must be closed.
+    """
+    owner = paths.path_of
+    along = arc.length(paths.start, paths.end, paths.bulge)
+    line = np.abs(paths.bulge) < BULGE
+    # Of each path the last in the order of (line, length, earliest): one sort for all.
+    ranked = np.lexsort((-np.arange(len(owner)), along, line, owner))
+    longest = ranked[paths.first[1:] - 1]
+    count = np.diff(paths.first) + which
+    first = np.concatenate([[0], np.cumsum(count)])
+    place = np.arange(first[-1]) - np.repeat(first[:-1], count)
+    size = np.repeat(np.diff(paths.first), count)
+    turned = np.repeat(which, count)
+    shift = np.where(turned, np.repeat(longest - paths.first[:-1], count), 0)
+    rows = np.repeat(paths.first[:-1], count) + (place + shift) % size
+    low = np.where(turned & (place == 0), 0.5, 0.0)
+    high = np.where(turned & (place == size), 0.5, 1.0)
+    start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
+    half = (low > 0.0) | (high < 1.0)
+    near, far, bent = arc.part(start, end, bulge, low, high)
+    return (
+        Paths(
+            np.where((low > 0.0)[:, None], near, start),
+            np.where((high < 1.0)[:, None], far, end),
+            np.where(half, bent, bulge),
+            first,
+        ),
+        rows.astype(np.int32),
+    )

@@ -8,8 +8,14 @@ from typing import Final
 POINT: Final = 1e-6
 #: Two directions nearer than this are one direction (degrees): a smooth joint, a continued crease.
 ANGLE: Final = 1.0
+#: Ends of edges nearer than this are joined into one path as they stand (mm): well below what a
+#: program may deviate.
+JOIN: Final = 0.002
 #: Ends of edges nearer than this were meant to touch (mm).
 GAP: Final = 0.05
+#: Lines nearer in direction than this are one line to a leaning blade (degrees): its tip moves by
+#: less than a thousandth of a millimetre.
+COLLINEAR: Final = 0.005
 #: A fitted curve stays within this of the true one (mm).
 CURVE: Final = 0.01
 #: A bulge below this is a straight line: its arc stands off less than POINT on a metre.

@@ -30,11 +30,12 @@ class Operation:
     line_type: LineType
     tool: Tool
     station: int  #: T number
-    depth: F64  #: (p, passes) below the board's top face (mm)
+    depth: F64  #: (n, passes) below the board's top face (mm)
     caliper: float  #: of the board (mm)
     clearance: float  #: height of the tip above the board where plunging begins (mm)
     feed: float  #: mm/min
     plunge: float  #: mm/min
+    swivel: float  #: degrees/min of C while the tool is in the board
     end_clearance: float  #: mm, for creases
     overcut: float  #: the most that a V-groove's blade may run past its ends (mm)
     short_crease: str  #: "press" or "refuse"
@@ -47,7 +48,7 @@ class Operation:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "depth", frozen(self.depth, np.float64, len(self.paths), -1))
+        put(self, "depth", frozen(self.depth, np.float64, len(self.paths.bulge), -1))
         put(self, "start", frozen(self.start, np.uint8, len(self.paths)))
         put(self, "finish", frozen(self.finish, np.uint8, len(self.paths)))
         put(self, "source", frozen(self.source, np.int32, len(self.paths.bulge)))

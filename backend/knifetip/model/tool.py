@@ -15,7 +15,7 @@ class Knife:
     """A tangential knife, still or oscillating; with ``trail`` a drag knife."""
 
     blade_angle: float  #: slant of the leading edge from the vertical (degrees)
-    blade_width: float  #: tip to the back of the blade, along the cut (mm)
+    blade_width: float  #: of the blade along the cut: a wrong heading widens the cut by it (mm)
     swivel: float  #: a corner sharper than this is turned in the air (degrees)
     feed: float
     plunge: float

@@ -1,0 +1,69 @@
+# knifetip: two commands do everything, `make run` and `make test`; the others are their parts.
+
+PYTHON ?= python3
+VENV   := .venv
+BIN    := $(VENV)/bin
+HOST   ?= 127.0.0.1
+PORT   ?= 8080
+SPEED  ?= 4
+
+.PHONY: help install dev page run test lint check bench system lock clean
+
+help:
+	@echo "make run      build what is missing and serve http://$(HOST):$(PORT)"
+	@echo "make test     lint, then all tests"
+	@echo "make install  $(BIN)/knifetip, the command"
+	@echo "make lint     ruff, mypy, import-linter, TypeScript, Biome"
+	@echo "make bench    side by side with the peers, to build/bench.json"
+	@echo "make lock     resolve the dependencies anew"
+
+install: $(VENV)/.runtime
+dev: $(VENV)/.dev
+
+$(BIN)/python:
+	$(PYTHON) -m venv $(VENV) \
+	|| { rm -rf $(VENV); $(PYTHON) -m pip install --user virtualenv && $(PYTHON) -m virtualenv $(VENV); }
+
+$(VENV)/.runtime: backend/requirements.lock backend/pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --disable-pip-version-check --quiet --require-hashes -r backend/requirements.lock
+	$(BIN)/python -m pip install --disable-pip-version-check --quiet --no-deps --editable backend
+	@touch $@
+
+$(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.runtime
+	$(BIN)/python -m pip install --disable-pip-version-check --quiet --require-hashes -r backend/requirements-dev.lock
+	@touch $@
+
+# build.py looks at the sources itself and is quick when nothing has changed.
+page: install
+	$(BIN)/python frontend/build.py
+
+run: install page
+	$(BIN)/knifetip serve --host $(HOST) --port $(PORT) --speed $(SPEED)
+
+# What only tests need, and only where it can be had: elsewhere those tests skip and say why.
+system:
+	@sh tests/system.sh
+
+lint: dev page
+	$(BIN)/ruff check backend tests
+	$(BIN)/ruff check --config backend/pyproject.toml frontend/build.py
+	$(BIN)/ruff format --check backend tests
+	cd backend && ../$(BIN)/mypy
+	cd backend && ../$(BIN)/lint-imports
+	$(BIN)/python frontend/build.py lint
+
+test: dev page system lint
+	$(BIN)/python frontend/build.py test
+	$(BIN)/python -m pytest -c backend/pyproject.toml --rootdir .
+
+bench: dev
+	$(BIN)/python -m tests.benchmarks
+
+lock: dev
+	cd backend && ../$(BIN)/uv pip compile -q --universal --generate-hashes --no-header \
+		pyproject.toml -o requirements.lock
+	cd backend && ../$(BIN)/uv pip compile -q --universal --generate-hashes --no-header \
+		--extra dev -c requirements.lock pyproject.toml -o requirements-dev.lock
+
+clean:
+	rm -rf build $(VENV) frontend/node_modules backend/knifetip/api/page

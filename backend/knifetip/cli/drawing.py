@@ -1,0 +1,190 @@
+"""knifetip read, classify and samples: what is in a drawing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+
+from knifetip import pipeline
+from knifetip.cli.terminal import ask, read_bytes, show, write_bytes
+from knifetip.dxf.samples import samples
+from knifetip.errors import LibraryError
+from knifetip.library import load
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.machine import Machine
+from knifetip.model.question import Question
+
+DrawingFile = Annotated[Path, typer.Argument(metavar="FILE", help="A DXF drawing.")]
+Unit = Annotated[
+    str | None, typer.Option(help="mm, cm, m, in or ft, whatever the file says of it.")
+]
+Profile = Annotated[str, typer.Option(help="Classification profile, or a TOML file of one.")]
+Layers = Annotated[
+    list[str] | None,
+    typer.Option("--layer", metavar="NAME=TYPE", help="Give a layer a line type; repeatable."),
+]
+Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Read:
+    """A drawing from a file, classified as the command line asked."""
+
+    data: bytes
+    drawing: Drawing
+    dieline: Dieline
+
+    def questions(self, machine: Machine | None = None) -> list[Question]:
+        """Return what is open."""
+        return pipeline.questions(self.drawing, self.dieline, machine)
+
+
+def load_drawing(file: Path, unit: str | None, profile: str, layers: list[str] | None) -> Read:
+    """Return the classified drawing of a file.
+
+    Raises
+    ------
+    KnifetipError
+        The file, the profile or a layer's line type cannot be used.
+    """
+    data = read_bytes(file)
+    drawing = pipeline.read_drawing(data, unit)
+    overrides = np.full(len(drawing), pipeline.NO_OVERRIDE, np.uint8)
+    for pair in layers or []:
+        name, equals, word = pair.rpartition("=")
+        if not equals:
+            raise LibraryError(f"--layer {pair!r} is not NAME=TYPE.", "Write --layer FOLDS=crease.")
+        try:
+            kind = LineType.of(word)
+        except ValueError as reason:
+            raise LibraryError(f"--layer {pair!r}: {reason}.", "Choose one of them.") from reason
+        rows = [i for i, layer in enumerate(drawing.layers) if layer.casefold() == name.casefold()]
+        if not rows:
+            raise LibraryError(
+                f"There is no layer {name!r} in {file.name}.",
+                f"There are {', '.join(repr(layer) for layer in drawing.layers)}.",
+            )
+        overrides[np.isin(drawing.layer, rows)] = kind
+    return Read(data, drawing, pipeline.dieline(drawing, load.profile(profile), overrides))
+
+
+def described(name: str, drawing: Drawing) -> dict[str, Any]:
+    """Return a drawing's unit, size and layers as plain data."""
+    low_x, low_y, high_x, high_y = (float(value) for value in drawing.bounds)
+    return {
+        "name": name,
+        "unit": drawing.unit or None,
+        "evidence": drawing.evidence,
+        "size": [high_x - low_x, high_y - low_y],
+        "bounds": [low_x, low_y, high_x, high_y],
+        "segments": len(drawing),
+        "length": float(drawing.lengths.sum()),
+        "layers": list(drawing.layers),
+    }
+
+
+def ledger(drawing: Drawing) -> list[dict[str, Any]]:
+    """Return what became of every entity as plain data."""
+    rows = drawing.ledger
+    return [
+        {
+            "handle": rows.handle[i],
+            "kind": rows.kind[i],
+            "layer": rows.layer[i],
+            "fate": Fate(rows.fate[i]).name.lower(),
+            "reason": rows.reason[i],
+            "length": float(rows.length[i]),
+        }
+        for i in range(len(rows))
+    ]
+
+
+def edges(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
+    """Return every edge, and why it is what it is, as plain data."""
+    lengths = drawing.lengths
+    return [
+        {
+            "row": row,
+            "handle": handle,
+            "layer": drawing.layers[drawing.layer[row]],
+            "colour": int(drawing.colour[row]),
+            "linetype": drawing.linetypes[drawing.linetype[row]],
+            "type": LineType(dieline.line_type[row]).word,
+            "rule": dieline.rules[dieline.rule[row]] if dieline.rule[row] >= 0 else "",
+            "confidence": float(dieline.confidence[row]),
+            "length": float(lengths[row]),
+            "start": dieline.ends[row, 0].tolist(),
+            "end": dieline.ends[row, 1].tolist(),
+            "bulge": float(dieline.bulge[row]),
+        }
+        for row, handle in enumerate(drawing.handles)
+    ]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the commands of this module."""
+
+    @app.command()
+    def read(file: DrawingFile, unit: Unit = None, json: Json = False) -> None:
+        """Say what is in a drawing, and what became of every entity."""
+        drawing = pipeline.read_drawing(read_bytes(file), unit)
+        about = described(file.name, drawing)
+        rows = ledger(drawing)
+        if json:
+            show({"drawing": about, "ledger": rows})
+            return
+        typer.echo(f"{file.name}: {_size(about)}, {len(drawing)} segments; {drawing.evidence}")
+        for row in rows:
+            typer.echo(
+                f"  {row['fate']:8} {row['kind']:12} {row['handle']:>8} {row['layer']}: {row['reason']}"
+            )
+
+    @app.command()
+    def classify(
+        file: DrawingFile,
+        profile: Profile = "default",
+        layer: Layers = None,
+        unit: Unit = None,
+        json: Json = False,
+    ) -> None:
+        """Say of every edge what it is, and by which rule."""
+        result = load_drawing(file, unit, profile, layer)
+        listed = edges(result.drawing, result.dieline)
+        asked = result.questions()
+        about = described(file.name, result.drawing)
+        if json:
+            show(
+                {
+                    "drawing": about,
+                    "edges": listed,
+                    "questions": [question.as_json() for question in asked],
+                    "ledger": ledger(result.drawing),
+                }
+            )
+            return
+        typer.echo(f"{file.name}: {_size(about)}; {result.drawing.evidence}")
+        for kind in LineType:
+            chosen = result.dieline.line_type == kind
+            if chosen.any():
+                length = float(result.drawing.lengths[chosen].sum())
+                typer.echo(f"  {kind.word:12} {int(chosen.sum()):6} edges {length:12.1f} mm")
+        ask(asked)
+
+    @app.command("samples")
+    def write_samples(
+        folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where to write them.")],
+    ) -> None:
+        """Draw the sample cartons that come with knifetip."""
+        for name, data in samples().items():
+            write_bytes(folder / name, data)
+            typer.echo(str(folder / name))
+
+
+def _size(about: dict[str, Any]) -> str:
+    width, height = about["size"]
+    return f"{width:.2f} × {height:.2f} {about['unit'] or 'units (the unit is not known)'}"

@@ -1,0 +1,75 @@
+"""knifetip machine: stations and tool dimensions as the engines use them."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Annotated, Any
+
+import typer
+
+from knifetip.cli.drawing import Json
+from knifetip.cli.terminal import show
+from knifetip.library import load
+from knifetip.model.machine import Machine, Station
+from knifetip.model.tool import VCutter
+from knifetip.post.tool_table import tool_table
+
+
+def described(machine: Machine) -> dict[str, Any]:
+    """Return a machine as plain data: mm, degrees, mm/min."""
+    return {
+        "name": machine.name,
+        "title": machine.title,
+        "width": machine.width,
+        "height": machine.height,
+        "dialect": machine.dialect,
+        "origin": list(machine.origin),
+        "travel_z": machine.travel_z,
+        "clearance": machine.clearance,
+        "into_mat": machine.into_mat,
+        "settle": machine.settle,
+        "axes": {axis: asdict(getattr(machine, axis)) for axis in "xyzc"},
+        "stations": [_station(station) for station in machine.stations],
+    }
+
+
+def _station(station: Station) -> dict[str, Any]:
+    tool = station.tool
+    dimensions = asdict(tool)
+    if isinstance(tool, VCutter):
+        dimensions["length"] = tool.length
+    return {
+        "number": station.number,
+        "name": station.name,
+        "datum": {"x": station.x, "y": station.y, "z": station.z, "c": station.c},
+        "output": station.output,
+        "tool": {"kind": load.kind_of(tool), **dimensions},
+    }
+
+
+def register(app: typer.Typer) -> None:
+    """Add the commands of this module."""
+
+    @app.command()
+    def machine(
+        name: Annotated[str, typer.Argument(metavar="NAME")] = "demo-table",
+        json: Json = False,
+        table: Annotated[
+            bool, typer.Option("--tool-table", help="Print LinuxCNC's tool table.")
+        ] = False,
+    ) -> None:
+        """Show a machine: its stations, their datums and their tools' dimensions."""
+        chosen = load.machine(name)
+        if table:
+            typer.echo(tool_table(chosen), nl=False)
+            return
+        data = described(chosen)
+        if json:
+            show(data)
+            return
+        typer.echo(f"{chosen.title} ({chosen.name}), speaks {chosen.dialect}")
+        for row in data["stations"]:
+            tool = dict(row["tool"])
+            datum = ", ".join(f"{axis} {value:g}" for axis, value in row["datum"].items())
+            typer.echo(f"  {row['number']}  {row['name']}: {tool.pop('kind')}, datum {datum}")
+            typer.echo("     " + ", ".join(f"{key} {value:g}" for key, value in tool.items()))

@@ -1,0 +1,119 @@
+"""Crease: set the wheel back from the ends, so that nothing is creased past them.
+
+    Operation[CreaseWheel] -> Toolpath, one track along every path
+
+A wheel of radius R pressed in by δ touches the board over ± s, s² = δ(2R − δ), so at a free end it
+must stop s early, and by the board's end clearance more.
+
+Source: Yang, Du, Shu & Qian, section 1 ("simple compensation of the tool based on the depth of the
+indentation, in order to prevent the over-cutting"); s is our derivation.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.compensation.tracks import Strokes, headings
+from knifetip.errors import EdgeTooShort
+from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.path import point_along, taken, trimmed
+from knifetip.geometry.tolerance import POINT
+from knifetip.model.operation import End, Operation
+from knifetip.model.tool import CreaseWheel
+from knifetip.model.toolpath import Toolpath
+
+
+def setback(depth: F64, wheel: CreaseWheel) -> F64:
+    """Return s, how far from its lowest point the wheel touches the board (mm), for depths (mm).
+
+    s = √(δ(2R − δ)): 3.4409 mm at R 15 mm and δ 0.4 mm.
+    """
+    result: F64 = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
+    return result
+
+
+def depth_that_fits(half: F64, wheel: CreaseWheel) -> F64:
+    """Return the depth (mm) at which the wheel touches ± ``half`` (mm): s solved for δ."""
+    reach = np.clip(half, 0.0, wheel.radius)
+    result: F64 = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
+    return result
+
+
+def crease(operation: Operation) -> Toolpath:
+    """Return the toolpath that creases every path, set back at its free ends.
+
+    A path too short for that is pressed in place at the depth that fits, or refused, as the
+    board says.
+
+    Raises
+    ------
+    EdgeTooShort
+        A path is shorter than its end clearances, or shorter than the wheel's contact on a board
+        that refuses short creases.
+    """
+    wheel = operation.tool
+    assert isinstance(wheel, CreaseWheel)
+    paths, depth = operation.paths, operation.depth[:, 0]
+    length = paths.lengths
+    clear = operation.end_clearance
+    free_start, free_end = operation.start == End.FREE, operation.finish == End.FREE
+    first, last = paths.first[:-1], paths.first[1:] - 1
+    at_start = np.where(free_start, setback(depth[first], wheel) + clear, 0.0)
+    at_end = np.where(free_end, setback(depth[last], wheel) + clear, 0.0)
+    fits = length - at_start - at_end > 10.0 * POINT
+    rolled = np.flatnonzero(fits).astype(np.int32)
+    short = np.flatnonzero(~fits).astype(np.int32)
+
+    way, rows = taken(paths, rolled)
+    way, kept = trimmed(way, at_start[rolled], at_end[rolled])
+    rows = rows[kept]
+    c_start, c_end = headings(way)
+    z = operation.caliper - depth[rows]
+    begins = np.zeros(len(rows), np.bool_)
+    begins[way.first[:-1]] = True
+    rolling = Strokes.flat(
+        start=np.column_stack([way.start, z, c_start]),
+        end=np.column_stack([way.end, z, c_end]),
+        bulge=way.bulge,
+        down=begins,
+        up=np.roll(begins, -1),
+        track=rolled[way.path_of],
+        source=operation.source[rows],
+        height=operation.caliper + operation.clearance,
+    )
+    return rolling.merged(_pressed(operation, wheel, short)).laid(operation)
+
+
+def _pressed(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
+    """Press short paths in one place: between two free ends, or where the crease goes on."""
+    paths, _ = taken(operation.paths, short)
+    free_start = operation.start[short] == End.FREE
+    free_end = operation.finish[short] == End.FREE
+    length = paths.lengths
+    place = np.where(free_start & free_end, length / 2.0, np.where(free_start, length, 0.0))
+    half = np.where(free_start & free_end, length / 2.0, length) - operation.end_clearance
+    xy, heading, segment = point_along(paths, place)
+    rows = operation.paths.first[:-1][short] + segment - paths.first[:-1]
+    bad = np.flatnonzero((half <= POINT) | (operation.short_crease == "refuse"))
+    if len(bad):
+        listed = operation.source[rows[bad]]
+        raise EdgeTooShort(
+            f"The crease at edge {listed[0]} is {length[bad[0]]:.2f} mm long, too short for a "
+            f"wheel of {wheel.radius:.1f} mm radius that must stay {operation.end_clearance:.2f} mm "
+            "clear of its ends.",
+            "Join it to its neighbour, ignore it, or let the board press short creases in place.",
+            [str(row) for row in listed[:10]],
+        )
+    depth = np.minimum(depth_that_fits(half, wheel), operation.depth[rows, 0])
+    pose = np.column_stack([xy, operation.caliper - depth, heading])
+    once = np.ones(len(short), np.bool_)
+    return Strokes.flat(
+        start=pose,
+        end=pose,
+        bulge=np.zeros(len(short)),
+        down=once,
+        up=once,
+        track=short,
+        source=operation.source[rows],
+        height=operation.caliper + operation.clearance,
+    )

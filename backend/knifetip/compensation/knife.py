@@ -1,0 +1,116 @@
+"""Knife: the blade on the line, its lead made good at the ends, its turns made in the air.
+
+    Operation[Knife] -> Toolpath, one track along every path
+
+A blade whose leading edge slants by α has cut the top face further than the bottom, where its tip
+is: by T tan α over a thickness T.  So a closed path runs over its start by that, an end that meets
+another cut likewise, and an end inside a panel stops early, where the *top* face ends.
+
+A drag knife trails its axis by e: the head stands at tip + e u and swings round the tip at corners.
+
+Source: our derivation; Yang, Du, Shu & Qian, section 5, suggest the like for other tools.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.compensation.tracks import Strokes, headings
+from knifetip.errors import EdgeTooShort
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.path import Paths, trimmed
+from knifetip.model.operation import End, Operation
+from knifetip.model.tool import Knife
+from knifetip.model.toolpath import Toolpath
+
+
+def knife(operation: Operation) -> Toolpath:
+    """Return the toolpath that cuts along every path.
+
+    Corners sharper than the knife's ``swivel`` angle are turned in the air; at gentler ones the
+    blade turns in the board.
+
+    Raises
+    ------
+    EdgeTooShort
+        A cut that ends inside a panel is shorter than the lead of the blade.
+    """
+    blade = operation.tool
+    assert isinstance(blade, Knife)
+    paths, rows = _with_ends(operation, blade)
+    source = operation.source[rows]
+    c_start, c_end = headings(paths)
+    z = operation.caliper - operation.depth[rows, 0]
+    begins = np.zeros(len(rows), np.bool_)
+    begins[paths.first[:-1]] = True
+    turned = c_start - np.roll(c_end, 1)
+    down = begins | (np.abs(turned) > blade.swivel)
+    return Strokes.flat(
+        start=np.column_stack([_head(paths.start, c_start, blade), z, c_start]),
+        end=np.column_stack([_head(paths.end, c_end, blade), z, c_end]),
+        bulge=paths.bulge,
+        down=down,
+        up=np.roll(down, -1),
+        track=paths.path_of,
+        source=source,
+        height=operation.caliper + operation.clearance,
+        # The head of a drag knife swings round its tip; without a trail it only turns.
+        swing=np.where(down, 0.0, np.tan(np.radians(turned) / 4.0)) * (blade.trail > 0.0),
+    ).laid(operation)
+
+
+def _head(tip: F64, c: F64, blade: Knife) -> F64:
+    """Return where the head stands for a tip (n, 2) mm and a heading (n,) degrees."""
+    ahead = np.column_stack([np.cos(np.radians(c)), np.sin(np.radians(c))])
+    head: F64 = tip + blade.trail * ahead
+    return head
+
+
+def _with_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32]:
+    """Return the paths cut back or run over at their ends, and the segment of each new one."""
+    paths, finish = operation.paths, operation.finish
+    last = paths.first[1:] - 1
+    depth = operation.depth[last, 0]
+    lead = blade.lead(1.0) * depth
+    overrun = blade.lead(1.0) * np.minimum(depth, operation.caliper)
+    length = paths.lengths
+    free = finish == End.FREE
+    short = np.flatnonzero(free & (length <= lead))
+    if len(short):
+        listed = operation.source[last[short]]
+        raise EdgeTooShort(
+            f"The cut at edge {listed[0]} is {length[short[0]]:.2f} mm long, and ends inside a "
+            f"panel; the slanted blade needs {lead[short[0]]:.2f} mm.",
+            "Ignore it, join it to another cut, or take a steeper blade.",
+            [str(row) for row in listed[:10]],
+        )
+    cut, rows = trimmed(paths, np.zeros(len(paths)), np.where(free, lead, 0.0))
+    again, more = _openings(paths, np.where(finish == End.CLOSED, overrun, 0.0))
+    beyond, far = _beyond(paths, np.where(finish == End.MEETS, overrun, 0.0))
+    parts = [cut, again, beyond]
+    owner = np.concatenate([part.path_of for part in parts])
+    order = np.argsort(owner, kind="stable")
+    count = np.bincount(owner, minlength=len(paths))
+    joined = Paths(
+        np.concatenate([part.start for part in parts])[order],
+        np.concatenate([part.end for part in parts])[order],
+        np.concatenate([part.bulge for part in parts])[order],
+        np.concatenate([[0], np.cumsum(count)]),
+    )
+    return joined, np.concatenate([rows, more, far])[order]
+
+
+def _openings(paths: Paths, size: F64) -> tuple[Paths, I32]:
+    """Return the first ``size`` mm of every path: what a closed one runs over again."""
+    return trimmed(paths, np.zeros(len(paths)), np.maximum(paths.lengths - size, 0.0))
+
+
+def _beyond(paths: Paths, size: F64) -> tuple[Paths, I32]:
+    """Return straight pieces of ``size`` mm that go on from the ends of the paths."""
+    last = (paths.first[1:] - 1)[size > 0.0]
+    _, ahead = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])
+    ahead /= np.hypot(*ahead.T)[:, None]
+    end = paths.end[last] + ahead * size[size > 0.0, None]
+    first = np.concatenate([[0], np.cumsum(size > 0.0)])
+    return Paths(paths.end[last], end, np.zeros(len(last)), first), last.astype(np.int32)

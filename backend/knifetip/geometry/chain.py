@@ -1,0 +1,245 @@
+"""chain: loose edges joined into paths.
+
+    ends, bulge -> which edge follows which, and which of them must be reversed
+
+Where two ends meet they are joined.  Where three or more meet only those that run straight through
+each other are, and only when neither has a second candidate: better an open end than a wrong join.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from knifetip.geometry import arc
+from knifetip.geometry.azimuth import unit
+from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.path import Paths
+from knifetip.geometry.tolerance import ANGLE, GAP, JOIN
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Chains:
+    """n edges in the order of their paths."""
+
+    order: I32  #: (n,) rows of the edges
+    flipped: Bool  #: (n,) whether the edge is travelled from its end to its start
+    first: I32  #: (p + 1,) the first place in ``order`` of each path, and n
+
+    def paths(self, ends: F64, bulge: F64) -> Paths:
+        """Return the edges as paths; ends (m, 2, 2) mm and bulge (m,) as they were chained."""
+        ordered = ends[self.order]
+        turned = np.where(self.flipped[:, None, None], ordered[:, ::-1], ordered)
+        bent = np.where(self.flipped, -bulge[self.order], bulge[self.order])
+        return Paths(turned[:, 0], turned[:, 1], bent, self.first)
+
+
+def outward(ends: F64, bulge: F64) -> F64:
+    """Return the unit directions in which each edge leaves its two ends, (n, 2, 2).
+
+    Raises
+    ------
+    ZeroLengthEdge
+        An edge without length has no direction.
+    """
+    ahead, last = arc.tangents(ends[:, 0], ends[:, 1], bulge)
+    return np.stack([unit(ahead), -unit(last)], axis=1)
+
+
+def nodes(points: F64, gap: float = JOIN) -> I32:
+    """Return for points (n, 2) mm the number of the place that each stands on, (n,)."""
+    if len(points) == 0:
+        return np.zeros(0, np.int32)
+    cell = np.floor((points - points.min(axis=0)) / gap).astype(np.int64)
+    order = np.lexsort((cell[:, 1], cell[:, 0]))
+    labels: I32 = _clustered(points, cell, order, gap)
+    return np.unique(labels, return_inverse=True)[1].astype(np.int32)
+
+
+def chain(ends: F64, bulge: F64, kink: float = 180.0, gap: float = JOIN) -> Chains:
+    """Join edges into paths.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+    kink : degrees
+        Edges that meet in a sharper corner are not joined: 180 joins all, ``ANGLE`` the smooth.
+    gap : mm
+        Ends nearer than this are joined.
+
+    Returns
+    -------
+    Chains
+        Paths in the order of their first edge; a closed path begins at its first edge.
+
+    Raises
+    ------
+    ZeroLengthEdge
+        An edge without length has no direction.
+    """
+    count = len(ends)
+    if count == 0:
+        return Chains(np.zeros(0, np.int32), np.zeros(0, np.bool_), np.zeros(1, np.int32))
+    node = nodes(ends.reshape(-1, 2), gap)
+    by_node = np.argsort(node, kind="stable")
+    bounds = np.searchsorted(node[by_node], np.arange(node.max() + 2))
+    link = _linked(
+        outward(ends, bulge).reshape(-1, 2),
+        by_node,
+        bounds,
+        np.cos(np.radians(kink)) - 1e-12,
+        np.cos(np.radians(min(kink, ANGLE))) - 1e-12,
+    )
+    order, flipped, first = _walked(link)
+    return Chains(order, flipped, first)
+
+
+def run_on(points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP) -> Bool:
+    """Return for ends of paths whether another one leaves the same place straight on.
+
+    Parameters
+    ----------
+    points : (m, 2) mm
+        The ends.
+    directions : (m, 2)
+        Unit directions in which each path leaves its end.
+    angle : degrees
+        How straight is straight on.
+    gap : mm
+        How near is the same place.
+    """
+    if len(points) == 0:
+        return np.zeros(0, np.bool_)
+    node = nodes(points, gap)
+    by_node = np.argsort(node, kind="stable")
+    bounds = np.searchsorted(node[by_node], np.arange(node.max() + 2))
+    result: Bool = _run_on(directions, by_node, bounds, np.cos(np.radians(angle)) - 1e-12)
+    return result
+
+
+@njit(cache=True)
+def _root(parent: Any, i: int) -> int:
+    while parent[i] != i:
+        parent[i] = parent[parent[i]]
+        i = parent[i]
+    return i
+
+
+@njit(cache=True)
+def _clustered(points: Any, cell: Any, order: Any, gap: float) -> Any:
+    """Union-find over a grid whose cells, sorted by column and row, are found by bisection."""
+    n = len(points)
+    parent = np.arange(n)
+    column = cell[order, 0]
+    row = cell[order, 1]
+    for place in range(n):
+        i = order[place]
+        for dx in range(2):
+            # Own and next column, in the own one only what comes later: each pair is seen once.
+            wanted = cell[i, 0] + dx
+            low = place + 1
+            if dx == 1:
+                low = np.searchsorted(column, wanted)
+                high = np.searchsorted(column, wanted + 1)
+                low = low + np.searchsorted(row[low:high], cell[i, 1] - 1)
+            while low < n and column[low] == wanted and row[low] <= cell[i, 1] + 1:
+                j = order[low]
+                x = points[i, 0] - points[j, 0]
+                y = points[i, 1] - points[j, 1]
+                if x * x + y * y <= gap * gap:
+                    a = _root(parent, i)
+                    b = _root(parent, j)
+                    if a < b:
+                        parent[b] = a
+                    elif b < a:
+                        parent[a] = b
+                low += 1
+    for i in range(n):
+        parent[i] = _root(parent, i)
+    return parent.astype(np.int32)
+
+
+@njit(cache=True)
+def _linked(out: Any, by_node: Any, bounds: Any, any_turn: float, straight: float) -> Any:
+    """Which half-edge end is joined to which, -1 for open ends.
+
+    Two ends run on into each other when their outward directions oppose: the cosine of the turn is
+    minus their product.
+    """
+    link = np.full(len(out), -1, np.int64)
+    for node in range(len(bounds) - 1):
+        low = bounds[node]
+        high = bounds[node + 1]
+        if high - low == 2:
+            a = by_node[low]
+            b = by_node[low + 1]
+            cosine = -(out[a, 0] * out[b, 0] + out[a, 1] * out[b, 1])
+            if a // 2 != b // 2 and cosine >= any_turn:
+                link[a] = b
+                link[b] = a
+        elif high - low > 2:
+            for p in range(low, high):
+                a = by_node[p]
+                partner = -1
+                rivals = 0
+                for q in range(low, high):
+                    b = by_node[q]
+                    cosine = -(out[a, 0] * out[b, 0] + out[a, 1] * out[b, 1])
+                    if q != p and a // 2 != b // 2 and cosine >= straight:
+                        partner = b
+                        rivals += 1
+                if rivals == 1:
+                    link[a] = partner
+            for p in range(low, high):
+                a = by_node[p]
+                if link[a] >= 0 and link[link[a]] != a:
+                    link[a] = -1
+    return link
+
+
+@njit(cache=True)
+def _run_on(out: Any, by_node: Any, bounds: Any, straight: float) -> Any:
+    found = np.zeros(len(out), np.bool_)
+    for node in range(len(bounds) - 1):
+        for p in range(bounds[node], bounds[node + 1]):
+            a = by_node[p]
+            for q in range(bounds[node], bounds[node + 1]):
+                b = by_node[q]
+                if p != q and -(out[a, 0] * out[b, 0] + out[a, 1] * out[b, 1]) >= straight:
+                    found[a] = True
+    return found
+
+
+@njit(cache=True)
+def _walked(link: Any) -> Any:
+    count = len(link) // 2
+    order = np.empty(count, np.int32)
+    flipped = np.empty(count, np.bool_)
+    first = np.empty(count + 1, np.int32)
+    seen = np.zeros(count, np.bool_)
+    done = 0
+    paths = 0
+    for edge in range(count):
+        if seen[edge]:
+            continue
+        # Back to the open end, or once round a closed path.
+        tail = 2 * edge
+        while link[tail] >= 0:
+            tail = link[tail] ^ 1
+            if tail == 2 * edge:
+                break
+        first[paths] = done
+        paths += 1
+        while True:
+            order[done] = tail // 2
+            flipped[done] = tail % 2 == 1
+            seen[tail // 2] = True
+            done += 1
+            tail = link[tail ^ 1]
+            if tail < 0 or seen[tail // 2]:
+                break
+    first[paths] = done
+    return order, flipped, first[: paths + 1].copy()

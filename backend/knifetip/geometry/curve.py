@@ -1,0 +1,444 @@
+"""curve: ellipses and splines as lines and arcs that stay within a tolerance of them.
+
+    point(t), tangent(t), breakpoints -> start (n, 2), end (n, 2), bulge (n,)
+
+Each piece is a biarc: two arcs that touch, with the curve's own points and directions at its
+ends, so that the result turns no corner where the curve turns none.  The deviation of a biarc grows
+with |κ′| h³ over its length h, so pieces are spread with a density of |κ′|^⅓ and deviate nearly
+alike; every piece is then measured against the true curve, and halved where it is too far off.
+
+Source: biarc with equal tangent lengths, Bolton, "Biarc curves", Computer-Aided Design 7 (1975);
+order of its error, Meek & Walton, "Approximating smooth planar curves by arc splines", J. Comput.
+Appl. Math. 59 (1995); B-splines by de Boor's recurrence, "A Practical Guide to Splines" (1978).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from knifetip.errors import GeometryError
+from knifetip.geometry.columns import F64, Bool
+from knifetip.geometry.tolerance import BULGE, CURVE
+
+#: Parameters (m,) -> points or directions (m, 2).
+Evaluate: TypeAlias = Callable[[F64], F64]
+#: Segments: start (n, 2), end (n, 2), bulge (n,).
+Segments: TypeAlias = tuple[F64, F64, F64]
+
+#: Points of the true curve, evenly spaced inside a piece, at which its biarc is measured.
+_PROBES: Final = np.linspace(0.0, 1.0, 26)[1:-1]
+#: What is measured may fall short of the true maximum between probes by this share.
+_MARGIN: Final = 0.97
+#: Deviation of a biarc = |κ′| h³ / this, as measured on ellipses from 1 : 1.01 to 1 : 100.
+_ERROR: Final = 150.0
+#: A bulge beyond this (an arc of 106°) is halved: longer pieces are not measured reliably.
+_LONGEST: Final = 0.5
+#: A piece halved this often and still too far off is no curve.
+_HALVINGS: Final = 40
+#: A fit of more pieces than this is refused.
+_MOST: Final = 500_000
+
+
+def fit(
+    point: Evaluate, tangent: Evaluate, breaks: ArrayLike, tolerance: float = CURVE
+) -> Segments:
+    """Fit arcs and lines to a parametric curve.
+
+    Parameters
+    ----------
+    point, tangent
+        Map parameters (m,) to points (m, 2), and to the derivative there (any length).
+    breaks : (k,), increasing
+        Parameters at which the curve may have a corner or jump in curvature, both ends included.
+        Segments meet there exactly on the curve, unless they are one straight line.
+    tolerance : float, mm
+        No point of the curve is farther than this from the segments.
+
+    Returns
+    -------
+    start, end : (n, 2) float64, mm
+    bulge : (n,) float64, |bulge| ≤ 0.5
+        Segment i ends where segment i + 1 starts, to the bit.
+
+    Raises
+    ------
+    GeometryError
+        The curve has no finite points, or needs more than half a million pieces.
+    """
+    knots = np.asarray(breaks, dtype=np.float64)
+    if len(knots) < 2 or not np.isfinite(knots).all() or not (np.diff(knots) > 0.0).all():
+        raise GeometryError(
+            "The curve's parameters do not increase.", "Draw it again, as lines and arcs."
+        )
+    if not tolerance > 0.0:
+        raise GeometryError(f"A curve cannot be fitted within {tolerance} mm.", "Give more than 0.")
+    with np.errstate(all="ignore"):
+        edges = _spread(point, tangent, knots, tolerance)
+        first, last = edges[:-1], edges[1:]
+        done: list[tuple[F64, F64, F64, F64]] = []
+        total = 0
+        for _ in range(_HALVINGS):
+            joint, bulge, good = _biarcs(point, tangent, first, last, tolerance)
+            done.append((first[good], last[good], joint[good].reshape(-1), bulge[good].reshape(-1)))
+            total += int(good.sum())
+            bad = ~good
+            if not bad.any():
+                break
+            if total + 2 * int(bad.sum()) > _MOST:
+                raise GeometryError(
+                    f"The curve needs more than {_MOST:,} pieces to stay within {tolerance:g} mm.",
+                    "Raise the tolerance, or simplify the curve.",
+                )
+            middle = (first[bad] + last[bad]) / 2.0
+            first, last = (
+                np.concatenate([first[bad], middle]),
+                np.concatenate([middle, last[bad]]),
+            )
+        else:
+            raise GeometryError(
+                f"The curve cannot be followed within {tolerance:g} mm.",
+                "Draw it again, as lines and arcs.",
+            )
+    begin = np.concatenate([part[0] for part in done])
+    order = np.argsort(begin)
+    joints = np.concatenate([part[2].reshape(-1, 2) for part in done])[order]
+    bulges = np.concatenate([part[3].reshape(-1, 2) for part in done])[order]
+    corners = point(np.append(begin[order], knots[-1]))
+    start = np.stack([corners[:-1], joints], axis=1).reshape(-1, 2)
+    end = np.stack([joints, corners[1:]], axis=1).reshape(-1, 2)
+    bulge = bulges.reshape(-1)
+    return _tidied(start, end, bulge, 1e-6 * tolerance)
+
+
+def _tidied(start: F64, end: F64, bulge: F64, speck: float) -> Segments:
+    """Return the segments without specks, and lines that go straight on as one line."""
+    # A piece that is one arc, or one line, has its joint at its end: nothing comes after.
+    length = np.hypot(*(end - start).T)
+    some = length > speck
+    start, end, bulge, length = start[some], end[some], bulge[some], length[some]
+    if not len(bulge):
+        return start, end, bulge
+    start = np.concatenate([start[:1], end[:-1]])
+    ahead = (end - start) / length[:, None]
+    cross = ahead[:-1, 0] * ahead[1:, 1] - ahead[:-1, 1] * ahead[1:, 0]
+    onward = (np.abs(cross) < 1e-9) & ((ahead[:-1] * ahead[1:]).sum(axis=1) > 0.0)
+    onward &= (bulge[:-1] == 0.0) & (bulge[1:] == 0.0)
+    first = np.concatenate([[True], ~onward])
+    last = np.concatenate([~onward, [True]])
+    return start[first], end[last], bulge[first]
+
+
+def _spread(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
+    """Return parameters that cut each span into pieces of nearly equal deviation."""
+    cells = 32
+    if (len(knots) - 1) * cells > 64 * _MOST:
+        raise GeometryError(
+            f"The curve has {len(knots) - 1:,} spans.", "Simplify it before exporting."
+        )
+    edges: list[F64] = []
+    # In blocks, so that a curve of very many spans does not need all of its samples at once.
+    for block in range(0, len(knots) - 1, 4096):
+        left = knots[block : block + 4097]
+        grid = left[:-1, None] + np.diff(left)[:, None] * np.linspace(0.0, 1.0, cells + 1)
+        shape = (*grid.shape, 2)
+        place = point(grid.reshape(-1)).reshape(shape)
+        if not np.isfinite(place).all():
+            raise GeometryError(
+                "The curve has points that are not numbers.", "Draw it again, as lines and arcs."
+            )
+        ahead = tangent(grid.reshape(-1)).reshape(shape)
+        step = np.diff(place, axis=1)
+        along = np.hypot(step[..., 0], step[..., 1])
+        before, after = ahead[:, :-1], ahead[:, 1:]
+        turn = np.arctan2(
+            before[..., 0] * after[..., 1] - before[..., 1] * after[..., 0],
+            (before * after).sum(axis=-1),
+        )
+        curvature = np.nan_to_num(turn / along, nan=0.0, posinf=0.0, neginf=0.0)
+        change = np.abs(np.gradient(curvature, axis=1))
+        # |κ′|^⅓ ds with κ′ = Δκ / Δs; at least a piece to every 90° of turning.
+        wanted = np.cbrt(change * along**2 / (_ERROR * tolerance))
+        wanted = np.maximum(np.nan_to_num(wanted), np.abs(np.nan_to_num(turn)) / (np.pi / 2.0))
+        wanted += wanted.max(axis=1, keepdims=True) * 1e-6 + 1e-12
+        count = np.clip(np.ceil(wanted.sum(axis=1) - 1e-6), 1, 64).astype(np.int64)
+        for row, pieces in enumerate(count):
+            sum_ = np.concatenate([[0.0], np.cumsum(wanted[row])])
+            share = np.linspace(0.0, sum_[-1], pieces + 1)[:-1]
+            edges.append(np.interp(share, sum_, grid[row]))
+    edges.append(knots[-1:])
+    every = np.concatenate(edges)
+    result: F64 = every[np.concatenate([[True], np.diff(every) > 0.0])]
+    return result
+
+
+def _biarcs(
+    point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
+) -> tuple[F64, F64, Bool]:
+    """Return the joints (m, 2) and bulges (m, 2) of each piece, and which are near enough."""
+    a, b = point(first), point(last)
+    # Just before its end, a piece that ends in a corner still has its own direction.
+    u, v = _direction(tangent(first)), _direction(tangent(np.nextafter(last, first)))
+    chord = b - a
+    # Equal tangent lengths d: |chord|² - 2 d chord·(u + v) - 2 d² (1 - u·v) = 0, Bolton.
+    square = (chord * chord).sum(axis=1)
+    lean = (chord * (u + v)).sum(axis=1)
+    open_ = 2.0 * (1.0 - (u * v).sum(axis=1))
+    d = square / (lean + np.sqrt(lean * lean + open_ * square))
+    joint = ((a + d[:, None] * u) + (b - d[:, None] * v)) / 2.0
+    bulge = np.stack([_half_angle(u, joint - a), _half_angle(b - joint, v)], axis=1)
+
+    # Where one arc serves as well as two (a circle, a straight stretch), one it is.
+    whole = _half_angle(u, chord)
+    alike = np.abs(whole - _half_angle(chord, v)) < 1e-9
+    joint[alike] = b[alike]
+    bulge[alike, 0] = whole[alike]
+    bulge[alike, 1] = 0.0
+
+    t = first[:, None] + (last - first)[:, None] * _PROBES
+    probes = point(t.reshape(-1)).reshape(len(first), -1, 2)
+    allowed = tolerance * _MARGIN
+    near = _off(a, joint, bulge[:, 0], probes)
+    two = ~alike
+    near[two] = np.minimum(near[two], _off(joint[two], b[two], bulge[two, 1], probes[two]))
+    good = (near.max(axis=1) <= allowed) & (np.abs(bulge) <= _LONGEST).all(axis=1)
+
+    # Beside a cusp there is no direction to follow; a chord that is near enough will do.
+    flat = ~good & (_off(a, b, np.zeros(len(a)), probes).max(axis=1) <= allowed)
+    blunt = flat & (~np.isfinite(bulge).all(axis=1) | (square <= (4.0 * tolerance) ** 2))
+    joint[blunt], bulge[blunt] = b[blunt], 0.0
+    bulge[np.abs(bulge) < BULGE] = 0.0
+    enough: Bool = good | blunt
+    return joint, bulge, enough
+
+
+def _direction(vectors: F64) -> F64:
+    return vectors / np.hypot(vectors[:, 0], vectors[:, 1])[:, None]
+
+
+def _half_angle(before: F64, after: F64) -> F64:
+    """Return tan of half the angle from one vector to the next: the bulge, seen at an end."""
+    cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
+    dot = (before * after).sum(axis=1)
+    result: F64 = cross / (np.hypot(cross, dot) + dot)
+    return result
+
+
+def _off(start: F64, end: F64, bulge: F64, probes: F64) -> F64:
+    """Return the distances (m, k) of probes (m, k, 2) from segments (m)."""
+    chord = end - start
+    length = np.hypot(chord[:, 0], chord[:, 1])
+    length = np.where(length > 0.0, length, 1.0)
+    ahead = chord / length[:, None]
+    x = ((probes - start[:, None]) * ahead[:, None]).sum(axis=2)
+    side = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1)
+    y = ((probes - start[:, None]) * side[:, None]).sum(axis=2)
+    size = length[:, None]
+    to_ends = np.minimum(np.hypot(x, y), np.hypot(x - size, y))
+    straight = np.where((x >= 0.0) & (x <= size), np.abs(y), to_ends)
+    b = bulge[:, None]
+    flat = np.abs(b) < BULGE
+    safe = np.where(flat, 1.0, b)
+    middle_y = size * (1.0 - safe * safe) / (4.0 * safe)
+    radius = size * (1.0 + safe * safe) / (4.0 * np.abs(safe))
+    rx, ry = x - size / 2.0, y - middle_y
+    # The ray from the centre through the probe meets the arc if it points into its sector.
+    out = np.where(safe > 0.0, -1.0, 1.0)
+    inside = np.arctan2(np.abs(rx), ry * out) <= 2.0 * np.arctan(np.abs(safe)) + 1e-15
+    round_ = np.where(inside, np.abs(np.hypot(rx, ry) - radius), to_ends)
+    result: F64 = np.where(flat, straight, round_)
+    return result
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Ellipse:
+    """c + u cos t + v sin t for t from ``first`` to ``last``; u and v need not be square."""
+
+    centre: F64  #: (2,) mm
+    u: F64  #: (2,) from the centre to t = 0 (mm)
+    v: F64  #: (2,) from the centre to t = π/2 (mm)
+    first: float  #: radians
+    last: float  #: radians, > first, at most a full turn after it
+
+    def point(self, t: F64) -> F64:
+        """Return the points at parameters (m,), (m, 2) mm."""
+        result: F64 = self.centre + np.cos(t)[:, None] * self.u + np.sin(t)[:, None] * self.v
+        return result
+
+    def tangent(self, t: F64) -> F64:
+        """Return the derivatives at parameters (m,), (m, 2)."""
+        result: F64 = np.cos(t)[:, None] * self.v - np.sin(t)[:, None] * self.u
+        return result
+
+    def fitted(self, tolerance: float = CURVE) -> Segments:
+        """Return lines and arcs within a tolerance (mm) of the ellipse.
+
+        Circles give exact arcs; else each quarter between the ends of the axes is fitted.  An
+        ellipse without width is the line, there and back.
+
+        Raises
+        ------
+        GeometryError
+            A size is not a number, or the parameters do not increase.
+        """
+        turn = self.last - self.first
+        shape = np.concatenate([self.centre, self.u, self.v, [self.first, self.last]])
+        if not np.isfinite(shape).all() or not 0.0 < turn <= 2.0 * np.pi + 1e-9:
+            raise GeometryError(
+                "The ellipse has no size or no sweep that is a number.", "Draw it again."
+            )
+        # The axes: where u cos t + v sin t is longest, tan 2t = 2 u·v / (u² - v²).
+        uu, vv, uv = float(self.u @ self.u), float(self.v @ self.v), float(self.u @ self.v)
+        cross = float(self.u[0] * self.v[1] - self.u[1] * self.v[0])
+        if abs(uu - vv) <= 1e-12 * uu and abs(uv) <= 1e-12 * uu:
+            rows = max(1, int(np.ceil(turn / np.pi - 1e-9)))
+            t = np.linspace(self.first, self.last, rows + 1)
+            corners = self.point(t)
+            if abs(turn - 2.0 * np.pi) <= 1e-9:
+                corners[-1] = corners[0]
+            side = 1.0 if cross > 0.0 else -1.0
+            bulge = np.full(rows, side * min(np.tan(turn / rows / 4.0), 1.0))
+            return corners[:-1], corners[1:], bulge
+        axis = 0.5 * np.arctan2(2.0 * uv, uu - vv)
+        quarter = np.pi / 2.0
+        number = np.arange(
+            np.floor((self.first - axis) / quarter), np.ceil((self.last - axis) / quarter) + 1.0
+        )
+        inner = axis + number * quarter
+        inner = inner[(inner > self.first + 1e-9) & (inner < self.last - 1e-9)]
+        breaks = np.concatenate([[self.first], inner, [self.last]])
+        if abs(cross) <= 1e-12 * max(uu, vv):
+            corners = self.point(breaks)
+            return corners[:-1], corners[1:], np.zeros(len(corners) - 1)
+        start, end, bulge = fit(self.point, self.tangent, breaks, tolerance)
+        if abs(turn - 2.0 * np.pi) <= 1e-9:
+            end[-1] = start[0]
+        return start, end, bulge
+
+
+def ellipse(
+    centre: ArrayLike,
+    major: ArrayLike,
+    ratio: float,
+    first: float = 0.0,
+    last: float = 2.0 * np.pi,
+    tolerance: float = CURVE,
+) -> Segments:
+    """Fit arcs and lines to an elliptic arc, counter-clockwise from ``first`` to ``last``.
+
+    Parameters
+    ----------
+    centre, major : (2,) mm
+        ``major`` goes from the centre to the end of an axis.
+    ratio : float
+        Of the other axis to this one; negative turns clockwise.
+    first, last : float, radians
+        Parameters (not angles), counted from ``major``.
+    tolerance : float, mm
+
+    Returns
+    -------
+    start, end : (n, 2) float64, mm
+    bulge : (n,) float64, |bulge| ≤ 1
+
+    Raises
+    ------
+    GeometryError
+        A size is not a number, or ``last`` is not after ``first``.
+    """
+    u = np.asarray(major, dtype=np.float64)
+    v = np.array([-u[1], u[0]]) * ratio
+    return Ellipse(np.asarray(centre, dtype=np.float64), u, v, first, last).fitted(tolerance)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Spline:
+    """A rational B-spline; all weights 1 where it is not rational."""
+
+    control: F64  #: (k, 2) mm
+    weights: F64  #: (k,) > 0
+    knots: F64  #: (k + degree + 1,) never decreasing
+    degree: int
+
+    def __post_init__(self) -> None:
+        count = len(self.control)
+        numbers = np.concatenate([self.control.reshape(-1), self.weights, self.knots])
+        if (
+            self.degree < 1
+            or count <= self.degree
+            or len(self.weights) != count
+            or len(self.knots) != count + self.degree + 1
+            or not np.isfinite(numbers).all()
+            or not (np.diff(self.knots) >= 0.0).all()
+            or not (self.weights > 0.0).all()
+            or not self.knots[count] > self.knots[self.degree]
+        ):
+            raise GeometryError(
+                f"The spline of degree {self.degree} with {count} control points and "
+                f"{len(self.knots)} knots is damaged.",
+                "Draw it again, or export it as lines and arcs.",
+            )
+
+    @property
+    def breaks(self) -> F64:
+        """The parameters between which it is smooth."""
+        inside = self.knots[self.degree : len(self.control) + 1]
+        return np.unique(inside)
+
+    def _evaluated(self, t: F64, rows: F64, knots: F64, degree: int) -> F64:
+        """Return a polynomial B-spline (m, columns) at t by de Boor's recurrence."""
+        count = len(rows)
+        span = np.clip(np.searchsorted(knots, t, side="right") - 1, degree, count - 1)
+        # A span of no length has no points; step back to the one that ends there.
+        filled = np.flatnonzero(knots[degree:count] < knots[degree + 1 : count + 1]) + degree
+        span = filled[np.searchsorted(filled, span, side="right") - 1]
+        d = rows[span[:, None] - degree + np.arange(degree + 1)]
+        for level in range(1, degree + 1):
+            for j in range(degree, level - 1, -1):
+                low = knots[span - degree + j]
+                high = knots[span + 1 + j - level]
+                wide = high - low
+                share = np.where(wide > 0.0, (t - low) / np.where(wide > 0.0, wide, 1.0), 0.0)
+                d[:, j] = (1.0 - share)[:, None] * d[:, j - 1] + share[:, None] * d[:, j]
+        result: F64 = d[:, degree]
+        return result
+
+    def _homogeneous(self) -> F64:
+        return np.hstack([self.control * self.weights[:, None], self.weights[:, None]])
+
+    def point(self, t: F64) -> F64:
+        """Return the points at parameters (m,), (m, 2) mm."""
+        value = self._evaluated(t, self._homogeneous(), self.knots, self.degree)
+        result: F64 = value[:, :2] / value[:, 2:]
+        return result
+
+    def tangent(self, t: F64) -> F64:
+        """Return the derivatives at parameters (m,), (m, 2); at a corner, of the side after it."""
+        p = self.degree
+        rows = self._homogeneous()
+        value = self._evaluated(t, rows, self.knots, p)
+        wide = self.knots[p + 1 : len(rows) + p] - self.knots[1 : len(rows)]
+        slope = p * np.diff(rows, axis=0) / np.where(wide > 0.0, wide, 1.0)[:, None]
+        rate = self._evaluated(t, slope, self.knots[1:-1], p - 1)
+        # (A / w)′ = (A′ - (A / w) w′) / w, and w > 0 changes no direction.
+        result: F64 = rate[:, :2] - value[:, :2] / value[:, 2:] * rate[:, 2:]
+        return result
+
+    def fitted(self, tolerance: float = CURVE) -> Segments:
+        """Return lines and arcs within a tolerance (mm) of the spline.
+
+        Raises
+        ------
+        GeometryError
+            It cannot be followed, or needs more than half a million pieces.
+        """
+        breaks = self.breaks
+        if self.degree == 1:
+            corners = self.point(breaks)
+            some = np.any(corners[:-1] != corners[1:], axis=1)
+            return corners[:-1][some], corners[1:][some], np.zeros(int(some.sum()))
+        return fit(self.point, self.tangent, breaks, tolerance)

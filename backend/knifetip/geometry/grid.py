@@ -1,0 +1,115 @@
+"""What is near: an index over the boxes of segments."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.tolerance import BULGE
+
+
+def touching(points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float) -> Bool:
+    """Return whether each point lies on a segment other than its own.
+
+    Parameters
+    ----------
+    points : (m, 2) mm
+    own : (m,)
+        The segment that each point belongs to, which does not count.
+    start, end, bulge : (n, 2), (n, 2) mm and (n,)
+    gap : mm
+        How near is on.
+    """
+    if len(points) == 0 or len(bulge) == 0:
+        return np.zeros(len(points), np.bool_)
+    boxes = arc.bounds(start, end, bulge) + np.array([-gap, -gap, gap, gap])
+    low = boxes[:, :2].min(axis=0)
+    high = boxes[:, 2:].max(axis=0)
+    side = max(1, math.isqrt(len(bulge)))
+    size = np.maximum((high - low) / side, gap)
+    cells = np.clip(((boxes - np.tile(low, 2)) / np.tile(size, 2)).astype(np.int64), 0, side - 1)
+    places = np.floor((points - low) / size).astype(np.int64)
+    middle = arc.centre(start, end, bulge)
+    radius = arc.radius(start, end, bulge)
+    first = np.arctan2(*(start - middle).T[::-1])
+    hit: Bool = _touching(
+        points, own, places, cells, side, start, end, middle, radius, first, arc.sweep(bulge), gap
+    )
+    return hit
+
+
+@njit(cache=True)
+def _touching(
+    points: Any,
+    own: Any,
+    places: Any,
+    cells: Any,
+    side: int,
+    start: Any,
+    end: Any,
+    middle: Any,
+    radius: Any,
+    first: Any,
+    sweep: Any,
+    gap: float,
+) -> Any:
+    count = np.zeros(side * side + 1, np.int64)
+    for i in range(len(cells)):
+        for x in range(cells[i, 0], cells[i, 2] + 1):
+            for y in range(cells[i, 1], cells[i, 3] + 1):
+                count[x * side + y + 1] += 1
+    count = np.cumsum(count)
+    listed = np.empty(count[-1], np.int64)
+    filled = count[:-1].copy()
+    for i in range(len(cells)):
+        for x in range(cells[i, 0], cells[i, 2] + 1):
+            for y in range(cells[i, 1], cells[i, 3] + 1):
+                listed[filled[x * side + y]] = i
+                filled[x * side + y] += 1
+    hit = np.zeros(len(points), np.bool_)
+    for k in range(len(points)):
+        x = places[k, 0]
+        y = places[k, 1]
+        if x < 0 or y < 0 or x > side or y > side:
+            continue
+        cell = min(x, side - 1) * side + min(y, side - 1)
+        for place in range(count[cell], count[cell + 1]):
+            i = listed[place]
+            if (
+                i != own[k]
+                and _distance(points[k], start[i], end[i], middle[i], radius[i], first[i], sweep[i])
+                <= gap
+            ):
+                hit[k] = True
+                break
+    return hit
+
+
+@njit(cache=True)
+def _distance(
+    point: Any, start: Any, end: Any, middle: Any, radius: float, first: float, sweep: float
+) -> float:
+    """Distance from a point to a line or an arc (mm)."""
+    if abs(sweep) >= 4.0 * BULGE:
+        angle = math.atan2(point[1] - middle[1], point[0] - middle[0]) - first
+        if sweep < 0:
+            angle = -angle
+        if angle % (2.0 * math.pi) <= abs(sweep):
+            return abs(math.hypot(point[0] - middle[0], point[1] - middle[1]) - radius)
+        return min(
+            math.hypot(point[0] - start[0], point[1] - start[1]),
+            math.hypot(point[0] - end[0], point[1] - end[1]),
+        )
+    x = end[0] - start[0]
+    y = end[1] - start[1]
+    square = x * x + y * y
+    along = 0.0
+    if square > 0.0:
+        along = ((point[0] - start[0]) * x + (point[1] - start[1]) * y) / square
+        along = min(max(along, 0.0), 1.0)
+    return math.hypot(point[0] - start[0] - along * x, point[1] - start[1] - along * y)

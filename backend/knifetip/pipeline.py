@@ -1,0 +1,180 @@
+"""The one place that knows the order of the stages.
+
+bytes → Drawing → Dieline → Operations → Toolpaths → Toolpath → Program → Verdict
+    read    classify    plan    compensate   sequence  process    verify
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from knifetip.classification import classify
+from knifetip.compensation.compensate import compensate
+from knifetip.dxf import units
+from knifetip.dxf.read import read
+from knifetip.errors import OpenQuestions, TravelExceeded
+from knifetip.geometry.columns import U8
+from knifetip.model.board import Board
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, extents
+from knifetip.model.machine import Machine
+from knifetip.model.profile import LineRules
+from knifetip.model.program import Program
+from knifetip.model.question import Question
+from knifetip.model.toolpath import Toolpath
+from knifetip.model.verdict import Verdict
+from knifetip.planning.plan import missing, plan
+from knifetip.post.process import process
+from knifetip.sequencing.sequence import sequence
+from knifetip.verification.verify import placement_of, verify
+
+#: How far the tip may be from the line (mm).
+TOLERANCE = 0.01
+#: In a column of overrides: this edge has none.
+NO_OVERRIDE = 255
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Compiled:
+    """What a drawing became for one machine and one board."""
+
+    toolpath: Toolpath
+    program: Program
+    verdict: Verdict
+    placement: tuple[float, float]  #: added to the drawing's coordinates on the sheet (mm)
+
+
+def read_drawing(data: bytes, unit: str | None = None) -> Drawing:
+    """Return the drawing in the bytes of a file; ``unit`` overrules what the file says.
+
+    Raises
+    ------
+    ReadError
+        The bytes are not a drawing that can be used.
+    """
+    return read(data, unit)
+
+
+def with_unit(drawing: Drawing, unit: str) -> Drawing:
+    """Return the drawing with its unit given: "mm", "cm", "m", "in" or "ft"."""
+    return units.rescaled(drawing, unit)
+
+
+def dieline(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) -> Dieline:
+    """Return the drawing's edges with their line types.
+
+    Parameters
+    ----------
+    overrides : (n,) LineType, or ``NO_OVERRIDE``
+    """
+    classified = classify.classify(drawing, rules)
+    return classified if overrides is None else classify.overridden(classified, overrides)
+
+
+def questions(drawing: Drawing, dieline: Dieline, machine: Machine | None = None) -> list[Question]:
+    """Return what somebody must decide before the drawing can be made (on that machine)."""
+    unit = units.question(drawing)
+    asked = ([unit] if unit else []) + classify.questions(drawing, dieline)
+    if machine is not None:
+        asked += _without_tool(dieline, machine)
+    return asked
+
+
+def _without_tool(dieline: Dieline, machine: Machine) -> list[Question]:
+    asked = []
+    for kind in LineType:
+        edges = np.flatnonzero(dieline.line_type == kind)
+        if len(edges) and missing(kind, machine):
+            choices = [
+                other.word
+                for other in LineType
+                if other != LineType.UNCLASSIFIED and not missing(other, machine)
+            ]
+            asked.append(
+                Question(
+                    kind="tool",
+                    text=f"{len(edges)} edges are {kind.word}, and no station of {machine.title} "
+                    "makes that. What shall they be?",
+                    choices=tuple(choices),
+                    edges=tuple(int(edge) for edge in edges),
+                )
+            )
+    return asked
+
+
+def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
+    """Return what puts the lower left corner of the worked edges on the machine's origin (mm).
+
+    Raises
+    ------
+    TravelExceeded
+        The drawing is larger than the table.
+    """
+    worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
+    low_x, low_y, high_x, high_y = extents(dieline.ends[worked], dieline.bulge[worked])
+    x, y = machine.origin
+    if high_x - low_x > machine.width - x or high_y - low_y > machine.height - y:
+        raise TravelExceeded(
+            f"The drawing is {high_x - low_x:.1f} × {high_y - low_y:.1f} mm, and {machine.title} "
+            f"has room for {machine.width - x:.0f} × {machine.height - y:.0f} mm.",
+            "Check the unit of the drawing, turn it, or choose a larger machine.",
+        )
+    # To the last place that a program prints, so that its header says it exactly.
+    return round(x - float(low_x), 4), round(y - float(low_y), 4)
+
+
+def compiled(
+    drawing: Drawing,
+    dieline: Dieline,
+    machine: Machine,
+    board: Board,
+    *,
+    dialect: str | None = None,
+    notes: Sequence[str] = (),
+    progress: Callable[[str, float], None] = lambda _stage, _share: None,
+) -> Compiled:
+    """Return the program that makes a dieline, and what the judge says of it.
+
+    Parameters
+    ----------
+    dialect
+        "linuxcnc" or "grblhal"; the machine's own where none is given.
+    notes
+        More comments for the head of the program.
+    progress
+        Is told the stage and how much of all is done, 0 … 1.
+
+    Raises
+    ------
+    OpenQuestions
+        The unit, an edge or a tool is not decided.
+    PlanError, CompensationError
+        The drawing cannot be made on this machine and board.
+    """
+    asked = questions(drawing, dieline, machine)
+    if asked:
+        raise OpenQuestions([question.as_json() for question in asked])
+    progress("plan", 0.05)
+    where = placement(dieline, machine)
+    operations = plan(replace(dieline, ends=dieline.ends + np.array(where)), machine, board)
+    progress("compensate", 0.2)
+    toolpaths = [compensate(operation) for operation in operations]
+    progress("sequence", 0.4)
+    toolpath = sequence(toolpaths, machine)
+    progress("process", 0.5)
+    head = (
+        f"machine {machine.name}",
+        f"board {board.name} caliper {board.caliper:g}",
+        f"placement X{where[0]:.4f} Y{where[1]:.4f}",
+        *notes,
+    )
+    program = process(
+        toolpath, machine, dialect or machine.dialect, tolerance=TOLERANCE, notes=head
+    )
+    progress("verify", 0.7)
+    verdict = verify(program.text, dieline, where, machine, board, tolerance=TOLERANCE)
+    progress("done", 1.0)
+    return Compiled(toolpath, program, verdict, where)

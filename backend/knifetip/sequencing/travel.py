@@ -1,0 +1,52 @@
+"""travel: no head leaves the machine.
+
+Joint position = programmed position + datum of the station, so each head has limits of its own.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.errors import TravelExceeded
+from knifetip.geometry import arc
+from knifetip.model.machine import Machine
+from knifetip.model.toolpath import Toolpath
+
+#: A joint may stand this far past its limit by rounding (mm or degrees).
+_ROUNDING = 1e-6
+
+
+def check_travel(toolpath: Toolpath, machine: Machine) -> None:
+    """Refuse a toolpath that would take a joint past its limits.
+
+    Raises
+    ------
+    TravelExceeded
+        Names the axis, the station, the measure and the edge.
+    """
+    boxes = arc.bounds(toolpath.pose[:-1, :2], toolpath.pose[1:, :2], toolpath.bulge)
+    low = np.minimum(toolpath.pose[:-1], toolpath.pose[1:])
+    high = np.maximum(toolpath.pose[:-1], toolpath.pose[1:])
+    low[:, :2], high[:, :2] = boxes[:, :2], boxes[:, 2:]
+    axes = (machine.x, machine.y, machine.z, machine.c)
+    limits = np.array([[axis.low, axis.high] for axis in axes])
+    for station in machine.stations:
+        datum = np.array([station.x, station.y, station.z, station.c])
+        own = (toolpath.tool == station.number)[:, None]
+        under = np.where(own, limits[:, 0] - (low + datum), -np.inf)
+        over = np.where(own, high + datum - limits[:, 1], -np.inf)
+        past = np.maximum(under, over)
+        row, axis = np.unravel_index(np.argmax(past), past.shape)
+        excess = past[row, axis]
+        if excess > _ROUNDING or np.isnan(excess):
+            side = "below" if under[row, axis] > over[row, axis] else "above"
+            unit = "°" if axis == 3 else " mm"
+            edge = int(toolpath.source[row])
+            place = f" at edge {edge}" if edge >= 0 else ""
+            raise TravelExceeded(
+                f"{station.name} (station {station.number}) would go {excess:.2f}{unit} {side} the "
+                f"travel of axis {'XYZC'[int(axis)]} ({limits[axis, 0]:g} to "
+                f"{limits[axis, 1]:g}{unit}){place}.",
+                "Place the drawing elsewhere on the table, turn it, or choose a larger machine.",
+                [str(edge)] if edge >= 0 else [],
+            )

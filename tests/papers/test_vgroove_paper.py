@@ -1,0 +1,121 @@
+"""Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker": every equation.
+
+The sums stand here as the paper has them, case by case, and share nothing with the code.
+"""
+
+from __future__ import annotations
+
+from math import atan, cos, degrees, pi, radians, sin
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from knifetip.compensation.vgroove import head_offset, sideways
+from knifetip.geometry.azimuth import azimuth
+from knifetip.model.tool import VCutter
+
+coordinates = st.floats(-1000.0, 1000.0).map(lambda value: round(value, 3))
+
+
+def paper_azimuth(dx, dy):
+    """The five cases of 4.1."""
+    if dx > 0 and dy >= 0:
+        return degrees(atan(dy / dx))
+    if dx == 0 and dy > 0:
+        return 90.0
+    if dx < 0:
+        return 180.0 + degrees(atan(dy / dx))
+    if dx == 0 and dy < 0:
+        return 270.0
+    return degrees(atan(dy / dx)) + 360.0
+
+
+@pytest.mark.parametrize(
+    ("dx", "dy", "expected"),
+    [(1, 1, 45.0), (0, 2, 90.0), (-1, 1, 135.0), (-1, -1, 225.0), (0, -2, 270.0), (1, -1, 315.0)],
+)
+def test_4_1_each_case(dx, dy, expected):
+    assert azimuth(np.array([[dx, dy]], float))[0] == pytest.approx(expected)
+
+
+@given(dx=coordinates, dy=coordinates)
+def test_4_1_is_one_arctan2(dx, dy):
+    if dx or dy:
+        ours = azimuth(np.array([[dx, dy]]))[0]
+        assert abs((ours - paper_azimuth(dx, dy) + 180) % 360 - 180) < 1e-9
+
+
+@given(dx=coordinates, dy=coordinates, d=st.floats(0.5, 20.0), r=st.floats(0.1, 5.0))
+def test_4_2_offset_of_point_1(dx, dy, d, r):
+    if abs(dx) + abs(dy) < 0.01:
+        return
+    beta = radians(paper_azimuth(dx, dy))
+    expected = [d * sin(beta) + r * cos(beta), -d * cos(beta) + r * sin(beta)]
+    ours = head_offset(np.zeros((1, 2)), np.array([[dx, dy]]), VCutter(d, r, 45.0))
+    np.testing.assert_allclose(ours, [expected], atol=1e-9)
+
+
+def test_4_2_worked_by_hand_at_three_azimuths():
+    # d 6, r 1.5: due north Δ = (6, 1.5); at 45° (7.5, -4.5)/√2; due west (-1.5, 6).
+    cutter = VCutter(6.0, 1.5, 45.0)
+    ends = np.array([[0.0, 10.0], [10.0, 10.0], [-10.0, 0.0]])
+    expected = [[6.0, 1.5], [7.5 / 2**0.5, -4.5 / 2**0.5], [-1.5, 6.0]]
+    np.testing.assert_allclose(head_offset(np.zeros((3, 2)), ends, cutter), expected, atol=1e-12)
+
+
+def test_blade_of_length_l_stands_back_by_l_sin_theta():
+    cutter = VCutter(back=12.0 * sin(radians(30.0)), half_width=1.5, tilt=30.0)
+    assert cutter.length == pytest.approx(12.0)
+
+
+def test_section_3_oblique_interpolation_lifts_to_the_right_and_plunges_to_the_left():
+    # Travel due east, blade at 30°: 3 mm up is 3 tan 30° = 1.732 mm south.
+    cutter = VCutter(back=6.0, half_width=1.5, tilt=30.0)
+    start, end = np.zeros((2, 2)), np.array([[10.0, 0.0]] * 2)
+    moved = sideways(start, end, cutter, np.array([3.0, -3.0]))
+    np.testing.assert_allclose(moved, [[0.0, -1.7320508], [0.0, 1.7320508]], atol=1e-7)
+
+
+def listing_azimuth(x0, y0, x1, y1):
+    """AzimuthAngle of 4.3, with its truncation to 0.01 mm and its cut-off π."""
+    dx, dy = int(100 * (x1 - x0)), int(100 * (y1 - y0))
+    if dx == 0:
+        a = 1.570796 if dy > 0 else -1.570796
+    elif dy == 0:
+        a = 0.0 if dx > 0 else -0.000001
+    else:
+        a = atan(dy / dx)
+    a = a / pi * 180
+    if dx < 0:
+        a += 180
+    while a < 0:
+        a += 360
+    return a
+
+
+@pytest.mark.parametrize(("length", "worst"), [(10.0, 0.06), (1.0, 0.6), (0.1, 5.8)])
+def test_4_3_the_listing_is_off_by_what_we_say_it_is_and_we_are_not(length, worst):
+    angles = np.arange(0.0, 360.0, 0.05)
+    ends = length * np.column_stack([np.cos(np.radians(angles)), np.sin(np.radians(angles))])
+    listing = np.array([listing_azimuth(0.0, 0.0, x, y) for x, y in ends])
+    error = np.abs((listing - angles + 180) % 360 - 180).max()
+    assert 0.75 * worst < error < worst
+    ours = np.abs((azimuth(ends) - angles + 180) % 360 - 180).max()
+    assert ours < 1e-10
+
+
+def test_4_3_the_listing_sends_an_edge_without_length_due_south():
+    assert listing_azimuth(5.0, 5.0, 5.0, 5.0) == pytest.approx(270.0, abs=1e-3)
+
+
+def test_point_2_and_4_are_mirrors_of_3_and_1():
+    # "point 1 and point 4 are symmetrical about A point, and point 2 and point 3 about B".
+    a, b = np.array([[3.0, 4.0]]), np.array([[33.0, 44.0]])
+    out = head_offset(a, b, VCutter(4.0, 1.5, 45.0))
+    back = head_offset(b, a, VCutter(4.0, 1.5, 45.0))
+    np.testing.assert_allclose(out, -back)
+    # β = 53.13°: sin 0.8, cos 0.6, so Δ = (4·0.8 + 1.5·0.6, -4·0.6 + 1.5·0.8).
+    np.testing.assert_allclose(out, [[4.1, -1.2]])
+    assert cos(radians(53.130102)) == pytest.approx(0.6)

@@ -1,0 +1,89 @@
+"""Shapes that tests share: dielines by hand, tools and boards with plain dimensions."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.geometry.columns import F64
+from knifetip.model.board import Board
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Axis, Machine, Station
+from knifetip.model.tool import CreaseWheel, Knife, VCutter
+
+KNIFE = Knife(
+    blade_angle=45.0,
+    blade_width=3.0,
+    swivel=15.0,
+    feed=24000.0,
+    plunge=6000.0,
+    oscillating=True,
+)
+WHEEL = CreaseWheel(radius=15.0, width=0.7, feed=30000.0, plunge=6000.0)
+CUTTER = VCutter(back=4.0, half_width=1.5, tilt=45.0, feed=12000.0, plunge=3000.0)
+
+BOARD = Board(
+    name="test",
+    title="Test board",
+    material="greyboard",
+    caliper=2.0,
+    grain=90.0,
+    crease_along=0.4,
+    crease_across=0.6,
+    end_clearance=0.2,
+    groove_depth=1.0,
+    groove_overcut=3.0,
+    half_cut_depth=0.8,
+    perforation=(3.0, 2.0),
+    short_crease="press",
+)
+
+_AXIS = Axis(-500.0, 2000.0, 1500.0, 8000.0)
+MACHINE = Machine(
+    name="test",
+    title="Test table",
+    width=1600.0,
+    height=1200.0,
+    x=_AXIS,
+    y=_AXIS,
+    z=Axis(-10.0, 60.0, 500.0, 5000.0),
+    c=Axis(-1080.0, 1080.0, 3600.0, 36000.0),
+    stations=(
+        Station(1, "Knife", KNIFE, 0.0, 0.0, 0.0, 0.0, 0),
+        Station(2, "Wheel", WHEEL, 60.0, 0.0, -1.5, 0.0, 1),
+        Station(3, "V-cutter", CUTTER, -60.0, 0.0, 0.0, 0.0, 2),
+    ),
+    dialect="linuxcnc",
+    origin=(0.0, 0.0),
+    travel_z=20.0,
+    clearance=2.0,
+    into_mat=0.3,
+    settle=0.15,
+)
+
+
+def closed(*points: tuple[float, float]) -> F64:
+    """Return the edges of a polygon, (n, 2, 2)."""
+    corners = np.array(points, float)
+    return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+
+
+def edges(*ends: tuple[tuple[float, float], tuple[float, float]]) -> F64:
+    """Return loose edges, (n, 2, 2)."""
+    return np.array(ends, float).reshape(-1, 2, 2)
+
+
+def dieline(*groups: tuple[LineType, F64], bulge: dict[int, float] | None = None) -> Dieline:
+    """Return a dieline of groups of edges, some of them bent."""
+    ends = np.concatenate([group for _, group in groups])
+    kinds = np.concatenate([np.full(len(group), kind) for kind, group in groups])
+    bent = np.zeros(len(ends))
+    for row, value in (bulge or {}).items():
+        bent[row] = value
+    rows = np.arange(len(ends))
+    return Dieline(ends, bent, kinds, rows, np.zeros(len(ends)), np.ones(len(ends)), ("by hand",))
+
+
+def rotation(degrees: float) -> F64:
+    """Return the matrix that turns column vectors by an angle."""
+    cos, sin = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return np.array([[cos, -sin], [sin, cos]])

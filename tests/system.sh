@@ -1,0 +1,15 @@
+#!/bin/sh
+# Install what only tests need and pip cannot bring: Chromium and LinuxCNC, where we may.
+set -u
+missing=""
+command -v chromium >/dev/null 2>&1 || missing="$missing chromium"
+command -v rs274 >/dev/null 2>&1 || missing="$missing linuxcnc-uspace"
+[ -n "$missing" ] || exit 0
+if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null 2>&1; then
+    echo "without$missing: their tests will skip"
+    exit 0
+fi
+export DEBIAN_FRONTEND=noninteractive
+apt-get update -qq && apt-get install -qq -y --no-install-recommends $missing >/dev/null ||
+    echo "could not install$missing: their tests will skip"
+exit 0

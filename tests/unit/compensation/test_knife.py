@@ -1,0 +1,101 @@
+"""The knife engine: ends, corners, closed contours, and the drag knife."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from knifetip.compensation.knife import knife
+from knifetip.errors import EdgeTooShort
+from knifetip.model.dieline import LineType
+from knifetip.model.operation import End
+from knifetip.model.toolpath import Motion
+from knifetip.planning.plan import plan
+from shapes import BOARD, KNIFE, MACHINE, closed, dieline, edges
+
+QUARTER = np.tan(np.pi / 8)
+
+
+def planned(ends, bulge=None, kind=LineType.CUT):
+    return plan(dieline((kind, ends), bulge=bulge), MACHINE, BOARD)[-1]
+
+
+def test_an_end_inside_the_panel_stops_where_the_top_face_ends():
+    # 45° over 2.3 mm: the top face is cut 2.3 mm ahead of the tip.
+    path = knife(planned(edges(((0, 0), (50, 0)))))
+    np.testing.assert_allclose(path.pose[1], [0, 0, -0.3, 0])
+    np.testing.assert_allclose(path.pose[2], [47.7, 0, -0.3, 0])
+
+
+def test_an_end_that_meets_another_cut_runs_over():
+    operation = replace(planned(edges(((0, 0), (50, 0)))), finish=np.array([End.MEETS]))
+    path = knife(operation)
+    # The bottom face ends 2.0 tan 45° behind the top.
+    np.testing.assert_allclose(path.pose[-2, :2], [52.0, 0.0])
+
+
+def test_a_closed_contour_runs_over_its_own_start():
+    path = knife(planned(closed((0, 0), (100, 0), (100, 50), (0, 50))))
+    np.testing.assert_allclose(path.pose[1, :2], [50, 0])
+    np.testing.assert_allclose(path.pose[-2, :2], [52, 0])
+    fed = path.motion == Motion.FEED
+    assert path.source[fed].tolist() == [0, 1, 2, 3, 0, 0]
+
+
+def test_a_half_cut_is_shallow_and_ends_early_by_its_own_depth():
+    path = knife(planned(edges(((0, 0), (50, 0))), kind=LineType.HALF_CUT))
+    np.testing.assert_allclose(path.pose[2, :3], [49.2, 0, 1.2])
+
+
+def test_a_sharp_corner_is_turned_in_the_air_and_a_gentle_one_in_the_board():
+    sharp = knife(planned(edges(((0, 0), (50, 0)), ((50, 0), (50, 50)))))
+    assert sharp.motion.tolist() == [
+        Motion.PLUNGE, Motion.FEED, Motion.LIFT, Motion.RAPID, Motion.PLUNGE, Motion.FEED,
+        Motion.LIFT,
+    ]  # fmt: skip
+    np.testing.assert_allclose(sharp.pose[3:5, 2], 4.0)
+    np.testing.assert_allclose(sharp.pose[3:5, 3], [0.0, 90.0])
+    gentle = knife(planned(edges(((0, 0), (50, 0)), ((50, 0), (100, 10)))))
+    assert gentle.motion.tolist() == [
+        Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.FEED, Motion.LIFT,
+    ]  # fmt: skip
+
+
+def test_c_follows_an_arc_without_a_jump():
+    # Round a corner of radius 10: the line due east runs into the arc and that into due north.
+    ends = edges(((0, 0), (50, 0)), ((50, 0), (60, 10)), ((60, 10), (60, 50)))
+    path = knife(planned(ends, bulge={1: QUARTER}))
+    np.testing.assert_allclose(path.pose[:, 3], [0, 0, 0, 90, 90, 90])
+    assert path.bulge[2] == QUARTER
+
+
+def test_c_is_unwrapped_round_a_circle():
+    path = knife(planned(edges(((0, 0), (20, 0)), ((20, 0), (0, 0))), bulge={0: 1.0, 1: 1.0}))
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    turned = path.pose[fed[-1] + 1, 3] - path.pose[fed[0], 3]
+    # Once round, and over the start by 2 mm at radius 10.
+    assert turned == pytest.approx(360 + np.degrees(2.0 / 10.0))
+
+
+def test_a_cut_shorter_than_the_lead_is_refused():
+    with pytest.raises(EdgeTooShort, match=r"2\.30 mm"):
+        knife(planned(edges(((0, 0), (2.2, 0)))))
+
+
+def test_a_drag_knife_trails_its_head_and_swings_round_its_tip():
+    drag = replace(KNIFE, blade_angle=0.0, trail=2.0)
+    ends = edges(((0, 0), (50, 0)), ((50, 0), (50 + 40, 10)))
+    operation = replace(planned(ends), tool=drag)
+    path = knife(operation)
+    assert path.motion.tolist() == [
+        Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.FEED, Motion.LIFT,
+    ]  # fmt: skip
+    ahead = np.column_stack(
+        [np.cos(np.radians(path.pose[:, 3])), np.sin(np.radians(path.pose[:, 3]))]
+    )
+    tip = path.pose[:, :2] - 2.0 * ahead
+    np.testing.assert_allclose(tip[1:5], [[0, 0], [50, 0], [50, 0], [90, 10]], atol=1e-12)
+    # The head swings about the tip, radius 2, by the angle of the corner.
+    assert 4 * np.arctan(path.bulge[2]) == pytest.approx(np.arctan2(10, 40))

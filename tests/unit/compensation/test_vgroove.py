@@ -1,0 +1,93 @@
+"""The V-groove engine: points 1 to 4, the way in and out, and what it refuses."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from knifetip.compensation.vgroove import head_offset, vgroove
+from knifetip.errors import CurvedGroove, EdgeTooShort, GrooveTooDeep
+from knifetip.model.dieline import LineType
+from knifetip.model.toolpath import Motion
+from knifetip.planning.plan import plan
+from shapes import BOARD, CUTTER, MACHINE, dieline, edges
+
+EAST = edges(((0, 0), (100, 0)))
+
+
+def grooved(ends, **changes):
+    operation = plan(dieline((LineType.V_GROOVE, ends)), MACHINE, BOARD)[0]
+    return vgroove(replace(operation, **changes))
+
+
+def test_offset_due_east_is_right_and_ahead():
+    # The example of style: d 4 to the right of travel (south), r 1.5 ahead (east).
+    offset = head_offset(np.array([[0.0, 0.0]]), np.array([[100.0, 0.0]]), CUTTER)
+    np.testing.assert_array_equal(offset, [[1.5, -4.0]])
+
+
+def test_the_four_points_of_the_paper():
+    # A (0, 0), B (100, 0), Δ (1.5, -4): 1 = A + Δ, 2 = B + Δ, 3 = B - Δ, 4 = A - Δ.
+    path = grooved(EAST)
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    np.testing.assert_allclose(path.pose[fed[0], :2], [1.5, -4.0])
+    np.testing.assert_allclose(path.pose[fed[0] + 1, :2], [101.5, -4.0])
+    np.testing.assert_allclose(path.pose[fed[1], :2], [98.5, 4.0])
+    np.testing.assert_allclose(path.pose[fed[1] + 1, :2], [-1.5, 4.0])
+    np.testing.assert_allclose(path.pose[fed, 3], [0.0, 180.0])
+    # The board is 2 thick and the groove 1 deep.
+    np.testing.assert_allclose(path.pose[fed, 2], 1.0)
+
+
+def test_the_blade_goes_in_and_out_along_itself():
+    path = grooved(EAST)
+    down = np.flatnonzero(path.motion == Motion.PLUNGE)[0]
+    way = path.pose[down + 1] - path.pose[down]
+    # From 2 above the board to 1 below its face, 3 down; the blade leans by 45°, so 3 to the left.
+    np.testing.assert_allclose(way, [0.0, 3.0, -3.0, 0.0], atol=1e-12)
+    up = np.flatnonzero(path.motion == Motion.LIFT)[0]
+    np.testing.assert_allclose(path.pose[up + 1] - path.pose[up], [0, -3, 3, 0], atol=1e-12)
+
+
+def test_the_turn_between_the_passes_is_made_above_the_board():
+    path = grooved(EAST)
+    turn = np.flatnonzero(path.motion == Motion.RAPID)
+    assert len(turn) == 1
+    np.testing.assert_allclose(path.pose[turn[0] : turn[0] + 2, 2], 4.0)
+
+
+def test_deeper_passes_follow_each_other():
+    path = grooved(EAST, depth=np.array([[0.5, 1.0]]))
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    np.testing.assert_allclose(path.pose[fed, 2], [1.5, 1.5, 1.0, 1.0])
+    np.testing.assert_allclose(path.pose[fed, 3], [0.0, 180.0, 0.0, 180.0])
+
+
+def test_a_groove_in_two_pieces_is_cut_in_one_go():
+    path = grooved(edges(((0, 0), (40, 0)), ((40, 0), (100, 0))))
+    fed = path.motion == Motion.FEED
+    assert path.source[fed].tolist() == [0, 1, 1, 0]
+    assert (path.motion == Motion.PLUNGE).sum() == 2
+
+
+def test_an_arc_is_refused():
+    line = dieline((LineType.V_GROOVE, EAST), bulge={0: 0.1})
+    with pytest.raises(CurvedGroove, match="1 V-groove edges are arcs"):
+        vgroove(plan(line, MACHINE, BOARD)[0])
+
+
+def test_a_groove_shorter_than_the_blade_is_refused():
+    with pytest.raises(EdgeTooShort, match=r"2\.90 mm long, and the blade is 3\.00 mm"):
+        grooved(edges(((0, 0), (2.9, 0))))
+
+
+def test_a_groove_through_the_board_is_refused():
+    with pytest.raises(GrooveTooDeep, match=r"2\.00 mm deep"):
+        grooved(EAST, depth=np.array([[2.0]]))
+
+
+def test_a_blade_that_runs_past_the_ends_further_than_allowed_is_refused():
+    with pytest.raises(GrooveTooDeep, match=r"runs 3\.00 mm past each end"):
+        grooved(EAST, overcut=2.9)

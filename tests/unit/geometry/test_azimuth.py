@@ -1,0 +1,41 @@
+"""The azimuth of Yang et al., 4.1, and what surrounds it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from knifetip.errors import ZeroLengthEdge
+from knifetip.geometry.azimuth import azimuth, left, right, turn, unit, unwrap
+
+
+def test_just_below_due_east_is_zero_and_not_a_full_turn():
+    assert azimuth(np.array([[1.0, -1e-18]]))[0] == 0.0
+
+
+def test_unit_vectors_have_length_one():
+    np.testing.assert_allclose(unit(np.array([[3.0, 4.0]])), [[0.6, 0.8]])
+
+
+@pytest.mark.parametrize("length", [0.0, 1e-7, np.nan])
+def test_an_edge_without_length_has_no_direction(length):
+    with pytest.raises(ZeroLengthEdge, match="Edge 1 has no length"):
+        unit(np.array([[1.0, 0.0], [length, 0.0]]))
+
+
+def test_right_of_north_is_east_and_left_is_west():
+    north = np.array([[0.0, 1.0]])
+    np.testing.assert_array_equal(right(north), [[1.0, 0.0]])
+    np.testing.assert_array_equal(left(north), [[-1.0, 0.0]])
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "expected"),
+    [(350.0, 10.0, 20.0), (10.0, 350.0, -20.0), (0.0, 180.0, 180.0), (90.0, 90.0, 0.0)],
+)
+def test_the_smaller_turn_is_taken(before, after, expected):
+    assert turn(np.array([before]), np.array([after]))[0] == expected
+
+
+def test_headings_are_unwrapped():
+    np.testing.assert_allclose(unwrap(np.array([350.0, 10.0, 30.0])), [350.0, 370.0, 390.0])

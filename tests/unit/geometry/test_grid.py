@@ -1,0 +1,40 @@
+"""Which points lie on which segments."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+from shapely import LineString, Point
+
+from knifetip.geometry.grid import touching
+from shapes import edges
+
+NONE = np.array([-1], np.int32)
+
+
+def test_a_point_on_the_belly_of_an_arc_touches_it():
+    half = edges(((0, 0), (20, 0)))
+    on, off = np.array([[10.0, -10.02]]), np.array([[10.0, 10.0]])
+    for points, expected in ((on, True), (off, False)):
+        assert touching(points, NONE, half[:, 0], half[:, 1], np.ones(1), 0.05).tolist() == [
+            expected
+        ]
+
+
+def test_the_segment_that_a_point_belongs_to_does_not_count():
+    line = edges(((0, 0), (20, 0)))
+    args = (line[:, 0], line[:, 1], np.zeros(1), 0.05)
+    assert not touching(np.zeros((1, 2)), np.array([0], np.int32), *args)[0]
+    assert touching(np.zeros((1, 2)), NONE, *args)[0]
+
+
+@given(seed=st.integers(0, 1000))
+def test_shapely_agrees_about_lines(seed):
+    random = np.random.default_rng(seed)
+    ends = random.uniform(0, 100, (30, 2, 2))
+    points = random.uniform(-10, 110, (40, 2))
+    gap = 2.0
+    found = touching(points, np.full(40, -1, np.int32), ends[:, 0], ends[:, 1], np.zeros(30), gap)
+    judged = [min(LineString(e).distance(Point(p)) for e in ends) <= gap for p in points]
+    assert found.tolist() == judged

@@ -1,0 +1,48 @@
+"""Which cuts bound the blank."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from knifetip.planning.outer import outer
+from shapes import closed, edges, rotation
+
+OUTLINE = edges(
+    ((0, 0), (100, 0)), ((100, 0), (100, 50)), ((100, 50), (100, 100)),
+    ((100, 100), (0, 100)), ((0, 100), (0, 0)),
+)  # fmt: skip
+SLIT = edges(((100, 50), (80, 50)))
+HOLE = closed((20, 20), (20, 30), (30, 30), (30, 20))
+NEIGHBOUR = closed((200, 0), (300, 0), (300, 100), (200, 100))
+SHEET = np.concatenate([OUTLINE, SLIT, HOLE, NEIGHBOUR])
+EXPECTED = np.array([True] * 5 + [False] * 5 + [True] * 4)
+
+
+def test_outlines_are_outer_and_slits_and_holes_are_not():
+    np.testing.assert_array_equal(outer(SHEET, np.zeros(len(SHEET))), EXPECTED)
+
+
+@given(seed=st.integers(0, 1000), degrees=st.floats(0, 360))
+def test_order_direction_and_turn_do_not_matter(seed, degrees):
+    random = np.random.default_rng(seed)
+    order = random.permutation(len(SHEET))
+    turned = (SHEET @ rotation(degrees).T)[order]
+    backwards = random.random(len(SHEET)) < 0.5
+    turned[backwards] = turned[backwards][:, ::-1]
+    np.testing.assert_array_equal(outer(turned, np.zeros(len(SHEET))), EXPECTED[order])
+
+
+def test_a_circle_of_two_arcs_is_outer_and_the_one_inside_it_is_not():
+    circles = edges(((0, 0), (20, 0)), ((20, 0), (0, 0)), ((5, 0), (9, 0)), ((9, 0), (5, 0)))
+    assert outer(circles, np.ones(4)).tolist() == [True, True, False, False]
+
+
+def test_a_lone_slit_bounds_nothing():
+    assert outer(SLIT, np.zeros(1)).tolist() == [False]
+
+
+def test_a_line_between_two_cells_is_inner():
+    cells = np.concatenate([OUTLINE, edges(((100, 50), (0, 100)))])
+    assert outer(cells, np.zeros(6)).tolist() == [True] * 5 + [False]
