@@ -6,6 +6,7 @@ BIN    := $(VENV)/bin
 HOST   ?= 127.0.0.1
 PORT   ?= 8080
 SPEED  ?= 4
+DATA   ?= .data/knifetip.sqlite
 
 .PHONY: help install dev page run test lint check bench system lock clean
 
@@ -38,7 +39,8 @@ page: install
 	$(BIN)/python frontend/build.py
 
 run: install page
-	$(BIN)/knifetip serve --host $(HOST) --port $(PORT) --speed $(SPEED)
+	@mkdir -p $(dir $(DATA))
+	$(BIN)/knifetip serve --host $(HOST) --port $(PORT) --speed $(SPEED) --database sqlite:///$(DATA)
 
 # What only tests need, and only where it can be had: elsewhere those tests skip and say why.
 system:

@@ -31,6 +31,20 @@ from knifetip.post.process import process
 from knifetip.sequencing.sequence import sequence
 from knifetip.verification.verify import placement_of, verify
 
+__all__ = [
+    "NO_OVERRIDE",
+    "TOLERANCE",
+    "Compiled",
+    "compiled",
+    "dieline",
+    "placement",
+    "placement_of",
+    "questions",
+    "read_drawing",
+    "verify",
+    "with_unit",
+]
+
 #: How far the tip may be from the line (mm).
 TOLERANCE = 0.01
 #: In a column of overrides: this edge has none.

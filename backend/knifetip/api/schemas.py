@@ -27,12 +27,13 @@ JobState = Literal[
     "cancelled",
 ]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
+Count = Annotated[int, Field(ge=0, le=2**31 - 1)]
 
 
 class Strict(BaseModel):
     """A request: what it does not know, it refuses."""
 
-    model_config = ConfigDict(extra="forbid")
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
 
 
 class QuestionOut(BaseModel):
@@ -222,6 +223,9 @@ class JobOut(BaseModel):
     priority: int
     created: float
     updated: float
+    wish: Literal["", "hold", "resume", "cancel"] = Field(
+        default="", description="What the operator asked for and the machine has not done yet"
+    )
     stage: str = Field(description="What the compile is doing now, empty when it is not compiling")
     progress: float = Field(description="0 … 1 of the compile, or of the run")
     line: int = Field(description="Lines of the program that the machine has executed")
@@ -361,9 +365,9 @@ class HeartbeatIn(Strict):
     """What the machine did since the last one."""
 
     job: Name
-    epoch: int
-    line: int = Field(ge=0)
-    copies_done: int = Field(default=0, ge=0)
+    epoch: Count
+    line: Count
+    copies_done: Count = 0
     held: bool = False
     position: tuple[float, float, float, float] | None = None
     seconds_left: float | None = None
@@ -380,9 +384,9 @@ class FinishIn(Strict):
     """How it ended."""
 
     job: Name
-    epoch: int
+    epoch: Count
     outcome: Literal["done", "interrupted", "cancelled"]
-    why: str = ""
+    why: str = Field(default="", max_length=2000)
 
 
 class Health(BaseModel):

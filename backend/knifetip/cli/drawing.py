@@ -141,7 +141,8 @@ def register(app: typer.Typer) -> None:
         typer.echo(f"{file.name}: {_size(about)}, {len(drawing)} segments; {drawing.evidence}")
         for row in rows:
             typer.echo(
-                f"  {row['fate']:8} {row['kind']:12} {row['handle']:>8} {row['layer']}: {row['reason']}"
+                f"  {row['fate']:8} {row['kind']:12} {row['handle']:>8} "
+                f"{row['layer']}: {row['reason']}"
             )
 
     @app.command()

@@ -41,7 +41,9 @@ _LONGEST: Final = 0.5
 #: A piece halved this often and still too far off is no curve.
 _HALVINGS: Final = 40
 #: A fit of more pieces than this is refused.
-_MOST: Final = 500_000
+_MOST: Final = 100_000
+#: Pieces or spans that are worked on at once, so that a long curve does not need all memory.
+_BLOCK: Final = 4096
 
 
 def fit(
@@ -68,7 +70,7 @@ def fit(
     Raises
     ------
     GeometryError
-        The curve has no finite points, or needs more than half a million pieces.
+        The curve has no finite points, or needs more than a hundred thousand pieces.
     """
     knots = np.asarray(breaks, dtype=np.float64)
     if len(knots) < 2 or not np.isfinite(knots).all() or not (np.diff(knots) > 0.0).all():
@@ -83,7 +85,11 @@ def fit(
         done: list[tuple[F64, F64, F64, F64]] = []
         total = 0
         for _ in range(_HALVINGS):
-            joint, bulge, good = _biarcs(point, tangent, first, last, tolerance)
+            blocks = [
+                _biarcs(point, tangent, first[at : at + _BLOCK], last[at : at + _BLOCK], tolerance)
+                for at in range(0, len(first), _BLOCK)
+            ]
+            joint, bulge, good = (np.concatenate(column) for column in zip(*blocks, strict=True))
             done.append((first[good], last[good], joint[good].reshape(-1), bulge[good].reshape(-1)))
             total += int(good.sum())
             bad = ~good
@@ -136,14 +142,14 @@ def _tidied(start: F64, end: F64, bulge: F64, speck: float) -> Segments:
 def _spread(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
     """Return parameters that cut each span into pieces of nearly equal deviation."""
     cells = 32
-    if (len(knots) - 1) * cells > 64 * _MOST:
+    if len(knots) - 1 > _MOST:
         raise GeometryError(
-            f"The curve has {len(knots) - 1:,} spans.", "Simplify it before exporting."
+            f"The curve has {len(knots) - 1:,} spans; the limit is {_MOST:,}.",
+            "Simplify it before exporting.",
         )
     edges: list[F64] = []
-    # In blocks, so that a curve of very many spans does not need all of its samples at once.
-    for block in range(0, len(knots) - 1, 4096):
-        left = knots[block : block + 4097]
+    for block in range(0, len(knots) - 1, _BLOCK):
+        left = knots[block : block + _BLOCK + 1]
         grid = left[:-1, None] + np.diff(left)[:, None] * np.linspace(0.0, 1.0, cells + 1)
         shape = (*grid.shape, 2)
         place = point(grid.reshape(-1)).reshape(shape)
@@ -434,7 +440,7 @@ class Spline:
         Raises
         ------
         GeometryError
-            It cannot be followed, or needs more than half a million pieces.
+            It cannot be followed, or needs more than a hundred thousand pieces.
         """
         breaks = self.breaks
         if self.degree == 1:

@@ -10,6 +10,7 @@ import tomllib
 from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import resources
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -85,18 +86,21 @@ def _made(
     shelf: str, word: str, name: str, parse: Callable[[str, Mapping[str, Any]], Made]
 ) -> Made:
     known = names(shelf)
+    file: Path | Traversable
     if name in known:
-        text = (resources.files(__package__) / shelf / f"{name}.toml").read_text("utf-8")
-        stem = name
-    elif name.endswith(".toml") and Path(name).is_file():
-        text = Path(name).read_text("utf-8")
-        stem = Path(name).stem
+        file = resources.files(__package__) / shelf / f"{name}.toml"
+    elif name.endswith(".toml"):
+        file = Path(name)
     else:
         raise LibraryError(f"There is no {word} {name!r}.", f"There are {', '.join(known)}.")
+    failure = ProfileError if shelf == "profiles" else LibraryError
     try:
-        return parse(stem, tomllib.loads(text))
-    except (tomllib.TOMLDecodeError, KeyError, TypeError, ValueError) as reason:
-        failure = ProfileError if shelf == "profiles" else LibraryError
+        return parse(file.name.removesuffix(".toml"), tomllib.loads(file.read_text("utf-8")))
+    except OSError as reason:
+        raise LibraryError(
+            f"There is no {word} {name!r}: {reason.strerror}.", f"There are {', '.join(known)}."
+        ) from reason
+    except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as reason:
         detail = f"{reason.args[0]!r} is missing" if isinstance(reason, KeyError) else str(reason)
         raise failure(
             f"The {word} {name!r} cannot be read: {detail}.", "Mend its TOML."
@@ -114,6 +118,20 @@ def _positive(value: Any, name: str) -> float:
     if number <= 0:
         raise ValueError(f"{name} is {number}, and must be more than 0")
     return number
+
+
+def _not_negative(value: Any, name: str) -> float:
+    number = _number(value, name)
+    if number < 0:
+        raise ValueError(f"{name} is {number}, and must not be less than 0")
+    return number
+
+
+def _whole(value: Any, name: str) -> int:
+    number = _number(value, name)
+    if not number.is_integer():
+        raise ValueError(f"{name} is {number}, not a whole number")
+    return int(number)
 
 
 def parse_tool(fields: Mapping[str, Any]) -> Tool:
@@ -143,13 +161,16 @@ def parse_machine(name: str, fields: Mapping[str, Any]) -> Machine:
         )
         for axis in "xyzc"
     }
+    for axis, limits in axes.items():
+        if limits.low >= limits.high or limits.velocity <= 0 or limits.acceleration <= 0:
+            raise ValueError(f"axis {axis} must have low < high, and speeds of more than 0")
     stations = tuple(
         Station(
-            number=int(row["number"]),
+            number=_whole(row["number"], "station number"),
             name=str(row["name"]),
             tool=parse_tool(row["tool"]),
             **{axis: _number(row["datum"][axis], f"datum.{axis}") for axis in "xyzc"},
-            output=int(row.get("output", -1)),
+            output=_whole(row.get("output", -1), "output"),
         )
         for row in fields["station"]
     )
@@ -170,8 +191,8 @@ def parse_machine(name: str, fields: Mapping[str, Any]) -> Machine:
         ),
         travel_z=_positive(fields["travel_z"], "travel_z"),
         clearance=_positive(fields["clearance"], "clearance"),
-        into_mat=_number(fields["into_mat"], "into_mat"),
-        settle=_number(fields["settle"], "settle"),
+        into_mat=_not_negative(fields["into_mat"], "into_mat"),
+        settle=_not_negative(fields["settle"], "settle"),
     )
 
 
@@ -195,38 +216,50 @@ def parse_board(name: str, fields: Mapping[str, Any]) -> Board:
         caliper=caliper,
         grain=_number(fields["grain"], "grain"),
         **depths,
-        end_clearance=_number(fields["end_clearance"], "end_clearance"),
-        groove_overcut=_number(fields["groove_overcut"], "groove_overcut"),
+        end_clearance=_not_negative(fields["end_clearance"], "end_clearance"),
+        groove_overcut=_not_negative(fields["groove_overcut"], "groove_overcut"),
         perforation=(_positive(cut, "perforation cut"), _positive(gap, "perforation gap")),
         short_crease=fields["short_crease"],
     )
 
 
 def parse_profile(name: str, fields: Mapping[str, Any]) -> LineRules:
-    """Return the profile of a TOML document: a title and a list of ``[[rule]]``."""
+    """Return the profile of a TOML document: a title and a list of ``[[rule]]``.
 
-    def texts(row: Mapping[str, Any], key: str) -> tuple[str, ...]:
-        value = row.get(key, [])
-        listed = [value] if isinstance(value, str) else value
-        if not all(isinstance(item, str) for item in listed):
-            raise ValueError(f"{key} must be text, not {value!r}")
-        return tuple(listed)
-
-    rules = []
+    With ``extends`` the rules of that profile of the library come first: a layer's name says more
+    than the colour that most of these profiles add.
+    """
+    base = fields.get("extends")
+    if base is not None and base not in names("profiles"):
+        raise ValueError(f"it extends {base!r}, which is no profile of the library")
+    rules = list(profile(base).rules) if base is not None else []
     for number, row in enumerate(fields["rule"], 1):
         unknown = set(row) - {"type", "layer", "colour", "linetype", "entity"}
         if unknown:
             raise ValueError(
                 f"rule {number} has {', '.join(sorted(unknown))}, which is no condition"
             )
-        colour = row.get("colour", [])
+        if "type" not in row:
+            raise ValueError(f"rule {number} has no type")
+        colours = _listed(row.get("colour", []), int, f"rule {number}: colour")
+        if not all(0 < colour < 256 for colour in colours):
+            raise ValueError(f"rule {number}: colours {list(colours)} must lie in 1 … 255")
         rules.append(
             LineRule(
                 line_type=LineType.of(row["type"]),
-                layer=texts(row, "layer"),
-                colour=tuple([colour] if isinstance(colour, int) else colour),
-                linetype=texts(row, "linetype"),
-                entity=texts(row, "entity"),
+                layer=_listed(row.get("layer", []), str, f"rule {number}: layer"),
+                colour=colours,
+                linetype=_listed(row.get("linetype", []), str, f"rule {number}: linetype"),
+                entity=_listed(row.get("entity", []), str, f"rule {number}: entity"),
             )
         )
     return LineRules(name, str(fields["title"]), tuple(rules))
+
+
+def _listed(value: Any, kind: type[Made], name: str) -> tuple[Made, ...]:
+    """Return one value, or a list of them, as a tuple."""
+    values = value if isinstance(value, list) else [value]
+    if not all(isinstance(item, kind) and not isinstance(item, bool) for item in values):
+        word = {int: "a whole number", str: "text"}[kind]
+        raise ValueError(f"{name} is {value!r}, not {word}")
+    return tuple(values)

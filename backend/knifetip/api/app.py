@@ -1,0 +1,273 @@
+"""app: the FastAPI application; every error leaves it as application/problem+json (RFC 9457).
+
+Settings -> FastAPI, with its database migrated and its workers started while it lives
+"""
+
+from __future__ import annotations
+
+import asyncio
+import http
+import inspect
+import logging
+import re
+from collections.abc import AsyncIterator, Mapping, Sequence
+from contextlib import asynccontextmanager
+from importlib.metadata import version
+from typing import Any
+
+import sqlalchemy.exc
+from fastapi import FastAPI, Request, Response
+from fastapi.exceptions import RequestValidationError
+from fastapi.openapi.utils import get_openapi
+from fastapi.routing import APIRoute
+from starlette.exceptions import HTTPException
+
+from knifetip import errors
+from knifetip.api import drawings, events, gateway, jobs, library, machines
+from knifetip.api.limits import Limits
+from knifetip.api.schemas import Health, Problem, QuestionOut
+from knifetip.api.service import Here, Service, Settings
+from knifetip.api.site import Site
+from knifetip.jobs.crew import Crew, Fault, Withdrawn
+from knifetip.jobs.store import Store
+from knifetip.jobs.work import Workshop
+
+PROBLEM = "application/problem+json"
+_log = logging.getLogger("knifetip.api")
+
+#: Status of each error; the nearest ancestor counts.
+STATUS: Mapping[type[errors.KnifetipError], int] = {
+    errors.KnifetipError: 422,
+    errors.DrawingTooLarge: 413,
+    errors.OpenQuestions: 409,
+    errors.JobError: 409,
+    errors.NoSuchJob: 404,
+    errors.KeyReused: 422,
+    errors.StoreError: 503,
+    errors.ControllerError: 502,
+}
+
+
+def create_app(settings: Settings | None = None) -> FastAPI:
+    """Return the application; its lifespan migrates the database and starts the workers."""
+    chosen = settings or Settings()
+
+    @asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        store = Store(chosen.database)
+        crew = Crew(chosen.crew)
+        workshop = Workshop(
+            store,
+            crew,
+            chosen.name,
+            chosen.compiles,
+            # One of the crew is left to read drawings, for which a person waits.
+            max(1, chosen.crew - 1),
+            chosen.limit,
+        )
+        service = Service(chosen, store, crew, workshop)
+        app.state.service = service
+        app.state.stream = events.Stream(service)
+        await asyncio.to_thread(store.migrate)
+        await asyncio.to_thread(workshop.start)
+        streaming = asyncio.create_task(app.state.stream.run())
+        service.ready = True
+        try:
+            yield
+        finally:
+            service.ready = False
+            service.stopping.set()
+            streaming.cancel()
+            await asyncio.gather(streaming, return_exceptions=True)
+            await asyncio.to_thread(workshop.stop)
+            store.close()
+
+    app = FastAPI(
+        title="knifetip",
+        version=version("knifetip"),
+        description="Carton dielines in, compensated and verified machine programs out.",
+        lifespan=lifespan,
+        openapi_url="/api/openapi.json",
+        # Their pages load scripts from another host, which a shop floor may not reach.
+        docs_url=None,
+        redoc_url=None,
+        generate_unique_id_function=_operation_id,
+    )
+    for module in (drawings, jobs, events, machines, library, gateway):
+        app.include_router(module.router, prefix="/api")
+    app.add_api_route("/healthz", _health, response_model=Health, tags=["health"])
+    app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])
+    app.router.default = Site(chosen.page)
+    app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
+    app.add_exception_handler(errors.KnifetipError, _knifetip_problem)
+    app.add_exception_handler(RequestValidationError, _request_problem)
+    app.add_exception_handler(HTTPException, _http_problem)
+    app.add_exception_handler(Withdrawn, _stopping_problem)
+    app.add_exception_handler(Fault, _unforeseen_problem)
+    app.add_exception_handler(sqlalchemy.exc.DBAPIError, _database_problem)
+    app.add_exception_handler(Exception, _unforeseen_problem)
+
+    def described() -> dict[str, Any]:
+        if app.openapi_schema is None:
+            app.openapi_schema = _openapi(app)
+        return app.openapi_schema
+
+    app.openapi = described  # type: ignore[method-assign]
+    return app
+
+
+def _health() -> Health:
+    """Say that the process is alive."""
+    return Health(status="ok", version=version("knifetip"))
+
+
+def _ready(here: Here, response: Response) -> Health:
+    """Say whether requests can be served: 503 while not."""
+    checks = {"database": "ok", "workers": "ok" if here.ready else "starting"}
+    try:
+        here.store.alive()
+    except sqlalchemy.exc.SQLAlchemyError as reason:
+        checks["database"] = type(reason).__name__
+    good = all(check == "ok" for check in checks.values())
+    response.status_code = 200 if good else 503
+    return Health(status="ok" if good else "starting", version=version("knifetip"), checks=checks)
+
+
+def problem(
+    status: int,
+    detail: str,
+    *,
+    kind: str = "about:blank",
+    title: str = "",
+    mend: str = "",
+    source: Sequence[str] = (),
+    questions: Sequence[dict[str, Any]] = (),
+    headers: Mapping[str, str] | None = None,
+) -> Response:
+    """Return an error as RFC 9457 has it."""
+    body = Problem(
+        type=kind,
+        title=title or http.HTTPStatus(status).phrase,
+        status=status,
+        detail=_said(detail),
+        mend=_said(mend),
+        source=[_said(place) for place in source],
+        questions=[QuestionOut.model_validate(question) for question in questions],
+    )
+    return Response(body.model_dump_json(), status, headers=dict(headers or {}), media_type=PROBLEM)
+
+
+def _said(text: str) -> str:
+    # A caller's lone surrogates cannot be said in UTF-8.
+    return text.encode("utf-8", "replace").decode("utf-8")
+
+
+def status_of(error: errors.KnifetipError) -> int:
+    """Return the HTTP status of an error."""
+    return next(STATUS[kind] for kind in type(error).__mro__ if kind in STATUS)
+
+
+async def _knifetip_problem(request: Request, error: Exception) -> Response:
+    assert isinstance(error, errors.KnifetipError)
+    status = status_of(error)
+    if isinstance(error, errors.LibraryError) and request.method == "GET":
+        status = 404
+    kind = type(error)
+    word = re.sub(r"(?<!^)(?=[A-Z])", "-", kind.__name__).lower()
+    return problem(
+        status,
+        error.message,
+        kind=f"urn:knifetip:problem:{word}",
+        title=(inspect.getdoc(kind) or "").split("\n")[0].rstrip("."),
+        mend=error.mend,
+        source=error.source,
+        questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
+    )
+
+
+async def _request_problem(_request: Request, error: Exception) -> Response:
+    assert isinstance(error, RequestValidationError)
+    found = error.errors()
+    places = [".".join(str(step) for step in fault["loc"])[:200] for fault in found[:20]]
+    told = "; ".join(
+        f"{place}: {fault['msg']}" for place, fault in zip(places, found[:5], strict=False)
+    )
+    return problem(
+        422,
+        f"The request cannot be read: {told[:1000]}.",
+        kind="urn:knifetip:problem:request",
+        title="The request cannot be read",
+        mend="See /api/openapi.json for what is expected.",
+        source=places,
+    )
+
+
+async def _http_problem(request: Request, error: Exception) -> Response:
+    assert isinstance(error, HTTPException)
+    match error.status_code:
+        case 404:
+            detail = f"There is nothing at {request.url.path[:200]}."
+            mend = "See /api/openapi.json for what there is."
+        case 405:
+            detail = f"{request.method} is not for {request.url.path[:200]}."
+            mend = "See /api/openapi.json for what is."
+        case _:
+            detail, mend = str(error.detail)[:1000], ""
+    return problem(error.status_code, detail, mend=mend, headers=error.headers)
+
+
+async def _stopping_problem(_request: Request, _error: Exception) -> Response:
+    return problem(503, "The server is stopping.", mend="Try again in a moment.")
+
+
+async def _database_problem(request: Request, error: Exception) -> Response:
+    if isinstance(error, sqlalchemy.exc.DataError):
+        return problem(422, "The request holds text or numbers that cannot be kept.")
+    _log.error("%s %s", request.method, request.url.path, exc_info=error)
+    return problem(503, "The database does not answer.", mend="Try again in a moment.")
+
+
+async def _unforeseen_problem(request: Request, error: Exception) -> Response:
+    _log.error("%s %s", request.method, request.url.path, exc_info=error)
+    return problem(
+        500,
+        "Something happened that nobody foresaw; nothing was cut.",
+        mend="The server's log has the details.",
+    )
+
+
+def _operation_id(route: APIRoute) -> str:
+    return route.name.strip("_")
+
+
+def _openapi(app: FastAPI) -> dict[str, Any]:
+    """Return OpenAPI 3.1 in which every route's errors are problems, as they really are."""
+    described = get_openapi(
+        title=app.title,
+        version=app.version,
+        description=app.description,
+        routes=app.routes,
+    )
+    schemas = described["components"]["schemas"]
+    for name in ("HTTPValidationError", "ValidationError"):
+        schemas.pop(name, None)
+    for name, schema in (
+        Problem.model_json_schema(ref_template="#/components/schemas/{model}", mode="serialization")
+        .pop("$defs", {})
+        .items()
+    ):
+        schemas.setdefault(name, schema)
+    own = Problem.model_json_schema(
+        ref_template="#/components/schemas/{model}", mode="serialization"
+    )
+    own.pop("$defs", None)
+    schemas["Problem"] = own
+    answer = {
+        "description": "What went wrong, and what to do about it",
+        "content": {PROBLEM: {"schema": {"$ref": "#/components/schemas/Problem"}}},
+    }
+    for path in described["paths"].values():
+        for operation in path.values():
+            operation["responses"].pop("422", None)
+            operation["responses"]["default"] = answer
+    return described

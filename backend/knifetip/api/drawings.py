@@ -1,0 +1,371 @@
+"""drawings: upload, look at, decide about."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import unicodedata
+import zlib
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
+from fastapi.responses import JSONResponse
+
+from knifetip.api.schemas import (
+    DrawingOut,
+    DrawingPatch,
+    DrawingSummary,
+    EdgesOut,
+    EdgesPatch,
+    LedgerOut,
+    Override,
+    Unit,
+)
+from knifetip.api.service import (
+    BINARY,
+    Cursor,
+    Here,
+    Key,
+    Limit,
+    Service,
+    bytes_answer,
+    fingerprint,
+    next_page,
+    on_shelf,
+)
+from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing, RequestError
+from knifetip.geometry.columns import U8
+from knifetip.jobs import tasks
+from knifetip.jobs.columns import unpacked
+from knifetip.jobs.crew import Fault
+from knifetip.jobs.tables import Drawing
+from knifetip.model.dieline import LineType
+
+router = APIRouter(prefix="/drawings", tags=["drawings"])
+
+_LISTED = 2000  # ledger rows in a drawing's own answer
+
+
+@router.post("", status_code=201)
+def upload_drawing(
+    here: Here,
+    response: Response,
+    file: UploadFile,
+    unit: Annotated[Unit | None, Form()] = None,
+    profile: Annotated[str, Form(max_length=200)] = "default",
+    key: Key = None,
+) -> DrawingOut:
+    """Read and classify a drawing (DXF, text or binary)."""
+    on_shelf("profiles", profile)
+    content = file.file.read(here.settings.upload + 1)
+    name = drawing_name(file.filename or "")
+    return added(here, response, name, content, unit or "", profile, key)
+
+
+def added(
+    here: Service,
+    response: Response | None,
+    name: str,
+    content: bytes,
+    unit: str,
+    profile: str,
+    key: str | None = None,
+) -> DrawingOut:
+    """Read, classify and keep a drawing."""
+    if len(content) > here.settings.upload:
+        raise DrawingTooLarge(
+            f"{name} is larger than {here.settings.upload >> 20} MB.", "Send a smaller drawing."
+        )
+    sha256 = hashlib.sha256(content).hexdigest()
+    request = fingerprint(name, sha256, unit, profile)
+    row = here.store.drawing_of(key, request) if key else None
+    if row is None:
+        reading = read(here, name, content, unit, profile)
+        row = here.store.add_drawing(
+            name=name,
+            content=content,
+            sha256=sha256,
+            unit_given=unit,
+            profile=profile,
+            overrides=reading.overrides,
+            summary=reading.summary,
+            edges=reading.edges,
+            ledger=reading.ledger,
+            key=key,
+            fingerprint=request,
+        )
+    if response is not None:
+        response.headers["Location"] = f"/api/drawings/{row.id}"
+    return drawing_out(here, row)
+
+
+@router.get("")
+def list_drawings(
+    here: Here, response: Response, cursor: Cursor = None, limit: Limit = 100
+) -> list[DrawingSummary]:
+    """List drawings, the newest first; the Link header leads on."""
+    rows = here.store.drawings(cursor, limit)
+    last = rows[-1].serial if len(rows) == limit else None
+    next_page(response, "/api/drawings?", last, limit)
+    return [summary_out(row) for row in rows]
+
+
+@router.get("/{id}")
+def get_drawing(here: Here, id: str) -> DrawingOut:
+    """Look at a drawing."""
+    return drawing_out(here, here.store.drawing(id))
+
+
+@router.patch("/{id}")
+def change_drawing(here: Here, id: str, patch: DrawingPatch) -> DrawingOut:
+    """Say a drawing's unit, or classify it by another profile."""
+    row = here.store.drawing(id)
+    unit = row.unit_given if patch.unit is None else patch.unit
+    profile = row.profile if patch.profile is None else on_shelf("profiles", patch.profile)
+    overrides = here.store.drawing_column(id, "overrides")
+    _, meta = unpacked(here.store.drawing_column(id, "edges"))
+    carried = tasks.Carried(overrides, meta["handles"])
+    return _kept(here, row, unit, profile, carried, f"unit {unit or 'open'}, profile {profile}")
+
+
+@router.delete("/{id}", status_code=204)
+def delete_drawing(here: Here, id: str) -> None:
+    """Forget a drawing that no job was made from."""
+    here.store.delete_drawing(id)
+
+
+@router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY})
+def get_edges(
+    here: Here,
+    request: Request,
+    id: str,
+    format: Annotated[Literal["json", "columns"], Query()] = "json",
+) -> Response:
+    """List the edges, as JSON or as binary columns (``format=columns``)."""
+    row = here.store.drawing(id)
+    block = here.store.drawing_column(id, "edges")
+    if format == "columns":
+        return bytes_answer(request, block, f"{id}-{row.version}", "application/octet-stream")
+    return JSONResponse({"edges": edges_out(block)})
+
+
+@router.patch("/{id}/edges")
+def override_edges(here: Here, id: str, patch: EdgesPatch) -> DrawingOut:
+    """Give edges a line type; the later override lies on top."""
+    row = here.store.drawing(id)
+    block = here.store.drawing_column(id, "edges")
+    before = here.store.drawing_column(id, "overrides")
+    after = overridden(block, before, patch.overrides)
+    _, meta = unpacked(block)
+    carried = tasks.Carried(after, meta["handles"])
+    why = f"{len(patch.overrides)} override{'s' * (len(patch.overrides) != 1)}"
+    return _kept(here, row, row.unit_given, row.profile, carried, why)
+
+
+@router.get("/{id}/ledger")
+def get_ledger(here: Here, id: str) -> LedgerOut:
+    """List what became of every entity of the file."""
+    row = here.store.drawing(id)
+    return LedgerOut.model_validate({**row.summary["ledger"], "rows": _ledger(here, id)})
+
+
+@router.get("/{id}/file", response_class=Response, responses={200: BINARY})
+def get_file(here: Here, request: Request, id: str) -> Response:
+    """Return the file as it came."""
+    row = here.store.drawing(id)
+    content = here.store.drawing_column(id, "content")
+    return bytes_answer(request, content, row.sha256, "image/vnd.dxf", row.name)
+
+
+def read(
+    here: Service,
+    name: str,
+    content: bytes,
+    unit: str,
+    profile: str,
+    carried: tasks.Carried | None = None,
+) -> tasks.Reading:
+    """Read a drawing in a process of the crew.
+
+    Raises
+    ------
+    ReadError
+        It cannot be read; the message begins with the drawing's name.
+    """
+    try:
+        return here.crew.run(tasks.read, content, unit, profile, carried, limit=here.settings.limit)
+    except Fault as reason:
+        raise NotADrawing(
+            f"{name}: the file is damaged in a way that reading stumbles over ({reason}).",
+            "Export it again as DXF, from another program if need be.",
+        ) from reason
+    except KnifetipError as reason:
+        if not reason.message.startswith(name):
+            reason.message = f"{name}: {reason.message}"
+        raise
+
+
+def _kept(
+    here: Service, row: Drawing, unit: str, profile: str, carried: tasks.Carried, why: str
+) -> DrawingOut:
+    content = here.store.drawing_column(row.id, "content")
+    reading = read(here, row.name, content, unit, profile, carried)
+    changed = here.store.change_drawing(
+        row.id,
+        row.version,
+        why,
+        unit_given=unit,
+        profile=profile,
+        overrides=reading.overrides,
+        summary=reading.summary,
+        edges=reading.edges,
+        ledger=reading.ledger,
+    )
+    return drawing_out(here, changed)
+
+
+def overridden(block: bytes, before: bytes, overrides: Sequence[Override]) -> bytes:
+    """Return a column of overrides with more of them laid on top.
+
+    Parameters
+    ----------
+    block
+        The drawing's edges, see ``columns``.
+    before
+        (n,) uint8, ``tasks.NONE`` or a LineType.
+
+    Raises
+    ------
+    RequestError
+        One of them is about nothing.
+    """
+    columns, meta = unpacked(block)
+    after = np.frombuffer(before, np.uint8).copy()
+    rows_of: dict[str, list[int]] = {}
+    if any(override.handles is not None for override in overrides):
+        for row, handle in enumerate(meta["handles"]):
+            rows_of.setdefault(handle, []).append(row)
+    for override in overrides:
+        value = tasks.NONE if override.type is None else LineType.of(override.type)
+        after[_chosen(override, columns, meta["layers"], rows_of, len(after))] = value
+    return after.tobytes()
+
+
+def _chosen(
+    override: Override,
+    columns: dict[str, Any],
+    layers: list[str],
+    rows_of: dict[str, list[int]],
+    count: int,
+) -> U8 | list[int]:
+    by_layer = override.layer is not None or override.colour is not None
+    if (override.edges is not None) + (override.handles is not None) + by_layer != 1:
+        raise RequestError(
+            "An override names its edges in one way.",
+            "Give edges, or handles, or layer and colour.",
+        )
+    if override.edges is not None:
+        if wrong := [str(row) for row in override.edges if not 0 <= row < count]:
+            raise RequestError(
+                f"The drawing has {count} edges, so there is no edge {wrong[0][:20]}.",
+                "Edges are counted from 0.",
+                wrong[:20],
+            )
+        return override.edges
+    if override.handles is not None:
+        if wrong := [handle for handle in override.handles if handle not in rows_of]:
+            raise RequestError(
+                f"No edge has the handle {wrong[0][:40]!r}.",
+                "GET …/edges lists the handles.",
+                wrong[:20],
+            )
+        return [row for handle in override.handles for row in rows_of[handle]]
+    chosen = np.ones(count, bool)
+    place = []
+    if override.layer is not None:
+        same = [index for index, name in enumerate(layers) if name == override.layer]
+        chosen &= np.isin(columns["layer"], same)
+        place.append(f"on layer {override.layer[:80]!r}")
+    if override.colour is not None:
+        colour = override.colour if 0 <= override.colour < 1000 else -1
+        chosen &= columns["colour"] == colour
+        place.append(f"of colour {str(override.colour)[:20]}")
+    if not chosen.any():
+        raise RequestError(
+            f"There is no edge {' and '.join(place)}.", "GET …/edges lists layers and colours."
+        )
+    return np.flatnonzero(chosen).tolist()
+
+
+def drawing_name(given: str) -> str:
+    """Return a file's name without folders and signs that cannot be shown."""
+    last = given.replace("\\", "/").rsplit("/", 1)[-1]
+    shown = "".join(sign for sign in last if unicodedata.category(sign)[0] != "C").strip()
+    if len(shown) > 120:
+        stem, dot, suffix = shown.rpartition(".")
+        shown = stem[:110] + dot + suffix[:9] if dot and stem else shown[:120]
+    return shown or "drawing.dxf"
+
+
+def edges_out(block: bytes) -> list[dict[str, Any]]:
+    """Return edges as plain data (``EdgeOut``)."""
+    columns, meta = unpacked(block)
+    ends = columns["ends"].tolist()
+    listed = {name: columns[name].tolist() for name in columns if name != "ends"}
+    return [
+        {
+            "row": row,
+            "handle": meta["handles"][row],
+            "layer": meta["layers"][listed["layer"][row]],
+            "colour": listed["colour"][row],
+            "linetype": meta["linetypes"][listed["linetype"][row]],
+            "type": meta["types"][listed["line_type"][row]],
+            "rule": meta["rules"][listed["rule"][row]],
+            "confidence": listed["confidence"][row],
+            "length": listed["length"][row],
+            "start": start,
+            "end": end,
+            "bulge": listed["bulge"][row],
+        }
+        for row, (start, end) in enumerate(ends)
+    ]
+
+
+def _ledger(here: Service, id: str) -> list[dict[str, Any]]:
+    rows: list[dict[str, Any]] = json.loads(
+        zlib.decompress(here.store.drawing_column(id, "ledger"))
+    )
+    return rows
+
+
+def drawing_out(here: Service, row: Drawing) -> DrawingOut:
+    """Return a drawing as the API shows it."""
+    ledger = row.summary["ledger"]
+    return DrawingOut.model_validate(
+        {
+            **row.summary,
+            "unit": row.summary["unit"] or None,
+            "id": row.id,
+            "name": row.name,
+            "created": row.created,
+            "sha256": row.sha256,
+            "profile": row.profile,
+            "ledger": {**ledger, "rows": _ledger(here, row.id)[:_LISTED]},
+        }
+    )
+
+
+def summary_out(row: Drawing) -> DrawingSummary:
+    """Return a drawing as a list shows it."""
+    return DrawingSummary(
+        id=row.id,
+        name=row.name,
+        created=row.created,
+        unit=row.summary["unit"] or None,
+        width=row.summary["width"],
+        height=row.summary["height"],
+        segments=row.summary["segments"],
+        questions=len(row.summary["questions"]),
+    )

@@ -1,0 +1,176 @@
+"""events: what happens to jobs and drawings, as server-sent events.
+
+    event: job       data: JobOut           id: of the transition; none for mere progress
+    event: drawing   data: DrawingSummary   id
+    event: deleted   data: {"drawing": id}  id
+
+A browser that comes back says the last id that it saw (``Last-Event-ID``) and hears once of every
+job and drawing to which something happened since.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import logging
+from collections.abc import AsyncIterator, Sequence
+from typing import Annotated
+
+from fastapi import APIRouter, Header, Query, Request
+from fastapi.responses import StreamingResponse
+
+from knifetip.api.drawings import summary_out
+from knifetip.api.jobs import job_out
+from knifetip.api.service import Service
+from knifetip.errors import NoSuchJob
+from knifetip.jobs.job import State
+from knifetip.jobs.tables import Event
+
+router = APIRouter(tags=["events"])
+
+_TICK = 0.2  # seconds between two looks for news
+_QUIET = 15.0  # seconds after which a silent line says that it is alive
+_BACKLOG = 1000  # messages that a slow listener may owe before it is hung up on
+_MOVING = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
+_log = logging.getLogger("knifetip.api")
+
+
+class Stream:
+    """Looks for news while somebody listens, and tells all who do."""
+
+    def __init__(self, service: Service) -> None:
+        self._service = service
+        self._listeners: set[asyncio.Queue[str | None]] = set()
+        self._somebody = asyncio.Event()
+        self._door = asyncio.Lock()
+        self._last = 0
+        self._told: dict[str, tuple[object, ...]] = {}
+
+    async def run(self) -> None:
+        """Tell the listeners, for ever."""
+        while True:
+            await self._somebody.wait()
+            try:
+                async with self._door:
+                    messages = await asyncio.to_thread(self._news)
+                    for message in messages:
+                        self._tell(message)
+            except Exception:
+                _log.exception("the stream of events stumbled")
+            await asyncio.sleep(_TICK)
+
+    def _tell(self, message: str) -> None:
+        for queue in list(self._listeners):
+            try:
+                queue.put_nowait(message)
+            except asyncio.QueueFull:
+                self._listeners.discard(queue)
+                queue.get_nowait()
+                queue.put_nowait(None)
+
+    def _news(self) -> list[str]:
+        events = self._service.store.events_after(self._last)
+        messages = self._messages(events)
+        if events:
+            self._last = events[-1].id
+        moving = self._service.store.jobs(_MOVING, limit=500)
+        told: dict[str, tuple[object, ...]] = {
+            row.id: (row.state, row.stage, row.progress, row.line, row.position, row.copies_done)
+            for row in moving
+        }
+        messages += [
+            _message("job", job_out(row).model_dump_json())
+            for row in moving
+            if self._told.get(row.id) != told[row.id]
+        ]
+        self._told = told
+        return messages
+
+    def _messages(self, events: Sequence[Event]) -> list[str]:
+        newest = {(event.kind, event.subject): event.id for event in events}
+        ids = [subject for kind, subject in newest if kind == "job"]
+        jobs = {row.id: row for row in self._service.store.jobs(ids=ids, limit=len(ids) or 1)}
+        messages = []
+        for (kind, subject), number in sorted(newest.items(), key=lambda item: item[1]):
+            if kind == "job" and subject in jobs:
+                said = job_out(jobs[subject]).model_dump_json()
+                messages.append(_message("job", said, number))
+            elif kind == "drawing":
+                messages.append(self._drawing(subject, number))
+        return messages
+
+    def _drawing(self, id: str, number: int) -> str:
+        try:
+            drawing = summary_out(self._service.store.drawing(id))
+        except NoSuchJob:
+            return _message("deleted", json.dumps({"drawing": id}), number)
+        return _message("drawing", drawing.model_dump_json(), number)
+
+    async def listen(self, after: int | None) -> AsyncIterator[str]:
+        """Yield what happened after an event (None: nothing of the past), then what happens."""
+        store = self._service.store
+        queue: asyncio.Queue[str | None] = asyncio.Queue(_BACKLOG)
+        async with self._door:
+            newest = await asyncio.to_thread(store.last_event)
+            missed: list[str] = []
+            if not self._listeners:
+                self._last, self._told = newest, {}
+            if after is not None and after < self._last:
+                missed = await asyncio.to_thread(self._missed, after, self._last)
+            self._listeners.add(queue)
+            self._somebody.set()
+        try:
+            yield "retry: 2000\n\n"
+            for message in missed:
+                yield message
+            silent = 0.0
+            while not self._service.stopping.is_set():
+                try:
+                    said = await asyncio.wait_for(queue.get(), _TICK)
+                except TimeoutError:
+                    silent += _TICK
+                    if silent >= _QUIET:
+                        silent = 0.0
+                        yield ": still here\n\n"
+                    continue
+                if said is None:
+                    return
+                silent = 0.0
+                yield said
+        finally:
+            self._listeners.discard(queue)
+            if not self._listeners:
+                self._somebody.clear()
+
+    def _missed(self, after: int, last: int) -> list[str]:
+        events: list[Event] = []
+        while after < last and (some := self._service.store.events_after(after)):
+            events += [event for event in some if event.id <= last]
+            after = some[-1].id
+        return self._messages(events)
+
+
+def _message(kind: str, data: str, number: int | None = None) -> str:
+    head = "" if number is None else f"id: {number}\n"
+    return f"{head}event: {kind}\ndata: {data}\n\n"
+
+
+@router.get(
+    "/events",
+    response_class=StreamingResponse,
+    responses={200: {"content": {"text/event-stream": {"schema": {"type": "string"}}}}},
+)
+async def get_events(
+    request: Request,
+    last: Annotated[str | None, Header(alias="Last-Event-ID")] = None,
+    after: Annotated[int | None, Query(ge=0, le=2**53)] = None,
+) -> StreamingResponse:
+    """Listen to what happens to jobs and drawings (server-sent events)."""
+    stream: Stream = request.app.state.stream
+    # What is no number was never ours: then the past is not replayed.
+    since = int(last) if last is not None and last.isdecimal() and len(last) < 16 else after
+    return StreamingResponse(
+        stream.listen(since),
+        media_type="text/event-stream",
+        headers={"Cache-Control": "no-store", "X-Accel-Buffering": "no"},
+    )

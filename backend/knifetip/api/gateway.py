@@ -1,0 +1,91 @@
+"""gateway: what the process beside a table says and asks: claim, program, heartbeat, finish."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+
+from fastapi import APIRouter, Request, Response
+from fastapi.responses import PlainTextResponse
+
+from knifetip.api.jobs import job_out
+from knifetip.api.schemas import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut, JobOut
+from knifetip.api.service import Here, bytes_answer, on_shelf
+from knifetip.errors import MachineBusy, WrongState
+from knifetip.jobs.job import ON_TABLE
+from knifetip.jobs.store import LEASE
+from knifetip.jobs.tables import Job
+
+router = APIRouter(prefix="/gateway", tags=["gateway"])
+
+_LOOK = 0.2  # seconds between two looks at the queue
+_SEEN = 2.0  # seconds between two notes that a gateway is there
+
+
+@router.post("/claim", response_model=Claim, responses={204: {"description": "Nothing to do"}})
+async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Response:
+    """Wait for the next job of a machine and take it; 204 when there is none in that time."""
+    on_shelf("machines", wanted.machine)
+    until = time.monotonic() + wanted.wait
+    noted = -_SEEN
+    while not here.stopping.is_set():
+        if time.monotonic() - noted >= _SEEN:
+            noted = time.monotonic()
+            await asyncio.to_thread(here.store.saw_gateway, wanted.machine, wanted.gateway)
+        # A caller who hung up would leave a job running that nobody has.
+        if await request.is_disconnected():
+            break
+        job = await asyncio.to_thread(_next, here, wanted)
+        if job is not None:
+            return Claim(
+                job=job.id,
+                epoch=job.epoch,
+                lease=LEASE,
+                program=f"/api/gateway/program/{job.id}",
+                sha256=job.program_sha256,
+                lines=job.lines,
+                copies=job.copies - job.copies_done,
+            )
+        left = until - time.monotonic()
+        if left <= 0:
+            break
+        await asyncio.sleep(min(_LOOK, left))
+    return Response(status_code=204)
+
+
+def _next(here: Here, wanted: ClaimIn) -> Job | None:
+    try:
+        return here.store.claim(wanted.machine, wanted.gateway)
+    except MachineBusy:
+        return None
+
+
+@router.get("/program/{id}", response_class=PlainTextResponse)
+def get_gateway_program(here: Here, request: Request, id: str) -> Response:
+    """Return the program of a job that is on a table."""
+    job = here.store.job(id)
+    if job.state not in ON_TABLE:
+        raise WrongState(f"Job {id} is {job.state}, so no machine runs it.", "Claim it first.")
+    text = here.store.job_column(id, "program")
+    return bytes_answer(request, text, job.program_sha256, "text/plain; charset=utf-8")
+
+
+@router.post("/heartbeat")
+def heartbeat(here: Here, said: HeartbeatIn) -> HeartbeatOut:
+    """Say what the machine did, and hear what the operator wants; renews the lease."""
+    command = here.store.heartbeat(
+        said.job,
+        said.epoch,
+        line=said.line,
+        copies_done=said.copies_done,
+        held=said.held,
+        position=said.position,
+        seconds_left=said.seconds_left,
+    )
+    return HeartbeatOut.model_validate({"command": command, "lease": LEASE})
+
+
+@router.post("/finish")
+def finish(here: Here, said: FinishIn) -> JobOut:
+    """Say how a job ended."""
+    return job_out(here.store.finish(said.job, said.epoch, said.outcome, said.why))

@@ -1,0 +1,217 @@
+"""jobs: order, look at, release, hold, resume, cancel, queue again, scrap."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query, Request, Response
+from fastapi.responses import PlainTextResponse
+
+from knifetip.api.drawings import overridden
+from knifetip.api.schemas import (
+    FindingOut,
+    JobEvent,
+    JobIn,
+    JobOut,
+    JobState,
+    VerdictOut,
+    VerdictSummary,
+)
+from knifetip.api.service import (
+    BINARY,
+    Cursor,
+    Here,
+    Key,
+    Limit,
+    bytes_answer,
+    fingerprint,
+    next_page,
+    on_shelf,
+)
+from knifetip.errors import OpenQuestions
+from knifetip.jobs import tasks
+from knifetip.jobs.columns import unpacked
+from knifetip.jobs.job import State
+from knifetip.jobs.tables import Job
+
+router = APIRouter(prefix="/jobs", tags=["jobs"])
+
+
+@router.post("", status_code=201)
+def order_job(here: Here, response: Response, order: JobIn, key: Key = None) -> JobOut:
+    """Order a job; 409 with ``questions`` while something about it is undecided."""
+    request = fingerprint(order.model_dump_json())
+    row = here.store.job_of(key, request) if key else None
+    if row is None:
+        row = _ordered(here, order, key, request)
+    response.headers["Location"] = f"/api/jobs/{row.id}"
+    return job_out(row)
+
+
+def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
+    on_shelf("machines", order.machine)
+    on_shelf("boards", order.board)
+    drawing = here.store.drawing(order.drawing)
+    profile = drawing.profile
+    if order.profile is not None:
+        profile = on_shelf("profiles", order.profile)
+    overrides = here.store.drawing_column(drawing.id, "overrides")
+    if order.overrides:
+        edges = here.store.drawing_column(drawing.id, "edges")
+        overrides = overridden(edges, overrides, order.overrides)
+    content = here.store.drawing_column(drawing.id, "content")
+    questions = here.crew.run(
+        tasks.ask,
+        content,
+        drawing.unit_given,
+        profile,
+        overrides,
+        order.machine,
+        limit=here.settings.limit,
+    )
+    if questions:
+        raise OpenQuestions(questions)
+    row = here.store.add_job(
+        drawing,
+        machine=order.machine,
+        board=order.board,
+        profile=profile,
+        overrides=overrides,
+        copies=order.copies,
+        priority=order.priority,
+        release=order.release,
+        key=key,
+        fingerprint=request,
+    )
+    here.workshop.submit(row.id)
+    return row
+
+
+@router.get("")
+def list_jobs(
+    here: Here,
+    response: Response,
+    state: Annotated[list[JobState] | None, Query()] = None,
+    cursor: Cursor = None,
+    limit: Limit = 100,
+) -> list[JobOut]:
+    """List jobs, the newest first; the Link header leads on."""
+    states = state or []
+    rows = here.store.jobs(states, cursor, limit)
+    last = rows[-1].serial if len(rows) == limit else None
+    filters = "".join(f"state={word}&" for word in states)
+    next_page(response, f"/api/jobs?{filters}", last, limit)
+    return [job_out(row) for row in rows]
+
+
+@router.get("/{id}")
+def get_job(here: Here, id: str) -> JobOut:
+    """Look at a job."""
+    return job_out(here.store.job(id))
+
+
+@router.get("/{id}/events")
+def get_job_events(here: Here, id: str) -> list[JobEvent]:
+    """List what happened to a job: when, who and why."""
+    return [
+        JobEvent.model_validate(
+            {
+                "id": event.id,
+                "job": event.subject,
+                "at": event.at,
+                "state": event.state,
+                "who": event.who,
+                "why": event.why,
+            }
+        )
+        for event in here.store.events_of(id)
+    ]
+
+
+@router.get("/{id}/program", response_class=PlainTextResponse)
+def get_program(here: Here, request: Request, id: str) -> Response:
+    """Return the program, byte for byte as the machine gets it."""
+    row = here.store.job(id)
+    text = here.store.job_column(id, "program")
+    stem = row.drawing_name.rpartition(".")[0] or row.drawing_name
+    name = f"{stem}-{row.machine}.nc"
+    return bytes_answer(request, text, row.program_sha256, "text/plain; charset=utf-8", name)
+
+
+@router.get("/{id}/verdict")
+def get_verdict(here: Here, id: str) -> VerdictOut:
+    """Return the judge's answer, edge by edge."""
+    columns, meta = unpacked(here.store.job_column(id, "verdict"))
+    return VerdictOut(
+        **{name: meta[name] for name in VerdictSummary.model_fields},
+        findings=[FindingOut.model_validate(finding) for finding in meta["findings"]],
+        **{f"edge_{name}": column.tolist() for name, column in columns.items()},
+    )
+
+
+@router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
+def get_toolpath(here: Here, request: Request, id: str) -> Response:
+    """Return the head's path as binary columns: pose, bulge, motion, feed, source, tool, line."""
+    row = here.store.job(id)
+    block = here.store.job_column(id, "toolpath")
+    return bytes_answer(request, block, row.program_sha256, "application/octet-stream")
+
+
+@router.post("/{id}/release")
+def release_job(here: Here, id: str) -> JobOut:
+    """Queue a job that is ready."""
+    return job_out(here.store.release(id))
+
+
+@router.post("/{id}/hold")
+def hold_job(here: Here, id: str) -> JobOut:
+    """Ask the machine to hold; the job is ``held`` when it stands."""
+    return job_out(here.store.hold(id))
+
+
+@router.post("/{id}/resume")
+def resume_job(here: Here, id: str) -> JobOut:
+    """Ask the machine to go on."""
+    return job_out(here.store.resume(id))
+
+
+@router.post("/{id}/cancel")
+def cancel_job(here: Here, id: str) -> JobOut:
+    """Cancel a job: at once before it runs, as soon as the machine stands while it does."""
+    return job_out(here.store.cancel(id))
+
+
+@router.post("/{id}/requeue")
+def requeue_job(here: Here, id: str) -> JobOut:
+    """Queue an interrupted job again, from its beginning: the table has been seen to."""
+    return job_out(here.store.requeue(id))
+
+
+@router.post("/{id}/scrap")
+def scrap_job(here: Here, id: str) -> JobOut:
+    """Give an interrupted job up, and its table free."""
+    return job_out(here.store.scrap(id))
+
+
+def job_out(row: Job) -> JobOut:
+    """Return a job as the API shows it."""
+    names = set(JobOut.model_fields) - {"verdict", "progress"}
+    fields: dict[str, Any] = {name: getattr(row, name) for name in names}
+    return JobOut.model_validate({**fields, "verdict": row.judged, "progress": progress(row)})
+
+
+def progress(row: Job) -> float:
+    """Return how much of its compile, or of its run, a job has behind it: 0 … 1."""
+    match row.state:
+        case State.DONE:
+            return 1.0
+        case State.RUNNING | State.HELD | State.INTERRUPTED | State.SCRAPPED | State.CANCELLED:
+            through = row.line / row.lines if row.lines else 0.0
+            # Between two copies the last line still stands: it is counted with its copy.
+            if row.copies_done and through >= 1.0:
+                through = 0.0
+            return min((row.copies_done + through) / row.copies, 1.0)
+        case State.QUEUED:
+            return 0.0
+        case _:
+            return row.progress

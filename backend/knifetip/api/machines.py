@@ -1,0 +1,68 @@
+"""machines: the tables, their stations, and what is on them now."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+
+from fastapi import APIRouter
+
+from knifetip.api.schemas import MachineOut
+from knifetip.api.service import Here, on_shelf
+from knifetip.library import load
+from knifetip.model.machine import Machine
+
+router = APIRouter(prefix="/machines", tags=["machines"])
+
+#: Seconds without a word after which a gateway is absent.
+ABSENT = 6.0
+
+
+@router.get("")
+def list_machines(here: Here) -> list[MachineOut]:
+    """List the machines."""
+    connected = here.store.connected(ABSENT)
+    on_table = here.store.on_table()
+    return [
+        _machine_out(load.machine(name), name in connected, on_table.get(name))
+        for name in load.names("machines")
+    ]
+
+
+@router.get("/{name}")
+def get_machine(here: Here, name: str) -> MachineOut:
+    """Look at a machine."""
+    machine = load.machine(on_shelf("machines", name))
+    return _machine_out(
+        machine, name in here.store.connected(ABSENT), here.store.on_table().get(name)
+    )
+
+
+def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineOut:
+    return MachineOut.model_validate(
+        {
+            "name": machine.name,
+            "title": machine.title,
+            "width": machine.width,
+            "height": machine.height,
+            "dialect": machine.dialect,
+            "origin": machine.origin,
+            "travel_z": machine.travel_z,
+            "into_mat": machine.into_mat,
+            "axes": {axis: asdict(getattr(machine, axis)) for axis in "xyzc"},
+            "stations": [
+                {
+                    "number": station.number,
+                    "name": station.name,
+                    "datum": {axis: getattr(station, axis) for axis in "xyzc"},
+                    "output": station.output,
+                    "tool": {
+                        "kind": load.kind_of(station.tool),
+                        "dimensions": asdict(station.tool),
+                    },
+                }
+                for station in machine.stations
+            ],
+            "gateway": "connected" if connected else "absent",
+            "job": job,
+        }
+    )

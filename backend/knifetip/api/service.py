@@ -1,0 +1,116 @@
+"""service: what every route needs: settings, database, crew and workshop, and small answers."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import threading
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated, Any
+
+from fastapi import Depends, Header, Query, Request, Response
+
+from knifetip.errors import LibraryError
+from knifetip.jobs.crew import Crew
+from knifetip.jobs.store import Store
+from knifetip.jobs.work import LIMIT, Workshop
+from knifetip.library import load
+
+MEGABYTE = 1 << 20
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """How a server is set up."""
+
+    database: str = "sqlite:///knifetip.sqlite"
+    compiles: bool = True  #: False where the compile workers are other processes
+    name: str = ""  #: of this process among its peers, the same after a restart
+    crew: int = 2  #: processes that read and compile
+    limit: float = LIMIT  #: seconds that a reading or a compile may take
+    upload: int = 64 * MEGABYTE  #: bytes of a drawing
+    body: int = 16 * MEGABYTE  #: bytes of any other request
+    page: Path = Path(__file__).parent / "page"  #: the built page
+
+
+@dataclass(slots=True)
+class Service:
+    """One server's parts."""
+
+    settings: Settings
+    store: Store
+    crew: Crew
+    workshop: Workshop
+    stopping: threading.Event = field(default_factory=threading.Event)
+    ready: bool = False
+
+
+def _service(request: Request) -> Service:
+    service: Service = request.app.state.service
+    return service
+
+
+Here = Annotated[Service, Depends(_service)]
+Key = Annotated[
+    str | None,
+    Header(
+        alias="Idempotency-Key",
+        min_length=1,
+        max_length=200,
+        description="The same key and request answer with the first result",
+    ),
+]
+Cursor = Annotated[int | None, Query(ge=0, le=2**31 - 1, description="From the Link header")]
+Limit = Annotated[int, Query(ge=1, le=500)]
+BINARY: dict[str, Any] = {"content": {"application/octet-stream": {"schema": {"type": "string"}}}}
+
+
+def fingerprint(*parts: str | bytes) -> str:
+    """Return what tells one request from another under the same Idempotency-Key."""
+    digest = hashlib.sha256()
+    for part in parts:
+        block = part.encode("utf-8", "replace") if isinstance(part, str) else part
+        digest.update(len(block).to_bytes(8, "big") + block)
+    return digest.hexdigest()
+
+
+def on_shelf(shelf: str, name: str) -> str:
+    """Return a name that is in the library; files beside it are none of a caller's business.
+
+    Raises
+    ------
+    LibraryError
+        It is not.
+    """
+    known = load.names(shelf)
+    if name not in known:
+        raise LibraryError(
+            f"There is no {shelf.removesuffix('s')} {name[:80]!r}.",
+            f"There are {', '.join(known)}.",
+        )
+    return name
+
+
+def next_page(response: Response, path: str, cursor: int | None, limit: int) -> None:
+    """Name the next page of a list in its Link header, if there is one."""
+    if cursor is not None:
+        response.headers["Link"] = f'<{path}cursor={cursor}&limit={limit}>; rel="next"'
+
+
+def bytes_answer(
+    request: Request, content: bytes, tag: str, media: str, attachment: str = ""
+) -> Response:
+    """Return bytes with their ETag, or 304 where the caller has them already."""
+    headers = {"ETag": f'"{tag}"', "Cache-Control": "no-cache"}
+    if f'"{tag}"' in request.headers.get("If-None-Match", ""):
+        return Response(status_code=304, headers=headers)
+    if attachment:
+        headers["Content-Disposition"] = f'attachment; filename="{file_name(attachment)}"'
+    return Response(content, media_type=media, headers=headers)
+
+
+def file_name(name: str) -> str:
+    """Return a name of letters, digits, dots and dashes that every file system takes."""
+    plain = re.sub(r"[^A-Za-z0-9._-]+", "-", name).strip("-.")
+    return plain[-100:] or "knifetip"

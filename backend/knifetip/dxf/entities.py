@@ -1,0 +1,311 @@
+"""entities: one function per kind of entity, from what the file says to plane shapes.
+
+    LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE -> Lines     ELLIPSE -> Ellipse     SPLINE -> Spline
+
+Shapes are in the coordinates of the sheet, or of the block that holds the entity, in file units.
+An extrusion of −Z mirrors what is drawn in the entity's own plane (ARC, CIRCLE, polylines): its x
+counts to the left.  What lies flat above or below the XY plane is laid down onto it and says so.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import Any, Final, TypeAlias
+
+import numpy as np
+from ezdxf.entities.dxfgfx import DXFGraphic
+
+from knifetip.dxf.limits import REACH
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64
+from knifetip.geometry.curve import Ellipse, Spline
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Lines:
+    """Lines and arcs of at most half a turn."""
+
+    ends: F64  #: (n, 2, 2) file units
+    bulge: F64  #: (n,)
+
+
+Shape: TypeAlias = Lines | Ellipse | Spline
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Drawn:
+    """The shape of an entity, and what its reader had to do to it."""
+
+    shape: Shape
+    notes: list[str] = field(default_factory=list)
+
+
+class Undrawable(Exception):
+    """An entity that gives no line; the message is the ledger's reason.  Never leaves the room."""
+
+
+#: Heights that differ by less than this are one height (file units).
+_FLAT: Final = 1e-6
+
+#: Kinds that are not lines, and the reason that the ledger gives.
+_TEXT: Final = "text is not cut"
+_NOTE: Final = "dimensions and notes are not cut"
+_AREA: Final = "a filled area has no line of its own"
+_SOLID: Final = "it is a solid or a face, not a flat line"
+_ENDLESS: Final = "a construction line without end"
+_PICTURE: Final = "a picture or an underlay is not cut"
+REASONS: Final[dict[str, str]] = {
+    "TEXT": _TEXT,
+    "MTEXT": _TEXT,
+    "ATTRIB": _TEXT,
+    "ATTDEF": _TEXT,
+    "RTEXT": _TEXT,
+    "ARCALIGNEDTEXT": _TEXT,
+    "DIMENSION": _NOTE,
+    "ARC_DIMENSION": _NOTE,
+    "LARGE_RADIAL_DIMENSION": _NOTE,
+    "LEADER": _NOTE,
+    "MULTILEADER": _NOTE,
+    "MLEADER": _NOTE,
+    "TOLERANCE": _NOTE,
+    "ACAD_TABLE": _NOTE,
+    "HATCH": _AREA,
+    "MPOLYGON": _AREA,
+    "SOLID": _AREA,
+    "TRACE": _AREA,
+    "WIPEOUT": _AREA,
+    "3DFACE": _SOLID,
+    "3DSOLID": _SOLID,
+    "BODY": _SOLID,
+    "MESH": _SOLID,
+    "SURFACE": _SOLID,
+    "PLANESURFACE": _SOLID,
+    "EXTRUDEDSURFACE": _SOLID,
+    "LOFTEDSURFACE": _SOLID,
+    "REVOLVEDSURFACE": _SOLID,
+    "SWEPTSURFACE": _SOLID,
+    "HELIX": "it is not flat",
+    "REGION": "a region is not read: explode it into lines",
+    "MLINE": "a multiple line is not read: explode it into lines",
+    "SHAPE": "a shape out of a font file is not read: explode it into lines",
+    "ACAD_PROXY_ENTITY": "only the program that made it can read it: explode it into lines",
+    "RAY": _ENDLESS,
+    "XLINE": _ENDLESS,
+    "POINT": "a point has no length",
+    "IMAGE": _PICTURE,
+    "OLEFRAME": _PICTURE,
+    "OLE2FRAME": _PICTURE,
+    "PDFUNDERLAY": _PICTURE,
+    "DWFUNDERLAY": _PICTURE,
+    "DGNUNDERLAY": _PICTURE,
+    "VIEWPORT": "a viewport shows lines and is none",
+    "LIGHT": "a light is not cut",
+    "VERTEX": "a vertex without its polyline",
+    "SEQEND": "an end mark",
+}
+
+
+def drawn(entity: DXFGraphic) -> Drawn:
+    """Return the shape of one entity of a kind in ``READ``.
+
+    Raises
+    ------
+    Undrawable
+        It gives no line; the message says why.
+    """
+    return READ[entity.dxftype()](entity)
+
+
+def flat(heights: Iterable[float]) -> list[str]:
+    """Return the note for a shape at these heights, none on the ground.
+
+    Raises
+    ------
+    Undrawable
+        The heights differ.
+    """
+    every = list(heights)
+    low, high = min(every), max(every)
+    if not (math.isfinite(low) and math.isfinite(high)):
+        raise Undrawable("its height is not a number")
+    if max(abs(low), abs(high)) > REACH:
+        raise Undrawable(f"its height is {max(low, high, key=abs):g}; the limit is {REACH:g}")
+    if high - low > _FLAT:
+        raise Undrawable(f"it is not flat: z goes from {low:g} to {high:g}")
+    return [f"laid flat from z = {low:g}"] if max(abs(low), abs(high)) > _FLAT else []
+
+
+def mirrored(entity: DXFGraphic) -> bool:
+    """Return whether the extrusion of an entity is −Z, so that its x counts to the left.
+
+    Raises
+    ------
+    Undrawable
+        The extrusion is neither Z nor −Z: the entity lies in a tilted plane.
+    """
+    x, y, z = entity.dxf.get("extrusion", (0.0, 0.0, 1.0))
+    size = math.sqrt(x * x + y * y + z * z)
+    if not math.isfinite(size):
+        raise Undrawable("its extrusion is not a number")
+    if size == 0.0:
+        return False
+    if math.hypot(x, y) > 1e-9 * size:
+        tilt = math.degrees(math.atan2(math.hypot(x, y), z))
+        raise Undrawable(f"it is not flat: its plane is tilted by {tilt:g}°")
+    return bool(z < 0.0)
+
+
+def _number(entity: DXFGraphic, name: str, word: str) -> Any:
+    if not entity.dxf.hasattr(name):
+        raise Undrawable(f"it is incomplete: it has no {word}")
+    return entity.dxf.get(name)
+
+
+def _turned(ends: F64, bulge: F64, mirror: bool) -> Lines:
+    if mirror:
+        ends = ends * (-1.0, 1.0)
+        bulge = -bulge
+    return Lines(ends, bulge)
+
+
+def _line(entity: DXFGraphic) -> Drawn:
+    a = _number(entity, "start", "first end")
+    b = _number(entity, "end", "second end")
+    notes = flat((a.z, b.z))
+    return Drawn(Lines(np.array([[[a.x, a.y], [b.x, b.y]]]), np.zeros(1)), notes)
+
+
+def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool) -> Lines:
+    """Return an arc in rows of at most half a turn; angles in degrees."""
+    if not radius > 0.0:
+        raise Undrawable(f"its radius is {radius:g}")
+    rows = 1 if sweep <= 180.0 + 1e-9 else 2
+    angles = np.radians(first + sweep * np.linspace(0.0, 1.0, rows + 1))
+    corners = np.stack([np.cos(angles), np.sin(angles)], axis=1) * radius + (centre.x, centre.y)
+    if sweep >= 360.0:
+        corners[-1] = corners[0]
+    bulge = np.full(rows, min(math.tan(math.radians(sweep) / rows / 4.0), 1.0))
+    return _turned(np.stack([corners[:-1], corners[1:]], axis=1), bulge, mirror)
+
+
+def _arc(entity: DXFGraphic) -> Drawn:
+    centre = _number(entity, "center", "centre")
+    radius = _number(entity, "radius", "radius")
+    first = _number(entity, "start_angle", "start angle")
+    last = _number(entity, "end_angle", "end angle")
+    if not (math.isfinite(first) and math.isfinite(last)):
+        raise Undrawable("its angles are not numbers")
+    sweep = (last - first) % 360.0
+    if sweep == 0.0:
+        if last == first:
+            raise Undrawable(f"it has no length: it starts and ends at {first:g}°")
+        sweep = 360.0
+    notes = flat((centre.z,))
+    return Drawn(_round(centre, radius, first, sweep, mirrored(entity)), notes)
+
+
+def _circle(entity: DXFGraphic) -> Drawn:
+    centre = _number(entity, "center", "centre")
+    radius = _number(entity, "radius", "radius")
+    notes = flat((centre.z,))
+    return Drawn(_round(centre, radius, 0.0, 360.0, mirrored(entity)), notes)
+
+
+def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
+    """Return the segments between vertices (n, 2); arcs of more than half a turn as two rows."""
+    if len(xy) < 2:
+        raise Undrawable(f"it has {len(xy)} vertices: no line between them")
+    start, end = xy, np.roll(xy, -1, axis=0)
+    if not closed:
+        start, end, bulge = start[:-1], end[:-1], bulge[:-1]
+    ends = np.stack([start, end], axis=1)
+    long = np.abs(bulge) > 1.0
+    if long.any():
+        half = np.full(int(long.sum()), 0.5)
+        middle = arc.point_at(start[long], end[long], bulge[long], half)
+        rows = np.repeat(np.arange(len(bulge)), np.where(long, 2, 1))
+        first = np.flatnonzero(np.diff(rows, prepend=-1) > 0)[long]
+        ends, bulge = ends[rows], bulge[rows]
+        ends[first, 1] = middle
+        ends[first + 1, 0] = middle
+        bulge[first] = bulge[first + 1] = np.tan(np.arctan(bulge[first]) / 2.0)
+    return _turned(ends, bulge, mirror)
+
+
+def _lwpolyline(entity: Any) -> Drawn:
+    points = np.array(entity.lwpoints.values, dtype=np.float64).reshape(-1, 5)
+    notes = flat((float(entity.dxf.get("elevation", 0.0)),))
+    return Drawn(_chain(points[:, :2], points[:, 4], entity.closed, mirrored(entity)), notes)
+
+
+#: Flag of a vertex that only pulls on the curve: a spline's control frame.
+_FRAME: Final = 16
+
+
+def _polyline(entity: Any) -> Drawn:
+    if entity.is_polygon_mesh or entity.is_poly_face_mesh:
+        raise Undrawable("it is a mesh, not a flat line")
+    vertices = [v for v in entity.vertices if not int(v.dxf.get("flags", 0)) & _FRAME]
+    places = [_number(v, "location", "place of a vertex") for v in vertices]
+    if not places:
+        raise Undrawable("it has 0 vertices: no line between them")
+    xy = np.array([(p.x, p.y) for p in places])
+    bulge = np.array([float(v.dxf.get("bulge", 0.0)) for v in vertices])
+    if entity.is_3d_polyline:
+        notes = flat(p.z for p in places)
+        return Drawn(_chain(xy, np.zeros(len(xy)), entity.is_closed, mirror=False), notes)
+    # A 2D polyline has one height, that of its head; its vertices repeat it, or do not.
+    notes = flat((float(entity.dxf.elevation.z) if entity.dxf.hasattr("elevation") else 0.0,))
+    return Drawn(_chain(xy, bulge, entity.is_closed, mirrored(entity)), notes)
+
+
+def _ellipse(entity: DXFGraphic) -> Drawn:
+    centre = _number(entity, "center", "centre")
+    major = _number(entity, "major_axis", "major axis")
+    ratio = _number(entity, "ratio", "ratio")
+    first = float(entity.dxf.get("start_param", 0.0))
+    last = float(entity.dxf.get("end_param", 2.0 * math.pi))
+    if not (math.isfinite(first) and math.isfinite(last)):
+        raise Undrawable("its parameters are not numbers")
+    notes = flat((centre.z,))
+    if abs(major.z) > _FLAT:
+        raise Undrawable(f"it is not flat: its major axis rises by {major.z:g}")
+    size = math.hypot(major.x, major.y)
+    if not size > 0.0:
+        raise Undrawable("its major axis has a length of 0")
+    side = -1.0 if mirrored(entity) else 1.0
+    sweep = (last - first) % (2.0 * math.pi)
+    if sweep < 1e-12 or 2.0 * math.pi - sweep < 1e-12:
+        if abs(last - first) < math.pi:
+            raise Undrawable(f"it has no length: it starts and ends at parameter {first:g}")
+        sweep = 2.0 * math.pi
+    u = np.array([major.x, major.y])
+    v = np.array([-major.y, major.x]) * (ratio * side)
+    return Drawn(Ellipse(np.array([centre.x, centre.y]), u, v, first, first + sweep), notes)
+
+
+def _spline(entity: Any) -> Drawn:
+    curve = entity.construction_tool()
+    control = curve.control_points
+    notes = flat(point.z for point in control)
+    xy = np.array([(point.x, point.y) for point in control])
+    weights = np.array(curve.weights() or np.ones(len(xy)), dtype=np.float64)
+    if not entity.control_point_count():
+        notes.append("drawn through its fit points")
+    return Drawn(
+        Spline(xy, weights, np.array(curve.knots(), dtype=np.float64), curve.order - 1), notes
+    )
+
+
+#: Kinds that are read, each with its reader.
+READ: Final[dict[str, Callable[[Any], Drawn]]] = {
+    "LINE": _line,
+    "ARC": _arc,
+    "CIRCLE": _circle,
+    "LWPOLYLINE": _lwpolyline,
+    "POLYLINE": _polyline,
+    "ELLIPSE": _ellipse,
+    "SPLINE": _spline,
+}

@@ -1,0 +1,189 @@
+"""place: shapes through their placements, as columns of lines and arcs.
+
+    Sheet, scale -> Columns: ends, bulge and the attributes of each segment, in file order
+
+Turned, mirrored and evenly scaled, a line stays a line and an arc an arc.  Scaled unevenly, an arc
+becomes a piece of an ellipse.  Ellipses and splines are fitted here, once for all placements that
+differ only by a shift.
+
+The tolerance of the fit is ``tolerance.CURVE`` mm.  While the unit is unknown it is a share of the
+drawing's diagonal: 1 / 250,000 of it, which is 0.01 mm or less in every unit in which the drawing
+is smaller than 2.5 m.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.dxf.entities import Lines, Shape
+from knifetip.dxf.expand import Placed, Sheet
+from knifetip.dxf.limits import REACH, Limits
+from knifetip.errors import DrawingTooLarge, GeometryError
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.curve import Ellipse, Segments, Spline
+from knifetip.geometry.tolerance import BULGE, CURVE
+
+_SHARE: Final = 1.0 / 250_000.0
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Columns:
+    """n segments in file units."""
+
+    ends: F64  #: (n, 2, 2)
+    bulge: F64  #: (n,)
+    row: I32  #: (n,) of the ledger
+    style: I32  #: (n,) which of ``Sheet.placed``
+
+
+def columns(sheet: Sheet, scale: float, limits: Limits) -> Columns:
+    """Return all placed shapes as segments; entities that cannot be placed get their reason.
+
+    Parameters
+    ----------
+    scale
+        Millimetres to a file unit, 0 while it is unknown.
+
+    Raises
+    ------
+    DrawingTooLarge
+        More segments, or more time, than the limits allow.
+    """
+    until = time.monotonic() + limits.seconds
+    reach = REACH / (scale or 1.0)
+    near = [_reach(placed) for placed in sheet.placed]
+    tolerance = CURVE / scale if scale else _relative(near, reach)
+    parts: list[tuple[F64, F64]] = []
+    count = np.zeros(len(sheet.placed), dtype=np.int64)
+    total = 0
+    for number, (placed, (low, high)) in enumerate(zip(sheet.placed, near, strict=True)):
+        if time.monotonic() > until:
+            raise DrawingTooLarge(
+                f"The drawing takes longer than {limits.seconds:g} s to read.",
+                "Export a single carton, and curves as lines and arcs.",
+            )
+        farthest = float(np.abs([low, high]).max())
+        if not farthest <= reach:
+            where = f"{farthest:g}" if np.isfinite(farthest) else "not a number"
+            sheet.dropped[placed.row] = f"a coordinate is {where}; the limit is {reach:g}"
+            continue
+        rows = len(placed.linear)
+        if isinstance(placed.shape, Lines):
+            total += rows * len(placed.shape.bulge)
+            _refuse_beyond(total, limits)
+        try:
+            ends, bulge, curved = _realised(placed, tolerance)
+        except GeometryError as reason:
+            sheet.dropped[placed.row] = reason.message
+            continue
+        if curved:
+            share = "" if scale else " (1/250,000 of the drawing)"
+            sheet.notes[placed.row].append(
+                f"fitted with {len(bulge)} lines and arcs within {tolerance:.2g} file units{share}"
+            )
+        if not isinstance(placed.shape, Lines):
+            total += len(bulge)
+            _refuse_beyond(total, limits)
+        parts.append((ends, bulge))
+        count[number] = len(bulge)
+    which = np.repeat(np.arange(len(count), dtype=np.int32), count)
+    rows_of = np.array([placed.row for placed in sheet.placed], dtype=np.int32)
+    if not parts:
+        return Columns(np.zeros((0, 2, 2)), np.zeros(0), which, which)
+    return Columns(
+        np.concatenate([ends for ends, _ in parts]),
+        np.concatenate([bulge for _, bulge in parts]),
+        rows_of[which],
+        which,
+    )
+
+
+def _refuse_beyond(total: int, limits: Limits) -> None:
+    if total > limits.segments:
+        raise DrawingTooLarge(
+            f"The drawing has more than {limits.segments:,} lines and arcs.",
+            "Export a single carton, and curves as lines and arcs.",
+        )
+
+
+def _relative(near: list[tuple[F64, F64]], reach: float) -> float:
+    """Return the tolerance while the unit is unknown."""
+    boxes = [box for box in near if float(np.abs(box).max()) <= reach]
+    if not boxes:
+        return CURVE
+    low = np.min([box[0] for box in boxes], axis=0)
+    high = np.max([box[1] for box in boxes], axis=0)
+    size = float(np.hypot(*(high - low)))
+    return min(CURVE, size * _SHARE) if size > 0.0 else CURVE
+
+
+def _reach(placed: Placed) -> tuple[F64, F64]:
+    """Return the lower and upper corner of a box around a placed shape, not always the smallest."""
+    shape = placed.shape
+    if isinstance(shape, Lines):
+        boxes = arc.bounds(shape.ends[:, 0], shape.ends[:, 1], shape.bulge)
+        low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
+    elif isinstance(shape, Ellipse):
+        half = np.abs(shape.u) + np.abs(shape.v)
+        low, high = shape.centre - half, shape.centre + half
+    else:
+        low, high = shape.control.min(axis=0), shape.control.max(axis=0)
+    middle, half = (low + high) / 2.0, (high - low) / 2.0
+    at = (placed.linear @ middle) + placed.shift
+    around = np.abs(placed.linear) @ half
+    return (at - around).min(axis=0), (at + around).max(axis=0)
+
+
+def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64, bool]:
+    """Return ends (n, 2, 2), bulge (n,) of all placements, and whether anything was fitted."""
+    shape, linear, shift = placed.shape, placed.linear, placed.shift
+    straight = isinstance(shape, Lines) and bool((np.abs(shape.bulge) < BULGE).all())
+    even = np.hypot(
+        linear[:, 0, 0] * linear[:, 0, 1] + linear[:, 1, 0] * linear[:, 1, 1],
+        (linear[:, :, 0] ** 2).sum(axis=1) - (linear[:, :, 1] ** 2).sum(axis=1),
+    ) <= 1e-9 * (linear**2).sum(axis=(1, 2))
+    if isinstance(shape, Lines) and (straight or even.all()):
+        side = np.sign(linear[:, 0, 0] * linear[:, 1, 1] - linear[:, 0, 1] * linear[:, 1, 0])
+        ends = np.einsum("kij,nej->knei", linear, shape.ends) + shift[:, None, None]
+        return ends.reshape(-1, 2, 2), (side[:, None] * shape.bulge).reshape(-1), False
+    ends_of: list[F64] = []
+    bulge_of: list[F64] = []
+    different, kind = np.unique(linear.reshape(-1, 4), axis=0, return_inverse=True)
+    fits = [_fitted(shape, one.reshape(2, 2), tolerance) for one in different]
+    for number, move in zip(kind.reshape(-1), shift, strict=True):
+        start, end, bulge = fits[number]
+        ends_of.append(np.stack([start, end], axis=1) + move)
+        bulge_of.append(bulge)
+    return np.concatenate(ends_of), np.concatenate(bulge_of), True
+
+
+def _fitted(shape: Shape, linear: F64, tolerance: float) -> Segments:
+    """Return one shape through a linear map as lines and arcs."""
+    if isinstance(shape, Ellipse):
+        return Ellipse(
+            linear @ shape.centre, linear @ shape.u, linear @ shape.v, shape.first, shape.last
+        ).fitted(tolerance)
+    if isinstance(shape, Spline):
+        return Spline(shape.control @ linear.T, shape.weights, shape.knots, shape.degree).fitted(
+            tolerance
+        )
+    pieces: list[Segments] = []
+    middle = arc.centre(shape.ends[:, 0], shape.ends[:, 1], shape.bulge)
+    for (start, end), bulge, centre in zip(shape.ends, shape.bulge, middle, strict=True):
+        if abs(bulge) < BULGE:
+            pieces.append(((linear @ start)[None], (linear @ end)[None], np.zeros(1)))
+            continue
+        u = start - centre
+        v = np.array([-u[1], u[0]]) * np.sign(bulge)
+        turn = 4.0 * float(np.arctan(abs(bulge)))
+        fit = Ellipse(linear @ centre, linear @ u, linear @ v, 0.0, turn).fitted(tolerance)
+        # The next segment begins where this one was drawn to end, to the bit.
+        fit[0][0], fit[1][-1] = linear @ start, linear @ end
+        pieces.append(fit)
+    start, end, bulges = (np.concatenate(column) for column in zip(*pieces, strict=True))
+    return start, end, bulges

@@ -1,0 +1,342 @@
+"""samples: three cartons of our own design, as functions of their inside or outside dimensions.
+
+    length, width, depth, caliper -> layers with Paths -> DXF bytes
+
+A tuck-end carton in folding boxboard, a tray with rolled-over ends in corrugated board and a
+grooved blank for a rigid box in greyboard.  They close when they are folded: every allowance for
+the caliper stands here beside the reason for it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from knifetip.dxf.write import Layer, drawn
+from knifetip.geometry.azimuth import left, unit
+from knifetip.geometry.columns import F64
+from knifetip.geometry.path import Paths, chained
+
+CUT = Layer("CUT", 1)
+CREASE = Layer("CREASE", 5, "DASHED")
+V_GROOVE = Layer("V-GROOVE", 6, "DASHDOT")
+
+
+def samples() -> dict[str, bytes]:
+    """Return the sample drawings, DXF bytes by file name."""
+    return {
+        "tuck-end-carton.dxf": drawn(tuck_end_carton()),
+        "corrugated-tray.dxf": drawn(corrugated_tray()),
+        "rigid-box-blank.dxf": drawn(rigid_box_blank()),
+    }
+
+
+def tuck_end_carton(
+    length: float = 90.0, width: float = 45.0, depth: float = 130.0
+) -> list[tuple[Layer, Paths]]:
+    """Return a reverse tuck-end carton with slit locks, for folding boxboard up to 0.5 mm.
+
+    From the left: glue flap, front, side, back, side.  The upper lid hangs on the back and tucks
+    in behind the front, the lower one the other way round.  The lid's slits hold the shoulders of
+    the dust flaps.
+
+    Parameters
+    ----------
+    length, width, depth : float, mm
+        Crease to crease; ``length`` is the front's, ``depth`` the height of the carton.
+    """
+    glue, step, slit, tuck = 15.0, 0.5, 6.0, 16.0
+    # The last panel lies outside the glue flap's fold: narrower, or its edge would stand out.
+    x = glue + np.cumsum([0.0, length, width, length, width - step])
+    # Dust flaps fold first, so they fold one step lower than the lids that lie on them.
+    low, high = step, depth - step
+    lid = width - step
+    ease = 0.8  # each side of the lid, so that it slides in between the side panels
+
+    def lid_at(left: float, right: float, crease: float, out: float) -> F64:
+        """Corners of lid and tuck flap, left to right; ``out`` is +1 upwards, -1 downwards."""
+        return np.array(
+            [
+                (left, crease - out * step, 0.0, 0.0),
+                (left + ease, crease + out * lid, 0.0, 0.0),
+                (left + ease + 0.5, crease + out * (lid + tuck), 11.0, 0.0),
+                (right - ease - 0.5, crease + out * (lid + tuck), 11.0, 0.0),
+                (right - ease, crease + out * lid, 0.0, 0.0),
+                (right, crease - out * step, 0.0, 0.0),
+            ]
+        )
+
+    def dust_at(tucked: float, hinged: float, crease: float, out: float) -> F64:
+        """Corners of a dust flap, from the side where the tuck flap goes in to the lid's hinge."""
+        reach = (width + tuck) / 2.0
+        shoulder = slit + 2.0
+        taper = reach * math.tan(math.radians(15.0))
+        across = math.copysign(1.0, hinged - tucked)
+        return np.array(
+            [
+                (tucked, crease, 0.0, 0.0),
+                (tucked, crease + out * shoulder, 0.0, 0.0),
+                (tucked + across * 3.0, crease + out * (shoulder + 3.0), 0.0, 0.0),
+                (tucked + across * 4.0, crease + out * reach, 4.0, 0.0),
+                (hinged - across * taper, crease + out * reach, 4.0, 0.0),
+                (hinged, crease, 0.0, 0.0),
+            ]
+        )
+
+    notch = _notch(radius=10.0, depth=7.0, lead=3.0)
+    slant = glue * math.tan(math.radians(15.0))
+    contour = _contour(
+        [(0.0, low + slant, 0.0, 0.0)],
+        lid_at(x[0], x[1], 0.0, -1.0),
+        dust_at(x[2], x[1], low, -1.0)[::-1],
+        _placed(notch, ((x[2] + x[3]) / 2.0, low), (1.0, 0.0)),
+        dust_at(x[3], x[4], low, -1.0),
+        dust_at(x[4], x[3], high, 1.0),
+        lid_at(x[2], x[3], depth, 1.0)[::-1],
+        dust_at(x[1], x[2], high, 1.0)[::-1],
+        _placed(notch, ((x[0] + x[1]) / 2.0, high), (-1.0, 0.0)),
+        [(x[0], high, 0.0, 0.0), (0.0, high - slant, 0.0, 0.0)],
+    )
+    # The lid's sides lean, so its crease begins a little inside the panel.
+    lean = ease * step / (lid + step)
+    creases = [(at, low, at, high) for at in x[:4]]
+    slits = []
+    for first, last, crease, out in ((x[2], x[3], depth, 1.0), (x[0], x[1], 0.0, -1.0)):
+        folds = crease + out * lid
+        creases += [
+            (first + lean, crease, last - lean, crease),
+            (first + ease + slit, folds, last - ease - slit, folds),
+        ]
+        slits += [
+            (first + ease, folds, first + ease + slit, folds),
+            (last - ease - slit, folds, last - ease, folds),
+        ]
+    creases += [(x[side], at, x[side + 1], at) for at in (low, high) for side in (1, 3)]
+    lowest = np.array([0.0, lid + tuck])
+    return [
+        (CUT, _moved(_apart(contour), lowest)),
+        (CUT, _moved(_lines(slits), lowest)),
+        (CREASE, _moved(_lines(creases), lowest)),
+    ]
+
+
+def corrugated_tray(
+    length: float = 280.0, width: float = 200.0, height: float = 80.0, caliper: float = 3.0
+) -> list[tuple[Layer, Paths]]:
+    """Return a tray after FEFCO 0422: the end walls roll over the corner flaps and lock in slots.
+
+    Parameters
+    ----------
+    length, width, height : float, mm
+        Inside.
+    caliper : float, mm
+        Of the board, t.  A crease lies in the middle of the board, so each wall between the inside
+        and a crease adds t, and the wall itself t/2.
+    """
+    t = caliper
+    side = width / 2.0 + t / 2.0
+    end = length / 2.0 + 2.5 * t  # inner wall and corner flap stand inside the outer wall
+    corner = length / 2.0 + 1.5 * t  # the corner flap, between inner and outer wall
+    ridge, fold = end + height, end + height + 2.0 * t  # rolled over two boards
+    free = fold + height - t / 2.0 - 0.5  # inner wall's edge, on the base
+    outer, inner = side - 1.0, width / 2.0 - 1.0  # half widths of the end walls
+    foot = side + t / 2.0 + 1.5  # corner flap stands clear of the base
+    head = side + height - t / 2.0 - 0.5  # and under the roll-over
+    rim = side + height + t / 2.0
+    tab, reach = (0.2 * width, 0.38 * width), t + 0.5  # through the base, flush with its underside
+    flap = 0.26 * width  # ends before the hand hole
+    quarter = np.array(
+        [
+            (free, tab[0], 0.0, 0.0),
+            (free + reach, tab[0] + 1.0, 1.5, 0.0),
+            (free + reach, tab[1] - 1.0, 1.5, 0.0),
+            (free, tab[1], 0.0, 0.0),
+            (free, inner, 4.0, 0.0),
+            (fold, inner, 0.0, 0.0),
+            (ridge, outer, 0.0, 0.0),
+            (corner, outer, 0.0, 0.0),
+            (corner, foot, 0.0, 0.0),
+            (corner + flap, foot + 3.0, 8.0, 0.0),
+            (corner + flap, head - 3.0, 8.0, 0.0),
+            (corner, head, 0.0, 0.0),
+            (corner, rim, 0.0, 0.0),
+        ]
+    )
+    contour = _contour(*_four(quarter))
+
+    inside = []
+    for sign in (-1.0, 1.0):
+        grip = height * 0.6
+        inside += [
+            _oblong((sign * (end + grip), 0.0), 0.375 * width, 12.5),
+            # A little larger, so that the two need not meet exactly.
+            _oblong((sign * (fold + height - grip), 0.0), 0.375 * width + 2.0, 13.5),
+        ]
+        wall = sign * (length / 2.0 + t / 2.0)
+        inside += [
+            _rectangle(wall, middle * (tab[0] + tab[1]) / 2.0, t + 0.5, tab[1] - tab[0] + 2.0)
+            for middle in (-1.0, 1.0)
+        ]
+    creases = [(-corner, sign * side, corner, sign * side) for sign in (-1.0, 1.0)]
+    for sign in (-1.0, 1.0):
+        creases += [
+            (sign * at, -half, sign * at, half)
+            for at, half in ((end, outer), (ridge, outer), (fold, inner))
+        ]
+        creases += [(sign * corner, up * foot, sign * corner, up * head) for up in (-1.0, 1.0)]
+    lowest = np.array([free + reach, rim])
+    return [
+        (CUT, _moved(contour, lowest)),
+        *((CUT, _moved(hole, lowest)) for hole in inside),
+        (CREASE, _moved(_lines(creases), lowest)),
+    ]
+
+
+def rigid_box_blank(
+    length: float = 220.0, width: float = 150.0, height: float = 50.0, caliper: float = 2.0
+) -> list[tuple[Layer, Paths]]:
+    """Return the blank of a rigid box in one piece: four V-grooves round the base.
+
+    The board folds at the foot of the groove, so the grooves are the outside of the box.  The long
+    walls keep their full length and the short ones stand between them; a mitre at each corner lets
+    the short wall's end past the flank of the long wall's groove.
+
+    Parameters
+    ----------
+    length, width, height : float, mm
+        Outside.
+    caliper : float, mm
+        Of the greyboard.
+    """
+    x, y = length / 2.0, width / 2.0
+    mitre = caliper + 0.2  # room for the wrap's turn-in
+    quarter = np.array(
+        [
+            (x + height, y - mitre, 0.0, 0.0),
+            (x + mitre, y - mitre, 0.0, 0.0),
+            (x, y, 0.0, 0.0),
+            (x, y + height, 0.0, 0.0),
+        ]
+    )
+    first, second, third, fourth = _four(quarter)
+    notch = _notch(radius=13.0, depth=9.0, lead=4.0)
+    contour = _contour(
+        _placed(notch, (x + height, 0.0), (0.0, 1.0)),
+        first,
+        second,
+        _placed(notch, (-x - height, 0.0), (0.0, -1.0)),
+        third,
+        fourth,
+    )
+    grooves = [(-x, -y, x, -y), (x, -y, x, y), (x, y, -x, y), (-x, y, -x, -y)]
+    lowest = np.array([x + height, y + height])
+    return [
+        (CUT, _moved(contour, lowest)),
+        (V_GROOVE, _moved(_lines(grooves), lowest)),
+    ]
+
+
+def _contour(*parts: ArrayLike) -> Paths:
+    """Return one closed path through corners.
+
+    Parameters
+    ----------
+    *parts : (k, 4)
+        Corners in order: x, y, radius of the fillet there (mm), and bulge of the side that
+        follows.  A fillet lies between straight sides only.
+    """
+    corners = np.concatenate([np.asarray(part, np.float64) for part in parts])
+    again = np.hypot(*(corners[:, :2] - np.roll(corners[:, :2], 1, axis=0)).T) < 1e-9
+    corners = corners[~again]
+    at, radius, bulge = corners[:, :2], corners[:, 2], corners[:, 3]
+    into = unit(at - np.roll(at, 1, axis=0))
+    away = np.roll(into, -1, axis=0)
+    turn = np.arctan2(into[:, 0] * away[:, 1] - into[:, 1] * away[:, 0], (into * away).sum(axis=1))
+    back = (radius * np.tan(np.abs(turn) / 2.0))[:, None]
+    round_ = radius > 0
+    vertices = np.stack([at - back * into, at + back * away], axis=1)
+    bulges = np.stack([np.where(round_, np.tan(turn / 4.0), bulge), bulge], axis=1)
+    kept = np.stack([np.ones_like(round_), round_], axis=1)
+    xy = vertices[kept]
+    return chained(np.vstack([xy, xy[:1]]), bulges[kept])
+
+
+def _notch(radius: float, depth: float, lead: float) -> F64:
+    """Return a thumb notch into the board to the left of an edge along u, (4, 4) corners.
+
+    A circle of ``radius`` that reaches ``depth`` into the board, led into by fillets of radius
+    ``lead``.  Its centre stands ``radius - depth`` outside the edge, so the two circles touch where
+    the travel has turned by φ, cos φ = (radius - depth + lead) / (radius + lead).
+    """
+    turned = math.acos((radius - depth + lead) / (radius + lead))
+    half = (radius + lead) * math.sin(turned)
+    inner, sunk = half - lead * math.sin(turned), lead * (1.0 - math.cos(turned))
+    edge, belly = math.tan(turned / 4.0), -math.tan(turned / 2.0)
+    return np.array(
+        [
+            (-half, 0.0, 0.0, edge),
+            (-inner, sunk, 0.0, belly),
+            (inner, sunk, 0.0, edge),
+            (half, 0.0, 0.0, 0.0),
+        ]
+    )
+
+
+def _placed(corners: F64, at: tuple[float, float], along: tuple[float, float]) -> F64:
+    """Return corners, given as u along an edge and v to its left, where they belong."""
+    u = np.array(along)
+    xy = at + corners[:, :1] * u + corners[:, 1:2] * left(u)
+    return np.hstack([xy, corners[:, 2:]])
+
+
+def _four(quarter: F64) -> list[F64]:
+    """Return the corners of all four quarters, counter-clockwise, from those of the first."""
+    backwards = quarter[::-1]
+    return [
+        quarter,
+        backwards * (-1.0, 1.0, 1.0, 1.0),
+        quarter * (-1.0, -1.0, 1.0, 1.0),
+        backwards * (1.0, -1.0, 1.0, 1.0),
+    ]
+
+
+def _oblong(centre: tuple[float, float], length: float, radius: float) -> Paths:
+    """Return a hole with round ends, ``length`` along y."""
+    x, y = centre
+    straight = length / 2.0 - radius
+    xy = np.array(
+        [
+            (x + radius, y - straight),
+            (x + radius, y + straight),
+            (x - radius, y + straight),
+            (x - radius, y - straight),
+            (x + radius, y - straight),
+        ]
+    )
+    return chained(xy, np.array([0.0, 1.0, 0.0, 1.0]))
+
+
+def _rectangle(x: float, y: float, width: float, height: float) -> Paths:
+    corners = np.array([(1, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)])
+    return chained(corners * (width / 2.0, height / 2.0) + np.array([x, y]), np.zeros(4))
+
+
+def _lines(rows: ArrayLike) -> Paths:
+    """Return lines, each a path of its own, (k, 4): from x, y to x, y."""
+    ends = np.asarray(rows, np.float64)
+    return _apart(Paths(ends[:, :2], ends[:, 2:], np.zeros(len(ends)), np.array([0, len(ends)])))
+
+
+def _apart(paths: Paths) -> Paths:
+    """Return each segment as a path of its own."""
+    each = np.arange(len(paths.bulge) + 1, dtype=np.int32)
+    return Paths(paths.start, paths.end, paths.bulge, each)
+
+
+def _moved(paths: Paths, by: F64) -> Paths:
+    """Return the paths elsewhere, in whole nanometres: no 251.00000000000003 in the file."""
+    start, end = (paths.start + by).round(6), (paths.end + by).round(6)
+    # Adding 0 makes a zero of minus zero.
+    return Paths(start + 0.0, end + 0.0, paths.bulge.round(12), paths.first)

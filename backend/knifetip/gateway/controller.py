@@ -1,0 +1,106 @@
+"""controller: what every controller can do, and what it says of itself.
+
+A program's lines go in; acknowledgements, states and positions come out.  ``grbl.py`` is the
+first; file-fed and open-loop controllers follow the same Protocol.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Protocol
+
+from knifetip.errors import ControllerError
+from knifetip.gateway.motion import Pose
+
+
+class State(StrEnum):
+    """What the controller is doing."""
+
+    IDLE = "idle"
+    RUN = "run"
+    HOLD = "hold"
+    JOG = "jog"
+    HOME = "home"
+    CHECK = "check"
+    DOOR = "door"
+    ALARM = "alarm"
+    BUSY = "busy"  #: something that has no name here
+
+
+@dataclass(frozen=True, slots=True)
+class Status:
+    """What the controller reported, and how many lines it had answered by then."""
+
+    state: State
+    position: Pose  #: in the numbers of the program (work coordinates)
+    acknowledged: int  #: lines of programs answered since the controller was opened
+    still: bool  #: no axis moves
+    number: int = 0  #: N word of the line that is executed, 0 where it is not reported
+    free: int | None = None  #: blocks free in the planner, where it is reported
+    feed: float = 0.0  #: mm/min
+
+
+class Controller(Protocol):
+    """One machine's controller.
+
+    The first failure (alarm, reset, silence, lost connection, refused line) makes every later
+    call raise it again, until ``stop`` or ``open`` has brought the controller into a known state.
+    """
+
+    @property
+    def name(self) -> str:
+        """Where it is, in words for the operator."""
+        ...
+
+    @property
+    def fault(self) -> ControllerError | None:
+        """The failure that stands in the way."""
+        ...
+
+    @property
+    def acknowledged(self) -> int:
+        """Lines of programs that it has answered since it was opened."""
+        ...
+
+    @property
+    def capacity(self) -> int | None:
+        """Blocks that its planner holds, where it says so."""
+        ...
+
+    async def open(self) -> None:
+        """Bring it into a known state, or raise: busy, in alarm, silent."""
+        ...
+
+    async def check(self, lines: Iterable[bytes]) -> None:
+        """Have it read a whole program without moving; raise where it would refuse a line."""
+        ...
+
+    async def send(self, line: bytes, number: int) -> None:
+        """Send one line (its number counts from 1); return when there was room for it."""
+        ...
+
+    async def drain(self) -> None:
+        """Wait until every line that was sent has been answered."""
+        ...
+
+    async def status(self) -> Status:
+        """Ask how it is and return the answer."""
+        ...
+
+    async def hold(self) -> None:
+        """Decelerate and stand, ready to go on."""
+        ...
+
+    async def resume(self) -> None:
+        """Go on after a hold."""
+        ...
+
+    async def stop(self, lift: float | None = None) -> Status:
+        """Hold, forget the rest of the program, raise Z to ``lift`` (if it is lower)."""
+        ...
+
+    async def close(self) -> None:
+        """Give the connection up; the machine is left as it is."""
+        ...

@@ -1,0 +1,529 @@
+"""grbl: a controller that speaks grbl 1.1, grblHAL included.
+
+Lines of a program and realtime bytes go out over a Transport; ``ok``, ``error``, ``ALARM``,
+status reports and the welcome banner come back.
+
+Characters in flight are counted against the receive buffer, so the planner is never starved and
+the buffer never overflows.  What cannot be undone is refused early: the program is read once in
+check mode before the first byte moves anything.  Every failure ends in one of four errors, none
+in waiting for ever: ``ControllerRejected``, ``ControllerAlarm``, ``ControllerReset`` (a banner that
+nobody asked for) and ``ControllerSilent`` (no answer, or an ``ok`` that was lost).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from collections import deque
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from dataclasses import dataclass
+
+from knifetip.errors import (
+    ControllerAlarm,
+    ControllerError,
+    ControllerRejected,
+    ControllerReset,
+    ControllerSilent,
+    ProgramError,
+)
+from knifetip.gateway import answers
+from knifetip.gateway.controller import State, Status
+from knifetip.gateway.interpreter import switches
+from knifetip.gateway.motion import Pose
+from knifetip.gateway.transport import Transport, connect
+
+#: grbl's receive buffer (bytes) where ``$I`` does not say another.
+WINDOW = 128
+#: An answer longer than this is noise (bytes).
+NOISE = 8192
+
+_REALTIME = re.compile(rb"[^\x20-\x7e\t\r]|[?!~]")
+_BANNER = re.compile(r"grbl", re.IGNORECASE)
+_OPTIONS = re.compile(r"\[OPT:[^,\]]*,(\d+),(\d+)")
+_DWELL = re.compile(rb"G0?4(?!\d)[^P]*P\s*(\d+\.?\d*)", re.IGNORECASE)
+
+
+@dataclass(slots=True)
+class _Sent:
+    """A line on its way: its bytes in the controller's buffer until it is answered."""
+
+    size: int
+    text: bytes
+    number: int  #: in the program, from 1; 0 for a command of our own
+    answer: asyncio.Future[int] | None = None  #: error code, 0 for ok
+
+
+class Grbl:
+    """One grbl at the end of a transport.
+
+    Parameters
+    ----------
+    transport
+        Open.
+    silence
+        Seconds without any answer, or with an answer due and nothing moving, after which the
+        controller counts as silent.
+    poll
+        Seconds between two ``?``.
+    """
+
+    def __init__(self, transport: Transport, *, silence: float = 5.0, poll: float = 0.1) -> None:
+        self._transport = transport
+        self._silence = silence
+        self._poll = poll
+        self._window = WINDOW - 1
+        self._flight: deque[_Sent] = deque()
+        self._used = 0
+        self._info: list[str] = []
+        self._news = asyncio.Event()
+        self._reports = 0
+        self._status: Status | None = None
+        self._offset: Pose = (0.0, 0.0, 0.0, 0.0)
+        self._heard = 0.0  # when the last report came
+        self._moved = 0.0  # when something last happened that excuses an answer due
+        self._banners = 0
+        self._banner_due = False
+        self._checking = False
+        self._refusals: list[ControllerRejected] = []  # in check mode
+        self._lock = asyncio.Lock()
+        self._tasks: list[asyncio.Task[None]] = []
+        self.name = f"grbl at {transport.address}"
+        self.fault: ControllerError | None = None
+        self.acknowledged = 0
+        self.capacity: int | None = None
+
+    # -- opening and closing ------------------------------------------------------------------
+
+    async def open(self) -> None:
+        """Take the controller over: at rest, unlocked, buffers empty.
+
+        It is reset, which at rest loses nothing.  A machine that moves, holds or is locked is
+        left alone: whoever stands there decides.
+
+        Raises
+        ------
+        ControllerError
+            It is busy, in alarm, or does not answer.
+        """
+        if not self._tasks:
+            self._tasks = [
+                asyncio.create_task(self._listen(), name="grbl listen"),
+                asyncio.create_task(self._watch(), name="grbl watch"),
+            ]
+        self.fault = None
+        self._heard = self._now()
+        try:
+            status = await self._ask(min(self._silence, 2.0))
+        except ControllerSilent:
+            # After a critical alarm grbl answers nothing until it is reset.
+            status = None
+        if status and status.state not in (State.IDLE, State.CHECK, State.ALARM):
+            raise ControllerError(
+                f"{self.name} is busy: it says {status.state.value}.",
+                "Let it come to rest, or reset it at the table; nothing was sent.",
+            )
+        await self._reset()
+        status = await self.status()
+        if status.state is State.ALARM:
+            raise self._fail(
+                ControllerAlarm(
+                    f"{self.name} is locked by an alarm.",
+                    "Home it ($H) or unlock it ($X) at the table.",
+                )
+            )
+        for line in await self._command(b"$I"):
+            if options := _OPTIONS.match(line):
+                self.capacity = int(options[1])
+                self._window = max(int(options[2]), 2) - 1
+
+    async def unlock(self) -> None:
+        """Take an alarm back without homing (``$X``): the operator vouches for the position."""
+        self.fault = None
+        await self._command(b"$X")
+
+    async def close(self) -> None:
+        """Close the transport; what the controller has in its buffer it still does."""
+        for task in self._tasks:
+            task.cancel()
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+        self._tasks = []
+        await self._transport.close()
+        self._fail(ControllerError(f"{self.name} was closed."))
+
+    # -- lines ----------------------------------------------------------------------------------
+
+    async def check(self, lines: Iterable[bytes]) -> None:
+        """Have the controller read a program without moving (``$C``).
+
+        Lines that switch outputs are left out: nothing says that check mode spares them.
+
+        Raises
+        ------
+        ControllerRejected
+            The first line that it would refuse, with the reason; nothing has moved.
+        ControllerAlarm
+            A move would leave the travel; nothing has moved, but the controller is locked.
+        """
+        await self._command(b"$C")
+        self._checking = True
+        self._refusals.clear()
+        try:
+            for number, line in enumerate(lines, 1):
+                if self._refusals:
+                    break
+                if not switches(line):
+                    await self.send(line, number)
+            await self.drain()
+            # Leaving check mode resets the controller, banner and all.
+            banners, self._banner_due = self._banners, True
+            await self._command(b"$C")
+            await self._until(lambda: self._banners > banners, "the end of its check mode")
+        finally:
+            self._checking = False
+        if self._refusals:
+            raise self._refusals[0]
+
+    async def send(self, line: bytes, number: int) -> None:
+        """Send a line as soon as the receive buffer has room for it.
+
+        Raises
+        ------
+        ProgramError
+            It holds bytes that grbl takes for realtime commands, or would never fit.
+        ControllerError
+            Any failure so far.
+        """
+        if found := _REALTIME.search(line):
+            raise ProgramError(
+                f"Line {number} has the byte 0x{found[0].hex()}, which the controller would obey.",
+                "Compile the job again; a program has none of ? ! ~ and no control bytes.",
+            )
+        if len(line) + 1 > self._window:
+            raise ProgramError(
+                f"Line {number} has {len(line)} bytes; {self.name} takes {self._window - 1}.",
+                "Compile the job again with shorter notes.",
+            )
+        await self._put(_Sent(len(line) + 1, line, number))
+
+    async def drain(self) -> None:
+        """Wait until every line has been answered."""
+        await self._until(lambda: not self._flight)
+
+    async def status(self) -> Status:
+        """Ask with ``?`` and return the answer."""
+        self._raise()
+        try:
+            return await self._ask(self._silence)
+        except ControllerSilent as silent:
+            raise self._fail(silent) from None
+
+    async def hold(self) -> None:
+        """Feed hold (``!``)."""
+        self._raise()
+        await self._transport.write(b"!")
+
+    async def resume(self) -> None:
+        """Cycle start (``~``)."""
+        self._raise()
+        await self._transport.write(b"~")
+
+    async def stop(self, lift: float | None = None) -> Status:
+        """Hold, wait for rest, reset, and raise Z to ``lift`` where it is lower.
+
+        A line that was refused, or an answer that was lost, is settled by this; an alarm, a
+        reset or a lost connection is not, and is raised again.
+
+        Returns
+        -------
+        Status
+            Where the machine stands.
+        """
+        if isinstance(self.fault, ControllerRejected | ControllerSilent):
+            self.fault = None
+        self._raise()
+        self._heard = self._moved = self._now()
+        await self._transport.write(b"!")
+        with suppress(TimeoutError):
+            async with asyncio.timeout(self._silence):
+                while not (await self.status()).still:
+                    await asyncio.sleep(self._poll / 4.0)
+        await self._reset()
+        status = await self.status()
+        if lift is not None and status.state is State.IDLE and status.position[2] < lift - 1e-3:
+            await self._command(b"$J=G90 G21 Z%.4f F6000" % lift)
+            while (status := await self.status()).state is not State.IDLE:
+                await asyncio.sleep(self._poll / 4.0)
+        return status
+
+    # -- the inside -----------------------------------------------------------------------------
+
+    def _now(self) -> float:
+        return asyncio.get_running_loop().time()
+
+    def _fail(self, error: ControllerError) -> ControllerError:
+        """Note the first failure, wake everybody who waits, and return it."""
+        if self.fault is None:
+            self.fault = error
+        for sent in self._flight:
+            if sent.answer and not sent.answer.done():
+                sent.answer.set_exception(self.fault)
+                sent.answer.exception()  # nobody may be waiting for it any more
+        self._news.set()
+        return self.fault
+
+    def _raise(self) -> None:
+        if self.fault is not None:
+            raise self.fault
+
+    async def _until(self, true: Callable[[], bool], what: str = "") -> None:
+        """Wait for something; the watch bounds the waiting unless ``what`` names it."""
+        try:
+            async with asyncio.timeout(self._silence if what else None):
+                while not true():
+                    self._raise()
+                    self._news.clear()
+                    await self._news.wait()
+        except TimeoutError:
+            raise self._fail(
+                ControllerSilent(
+                    f"{self.name} did not confirm {what} within {self._silence:g} s.",
+                    "Look at the table, then try again.",
+                )
+            ) from None
+        self._raise()
+
+    async def _put(self, sent: _Sent) -> None:
+        async with self._lock:
+            await self._until(lambda: self._used + sent.size <= self._window)
+            if not self._flight:
+                self._moved = self._now()
+            self._flight.append(sent)
+            self._used += sent.size
+        await self._transport.write(sent.text + b"\n")
+
+    async def _command(self, text: bytes) -> list[str]:
+        """Send a line of our own; return what came before its ``ok``."""
+        await self.drain()
+        self._info.clear()
+        answer: asyncio.Future[int] = asyncio.get_running_loop().create_future()
+        await self._put(_Sent(len(text) + 1, text, 0, answer))
+        if code := await answer:
+            raise ControllerRejected(
+                f"{self.name} refused {text.decode()}: {answers.error_text(code)} (error:{code}).",
+                "Look at the table, then try again.",
+            )
+        return list(self._info)
+
+    async def _ask(self, patience: float) -> Status:
+        seen = self._reports
+        await self._transport.write(b"?")
+        try:
+            async with asyncio.timeout(patience):
+                while self._reports == seen:
+                    self._raise()
+                    self._news.clear()
+                    await self._news.wait()
+        except TimeoutError:
+            raise ControllerSilent(*self._silent_words()) from None
+        self._raise()
+        assert self._status is not None
+        return self._status
+
+    async def _reset(self) -> None:
+        """Soft reset, and wait for the banner."""
+        banners, self._banner_due = self._banners, True
+        self._flight.clear()
+        self._used = 0
+        await self._transport.write(b"\x18")
+        await self._until(lambda: self._banners > banners, "its reset")
+        self._heard = self._moved = self._now()
+
+    def _silent_words(self) -> tuple[str, str]:
+        due = self._due()
+        return (
+            f"{self.name} has not answered for {self._silence:g} s{due}.",
+            "Look at the table: what was sent may still be carried out.",
+        )
+
+    def _due(self) -> str:
+        first = next((sent for sent in self._flight if sent.number), None)
+        if first is None:
+            return ""
+        return f"; the answer to line {first.number} ({_shown(first.text)}) is due"
+
+    async def _watch(self) -> None:
+        """Ask regularly, and notice silence and lost answers."""
+        with suppress(ControllerError):
+            while True:
+                before = self._now()
+                await asyncio.sleep(self._poll)
+                await self._transport.write(b"?")
+                if self.fault is not None or self._status is None:
+                    continue
+                now = self._now()
+                if now - before > self._poll + self._silence / 2.0:
+                    # This process was busy: it did not listen, so it cannot call anybody silent.
+                    self._heard = self._moved = now
+                if now - self._heard > self._silence:
+                    self._fail(ControllerSilent(*self._silent_words()))
+                elif self._status.state is State.ALARM and (due := self._due()):
+                    self._fail(
+                        ControllerAlarm(
+                            f"{self.name} says alarm{due}.",
+                            "Look at the table, then home it ($H) or unlock it ($X).",
+                        )
+                    )
+                elif not self._flight or self._status.state not in (State.IDLE, State.CHECK):
+                    self._moved = now
+                elif now - self._moved > self._silence + _dwell(self._flight[0].text):
+                    self._fail(
+                        ControllerSilent(
+                            f"{self.name} says {self._status.state.value} for "
+                            f"{self._silence:g} s{self._due()}: an answer was lost on the way.",
+                            "Look at the table: up to there the program was carried out.",
+                        )
+                    )
+
+    async def _listen(self) -> None:
+        rest = b""
+        while chunk := await self._transport.read():
+            *lines, rest = (rest + chunk).split(b"\n")
+            for line in lines:
+                self._hear(line.strip().decode("ascii", "replace"))
+            if len(rest) > NOISE:
+                rest = b""
+        self._fail(
+            ControllerError(
+                f"The connection to {self.name} is lost{self._due()}.",
+                "Look at the table: what was in its buffer may still have been carried out.",
+            )
+        )
+
+    def _hear(self, line: str) -> None:
+        if line == "ok":
+            self._answered(0)
+        elif line.startswith("error:"):
+            self._answered(_figure(line))
+        elif line.startswith("<"):
+            self._reported(line)
+        elif line.startswith("ALARM:"):
+            self._alarmed(_figure(line))
+        elif _BANNER.match(line):
+            self._greeted()
+        elif line and len(self._info) < 1000:
+            self._info.append(line)
+        self._news.set()
+
+    def _answered(self, code: int) -> None:
+        if self._banner_due and not self._flight:
+            return  # an answer from before the reset
+        if not self._flight:
+            self._fail(
+                ControllerError(
+                    f"{self.name} answered a line that was not sent from here.",
+                    "Close the other program that sends to it.",
+                )
+            )
+            return
+        sent = self._flight.popleft()
+        self._used -= sent.size
+        self._moved = self._now()
+        if sent.answer is not None:
+            if not sent.answer.done():
+                sent.answer.set_result(code)
+            return
+        if not self._checking:
+            self.acknowledged += 1
+        if code:
+            refused = ControllerRejected(
+                f"{self.name} refused line {sent.number} ({_shown(sent.text)}): "
+                f"{answers.error_text(code)} (error:{code}).",
+                "Nothing has moved: compile the job again for this controller."
+                if self._checking
+                else "The machine was stopped: look at the table before the job goes on.",
+            )
+            if self._checking:
+                self._refusals.append(refused)
+            else:
+                self._fail(refused)
+
+    def _reported(self, line: str) -> None:
+        report = answers.report(line)
+        if report is None:
+            return
+        if report.offset is not None:
+            self._offset = report.offset
+        position = report.work
+        if position is None and report.machine is not None:
+            x, y, z, c = (m - o for m, o in zip(report.machine, self._offset, strict=True))
+            position = x, y, z, c
+        if position is None:
+            position = self._status.position if self._status else (0.0, 0.0, 0.0, 0.0)
+        self._heard = self._now()
+        self._reports += 1
+        self._status = Status(
+            report.state,
+            position,
+            self.acknowledged,
+            report.still,
+            report.number,
+            report.free,
+            report.feed,
+        )
+
+    def _alarmed(self, code: int) -> None:
+        where = self._due() if code == 2 else ""
+        self._fail(
+            ControllerAlarm(
+                f"{self.name} stopped with ALARM:{code}: {answers.alarm_text(code)}{where}.",
+                "Look at the table, then home it ($H) or unlock it ($X).",
+            )
+        )
+
+    def _greeted(self) -> None:
+        self._banners += 1
+        if self._banner_due:
+            self._banner_due = False
+            return
+        if self._status is None:
+            return  # some controllers greet whoever connects
+        self._fail(
+            ControllerReset(
+                f"{self.name} was reset{self._due()}.",
+                "Look at the table and home it: its position may be lost. Nothing goes on by "
+                "itself.",
+            )
+        )
+
+
+async def dial(address: str, *, silence: float = 5.0, poll: float = 0.1) -> Grbl:
+    """Connect to a grbl and take it over.
+
+    Raises
+    ------
+    ControllerError
+        Nobody answers, or it is busy or in alarm.
+    """
+    controller = Grbl(await connect(address), silence=silence, poll=poll)
+    try:
+        await controller.open()
+    except BaseException:
+        await controller.close()
+        raise
+    return controller
+
+
+def _figure(line: str) -> int:
+    """Return the code of ``error:9`` or ``ALARM:2``; -1 where it is damaged."""
+    code = line.partition(":")[2].strip()
+    return int(code) if code.isdecimal() else -1
+
+
+def _shown(line: bytes) -> str:
+    return line.decode("ascii", "replace").strip()[:60]
+
+
+def _dwell(line: bytes) -> float:
+    match = _DWELL.search(line)
+    return float(match[1]) if match else 0.0

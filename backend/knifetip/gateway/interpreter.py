@@ -1,0 +1,263 @@
+"""interpreter: what one line of G-code does, in the dialect that grblHAL understands.
+
+b"G2 X10 Y0 I5 J0 C-90 F1200" -> Block (a Move, outputs, a dwell …), or Refused with grbl's code
+
+Used on both sides of the cable: the simulated table acts on the blocks, and the gateway follows
+the machine along them.  It keeps grbl's modal state and answers with grbl's error numbers.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+
+from knifetip.gateway.motion import Move, Pose
+
+#: End point and start point of an arc may differ in radius by this (mm), or a thousandth of it.
+ROUND = 0.005
+#: An arc that turns less than this is a full circle (radians), as in grbl.
+FULL = 5e-7
+#: grblHAL's limit for one line, without its newline.
+LINE = 256
+
+_COMMENT = re.compile(rb"\([^)]*\)?|;.*")
+_WORD = re.compile(rb"([A-Z])([-+]?(?:\d+\.?\d*|\.\d+))")
+_OUTPUT = re.compile(rb"M6[2-5](?![\d.])")
+_AXES = {"X": 0, "Y": 1, "Z": 2, "C": 3, "A": 3}
+
+# Modal group of every command that is understood; a group may appear once in a line.
+_GROUP: dict[tuple[str, float], str] = {
+    **{("G", code): "dwell" for code in (4.0,)},
+    **{("G", code): "motion" for code in (0.0, 1.0, 2.0, 3.0, 80.0)},
+    **{("G", code): "plane" for code in (17.0,)},
+    **{("G", code): "unit" for code in (20.0, 21.0)},
+    **{("G", code): "distance" for code in (90.0, 91.0)},
+    **{("G", code): "arc" for code in (91.1,)},
+    **{("G", code): "feed" for code in (93.0, 94.0)},
+    **{("G", code): "compensation" for code in (40.0,)},
+    **{("G", code): "length" for code in (49.0,)},
+    **{("G", code): "offset" for code in (53.0, 54.0)},
+    **{("M", code): "program" for code in (0.0, 2.0, 30.0)},
+    **{("M", code): "spindle" for code in (3.0, 4.0, 5.0)},
+    **{("M", code): "coolant" for code in (7.0, 8.0, 9.0)},
+    **{("M", code): "output" for code in (62.0, 63.0, 64.0, 65.0)},
+}
+
+
+class Refused(Exception):
+    """A line that the controller answers with ``error:code``."""
+
+    def __init__(self, code: int) -> None:
+        super().__init__(f"error:{code}")
+        self.code = code
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """What one line does, in the order of execution."""
+
+    number: int = 0  #: of its N word
+    output: int = -1  #: digital output that it switches
+    on: bool = False  #: to which state
+    oscillation: bool | None = None  #: M3 and M5
+    dwell: float | None = None  #: G4 (s)
+    move: Move | None = None
+    pause: bool = False  #: M0
+    end: bool = False  #: M2, M30
+
+    @property
+    def waits(self) -> bool:
+        """Whether it is executed, and so answered, only when every earlier move is done.
+
+        M64 and M65 do not wait: grblHAL switches the output when the line is read.
+        """
+        return self.dwell is not None or self.oscillation is not None or self.pause or self.end
+
+
+NOTHING = Block()
+
+
+def bare(line: bytes) -> bytes:
+    """Return a line without comments and blanks, in capitals."""
+    return b"".join(_COMMENT.sub(b"", line).split()).upper()
+
+
+def switches(line: bytes) -> bool:
+    """Whether a line switches an output, which happens when it is read."""
+    return bool(_OUTPUT.search(bare(line)))
+
+
+class Interpreter:
+    """The modal state of a controller, moved on by one line after another."""
+
+    def __init__(self, position: Pose = (0.0, 0.0, 0.0, 0.0)) -> None:
+        self.reset(position)
+
+    def reset(self, position: Pose) -> None:
+        """Return to the modal state after power-up, with the axes here."""
+        self.position = position
+        self.feed = 0.0
+        self._motion = 0.0
+        self._inches = False
+        self._relative = False
+        self._inverse = False
+
+    def read(self, line: bytes) -> Block:
+        """Return what a line does, and go on to the state after it.
+
+        Raises
+        ------
+        Refused
+            With the number of grbl's error; the state is as before.
+        """
+        text = bare(line)
+        if not text or text == b"%":
+            return NOTHING
+        words, commands = _split(text)
+        groups = {}
+        for command in commands:
+            group = _GROUP.get(command)
+            if group is None:
+                raise Refused(20)
+            if group in groups:
+                raise Refused(21)
+            groups[group] = command[1]
+        inches = groups["unit"] == 20.0 if "unit" in groups else self._inches
+        relative = groups["distance"] == 91.0 if "distance" in groups else self._relative
+        inverse = groups["feed"] == 93.0 if "feed" in groups else self._inverse
+        motion = groups.get("motion", self._motion)
+        scale = 25.4 if inches else 1.0
+        number = int(words.pop("N", 0.0))
+        words.pop("S", None)
+        feed = words.pop("F", None)
+        if feed is not None and feed < 0.0:
+            raise Refused(4)
+        if feed is not None and not inverse:
+            feed *= scale
+        output, on = _output(groups, words)
+        dwell = _dwell(groups, words)
+        if inverse != self._inverse and feed is None:
+            kept = 0.0  # a feed of the other mode means nothing
+        else:
+            kept = self.feed if feed is None else feed
+        move = None
+        target = self._target(words, scale, relative)
+        if target is not None:
+            if dwell is not None:
+                raise Refused(24)
+            if motion == 80.0:
+                raise Refused(31)
+            # G93 asks for an F on every line that feeds.
+            rate = (feed or 0.0) if inverse else kept
+            move = self._move(motion, target, words, scale, rate, inverse)
+        elif groups.get("motion") in (2.0, 3.0):
+            raise Refused(26)
+        if words:
+            raise Refused(36)
+        self._inches, self._relative, self._inverse = inches, relative, inverse
+        self._motion, self.feed = motion, kept
+        if move is not None:
+            self.position = move.end
+        program = groups.get("program")
+        if program in (2.0, 30.0):
+            self._motion, self._relative, self._inverse = 1.0, False, False
+        return Block(
+            number=number,
+            output=output,
+            on=on,
+            oscillation=groups["spindle"] != 5.0 if "spindle" in groups else None,
+            dwell=dwell,
+            move=move,
+            pause=program == 0.0,
+            end=program in (2.0, 30.0),
+        )
+
+    def _target(self, words: dict[str, float], scale: float, relative: bool) -> Pose | None:
+        """Take the axis words and return the pose that they name, or None without any."""
+        named = [letter for letter in _AXES if letter in words]
+        if not named:
+            return None
+        pose = list(self.position)
+        for letter in named:
+            axis = _AXES[letter]
+            value = words.pop(letter) * (scale if axis < 3 else 1.0)
+            pose[axis] = pose[axis] + value if relative else value
+        return pose[0], pose[1], pose[2], pose[3]
+
+    def _move(
+        self,
+        motion: float,
+        target: Pose,
+        words: dict[str, float],
+        scale: float,
+        rate: float,
+        inverse: bool,
+    ) -> Move:
+        start = self.position
+        if motion == 0.0:
+            return Move(start, target)
+        if rate <= 0.0:
+            raise Refused(22)
+        minutes = 1.0 / rate if inverse else 0.0
+        if motion == 1.0:
+            return Move(start, target, rate=rate, minutes=minutes)
+        if "I" not in words and "J" not in words:
+            raise Refused(35)
+        centre = (
+            start[0] + words.pop("I", 0.0) * scale,
+            start[1] + words.pop("J", 0.0) * scale,
+        )
+        first = math.hypot(start[0] - centre[0], start[1] - centre[1])
+        last = math.hypot(target[0] - centre[0], target[1] - centre[1])
+        if first == 0.0 or abs(first - last) > max(ROUND, 0.001 * first):
+            raise Refused(33)
+        turn = math.atan2(target[1] - centre[1], target[0] - centre[0]) - math.atan2(
+            start[1] - centre[1], start[0] - centre[0]
+        )
+        sweep = turn % math.tau if motion == 3.0 else turn % math.tau - math.tau
+        if abs(sweep) <= FULL:
+            sweep = math.tau if motion == 3.0 else -math.tau
+        elif abs(sweep) > math.tau - FULL:
+            sweep = math.copysign(math.tau, sweep)
+        return Move(start, target, centre=centre, sweep=sweep, rate=rate, minutes=minutes)
+
+
+def _split(text: bytes) -> tuple[dict[str, float], list[tuple[str, float]]]:
+    """Return the value words and the commands of a bare line."""
+    if len(text) > LINE:
+        raise Refused(11)
+    words: dict[str, float] = {}
+    commands: list[tuple[str, float]] = []
+    at = 0
+    while at < len(text):
+        match = _WORD.match(text, at)
+        if match is None:
+            raise Refused(2 if text[at : at + 1].isalpha() else 1)
+        letter, value = match[1].decode(), float(match[2])
+        at = match.end()
+        if letter in "GM":
+            commands.append((letter, value))
+        elif letter in "XYZACFIJKNPST":
+            if letter in words or (letter in "AC" and ("A" in words or "C" in words)):
+                raise Refused(25)
+            words[letter] = value
+        else:
+            raise Refused(20)
+    return words, commands
+
+
+def _output(groups: dict[str, float], words: dict[str, float]) -> tuple[int, bool]:
+    if "output" not in groups:
+        return -1, False
+    if "P" not in words:
+        raise Refused(28)
+    return int(words.pop("P")), groups["output"] in (62.0, 64.0)
+
+
+def _dwell(groups: dict[str, float], words: dict[str, float]) -> float | None:
+    if "dwell" not in groups:
+        return None
+    if "P" not in words:
+        raise Refused(28)
+    return max(words.pop("P"), 0.0)

@@ -1,0 +1,335 @@
+"""motion: moves of four axes, and a planner that travels along them in time.
+
+Moves come from the interpreter; poses (x y z in mm, c in degrees) come out.
+
+The simulated table travels with the planner; the gateway asks the same moves where on them a
+reported position lies and how long they nominally take.
+
+Length, and so G94 feed, is measured over all four axes, mm and degrees alike, as grblHAL does.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from knifetip.model.machine import Machine
+
+#: x, y, z (mm) and c (degrees)
+Pose: TypeAlias = tuple[float, float, float, float]
+
+#: A velocity may jump at a joint by what the axis gains in this time (s).
+JOLT = 0.002
+#: A move shorter than this moves nothing (mm or degrees).
+NOTHING = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What the four axes can do: per second, per second squared, and how far."""
+
+    velocity: Pose
+    acceleration: Pose
+    low: Pose
+    high: Pose
+
+    @classmethod
+    def of(cls, machine: Machine) -> Limits:
+        """Return the limits of a machine."""
+        x, y, z, c = machine.x, machine.y, machine.z, machine.c
+        return cls(
+            (x.velocity, y.velocity, z.velocity, c.velocity),
+            (x.acceleration, y.acceleration, z.acceleration, c.acceleration),
+            (x.low, y.low, z.low, c.low),
+            (x.high, y.high, z.high, c.high),
+        )
+
+
+class Move:
+    """A line, or an arc in the XY plane with Z and C linear along it."""
+
+    __slots__ = ("centre", "end", "length", "minutes", "rate", "start", "sweep", "travel")
+
+    def __init__(
+        self,
+        start: Pose,
+        end: Pose,
+        *,
+        centre: tuple[float, float] | None = None,
+        sweep: float = 0.0,
+        rate: float = math.inf,
+        minutes: float = 0.0,
+    ) -> None:
+        self.start = start
+        self.end = end
+        self.centre = centre
+        self.sweep = sweep  #: radians, counter-clockwise positive; 0 for a line
+        self.rate = rate  #: per minute along the length; infinite for a rapid
+        self.minutes = minutes  #: time asked for by G93, else 0
+        dx, dy, dz, dc = (b - a for a, b in zip(start, end, strict=True))
+        if centre is not None:
+            around = abs(sweep) * math.hypot(start[0] - centre[0], start[1] - centre[1])
+            #: the most that each axis covers per unit of length, times the length
+            self.travel = (around, around, abs(dz), abs(dc))
+            self.length = math.sqrt(around * around + dz * dz + dc * dc)
+        else:
+            self.travel = (abs(dx), abs(dy), abs(dz), abs(dc))
+            self.length = math.sqrt(dx * dx + dy * dy + dz * dz + dc * dc)
+
+    def at(self, fraction: float) -> Pose:
+        """Return the pose at a fraction of the length."""
+        if fraction >= 1.0:
+            return self.end
+        (x, y, z, c), end = self.start, self.end
+        if self.centre is None:
+            x += fraction * (end[0] - x)
+            y += fraction * (end[1] - y)
+        else:
+            (i, j), turn = self.centre, fraction * self.sweep
+            cos, sin = math.cos(turn), math.sin(turn)
+            x, y = (
+                i + (x - i) * cos - (y - j) * sin,
+                j + (x - i) * sin + (y - j) * cos,
+            )
+        return x, y, z + fraction * (end[2] - z), c + fraction * (end[3] - c)
+
+    def heading(self, fraction: float) -> Pose:
+        """Return how fast each axis changes per unit of length, at a fraction of it."""
+        inverse = 1.0 / self.length
+        start, end = self.start, self.end
+        dz, dc = (end[2] - start[2]) * inverse, (end[3] - start[3]) * inverse
+        if self.centre is None:
+            return (end[0] - start[0]) * inverse, (end[1] - start[1]) * inverse, dz, dc
+        (i, j), turn = self.centre, fraction * self.sweep
+        cos, sin = math.cos(turn), math.sin(turn)
+        rx, ry = start[0] - i, start[1] - j
+        pace = self.sweep * inverse
+        return -pace * (rx * sin + ry * cos), pace * (rx * cos - ry * sin), dz, dc
+
+    def nearest(self, pose: Pose) -> tuple[float, float]:
+        """Return how far a pose lies off the move (mm and degrees alike), and at what fraction."""
+        start, end = self.start, self.end
+        if self.centre is None:
+            along = [b - a for a, b in zip(start, end, strict=True)]
+            square = sum(step * step for step in along)
+            fraction = 0.0
+            if square > NOTHING * NOTHING:
+                there = sum((p - a) * step for p, a, step in zip(pose, start, along, strict=True))
+                fraction = min(max(there / square, 0.0), 1.0)
+        else:
+            i, j = self.centre
+            first = math.atan2(start[1] - j, start[0] - i)
+            angle = math.atan2(pose[1] - j, pose[0] - i) - first
+            turned = (angle if self.sweep > 0 else -angle) % math.tau
+            size = abs(self.sweep)
+            if turned > size:
+                # Off the arc: fold to the nearer end, across the gap.
+                turned = size if turned - size < math.tau - turned else 0.0
+            fraction = turned / size
+        return math.dist(pose, self.at(fraction)), fraction
+
+    def bounds(self) -> tuple[Pose, Pose]:
+        """Return the least and greatest of each axis along the move, an arc's belly included."""
+        pairs = list(zip(self.start, self.end, strict=True))
+        low, high = [min(pair) for pair in pairs], [max(pair) for pair in pairs]
+        if self.centre is not None:
+            i, j = self.centre
+            radius = math.hypot(self.start[0] - i, self.start[1] - j)
+            first = math.atan2(self.start[1] - j, self.start[0] - i)
+            for quarter, (axis, side) in enumerate(((0, 1), (1, 1), (0, -1), (1, -1))):
+                angle = quarter * math.pi / 2.0 - first
+                turned = (angle if self.sweep > 0 else -angle) % math.tau
+                if turned < abs(self.sweep):
+                    extreme = (i, j)[axis] + side * radius
+                    low[axis] = min(low[axis], extreme)
+                    high[axis] = max(high[axis], extreme)
+        return (low[0], low[1], low[2], low[3]), (high[0], high[1], high[2], high[3])
+
+    def pace(self, limits: Limits) -> tuple[float, float]:
+        """Return the greatest velocity and acceleration along the length that the axes allow.
+
+        The velocity is the programmed one where that is less; on an arc it also keeps the
+        centripetal acceleration within what X and Y can give.
+        """
+        velocity = self.length / (self.minutes * 60.0) if self.minutes else self.rate / 60.0
+        acceleration = math.inf
+        for travel, fastest, hardest in zip(
+            self.travel, limits.velocity, limits.acceleration, strict=True
+        ):
+            if travel > NOTHING:
+                velocity = min(velocity, fastest * self.length / travel)
+                acceleration = min(acceleration, hardest * self.length / travel)
+        if self.centre is not None and self.travel[0] > NOTHING:
+            radius = self.travel[0] / abs(self.sweep)
+            hardest = min(limits.acceleration[:2])
+            velocity = min(velocity, math.sqrt(hardest * radius) * self.length / self.travel[0])
+        return velocity, acceleration
+
+    def seconds(self, limits: Limits) -> float:
+        """Return how long the move takes, a rapid from rest to rest, a feed without stops."""
+        if self.length <= NOTHING:
+            return 0.0
+        velocity, acceleration = self.pace(limits)
+        if math.isinf(self.rate) and not self.minutes:
+            velocity = min(velocity, math.sqrt(acceleration * self.length))
+            return self.length / velocity + velocity / acceleration
+        return self.length / velocity
+
+
+class _Block:
+    """A move in the queue, with the speeds that are planned for it."""
+
+    __slots__ = ("acceleration", "entry", "joint", "move", "tag", "velocity")
+
+    def __init__(self, move: Move, tag: int, velocity: float, acceleration: float) -> None:
+        self.move = move
+        self.tag = tag
+        self.velocity = velocity
+        self.acceleration = acceleration
+        self.joint = 0.0  #: the most that the corner before it allows
+        self.entry = 0.0  #: planned, so that everything after it can still stop
+
+
+class Planner:
+    """A queue of moves with look-ahead, and the point that travels along them.
+
+    Velocity is a trapezoid along each move; at a joint no axis jumps by more than it gains in
+    ``JOLT``; the last move in the queue always ends at rest.
+    """
+
+    def __init__(self, limits: Limits, capacity: int, position: Pose) -> None:
+        self.limits = limits
+        self.capacity = capacity
+        self.position = position
+        self.speed = 0.0  #: along the length, per second
+        self.holding = False
+        self.arcs_done = 0
+        self._queue: deque[_Block] = deque()
+        self._along = 0.0
+
+    def __len__(self) -> int:
+        return len(self._queue)
+
+    @property
+    def full(self) -> bool:
+        """Whether the next move must wait."""
+        return len(self._queue) >= self.capacity
+
+    @property
+    def halted(self) -> bool:
+        """Whether a hold has come to rest."""
+        return self.holding and self.speed == 0.0
+
+    @property
+    def moving(self) -> bool:
+        """Whether time changes anything."""
+        return bool(self._queue) and not self.halted
+
+    @property
+    def current(self) -> Move | None:
+        """The move that is being travelled."""
+        return self._queue[0].move if self._queue else None
+
+    @property
+    def tag(self) -> int:
+        """The tag of the move that is being travelled, 0 when there is none."""
+        return self._queue[0].tag if self._queue else 0
+
+    @property
+    def fraction(self) -> float:
+        """How much of the current move has been travelled."""
+        return self._along / self._queue[0].move.length if self._queue else 0.0
+
+    def append(self, move: Move, tag: int = 0) -> None:
+        """Queue a move; one that moves nothing is dropped, as the real planners do."""
+        if move.length <= NOTHING:
+            return
+        block = _Block(move, tag, *move.pace(self.limits))
+        if self._queue:
+            last = self._queue[-1]
+            before, after = last.move.heading(1.0), move.heading(0.0)
+            block.joint = min(last.velocity, block.velocity)
+            for a, b, hardest in zip(before, after, self.limits.acceleration, strict=True):
+                if (jump := abs(b - a)) > NOTHING:
+                    block.joint = min(block.joint, hardest * JOLT / jump)
+        self._queue.append(block)
+        leaving = 0.0
+        for queued in reversed(self._queue):
+            reach = math.sqrt(leaving * leaving + 2.0 * queued.acceleration * queued.move.length)
+            entry = min(queued.joint, reach)
+            if queued.entry == entry and queued is not block:
+                break
+            queued.entry = leaving = entry
+
+    def clear(self) -> None:
+        """Forget all moves and stand still here."""
+        self._queue.clear()
+        self._along = self.speed = 0.0
+        self.holding = False
+
+    def advance(self, seconds: float) -> float:
+        """Travel for some time, to the end of the current move at most; return the time used.
+
+        The planned motion depends only on place and speed, so that many short steps and one
+        long step meet at the same pose.
+        """
+        if not self.moving:
+            return 0.0
+        block = self._queue[0]
+        rest = block.move.length - self._along
+        used, gone, speed = (
+            _brake(rest, self.speed, block.acceleration, seconds)
+            if self.holding
+            else self._travel(block, rest, seconds)
+        )
+        self.speed = speed
+        if gone < rest:
+            self._along += gone
+            self.position = block.move.at(self._along / block.move.length)
+            return used
+        self.position = block.move.end
+        self._queue.popleft()
+        self._along = 0.0
+        self.arcs_done += block.move.centre is not None
+        if not self._queue:
+            self.speed = 0.0
+        return used
+
+    def _travel(self, block: _Block, rest: float, left: float) -> tuple[float, float, float]:
+        """Follow the trapezoid: time used, length gone, speed after it."""
+        hard, first = block.acceleration, self.speed
+        last = self._queue[1].entry if len(self._queue) > 1 else 0.0
+        # After a hold the planned speed may be out of reach; it is never needed.
+        last = min(last, math.sqrt(first * first + 2.0 * hard * rest))
+        peak = math.sqrt(max((2.0 * hard * rest + first * first + last * last) / 2.0, 0.0))
+        peak = max(min(peak, block.velocity), first, last)
+        rise, fall = (peak - first) / hard, (peak - last) / hard
+        ramps = (peak + first) / 2.0 * rise + (peak + last) / 2.0 * fall
+        cruise = max(rest - ramps, 0.0) / peak if peak > 0.0 else 0.0
+        if left >= rise + cruise + fall:
+            return rise + cruise + fall, rest, last
+        if left < rise:
+            return left, first * left + hard * left * left / 2.0, first + hard * left
+        gone = (peak + first) / 2.0 * rise
+        if left < rise + cruise:
+            return left, gone + peak * (left - rise), peak
+        falling = left - rise - cruise
+        gone += peak * cruise + peak * falling - hard * falling * falling / 2.0
+        return left, gone, peak - hard * falling
+
+
+def _brake(rest: float, speed: float, hard: float, left: float) -> tuple[float, float, float]:
+    """Slow down as hard as allowed: time used, length gone, speed after it."""
+    if speed * speed / (2.0 * hard) <= rest:
+        stop = speed / hard
+        if left >= stop:
+            # Stopping exactly at the end must not leave a move that is never finished.
+            return stop, min(speed * stop / 2.0, rest * (1.0 - 1e-12)), 0.0
+        return left, speed * left - hard * left * left / 2.0, speed - hard * left
+    after = math.sqrt(max(speed * speed - 2.0 * hard * rest, 0.0))
+    end = (speed - after) / hard
+    if left >= end:
+        return end, rest, after
+    return left, speed * left - hard * left * left / 2.0, speed - hard * left

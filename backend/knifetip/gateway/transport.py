@@ -1,0 +1,122 @@
+"""transport: bytes to and from a controller, whatever the cable.
+
+"tcp://192.168.1.20:23" or "192.168.1.20:23" -> Transport
+
+A transport knows nothing of lines or answers.  Serial ports and pseudo-terminals are further
+classes with the same four methods, chosen in ``connect`` by the scheme of the address.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import suppress
+from typing import Protocol
+from urllib.parse import urlsplit
+
+from knifetip.errors import ControllerError
+
+#: The most that one ``read`` brings; a controller's answers are short.
+CHUNK = 4096
+
+
+class Transport(Protocol):
+    """An open way to a controller."""
+
+    @property
+    def address(self) -> str:
+        """Where it leads, as the operator wrote it."""
+        ...
+
+    async def read(self) -> bytes:
+        """Wait for bytes and return them; empty when the other side has gone."""
+        ...
+
+    async def write(self, data: bytes) -> None:
+        """Send bytes; return when the operating system has room for more."""
+        ...
+
+    async def close(self) -> None:
+        """Give the way up; closing twice is harmless."""
+        ...
+
+
+class Tcp:
+    """A TCP connection."""
+
+    def __init__(
+        self, address: str, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
+        self.address = address
+        self._reader = reader
+        self._writer = writer
+
+    @classmethod
+    async def open(cls, host: str, port: int, *, timeout: float = 5.0) -> Tcp:
+        """Connect, or say why not.
+
+        Raises
+        ------
+        ControllerError
+            Nobody answers there within ``timeout`` seconds.
+        """
+        address = f"{host}:{port}"
+        try:
+            async with asyncio.timeout(timeout):
+                reader, writer = await asyncio.open_connection(host, port)
+        except (OSError, TimeoutError) as error:
+            raise ControllerError(
+                f"No controller answers at {address} ({error or 'timed out'}).",
+                "Switch it on, or correct the address.",
+            ) from error
+        return cls(address, reader, writer)
+
+    async def read(self) -> bytes:
+        """Wait for bytes; empty when the other side has gone."""
+        try:
+            return await self._reader.read(CHUNK)
+        except OSError:
+            return b""
+
+    async def write(self, data: bytes) -> None:
+        """Send bytes.
+
+        Raises
+        ------
+        ControllerError
+            The connection is lost.
+        """
+        try:
+            self._writer.write(data)
+            await self._writer.drain()
+        except OSError as error:
+            raise ControllerError(
+                f"The connection to {self.address} is lost ({error}).",
+                "Look at the table before anything is sent again.",
+            ) from error
+
+    async def close(self) -> None:
+        """Close the connection."""
+        self._writer.close()
+        with suppress(OSError):
+            await self._writer.wait_closed()
+
+
+async def connect(address: str) -> Transport:
+    """Open the way that an address names.
+
+    Raises
+    ------
+    ControllerError
+        The address cannot be read, or nobody answers there.
+    """
+    parts = urlsplit(address if "//" in address else f"//{address}", scheme="tcp")
+    try:
+        host, port = parts.hostname, parts.port
+    except ValueError:
+        host = port = None
+    if parts.scheme != "tcp" or not host or not port:
+        raise ControllerError(
+            f"{address!r} is not the address of a controller.",
+            "Write host:port, for example 127.0.0.1:2323.",
+        )
+    return await Tcp.open(host, port)

@@ -1,0 +1,73 @@
+"""columns: arrays as one block of bytes, which a browser reads as typed arrays without a copy.
+
+    {"pose": (n + 1, 4) float64, …}, {"placement": …}  ⇄  bytes
+
+Layout, little-endian throughout::
+
+    4 bytes   b"KTIP"
+    uint32    length of the header
+    header    JSON in UTF-8, padded with spaces so that the data starts at a multiple of 8:
+              {"columns": [{"name", "dtype", "shape", "offset"}, …], "meta": {…}}
+    data      each column at a multiple of 8; ``offset`` counts from the start of the data
+
+``dtype`` is ``<f8``, ``<i4`` or ``|u1``.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+MAGIC = b"KTIP"
+_DTYPES = {"f": "<f8", "i": "<i4", "u": "|u1"}
+
+
+def packed(columns: Mapping[str, NDArray[Any]], meta: Mapping[str, object]) -> bytes:
+    """Return the columns and their meta data as one block of bytes."""
+    listed: list[dict[str, object]] = []
+    data = bytearray()
+    for name, column in columns.items():
+        array = np.ascontiguousarray(column, dtype=_DTYPES[column.dtype.kind])
+        listed.append(
+            {
+                "name": name,
+                "dtype": array.dtype.str,
+                "shape": list(array.shape),
+                "offset": len(data),
+            }
+        )
+        data += array.tobytes()
+        data += bytes(-len(data) % 8)
+    header = json.dumps({"columns": listed, "meta": meta}, ensure_ascii=False, allow_nan=False)
+    text = header.encode("utf-8", "replace")
+    text += b" " * (-(8 + len(text)) % 8)
+    return MAGIC + struct.pack("<I", len(text)) + text + bytes(data)
+
+
+def unpacked(block: bytes) -> tuple[dict[str, NDArray[Any]], dict[str, Any]]:
+    """Return the columns (read-only views of the block) and the meta data.
+
+    Raises
+    ------
+    ValueError
+        The block does not begin with ``KTIP``.
+    """
+    if block[:4] != MAGIC:
+        raise ValueError("these bytes do not begin with KTIP")
+    (length,) = struct.unpack_from("<I", block, 4)
+    header = json.loads(block[8 : 8 + length])
+    columns = {
+        column["name"]: np.frombuffer(
+            block,
+            dtype=column["dtype"],
+            count=int(np.prod(column["shape"], dtype=np.int64)),
+            offset=8 + length + column["offset"],
+        ).reshape(column["shape"])
+        for column in header["columns"]
+    }
+    return columns, header["meta"]

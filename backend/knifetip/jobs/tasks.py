@@ -1,0 +1,335 @@
+"""tasks: what the crew's processes do, with bytes in and bytes and plain data out.
+
+read      DXF bytes, unit, profile -> Reading     what the page shows of a drawing
+ask       … and a machine -> questions            what must be decided before it is compiled
+compile   … and a board -> Result                 program, head path and verdict
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from knifetip import pipeline
+from knifetip.dxf.samples import samples
+from knifetip.errors import KnifetipError, UnitUnknown
+from knifetip.geometry.columns import F64, U8
+from knifetip.jobs.columns import packed
+from knifetip.jobs.crew import Progress
+from knifetip.jobs.store import Result
+from knifetip.library import load
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.machine import Machine
+from knifetip.model.question import Question
+
+NONE = 255  #: no override
+_FAR = 1e9  # stands for a measure that is infinite or not a number, which JSON cannot say
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A drawing as the store keeps it."""
+
+    summary: dict[str, Any]
+    edges: bytes  #: see ``columns``
+    ledger: bytes  #: JSON, deflated
+    overrides: bytes  #: (n,) NONE or a LineType
+
+
+@dataclass(frozen=True, slots=True)
+class Carried:
+    """Overrides that were given to an earlier reading of the same file."""
+
+    overrides: bytes  #: (n,) NONE or a LineType
+    handles: Sequence[str]  #: (n,)
+
+
+# The same drawing is read again for each override and each order: keep the last few.
+@lru_cache(maxsize=4)
+def _drawing(content: bytes, unit: str) -> Drawing:
+    return pipeline.read_drawing(content, unit or None)
+
+
+def read(
+    progress: Progress, content: bytes, unit: str, profile: str, carried: Carried | None = None
+) -> Reading:
+    """Return what the page shows of a drawing.
+
+    Parameters
+    ----------
+    unit
+        As the user gave it; empty for what the file says.
+    carried
+        Overrides to keep: row by row where the reading has the same rows, and else by handle
+        where all rows of the handle agreed.
+    """
+    progress("read", 0.0)
+    drawing = _drawing(content, unit)
+    handles = [_said(handle) for handle in drawing.handles]
+    overrides = np.full(len(drawing), NONE, np.uint8)
+    if carried is not None:
+        overrides = _carry(carried, handles)
+    progress("classify", 0.6)
+    dieline = pipeline.dieline(drawing, load.profile(profile), overrides)
+    questions = pipeline.questions(drawing, dieline)
+    progress("keep", 0.9)
+    layers = [_said(layer) for layer in drawing.layers]
+    edges = packed(
+        {
+            "ends": dieline.ends,
+            "bulge": dieline.bulge,
+            "line_type": dieline.line_type,
+            "layer": drawing.layer,
+            "colour": drawing.colour,
+            "linetype": drawing.linetype,
+            "rule": dieline.rule,
+            "confidence": dieline.confidence,
+            "length": drawing.lengths,
+        },
+        {
+            "handles": handles,
+            "layers": layers,
+            "linetypes": [_said(name) for name in drawing.linetypes],
+            "rules": [_said(rule) for rule in dieline.rules],
+            "types": [kind.word for kind in LineType],
+            "unit": drawing.unit,
+        },
+    )
+    ledger = drawing.ledger
+    rows = [
+        {
+            "handle": _said(ledger.handle[row]),
+            "kind": _said(ledger.kind[row]),
+            "layer": _said(ledger.layer[row]),
+            "fate": Fate(int(ledger.fate[row])).name.lower(),
+            "reason": _said(ledger.reason[row]),
+            "length": round(float(ledger.length[row]), 6),
+        }
+        for row in range(len(ledger))
+    ]
+    low_x, low_y, high_x, high_y = (float(side) for side in drawing.bounds)
+    summary = {
+        "unit": drawing.unit,
+        "evidence": _said(drawing.evidence),
+        "segments": len(drawing),
+        "bounds": [low_x, low_y, high_x, high_y],
+        "width": high_x - low_x,
+        "height": high_y - low_y,
+        "counts": _counts(dieline.line_type, drawing.lengths),
+        "layers": _layers(drawing, dieline, layers),
+        "questions": [_question(question) for question in questions],
+        "overrides": int((overrides != NONE).sum()),
+        "ledger": {fate.name.lower(): int((ledger.fate == fate).sum()) for fate in Fate},
+    }
+    return Reading(summary, edges, zlib.compress(json.dumps(rows).encode(), 6), overrides.tobytes())
+
+
+def _carry(carried: Carried, handles: Sequence[str]) -> U8:
+    before = np.frombuffer(carried.overrides, np.uint8)
+    if list(carried.handles) == list(handles):
+        return before
+    said: dict[str, set[int]] = {}
+    for handle, override in zip(carried.handles, before.tolist(), strict=True):
+        said.setdefault(handle, set()).add(override)
+    agreed = {handle: values.pop() for handle, values in said.items() if len(values) == 1}
+    return np.array([agreed.get(handle, NONE) for handle in handles], np.uint8)
+
+
+def _counts(line_type: U8, lengths: F64) -> list[dict[str, Any]]:
+    edges = np.bincount(line_type, minlength=len(LineType))
+    length = np.bincount(line_type, weights=lengths, minlength=len(LineType))
+    return [
+        {"type": kind.word, "edges": int(edges[kind]), "length": float(length[kind])}
+        for kind in LineType
+        if edges[kind]
+    ]
+
+
+def _layers(drawing: Drawing, dieline: Dieline, layers: Sequence[str]) -> list[dict[str, Any]]:
+    pairs, pair = np.unique(
+        np.stack([drawing.layer, drawing.colour], axis=1), axis=0, return_inverse=True
+    )
+    pair = pair.reshape(-1)
+    edges = np.bincount(pair, minlength=len(pairs))
+    length = np.bincount(pair, weights=drawing.lengths, minlength=len(pairs))
+    kinds = np.zeros((len(pairs), len(LineType)), bool)
+    kinds[pair, dieline.line_type] = True
+    return [
+        {
+            "name": layers[layer],
+            "colour": int(colour),
+            "edges": int(edges[row]),
+            "length": float(length[row]),
+            "types": [kind.word for kind in LineType if kinds[row, kind]],
+        }
+        for row, (layer, colour) in enumerate(pairs)
+    ]
+
+
+def ask(
+    progress: Progress, content: bytes, unit: str, profile: str, overrides: bytes, machine: str
+) -> list[dict[str, Any]]:
+    """Return what must be decided before the drawing can be made on this machine."""
+    progress("read", 0.0)
+    drawing = _drawing(content, unit)
+    dieline = pipeline.dieline(drawing, load.profile(profile), np.frombuffer(overrides, np.uint8))
+    questions = pipeline.questions(drawing, dieline, load.machine(machine))
+    return [_question(question) for question in questions]
+
+
+def compile(
+    progress: Progress,
+    content: bytes,
+    unit: str,
+    profile: str,
+    overrides: bytes,
+    machine: str,
+    board: str,
+    notes: Sequence[str],
+) -> Result:
+    """Return the program of a drawing on a board and a machine, with its verdict.
+
+    Raises
+    ------
+    KnifetipError
+        It cannot be made; the reason names the place and the measure.
+    """
+    progress("read", 0.0)
+    drawing = _drawing(content, unit)
+    if not drawing.unit:
+        raise UnitUnknown(
+            f"The drawing does not say its unit ({drawing.evidence}).",
+            "Set it with PATCH /api/drawings/{id}, or on the page.",
+        )
+    dieline = pipeline.dieline(drawing, load.profile(profile), np.frombuffer(overrides, np.uint8))
+    table = load.machine(machine)
+    made = pipeline.compiled(
+        drawing, dieline, table, load.board(board), notes=notes, progress=progress
+    )
+    verdict = made.verdict
+    handles = [_said(handle) for handle in drawing.handles]
+    findings = [
+        {
+            "kind": finding.kind,
+            "text": _said(finding.text),
+            "measure": _finite(finding.measure),
+            "edge": finding.edge,
+            "handle": handles[finding.edge] if 0 <= finding.edge < len(handles) else "",
+            "line": finding.line,
+        }
+        for finding in verdict.findings
+    ]
+    judged = {
+        "accepted": bool(verdict.accepted),
+        "tolerance": verdict.tolerance,
+        "deviation": _greatest(verdict.deviation),
+        "overcut": _greatest(verdict.overcut),
+        "uncut": _greatest(verdict.uncut),
+        "seconds": _finite(verdict.seconds),
+    }
+    text = made.program.text
+    reason = ""
+    if not verdict.accepted:
+        told = " ".join(str(finding["text"]) for finding in findings[:3])
+        more = f" And {len(findings) - 3} more." if len(findings) > 3 else ""
+        reason = f"The program does not cut what was drawn: {told}{more}"
+    return Result(
+        accepted=bool(verdict.accepted),
+        reason=reason,
+        program=text,
+        sha256=hashlib.sha256(text).hexdigest(),
+        lines=len(made.program),
+        toolpath=_toolpath(made, table),
+        verdict=packed(
+            {
+                "deviation": _clipped(verdict.deviation),
+                "overcut": _clipped(verdict.overcut),
+                "uncut": _clipped(verdict.uncut),
+                "setback": _clipped(verdict.setback),
+            },
+            {"findings": findings, **judged},
+        ),
+        judged=judged,
+        source=sorted({str(finding["handle"]) for finding in findings if finding["handle"]})[:200],
+    )
+
+
+def rehearse(progress: Progress) -> None:
+    """Go once through everything: kernels become machine code, which is kept on disk."""
+    machine = load.names("machines")[0]
+    for content in samples().values():
+        overrides = read(progress, content, "", "default").overrides
+        with contextlib.suppress(KnifetipError):
+            compile(progress, content, "", "default", overrides, machine, "greyboard-2.0", ())
+
+
+def _toolpath(made: pipeline.Compiled, machine: Machine) -> bytes:
+    path = made.toolpath
+    rows = made.program.source
+    # The last line that a row became: when the machine has executed it, the row is behind it.
+    line = np.full(len(path), -1, np.int32)
+    numbers = np.arange(1, len(rows) + 1, dtype=np.int32)
+    moving = rows >= 0
+    np.maximum.at(line, rows[moving], numbers[moving])
+    return packed(
+        {
+            "pose": path.pose,
+            "bulge": path.bulge,
+            "motion": path.motion,
+            "feed": path.feed,
+            "source": path.source,
+            "tool": path.tool,
+            "line": line,
+        },
+        {
+            "placement": [float(shift) for shift in made.placement],
+            "dialect": made.program.dialect,
+            "stations": [
+                {
+                    "number": station.number,
+                    "name": station.name,
+                    "kind": load.kind_of(station.tool),
+                    "datum": {"x": station.x, "y": station.y, "z": station.z, "c": station.c},
+                }
+                for station in machine.stations
+            ],
+        },
+    )
+
+
+def _question(question: Question) -> dict[str, Any]:
+    said = question.as_json()
+    return {
+        **said,
+        "text": _said(question.text),
+        "layer": _said(question.layer),
+        "edges": [int(edge) for edge in question.edges],
+        "colour": int(question.colour),
+    }
+
+
+def _said(text: str) -> str:
+    """Return text of a file as UTF-8 can say it: bytes that were no text become ``?``."""
+    return text.encode("utf-8", "replace").decode("utf-8").replace("\0", "")
+
+
+def _finite(measure: float) -> float:
+    return float(np.nan_to_num(measure, nan=_FAR, posinf=_FAR, neginf=-_FAR))
+
+
+def _clipped(measures: F64) -> F64:
+    clipped: F64 = np.nan_to_num(measures, nan=_FAR, posinf=_FAR, neginf=-_FAR)
+    return clipped
+
+
+def _greatest(measures: F64) -> float:
+    return _finite(float(measures.max())) if len(measures) else 0.0

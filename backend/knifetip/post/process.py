@@ -1,0 +1,225 @@
+"""process: the program of a toolpath, in the words of one controller.
+
+    Toolpath, Machine, "grblhal" -> Program
+
+Header, then station by station its change and its moves, then the end.  Numbers are the head's
+X Y C and the tip's Z; the station's datum comes from the controller's tool table, or is in the
+numbers where there is none.  The same input gives the same bytes: no dates, no names of hosts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+
+from knifetip.errors import ProgramError
+from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.model.machine import Machine, Station
+from knifetip.model.program import Program
+from knifetip.model.tool import Cutter, Knife
+from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.post import gcode
+from knifetip.post.dialect import Dialect, dialect_of
+
+#: mm, absolute, arc centres from the start, XY plane, no compensation in the controller, mm/min.
+HEADER: Final = "G21 G90 G91.1 G17 G40 G49 G94 G54"
+#: The controller may round corners by half the tolerance, and never by more than half of this (mm).
+BLENDED: Final = 0.01
+#: Coordinates beyond this are a mistake, on any table (mm, degrees).
+FARTHEST: Final = 1e6
+#: The slowest feed that says something (mm/min).
+SLOWEST: Final = 1e-3
+#: Any faster is a mistake (mm/min, degrees/min).
+FASTEST: Final = 1e8
+
+
+def process(
+    toolpath: Toolpath,
+    machine: Machine,
+    dialect: str,
+    *,
+    tolerance: float = 0.01,
+    notes: Sequence[str] = (),
+) -> Program:
+    """Return the program that moves the head along the toolpath.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        One chain of moves; each station's first move is a rapid.
+    machine : Machine
+        Its stations' datums and outputs, and the height for rapids.
+    dialect : str
+        ``linuxcnc`` or ``grblhal``.
+    tolerance : float, mm
+        How far the tip may be from the line; half of it is left to the controller's blending.
+    notes : sequence of str
+        Comments at the top.  One of them is ``placement X… Y…``: what was added to the drawing's
+        coordinates to place it on the sheet.
+
+    Raises
+    ------
+    LibraryError
+        There is no such dialect.
+    ProgramError
+        The toolpath is empty, has a number that is none, a feed that does not move, a station
+        that the machine lacks, or a station that begins in the middle of its work.
+    """
+    speech = dialect_of(dialect)
+    _check(toolpath)
+    texts: list[bytes] = []
+    sources: list[I32] = []
+
+    def say(lines: Iterator[str]) -> None:
+        spoken = list(lines)
+        texts.append("".join(f"{line}\n" for line in spoken).encode("ascii"))
+        sources.append(np.full(len(spoken), -1, np.int32))
+
+    blending = _blending(tolerance)
+    say(_header(machine, speech, blending, notes))
+    changes = np.flatnonzero(np.diff(toolpath.tool)) + 1
+    edges = [0, *changes.tolist(), len(toolpath)]
+    previous: Station | None = None
+    for first, last in pairwise(edges):
+        station = _station(toolpath, machine, first)
+        say(_change(previous, station, machine, speech))
+        text, source = gcode.lines(
+            toolpath, first, last, _added(station, speech), machine, speech, blending
+        )
+        texts.append(text)
+        sources.append(source)
+        previous = station
+    assert previous is not None
+    say(_footer(previous, machine, speech))
+    return Program(b"".join(texts), speech.name, np.concatenate(sources))
+
+
+def _blending(tolerance: float) -> float:
+    """Return how far the controller may be from the path by itself (mm)."""
+    half = min(tolerance, BLENDED) / 2.0
+    # LinuxCNC reads P0 as no limit at all.
+    if not half >= 0.5e-3:
+        raise ProgramError(
+            f"A tolerance of {tolerance} mm leaves nothing to the controller's blending.",
+            "Give 0.001 mm or more.",
+        )
+    return half
+
+
+def _header(
+    machine: Machine, dialect: Dialect, blending: float, notes: Sequence[str]
+) -> Iterator[str]:
+    for note in notes:
+        if comment := gcode.comment(note):
+            yield comment
+    yield HEADER
+    if dialect.blending:
+        yield f"G64 P{blending:.4f} Q{blending:.4f}"
+    yield f"G0 Z{gcode.plain(machine.travel_z)}"
+
+
+def _change(
+    previous: Station | None, station: Station, machine: Machine, dialect: Dialect
+) -> Iterator[str]:
+    if dialect.comments:
+        yield gcode.comment(f"station {station.number} {station.name}")
+    if previous is not None and previous.output >= 0:
+        yield f"M65 P{previous.output}"
+    if previous is not None and _oscillates(previous):
+        yield "M5"
+    if dialect.tool_table:
+        yield f"T{station.number} M6 G43"
+    if station.output >= 0:
+        yield f"M64 P{station.output}"
+    if _oscillates(station):
+        # The oscillation has one speed, but at S0 a controller takes M3 for off.
+        yield "M3 S1"
+    if machine.settle > 0:
+        yield f"G4 P{gcode.plain(machine.settle)}".rstrip("0").rstrip(".")
+
+
+def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[str]:
+    up = machine.travel_z + _added(station, dialect)[2]
+    yield f"G0 Z{gcode.plain(up)}"
+    if station.output >= 0:
+        yield f"M65 P{station.output}"
+    yield "M5"
+    yield "G49"
+    yield dialect.end
+
+
+def _oscillates(station: Station) -> bool:
+    return isinstance(station.tool, Knife) and station.tool.oscillating
+
+
+def _added(station: Station, dialect: Dialect) -> F64:
+    datum = (station.x, station.y, station.z, station.c)
+    return np.zeros(4) if dialect.tool_table else np.array(datum)
+
+
+def _station(toolpath: Toolpath, machine: Machine, first: int) -> Station:
+    number = int(toolpath.tool[first])
+    try:
+        station = machine.station(number)
+    except KeyError:
+        known = ", ".join(str(station.number) for station in machine.stations)
+        raise ProgramError(
+            f"{_place(toolpath, first)} is for station {number}, which {machine.name} lacks.",
+            f"It has {known}.",
+        ) from None
+    if isinstance(station.tool, Cutter):
+        raise ProgramError(
+            f"Station {number} of {machine.name} holds a rotating cutter, and nothing says how"
+            " fast it turns.",
+            "Use a knife, a crease wheel or a V-cutter.",
+        )
+    if toolpath.motion[first] != Motion.RAPID:
+        raise ProgramError(
+            f"{_place(toolpath, first)} begins the work of station {number}, and is no rapid:"
+            " the head is not there yet.",
+            "Begin each station with a rapid.",
+        )
+    return station
+
+
+def _place(toolpath: Toolpath, row: int) -> str:
+    edge = int(toolpath.source[row])
+    motion = int(toolpath.motion[row])
+    name = Motion(motion).name if motion in set(Motion) else f"motion {motion}"
+    return f"Row {row} of the toolpath ({name}" + (f", edge {edge})" if edge >= 0 else ")")
+
+
+def _check(toolpath: Toolpath) -> None:
+    """Refuse a toolpath that cannot be printed, naming the first row that is wrong."""
+    if len(toolpath) == 0:
+        raise ProgramError("The toolpath has no moves.", "Classify an edge as something to make.")
+
+    def refuse(wrong: Bool, what: str, mend: str) -> None:
+        if wrong.any():
+            row = int(np.argmax(wrong))
+            edge = int(toolpath.source[row])
+            values = f"bulge {toolpath.bulge[row]:g}, feed {toolpath.feed[row]:g}"
+            here, there = (
+                ", ".join(f"{value:g}" for value in pose) for pose in toolpath.pose[row : row + 2]
+            )
+            raise ProgramError(
+                f"{_place(toolpath, row)} {what}: from ({here}) to ({there}), {values}.",
+                mend,
+                [str(edge)] if edge >= 0 else [],
+            )
+
+    numbers: Bool = np.logical_and.reduce(np.isfinite(toolpath.pose), axis=1)
+    finite = numbers[1:] & numbers[:-1] & np.isfinite(toolpath.bulge) & np.isfinite(toolpath.feed)
+    again = "Send the drawing with a report: a stage before this one went wrong."
+    refuse(~finite, "has a value that is not a number", again)
+    far: Bool = np.logical_or.reduce(np.abs(toolpath.pose) > FARTHEST, axis=1)
+    refuse(far[1:] | far[:-1], f"is farther than {FARTHEST:g} mm away", "Look at the unit.")
+    rapid = toolpath.motion == Motion.RAPID
+    refuse(toolpath.motion > max(Motion), "has a motion that is none", again)
+    refuse(~rapid & (toolpath.feed < SLOWEST), "has no feed", "Give the tool a feed.")
+    refuse(toolpath.feed > FASTEST, "has a feed beyond any machine", "Look at the tool's feed.")
+    refuse(rapid & (np.abs(toolpath.bulge) > 0), "is a rapid along an arc", again)
+    refuse(np.abs(toolpath.bulge) > 1.0 + 1e-6, "is an arc of more than half a turn", again)

@@ -1,0 +1,243 @@
+"""Conduct: how the machine is driven: feeds, outputs, travel, speed in the board, and the time.
+
+Moves, Tips, Machine, Board -> findings and the nominal seconds
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from knifetip.model.board import Board
+from knifetip.model.machine import Machine
+from knifetip.model.tool import Cutter, Knife, VCutter
+from knifetip.verification.columns import F64, Bool
+from knifetip.verification.findings import MOST, Findings
+from knifetip.verification.kinematics import LEVEL, Tips
+from knifetip.verification.modal import Moves
+
+#: A feed may differ from the tool's by this share of it.
+FEED: Final = 1e-3
+#: Moves that take no longer may take any time: controllers round it up to a step (minutes).
+INSTANT: Final = 2e-6
+#: A joint may stand past its travel by this (mm, degrees): less than programs print.
+TRAVEL: Final = 1e-6
+#: Inside a pass C may turn alone by this, where a tool has no swivel angle of its own (degrees).
+TURN: Final = 1.01
+
+
+def lengths(moves: Moves) -> F64:
+    """Return how far the head goes on each move along XYZ (mm), NaN from an unknown place."""
+    way = moves.end - moves.start
+    radius = np.hypot(*(moves.start[:, :2] - moves.centre).T)
+    flat = np.where(
+        moves.sweep != 0.0, radius * np.abs(moves.sweep), np.hypot(way[:, 0], way[:, 1])
+    )
+    result: F64 = np.hypot(flat, way[:, 2])
+    return result
+
+
+def travel(moves: Moves, machine: Machine, found: Findings) -> Bool:
+    """Return which moves stay within the machine's travel; note the others."""
+    good = np.ones(len(moves.line), np.bool_)
+    low, high = np.fmin(moves.start, moves.end), np.fmax(moves.start, moves.end)
+    round_ = moves.sweep != 0.0
+    centre = moves.centre
+    radius = np.hypot(*(moves.start[:, :2] - centre).T)
+    first = np.arctan2(*(moves.start[:, :2] - centre).T[::-1])
+    for quarter in range(4):
+        angle = quarter * np.pi / 2.0
+        ahead = np.where(moves.sweep > 0.0, angle - first, first - angle) % (2.0 * np.pi)
+        hit = round_ & (ahead <= np.abs(moves.sweep))
+        extreme = centre + radius[:, None] * np.array([np.cos(angle), np.sin(angle)])
+        low[hit, :2] = np.minimum(low[hit, :2], extreme[hit])
+        high[hit, :2] = np.maximum(high[hit, :2], extreme[hit])
+    for column, name in enumerate("XYZC"):
+        axis = getattr(machine, name.lower())
+        below = np.nan_to_num(axis.low - low[:, column])
+        above = np.nan_to_num(high[:, column] - axis.high)
+        past = np.maximum(below, above)
+        unit = "°" if name == "C" else " mm"
+        good &= past <= TRAVEL
+        for row in np.flatnonzero(past > TRAVEL)[:MOST]:
+            reached = low[row, column] if below[row] > above[row] else high[row, column]
+            found.add(
+                "travel",
+                f"Line {moves.line[row]}: joint {name} goes to {reached:.3f}{unit}, and its travel "
+                f"is {axis.low:g} to {axis.high:g}.",
+                past[row],
+                line=moves.line[row],
+            )
+    return good
+
+
+def feeds(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
+    """Note feeds that are not the tool's own: its feed on the level, its plunge down and up.
+
+    A turn of C alone may go as fast as C can.  Timed moves (G93) take the longer of both.
+    """
+    own = np.full(len(moves.line), np.nan)
+    level = np.abs(moves.end[:, 2] - moves.start[:, 2]) <= LEVEL
+    for index, station in enumerate(machine.stations):
+        rows = moves.station == index
+        own[rows] = np.where(level[rows], station.tool.feed, station.tool.plunge)
+    length = lengths(moves)
+    degrees = np.abs(moves.end[:, 3] - moves.start[:, 3])
+    # A tip that stands still while C turns is a swivel, though a head off its axis moves.
+    swivel = level & _standing(moves, tip, machine) & (degrees > 0.0)
+    least = np.maximum(np.where(swivel, 0.0, length / own), degrees / (60.0 * machine.c.velocity))
+    minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
+    feeding = (moves.code > 0) & ~np.isnan(own) & ~np.isnan(length) & ~np.isnan(moves.feed)
+    off = np.abs(minutes / np.where(least > 0.0, least, np.nan) - 1.0) > FEED
+    off &= ~((minutes <= INSTANT) & (minutes > least * (1.0 - FEED)))
+    # Without a time of its own, a move along XYZ has its feed from the word.
+    plain = ~moves.inverse
+    off = np.where(plain, np.abs(moves.feed - own) > FEED * own, off)
+    for row in np.flatnonzero(feeding & off)[:MOST]:
+        if moves.inverse[row]:
+            text = f"takes {60.0 * minutes[row]:.4f} s instead of {60.0 * least[row]:.4f} s."
+        else:
+            text = f"has a feed of {moves.feed[row]:g} mm/min instead of {own[row]:g}."
+        measure = abs(moves.feed[row] - own[row]) if plain[row] else minutes[row] * 60.0
+        found.add(
+            "feed",
+            f"Line {moves.line[row]}: {_name(moves, machine, row)} {text}",
+            measure,
+            line=moves.line[row],
+        )
+    mixed = feeding & plain & (degrees > 0.0) & ((moves.sweep == 0.0) | (not moves.tabled))
+    for row in np.flatnonzero(mixed)[:MOST]:
+        found.add(
+            "feed",
+            f"Line {moves.line[row]}: C turns by {degrees[row]:.4f}° at a feed in mm/min; "
+            "say how long it takes (G93).",
+            degrees[row],
+            line=moves.line[row],
+        )
+
+
+def _standing(moves: Moves, tip: Tips, machine: Machine) -> Bool:
+    """Return on which moves the tip stands still in XY: a drag knife's head swings round it."""
+    trails = np.array([getattr(station.tool, "trail", 0.0) > 0.0 for station in machine.stations])
+    way = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    result: Bool = (way < 1e-3) & ((moves.sweep == 0.0) | trails[moves.station])
+    return result
+
+
+def _name(moves: Moves, machine: Machine, row: int) -> str:
+    return f"station {machine.stations[moves.station[row]].number}"
+
+
+def outputs(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
+    """Note work by a station that is not lowered, beside another one that is, or at rest."""
+    wrong: list[tuple[Bool, str]] = []
+    for index, station in enumerate(machine.stations):
+        mine = tip.inside & (moves.station == index)
+        if station.output >= 0:
+            wrong.append(
+                (
+                    mine & ~moves.piston[:, index],
+                    f"station {station.number} works while its output {station.output} is off.",
+                )
+            )
+        for other, rival in enumerate(machine.stations):
+            if other != index and rival.output >= 0:
+                wrong.append(
+                    (
+                        mine & moves.piston[:, other],
+                        f"station {station.number} works while station {rival.number} is lowered "
+                        f"too (output {rival.output}).",
+                    )
+                )
+        moved = isinstance(station.tool, Knife) and station.tool.oscillating
+        if moved:
+            wrong.append((mine & ~moves.oscillating, "the oscillating knife cuts at rest."))
+        else:
+            wrong.append(
+                (
+                    mine & moves.oscillating,
+                    f"station {station.number} works while the oscillation is on.",
+                )
+            )
+        if isinstance(station.tool, Cutter):
+            wrong.append(
+                (mine, f"station {station.number} holds a cutter, whose work is not judged yet.")
+            )
+    nobody = (moves.station < 0) & (moves.code > 0)
+    wrong.append((nobody, "feeds, and no station has been chosen."))
+    for where, text in wrong:
+        # What lasts is told once, where it begins.
+        begins = where & ~np.concatenate([[False], where[:-1]])
+        for row in np.flatnonzero(begins)[:MOST]:
+            found.add("program", f"Line {moves.line[row]}: {text}", 0.0, line=moves.line[row])
+
+
+def in_the_board(
+    moves: Moves, tip: Tips, machine: Machine, board: Board, tolerance: float, found: Findings
+) -> None:
+    """Note rapids below the top face, moves from nowhere, slanted ways in, wide turns inside."""
+    lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
+    for row in np.flatnonzero(tip.inside & (moves.code == 0))[:MOST]:
+        found.add(
+            "stray",
+            f"Line {moves.line[row]}: a rapid takes {_name(moves, machine, row)} "
+            f"{board.caliper - lowest[row]:.3f} mm below the top of the board.",
+            board.caliper - lowest[row],
+            line=moves.line[row],
+        )
+    unknown = np.isnan(moves.end).any(axis=1) | np.isnan(moves.start).any(axis=1)
+    sideways = np.isnan(moves.end[:, 2]) & ~np.isnan(moves.end[:, :2]).all(axis=1)
+    for row in np.flatnonzero((unknown & (moves.code > 0)) | sideways)[:MOST]:
+        found.add(
+            "program",
+            f"Line {moves.line[row]}: moves from or to a place that no line before it states.",
+            0.0,
+            line=moves.line[row],
+        )
+
+    stay = tip.inside & (moves.code > 0) & ~unknown
+    drop = tip.end[:, 2] - tip.start[:, 2]
+    slanted = stay & (np.abs(drop) > LEVEL)
+    top = np.minimum(np.maximum(tip.start[:, 2], tip.end[:, 2]), board.caliper)
+    share = np.divide(top - lowest, np.abs(drop), out=np.zeros(len(drop)), where=slanted)
+    slope = np.zeros(len(machine.stations))
+    widest = np.full(len(machine.stations), TURN)
+    for index, station in enumerate(machine.stations):
+        if isinstance(station.tool, VCutter):
+            slope[index] = station.tool.slope
+        elif isinstance(station.tool, Knife):
+            widest[index] = station.tool.swivel + 0.01
+    heading = np.radians(tip.end[:, 3])
+    right = np.stack([np.sin(heading), -np.cos(heading)], axis=1)
+    wanted = right * (drop * slope[moves.station])[:, None]
+    astray = np.hypot(*((tip.end - tip.start)[:, :2] - wanted).T) * share
+    for row in np.flatnonzero(slanted & ((astray > tolerance) | (moves.sweep != 0.0)))[:MOST]:
+        found.add(
+            "deviation",
+            f"Line {moves.line[row]}: {_name(moves, machine, row)} goes {astray[row]:.3f} mm "
+            "sideways off its own line while it plunges or lifts in the board.",
+            astray[row],
+            line=moves.line[row],
+        )
+    turn = np.abs(tip.end[:, 3] - tip.start[:, 3])
+    most = np.where(slanted, 0.01, widest[moves.station])
+    alone = stay & (slanted | _standing(moves, tip, machine)) & (turn > most)
+    for row in np.flatnonzero(alone)[:MOST]:
+        found.add(
+            "heading",
+            f"Line {moves.line[row]}: C turns by {turn[row]:.3f}° in the board, where "
+            f"{most[row]:.2f}° is the most.",
+            turn[row],
+            line=moves.line[row],
+        )
+
+
+def seconds(moves: Moves, machine: Machine) -> float:
+    """Return the nominal time: lengths over feeds, rapids at the axes' velocities, dwells."""
+    length = lengths(moves)
+    velocity = np.array([getattr(machine, axis).velocity for axis in "xyzc"])
+    rapid = np.max(np.nan_to_num(np.abs(moves.end - moves.start)) / velocity, axis=1, initial=0.0)
+    minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
+    working = np.where(np.isfinite(minutes), minutes, 0.0) * 60.0
+    return float(np.where(moves.code == 0, rapid, working).sum() + moves.dwell)

@@ -1,0 +1,636 @@
+"""Coverage: the work of one trade against its edges, both ways round.
+
+    Work, Edges -> deviation, overcut, uncut and setback of every edge, and the findings
+
+Every stretch of work must lie on an edge of the right line type, between the places where the
+tip may begin and stop there; every edge must be worked between those places.  What is within the
+tolerance of the drawn line counts as on it.
+
+Heading: a tool that reaches ρ from its tip (the blade's width, half the wheel's contact, a
+V-cutter's whole edge) swings by 2 ρ sin(ΔC / 2) when it is turned by ΔC off the drawn line; that
+must not be more than the tolerance.  A wheel's ΔC is the remainder of 180°, the others' of 360°.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final, TypeVar
+
+import numpy as np
+
+from knifetip.model.board import Board
+from knifetip.model.dieline import LineType
+from knifetip.model.machine import Machine
+from knifetip.model.tool import CreaseWheel, Knife, VCutter
+from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.findings import MOST, Findings
+from knifetip.verification.intent import (
+    TOUCHING,
+    WORKED,
+    Edges,
+    KnifeEnds,
+    apart,
+    creases,
+    knife_ends,
+    pairs_within,
+    run_on,
+)
+from knifetip.verification.kinematics import Trade, Work, azimuth_at, point_at
+from knifetip.verification.overlap import Rows, leftover, nearest_until, overlaps
+
+#: A tool pressed deeper or less deep than planned by more than this is at a wrong depth (mm).
+DEPTH: Final = 0.005
+#: Work farther than this from every edge is not a badly placed edge but a stray (mm).
+CATCH: Final = 2.0
+#: How far the last printed digit of both ends of a move can turn it, times its length (mm).
+PRINTED: Final = 1.5e-4
+
+
+Held = TypeVar("Held", Knife, CreaseWheel, VCutter)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Figures:
+    """The columns of the verdict, one row to an edge of the dieline (mm)."""
+
+    deviation: F64
+    overcut: F64
+    uncut: F64
+    setback: F64
+
+    @classmethod
+    def zeros(cls, count: int) -> Figures:
+        """Return figures for edges that nobody has worked."""
+        return cls(*(np.zeros(count) for _ in range(4)))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Bench:
+    """What every comparison needs to hand."""
+
+    edges: Edges  #: all edges on the sheet
+    machine: Machine
+    board: Board
+    tolerance: float  #: mm
+    figures: Figures
+    found: Findings
+
+
+def compare(bench: Bench, work: Work) -> None:
+    """Compare all work with all edges, trade by trade."""
+    for trade, kinds in WORKED.items():
+        _Trial(bench, work, trade, bench.edges.of(*kinds)).run()
+
+
+class _Trial:
+    """One trade's work and edges."""
+
+    def __init__(self, bench: Bench, work: Work, trade: Trade, edges: Edges) -> None:
+        self.bench, self.trade, self.edges = bench, trade, edges
+        self.figures, self.found, self.tolerance = bench.figures, bench.found, bench.tolerance
+        rows = np.flatnonzero(work.trade == trade)
+        self.curve, self.z, self.heading = work.curve[rows], work.z[rows], work.heading[rows]
+        self.station, self.line = work.station[rows], work.line[rows]
+        self.blend = work.blend[rows]
+        self.track = np.unique(work.track[rows], return_inverse=True)[1].astype(np.int64)
+        self.size = edges.curve[:, 5]
+        self.low, self.high = np.zeros(len(edges)), self.size.copy()
+        self.depth = np.zeros(len(edges))
+
+    def run(self) -> None:
+        if len(self.curve) == 0 and len(self.edges) == 0:
+            return
+        if self.trade == Trade.OTHER:
+            return
+        {
+            Trade.CUT: self._cut,
+            Trade.HALF_CUT: self._half_cut,
+            Trade.CREASE: self._crease,
+            Trade.GROOVE: self._groove,
+        }[self.trade]()
+
+    # -- the four trades -------------------------------------------------------------------------
+
+    def _cut(self) -> None:
+        into = self.bench.machine.into_mat
+        caliper = self.bench.board.caliper
+        self.depth[:] = caliper + into
+        self._knife(caliper + into, caliper)
+
+    def _half_cut(self) -> None:
+        depth = self.bench.board.half_cut_depth
+        self.depth[:] = depth
+        self._knife(depth, depth)
+
+    def _knife(self, leads: float, runs: float) -> None:
+        """Judge a knife whose top is ahead over ``leads`` mm and that runs on by ``runs``' lead."""
+        blade = self._tool(Knife)
+        slant = math.tan(math.radians(blade.blade_angle)) if blade else 0.0
+        cuts = self.bench.edges.of(LineType.CUT)
+        torn = np.isin(self.edges.line_type, (LineType.PERFORATION, LineType.COMBI))
+        solid = np.flatnonzero(~torn)
+        whole = self.edges.of(LineType.CUT, LineType.HALF_CUT)
+        ends = knife_ends(whole, cuts, leads * slant, runs * slant)
+        rows = self._matched()
+        dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
+        dashed[self.track[rows.curve[rows.best & torn[rows.edge]]]] = True
+        over = self._stops(whole, solid, ends, dashed, leads * slant, runs * slant)
+        # What runs over an end crosses other edges there, and is no work of theirs.
+        rows = nearest_until(rows, self.curve, self._before(over))
+        self._placed(rows)
+        self._off(rows, over)
+        self._uncut(rows, solid)
+        if torn.any():
+            self._perforated(rows, np.flatnonzero(torn), dashed, leads * slant)
+        if blade:
+            self._headed(rows, np.full(len(self.z), blade.blade_width), 360.0)
+
+    def _crease(self) -> None:
+        wheel = self._tool(CreaseWheel)
+        if wheel is None:
+            self._uncut(self._matched(), np.arange(len(self.edges)))
+            return
+        asked = creases(self.edges, self.bench.board, wheel)
+        self.low, self.high, self.depth = asked.low, asked.high, asked.depth
+        for edge in np.flatnonzero(asked.refused)[:MOST]:
+            self._finding("uncut", edge, "is too short for the wheel.", self.size[edge])
+        rows = self._matched()
+        self._placed(rows)
+        self._off(rows, np.zeros(int(self.track.max(initial=-1)) + 1))
+        planned = np.maximum(self.high - self.low, 0.0)
+        self.figures.setback[self.edges.row] += self.size - planned
+        self._uncut(rows, np.arange(len(self.edges)))
+        depth = np.maximum(self.bench.board.caliper - self.z, 0.0)
+        contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
+        self._headed(rows, contact, 180.0)
+
+    def _groove(self) -> None:
+        self.depth[:] = self.bench.board.groove_depth
+        blade = self._tool(VCutter)
+        for edge in np.flatnonzero(self.edges.curve[:, 0] != 0.0)[:MOST]:
+            self._finding("deviation", edge, "is an arc, which no leaning blade can follow.", 0.0)
+        rows = self._matched()
+        self._placed(rows)
+        self._off(rows, np.zeros(int(self.track.max(initial=-1)) + 1))
+        for forward in (True, False):
+            way = rows.place[:, 1] > rows.place[:, 0]
+            self._uncut(rows, np.arange(len(self.edges)), (way == forward), forward)
+        if blade is None:
+            return
+        self._headed(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0)
+        worked = np.zeros(len(self.edges), np.bool_)
+        worked[rows.edge[rows.best]] = True
+        past: F64 = np.where(worked, 2.0 * blade.half_width, 0.0)
+        past[run_on(self.edges).reshape(-1, 2).all(axis=1)] = 0.0
+        self._overcut(np.arange(len(self.edges)), past)
+        limit = self.bench.board.groove_overcut
+        for edge in np.flatnonzero(past > limit + self.tolerance)[:MOST]:
+            self._finding(
+                "overcut",
+                edge,
+                f"the blade runs {past[edge]:.2f} mm past its ends, and the board allows "
+                f"{limit:.2f} mm.",
+                past[edge],
+            )
+
+    # -- what they share -------------------------------------------------------------------------
+
+    def _tool(self, kind: type[Held]) -> Held | None:
+        """Return the tool of the station that does this trade, or could."""
+        stations = self.bench.machine.stations
+        if len(self.station):
+            tool = stations[int(self.station[0])].tool
+            return tool if isinstance(tool, kind) else None
+        return next((held.tool for held in stations if isinstance(held.tool, kind)), None)
+
+    def _finding(
+        self, kind: str, edge: int, text: str, measure: float, work: int = -1, line: int = -1
+    ) -> None:
+        """Note something about an edge of this trade, ``edge`` -1 for none."""
+        row = int(self.edges.row[edge]) if edge >= 0 else -1
+        line = int(self.line[work]) if work >= 0 else line
+        place = f"{self.trade.word}, edge {row}: " if row >= 0 else f"{self.trade.word}: "
+        where = f" Line {line}." if line >= 0 else ""
+        self.found.add(kind, place + text + where, measure, edge=row, line=line)
+
+    def _overcut(self, edges: I64, measure: F64) -> None:
+        rows = self.edges.row[edges]
+        np.maximum.at(self.figures.overcut, rows, measure)
+
+    def _matched(self) -> Rows:
+        """Return where the work runs along the edges."""
+        return overlaps(self.curve, self.edges.curve, self.low, self.high, self.tolerance)
+
+    def _placed(self, rows: Rows) -> None:
+        """Judge how far off the edges the work is, and how deep."""
+        best = np.flatnonzero(rows.best)
+        work, edge = rows.curve[best], rows.edge[best]
+        figure = rows.distance[best] + self.blend[work]
+        shown = np.where(np.isfinite(figure), figure, rows.distance[best])
+        np.maximum.at(self.figures.deviation, self.edges.row[edge], shown)
+        for row in np.flatnonzero(figure > self.tolerance + 1e-9)[:MOST]:
+            self._finding(
+                "deviation",
+                edge[row],
+                f"{self.trade.tool} is {rows.distance[best[row]]:.4f} mm off the line and the "
+                f"controller may round {self.blend[work[row]]:.4f} mm more; the tolerance is "
+                f"{self.tolerance:g} mm.",
+                shown[row],
+                work[row],
+            )
+        deep = self.bench.board.caliper - self.z[work]
+        wrong = np.abs(deep - self.depth[edge])
+        for row in np.flatnonzero(wrong > DEPTH)[:MOST]:
+            self._finding(
+                "depth",
+                edge[row],
+                f"{self.trade.tool} goes {deep[row]:.3f} mm below the top of the board, where "
+                f"{self.depth[edge[row]]:.3f} mm is planned.",
+                wrong[row],
+                work[row],
+            )
+
+    def _headed(self, rows: Rows, reach: F64, turn: float) -> None:
+        """Judge the heading where the work runs along an edge, and where it runs on past one."""
+        best = np.flatnonzero(rows.best)
+        work, edge = rows.curve[best], rows.edge[best]
+        length = self.curve[work, 5]
+        point = length < 1e-6
+        along, place = rows.along[best], rows.place[best]
+        span = place[:, 1] - place[:, 0]
+        follows = np.abs(span) > 0.5 * (along[:, 1] - along[:, 0])
+        back = np.where(span < 0.0, 180.0, 0.0)
+        worst = np.zeros(len(best))
+        for side in range(2):
+            share = along[:, side] / np.where(point, 1.0, length)
+            first, last = self.heading[work, 0], self.heading[work, 1]
+            heading = first + (last - first) * share
+            drawn = azimuth_at(self.edges.curve[edge], place[:, side]) + back
+            off = apart(heading, drawn, turn)
+            # A point has no direction of its own: pressed is pressed either way.
+            off = np.where(point, apart(heading, drawn, 180.0), off)
+            worst = np.maximum(worst, np.where(follows | point, off, 0.0))
+        self._swung(worst, reach[work], np.zeros(len(best)), work, edge)
+
+        # What runs past an edge, or round a corner that is none, has only its own direction.
+        which, spans = leftover(rows, self.curve)
+        long = np.flatnonzero(spans[:, 1] - spans[:, 0] > self.tolerance)
+        which, spans = which[long], spans[long]
+        off = np.zeros(len(which))
+        for side in range(2):
+            share = spans[:, side] / self.curve[which, 5]
+            heading = self.heading[which, 0] * (1.0 - share) + self.heading[which, 1] * share
+            off = np.maximum(
+                off, apart(heading, azimuth_at(self.curve[which], spans[:, side]), turn)
+            )
+        slack = np.degrees(PRINTED / np.maximum(self.curve[which, 5], PRINTED))
+        self._swung(off, reach[which], slack, which, np.full(len(which), -1))
+
+    def _swung(self, off: F64, reach: F64, slack: F64, work: I32, edge: I32 | I64) -> None:
+        turned = np.maximum(off - slack, 0.0)
+        swing = 2.0 * reach * np.sin(np.radians(turned) / 2.0)
+        for row in np.flatnonzero(swing > self.tolerance)[:MOST]:
+            self._finding(
+                "heading",
+                int(edge[row]),
+                f"{self.trade.tool} is turned {off[row]:.3f}° off the line, so that it swings "
+                f"{swing[row]:.3f} mm.",
+                off[row],
+                work[row],
+            )
+
+    def _uncut(
+        self, rows: Rows, which: I64, only: Bool | None = None, forward: bool | None = None
+    ) -> None:
+        """Judge what of these edges, between their limits, no work has covered."""
+        size = self.size
+        wanted = np.zeros(len(self.edges), np.bool_)
+        wanted[which] = True
+        wanted &= self.high >= self.low
+        keep = wanted[rows.edge]
+        if only is not None:
+            keep &= only
+        gaps, edge, begin, line = self._gaps(rows, np.flatnonzero(keep), np.flatnonzero(wanted))
+        bare = gaps > self.tolerance
+        # A pressed crease is a point: covered, or not there at all.
+        bare |= (self.high - self.low < 1e-9)[edge] & (line < 0)
+        missed = np.where(gaps > 0.0, gaps, size[edge])
+        np.add.at(self.figures.uncut, self.edges.row[edge[bare]], missed[bare])
+        done = {Trade.CREASE: "creased", Trade.GROOVE: "grooved"}.get(self.trade, "cut")
+        for row in np.flatnonzero(bare)[:MOST]:
+            e = int(edge[row])
+            way = "" if forward is None else f" from its {'start' if forward else 'end'}"
+            text = (
+                f"{missed[row]:.3f} mm of it are not {done}{way}, beginning "
+                f"{begin[row]:.3f} mm from its start."
+            )
+            self._finding("uncut", e, text, missed[row], line=int(line[row]))
+
+    def _gaps(self, rows: Rows, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
+        """Return the gaps: length, edge, where they begin, and the line before them.
+
+        One gap before every stretch, and one after the last of each edge; many are empty.
+        """
+        edge = rows.edge[keep].astype(np.int64)
+        low, high = rows.place[keep].min(axis=1), rows.place[keep].max(axis=1)
+        line = self.line[rows.curve[keep]].astype(np.int64)
+        # Every edge gets a stretch without length where it ends, so that all gaps lie before one.
+        edge = np.concatenate([edge, wanted])
+        low = np.concatenate([low, self.high[wanted]])
+        high = np.concatenate([high, self.high[wanted]])
+        line = np.concatenate([line, np.full(len(wanted), -1)])
+        order = np.lexsort((high, low, edge))
+        edge, low, high, line = edge[order], low[order], high[order], line[order]
+        # One running maximum for all edges: each stands on its own step.
+        step = edge * (2.0 * float(self.size.max(initial=0.0)) + 1.0)
+        reached = np.maximum.accumulate(high + step) - step
+        new = np.ones(len(edge), np.bool_)
+        new[1:] = edge[1:] != edge[:-1]
+        before = np.where(new, self.low[edge], np.concatenate([[0.0], reached[:-1]]))
+        before = np.maximum(before, self.low[edge])
+        previous = np.where(new, -1, np.concatenate([[-1], line[:-1]]))
+        return low - before, edge, before, np.where(line >= 0, line, previous)
+
+    def _off(self, rows: Rows, over: F64) -> None:
+        """Judge the work that lies on no edge, or past where it may go on one.
+
+        Parameters
+        ----------
+        over : (tracks,) mm
+            How far each track may end on no edge, as knives run over.
+        """
+        which, spans = leftover(rows, self.curve)
+        if len(which) == 0:
+            return
+        size = spans[:, 1] - spans[:, 0]
+        track = self.track[which]
+        # Pieces that follow each other are one.
+        joined = np.zeros(len(which), np.bool_)
+        joined[1:] = (
+            (which[1:] == which[:-1] + 1)
+            & (track[1:] == track[:-1])
+            & (spans[1:, 0] <= 1e-7)
+            & (spans[:-1, 1] >= self.curve[which[:-1], 5] - 1e-7)
+        )
+        total: F64 = np.add.reduceat(size, np.flatnonzero(~joined))
+        first = np.flatnonzero(~joined)
+        last = np.concatenate([first[1:] - 1, [len(which) - 1]])
+        lone = (self.curve[which[first], 5] < 1e-6) & (first == last)
+        next_work = np.minimum(which[last] + 1, len(self.track) - 1)
+        at_end = (spans[last, 1] >= self.curve[which[last], 5] - 1e-7) & (
+            (which[last] == len(self.track) - 1) | (self.track[next_work] != track[last])
+        )
+        allowed = np.where(at_end, over[track[last]], 0.0) + self.tolerance
+        self._astray(which, spans, first, total, np.flatnonzero((total > allowed) | lone))
+
+    def _astray(self, which: I32, spans: F64, first: I64, total: F64, bad: I64) -> None:
+        """Say of pieces on no edge what they are: past an end, beside an edge, or nowhere."""
+        bad = bad[:MOST]
+        if len(bad) == 0 or self.found.full:
+            return
+        curve, all_edges = self.curve[which[first[bad]]], self.bench.edges
+        nothing = np.zeros(len(self.edges))
+        on = overlaps(curve, self.edges.curve, nothing, self.size, self.tolerance)
+        near = overlaps(curve, self.edges.curve, nothing, self.size, CATCH)
+        other = overlaps(
+            curve, all_edges.curve, np.zeros(len(all_edges)), all_edges.curve[:, 5], TOUCHING
+        )
+        clear = self.bench.board.end_clearance if self.trade == Trade.CREASE else 0.0
+        for k, group in enumerate(bad):
+            line, length = int(self.line[which[first[group]]]), float(total[group])
+            span = spans[first[group]]
+            if (edge := _along(on, k, span)) >= 0:
+                self._overcut(np.array([edge]), np.array([max(length - clear, 0.0)]))
+                text = f"{self.trade.tool} works {length:.3f} mm past where it should stop."
+                self._finding("overcut", edge, text, length, line=line)
+                continue
+            edge, measure = _beside(near, k, span)
+            if edge >= 0:
+                row = self.edges.row[edge]
+                self.figures.deviation[row] = max(self.figures.deviation[row], measure)
+                text = f"{self.trade.tool} is {measure:.3f} mm off the line."
+                self._finding("deviation", edge, text, measure, line=line)
+                continue
+            if (edge := _touched(on, k, span)) >= 0:
+                self._overcut(np.array([edge]), np.array([length]))
+                text = f"{self.trade.tool} runs {length:.3f} mm past its end."
+                self._finding("overcut", edge, text, length, line=line)
+                continue
+            x, y = point_at(curve[k : k + 1], span[:1])[0]
+            where = f"at X{x:.3f} Y{y:.3f} of the sheet"
+            if (wrong := _along(other, k, span)) >= 0:
+                kind = LineType(int(all_edges.line_type[wrong])).word
+                where = f"along edge {int(all_edges.row[wrong])}, which is {kind}"
+            what = f"works {length:.3f} mm" if length > 0.0 else "goes down"
+            text = f"{self.trade.tool} {what} {where}, where no edge asks for it."
+            self._finding("stray", -1, text, length, line=line)
+
+    # -- where a knife begins and stops ----------------------------------------------------------
+
+    def _stops(
+        self,
+        whole: Edges,
+        solid: I64,
+        ends: KnifeEnds,
+        dashed: Bool,
+        lead: float,
+        overrun: float,
+    ) -> F64:
+        """Judge where the knife goes in and comes out; return how far tracks run over (mm).
+
+        Tracks that begin where the last one ended, as at a corner turned in the air, are one run.
+        A run begins at an end of an edge, unless it is closed.  It stops where an end of an edge
+        says, or, if it is closed, on its own way, ``overrun`` from where it began.
+        """
+        count = len(dashed)
+        over = np.zeros(count)
+        if count == 0:
+            return over
+        first = np.searchsorted(self.track, np.arange(count))
+        last = np.searchsorted(self.track, np.arange(count), side="right") - 1
+        start = point_at(self.curve[first], np.zeros(count))
+        stop = point_at(self.curve[last], self.curve[last, 5])
+        ahead = azimuth_at(self.curve[last], self.curve[last, 5])
+
+        new = np.ones(count, np.bool_)
+        new[1:] = np.hypot(*(start[1:] - stop[:-1]).T) > self.tolerance
+        opens = np.flatnonzero(new)
+        closes = np.concatenate([opens[1:], [count]]) - 1
+        plain = ~dashed[opens]
+        opens, closes = opens[plain], closes[plain]
+        if len(opens) == 0:
+            return over
+
+        ring = self._after(first[opens], last[closes], overrun)
+        gap = np.hypot(*(stop[closes] - ring).T)
+        reached = np.cumsum(self.curve[:, 5])
+        size = reached[last[closes]] - reached[first[opens]] + self.curve[first[opens], 5]
+        closed = (gap <= self.tolerance) & (size > overrun + self.tolerance)
+
+        known = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
+        run, end = pairs_within(stop[closes], ends.stop[known], CATCH)
+        end = known[end]
+        away = np.hypot(*(stop[closes[run]] - ends.stop[end]).T)
+        order = np.lexsort((away, run))
+        run, end, away = run[order], end[order], away[order]
+        nearest = np.unique(run, return_index=True)[1]
+        run, end, away = run[nearest], end[nearest], away[nearest]
+        planned = np.full(len(opens), -1, np.int64)
+        distance = np.full(len(opens), np.inf)
+        planned[run], distance[run] = end, away
+        right = ~closed & (distance <= self.tolerance)
+
+        ran = right & ends.meets[np.maximum(planned, 0)]
+        over[closes[ran]] = overrun
+        self._overcut(solid[planned[ran] // 2], np.full(int(ran.sum()), overrun))
+        short = right & ends.free[np.maximum(planned, 0)]
+        self._set_back(whole, solid, ends, planned[short], lead)
+
+        for k in np.flatnonzero(~closed & ~right)[:MOST]:
+            work = int(last[closes[k]])
+            edge = int(solid[planned[k] // 2]) if planned[k] >= 0 else -1
+            # A closed way that stops elsewhere on itself is nearest to its own planned end.
+            if gap[k] < min(distance[k], CATCH):
+                target, measure, edge = ring[k], float(gap[k]), -1
+            elif planned[k] >= 0:
+                target, measure = ends.stop[planned[k]], float(distance[k])
+            else:
+                self._finding(
+                    "uncut",
+                    -1,
+                    "the knife comes out where no edge ends, and not where it went in.",
+                    float(gap[k]),
+                    work,
+                )
+                continue
+            angle = math.radians(float(ahead[closes[k]]))
+            x, y = stop[closes[k]] - target
+            past = x * math.cos(angle) + y * math.sin(angle) > 0.0
+            self._finding(
+                "overcut" if past else "uncut",
+                edge,
+                f"the knife comes out {measure:.3f} mm {'past' if past else 'short of'} where it "
+                "should.",
+                measure,
+                work,
+            )
+
+        begun = np.zeros(len(opens), np.bool_)
+        begun[pairs_within(start[opens], whole.ends, TOUCHING)[0]] = True
+        for k in np.flatnonzero(~begun & ~closed & right)[:MOST]:
+            self._finding(
+                "overcut",
+                int(solid[planned[k] // 2]),
+                "the knife goes in where no edge begins.",
+                0.0,
+                int(first[opens[k]]),
+            )
+        return over
+
+    def _before(self, over: F64) -> F64:
+        """Return how far along each way its track begins to run over (mm)."""
+        until = self.curve[:, 5].copy()
+        track = np.flatnonzero(over > 0.0)
+        at = np.searchsorted(self.track, track, side="right") - 1
+        left = over[track]
+        while len(at):
+            size = until[at].copy()
+            until[at] = np.maximum(size - left, 0.0)
+            on = (left > size) & (at > 0)
+            on &= self.track[at] == self.track[at - 1]
+            at, left = at[on] - 1, (left - size)[on]
+        return until
+
+    def _after(self, first: I64, last: I64, distance: float) -> F64:
+        """Return the points at a distance (mm) along runs, from where they begin, (n, 2)."""
+        at, left = first.copy(), np.full(len(first), distance)
+        while True:
+            size = self.curve[at, 5]
+            on = (left > size) & (at < last)
+            if not on.any():
+                return point_at(self.curve[at], np.minimum(left, size))
+            left = np.where(on, left - size, left)
+            at = np.where(on, at + 1, at)
+
+    def _set_back(self, whole: Edges, solid: I64, ends: KnifeEnds, which: I64, lead: float) -> None:
+        """Take off what a knife need not cut at free ends at which it stops."""
+        paths = ends.paths
+        path = paths.path[which // 2]
+        begin = np.zeros(len(paths.length))
+        finish = paths.length.copy()
+        at_last = paths.last[path] == which
+        finish[path[at_last]] -= lead
+        begin[path[~at_last]] += lead
+        low, high = paths.stretch(begin, finish, whole.curve)
+        self.figures.setback[whole.row] += whole.curve[:, 5] - np.maximum(high - low, 0.0)
+        self.low[solid], self.high[solid] = low, high
+
+    def _perforated(self, rows: Rows, which: I64, dashed: Bool, lead: float) -> None:
+        """Judge perforations: cuts of the board's length, less the blade's lead, and its gaps."""
+        cut, gap = self.bench.board.perforation
+        torn = np.zeros(len(self.edges), np.bool_)
+        torn[which] = True
+        keep = np.flatnonzero(torn[rows.edge])
+        gaps, edge, begin, line = self._gaps(rows, keep, which)
+        wide = gaps > gap + lead + self.tolerance
+        np.add.at(self.figures.uncut, self.edges.row[edge[wide]], gaps[wide])
+        for row in np.flatnonzero(wide)[:MOST]:
+            self._finding(
+                "uncut",
+                int(edge[row]),
+                f"a gap of {gaps[row]:.3f} mm, {begin[row]:.3f} mm from its start; the board "
+                f"wants gaps of {gap:g} mm.",
+                gaps[row],
+                line=int(line[row]),
+            )
+        size = np.bincount(self.track, self.curve[:, 5], minlength=len(dashed))
+        number = np.bincount(edge[line >= 0], minlength=len(self.edges))
+        alone = np.zeros(len(dashed), np.bool_)
+        few = keep[number[rows.edge[keep]] <= 2]
+        alone[self.track[rows.curve[few]]] = True
+        wrong = dashed & ~alone & (np.abs(size - (cut - lead)) > self.tolerance)
+        first = np.searchsorted(self.track, np.arange(len(dashed)))
+        for track in np.flatnonzero(wrong)[:MOST]:
+            self._finding(
+                "uncut",
+                -1,
+                f"a cut of {size[track]:.3f} mm in a perforation, where {cut - lead:.3f} mm is "
+                "planned.",
+                float(abs(size[track] - (cut - lead))),
+                int(first[track]),
+            )
+
+
+def _stretches(rows: Rows, curve: int, span: F64) -> tuple[slice, F64, Bool]:
+    """Return one curve's rows, how much of a span of it each shares, and which run along."""
+    mine = slice(*np.searchsorted(rows.curve, [curve, curve + 1]))
+    along, place = rows.along[mine], rows.place[mine]
+    shared = np.minimum(along[:, 1], span[1]) - np.maximum(along[:, 0], span[0])
+    size = along[:, 1] - along[:, 0]
+    return mine, shared, np.abs(place[:, 1] - place[:, 0]) >= 0.5 * size
+
+
+def _along(rows: Rows, curve: int, span: F64) -> int:
+    """Return an edge that most of the span of a curve runs along, -1 if there is none."""
+    mine, shared, parallel = _stretches(rows, curve, span)
+    good = np.flatnonzero((shared >= 0.5 * (span[1] - span[0])) & parallel)
+    return int(rows.edge[mine][good[0]]) if len(good) else -1
+
+
+def _beside(rows: Rows, curve: int, span: F64) -> tuple[int, float]:
+    """Return the nearest edge that the span runs beside, and how far off it is (mm)."""
+    mine, shared, parallel = _stretches(rows, curve, span)
+    good = np.flatnonzero((shared >= 0.8 * (span[1] - span[0])) & parallel)
+    if len(good) == 0:
+        return -1, 0.0
+    return int(rows.edge[mine][good[0]]), float(rows.distance[mine][good[0]])
+
+
+def _touched(rows: Rows, curve: int, span: F64) -> int:
+    """Return the edge that the span leaves or comes to, -1 if there is none."""
+    mine, _, _ = _stretches(rows, curve, span)
+    along = rows.along[mine]
+    touching = (np.abs(along[:, 1] - span[0]) < 1e-6) | (np.abs(along[:, 0] - span[1]) < 1e-6)
+    good = np.flatnonzero(touching)
+    return int(rows.edge[mine][good[0]]) if len(good) else -1

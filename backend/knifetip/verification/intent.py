@@ -1,0 +1,360 @@
+"""Intent: what each edge asks for: the depth, where the tip begins and stops, what it may run over.
+
+    Dieline, placement -> Edges (curves on the sheet) -> Creases, KnifeEnds, grooves that go on
+
+The rules are the trade's, told again from the board's and the tools' records:
+
+* a wheel of radius R pressed in by δ touches ± s, s² = δ(2R − δ); at an end where no other crease
+  goes on it stops s and the board's end clearance early; what is too short for that is pressed in
+  one place at the depth whose contact fits;
+* a blade slanted by α is at the top face ahead of its tip by h tan α.  A cut that ends inside a
+  panel stops where the top face ends; one that ends on another cut, or on its own start, runs on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.errors import GeometryError
+from knifetip.model.board import Board
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.tool import CreaseWheel
+from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.kinematics import Trade, arcs, azimuth_at, lines, point_at
+from knifetip.verification.overlap import overlaps
+
+#: Ends nearer than this are one path (mm).
+JOINED: Final = 0.002
+#: Ends nearer than this were meant to touch (mm).
+TOUCHING: Final = 0.05
+#: Straighter than this is straight on (degrees).
+STRAIGHT: Final = 1.0
+#: Grooves that differ less in direction are one groove (degrees).
+ONE_LINE: Final = 0.005
+#: More pairs of ends at one place are no dieline.
+CROWD: Final = 20_000_000
+#: A bulge below this is a straight line.
+_BULGE: Final = 1e-9
+
+#: The line types that each trade may work.
+WORKED: Final[dict[Trade, tuple[LineType, ...]]] = {
+    Trade.CUT: (LineType.CUT, LineType.PERFORATION, LineType.COMBI),
+    Trade.HALF_CUT: (LineType.HALF_CUT,),
+    Trade.CREASE: (LineType.CREASE, LineType.COMBI),
+    Trade.GROOVE: (LineType.V_GROOVE,),
+    Trade.OTHER: (),
+}
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Edges:
+    """n edges on the sheet."""
+
+    row: I32  #: (n,) row in Dieline
+    curve: F64  #: (n, 6) as in kinematics.Work
+    line_type: I32  #: (n,)
+    ends: F64  #: (2n, 2) mm, start and end of each edge in turn
+    outward: F64  #: (2n,) degrees, the direction in which each edge leaves its ends
+    chord: F64  #: (n,) degrees, from start to end
+
+    def __len__(self) -> int:
+        return len(self.row)
+
+    def of(self, *types: LineType) -> Edges:
+        """Return the edges of these line types."""
+        where = np.flatnonzero(np.isin(self.line_type, types))
+        twice = np.stack([2 * where, 2 * where + 1], axis=1).ravel()
+        return Edges(
+            self.row[where],
+            self.curve[where],
+            self.line_type[where],
+            self.ends[twice],
+            self.outward[twice],
+            self.chord[where],
+        )
+
+
+def on_sheet(dieline: Dieline, placement: tuple[float, float]) -> Edges:
+    """Return the dieline's edges with length, moved to where the sheet has them.
+
+    Raises
+    ------
+    GeometryError
+        The placement or an edge has a coordinate that is not a number.
+    """
+    bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
+    if bad.any() or not np.isfinite(placement).all():
+        what = f"Edge {int(np.argmax(bad))}" if bad.any() else "The placement"
+        raise GeometryError(f"{what} has a coordinate that is not a number.", "Draw it again.")
+    start = dieline.ends[:, 0] + placement
+    end = dieline.ends[:, 1] + placement
+    row = np.flatnonzero(np.hypot(*(end - start).T) > 0.0).astype(np.int32)
+    start, end, bulge = start[row], end[row], dieline.bulge[row]
+    curve = lines(start, end)
+    bent = np.abs(bulge) >= _BULGE
+    chord = end[bent] - start[bent]
+    b = bulge[bent]
+    # The centre lies (1 - b²) / 4b chords to the left of the chord's middle.
+    left = np.stack([-chord[:, 1], chord[:, 0]], axis=1)
+    centre = (start[bent] + end[bent]) / 2.0 + left * ((1.0 - b * b) / (4.0 * b))[:, None]
+    curve[bent] = arcs(centre, start[bent], 4.0 * np.arctan(b))
+    at_start = azimuth_at(curve, np.zeros(len(row)))
+    at_end = azimuth_at(curve, curve[:, 5])
+    return Edges(
+        row=row,
+        curve=curve,
+        line_type=dieline.line_type[row].astype(np.int32),
+        ends=np.stack([start, end], axis=1).reshape(-1, 2),
+        outward=np.stack([at_start + 180.0, at_end], axis=1).ravel(),
+        chord=np.degrees(np.arctan2(*(end - start).T[::-1])),
+    )
+
+
+def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
+    """Return the pairs of points, (n, 2) and (m, 2) mm, within a distance of each other."""
+    if len(points) == 0 or len(others) == 0:
+        return np.zeros(0, np.int64), np.zeros(0, np.int64)
+    low = np.minimum(points.min(axis=0), others.min(axis=0)) - distance
+    cell = np.floor((others - low) / distance).astype(np.int64)
+    mine = np.floor((points - low) / distance).astype(np.int64)
+    high = int(max(cell[:, 1].max(), mine[:, 1].max())) + 2
+    key = cell[:, 0] * high + cell[:, 1]
+    order = np.argsort(key, kind="stable")
+    key = key[order]
+    found_a, found_b = [], []
+    for column in (-1, 0, 1):
+        # The three cells of a column lie next to each other in the keys.
+        wanted = (mine[:, 0] + column) * high + mine[:, 1]
+        first = np.searchsorted(key, wanted - 1)
+        many = np.searchsorted(key, wanted + 2) - first
+        if many.sum() > CROWD:
+            raise GeometryError(
+                f"More than {CROWD:,} pairs of ends lie within {distance} mm of each other.",
+                "Delete what is drawn many times over.",
+            )
+        a = np.repeat(np.arange(len(points)), many)
+        b = np.arange(len(a)) - np.repeat(np.cumsum(many) - many - first, many)
+        found_a.append(a)
+        found_b.append(order[b])
+    a, b = np.concatenate(found_a), np.concatenate(found_b)
+    near = np.hypot(*(points[a] - others[b]).T) <= distance
+    return a[near], b[near]
+
+
+def apart(one: F64, other: F64, turn: float = 360.0) -> F64:
+    """Return the smaller angle between directions (degrees)."""
+    half = turn / 2.0
+    result: F64 = np.abs((one - other + half) % turn - half)
+    return result
+
+
+def _links(edges: Edges, kink: float) -> tuple[I64, Bool]:
+    """Return which end each end is joined to, -1 for none, and whether another goes straight on.
+
+    Two ends that are alone are joined where they turn by no more than ``kink`` degrees; where
+    more meet, those that run straight through each other are, if neither has a second candidate.
+    """
+    count = len(edges.ends)
+    a, b = pairs_within(edges.ends, edges.ends, TOUCHING)
+    keep = a // 2 != b // 2
+    a, b = a[keep], b[keep]
+    turn = apart(edges.outward[a], edges.outward[b] + 180.0)
+    goes_on = np.zeros(count, np.bool_)
+    goes_on[a[turn <= STRAIGHT]] = True
+    joined = np.hypot(*(edges.ends[a] - edges.ends[b]).T) <= JOINED
+    a, b, turn = a[joined], b[joined], turn[joined]
+    crowd = np.bincount(a, minlength=count)
+    fits = np.where((crowd[a] == 1) & (crowd[b] == 1), turn <= kink + 1e-9, turn <= STRAIGHT)
+    a, b = a[fits], b[fits]
+    single = np.bincount(a, minlength=count) == 1
+    link = np.full(count, -1, np.int64)
+    mutual = single[a] & single[b]
+    link[a[mutual]] = b[mutual]
+    return link, goes_on
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Chains:
+    """n edges strung on c paths."""
+
+    path: I64  #: (n,) the path of each edge
+    begin: F64  #: (n,) mm from the path's first end to where the edge begins on it
+    flipped: Bool  #: (n,) the path runs from the edge's end to its start
+    length: F64  #: (c,) mm
+    first: I64  #: (c,) end at which the path begins, -1 where it is closed
+    last: I64  #: (c,) end at which it ends
+
+    def stretch(self, low: F64, high: F64, curve: F64) -> tuple[F64, F64]:
+        """Return for each edge which part of it, in its own mm, lies between two places.
+
+        Parameters
+        ----------
+        low, high : (c,) mm from the first end of each path
+        """
+        size = curve[:, 5]
+        near = np.clip(low[self.path] - self.begin, 0.0, None)
+        far = np.minimum(high[self.path] - self.begin, size)
+        own_low = np.where(self.flipped, size - far, near)
+        own_high = np.where(self.flipped, size - near, far)
+        return own_low, own_high
+
+    def find(self, path: I64, at: F64, curve: F64) -> tuple[I64, F64]:
+        """Return the edge, and the place in its own mm, at a distance along paths."""
+        order = np.lexsort((self.begin, self.path))
+        widest = float(self.length.max(initial=0.0)) + 1.0
+        key = self.path[order] * widest + self.begin[order]
+        rows = order[np.searchsorted(key, path * widest + at, side="right") - 1]
+        along = np.clip(at - self.begin[rows], 0.0, curve[rows, 5])
+        return rows, np.where(self.flipped[rows], curve[rows, 5] - along, along)
+
+
+def chains(edges: Edges, link: I64) -> Chains:
+    """Return the paths that linked ends make."""
+    path, begin, flipped, length, first, last = _strung(link, edges.curve[:, 5])
+    return Chains(path, begin, flipped, length, first, last)
+
+
+@njit(cache=True)
+def _strung(link: Any, size: Any) -> Any:
+    count = len(size)
+    path = np.full(count, -1, np.int64)
+    begin = np.zeros(count)
+    flipped = np.zeros(count, np.bool_)
+    length = np.zeros(count)
+    first = np.full(count, -1, np.int64)
+    last = np.full(count, -1, np.int64)
+    paths = 0
+    for edge in range(count):
+        if path[edge] >= 0:
+            continue
+        tail = 2 * edge
+        closed = False
+        while link[tail] >= 0:
+            tail = link[tail] ^ 1
+            if tail == 2 * edge:
+                closed = True
+                break
+        if not closed:
+            first[paths] = tail
+        at = 0.0
+        while tail >= 0 and path[tail // 2] < 0:
+            path[tail // 2] = paths
+            begin[tail // 2] = at
+            flipped[tail // 2] = tail % 2 == 1
+            at += size[tail // 2]
+            if not closed:
+                last[paths] = tail ^ 1
+            tail = link[tail ^ 1]
+        length[paths] = at
+        paths += 1
+    return path, begin, flipped, length[:paths].copy(), first[:paths].copy(), last[:paths].copy()
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Creases:
+    """What n creases ask of the wheel."""
+
+    edges: Edges
+    depth: F64  #: (n,) mm below the top face, of the tip
+    low: F64  #: (n,) mm along the edge where the tip may begin
+    high: F64  #: (n,) mm, below ``low`` where the tip has no business
+    pressed: Bool  #: (n,) the tip comes down in one place
+    refused: Bool  #: (n,) too short, and the board wants none pressed
+
+
+def creases(edges: Edges, board: Board, wheel: CreaseWheel) -> Creases:
+    """Return where the wheel's lowest point goes, and how deep, for creases and combi lines."""
+    across = np.radians(edges.chord - board.grain)
+    depth = board.crease_along + (board.crease_across - board.crease_along) * np.sin(across) ** 2
+    contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
+    link, goes_on = _links(edges, STRAIGHT)
+    paths = chains(edges, link)
+    open_ = paths.first >= 0
+    free = [open_ & ~goes_on[np.maximum(end, 0)] for end in (paths.first, paths.last)]
+    back = [
+        np.where(at_end, contact[np.maximum(end, 0) // 2] + board.end_clearance, 0.0)
+        for at_end, end in zip(free, (paths.first, paths.last), strict=True)
+    ]
+    begin, finish = back[0], paths.length - back[1]
+    short = finish - begin <= 1e-5
+    low, high = paths.stretch(begin, finish, edges.curve)
+    low[short[paths.path]], high[short[paths.path]] = 0.0, -1.0
+
+    pressed = np.zeros(len(edges), np.bool_)
+    refused = np.zeros(len(edges), np.bool_)
+    which = np.flatnonzero(short)
+    if len(which):
+        both = free[0][which] & free[1][which]
+        size = paths.length[which]
+        at = np.where(both, size / 2.0, np.where(free[0][which], size, 0.0))
+        half = np.where(both, size / 2.0, size) - board.end_clearance
+        row, place = paths.find(which, at, edges.curve)
+        reach = np.clip(half, 0.0, wheel.radius)
+        fits = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
+        depth[row] = np.minimum(depth[row], fits)
+        low[row] = high[row] = place
+        pressed[row] = True
+        refused[row] = (board.short_crease != "press") | (half <= 0.0)
+    return Creases(edges, depth, low, high, pressed, refused)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class KnifeEnds:
+    """Where a knife may stop at the 2n ends of n edges."""
+
+    stop: F64  #: (2n, 2) mm on the sheet
+    free: Bool  #: (2n,) the end lies inside a panel
+    meets: Bool  #: (2n,) the end lies on another through cut
+    paths: Chains
+
+
+def knife_ends(edges: Edges, cuts: Edges, lead: float, overrun: float) -> KnifeEnds:
+    """Return where the tip stops at each end of edges that a knife works.
+
+    Parameters
+    ----------
+    edges
+        Cuts or half-cuts.
+    cuts
+        The through cuts, which an end may meet.
+    lead : mm
+        How far the top face is cut ahead of the tip: an end inside a panel is cut short by it.
+    overrun : mm
+        How far the tip runs past an end that meets a cut.
+    """
+    count = len(edges)
+    link, _ = _links(edges, 180.0)
+    paths = chains(edges, link)
+    rows = overlaps(
+        lines(edges.ends, edges.ends), cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], TOUCHING
+    )
+    own = edges.row[rows.curve // 2] == cuts.row[rows.edge]
+    meets = np.zeros(2 * count, np.bool_)
+    meets[rows.curve[~own]] = True
+    free = ~meets & (link < 0)
+    ahead = np.radians(edges.outward)
+    stop = edges.ends + overrun * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
+    stop[~meets & ~free] = np.nan
+    # Back from a free end along the path, round corners where its last edge is shorter.
+    which = np.flatnonzero(free)
+    if len(which):
+        edge = which // 2
+        path = paths.path[edge]
+        at_last = paths.last[path] == which
+        at = np.where(at_last, paths.length[path] - lead, lead)
+        row, place = paths.find(path, np.clip(at, 0.0, paths.length[path]), edges.curve)
+        stop[which] = point_at(edges.curve[row], place)
+    return KnifeEnds(stop, free, meets, paths)
+
+
+def run_on(edges: Edges) -> Bool:
+    """Return for the ends of V-grooves, (2n,), whether another groove goes on in one line."""
+    a, b = pairs_within(edges.ends, edges.ends, JOINED)
+    on = (a // 2 != b // 2) & (apart(edges.outward[a], edges.outward[b] + 180.0) <= ONE_LINE)
+    result = np.zeros(len(edges.ends), np.bool_)
+    result[a[on]] = True
+    return result

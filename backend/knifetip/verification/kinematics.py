@@ -1,0 +1,279 @@
+"""Kinematics: where the tip goes when the joints move, and where it works.
+
+    Moves, Machine, Board -> Tips (poses of the tip) -> Work (its ways in the board)
+
+Written from the tools' drawings, not from the engines.  With u = (cos C, sin C) the direction of
+travel and v = (sin C, -cos C) to its right, the tip stands at
+
+    knife, wheel    head - trail u           (a tangential knife trails nothing)
+    V-cutter        head - back v - half_width u
+
+and a V-cutter's tip moves along the leaning blade: by Δz tan θ to the right while it rises.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Final
+
+import numpy as np
+
+from knifetip.model.board import Board
+from knifetip.model.machine import Machine, Station
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
+from knifetip.verification.columns import F64, I32, I64, U8, Bool
+from knifetip.verification.modal import Moves
+
+#: Heights that differ by less are one height (mm).
+LEVEL: Final = 1e-6
+#: The chords that stand for a curved way of the tip stay within this of it (mm).
+CHORD: Final = 1e-4
+_PIECES: Final = 10_000
+
+
+class Trade(IntEnum):
+    """What a tool does at its depth."""
+
+    CUT = 0  #: a knife through the board
+    HALF_CUT = 1  #: a knife part of the way
+    CREASE = 2
+    GROOVE = 3
+    OTHER = 4  #: a tool whose work this judge cannot follow
+
+    @property
+    def word(self) -> str:
+        """How a finding begins."""
+        return ("Cut", "Half-cut", "Crease", "V-groove", "Work")[self]
+
+    @property
+    def tool(self) -> str:
+        """What a finding calls the tool."""
+        return ("the knife", "the knife", "the wheel", "the V-cutter", "the tool")[self]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Tips:
+    """Where the tip of the station in use is at both ends of n moves; NaN where nobody knows."""
+
+    start: F64  #: (n, 4) x y z in mm on the sheet, heading in degrees
+    end: F64  #: (n, 4)
+    line: I32  #: (n,) 1-based line of the program
+    station: I32  #: (n,) index into ``machine.stations``, -1 for none
+    inside: Bool  #: (n,) part of the move is below the board's top face
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Work:
+    """n ways of the tip at one depth in the board: lines, arcs, and points where it goes down.
+
+    A curve is a row: kind (0 a line, 1 an arc to the left, -1 to the right), then for a line its
+    start and unit direction, for an arc its centre, radius and first angle; last its length.
+    """
+
+    curve: F64  #: (n, 6)
+    z: F64  #: (n,) mm
+    heading: F64  #: (n, 2) degrees, at start and end
+    trade: U8  #: (n,) Trade
+    station: I32  #: (n,)
+    track: I32  #: (n,) number of the stay in the board
+    line: I32  #: (n,)
+    blend: F64  #: (n,) mm
+
+    def ends(self) -> tuple[F64, F64]:
+        """Return where each way begins and ends, (n, 2) each."""
+        return point_at(self.curve, np.zeros(len(self.z))), point_at(self.curve, self.curve[:, 5])
+
+
+def point_at(curve: F64, along: F64) -> F64:
+    """Return the points at a distance (mm) along curves, (n, 2)."""
+    straight = curve[:, 0] == 0.0
+    radius = np.where(straight, 1.0, curve[:, 3])
+    angle = curve[:, 4] + curve[:, 0] * along / radius
+    x = np.where(straight, curve[:, 3] * along, radius * np.cos(angle))
+    y = np.where(straight, curve[:, 4] * along, radius * np.sin(angle))
+    result: F64 = curve[:, 1:3] + np.stack([x, y], axis=1)
+    return result
+
+
+def azimuth_at(curve: F64, along: F64) -> F64:
+    """Return the directions of travel (degrees) at a distance (mm) along curves."""
+    straight = curve[:, 0] == 0.0
+    radius = np.where(straight, 1.0, curve[:, 3])
+    angle = curve[:, 4] + curve[:, 0] * (along / radius + math.pi / 2.0)
+    result: F64 = np.degrees(np.where(straight, np.arctan2(curve[:, 4], curve[:, 3]), angle))
+    return result
+
+
+def lines(start: F64, end: F64) -> F64:
+    """Return straight curves between points, (n, 2) mm each; points are lines without length."""
+    way = end - start
+    length = np.hypot(way[:, 0], way[:, 1])
+    safe = np.where(length > 0.0, length, 1.0)
+    direction = np.where(length[:, None] > 0.0, way / safe[:, None], (1.0, 0.0))
+    return np.column_stack([np.zeros(len(start)), start, direction, length])
+
+
+def arcs(centre: F64, start: F64, sweep: F64) -> F64:
+    """Return round curves about centres, (n, 2) mm, from points, (n, 2), by radians."""
+    out = start - centre
+    radius = np.hypot(out[:, 0], out[:, 1])
+    first = np.arctan2(out[:, 1], out[:, 0])
+    return np.column_stack([np.sign(sweep), centre, radius, first, radius * np.abs(sweep)])
+
+
+def tip_offset(heading: F64, station: Station) -> F64:
+    """Return where the tip stands, seen from the head's axis, (n, 2) mm, at headings (degrees)."""
+    cos, sin = np.cos(np.radians(heading)), np.sin(np.radians(heading))
+    tool = station.tool
+    ahead, right = 0.0, 0.0
+    if isinstance(tool, VCutter):
+        ahead, right = -tool.half_width, -tool.back
+    elif isinstance(tool, Knife):
+        ahead = -tool.trail
+    return np.stack([ahead * cos + right * sin, ahead * sin - right * cos], axis=1)
+
+
+def tips(moves: Moves, machine: Machine, board: Board) -> Tips:
+    """Return where the tips are at the ends of the moves."""
+    start, end = moves.start.copy(), moves.end.copy()
+    for index, station in enumerate(machine.stations):
+        rows = moves.station == index
+        for pose in (start, end):
+            pose[rows] -= (station.x, station.y, station.z, station.c)
+            pose[rows, :2] += tip_offset(pose[rows, 3], station)
+    lowest = np.fmin(start[:, 2], end[:, 2])
+    inside = (moves.station >= 0) & (lowest < board.caliper - LEVEL)
+    return Tips(start, end, moves.line, moves.station, inside)
+
+
+def work(moves: Moves, tip: Tips, usable: Bool, machine: Machine, board: Board) -> Work:
+    """Return the ways of the tips in the board.
+
+    Parameters
+    ----------
+    usable : (n,)
+        Moves to look at: the others are refused elsewhere.
+
+    Notes
+    -----
+    A tool that goes down works the point where it arrives, unless it travels on from there.
+    """
+    with np.errstate(invalid="ignore"):
+        drop = tip.end[:, 2] - tip.start[:, 2]
+    stay = usable & tip.inside & (moves.code > 0)
+    flat = stay & (np.abs(drop) <= LEVEL)
+    entered = stay & ~(tip.start[:, 2] < board.caliper - LEVEL)
+    # A stay goes on as long as each move begins inside.
+    broken = np.ones(len(stay), np.bool_)
+    broken[1:] = ~stay[:-1] | entered[1:] | (moves.station[1:] != moves.station[:-1])
+    track = np.cumsum(stay & broken) - 1
+
+    way = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    travels = flat & ((way > 1e-9) | (moves.sweep != 0.0))
+    goes_on = np.zeros(len(stay), np.bool_)
+    goes_on[:-1] = travels[1:] & (track[1:] == track[:-1])
+    point = stay & (drop < -LEVEL) & ~goes_on
+    rows, curve, share = _ways(moves, tip, np.flatnonzero(travels | point), point, machine)
+    order = np.argsort(rows, kind="stable")
+    rows, curve, share = rows[order], curve[order], share[order]
+    turn = tip.start[rows, 3][:, None]
+    heading = turn + (tip.end[rows, 3][:, None] - turn) * share
+    z = tip.end[rows, 2]
+    return Work(
+        curve=curve,
+        z=z,
+        heading=heading,
+        trade=_trades(z, tip.station[rows], machine, board),
+        station=tip.station[rows],
+        track=track[rows].astype(np.int32),
+        line=moves.line[rows],
+        blend=moves.blend[rows],
+    )
+
+
+def _ways(
+    moves: Moves, tip: Tips, rows: I64, point: Bool, machine: Machine
+) -> tuple[I64, F64, F64]:
+    """Return for moves the row, the curve and the first and last share of each piece of theirs."""
+    start, end = tip.start[rows, :2], tip.end[rows, :2]
+    start = np.where(point[rows][:, None], end, start)
+    turn = np.radians(np.abs(tip.end[rows, 3] - tip.start[rows, 3]))
+    reach = np.zeros(len(machine.stations))
+    datum = np.zeros((len(machine.stations), 4))
+    for index, station in enumerate(machine.stations):
+        datum[index] = station.x, station.y, station.z, station.c
+        reach[index] = np.hypot(*tip_offset(np.zeros(1), station)[0])
+    offset = reach[tip.station[rows]]
+    round_ = (moves.sweep[rows] != 0.0) & ~point[rows]
+    # Where the tip stands off the axis and C turns, its way is neither a line nor an arc.
+    bent = ((offset > 0.0) & ((turn > 0.0) | round_)) & ~point[rows]
+
+    plain_lines = np.flatnonzero(~round_ & ~bent)
+    plain_arcs = np.flatnonzero(round_ & ~bent)
+    centre = moves.centre[rows] - datum[tip.station[rows], :2]
+    listed = [plain_lines, plain_arcs]
+    curves = [
+        lines(start[plain_lines], end[plain_lines]),
+        arcs(centre[plain_arcs], start[plain_arcs], moves.sweep[rows[plain_arcs]]),
+    ]
+    shares = [np.tile([0.0, 1.0], (len(part), 1)) for part in listed]
+    if bent.any():
+        which, curve, share = _chorded(moves, tip, rows, np.flatnonzero(bent), offset, machine)
+        listed.append(which)
+        curves.append(curve)
+        shares.append(share)
+    picked = np.concatenate(listed)
+    return rows[picked], np.concatenate(curves), np.concatenate(shares)
+
+
+def _chorded(
+    moves: Moves, tip: Tips, rows: I64, bent: I64, offset: F64, machine: Machine
+) -> tuple[I64, F64, F64]:
+    """Return chords of the tip's way where it is neither a line nor an arc."""
+    own = rows[bent]
+    turn = np.radians(tip.end[own, 3] - tip.start[own, 3])
+    out = moves.start[own, :2] - moves.centre[own]
+    radius = np.where(moves.sweep[own] != 0.0, np.hypot(*out.T), 0.0)
+    bow = radius * moves.sweep[own] ** 2 + offset[bent] * turn**2
+    pieces = np.clip(np.ceil(np.sqrt(bow / (8.0 * CHORD))), 1, _PIECES).astype(np.int64)
+    place = np.arange(pieces.sum()) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    which = np.repeat(np.arange(len(bent)), pieces)
+    share = np.stack([place, place + 1], axis=1) / pieces[which][:, None]
+    sides = []
+    for side in range(2):
+        at = share[:, side]
+        move = own[which]
+        joints = moves.start[move] + (moves.end[move] - moves.start[move]) * at[:, None]
+        angle = np.arctan2(out[which, 1], out[which, 0]) + moves.sweep[move] * at
+        round_ = moves.sweep[move] != 0.0
+        swept = moves.centre[move] + radius[which][:, None] * np.stack(
+            [np.cos(angle), np.sin(angle)], axis=1
+        )
+        joints[round_, :2] = swept[round_]
+        xy = np.zeros((len(move), 2))
+        for index, station in enumerate(machine.stations):
+            mine = moves.station[move] == index
+            heading = joints[mine, 3] - station.c
+            xy[mine] = joints[mine, :2] - (station.x, station.y) + tip_offset(heading, station)
+        sides.append(xy)
+    # Consecutive chords share their points to the last bit, and the first and last are the tip's.
+    return bent[which], lines(sides[0], sides[1]), share
+
+
+def _trades(z: F64, station: I32, machine: Machine, board: Board) -> U8:
+    kinds = np.full((len(machine.stations), 2), Trade.OTHER, np.uint8)
+    for index, held in enumerate(machine.stations):
+        if isinstance(held.tool, Knife):
+            kinds[index] = Trade.CUT, Trade.HALF_CUT
+        elif isinstance(held.tool, CreaseWheel):
+            kinds[index] = Trade.CREASE
+        elif isinstance(held.tool, VCutter):
+            kinds[index] = Trade.GROOVE
+        else:
+            assert isinstance(held.tool, Cutter)
+    # Of a knife's two depths the nearer one is meant.
+    half = np.abs(z - (board.caliper - board.half_cut_depth)) < np.abs(z + machine.into_mat)
+    result: U8 = kinds[station, half.astype(np.int64)]
+    return result

@@ -1,0 +1,404 @@
+"""Modal: words into moves, each with all that the controller remembers when it is made.
+
+    Words, Machine -> Moves, and what is wrong with the lines
+
+The controller is the RS274/NGC machine that LinuxCNC and grblHAL have in common, cut down to what
+a sample-maker's program needs; whatever else a line says is a fault.
+
+Source: Kramer, Proctor & Messina, "The NIST RS274NGC interpreter", section 3 (modal groups, order
+of execution); grbl's own rules where they are stricter.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.errors import ProgramUnreadable
+from knifetip.model.machine import Machine
+from knifetip.verification.columns import F64, I32, I64, U8, Bool
+from knifetip.verification.parse import Words
+
+#: More lines than this are no program for one sheet.
+BLOCKS: Final = 2_000_000
+#: The ends of an arc may differ in radius by this (mm).
+ARC: Final = 0.002
+#: Numbers that print alike are one number (mm).
+PRINT: Final = 5e-5
+
+_MOTION, _DWELL, _PLANE, _UNITS, _DISTANCE, _CENTRES, _FEED, _RADIUS, _LENGTH, _SYSTEM, _PATH = (
+    range(11)
+)
+_END, _SPINDLE, _CHANGE, _OUTPUT = range(11, 15)
+#: G word times ten -> modal group.
+_G: Final = {
+    0: _MOTION,
+    10: _MOTION,
+    20: _MOTION,
+    30: _MOTION,
+    40: _DWELL,
+    170: _PLANE,
+    210: _UNITS,
+    900: _DISTANCE,
+    911: _CENTRES,
+    930: _FEED,
+    940: _FEED,
+    400: _RADIUS,
+    430: _LENGTH,
+    490: _LENGTH,
+    540: _SYSTEM,
+    640: _PATH,
+}
+_M: Final = {
+    2: _END,
+    30: _END,
+    3: _SPINDLE,
+    5: _SPINDLE,
+    6: _CHANGE,
+    64: _OUTPUT,
+    65: _OUTPUT,
+}
+#: What must have been said before anything moves.
+_STATED: Final = {
+    _UNITS: "millimetres (G21)",
+    _DISTANCE: "absolute distances (G90)",
+    _CENTRES: "arc centres from the start (G91.1)",
+    _PLANE: "the XY plane (G17)",
+    _RADIUS: "no radius compensation (G40)",
+    _LENGTH: "no tool length (G49)",
+    _FEED: "the feed mode (G94)",
+    _SYSTEM: "the coordinate system (G54)",
+}
+_LETTERS: Final = "CFIJNPQSTXYZ"
+_AXES: Final = "XYZC"
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Moves:
+    """n moves of the joints, in the order of the program; NaN is a position that nobody stated."""
+
+    line: I32  #: (n,) 1-based line of the program
+    code: U8  #: (n,) 0 rapid, 1 line, 2 arc clockwise, 3 arc counter-clockwise
+    start: F64  #: (n, 4) joints X Y Z in mm, C in degrees
+    end: F64  #: (n, 4)
+    centre: F64  #: (n, 2) mm, of arcs, in joints
+    sweep: F64  #: (n,) radians, counter-clockwise positive, 0 for lines
+    feed: F64  #: (n,) the F in force, NaN where there is none
+    inverse: Bool  #: (n,) F is 1 / minutes (G93)
+    station: I32  #: (n,) index into ``machine.stations``, -1 while none is chosen
+    piston: Bool  #: (n, stations) output on
+    oscillating: Bool  #: (n,) M3
+    blend: F64  #: (n,) mm, the larger of G64's P and Q; inf where the path is not bounded
+    waited: F64  #: (n,) seconds of G4 since an output was last switched, inf if never
+    tabled: bool  #: stations are called by T words, so there is a tool table
+    dwell: float  #: seconds of all G4
+
+
+def interpret(words: Words, machine: Machine) -> tuple[Moves, list[tuple[int, str]]]:
+    """Return the moves, and what is wrong: (line, words).
+
+    Raises
+    ------
+    ProgramUnreadable
+        More than two million lines.
+    """
+    faults: list[tuple[int, str]] = list(words.faults)
+    blocks = _Blocks(words, faults)
+    state = _State(blocks, machine)
+    _check_blocks(blocks, state, machine)
+    return _moves(blocks, state), sorted(faults)
+
+
+class _Blocks:
+    """The words of each line in columns, one row to a line that has any."""
+
+    def __init__(self, words: Words, faults: list[tuple[int, str]]) -> None:
+        self.faults = faults
+        new = np.ones(len(words.line), np.bool_)
+        new[1:] = words.line[1:] != words.line[:-1]
+        block = np.cumsum(new) - 1
+        self.line: I32 = words.line[new]
+        count = len(self.line)
+        if count > BLOCKS:
+            raise ProgramUnreadable(
+                f"The program has {count:,} lines, and at most {BLOCKS:,} are read.",
+                "Split the job into several sheets.",
+            )
+        self.count = count
+        groups = np.full((15, count), -1, np.int32)
+        numbers = {letter: np.full(count, np.nan) for letter in _LETTERS}
+        kind = np.zeros(len(words.line), np.int64)
+        for letter, known in (("G", _G), ("M", _M)):
+            rows = np.flatnonzero(words.letter == ord(letter))
+            scaled = words.value[rows] * (10.0 if letter == "G" else 1.0)
+            codes = np.rint(scaled).astype(np.int64)
+            table = np.full(1000, -1, np.int64)
+            table[list(known)] = list(known.values())
+            group = table[np.clip(codes, 0, 999)]
+            group[(codes < 0) | (codes > 999) | (np.abs(codes - scaled) > 1e-9)] = -1
+            for row in rows[group < 0][:1000]:
+                self._fault(block[row], f"{letter}{words.value[row]:g} does not belong here.")
+            known_rows = rows[group >= 0]
+            # The first of two words of a group counts; the second is a fault below.
+            groups[group[group >= 0][::-1], block[known_rows][::-1]] = codes[group >= 0][::-1]
+            kind[rows] = np.where(group >= 0, 100 + group, -1)
+        for letter, column in numbers.items():
+            rows = np.flatnonzero(words.letter == ord(letter))
+            column[block[rows][::-1]] = words.value[rows][::-1]
+            kind[rows] = 200 + ord(letter)
+        for row in np.flatnonzero(kind == 0)[:1000]:
+            self._fault(block[row], f"the letter {chr(words.letter[row])} does not belong here.")
+        said = np.flatnonzero(kind >= 100)
+        key = np.sort(block[said] * 1000 + kind[said])
+        for twice in np.unique(key[1:][key[1:] == key[:-1]] // 1000)[:1000]:
+            self._fault(twice, "says the same thing twice.")
+        self.group = groups
+        self.number = numbers
+        if len(said):
+            self.axes: Bool = ~np.isnan(np.stack([numbers[letter] for letter in _AXES], axis=1))
+        else:
+            self.axes = np.zeros((count, 4), np.bool_)
+
+    def _fault(self, block: int, text: str) -> None:
+        self.faults.append((int(self.line[block]), text))
+
+    def fault(self, where: Bool, text: str) -> None:
+        """Note for up to a thousand of these blocks what is wrong with them."""
+        for block in np.flatnonzero(where)[:1000]:
+            self._fault(block, text)
+
+    def has(self, letter: str) -> Bool:
+        """Return which blocks have this letter."""
+        result: Bool = ~np.isnan(self.number[letter])
+        return result
+
+    def says(self, group: int, code: int | None = None) -> Bool:
+        """Return which blocks have a word of this group, or this word of it."""
+        column = self.group[group]
+        result: Bool = column >= 0 if code is None else column == code
+        return result
+
+
+def _last(where: Bool) -> I64:
+    """Return for each block the last one up to it where this holds, -1 before the first."""
+    rows: I64 = np.maximum.accumulate(np.where(where, np.arange(len(where)), -1))
+    return rows
+
+
+def _held(values: F64, where: Bool, before: float = np.nan) -> F64:
+    """Return the value that is in force at each block."""
+    rows = _last(where)
+    if len(rows) == 0:
+        return np.zeros(0)
+    result: F64 = np.where(rows >= 0, values[rows], before)
+    return result
+
+
+class _State:
+    """What the controller remembers after each block."""
+
+    def __init__(self, blocks: _Blocks, machine: Machine) -> None:
+        count = blocks.count
+        stations = machine.stations
+        number = blocks.number
+        self.tabled = bool(blocks.says(_CHANGE).any() or blocks.has("T").any())
+        self.chosen = _held(number["T"], blocks.has("T"))
+        change = blocks.says(_CHANGE)
+        self.loaded = _held(self.chosen, change)
+        self.on = np.zeros((count, len(stations)), np.bool_)
+        switched = blocks.says(_OUTPUT) | blocks.says(_SPINDLE)
+        latest = np.full(count, -1, np.int64)
+        by_piston = np.full(count, -1, np.int64)
+        by_table = np.full(count, -1, np.int64)
+        for index, station in enumerate(stations):
+            mine = blocks.says(_OUTPUT) & (number["P"] == station.output)
+            if station.output >= 0:
+                rises = blocks.says(_OUTPUT, 64)
+                self.on[:, index] = _held(rises.astype(np.float64), mine, 0.0) > 0.5
+                risen = _last(mine & rises)
+                newer = self.on[:, index] & (risen > latest)
+                by_piston[newer] = index
+                latest[newer] = risen[newer]
+            by_table[self.loaded == station.number] = index
+        if not self.tabled:
+            fixed = [index for index, station in enumerate(stations) if station.output < 0]
+            if len(fixed) == 1:
+                by_piston[by_piston < 0] = fixed[0]
+        self.station = by_table if self.tabled else by_piston
+        self.oscillating: Bool = (
+            _held(blocks.says(_SPINDLE, 3).astype(np.float64), blocks.says(_SPINDLE), 0.0) > 0.5
+        )
+        self.speed = _held(number["S"], blocks.has("S"))
+
+        length = blocks.says(_LENGTH)
+        with_table = blocks.says(_LENGTH, 430)
+        self.offset_of = _held(np.where(with_table, by_table, -1).astype(np.float64), length, -1.0)
+        datum = np.array([(s.x, s.y, s.z, s.c) for s in stations]).reshape(-1, 4)
+        self.offset = np.vstack([datum, np.zeros((1, 4))])[self.offset_of.astype(np.int64)]
+
+        mode = blocks.says(_FEED)
+        self.inverse: Bool = _held((blocks.group[_FEED] == 930).astype(np.float64), mode, 0.0) > 0.5
+        changed = np.zeros(count, np.bool_)
+        changed[1:] = self.inverse[1:] != self.inverse[:-1]
+        has_feed = blocks.has("F")
+        stated = _last(has_feed)
+        # grbl forgets the feed when the feed mode changes, so it must be said again.
+        fresh = (stated >= 0) & (stated >= _last(changed))
+        fresh &= ~self.inverse | has_feed
+        self.feed = np.where(fresh, _held(number["F"], has_feed), np.nan)
+
+        blending = blocks.says(_PATH)
+        bound = np.fmax(number["P"], number["Q"])
+        # LinuxCNC takes P0, and G64 without P, for no limit at all.
+        bound = np.where(blending & (number["P"] > 0.0), bound, np.inf)
+        self.blend = _held(bound, blending, np.inf if self.tabled else 0.0)
+
+        dwell = np.where(blocks.says(_DWELL), np.nan_to_num(number["P"]), 0.0)
+        spent = np.cumsum(dwell)
+        last = _last(switched)
+        self.waited = np.where(last >= 0, spent - spent[last], np.inf) if count else np.zeros(0)
+        self.dwell = float(dwell.sum())
+
+
+def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
+    fault, has, says, number = blocks.fault, blocks.has, blocks.says, blocks.number
+    moving = says(_MOTION)
+    any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
+    curved = says(_MOTION, 20) | says(_MOTION, 30)
+    fault(any_axis & ~moving, "has axis words and no G0, G1, G2 or G3.")
+    fault(moving & ~any_axis, "says how to move and not where to.")
+    fault(
+        curved & ~(blocks.axes[:, 0] & blocks.axes[:, 1] & has("I") & has("J")),
+        "is an arc without X, Y, I or J.",
+    )
+    fault((has("I") | has("J")) & ~curved, "has the centre of an arc, and is none.")
+    other = has("T") | has("S") | has("P") | has("Q")
+    for group in (_DWELL, _LENGTH, _SYSTEM, _PATH, _END, _SPINDLE, _CHANGE, _OUTPUT):
+        other |= says(group)
+    for group in (_PLANE, _UNITS, _DISTANCE, _CENTRES, _RADIUS):
+        other |= says(group)
+    fault(moving & other, "moves, and switches something else on the same line.")
+
+    timed, switched, bounded = says(_DWELL), says(_OUTPUT), says(_PATH)
+    used = timed | switched | bounded
+    twice = (timed & switched) | (timed & bounded) | (switched & bounded)
+    fault((has("P") & ~used) | twice, "has a P that belongs to nothing, or to two words.")
+    fault(used & ~has("P"), "lacks its P.")
+    fault(has("Q") & ~says(_PATH), "has a Q that belongs to nothing.")
+    if not state.tabled:
+        fault(bounded, "says G64, which controllers without a tool table reject.")
+    fault(says(_DWELL) & (number["P"] < 0.0), "waits for less than nothing.")
+    fault(has("F") & ~(number["F"] > 0.0), "has a feed that does not move.")
+    outputs = [station.output for station in machine.stations if station.output >= 0]
+    fault(
+        says(_OUTPUT) & ~np.isin(number["P"], outputs),
+        f"switches an output that {machine.name} lacks.",
+    )
+    fault(has("S") & ~says(_SPINDLE, 3), "has a speed without M3.")
+    fault(
+        says(_SPINDLE, 3) & (state.speed != 1.0),
+        "switches the oscillation on by another word than S1.",
+    )
+    known = [station.number for station in machine.stations]
+    fault(has("T") & ~np.isin(number["T"], known), f"calls a station that {machine.name} lacks.")
+    fault(says(_CHANGE) & np.isnan(state.chosen), "changes the station and none is named.")
+    fault(
+        says(_LENGTH, 430) & np.isnan(state.loaded),
+        "takes the offset of a station, and none is called.",
+    )
+    fault(
+        has("N") & ((number["N"] < 0.0) | (number["N"] != np.rint(number["N"]))),
+        "has a line number that is none.",
+    )
+
+    first_move = int(np.argmax(moving)) if moving.any() else blocks.count
+    for group, words in _STATED.items():
+        stated = says(group)
+        stated[first_move + 1 :] = False
+        if first_move < blocks.count and not stated.any():
+            fault(np.arange(blocks.count) == first_move, f"moves before {words} is stated.")
+    if state.tabled:
+        unbound = np.isinf(state.blend) & moving & ~says(_MOTION, 0)
+        if unbound.any():
+            fault(
+                np.arange(blocks.count) == int(np.argmax(unbound)),
+                "works while nothing (G64 P) bounds how far corners are rounded.",
+            )
+    feeding = moving & ~says(_MOTION, 0)
+    fault(feeding & state.inverse & ~has("F"), "is timed (G93) and has no F.")
+    fault(
+        feeding & ~state.inverse & np.isnan(state.feed),
+        "feeds, and no F has been said since the feed mode was set.",
+    )
+    unready: Bool = moving & (state.waited < machine.settle - 1e-9)
+    # One finding to a switching, not one to every move after it.
+    unready[1:] &= ~(moving[:-1] & (state.waited[:-1] < machine.settle - 1e-9))
+    fault(unready, f"moves less than {machine.settle:g} s after something was switched.")
+
+    ends = says(_END)
+    if not ends.any():
+        blocks.faults.append(
+            (int(blocks.line[-1]) if blocks.count else 1, "is the last, and does not end (M2).")
+        )
+        return
+    end = int(np.argmax(ends))
+    after = np.arange(blocks.count) > end
+    fault(after, "stands after the end of the program.")
+    here = np.arange(blocks.count) == end
+    fault(here & state.oscillating, "ends the program while the knife oscillates.")
+    fault(here & state.on.any(axis=1), "ends the program with a station lowered.")
+    fault(here & (state.offset_of >= 0), "ends the program with the offset of a station in force.")
+
+
+def _moves(blocks: _Blocks, state: _State) -> Moves:
+    ended = np.cumsum(blocks.says(_END)) > 0
+    any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
+    rows = np.flatnonzero(blocks.says(_MOTION) & any_axis & ~ended)
+    said = np.stack([blocks.number[letter][rows] for letter in _AXES], axis=1)
+    joints = said + state.offset[rows]
+    end = np.stack(
+        [_held(joints[:, axis], ~np.isnan(joints[:, axis])) for axis in range(4)], axis=1
+    ).reshape(-1, 4)
+    start = np.vstack([np.full((min(1, len(rows)), 4), np.nan), end[:-1]])
+    code = (blocks.group[_MOTION][rows] // 10).astype(np.uint8)
+    centre, sweep = _arcs(blocks, rows, code, start, end)
+    return Moves(
+        line=blocks.line[rows],
+        code=code,
+        start=start,
+        end=end,
+        centre=centre,
+        sweep=sweep,
+        feed=state.feed[rows],
+        inverse=state.inverse[rows],
+        station=state.station[rows].astype(np.int32),
+        piston=state.on[rows],
+        oscillating=state.oscillating[rows],
+        blend=state.blend[rows],
+        waited=state.waited[rows],
+        tabled=state.tabled,
+        dwell=state.dwell,
+    )
+
+
+def _arcs(blocks: _Blocks, rows: I64, code: U8, start: F64, end: F64) -> tuple[F64, F64]:
+    """Return the centres and the signed sweeps; what is no arc is a line, and a fault."""
+    curved = code >= 2
+    from_start = np.stack([blocks.number["I"][rows], blocks.number["J"][rows]], axis=1)
+    centre = np.where(curved[:, None], start[:, :2] + from_start, np.nan)
+    out, back = start[:, :2] - centre, end[:, :2] - centre
+    radius, other = np.hypot(*out.T), np.hypot(*back.T)
+    good = curved & (np.abs(radius - other) <= ARC) & (radius > PRINT)
+    wrong = np.zeros(blocks.count, np.bool_)
+    wrong[rows[curved & ~good]] = True
+    blocks.fault(wrong, f"is an arc whose ends differ in radius by more than {ARC} mm.")
+    with np.errstate(invalid="ignore"):
+        angle = np.arctan2(back[:, 1], back[:, 0]) - np.arctan2(out[:, 1], out[:, 0])
+    ahead = np.where(code == 3, angle, -angle) % (2.0 * np.pi)
+    # Ends that print alike make a whole turn, for LinuxCNC and for grbl.
+    same = np.hypot(*(end - start)[:, :2].T) < PRINT
+    ahead = np.where(same, 2.0 * np.pi, ahead)
+    sweep = np.where(good, np.where(code == 3, ahead, -ahead), 0.0)
+    return np.where(good[:, None], centre, np.nan), sweep

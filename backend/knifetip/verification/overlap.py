@@ -1,0 +1,464 @@
+"""Overlap: which stretch of which way runs along which stretch of which edge, to the micrometre.
+
+    curves (n, 6), edges (m, 6), limit -> Rows: where they are within the limit of each other
+
+Curves are rows as ``kinematics.Work`` has them.  Between lines and circles the stretch within a
+distance has a closed form, so nothing is sampled; a grid over the edges finds who is near whom.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.verification.columns import F64, I32, Bool
+
+#: A stretch that adds less than this belongs to the edge before it: paths may have gaps of
+#: 0.002 mm, and programs are printed to 0.0001 mm.
+BRIEF: Final = 0.005
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Rows:
+    """k stretches, ordered by curve and then by how far they are from the edge."""
+
+    curve: I32  #: (k,)
+    edge: I32  #: (k,)
+    along: F64  #: (k, 2) mm along the curve, ascending
+    place: F64  #: (k, 2) mm along the edge at those two
+    distance: F64  #: (k,) mm, the farthest within the stretch
+    best: Bool  #: (k,) some of the stretch is on no nearer edge
+
+
+def overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) -> Rows:
+    """Return the stretches of curves within a distance of edges.
+
+    Parameters
+    ----------
+    curves : (n, 6)
+        A curve without length is a point; it may lie ``limit`` past an edge's ends.
+    edges : (m, 6)
+    low, high : (m,) mm
+        The part of each edge that counts; none where high < low.
+    limit : mm
+    """
+    if len(curves) == 0 or len(edges) == 0:
+        pairs, spans = np.zeros((0, 2), np.int32), np.zeros((0, 5))
+    else:
+        corner, size, shape = _laid_out(edges, limit)
+        pairs, spans = _found(curves, edges, low, high, limit, corner, size, shape[0], shape[1])
+    order = np.lexsort((spans[:, 4], pairs[:, 0]))
+    pairs, spans = pairs[order], spans[order]
+    best = _best(pairs[:, 0], spans, curves[:, 5], curves[:, 5])
+    return Rows(pairs[:, 0], pairs[:, 1], spans[:, :2], spans[:, 2:4], spans[:, 4], best)
+
+
+def nearest_until(rows: Rows, curves: F64, until: F64) -> Rows:
+    """Return the rows with ``best`` for the first ``until`` mm, (n,), of each curve only."""
+    spans = np.column_stack([rows.along, rows.place, rows.distance])
+    return replace(rows, best=_best(rows.curve, spans, curves[:, 5], until))
+
+
+def _laid_out(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
+    straight = edges[:, 0] == 0.0
+    reach = np.where(straight, 0.0, edges[:, 3])
+    ends = edges[:, 1:3] + np.where(straight, edges[:, 5], 0.0)[:, None] * np.where(
+        straight[:, None], edges[:, 3:5], 0.0
+    )
+    low = np.minimum(edges[:, 1:3], ends) - reach[:, None]
+    high = np.maximum(edges[:, 1:3], ends) + reach[:, None]
+    corner = low.min(axis=0) - limit
+    extent = high.max(axis=0) + limit - corner
+    size = max(
+        2.0 * limit, 0.5, math.sqrt(extent[0] * extent[1] / len(edges)), float(extent.max()) / 2048
+    )
+    shape = (int(extent[0] / size) + 1, int(extent[1] / size) + 1)
+    return corner, size, shape
+
+
+def leftover(rows: Rows, curves: F64) -> tuple[I32, F64]:
+    """Return the stretches of curves on no edge: the curve (k,) and from where to where (k, 2) mm.
+
+    A point on no edge is a stretch without length.
+    """
+    which, spans = _left(rows.curve, rows.along, curves[:, 5])
+    return which, spans
+
+
+@njit(cache=True)
+def _cells(
+    curve: Any, margin: float, corner: Any, size: float, wide: int, high: int, out: Any
+) -> Any:
+    """Write the cells that a curve's surroundings touch to ``out``, repeats included."""
+    count = 0
+    length = curve[5]
+    step = size
+    if curve[0] != 0.0:
+        step = min(size, 0.5 * curve[3])
+    pieces = max(1, math.ceil(length / step))
+    each = length / pieces
+    bow = 0.0
+    if curve[0] != 0.0:
+        bow = each * each / (8.0 * curve[3])
+    x = 0.0
+    y = 0.0
+    for node in range(pieces + 1):
+        if curve[0] == 0.0:
+            nx = curve[1] + curve[3] * each * node
+            ny = curve[2] + curve[4] * each * node
+        else:
+            angle = curve[4] + curve[0] * each * node / curve[3]
+            nx = curve[1] + curve[3] * math.cos(angle)
+            ny = curve[2] + curve[3] * math.sin(angle)
+        if node > 0:
+            grown = margin + bow
+            x0 = math.floor((min(x, nx) - grown - corner[0]) / size)
+            x1 = math.floor((max(x, nx) + grown - corner[0]) / size)
+            y0 = math.floor((min(y, ny) - grown - corner[1]) / size)
+            y1 = math.floor((max(y, ny) + grown - corner[1]) / size)
+            for i in range(max(x0, 0), min(x1, wide - 1) + 1):
+                for j in range(max(y0, 0), min(y1, high - 1) + 1):
+                    if count == len(out):
+                        bigger = np.empty(2 * len(out), np.int64)
+                        bigger[:count] = out
+                        out = bigger
+                    out[count] = i * high + j
+                    count += 1
+        x = nx
+        y = ny
+    return out, count
+
+
+@njit(cache=True)
+def _found(
+    curves: Any,
+    edges: Any,
+    low: Any,
+    high: Any,
+    limit: float,
+    corner: Any,
+    size: float,
+    wide: int,
+    tall: int,
+) -> Any:
+    count = np.zeros(wide * tall + 1, np.int64)
+    seen = np.full(wide * tall, -1, np.int64)
+    cells = np.empty(1024, np.int64)
+    for edge in range(len(edges)):
+        if high[edge] < low[edge]:
+            continue
+        cells, many = _cells(edges[edge], 0.0, corner, size, wide, tall, cells)
+        for k in range(many):
+            if seen[cells[k]] != edge:
+                seen[cells[k]] = edge
+                count[cells[k] + 1] += 1
+    count = np.cumsum(count)
+    listed = np.empty(count[-1], np.int32)
+    filled = count[:-1].copy()
+    seen[:] = -1
+    for edge in range(len(edges)):
+        if high[edge] < low[edge]:
+            continue
+        cells, many = _cells(edges[edge], 0.0, corner, size, wide, tall, cells)
+        for k in range(many):
+            if seen[cells[k]] != edge:
+                seen[cells[k]] = edge
+                listed[filled[cells[k]]] = edge
+                filled[cells[k]] += 1
+
+    pairs = np.empty((max(256, 2 * len(curves)), 2), np.int32)
+    spans = np.empty((len(pairs), 5))
+    rows = 0
+    met = np.full(len(edges), -1, np.int64)
+    hits = np.empty((16, 5))
+    for curve in range(len(curves)):
+        cells, many = _cells(curves[curve], limit, corner, size, wide, tall, cells)
+        for k in range(many):
+            for place in range(count[cells[k]], count[cells[k] + 1]):
+                edge = listed[place]
+                if met[edge] == curve:
+                    continue
+                met[edge] = curve
+                found = _shared(curves[curve], edges[edge], low[edge], high[edge], limit, hits)
+                for hit in range(found):
+                    if rows == len(pairs):
+                        more_pairs = np.empty((2 * rows, 2), np.int32)
+                        more_pairs[:rows] = pairs
+                        pairs = more_pairs
+                        more_spans = np.empty((2 * rows, 5))
+                        more_spans[:rows] = spans
+                        spans = more_spans
+                    pairs[rows, 0] = curve
+                    pairs[rows, 1] = edge
+                    spans[rows] = hits[hit]
+                    rows += 1
+    return pairs[:rows].copy(), spans[:rows].copy()
+
+
+@njit(cache=True)
+def _seen_from(edge: Any, x: float, y: float) -> Any:
+    """Return the distance along the edge's line or circle (mm), and the signed one off it."""
+    dx = x - edge[1]
+    dy = y - edge[2]
+    if edge[0] == 0.0:
+        return dx * edge[3] + dy * edge[4], edge[3] * dy - edge[4] * dx
+    turned = edge[0] * (math.atan2(dy, dx) - edge[4])
+    # Angles are told from the middle of the arc, so that both its ends have room beyond them.
+    half = 0.5 * edge[5] / edge[3]
+    turned = (turned - half + math.pi) % (2.0 * math.pi) - math.pi + half
+    return turned * edge[3], math.hypot(dx, dy) - edge[3]
+
+
+@njit(cache=True)
+def _on(curve: Any, along: float) -> Any:
+    if curve[0] == 0.0:
+        return curve[1] + curve[3] * along, curve[2] + curve[4] * along
+    angle = curve[4] + curve[0] * along / curve[3]
+    return curve[1] + curve[3] * math.cos(angle), curve[2] + curve[3] * math.sin(angle)
+
+
+@njit(cache=True)
+def _shared(curve: Any, edge: Any, low: float, high: float, limit: float, hits: Any) -> int:
+    """Write the stretches of one curve along one edge to ``hits``: along, place, distance."""
+    near = np.empty((8, 2))
+    if curve[0] == 0.0:
+        pieces = _near_line(curve, edge, limit, near)
+    else:
+        pieces = _near_arc(curve, edge, limit, near)
+    found = 0
+    for piece in range(pieces):
+        begin = near[piece, 0]
+        end = near[piece, 1]
+        x, y = _on(curve, begin)
+        first, _ = _seen_from(edge, x, y)
+        x, y = _on(curve, end)
+        last, _ = _seen_from(edge, x, y)
+        turns = 1
+        whole = 0.0
+        if edge[0] != 0.0:
+            # Round the circle: take the end that a way of this length leads to, and try the edge
+            # one turn earlier and later too.
+            whole = 2.0 * math.pi * edge[3]
+            if curve[0] != 0.0:
+                ahead = curve[0] * edge[0] * (end - begin) * edge[3] / curve[3]
+                last += whole * round((first + ahead - last) / whole)
+                turns = 3
+            else:
+                last += whole * round((first - last) / whole)
+        for turn in range(turns):
+            shift = 0.0 if turn == 0 else (whole if turn == 1 else -whole)
+            a = first + shift
+            b = last + shift
+            slack = limit if end - begin < 1e-9 else 1e-9
+            if max(a, b) < low - slack or min(a, b) > high + slack:
+                continue
+            u0 = begin
+            u1 = end
+            if abs(b - a) > 1e-9:
+                rate = (end - begin) / (b - a)
+                t0 = min(max(a, low), high)
+                t1 = min(max(b, low), high)
+                u0 = begin + (t0 - a) * rate
+                u1 = begin + (t1 - a) * rate
+                a = t0
+                b = t1
+            else:
+                a = min(max(a, low), high)
+                b = min(max(b, low), high)
+            if found == len(hits):
+                return found
+            farthest = 0.0
+            samples = 2 if curve[0] == 0.0 and edge[0] == 0.0 else 9
+            for sample in range(samples):
+                x, y = _on(curve, u0 + (u1 - u0) * sample / (samples - 1))
+                _, off = _seen_from(edge, x, y)
+                farthest = max(farthest, abs(off))
+            hits[found, 0] = u0
+            hits[found, 1] = u1
+            hits[found, 2] = a
+            hits[found, 3] = b
+            hits[found, 4] = farthest
+            found += 1
+    return found
+
+
+@njit(cache=True)
+def _kept(begin: float, end: float, length: float, near: Any, pieces: int) -> int:
+    begin = max(begin, 0.0)
+    end = min(end, length)
+    if begin <= end and pieces < len(near):
+        near[pieces, 0] = begin
+        near[pieces, 1] = end
+        return pieces + 1
+    return pieces
+
+
+@njit(cache=True)
+def _near_line(curve: Any, edge: Any, limit: float, near: Any) -> int:
+    """Where a line is within the limit of the edge's line or circle."""
+    length = curve[5]
+    if edge[0] == 0.0:
+        _, off = _seen_from(edge, curve[1], curve[2])
+        slope = edge[3] * curve[4] - edge[4] * curve[3]
+        if abs(slope) * max(length, 1.0) < 1e-12:
+            return _kept(0.0, length, length, near, 0) if abs(off) <= limit else 0
+        a = (-limit - off) / slope
+        b = (limit - off) / slope
+        return _kept(min(a, b), max(a, b), length, near, 0)
+    foot = (edge[1] - curve[1]) * curve[3] + (edge[2] - curve[2]) * curve[4]
+    aside = (edge[1] - curve[1]) * curve[4] - (edge[2] - curve[2]) * curve[3]
+    outer = (edge[3] + limit) ** 2 - aside * aside
+    if outer < 0.0:
+        return 0
+    outer = math.sqrt(outer)
+    inner = (edge[3] - limit) ** 2 - aside * aside
+    if edge[3] <= limit or inner <= 0.0:
+        return _kept(foot - outer, foot + outer, length, near, 0)
+    inner = math.sqrt(inner)
+    pieces = _kept(foot - outer, foot - inner, length, near, 0)
+    return _kept(foot + inner, foot + outer, length, near, pieces)
+
+
+@njit(cache=True)
+def _near_arc(curve: Any, edge: Any, limit: float, near: Any) -> int:
+    """Where an arc is within the limit: where lowest ≤ sin(angle - shift) ≤ highest."""
+    radius = curve[3]
+    if edge[0] == 0.0:
+        # Off the line by middle + r sin(angle - direction of the line).
+        _, middle = _seen_from(edge, curve[1], curve[2])
+        shift = math.atan2(edge[4], edge[3])
+        lowest = (-limit - middle) / radius
+        highest = (limit - middle) / radius
+    else:
+        # Off the centre by √(r² + D² + 2 r D cos(angle - direction between the centres)).
+        dx = curve[1] - edge[1]
+        dy = curve[2] - edge[2]
+        apart = math.hypot(dx, dy)
+        if apart < 1e-12:
+            if abs(radius - edge[3]) <= limit:
+                return _kept(0.0, curve[5], curve[5], near, 0)
+            return 0
+        shift = math.atan2(dy, dx) - 0.5 * math.pi
+        inside = max(edge[3] - limit, 0.0)
+        fixed = radius * radius + apart * apart
+        lowest = (inside * inside - fixed) / (2.0 * radius * apart)
+        highest = ((edge[3] + limit) ** 2 - fixed) / (2.0 * radius * apart)
+    if lowest > 1.0 or highest < -1.0:
+        return 0
+    if lowest <= -1.0 and highest >= 1.0:
+        return _kept(0.0, curve[5], curve[5], near, 0)
+    low = math.asin(max(lowest, -1.0))
+    high = math.asin(min(highest, 1.0))
+    if highest >= 1.0:
+        return _turned(curve, shift + low, shift + math.pi - low, near, 0)
+    if lowest <= -1.0:
+        return _turned(curve, shift - math.pi - high, shift + high, near, 0)
+    pieces = _turned(curve, shift + low, shift + high, near, 0)
+    return _turned(curve, shift + math.pi - high, shift + math.pi - low, near, pieces)
+
+
+@njit(cache=True)
+def _turned(curve: Any, begin: float, end: float, near: Any, pieces: int) -> int:
+    """Keep where the arc runs between two angles, once for every turn that meets it."""
+    if curve[0] < 0.0:
+        begin, end = -end, -begin
+    a = begin - curve[0] * curve[4]
+    span = end - begin
+    a = a % (2.0 * math.pi)
+    for turn in range(-1, 1):
+        at = a + 2.0 * math.pi * turn
+        pieces = _kept(at * curve[3], (at + span) * curve[3], curve[5], near, pieces)
+    return pieces
+
+
+@njit(cache=True)
+def _best(curve_of: Any, spans: Any, length: Any, until: Any) -> Any:
+    """A stretch counts where no nearer one of its curve has been: rows come nearest first."""
+    best = np.zeros(len(curve_of), np.bool_)
+    begin = 0
+    while begin < len(curve_of):
+        end = begin
+        while end < len(curve_of) and curve_of[end] == curve_of[begin]:
+            end += 1
+        covered = np.empty((end - begin + 1, 2))
+        many = 0
+        curve = curve_of[begin]
+        short = length[curve] <= BRIEF
+        for row in range(begin, end):
+            right = min(spans[row, 1], until[curve])
+            left = min(spans[row, 0], right)
+            many, gained = _added(covered, many, left, right)
+            # An edge drawn twice is worked twice by one way.
+            twin = spans[row, 4] <= spans[begin, 4] + 1e-6
+            whole = right - left > BRIEF or (short and spans[row, 1] <= until[curve])
+            best[row] = gained > BRIEF or (twin and whole)
+        begin = end
+    return best
+
+
+@njit(cache=True)
+def _added(covered: Any, many: int, left: float, right: float) -> Any:
+    """Put a stretch into a sorted list of disjoint ones; return their number and what was new."""
+    first = 0
+    while first < many and covered[first, 1] < left:
+        first += 1
+    last = first
+    old = 0.0
+    low = left
+    high = right
+    while last < many and covered[last, 0] <= right:
+        old += min(covered[last, 1], right) - max(covered[last, 0], left)
+        low = min(low, covered[last, 0])
+        high = max(high, covered[last, 1])
+        last += 1
+    merged = last - first
+    if merged == 0:
+        for k in range(many, first, -1):
+            covered[k, 0] = covered[k - 1, 0]
+            covered[k, 1] = covered[k - 1, 1]
+        many += 1
+    elif merged > 1:
+        for k in range(last, many):
+            covered[k - merged + 1, 0] = covered[k, 0]
+            covered[k - merged + 1, 1] = covered[k, 1]
+        many -= merged - 1
+    covered[first, 0] = low
+    covered[first, 1] = high
+    return many, (right - left) - old
+
+
+@njit(cache=True)
+def _left(curve_of: Any, along: Any, length: Any) -> Any:
+    which = np.empty(len(curve_of) + len(length), np.int32)
+    spans = np.empty((len(which), 2))
+    count = 0
+    row = 0
+    for curve in range(len(length)):
+        begin = row
+        while row < len(curve_of) and curve_of[row] == curve:
+            row += 1
+        covered = np.empty((row - begin + 1, 2))
+        many = 0
+        for k in range(begin, row):
+            many, _ = _added(covered, many, along[k, 0], along[k, 1])
+        if length[curve] < 1e-9:
+            if row == begin:
+                which[count] = curve
+                spans[count] = 0.0
+                count += 1
+            continue
+        at = 0.0
+        for k in range(many + 1):
+            until = covered[k, 0] if k < many else length[curve]
+            if until - at > 1e-7:
+                which[count] = curve
+                spans[count, 0] = at
+                spans[count, 1] = until
+                count += 1
+            if k < many:
+                at = covered[k, 1]
+    return which[:count].copy(), spans[:count].copy()

@@ -1,0 +1,186 @@
+"""Parse: the bytes of a program into words, with every fault named by its line.
+
+    bytes -> Words: line, letter and number of every word
+
+Nothing is assumed about who wrote the bytes.  A text that is no program gives faults, not errors.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.errors import ProgramUnreadable
+from knifetip.verification.columns import F64, I32, U8
+
+#: Longest text that is looked at (bytes).
+LARGEST: Final = 64 << 20
+#: LinuxCNC reads no longer line (bytes).
+LINE: Final = 255
+#: A number beyond this is a mistake, on any table.
+FARTHEST: Final = 1e6
+
+_FAULTS: Final = {
+    1: "has the character {0!r}, which means nothing here.",
+    2: "opens a comment inside a comment.",
+    3: "opens a comment and does not close it.",
+    4: "has the letter {0} without a number.",
+    5: "has a number of more than 15 digits.",
+    6: f"is longer than {LINE} characters, more than a controller reads.",
+    7: "has a number beyond 1,000,000.",
+}
+_KEPT: Final = 1000
+_PLACEMENT: Final = re.compile(rb"\(placement X(-?\d+\.\d+) Y(-?\d+\.\d+)\)")
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Words:
+    """n words in the order of the text."""
+
+    line: I32  #: (n,) 1-based, ascending
+    letter: U8  #: (n,) code of the capital letter
+    value: F64  #: (n,)
+    faults: tuple[tuple[int, str], ...]  #: (line, what is wrong with it)
+    lines: int  #: in the text
+
+
+def placement_of(text: bytes) -> tuple[float, float] | None:
+    """Return the placement that the program's header states, None where it states none."""
+    found = _PLACEMENT.search(text)
+    return (float(found[1]), float(found[2])) if found else None
+
+
+def parse(text: bytes) -> Words:
+    """Return the words of a program.
+
+    Raises
+    ------
+    ProgramUnreadable
+        It is not bytes, or longer than 64 MB.
+    """
+    if not isinstance(text, bytes | bytearray | memoryview):
+        raise ProgramUnreadable(
+            f"The program is a {type(text).__name__}, not bytes.", "Give the bytes of the file."
+        )
+    if len(text) > LARGEST:
+        raise ProgramUnreadable(
+            f"The program has {len(text):,} bytes, and at most {LARGEST:,} are read.",
+            "Split the job into several sheets.",
+        )
+    raw = np.frombuffer(text, np.uint8)
+    line, letter, value, faults, lines = _scanned(raw, LINE, FARTHEST)
+    told = [
+        (int(row), _FAULTS[int(code)].format(chr(int(byte)))) for row, code, byte in faults[:_KEPT]
+    ]
+    return Words(line, letter, value, tuple(told), int(lines))
+
+
+def obeyed(text: bytes) -> list[tuple[int, str]]:
+    """Return the lines with a byte that grbl obeys wherever it stands, comments included."""
+    raw = np.frombuffer(text, np.uint8)
+    acts = np.isin(raw, np.frombuffer(b"!~?\x18", np.uint8)) | (raw >= 0x80)
+    places = np.flatnonzero(acts)[:_KEPT]
+    line = 1 + np.searchsorted(np.flatnonzero(raw == 10), places)
+    return [
+        (int(row), f"has the byte {int(byte):#04x}, which the controller obeys at once.")
+        for row, byte in zip(line, raw[places], strict=True)
+    ]
+
+
+@njit(cache=True)
+def _scanned(raw: Any, longest: int, farthest: float) -> Any:
+    """One walk over the bytes; a line with a fault keeps the words that it has."""
+    letters = 0
+    for byte in raw:
+        if 65 <= byte <= 90 or 97 <= byte <= 122:
+            letters += 1
+    line_of = np.empty(letters, np.int32)
+    letter_of = np.empty(letters, np.uint8)
+    value_of = np.empty(letters, np.float64)
+    faults = np.empty((1000, 3), np.int64)
+    words = 0
+    wrong = 0
+    line = 1
+    at = 0
+    began = 0
+    size = len(raw)
+    while at < size:
+        byte = raw[at]
+        code = 0
+        if byte == 10:
+            if at - began > longest:
+                code = 6
+                byte = np.uint8(32)
+            began = at + 1
+            at += 1
+        elif byte == 32 or byte == 9 or (byte == 13 and at + 1 < size and raw[at + 1] == 10):
+            at += 1
+        elif byte == 59:  # ; to the end of the line
+            while at < size and raw[at] != 10:
+                at += 1
+        elif byte == 40:  # ( … )
+            at += 1
+            while at < size and raw[at] != 41 and raw[at] != 10:
+                if raw[at] == 40:
+                    code = 2
+                at += 1
+            if at < size and raw[at] == 41:
+                at += 1
+            else:
+                code = 3
+        elif 65 <= byte <= 90 or 97 <= byte <= 122:
+            if byte >= 97:
+                byte = np.uint8(byte - 32)
+            at += 1
+            negative = False
+            if at < size and (raw[at] == 43 or raw[at] == 45):
+                negative = raw[at] == 45
+                at += 1
+            digits = 0
+            whole = 0
+            scale = 1.0
+            point = False
+            while at < size and (48 <= raw[at] <= 57 or (raw[at] == 46 and not point)):
+                if raw[at] == 46:
+                    point = True
+                else:
+                    digits += 1
+                    if digits <= 15:
+                        # Below 2^53, so the quotient is the nearest number to the decimal.
+                        whole = whole * 10 + (raw[at] - 48)
+                        if point:
+                            scale *= 10.0
+                at += 1
+            value = whole / scale
+            if digits == 0:
+                code = 4
+            elif digits > 15:
+                code = 5
+            elif value > farthest:
+                code = 7
+            else:
+                line_of[words] = line
+                letter_of[words] = byte
+                value_of[words] = -value if negative else value
+                words += 1
+        else:
+            code = 1
+            at += 1
+        if code > 0 and wrong < len(faults):
+            faults[wrong, 0] = line
+            faults[wrong, 1] = code
+            faults[wrong, 2] = byte
+            wrong += 1
+        if began == at and at > 0 and raw[at - 1] == 10:
+            line += 1
+    if size - began > longest and wrong < len(faults):
+        faults[wrong, 0] = line
+        faults[wrong, 1] = 6
+        faults[wrong, 2] = 32
+        wrong += 1
+    lines = line if size > began else line - 1
+    return line_of[:words], letter_of[:words], value_of[:words], faults[:wrong], lines

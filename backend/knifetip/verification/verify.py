@@ -1,0 +1,132 @@
+"""verify: does this program cut what was drawn?
+
+    program bytes, Dieline, placement, Machine, Board -> Verdict
+
+The bytes are parsed back, the joints moved by them, the tool's tip followed, and its work compared
+with the dieline edge by edge.  Nothing here is shared with the stages that made the program: it
+could have come from anywhere.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from knifetip.errors import ProgramError
+from knifetip.model.board import Board
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine
+from knifetip.model.verdict import Verdict
+from knifetip.verification import conduct
+from knifetip.verification.coverage import Bench, Figures, compare
+from knifetip.verification.findings import MOST, Findings
+from knifetip.verification.intent import on_sheet
+from knifetip.verification.kinematics import Tips, Work, tips, work
+from knifetip.verification.modal import Moves, interpret
+from knifetip.verification.parse import obeyed, parse, placement_of
+
+__all__ = ["followed", "placement_of", "verify"]
+
+
+def verify(
+    text: bytes,
+    dieline: Dieline,
+    placement: tuple[float, float],
+    machine: Machine,
+    board: Board,
+    *,
+    tolerance: float = 0.01,
+) -> Verdict:
+    """Return the verdict on a program.
+
+    Parameters
+    ----------
+    text : bytes
+        The program, in the words of LinuxCNC or grblHAL.
+    dieline : Dieline
+        Edges in the drawing's coordinates.
+    placement : (x, y), mm
+        What was added to them to place them on the sheet.
+    machine, board
+        What the program is for.
+    tolerance : float, mm
+        How far the tip may be from its line, the controller's rounding (G64) included.
+
+    Returns
+    -------
+    Verdict
+        Accepted if nothing was found.  A text that is no program is refused, with its lines.
+
+    Raises
+    ------
+    ProgramUnreadable
+        The text is not bytes, or too large to be read.
+    ProgramError
+        The tolerance is not a length.
+    GeometryError
+        The dieline or the placement has a coordinate that is not a number.
+    """
+    if not (math.isfinite(tolerance) and tolerance > 0.0):
+        raise ProgramError(
+            f"A tolerance of {tolerance} mm is no length.", "Give more than 0, 0.01 mm as a rule."
+        )
+    edges = on_sheet(dieline, placement)
+    figures = Figures.zeros(len(dieline))
+    found = Findings()
+    moves, _, ways = _followed(text, machine, board, tolerance, found)
+    _stated(text, placement, found)
+    _unclassified(dieline, found)
+    compare(Bench(edges, machine, board, tolerance, figures, found), ways)
+    return Verdict(
+        accepted=len(found) == 0,
+        tolerance=tolerance,
+        deviation=figures.deviation,
+        overcut=figures.overcut,
+        uncut=figures.uncut,
+        setback=figures.setback,
+        findings=found.sorted(),
+        seconds=conduct.seconds(moves, machine),
+    )
+
+
+def followed(text: bytes, machine: Machine, board: Board) -> tuple[Moves, Tips, Work]:
+    """Return what the judge saw: the moves, where the tip went, and its ways in the board."""
+    return _followed(text, machine, board, math.inf, Findings())
+
+
+def _followed(
+    text: bytes, machine: Machine, board: Board, tolerance: float, found: Findings
+) -> tuple[Moves, Tips, Work]:
+    words = parse(text)
+    moves, faults = interpret(words, machine)
+    if not moves.tabled:
+        faults = sorted(faults + obeyed(text))
+    found.program(faults)
+    tip = tips(moves, machine, board)
+    usable = conduct.travel(moves, machine, found)
+    conduct.feeds(moves, tip, machine, found)
+    conduct.outputs(moves, tip, machine, found)
+    conduct.in_the_board(moves, tip, machine, board, tolerance, found)
+    usable &= ~np.isnan(tip.start).any(axis=1) & ~np.isnan(tip.end).any(axis=1)
+    return moves, tip, work(moves, tip, usable, machine, board)
+
+
+def _stated(text: bytes, placement: tuple[float, float], found: Findings) -> None:
+    stated = placement_of(text)
+    if stated is None:
+        return
+    off = math.hypot(stated[0] - placement[0], stated[1] - placement[1])
+    if off > 1e-3:
+        found.add(
+            "program",
+            f"The program says that it is placed at X{stated[0]:.4f} Y{stated[1]:.4f}, and the "
+            f"job has it at X{placement[0]:.4f} Y{placement[1]:.4f}.",
+            off,
+        )
+
+
+def _unclassified(dieline: Dieline, found: Findings) -> None:
+    rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
+    for row in rows[:MOST]:
+        found.add("uncut", f"Edge {row} has no line type, so nobody knows its work.", 0.0, edge=row)

@@ -1,0 +1,486 @@
+"""A second judge: LinuxCNC's own interpreter reads the program, and this moves the tip by it.
+
+    program bytes  ->  rs274  ->  canonical moves  ->  path of each tool's tip  ->  Report
+
+It shares nothing with the product: the moves are what LinuxCNC understood, the tools are literals
+that the test states, and distances are taken to the dieline's own lines and arcs.  rs274 prints
+positions with 4 decimals and without the tool's offset, which it reads as inches.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import shapely
+from numpy.typing import ArrayLike, NDArray
+
+from knifetip.model.dieline import LineType
+
+F64 = NDArray[np.float64]
+RS274 = shutil.which("rs274")
+ABSENT = "LinuxCNC's interpreter rs274 is not installed (apt-get install linuxcnc-uspace)"
+
+INI = """[RS274NGC]
+[EMCIO]
+TOOL_TABLE = tool.tbl
+[TRAJ]
+COORDINATES = X Y Z C
+LINEAR_UNITS = mm
+ANGULAR_UNITS = degree
+AXES = 4
+[KINS]
+KINEMATICS = trivkins coordinates=XYZC
+JOINTS = 4
+"""
+
+TRAVERSE, LINE, ARC = 0, 1, 2
+#: Chords of sampled arcs stay this near to them (mm).
+BOW = 0.0002
+#: Numbers are printed with 4 decimals.
+UNIT = 1e-4
+
+_KNIFE_THROUGH = (LineType.CUT, LineType.PERFORATION, LineType.COMBI)
+_WORK = {
+    "knife": (*_KNIFE_THROUGH, LineType.HALF_CUT),
+    "wheel": (LineType.CREASE,),
+    "v-cutter": (LineType.V_GROOVE,),
+}
+
+
+@dataclass(frozen=True)
+class TipTool:
+    """A tool as the test knows it (mm and degrees)."""
+
+    kind: str  #: "knife", "wheel" or "v-cutter"
+    caliper: float  #: of the board: the tool is in it below this height
+    datum: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    output: int = -1  #: of its piston
+    oscillating: bool = False
+    back: float = 0.0
+    half_width: float = 0.0
+    tilt: float = 0.0
+    trail: float = 0.0
+    overrun: float = 0.0  #: how far past the end of an edge the tip may go
+    reach: float = 0.0  #: how far from the tip's path, along the edge, the edge counts as worked
+
+
+@dataclass(frozen=True)
+class Moves:
+    """n moves as LinuxCNC understood them."""
+
+    kind: NDArray[np.int64]  #: (n,) TRAVERSE, LINE or ARC
+    start: F64  #: (n, 4) X Y Z C
+    end: F64  #: (n, 4)
+    centre: F64  #: (n, 2), NaN where it is no arc
+    turns: NDArray[np.int64]  #: (n,) > 0 counter-clockwise
+    station: NDArray[np.int64]  #: (n,) the tool in the spindle
+    offset: F64  #: (n, 3) tool offset in force, X Y Z
+    outputs: NDArray[np.int64]  #: (n,) one bit to each digital output
+    oscillates: NDArray[np.bool_]  #: (n,)
+    feed: F64  #: (n,) as rs274 prints it, mm or degrees per minute
+
+    def __len__(self) -> int:
+        return len(self.kind)
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What rs274 said of a program."""
+
+    accepted: bool
+    stderr: str
+    moves: Moves
+
+
+@dataclass
+class Report:
+    """The second judge's answer (mm and degrees)."""
+
+    accepted: bool
+    stderr: str
+    worst_deviation: float = np.inf  #: of the tip from the edges, past their ends excepted
+    worst_gap: float = np.inf  #: of an edge from the tip's path, beyond the tool's reach
+    worst_overrun: float = np.inf  #: past the end of an edge
+    worst_heading: float = np.inf  #: of C from the tip's travel, beyond what rounding explains
+    worked: float = 0.0  #: length of the tip's path at working depth
+    problems: list[str] = field(default_factory=list)
+
+
+def read_program(program: bytes, tools: Mapping[int, TipTool] | None = None) -> Reading:
+    """Return what LinuxCNC understands of a program, with the tools' datums in its tool table."""
+    assert RS274 is not None, ABSENT
+    table = "".join(
+        f"T{number} P{number} X{tool.datum[0]} Y{tool.datum[1]} Z{tool.datum[2]} C{tool.datum[3]}\n"
+        for number, tool in (tools or {}).items()
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        room = Path(folder)
+        (room / "program.ngc").write_bytes(program)
+        (room / "rs274.ini").write_text(INI)
+        (room / "tool.tbl").write_text(table)
+        (room / "fresh.var").write_text("")
+        done = subprocess.run(
+            [RS274, "-g", "-v", "fresh.var", "-t", "tool.tbl", "-i", "rs274.ini", "program.ngc"],
+            cwd=room,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            check=False,
+        )
+    ended = "PROGRAM_END" in done.stdout
+    return Reading(done.returncode == 0 and ended, done.stderr, _moves(done.stdout))
+
+
+def _moves(canon: str) -> Moves:
+    rows = []
+    position = np.zeros(4)
+    selected, station, offset, outputs, oscillates, feed = 0, 0, np.zeros(3), 0, False, 0.0
+    for word, inside in re.findall(r"^\s*\d+ \S+\s+([A-Z_0-9]+)\((.*)\)$", canon, re.M):
+        if word in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"):
+            values = [float(value) for value in inside.split(",")]
+            end, centre, turns = position.copy(), np.full(2, np.nan), 0
+            if word == "ARC_FEED":
+                end[:] = values[0], values[1], values[5], values[8]
+                centre, turns = np.array(values[2:4]), int(values[4])
+            else:
+                end[:] = values[0], values[1], values[2], values[5]
+            kind = ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED").index(word)
+            rows.append(
+                (kind, position, end, centre, turns, station, offset, outputs, oscillates, feed)
+            )
+            position = end
+        elif word == "USE_LENGTH_UNITS":
+            assert inside == "CANON_UNITS_MM", "the program is not in mm"
+        elif word == "SELECT_TOOL":
+            selected = int(inside)
+        elif word == "CHANGE_TOOL":
+            # What stands here is the place in the table, not the number.
+            station = selected
+        elif word == "USE_TOOL_LENGTH_OFFSET":
+            offset = np.array(inside.split(",")[0].split(), float) / 25.4
+        elif word == "SET_AUX_OUTPUT_BIT":
+            outputs |= 1 << int(inside)
+        elif word == "CLEAR_AUX_OUTPUT_BIT":
+            outputs &= ~(1 << int(inside))
+        elif word in ("START_SPINDLE_CLOCKWISE", "STOP_SPINDLE_TURNING"):
+            oscillates = word.startswith("START")
+        elif word == "SET_FEED_RATE":
+            feed = float(inside)
+    columns = list(zip(*rows, strict=True)) or [[]] * 10
+    n = len(rows)
+    return Moves(
+        kind=np.array(columns[0], np.int64),
+        start=np.array(columns[1], float).reshape(n, 4),
+        end=np.array(columns[2], float).reshape(n, 4),
+        centre=np.array(columns[3], float).reshape(n, 2),
+        turns=np.array(columns[4], np.int64),
+        station=np.array(columns[5], np.int64),
+        offset=np.array(columns[6], float).reshape(n, 3),
+        outputs=np.array(columns[7], np.int64),
+        oscillates=np.array(columns[8], bool),
+        feed=np.array(columns[9], float),
+    )
+
+
+@dataclass(frozen=True)
+class TipPath:
+    """m short pieces of one station's tip in the board, each from ``start`` to ``end``."""
+
+    start: F64  #: (m, 3) x y z of the tip; a V-cutter's is carried along its blade to its depth
+    end: F64  #: (m, 3)
+    heading: F64  #: (m,) C in the middle of the piece
+    move: NDArray[np.int64]  #: (m,) row in Moves
+    bottom: NDArray[np.bool_]  #: (m,) at the depth of its engagement, where the edge is worked
+    depth: F64  #: (m,) z of its engagement
+
+
+def tip_path(moves: Moves, station: int, tool: TipTool) -> TipPath:
+    """Return the path of a station's tip while it is in the board, in program coordinates."""
+    mine = (moves.station == station) & (moves.kind != TRAVERSE)
+    low = np.minimum(moves.start[:, 2], moves.end[:, 2])
+    inside = mine & (low < tool.caliper - UNIT / 2)
+    # An engagement lasts from one move that is not in the board to the next.
+    engagement = np.cumsum(~inside)
+    floor = np.full(engagement.max(initial=0) + 1, np.inf)
+    np.minimum.at(floor, engagement[inside], low[inside])
+    rows = np.flatnonzero(inside)
+    depth = floor[engagement[rows]]
+
+    start, end, centre = moves.start[rows], moves.end[rows], moves.centre[rows]
+    curved = moves.kind[rows] == ARC
+    first, last = start[:, :2] - centre, end[:, :2] - centre
+    sweep = np.zeros(len(rows))
+    turn = np.arctan2(*last.T[::-1]) - np.arctan2(*first.T[::-1])
+    left = moves.turns[rows] > 0
+    sweep[curved & left] = turn[curved & left] % (2 * np.pi)
+    sweep[curved & ~left] = -(-turn[curved & ~left] % (2 * np.pi))
+    radius = np.where(curved, np.hypot(*first.T), 0.0)
+    length = np.where(curved, radius * np.abs(sweep), np.hypot(*(end - start)[:, :2].T))
+    pieces = np.ceil(
+        np.max(
+            [
+                np.ones(len(rows)),
+                length / 5.0,
+                np.abs(end[:, 3] - start[:, 3]) / 1.0,
+                np.abs(sweep) * np.sqrt(radius / (8 * BOW)),
+            ],
+            axis=0,
+        )
+    ).astype(int)
+    which = np.repeat(np.arange(len(rows)), pieces)
+    ordinal = np.arange(len(which)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+
+    def head(share: F64) -> F64:
+        pose = start[which] + (end - start)[which] * share[:, None]
+        angle = sweep[which] * share
+        grown = 1 + (np.hypot(*last[which].T) / np.hypot(*first[which].T) - 1) * share
+        turned = np.stack(
+            [
+                first[which, 0] * np.cos(angle) - first[which, 1] * np.sin(angle),
+                first[which, 0] * np.sin(angle) + first[which, 1] * np.cos(angle),
+            ],
+            axis=1,
+        )
+        pose[:, :2] = np.where(
+            curved[which, None], centre[which] + turned * grown[:, None], pose[:, :2]
+        )
+        return pose
+
+    def tip(pose: F64) -> F64:
+        c = np.radians(pose[:, 3])
+        ahead = np.stack([np.cos(c), np.sin(c)], axis=1)
+        right = np.stack([np.sin(c), -np.cos(c)], axis=1)
+        place = pose[:, :3].copy()
+        place[:, :2] -= tool.trail * ahead + tool.half_width * ahead + tool.back * right
+        # The blade leans to the right of travel: follow it down to where it works.
+        above = place[:, 2] - depth[which]
+        place[:, :2] -= (above * np.tan(np.radians(tool.tilt)))[:, None] * right
+        return place
+
+    poses = head(ordinal / pieces[which]), head((ordinal + 1) / pieces[which])
+    bottom = (np.abs(start[:, 2] - depth) < UNIT) & (np.abs(end[:, 2] - depth) < UNIT)
+    return TipPath(
+        start=tip(poses[0]),
+        end=tip(poses[1]),
+        heading=(poses[0][:, 3] + poses[1][:, 3]) / 2,
+        move=rows[which],
+        bottom=bottom[which],
+        depth=depth[which],
+    )
+
+
+def judge(
+    program: bytes,
+    ends: ArrayLike,
+    bulge: ArrayLike,
+    line_types: Sequence[int] | NDArray[np.uint8],
+    placement: tuple[float, float],
+    tools: Mapping[int, TipTool],
+) -> Report:
+    """Return how far the tips of a program are from a dieline, as LinuxCNC understands it.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2), mm
+        Of the dieline's edges, in drawing coordinates.
+    bulge : (n,)
+    line_types : (n,) LineType
+    placement : mm
+        What was added to the drawing's coordinates.
+    tools : station -> TipTool
+    """
+    edges = np.asarray(ends, float).reshape(-1, 2, 2) + np.asarray(placement)
+    bulges = np.asarray(bulge, float)
+    types = np.asarray(line_types)
+    reading = read_program(program, tools)
+    report = Report(reading.accepted, reading.stderr)
+    if not reading.accepted:
+        return report
+    report.worst_deviation = report.worst_gap = 0.0
+    report.worst_overrun = report.worst_heading = 0.0
+    moves = reading.moves
+    report.problems += _conduct(moves, tools)
+    worked: dict[LineType, list[F64]] = {kind: [] for kind in LineType}
+    reach = dict.fromkeys(LineType, 0.0)
+    for number, tool in tools.items():
+        path = tip_path(moves, number, tool)
+        for through in (True, False):
+            here = (path.depth <= UNIT) == through
+            if not here.any():
+                continue
+            kinds = _WORK[tool.kind]
+            if tool.kind == "knife" and through:
+                kinds = _KNIFE_THROUGH
+            near = np.isin(types, kinds)
+            points = np.concatenate([path.start[here, :2], path.end[here, :2]])
+            off, over = _off(points, edges[near], bulges[near], tool.overrun)
+            report.worst_deviation = max(report.worst_deviation, off)
+            report.worst_overrun = max(report.worst_overrun, over)
+            # What lies above the bottom of the board is no cut through it.
+            done = [kind for kind in kinds if through or kind not in _KNIFE_THROUGH[:2]]
+            bottom = here & path.bottom
+            pieces = np.stack([path.start[bottom, :2], path.end[bottom, :2]], axis=1)
+            for kind in done:
+                worked[kind].append(pieces)
+                reach[kind] = tool.reach
+            report.worked += float(np.hypot(*(pieces[:, 1] - pieces[:, 0]).T).sum())
+        report.worst_heading = max(report.worst_heading, _heading(path, tool, moves))
+    for kind, found in worked.items():
+        mine = types == kind
+        if kind in (LineType.IGNORED, LineType.UNCLASSIFIED) or not mine.any():
+            continue
+        pieces = np.concatenate(found) if found else np.zeros((0, 2, 2))
+        report.worst_gap = max(
+            report.worst_gap, _gap(edges[mine], bulges[mine], pieces, reach[kind])
+        )
+    return report
+
+
+def _conduct(moves: Moves, tools: Mapping[int, TipTool]) -> list[str]:
+    """What the machine does wrong whatever the drawing: rapids in the board, pistons, offsets."""
+    wrong = []
+    for number in np.unique(moves.station):
+        mine = moves.station == number
+        low = np.minimum(moves.start[:, 2], moves.end[:, 2])
+        if number not in tools:
+            if number != 0 or (moves.kind[mine] != TRAVERSE).any():
+                wrong.append(f"station {number} works, and is none of {list(tools)}")
+            continue
+        tool = tools[int(number)]
+        inside = mine & (low < tool.caliper - UNIT / 2)
+        if (inside & (moves.kind == TRAVERSE)).any():
+            wrong.append(f"station {number} makes a rapid in the board")
+        if (np.abs(moves.offset - tool.datum[:3]) > 1e-4)[inside].any():
+            wrong.append(f"station {number} works without its datum")
+        piston = 0 if tool.output < 0 else 1 << tool.output
+        if (moves.outputs[inside] != piston).any():
+            wrong.append(f"station {number} works with other pistons than its own down")
+        if (moves.oscillates[inside] != tool.oscillating).any():
+            wrong.append(f"station {number} works with the oscillation wrong")
+    return wrong
+
+
+def _polylines(edges: F64, bulge: F64) -> tuple[F64, NDArray[np.int64]]:
+    """Points along the edges, at most 0.5 mm apart, on the true curve, and each point's edge."""
+    sweep = 4 * np.arctan(bulge)
+    chord = edges[:, 1] - edges[:, 0]
+    length = np.hypot(*chord.T) / np.sinc(sweep / (2 * np.pi))
+    count = np.ceil(length / 0.5).astype(int).clip(2) + 1
+    which = np.repeat(np.arange(len(edges)), count)
+    share = (np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count)) / (
+        count[which] - 1
+    )
+    # Chord from the start to a point of an arc: it turns and grows with half the angle.
+    half = sweep[which] / 2
+    grown = share * np.sinc(share * half / np.pi) / np.sinc(half / np.pi)
+    angle = (share - 1) * half
+    x, y = chord[which].T
+    across = np.stack(
+        [x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)], axis=1
+    )
+    return edges[which, 0] + across * grown[:, None], which
+
+
+def _gap(edges: F64, bulge: F64, pieces: F64, reach: float) -> float:
+    """How far the farthest point of the edges is from the worked pieces, beyond the reach."""
+    if len(pieces) == 0:
+        return np.inf
+    points, _ = _polylines(edges, bulge)
+    tree = shapely.STRtree(shapely.linestrings(pieces))
+    _, distance = tree.query_nearest(
+        shapely.points(points), return_distance=True, all_matches=False
+    )
+    return max(0.0, float(distance.max()) - reach)
+
+
+def _off(points: F64, edges: F64, bulge: F64, overrun: float) -> tuple[float, float]:
+    """How far the farthest point is off the edges, and how far one is past an edge's end."""
+    if len(edges) == 0:
+        return np.inf, np.inf
+    places, which = _polylines(edges, bulge)
+    joined = which[1:] == which[:-1]
+    lines = np.stack([places[:-1][joined], places[1:][joined]], axis=1)
+    tree = shapely.STRtree(shapely.linestrings(lines))
+    dots = shapely.points(points)
+    point, piece = tree.query(dots, predicate="dwithin", distance=overrun + 0.05)
+    edge = which[:-1][joined][piece]
+    aside, past = beside_and_past(points[point], edges[edge], bulge[edge])
+    allowed = past <= overrun + UNIT
+    off = np.full(len(points), np.inf)
+    np.minimum.at(off, point[allowed], aside[allowed])
+    lost = np.flatnonzero(~np.isfinite(off))
+    if len(lost):
+        _, distance = tree.query_nearest(dots[lost], return_distance=True, all_matches=False)
+        off[lost] = distance
+    over = np.full(len(points), np.inf)
+    best = allowed & (aside <= off[point] + UNIT)
+    np.minimum.at(over, point[best], past[best])
+    over[~np.isfinite(over)] = 0.0
+    return float(off.max()), float(over.max())
+
+
+def beside_and_past(points: F64, edges: F64, bulge: F64) -> tuple[F64, F64]:
+    """How far points are beside lines and arcs, and how far past their ends, row by row."""
+    start, end = edges[:, 0], edges[:, 1]
+    chord = end - start
+    sweep = 4 * np.arctan(bulge)
+    curved = bulge != 0
+
+    def turned(angle: F64) -> F64:
+        x, y = (chord / np.hypot(*chord.T)[:, None]).T
+        cos, sin = np.cos(angle), np.sin(angle)
+        return np.stack([x * cos - y * sin, x * sin + y * cos], axis=1)
+
+    past = np.full(len(points), -np.inf)
+    beside = np.zeros(len(points))
+    for corner, direction in ((start, -turned(-sweep / 2)), (end, turned(sweep / 2))):
+        away = points - corner
+        along = (away * direction).sum(axis=1)
+        farther = along > past
+        past = np.where(farther, along, past)
+        across = np.abs(away[:, 0] * direction[:, 1] - away[:, 1] * direction[:, 0])
+        beside = np.where(farther, across, beside)
+    if curved.any():
+        b = bulge[curved]
+        normal = np.stack([-chord[curved, 1], chord[curved, 0]], axis=1)
+        centre = (start + end)[curved] / 2 + normal * ((1 - b * b) / (4 * b))[:, None]
+        radius = np.hypot(*(start[curved] - centre).T)
+        arm = points[curved] - centre
+        origin = start[curved] - centre
+        turn = np.arctan2(
+            origin[:, 0] * arm[:, 1] - origin[:, 1] * arm[:, 0], (origin * arm).sum(axis=1)
+        )
+        on = (np.sign(b) * turn) % (2 * np.pi) <= np.abs(sweep[curved])
+        rows = np.flatnonzero(curved)[on]
+        past[rows] = 0.0
+        beside[rows] = np.abs(np.hypot(*arm.T) - radius)[on]
+        # Beside the arc but not past an end of it: the ends' tangents say nothing.
+        rest = np.flatnonzero(curved)[~on]
+        inward = rest[past[rest] <= 0]
+        nearest = np.minimum(
+            np.hypot(*(points - start)[inward].T), np.hypot(*(points - end)[inward].T)
+        )
+        beside[inward] = nearest
+    return beside, np.maximum(past, 0.0)
+
+
+def _heading(path: TipPath, tool: TipTool, moves: Moves) -> float:
+    """The farthest that C is from the tip's travel at depth, beyond what 4 decimals explain."""
+    travel = (path.end - path.start)[:, :2]
+    whole = moves.end[path.move] - moves.start[path.move]
+    size = np.hypot(*whole[:, :2].T)
+    moving = path.bottom & (np.hypot(*travel.T) > 10 * UNIT) & (size > 0)
+    if not moving.any():
+        return 0.0
+    period = 180.0 if tool.kind == "wheel" else 360.0
+    azimuth = np.degrees(np.arctan2(travel[moving, 1], travel[moving, 0]))
+    turn = (path.heading[moving] - azimuth + period / 2) % period - period / 2
+    explained = np.degrees(2 * UNIT / size[moving])
+    return float(np.maximum(np.abs(turn) - explained, 0.0).max())

@@ -1,0 +1,91 @@
+"""Every named drawing, from its bytes to LinuxCNC's interpreter, and back to the drawing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from controllers.linuxcnc_rs274 import ABSENT, RS274, Report, TipTool, judge
+from knifetip import pipeline
+from knifetip.library import load
+from named import NAMED, SAMPLES, Named
+
+pytestmark = [
+    pytest.mark.controller,
+    pytest.mark.skipif(RS274 is None, reason=ABSENT),
+]
+# The dimensions of the shipped machine, stated again: blade 10°, wheel 15 mm, blade of the
+# V-cutter 6 mm back, 1.5 mm half width, 45°.
+TAN_10 = 0.17632698
+
+
+def tools(caliper: float, deepest_crease: float) -> dict[int, TipTool]:
+    contact = (deepest_crease * (30.0 - deepest_crease)) ** 0.5
+    lead = TAN_10 * (caliper + 0.3)
+    return {
+        1: TipTool("knife", caliper, output=0, oscillating=True, overrun=lead, reach=lead),
+        2: TipTool(
+            "wheel", caliper, datum=(60.0, 0.0, -1.5, 0.0), output=1, reach=contact + 0.3
+        ),
+        3: TipTool(
+            "v-cutter", caliper, datum=(-60.0, 0.0, 0.0, 0.0), output=2,
+            back=6.0, half_width=1.5, tilt=45.0,
+        ),
+    }  # fmt: skip
+
+
+def judged(named: Named, corpus: Path | None) -> tuple[Report, float]:
+    drawing, dieline, board = named.classified(corpus)
+    made = pipeline.compiled(
+        drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc"
+    )
+    assert made.verdict.accepted, made.verdict.findings[:3]
+    deepest = max(board.crease_along, board.crease_across)
+    report = judge(
+        made.program.text,
+        dieline.ends,
+        dieline.bulge,
+        dieline.line_type,
+        made.placement,
+        tools(board.caliper, deepest),
+    )
+    return report, board.caliper
+
+
+def on_the_line(report: Report, caliper: float) -> None:
+    assert report.accepted, report.stderr
+    assert report.problems == []
+    assert report.worst_deviation <= 0.01
+    assert report.worst_gap <= 0.01
+    # Where a cut meets another it may run over by what the slanted blade leaves at the bottom.
+    assert report.worst_overrun <= TAN_10 * caliper + 0.01
+    assert report.worked > 500.0
+
+
+@pytest.mark.parametrize("named", SAMPLES, ids=str)
+def test_linuxcnc_puts_the_tip_on_the_line_of_our_samples(named: Named):
+    on_the_line(*judged(named, None))
+
+
+@pytest.mark.corpus
+@pytest.mark.parametrize("named", NAMED, ids=str)
+def test_linuxcnc_puts_the_tip_on_the_line_of_drawings_by_other_hands(named: Named, corpus: Path):
+    on_the_line(*judged(named, corpus))
+
+
+def test_a_wrong_offset_of_the_v_cutter_would_be_seen():
+    # The judge itself is tried: with d stated 0.05 mm too long it must find the tip off the line.
+    drawing, dieline, board = SAMPLES[2].classified(None)
+    made = pipeline.compiled(
+        drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc"
+    )
+    wrong = tools(board.caliper, 0.9)
+    wrong[3] = TipTool(
+        "v-cutter", board.caliper, datum=(-60.0, 0.0, 0.0, 0.0), output=2,
+        back=6.05, half_width=1.5, tilt=45.0,
+    )  # fmt: skip
+    report = judge(
+        made.program.text, dieline.ends, dieline.bulge, dieline.line_type, made.placement, wrong
+    )
+    assert report.worst_deviation > 0.04

@@ -1,0 +1,45 @@
+"""Tasks for the crew's processes, which cannot import a test module."""
+
+from __future__ import annotations
+
+import os
+import time
+from pathlib import Path
+from typing import NoReturn
+
+import numpy as np
+
+from knifetip.errors import CurvedGroove
+from knifetip.jobs.crew import Progress
+
+
+def double(progress: Progress, number: int) -> int:
+    progress("half", 0.5)
+    return 2 * number
+
+
+def process_id(progress: Progress) -> int:
+    return os.getpid()
+
+
+def refuse(progress: Progress) -> NoReturn:
+    raise CurvedGroove("Edge 7 is an arc.", "Make it straight.", ["2F4"])
+
+
+def fail(progress: Progress) -> NoReturn:
+    raise ZeroDivisionError("one by none")
+
+
+def hang(progress: Progress, note: str = "") -> None:
+    progress("hang", 0.25)
+    if note:
+        Path(note).write_text(str(os.getpid()))
+    time.sleep(60.0)
+
+
+def eat(progress: Progress, gigabytes: int) -> int:
+    return len(np.ones(gigabytes << 27))
+
+
+def die(progress: Progress) -> NoReturn:
+    os._exit(3)

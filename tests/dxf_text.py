@@ -1,0 +1,55 @@
+"""DXF files for tests, written out tag by tag."""
+
+from __future__ import annotations
+
+Tag = tuple[int, object]
+
+
+def tags(*pairs: Tag) -> str:
+    """Group codes and values as lines."""
+    return "".join(f"{code}\n{value}\n" for code, value in pairs)
+
+
+def entity(kind: str, *pairs: Tag) -> str:
+    """One entity; layer 0 unless the pairs say otherwise."""
+    layer = () if any(code == 8 for code, _ in pairs) else ((8, "0"),)
+    return tags((0, kind), *layer, *pairs)
+
+
+def line(x1: float, y1: float, x2: float, y2: float, *pairs: Tag) -> str:
+    return entity("LINE", *pairs, (10, x1), (20, y1), (11, x2), (21, y2))
+
+
+def insert(block: str, x: float = 0.0, y: float = 0.0, *pairs: Tag) -> str:
+    return entity("INSERT", (2, block), (10, x), (20, y), *pairs)
+
+
+def block(name: str, *entities: str, base: tuple[float, float] = (0.0, 0.0)) -> str:
+    head = tags((0, "BLOCK"), (8, "0"), (2, name), (70, 0), (10, base[0]), (20, base[1]))
+    return head + "".join(entities) + tags((0, "ENDBLK"), (8, "0"))
+
+
+def layer(name: str, colour: int = 7, flags: int = 0, linetype: str = "CONTINUOUS") -> str:
+    return tags((0, "LAYER"), (2, name), (70, flags), (62, colour), (6, linetype))
+
+
+def dxf(
+    *entities: str,
+    blocks: tuple[str, ...] = (),
+    layers: tuple[str, ...] = (),
+    units: object = 4,
+    version: str = "AC1009",
+) -> bytes:
+    """A whole file; ``units`` None leaves $INSUNITS out."""
+    header = tags((9, "$ACADVER"), (1, version))
+    if units is not None:
+        header += tags((9, "$INSUNITS"), (70, units))
+    table = tags((0, "TABLE"), (2, "LAYER"), (70, len(layers))) + "".join(layers)
+    sections = [("HEADER", header), ("TABLES", table + tags((0, "ENDTAB")))]
+    if blocks:
+        sections.append(("BLOCKS", "".join(blocks)))
+    sections.append(("ENTITIES", "".join(entities)))
+    text = "".join(
+        tags((0, "SECTION"), (2, name)) + body + tags((0, "ENDSEC")) for name, body in sections
+    )
+    return (text + tags((0, "EOF"))).encode()

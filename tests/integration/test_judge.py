@@ -1,0 +1,100 @@
+"""The judge against the engines: broken on purpose, each must be refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from knifetip import compensate, pipeline, plan, process, sequence, verify
+from knifetip.compensation import crease, knife, tracks, vgroove
+from knifetip.library import load
+from knifetip.model.dieline import LineType
+from knifetip.model.verdict import Verdict
+from named import SAMPLES
+from shapes import closed, dieline, edges
+
+CARTON, TRAY, RIGID = SAMPLES
+
+
+def verdict(named) -> Verdict:
+    drawing, dieline, board = named.classified(None)
+    return pipeline.compiled(drawing, dieline, load.machine("demo-table"), board).verdict
+
+
+@pytest.mark.parametrize("named", SAMPLES, ids=str)
+def test_what_the_engines_make_is_accepted(named):
+    result = verdict(named)
+    assert result.accepted, result.findings[:3]
+    assert result.deviation.max() < 0.006
+    assert result.uncut.sum() == 0.0
+
+
+@pytest.mark.parametrize("dimension", ["back", "half_width"])
+@pytest.mark.parametrize("error", [-0.02, 0.02])
+def test_a_v_cutter_whose_d_or_r_is_wrong_by_a_fiftieth_is_refused(monkeypatch, dimension, error):
+    right = vgroove.head_offset
+
+    def wrong(start, end, cutter):
+        return right(start, end, replace(cutter, **{dimension: getattr(cutter, dimension) + error}))
+
+    monkeypatch.setattr(vgroove, "head_offset", wrong)
+    assert not verdict(RIGID).accepted
+
+
+def test_a_head_on_the_wrong_side_of_the_groove_is_refused(monkeypatch):
+    right = vgroove.right
+    monkeypatch.setattr(vgroove, "right", lambda vectors: -right(vectors))
+    assert not verdict(RIGID).accepted
+
+
+def test_a_plunge_the_wrong_way_along_the_blade_is_refused(monkeypatch):
+    right = vgroove.sideways
+    monkeypatch.setattr(vgroove, "sideways", lambda *args: -right(*args))
+    assert not verdict(RIGID).accepted
+
+
+@pytest.mark.parametrize("named", [CARTON, TRAY], ids=str)
+def test_c_turning_the_wrong_way_is_refused(monkeypatch, named):
+    right = tracks.headings
+
+    def wrong(paths):
+        start, end = right(paths)
+        return -start, -end
+
+    monkeypatch.setattr(knife, "headings", wrong)
+    monkeypatch.setattr(crease, "headings", wrong)
+    assert not verdict(named).accepted
+
+
+def test_c_turning_the_wrong_way_on_the_v_cutter_is_refused(monkeypatch):
+    right = vgroove.azimuth
+    monkeypatch.setattr(vgroove, "azimuth", lambda vectors: -right(vectors))
+    assert not verdict(RIGID).accepted
+
+
+@pytest.mark.parametrize("factor", [0.9, 1.1])
+def test_a_wheel_set_back_too_little_or_too_much_is_refused(monkeypatch, factor):
+    right = crease.setback
+    monkeypatch.setattr(crease, "setback", lambda depth, wheel: factor * right(depth, wheel))
+    assert not verdict(TRAY).accepted
+
+
+def test_a_blade_that_runs_on_inside_a_panel_is_refused(monkeypatch):
+    outline = closed((0, 0), (200, 0), (200, 100), (0, 100))
+    line = dieline((LineType.CUT, outline), (LineType.CUT, edges(((50, 50), (120, 50)))))
+    machine, board = load.machine("demo-table"), load.board("greyboard-2.0")
+
+    def judged():
+        operations = plan(line, machine, board)
+        toolpath = sequence([compensate(operation) for operation in operations], machine)
+        text = process(toolpath, machine, "grblhal").text
+        return verify(text, line, (0.0, 0.0), machine, board)
+
+    assert judged().accepted
+    right = knife.trimmed
+    monkeypatch.setattr(knife, "trimmed", lambda paths, a, b: right(paths, 0.0 * a, 0.0 * b))
+    finding = judged().findings[0]
+    assert (finding.kind, finding.edge) == ("overcut", 4)
+    # 2.3 mm of board and mat, blade at 10°.
+    assert finding.measure == pytest.approx(2.3 * 0.17633, abs=1e-3)

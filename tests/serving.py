@@ -1,0 +1,80 @@
+"""A server for tests: the real application behind a real port, in a thread of this process."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import pairwise
+
+import httpx
+import uvicorn
+from fastapi import FastAPI
+
+import dxf_text as text
+from knifetip.api.app import create_app
+from knifetip.api.service import Settings
+
+ENDS = {"done", "refused", "interrupted", "scrapped", "cancelled"}
+
+
+@contextmanager
+def served(settings: Settings) -> Iterator[httpx.Client]:
+    """Yield a client of a running server."""
+    server = uvicorn.Server(
+        uvicorn.Config(create_app(settings), port=0, log_level="error", timeout_graceful_shutdown=1)
+    )
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    while not server.started and thread.is_alive():
+        time.sleep(0.02)
+    port = server.servers[0].sockets[0].getsockname()[1]
+    client = httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0, trust_env=False)
+    try:
+        yield client
+    finally:
+        client.close()
+        service_of(server.config.app).stopping.set()
+        server.should_exit = True
+        thread.join()
+
+
+def service_of(app: object):
+    assert isinstance(app, FastAPI)
+    return app.state.service
+
+
+def square(
+    layer: str = "CUT", side: float = 100.0, units: object = 4, extra: tuple[str, ...] = ()
+) -> bytes:
+    """A square of four lines."""
+    corners = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side), (0.0, 0.0)]
+    sides = [text.line(*start, *end, (8, layer)) for start, end in pairwise(corners)]
+    return text.dxf(*sides, *extra, units=units)
+
+
+def uploaded(client: httpx.Client, content: bytes, **fields: str) -> dict:
+    """Upload a drawing and return what the server says of it."""
+    answer = client.post("/api/drawings", files={"file": ("square.dxf", content)}, data=fields)
+    assert answer.status_code == 201, answer.text
+    return answer.json()
+
+
+def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict:
+    """Order a job and return it."""
+    answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", **fields})
+    assert answer.status_code == 201, answer.text
+    return answer.json()
+
+
+def until(client: httpx.Client, job: str, *states: str, seconds: float = 60.0) -> dict:
+    """Wait until a job is in one of these states, and return it."""
+    deadline = time.monotonic() + seconds
+    while time.monotonic() < deadline:
+        found = client.get(f"/api/jobs/{job}").json()
+        if found["state"] in states:
+            return found
+        assert found["state"] not in ENDS, found
+        time.sleep(0.02)
+    raise AssertionError(f"job {job} is not {' or '.join(states)} after {seconds} s: {found}")

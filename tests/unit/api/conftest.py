@@ -1,0 +1,24 @@
+"""One server for the tests of a module."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import httpx
+import pytest
+
+from knifetip.api.service import Settings
+from serving import served
+
+
+@pytest.fixture(scope="module")
+def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
+    folder = tmp_path_factory.mktemp("server")
+    page = folder / "page"
+    (page / "assets").mkdir(parents=True)
+    (page / "index.html").write_text("<!doctype html><title>the built page</title>")
+    (page / "assets" / "main-4f2a.js").write_text("export const knife = 1\n")
+    (folder / "secret.txt").write_text("not for you")
+    settings = Settings(database=f"sqlite:///{folder}/shop.sqlite", name="test", page=page)
+    with served(settings) as client:
+        yield client

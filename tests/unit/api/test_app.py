@@ -1,0 +1,277 @@
+"""Whatever comes in, what goes out is an answer or a problem, and never a fault of ours."""
+
+from __future__ import annotations
+
+import itertools
+import json
+from collections.abc import Iterator
+
+import httpx
+import pytest
+
+from knifetip import errors
+from knifetip.api.app import status_of
+from serving import square, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+PROBLEM = "application/problem+json"
+HUGE = "9" * 5000
+PNG = b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 40
+
+
+def problem(answer: httpx.Response, status: int) -> dict:
+    assert answer.status_code == status, answer.text
+    assert answer.headers["content-type"] == PROBLEM
+    said = answer.json()
+    assert said["status"] == status
+    assert said["title"]
+    assert said["detail"]
+    assert "Traceback" not in answer.text
+    return said
+
+
+def upload(client: httpx.Client, content: bytes, name: str = "a.dxf") -> httpx.Response:
+    return client.post("/api/drawings", files={"file": (name, content)})
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        PNG,
+        b"\0" * 5000,
+        b"%PDF-1.7\n",
+        b"hello",
+        b"AutoCAD Binary DXF\r\n\x1a\x00" + b"\xff" * 500,
+        b"0\nSECTION\n2\nENTITIES\n" * 200,
+        b"999\n" * 3000,
+        square().replace(b"100.0", b"nan"),
+        square().replace(b"100.0", b"1e999"),
+        square()[: len(square()) // 2],
+    ],
+    ids=range(11),
+)
+def test_a_file_that_is_no_drawing_is_a_problem_that_names_it(client: httpx.Client, content: bytes):
+    answer = upload(client, content)
+    if answer.status_code == 201:
+        # Half a file may be mended: then the ledger says what is left of it.
+        assert answer.json()["ledger"]["rows"]
+        assert all(abs(side) < 1e6 for side in answer.json()["bounds"])
+        return
+    said = problem(answer, 422)
+    assert "a.dxf" in said["detail"]
+    assert said["mend"]
+
+
+def test_70_megabytes_are_refused_before_they_are_read(client: httpx.Client):
+    said = problem(upload(client, b"0\n" * (35 << 20)), 413)
+    assert "64 MB" in said["detail"]
+
+
+def test_70_megabytes_that_do_not_say_how_many_they_are_are_refused_too(client: httpx.Client):
+    def parts() -> Iterator[bytes]:
+        yield b'--x\r\nContent-Disposition: form-data; name="file"; filename="a.dxf"\r\n\r\n'
+        for _ in range(70):
+            yield b"0\n" * (1 << 19)
+        yield b"\r\n--x--\r\n"
+
+    try:
+        answer = client.post(
+            "/api/drawings",
+            content=parts(),
+            headers={"Content-Type": "multipart/form-data; boundary=x"},
+        )
+    except httpx.WriteError:
+        return  # the server hung up while we were still talking
+    problem(answer, 413)
+
+
+def test_a_page_of_another_site_cannot_order_anything(client: httpx.Client):
+    answer = client.post("/api/jobs", json={}, headers={"Sec-Fetch-Site": "cross-site"})
+    problem(answer, 403)
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "status"),
+    [
+        ("GET", "/api/nothing", 404),
+        ("POST", "/api/nothing", 404),
+        ("GET", "/api/jobs/nothing", 404),
+        ("GET", "/api/drawings/%00", 404),
+        ("GET", "/api/drawings/" + "x" * 3000, 404),
+        ("GET", "/api/drawings/..%2f..%2fetc%2fpasswd", 404),
+        ("GET", "/api/machines/nothing", 404),
+        ("GET", "/api/boards/%2Fetc%2Fx.toml", 404),
+        ("GET", "/api/profiles/nothing", 404),
+        ("DELETE", "/api/jobs", 405),
+        ("PUT", "/api/drawings", 405),
+        ("POST", "/index.html", 405),
+        ("GET", "/api/jobs?state=nonsense", 422),
+        ("GET", "/api/jobs?limit=0", 422),
+        ("GET", f"/api/jobs?cursor={HUGE}", 422),
+        ("GET", f"/api/jobs?limit={HUGE}", 422),
+        ("GET", "/api/drawings?cursor=%F0%28%8C", 422),
+        ("GET", f"/api/events?after={HUGE}", 422),
+    ],
+)
+def test_a_wrong_address_is_a_problem(client: httpx.Client, method: str, path: str, status: int):
+    problem(client.request(method, path), status)
+
+
+HOSTILE: list[object] = [
+    None,
+    [],
+    {},
+    "text",
+    0,
+    -1,
+    1e308,
+    float("nan"),
+    float("-inf"),
+    10**40,
+    True,
+    "x" * 100_000,
+    "\0",
+    "\ud800",
+    "'; DROP TABLE job; --",
+    "../../../etc/passwd",
+    [[[[]]]],
+    {"$ref": "#"},
+    [None] * 1000,
+]
+
+
+def body(fields: dict[str, object]) -> bytes:
+    return json.dumps(fields).encode()
+
+
+BODIES = {
+    "/api/jobs": {
+        "drawing": "nothing",
+        "machine": "demo-table",
+        "board": "e-flute",
+        "profile": "default",
+        "copies": 1,
+        "priority": 0,
+        "overrides": [],
+        "release": False,
+    },
+    "/api/gateway/claim": {"gateway": "g", "machine": "demo-table", "wait": 0.0},
+    "/api/gateway/heartbeat": {
+        "job": "nothing",
+        "epoch": 1,
+        "line": 1,
+        "copies_done": 0,
+        "held": False,
+        "position": [0.0, 0.0, 0.0, 0.0],
+        "seconds_left": 1.0,
+    },
+    "/api/gateway/finish": {"job": "nothing", "epoch": 1, "outcome": "done", "why": ""},
+}
+
+
+@pytest.mark.parametrize("path", BODIES)
+def test_no_body_makes_a_fault(client: httpx.Client, path: str):
+    plain = BODIES[path]
+    for field, value in itertools.product(plain, HOSTILE):
+        said = body({**plain, field: value})
+        answer = client.post(path, content=said, headers={"Content-Type": "application/json"})
+        assert answer.status_code < 500, (field, value, answer.text)
+        if answer.status_code >= 400:
+            problem(answer, answer.status_code)
+
+
+@pytest.mark.parametrize("where", ["", "/edges"])
+def test_no_change_to_a_drawing_makes_a_fault(client: httpx.Client, where: str):
+    id = uploaded(client, square())["id"]
+    fields = ["unit", "profile"] if not where else ["type", "edges", "handles", "layer", "colour"]
+    for field, value in itertools.product(fields, HOSTILE):
+        said: dict[str, object] = {field: value}
+        if where:
+            said = {"overrides": [{"type": "cut", **said}]}
+        answer = client.patch(
+            f"/api/drawings/{id}{where}",
+            content=body(said),
+            headers={"Content-Type": "application/json"},
+        )
+        assert answer.status_code < 500, (field, value, answer.text)
+    assert client.get(f"/api/drawings/{id}").json()["segments"] == 4
+
+
+@pytest.mark.parametrize(
+    "raw",
+    [
+        b"",
+        b"{",
+        b"NaN",
+        b"\xff\xfe\x00",
+        b"[" * 100_000,
+        b'{"drawing":' * 20_000,
+        b'{"drawing": "a", "drawing": "b"}',
+        b"null",
+    ],
+    ids=range(8),
+)
+@pytest.mark.parametrize("path", BODIES)
+def test_what_is_no_json_is_a_problem(client: httpx.Client, path: str, raw: bytes):
+    answer = client.post(path, content=raw, headers={"Content-Type": "application/json"})
+    assert answer.status_code in (400, 422)
+    problem(answer, answer.status_code)
+
+
+@pytest.mark.parametrize(
+    ("content", "kind"),
+    [
+        (b"", "multipart/form-data"),
+        (b"", "multipart/form-data; boundary=x"),
+        (b"--x\r\n\r\n--x--", "multipart/form-data; boundary=x"),
+        (
+            b'--x\r\nContent-Disposition: form-data; name="file"\r\n\r\nhi\r\n--x--\r\n',
+            "multipart/form-data; boundary=x",
+        ),
+        (b"{}", "application/json"),
+        (b"file=1", "application/x-www-form-urlencoded"),
+    ],
+    ids=range(6),
+)
+def test_a_form_without_a_file_is_a_problem(client: httpx.Client, content: bytes, kind: str):
+    answer = client.post("/api/drawings", content=content, headers={"Content-Type": kind})
+    assert answer.status_code in (400, 422)
+    problem(answer, answer.status_code)
+
+
+def test_a_field_that_is_wrong_is_named_by_its_place(client: httpx.Client):
+    order = {"drawing": "a", "board": "e-flute", "overrides": [{"type": "kut", "edges": [0]}]}
+    said = problem(client.post("/api/jobs", json=order), 422)
+    assert said["source"] == ["body.overrides.0.type"]
+    assert "body.overrides.0.type" in said["detail"]
+
+
+def test_every_error_has_a_status_and_none_is_a_fault_of_ours():
+    def descendants(kind: type[errors.KnifetipError]) -> list[type[errors.KnifetipError]]:
+        return [kind, *(deep for child in kind.__subclasses__() for deep in descendants(child))]
+
+    kinds = descendants(errors.KnifetipError)
+    made = [kind.__new__(kind) for kind in kinds]
+    assert len(made) > 20
+    assert {status_of(error) for error in made} == {404, 409, 413, 422, 502, 503}
+
+
+def test_openapi_is_3_1_and_every_route_says_what_its_problems_look_like(client: httpx.Client):
+    described = client.get("/api/openapi.json").json()
+    assert described["openapi"].startswith("3.1")
+    operations = [operation for path in described["paths"].values() for operation in path.values()]
+    assert len({operation["operationId"] for operation in operations}) == len(operations) > 30
+    for operation in operations:
+        answer = operation["responses"]["default"]["content"][PROBLEM]["schema"]
+        assert answer == {"$ref": "#/components/schemas/Problem"}
+    text = json.dumps(described)
+    assert "HTTPValidationError" not in text
+    referred = {part.split('"')[0] for part in text.split("#/components/schemas/")[1:]}
+    assert referred <= set(described["components"]["schemas"])
+
+
+def test_health_and_readiness(client: httpx.Client):
+    assert client.get("/healthz").json()["status"] == "ok"
+    assert client.get("/readyz").json()["checks"] == {"database": "ok", "workers": "ok"}

@@ -1,0 +1,192 @@
+from __future__ import annotations
+
+import hashlib
+
+import httpx
+import numpy as np
+import pytest
+
+import dxf_text as text
+from knifetip.api.drawings import drawing_name
+from knifetip.jobs.columns import unpacked
+from serving import square, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+#: A cut square with a line on a layer that says nothing.
+MYSTERY = text.line(10.0, 50.0, 90.0, 50.0, (8, "MYSTERY"), (62, 30))
+
+
+def edges(client: httpx.Client, id: str) -> list[dict]:
+    return client.get(f"/api/drawings/{id}/edges").json()["edges"]
+
+
+def override(client: httpx.Client, id: str, *overrides: dict) -> httpx.Response:
+    return client.patch(f"/api/drawings/{id}/edges", json={"overrides": list(overrides)})
+
+
+def test_an_upload_answers_with_unit_counts_and_ledger(client: httpx.Client):
+    answer = client.post("/api/drawings", files={"file": ("square.dxf", square())})
+    assert answer.status_code == 201
+    said = answer.json()
+    assert answer.headers["location"] == f"/api/drawings/{said['id']}"
+    assert (said["name"], said["unit"], said["segments"]) == ("square.dxf", "mm", 4)
+    assert (said["width"], said["height"]) == (100.0, 100.0)
+    assert said["counts"] == [{"type": "cut", "edges": 4, "length": 400.0}]
+    assert said["questions"] == []
+    assert said["sha256"] == hashlib.sha256(square()).hexdigest()
+    assert (said["ledger"]["kept"], len(said["ledger"]["rows"])) == (4, 4)
+    assert client.get(f"/api/drawings/{said['id']}").json() == said
+    assert client.get(f"/api/drawings/{said['id']}/ledger").json() == said["ledger"]
+
+
+def test_the_file_comes_back_byte_for_byte(client: httpx.Client):
+    id = uploaded(client, square())["id"]
+    assert client.get(f"/api/drawings/{id}/file").content == square()
+
+
+def test_drawings_are_listed_newest_first_and_page_by_page(client: httpx.Client):
+    ids = [uploaded(client, square(side=side))["id"] for side in (10.0, 20.0, 30.0)]
+    first = client.get("/api/drawings", params={"limit": 2})
+    assert [drawing["id"] for drawing in first.json()] == ids[:0:-1]
+    assert first.json()[0]["width"] == 30.0
+    path = first.headers["link"].split(">")[0].lstrip("<")
+    assert client.get(path).json()[0]["id"] == ids[0]
+
+
+def test_a_drawing_without_a_unit_asks_and_is_told(client: httpx.Client):
+    said = uploaded(client, square(units=None, side=4.0))
+    assert said["unit"] is None
+    assert "unit" in [question["kind"] for question in said["questions"]]
+    told = client.patch(f"/api/drawings/{said['id']}", json={"unit": "in"}).json()
+    assert (told["unit"], told["questions"]) == ("in", [])
+    assert told["width"] == pytest.approx(101.6)
+
+
+def test_a_unit_that_comes_with_the_file_counts(client: httpx.Client):
+    assert uploaded(client, square(units=None, side=4.0), unit="cm")["width"] == pytest.approx(40.0)
+
+
+@pytest.mark.parametrize(
+    "who",
+    [{"edges": [4]}, {"layer": "MYSTERY"}, {"colour": 30}, {"layer": "MYSTERY", "colour": 30}],
+)
+def test_an_override_answers_the_question_and_can_be_taken_back(client: httpx.Client, who: dict):
+    id = uploaded(client, square(extra=(MYSTERY,)))["id"]
+    (question,) = client.get(f"/api/drawings/{id}").json()["questions"]
+    assert (question["kind"], question["edges"]) == ("line-type", [4])
+    said = override(client, id, {"type": "crease", **who}).json()
+    assert (said["questions"], said["overrides"]) == ([], 1)
+    edge = edges(client, id)[4]
+    assert (edge["type"], edge["rule"], edge["length"]) == ("crease", "override", 80.0)
+    taken = override(client, id, {"type": None, **who}).json()
+    assert (len(taken["questions"]), taken["overrides"]) == (1, 0)
+
+
+def test_an_override_by_handle_and_a_later_one_on_top(client: httpx.Client):
+    id = uploaded(client, square())["id"]
+    handles = [edge["handle"] for edge in edges(client, id)]
+    override(
+        client, id, {"type": "crease", "layer": "CUT"}, {"type": "ignored", "handles": handles[:1]}
+    )
+    assert [edge["type"] for edge in edges(client, id)] == ["ignored", *["crease"] * 3]
+
+
+def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Client):
+    id = uploaded(client, square(units=None))["id"]
+    override(client, id, {"type": "crease", "edges": [2]})
+    client.patch(f"/api/drawings/{id}", json={"unit": "mm"})
+    assert [edge["type"] for edge in edges(client, id)] == ["cut", "cut", "crease", "cut"]
+
+
+@pytest.mark.parametrize(
+    ("who", "words"),
+    [
+        ({"edges": [4]}, "no edge 4"),
+        ({"edges": [-1]}, "no edge -1"),
+        ({"edges": [10**30]}, "no edge 1000000000"),
+        ({"handles": ["FFFF"]}, "handle 'FFFF'"),
+        ({"layer": "NOWHERE"}, "layer 'NOWHERE'"),
+        ({"colour": 10**30}, "colour 1000"),
+        ({}, "in one way"),
+        ({"edges": [0], "layer": "CUT"}, "in one way"),
+    ],
+)
+def test_an_override_about_nothing_is_refused(client: httpx.Client, who: dict, words: str):
+    id = uploaded(client, square())["id"]
+    answer = override(client, id, {"type": "crease", **who})
+    assert answer.status_code == 422
+    assert words in answer.json()["detail"]
+    assert [edge["type"] for edge in edges(client, id)] == ["cut"] * 4
+
+
+def test_columns_say_the_same_as_json(client: httpx.Client):
+    id = uploaded(client, square(extra=(MYSTERY,)))["id"]
+    answer = client.get(f"/api/drawings/{id}/edges", params={"format": "columns"})
+    columns, meta = unpacked(answer.content)
+    listed = edges(client, id)
+    np.testing.assert_array_equal(
+        columns["ends"], [[edge["start"], edge["end"]] for edge in listed]
+    )
+    for row, edge in enumerate(listed):
+        assert meta["handles"][row] == edge["handle"]
+        assert meta["layers"][columns["layer"][row]] == edge["layer"]
+        assert meta["rules"][columns["rule"][row]] == edge["rule"]
+        assert meta["types"][columns["line_type"][row]] == edge["type"]
+        assert columns["colour"][row] == edge["colour"]
+    again = client.get(
+        f"/api/drawings/{id}/edges",
+        params={"format": "columns"},
+        headers={"If-None-Match": answer.headers["etag"]},
+    )
+    assert (again.status_code, again.content) == (304, b"")
+    override(client, id, {"type": "cut", "edges": [4]})
+    changed = client.get(
+        f"/api/drawings/{id}/edges",
+        params={"format": "columns"},
+        headers={"If-None-Match": answer.headers["etag"]},
+    )
+    assert changed.status_code == 200
+
+
+def test_a_drawing_is_deleted(client: httpx.Client):
+    id = uploaded(client, square())["id"]
+    assert client.delete(f"/api/drawings/{id}").status_code == 204
+    assert client.get(f"/api/drawings/{id}").status_code == 404
+
+
+def test_the_same_key_gives_the_same_drawing_and_another_request_is_refused(client: httpx.Client):
+    def send(content: bytes) -> httpx.Response:
+        return client.post(
+            "/api/drawings",
+            files={"file": ("square.dxf", content)},
+            headers={"Idempotency-Key": "order-4711"},
+        )
+
+    first = send(square())
+    assert send(square()).json()["id"] == first.json()["id"]
+    other = send(square(side=50.0))
+    assert other.status_code == 422
+    assert "order-4711" in other.json()["detail"]
+
+
+@pytest.mark.parametrize(
+    ("given", "kept"),
+    [
+        ("tray.dxf", "tray.dxf"),
+        ("../../etc/passwd", "passwd"),
+        ("C:\\drawings\\tray.dxf", "tray.dxf"),
+        ("a\x00b\r\nc\u202e.dxf", "abc.dxf"),
+        ("", "drawing.dxf"),
+        ("///", "drawing.dxf"),
+        ("Größe 1.dxf", "Größe 1.dxf"),
+    ],
+)
+def test_a_name_keeps_its_last_part_and_what_can_be_shown(given: str, kept: str):
+    assert drawing_name(given) == kept
+
+
+def test_a_very_long_name_keeps_its_suffix():
+    name = drawing_name("x" * 5000 + ".dxf")
+    assert len(name) <= 120
+    assert name.endswith(".dxf")

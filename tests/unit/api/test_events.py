@@ -1,0 +1,126 @@
+from __future__ import annotations
+
+import json
+import queue
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import httpx
+import pytest
+
+from serving import ordered, square, until, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+
+@dataclass
+class Heard:
+    kind: str
+    number: int | None
+    data: dict
+
+
+@contextmanager
+def listening(client: httpx.Client, last: int | None = None) -> Iterator[queue.Queue[Heard]]:
+    """Yield what is heard; the line is open when this begins."""
+    heard: queue.Queue[Heard] = queue.Queue()
+    headers = {} if last is None else {"Last-Event-ID": str(last)}
+    opened, over = threading.Event(), threading.Event()
+
+    def listen() -> None:
+        with client.stream("GET", "/api/events", headers=headers) as answer:
+            assert answer.headers["content-type"].startswith("text/event-stream")
+            fields: dict[str, str] = {}
+            for line in answer.iter_lines():
+                if over.is_set():
+                    return
+                if line:
+                    key, _, value = line.partition(": ")
+                    fields[key] = value
+                    continue
+                opened.set()
+                if "event" in fields:
+                    number = int(fields["id"]) if "id" in fields else None
+                    heard.put(Heard(fields["event"], number, json.loads(fields["data"])))
+                fields = {}
+
+    thread = threading.Thread(target=listen)
+    thread.start()
+    assert opened.wait(5.0)
+    try:
+        yield heard
+    finally:
+        over.set()
+        uploaded(client, square())  # something to hear, so that the listener looks up
+        thread.join(10.0)
+
+
+def of(heard: queue.Queue[Heard], id: str, state: str = "") -> Heard:
+    while True:
+        said = heard.get(timeout=20.0)
+        if said.data.get("id") == id and said.data.get("state", "") == state:
+            return said
+
+
+def test_a_new_drawing_and_the_course_of_a_job_are_heard(client: httpx.Client):
+    with listening(client) as heard:
+        drawing = uploaded(client, square())["id"]
+        assert of(heard, drawing).kind == "drawing"
+        job = ordered(client, drawing)["id"]
+        said = of(heard, job, "ready")
+        assert said.kind == "job"
+        assert said.number is not None
+        assert said.data == client.get(f"/api/jobs/{job}").json()
+
+
+def test_who_comes_back_hears_what_was_missed_and_no_more(client: httpx.Client):
+    drawing = uploaded(client, square())["id"]
+    with listening(client) as heard:
+        before = ordered(client, drawing)["id"]
+        last = of(heard, before, "ready").number
+    assert last is not None
+    missed = ordered(client, drawing)["id"]
+    until(client, missed, "ready")
+    client.post(f"/api/jobs/{missed}/release")
+    with listening(client, last) as heard:
+        said = of(heard, missed, "queued")
+        assert said.number is not None
+        assert said.number > last
+        assert heard.empty()
+        client.post(f"/api/jobs/{missed}/cancel")
+        assert of(heard, missed, "cancelled").number > said.number
+
+
+def test_progress_is_heard_without_a_number(client: httpx.Client):
+    drawing = uploaded(client, square())["id"]
+    job = until(client, ordered(client, drawing, release=True)["id"], "queued")["id"]
+    with listening(client) as heard:
+        claim = {"gateway": "g", "machine": "demo-table", "wait": 0.0}
+        epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
+        of(heard, job, "running")
+        beat = {"job": job, "epoch": epoch, "line": 7, "position": [1.0, 2.0, 3.0, 4.0]}
+        client.post("/api/gateway/heartbeat", json=beat)
+        while (said := of(heard, job, "running")).data["line"] != 7:
+            pass
+        assert said.number is None
+        assert said.data["position"] == [1.0, 2.0, 3.0, 4.0]
+        finish = {"job": job, "epoch": epoch, "outcome": "done"}
+        client.post("/api/gateway/finish", json=finish)
+        assert of(heard, job, "done").number is not None
+
+
+def test_a_number_that_was_never_ours_replays_nothing(client: httpx.Client):
+    uploaded(client, square())
+    with listening(client, 10**12) as heard:
+        drawing = uploaded(client, square())["id"]
+        assert heard.get(timeout=10.0).data["id"] == drawing
+
+
+def test_a_deleted_drawing_is_heard(client: httpx.Client):
+    drawing = uploaded(client, square())["id"]
+    with listening(client) as heard:
+        client.delete(f"/api/drawings/{drawing}")
+        said = heard.get(timeout=10.0)
+        assert (said.kind, said.data) == ("deleted", {"drawing": drawing})

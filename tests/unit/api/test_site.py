@@ -1,0 +1,39 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import httpx
+import pytest
+
+pytestmark = pytest.mark.xdist_group("server")
+
+
+@pytest.mark.parametrize("path", ["/", "/jobs/abc", "/index.html"])
+def test_the_page_is_served_at_its_own_routes_and_asked_for_anew(client: httpx.Client, path: str):
+    answer = client.get(path)
+    assert "the built page" in answer.text
+    assert answer.headers["cache-control"] == "no-cache"
+    again = client.get(path, headers={"If-None-Match": answer.headers["etag"]})
+    assert again.status_code == 304
+
+
+def test_what_was_built_is_kept_for_ever(client: httpx.Client):
+    answer = client.get("/assets/main-4f2a.js")
+    assert answer.text == "export const knife = 1\n"
+    assert "immutable" in answer.headers["cache-control"]
+    assert answer.headers["content-type"].startswith("text/javascript")
+
+
+@pytest.mark.parametrize(
+    "path", ["/assets/gone.js", "/%2e%2e/secret.txt", "/..%2fsecret.txt", "/assets/%00.js"]
+)
+def test_nothing_beside_the_page_is_served(client: httpx.Client, path: str):
+    answer = client.get(path)
+    assert answer.status_code == 404
+    assert "not for you" not in answer.text
+
+
+def test_without_a_built_page_it_is_said_how_to_build_it(tmp_path: Path):
+    answer = Site(tmp_path / "page").answer("/", Headers())
+    assert answer.status_code == 200
+    assert b"make run" in answer.body

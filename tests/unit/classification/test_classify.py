@@ -1,0 +1,476 @@
+"""classify: a drawing made by hand, the rules that decide, and what is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from knifetip.classification.classify import KEEP, classify, overridden, questions
+from knifetip.library import load
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, Ledger
+from knifetip.model.profile import LineRule, LineRules
+
+Row = tuple[str, int, str]
+
+
+def drawing(
+    rows: Sequence[Row],
+    ends: object = None,
+    bulge: object = None,
+    true_colour: object = None,
+    kind: Sequence[str] | None = None,
+    unit: str = "mm",
+) -> Drawing:
+    """Edges of 10 mm side by side, each (layer, colour, linetype), each an entity of its own."""
+    n = len(rows)
+    layers = tuple(dict.fromkeys(row[0] for row in rows))
+    linetypes = tuple(dict.fromkeys(row[2] for row in rows))
+    if ends is None:
+        x = 20.0 * np.arange(n)
+        ends = np.stack([np.stack([x, 0 * x], 1), np.stack([x + 10.0, 0 * x], 1)], axis=1)
+    ledger = Ledger(
+        tuple(f"{row:X}" for row in range(n)),
+        tuple(kind or ["LINE"] * n),
+        tuple(row[0] for row in rows),
+        np.zeros(n, np.uint8),
+        ("",) * n,
+        np.full(n, 10.0),
+    )
+    return Drawing(
+        ends,
+        np.zeros(n) if bulge is None else bulge,
+        np.arange(n),
+        [layers.index(row[0]) for row in rows],
+        [row[1] for row in rows],
+        np.full(n, -1) if true_colour is None else true_colour,
+        [linetypes.index(row[2]) for row in rows],
+        layers,
+        linetypes,
+        ledger,
+        unit,
+        "given",
+    )
+
+
+def words(dieline: Dieline) -> list[str]:
+    return [LineType(value).word for value in dieline.line_type]
+
+
+def under(profile: str, *rows: Row) -> list[str]:
+    return words(classify(drawing(rows), load.profile(profile)))
+
+
+RULES = LineRules(
+    "house",
+    "",
+    (
+        LineRule(LineType.PERFORATION, colour=(1,), linetype=("DASH*",)),
+        LineRule(LineType.CUT, layer=("die", "knife"), colour=(1, 7)),
+        LineRule(LineType.CREASE, layer=("die",)),
+        LineRule(LineType.HALF_CUT, colour=(4,)),
+        LineRule(LineType.IGNORED, entity=("CIRCLE",)),
+    ),
+)
+
+
+def test_the_first_rule_that_matches_decides():
+    dieline = classify(
+        drawing(
+            [
+                ("DIE", 1, "DASHED"),
+                ("DIE", 1, "CONTINUOUS"),
+                ("die", 3, "CONTINUOUS"),
+                ("other", 4, "CONTINUOUS"),
+                ("other", 3, "CONTINUOUS"),
+            ]
+        ),
+        RULES,
+    )
+    assert words(dieline) == [
+        "perforation",
+        "cut",
+        "crease",
+        "half-cut",
+        "unclassified",
+    ]
+    assert dieline.confidence.tolist() == [0.8, 1.0, 0.95, 0.8, 0.0]
+    assert [dieline.rules[row] for row in dieline.rule] == [
+        'profile house: colour 1, linetype "DASH*"',
+        'profile house: layer "die", colour 1',
+        'profile house: layer "die"',
+        "profile house: colour 4",
+        "no rule of profile house",
+    ]
+
+
+def test_the_dieline_keeps_the_edges_of_the_drawing_in_their_order():
+    sheet = drawing([("die", 1, "C"), ("x", 4, "C"), ("die", 2, "C")], bulge=[0.0, 0.5, -1.0])
+    dieline = classify(sheet, RULES)
+    np.testing.assert_array_equal(dieline.ends, sheet.ends)
+    np.testing.assert_array_equal(dieline.bulge, [0.0, 0.5, -1.0])
+    np.testing.assert_array_equal(dieline.source, [0, 1, 2])
+
+
+def test_the_kind_of_entity_can_decide():
+    sheet = drawing([("x", 3, "C"), ("x", 3, "C")], kind=["CIRCLE", "LINE"])
+    assert words(classify(sheet, RULES)) == ["ignored", "unclassified"]
+
+
+def test_a_true_colour_counts_as_an_index_only_where_it_is_that_colour():
+    sheet = drawing(
+        [("die", 7, "C"), ("knife", 7, "C"), ("knife", 1, "C"), ("knife", 3, "C")],
+        true_colour=[0x00FFFF, 0xFF8000, 0xFF8000, 0xFF0000],
+    )
+    dieline = classify(sheet, RULES)
+    assert words(dieline) == ["crease", "unclassified", "unclassified", "cut"]
+    assert dieline.rules[dieline.rule[3]] == 'profile house: layer "knife", colour 1'
+
+
+def test_an_empty_drawing_has_an_empty_dieline_and_no_questions():
+    sheet = drawing([], ends=np.zeros((0, 2, 2)))
+    dieline = classify(sheet, RULES)
+    assert len(dieline) == 0
+    assert questions(sheet, dieline) == []
+
+
+def test_a_rule_may_leave_a_name_to_be_asked():
+    rules = LineRules(
+        "careful",
+        "",
+        (
+            LineRule(LineType.UNCLASSIFIED, layer=("NoCut",)),
+            LineRule(LineType.CUT, colour=(1,)),
+        ),
+    )
+    sheet = drawing([("NoCut", 1, "C"), ("0", 1, "C")])
+    dieline = classify(sheet, rules)
+    assert words(dieline) == ["unclassified", "cut"]
+    assert dieline.confidence.tolist() == [0.0, 0.8]
+    assert [question.layer for question in questions(sheet, dieline)] == ["NoCut"]
+
+
+def test_a_hundred_thousand_edges_get_what_their_combination_gets():
+    n = 100_000
+    rows = [("die", 1, "C"), ("die", 2, "C"), ("none", 9, "C"), ("none", 4, "C")] * (n // 4)
+    dieline = classify(drawing(rows), RULES)
+    expected = [LineType.CUT, LineType.CREASE, LineType.UNCLASSIFIED, LineType.HALF_CUT]
+    np.testing.assert_array_equal(dieline.line_type.reshape(-1, 4), [expected] * (n // 4))
+    assert len(dieline.rules) == 4
+
+
+# ── overrides ────────────────────────────────────────────────────────────────────────────────────
+
+
+def test_an_override_comes_last_and_says_so():
+    dieline = classify(drawing([("die", 1, "C"), ("none", 9, "C"), ("die", 2, "C")]), RULES)
+    given = np.array([LineType.V_GROOVE, LineType.CUT, KEEP], np.uint8)
+    changed = overridden(dieline, given)
+    assert words(changed) == ["v-groove", "cut", "crease"]
+    assert [changed.rules[row] for row in changed.rule] == [
+        "override",
+        "override",
+        'profile house: layer "die"',
+    ]
+    assert changed.confidence.tolist() == [1.0, 1.0, 0.95]
+    assert words(dieline) == ["cut", "unclassified", "crease"]
+
+
+def test_overriding_twice_names_the_rule_once():
+    dieline = classify(drawing([("die", 1, "C")]), RULES)
+    once = overridden(dieline, np.array([LineType.CUT], np.uint8))
+    twice = overridden(once, np.array([LineType.CREASE], np.uint8))
+    assert twice.rules.count("override") == 1
+    assert words(twice) == ["crease"]
+
+
+def test_nothing_overridden_is_the_same_dieline():
+    dieline = classify(drawing([("die", 1, "C")]), RULES)
+    assert overridden(dieline, np.array([KEEP], np.uint8)) is dieline
+
+
+@pytest.mark.parametrize(("given", "said"), [([1, 1], "overrides"), ([77], "not a line type")])
+def test_overrides_that_do_not_fit_are_refused(given: list[int], said: str):
+    dieline = classify(drawing([("die", 1, "C")]), RULES)
+    with pytest.raises(ValueError, match=said):
+        overridden(dieline, np.array(given, np.uint8))
+
+
+# ── questions ────────────────────────────────────────────────────────────────────────────────────
+
+
+def asked(*rows: Row, **more: object) -> list[str]:
+    sheet = drawing(rows, **more)
+    return [question.text for question in questions(sheet, classify(sheet, RULES))]
+
+
+def test_one_question_for_each_layer_colour_and_linetype():
+    sheet = drawing(
+        [
+            ("b", 2, "C"),
+            ("a", 2, "C"),
+            ("b", 2, "C"),
+            ("b", 3, "C"),
+            ("b", 2, "DASHED"),
+            ("die", 1, "C"),
+        ]
+    )
+    put = questions(sheet, classify(sheet, RULES))
+    assert [(q.layer, q.colour, q.edges) for q in put] == [
+        ("b", 2, (0, 2)),
+        ("a", 2, (1,)),
+        ("b", 3, (3,)),
+        ("b", 2, (4,)),
+    ]
+    assert {q.kind for q in put} == {"line-type"}
+
+
+def test_a_question_says_how_many_how_long_and_where():
+    assert asked(("b", 2, "C"), ("b", 2, "C")) == [
+        '2 edges on layer "b", colour 2, linetype C, 20.0 mm long in all, in a box of '
+        "30.0 × 0.0 mm at (0.0, 0.0): what are they?"
+    ]
+
+
+def test_without_a_unit_lengths_are_in_units_of_the_file():
+    assert "10.0 units of the file long" in asked(("b", 2, "C"), unit="")[0]
+
+
+def test_true_colours_are_asked_apart_and_named():
+    texts = asked(("b", 7, "C"), ("b", 7, "C"), true_colour=[0xFF8000, 0x0080FF])
+    assert len(texts) == 2
+    assert "colour #ff8000" in texts[0]
+    assert "colour #0080ff" in texts[1]
+
+
+def test_a_hostile_name_cannot_steer_a_terminal():
+    text = asked(("\x1b[2J" + "x" * 500, 2, "C"))[0]
+    assert "\x1b" not in text
+    assert len(text) < 250
+
+
+def test_the_choices_are_all_line_types_but_unclassified():
+    sheet = drawing([("b", 2, "C")])
+    (question,) = questions(sheet, classify(sheet, RULES))
+    assert sorted(question.choices) == [
+        "combi",
+        "crease",
+        "cut",
+        "half-cut",
+        "ignored",
+        "perforation",
+        "v-groove",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("row", "first"),
+    [
+        (("my fold lines", 2, "C"), "crease"),
+        (("outline of tray", 2, "C"), "cut"),
+        (("half deep", 2, "C"), "half-cut"),
+        (("groove 45", 2, "C"), "v-groove"),
+        (("perf 3-2", 2, "C"), "perforation"),
+        (("GEOMETRY-ENGRAVING", 2, "C"), "ignored"),
+        (("Cut Lazer out line", 2, "C"), "cut"),
+        (("b", 2, "CENTER2"), "ignored"),
+        (("b", 2, "HIDDEN"), "crease"),
+    ],
+)
+def test_a_telling_name_or_style_puts_its_answer_first(row: Row, first: str):
+    sheet = drawing([row, ("die", 1, "C")])
+    (question,) = questions(sheet, classify(sheet, RULES))
+    assert question.choices[0] == first
+
+
+def test_what_spans_the_drawing_may_be_its_outline_and_straight_lines_inside_are_folds():
+    square = [[0, 0], [100, 0], [100, 60], [0, 60]]
+    ends = [[square[i], square[(i + 1) % 4]] for i in range(4)]
+    ends += [[[30, 0], [30, 60]], [[40, 20], [50, 20]]]
+    sheet = drawing(
+        [("a", 2, "C")] * 4 + [("b", 2, "C"), ("c", 2, "C")],
+        ends=ends,
+        bulge=[0] * 5 + [1],
+    )
+    put = questions(sheet, classify(sheet, RULES))
+    assert [(q.layer, q.choices[0]) for q in put] == [
+        ("a", "cut"),
+        ("b", "crease"),
+        ("c", "cut"),
+    ]
+
+
+# ── the shipped profiles ─────────────────────────────────────────────────────────────────────────
+
+DEFAULT = {
+    "cut": (
+        "cut CUT CUTS Cut LT_CUT DIECUT TRIM CutContour THRU-CUT IV_OUTER_PROFILE "
+        "IV_INTERIOR_PROFILES body holes outer PERIMETER front_outsideCutPath cutexternal "
+        "cutinternal Schnitt Stanzkontur coupant taglio Bicak BIÇAK bıçak 刀线 模切线 裁切线"
+    ),
+    "crease": (
+        "crease CREASE FOLDS SCORE SCORE2 joints hinge_mountain hinge_valley inner_up inner_down "
+        "LT_FOLD CreaseLine IV_BEND IV_BEND_DOWN Rilllinie Rilllinien rainant pilyaj cordonatura "
+        "биговка БИГОВКА 压痕线"
+    ),
+    "v-groove": "V-cut V-GROOVE VGROOVE V_GROOVE v-groove",
+    "perforation": "perforation PERF perforaj",
+    "half-cut": "HALFCUT half-cut KISS KISSCUT kiss-cut mi-chair 半刀",
+    "combi": "combination Combi perfo-rainant",
+    "ignored": (
+        "dimensions DIMENSION DIM BEMASSUNG INFO top_labelLayer text notes cotation LT_COTATION "
+        "FOIL SPOTUV Bleed Glue Mask Registration Reference IV_TANGENT IV_ROLL IV_ARC_CENTERS "
+        "IV_TOOL_CENTER"
+    ),
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [(name, kind) for kind, names in DEFAULT.items() for name in names.split()],
+)
+def test_the_default_knows_this_name_in_any_colour(name: str, kind: str):
+    rows = [(name, colour, "CONTINUOUS") for colour in (1, 2, 3, 5, 7)]
+    assert under("default", *rows) == [kind] * 5
+
+
+@pytest.mark.parametrize("name", ["Kiss Cut", "kiss cut"])
+def test_the_default_knows_names_of_two_words(name: str):
+    assert under("default", (name, 7, "CONTINUOUS")) == ["half-cut"]
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "NoCut",
+        "Cutout",
+        "SCHNITTKANTEN",
+        "SCHNITTLINIEN",
+        "Cut Lazer out line",
+        "GEOMETRY-ENGRAVING",
+        "Faltmarken",
+        "Bevel cut",
+        "fustella",
+        "points",
+        "Default",
+        "0",
+        "Drafting",
+        "10",
+        "20",
+        "C00-00-00-BLACK",
+        "CFF-00-00",
+        "[CUT]",
+        "CUT?",
+        "C*",
+    ],
+)
+def test_the_default_asks_about_this_name(name: str):
+    rows = [(name, colour, style) for colour in (2, 3, 5) for style in ("CONTINUOUS", "DASHED")]
+    assert under("default", *rows) == ["unclassified"] * 6
+
+
+@pytest.mark.parametrize(
+    ("layer", "colour", "kind"),
+    [
+        ("Design", 1, "cut"),
+        ("Design", 2, "crease"),
+        ("Design", 3, "unclassified"),
+        ("10", 7, "cut"),
+        ("20", 1, "crease"),
+        ("10", 1, "unclassified"),
+        ("20", 7, "unclassified"),
+    ],
+)
+def test_the_default_knows_pairs_of_layer_and_colour(layer: str, colour: int, kind: str):
+    dieline = classify(drawing([(layer, colour, "CONTINUOUS")]), load.profile("default"))
+    assert words(dieline) == [kind]
+    assert dieline.confidence[0] == (0.0 if kind == "unclassified" else 1.0)
+
+
+def test_the_default_decides_nothing_by_a_bare_colour_or_line_style():
+    for rule in load.profile("default").rules:
+        assert rule.layer, rule.words
+
+
+S, D = "CONTINUOUS", "DASHED"
+
+
+@pytest.mark.parametrize(
+    ("profile", "expected"),
+    [
+        (
+            "red-cut-blue-crease",
+            {
+                (1, S): "cut",
+                (1, D): "perforation",
+                (5, D): "crease",
+                (4, S): "half-cut",
+                (2, S): "ignored",
+                (3, S): "ignored",
+                (7, S): "unclassified",
+            },
+        ),
+        (
+            "red-crease-black-cut",
+            {(1, S): "crease", (7, S): "cut", (5, S): "unclassified"},
+        ),
+        (
+            "pinits",
+            {
+                (1, S): "cut",
+                (3, S): "crease",
+                (2, S): "perforation",
+                (5, S): "combi",
+                (255, S): "ignored",
+            },
+        ),
+        ("open-dieline", {(7, S): "cut", (3, S): "crease", (2, S): "half-cut"}),
+        ("lightburn", {(1, S): "cut", (5, S): "crease", (7, S): "unclassified"}),
+        (
+            "boxes-py",
+            {(7, S): "cut", (5, S): "cut", (1, S): "ignored", (3, S): "unclassified"},
+        ),
+        ("gds2vec", {(7, S): "cut", (3, S): "unclassified", (4, S): "unclassified"}),
+        (
+            "turkish",
+            {
+                (1, S): "cut",
+                (3, S): "crease",
+                (2, S): "perforation",
+                (34, S): "combi",
+                (5, S): "unclassified",
+            },
+        ),
+        ("german", {(7, S): "cut", (5, D): "crease", (5, S): "unclassified"}),
+        (
+            "magenta-cut-cyan-crease",
+            {
+                (6, S): "cut",
+                (4, D): "crease",
+                (6, D): "unclassified",
+                (4, S): "unclassified",
+            },
+        ),
+        ("solid-cut-dashed-crease", {(9, S): "cut", (9, D): "crease"}),
+    ],
+)
+def test_a_named_profile_reads_colours_its_own_way(
+    profile: str, expected: dict[tuple[int, str], str]
+):
+    assert under(profile, *[("0", *style) for style in expected]) == list(expected.values())
+
+
+@pytest.mark.parametrize("profile", load.names("profiles"))
+def test_in_every_profile_a_layer_that_says_what_it_is_outweighs_its_colour(
+    profile: str,
+):
+    rows = [("CREASE", 1, S), ("CREASE", 7, S), ("CUT", 5, D), ("DIMENSION", 7, S)]
+    assert under(profile, *rows) == ["crease", "crease", "cut", "ignored"]
+
+
+def test_layers_named_after_their_colour_need_the_profile_that_knows_them():
+    rows = [("C00-00-00-BLACK", 7, S), ("CFF-00-00", 1, S), ("10", 3, S), ("20", 3, S)]
+    assert under("default", *rows) == ["unclassified"] * 4
+    assert under("red-crease-black-cut", *rows) == ["cut", "crease", "cut", "crease"]

@@ -1,0 +1,390 @@
+"""Each kind of entity, read from a file of its own, against geometry worked out by hand."""
+
+from __future__ import annotations
+
+import io
+import math
+
+import ezdxf
+import numpy as np
+import pytest
+from ezdxf import disassemble, path
+from numpy.testing import assert_allclose, assert_array_equal
+
+from dxf_text import block, dxf, entity, insert, line, tags
+from knifetip.dxf.read import read
+from knifetip.geometry import arc
+from knifetip.model.drawing import Fate
+
+DOWN = ((210, 0.0), (220, 0.0), (230, -1.0))
+
+
+def rows(drawing):
+    """x1 y1 x2 y2 bulge of each segment."""
+    return np.column_stack([drawing.ends.reshape(-1, 4), drawing.bulge])
+
+
+def only(drawing, fate=Fate.KEPT):
+    """The reason of a drawing's single ledger row, which has this fate."""
+    assert len(drawing.ledger) == 1
+    assert drawing.ledger.fate[0] == fate
+    return drawing.ledger.reason[0]
+
+
+def polyline(vertices, *head, flags=0):
+    text = entity("POLYLINE", (66, 1), (70, flags), (10, 0), (20, 0), (30, 0), *head)
+    for vertex in vertices:
+        x, y, *more = vertex
+        text += entity("VERTEX", (10, x), (20, y), (30, 0), *more)
+    return text + tags((0, "SEQEND"))
+
+
+def lwpolyline(vertices, *head, flags=0):
+    body = []
+    for x, y, bulge in vertices:
+        body += [(10, x), (20, y), (42, bulge)]
+    count = (90, len(vertices))
+    return tags(
+        (0, "LWPOLYLINE"),
+        (5, "2F4"),
+        (100, "AcDbEntity"),
+        (8, "0"),
+        (100, "AcDbPolyline"),
+        count,
+        (70, flags),
+        *head,
+        *body,
+    )
+
+
+def spline(degree, knots, control, *head, weights=()):
+    body = [(40, knot) for knot in knots] + [(41, weight) for weight in weights]
+    for x, y, z in control:
+        body += [(10, x), (20, y), (30, z)]
+    return tags(
+        (0, "SPLINE"),
+        (5, "2F4"),
+        (100, "AcDbEntity"),
+        (8, "0"),
+        (100, "AcDbSpline"),
+        *head,
+        (70, 8),
+        (71, degree),
+        (72, len(knots)),
+        (73, len(control)),
+        *body,
+    )
+
+
+def test_line_is_one_row_from_start_to_end():
+    drawing = read(dxf(line(1, 2, 4, 6)))
+    assert_array_equal(rows(drawing), [[1, 2, 4, 6, 0]])
+    assert only(drawing) == "kept"
+    assert drawing.ledger.length[0] == 5.0
+
+
+def test_line_above_the_sheet_is_laid_flat_and_says_so():
+    drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 7), (11, 5), (21, 0), (31, 7))))
+    assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
+    assert only(drawing) == "kept: laid flat from z = 7"
+
+
+def test_line_that_rises_is_dropped_with_its_heights():
+    drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 0), (11, 5), (21, 0), (31, 7))))
+    assert len(drawing) == 0
+    assert only(drawing, Fate.DROPPED) == "it is not flat: z goes from 0 to 7"
+
+
+def test_line_without_its_second_end_is_dropped():
+    drawing = read(dxf(entity("LINE", (10, 0), (20, 0))))
+    assert only(drawing, Fate.DROPPED) == "it is incomplete: it has no second end"
+
+
+def test_line_ignores_its_extrusion():
+    assert_array_equal(rows(read(dxf(line(1, 2, 4, 6, *DOWN)))), [[1, 2, 4, 6, 0]])
+
+
+def test_quarter_arc_is_one_row_to_the_left():
+    drawing = read(dxf(entity("ARC", (10, 5), (20, 0), (40, 10), (50, 0), (51, 90))))
+    assert_allclose(rows(drawing), [[15, 0, 5, 10, math.tan(math.pi / 8)]], atol=1e-12)
+
+
+def test_arc_over_zero_degrees_goes_on_counter_clockwise():
+    drawing = read(dxf(entity("ARC", (10, 0), (20, 0), (40, 10), (50, 315), (51, 45))))
+    root = 10.0 * math.sqrt(0.5)
+    assert_allclose(rows(drawing), [[root, -root, root, root, math.tan(math.pi / 8)]], atol=1e-12)
+
+
+def test_arc_of_270_degrees_is_two_rows_on_one_circle():
+    drawing = read(dxf(entity("ARC", (10, 0), (20, 0), (40, 10), (50, 0), (51, 270))))
+    assert len(drawing) == 2
+    assert_allclose(
+        arc.centre(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge), 0, atol=1e-12
+    )
+    assert_allclose(drawing.lengths.sum(), 15.0 * math.pi)
+    assert_array_equal(drawing.ends[0, 1], drawing.ends[1, 0])
+
+
+def test_mirrored_arc_lies_left_of_the_axis_and_turns_right():
+    drawing = read(dxf(entity("ARC", (10, 5), (20, 0), (40, 10), (50, 0), (51, 90), *DOWN)))
+    assert_allclose(rows(drawing), [[-15, 0, -5, 10, -math.tan(math.pi / 8)]], atol=1e-12)
+
+
+def test_arc_in_a_tilted_plane_is_dropped_with_its_tilt():
+    tilted = ((210, 1.0), (220, 0.0), (230, 1.0))
+    drawing = read(dxf(entity("ARC", (10, 5), (20, 0), (40, 10), (50, 0), (51, 90), *tilted)))
+    assert only(drawing, Fate.DROPPED) == "it is not flat: its plane is tilted by 45°"
+
+
+@pytest.mark.parametrize("radius", [0, -3])
+def test_arc_without_radius_is_dropped_with_the_measure(radius):
+    drawing = read(dxf(entity("CIRCLE", (10, 0), (20, 0), (40, radius))))
+    assert only(drawing, Fate.DROPPED) == f"its radius is {radius}"
+
+
+def test_circle_is_two_half_turns():
+    drawing = read(dxf(entity("CIRCLE", (10, 1), (20, 2), (40, 3))))
+    assert_allclose(rows(drawing), [[4, 2, -2, 2, 1], [-2, 2, 4, 2, 1]], atol=1e-15)
+    assert (np.abs(drawing.bulge) <= 1.0).all()
+
+
+def test_circle_at_minus_z_with_height_is_mirrored_and_laid_flat():
+    drawing = read(dxf(entity("CIRCLE", (10, 5), (20, 0), (30, 2), (40, 1), *DOWN)))
+    assert_allclose(drawing.bounds, [-6, -1, -4, 1], atol=1e-12)
+    assert only(drawing) == "kept: laid flat from z = 2"
+
+
+def test_lwpolyline_keeps_bulges_and_closes():
+    text = lwpolyline([(0, 0, 0), (10, 0, 1), (10, 10, 0), (0, 10, 0)], flags=1)
+    drawing = read(dxf(text, version="AC1015"))
+    assert_array_equal(
+        rows(drawing), [[0, 0, 10, 0, 0], [10, 0, 10, 10, 1], [10, 10, 0, 10, 0], [0, 10, 0, 0, 0]]
+    )
+    assert drawing.handles == ["2F4"] * 4
+
+
+def test_open_lwpolyline_does_not_use_its_last_bulge():
+    drawing = read(dxf(lwpolyline([(0, 0, 0), (10, 0, 1)]), version="AC1015"))
+    assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0]])
+
+
+def test_bulge_of_more_than_half_a_turn_becomes_two_rows():
+    # Three quarters of a circle of radius 10 around the origin, from east to south.
+    text = lwpolyline([(10, 0, math.tan(math.radians(67.5))), (0, -10, 0)])
+    drawing = read(dxf(text, version="AC1015"))
+    root = math.sqrt(50.0)
+    eighth = math.tan(math.radians(33.75))
+    assert_allclose(
+        rows(drawing), [[10, 0, -root, root, eighth], [-root, root, 0, -10, eighth]], atol=1e-12
+    )
+
+
+def test_mirrored_lwpolyline_turns_its_bulges():
+    drawing = read(dxf(lwpolyline([(1, 0, 1), (5, 0, 0)], (38, 4.0), *DOWN), version="AC1015"))
+    assert_array_equal(rows(drawing), [[-1, 0, -5, 0, -1]])
+    assert only(drawing) == "kept: laid flat from z = 4"
+
+
+def test_vertices_in_one_place_give_no_row_and_are_counted():
+    text = lwpolyline([(0, 0, 0), (0, 0, 0), (10, 0, 0)])
+    drawing = read(dxf(text, version="AC1015"))
+    assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0]])
+    assert only(drawing) == "kept: 1 of 2 pieces have no length"
+
+
+def test_polyline_of_one_vertex_is_dropped():
+    assert only(read(dxf(polyline([(1, 1)]))), Fate.DROPPED).startswith("it has 1 vertices")
+
+
+def test_old_polyline_keeps_bulges_and_closes():
+    drawing = read(dxf(polyline([(0, 0), (10, 0, (42, 1)), (10, 10)], flags=1)))
+    assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0], [10, 0, 10, 10, 1], [10, 10, 0, 0, 0]])
+    assert only(drawing) == "kept"
+
+
+def test_control_frame_of_a_smoothed_polyline_is_not_drawn():
+    vertices = [(0, 0, (70, 8)), (5, 50, (70, 16)), (5, 5, (70, 8)), (10, 0, (70, 8))]
+    drawing = read(dxf(polyline(vertices, flags=4)))
+    assert_array_equal(rows(drawing), [[0, 0, 5, 5, 0], [5, 5, 10, 0, 0]])
+
+
+def test_3d_polyline_on_one_height_is_laid_flat():
+    flat = [(0, 0, (30, 3), (70, 32)), (5, 0, (30, 3), (70, 32))]
+    text = polyline(flat, flags=8).replace("30\n0\n30\n3", "30\n3")
+    drawing = read(dxf(text))
+    assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
+    assert only(drawing) == "kept: laid flat from z = 3"
+
+
+def test_ellipse_is_fitted_within_a_hundredth_and_says_so():
+    text = entity("ELLIPSE", (10, 0), (20, 0), (11, 50), (21, 0), (31, 0), (40, 0.5))
+    drawing = read(dxf(text + "41\n0\n42\n6.283185307179586\n"))
+    walk = np.concatenate(
+        [
+            arc.point_at(
+                drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge, np.full(len(drawing), f)
+            )
+            for f in np.linspace(0.0, 1.0, 21)
+        ]
+    )
+    t = np.linspace(0.0, 2.0 * math.pi, 20_000)
+    true = np.stack([50.0 * np.cos(t), 25.0 * np.sin(t)], axis=1)
+    far = max(float(np.hypot(*(true - place).T).min()) for place in walk)
+    assert far <= 0.0105
+    assert (
+        only(drawing) == f"kept: fitted with {len(drawing)} lines and arcs within 0.01 file units"
+    )
+
+
+def test_half_ellipse_at_minus_z_runs_the_other_way():
+    head = ((10, 0), (20, 0), (11, 50), (21, 0), (31, 0), (40, 0.5), (41, 0), (42, math.pi))
+    up, down = read(dxf(entity("ELLIPSE", *head))), read(dxf(entity("ELLIPSE", *head, *DOWN)))
+    assert_allclose(up.bounds, [-50, 0, 50, 25], atol=0.011)
+    assert_allclose(down.bounds, [-50, -25, 50, 0], atol=0.011)
+
+
+def test_cubic_spline_ends_where_its_control_points_end():
+    control = [(0, 0, 0), (0, 50, 0), (100, 50, 0), (100, 0, 0)]
+    drawing = read(dxf(spline(3, [0, 0, 0, 0, 1, 1, 1, 1], control), version="AC1015"))
+    assert_array_equal(drawing.ends[0, 0], [0, 0])
+    assert_allclose(drawing.ends[-1, 1], [100, 0], atol=1e-12)
+    # The top of this Bézier is at t = 1/2: y = 3/4 · 50.
+    assert_allclose(drawing.bounds, [0, 0, 100, 37.5], atol=0.011)
+
+
+def test_spline_through_fit_points_passes_them():
+    points = [(0, 0), (30, 20), (60, 0)]
+    body = []
+    for x, y in points:
+        body += [(11, x), (21, y), (31, 0)]
+    text = tags(
+        (0, "SPLINE"), (5, "2F4"), (100, "AcDbEntity"), (8, "0"), (100, "AcDbSpline"),
+        (70, 8), (71, 3), (74, 3), *body,
+    )  # fmt: skip
+    drawing = read(dxf(text, version="AC1015"))
+    assert only(drawing).startswith("kept: drawn through its fit points; fitted with")
+    joints = drawing.ends.reshape(-1, 2)
+    for x, y in points:
+        assert np.hypot(*(joints - (x, y)).T).min() < 0.5
+
+
+def test_spline_in_space_is_dropped():
+    control = [(0, 0, 0), (0, 50, 0), (100, 50, 9), (100, 0, 0)]
+    drawing = read(dxf(spline(3, [0, 0, 0, 0, 1, 1, 1, 1], control), version="AC1015"))
+    assert only(drawing, Fate.DROPPED) == "it is not flat: z goes from 0 to 9"
+
+
+def test_spline_with_too_few_knots_is_dropped():
+    control = [(0, 0, 0), (0, 50, 0), (100, 50, 0), (100, 0, 0)]
+    drawing = read(dxf(spline(3, [0, 0, 1], control), version="AC1015"))
+    assert only(drawing, Fate.DROPPED).startswith("it is damaged")
+
+
+@pytest.mark.parametrize("bad", ["nan", "inf", "1e308", "-1e308"])
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda bad: line(0, 0, bad, 5),
+        lambda bad: entity("CIRCLE", (10, 0), (20, bad), (40, 3)),
+        lambda bad: entity("CIRCLE", (10, 0), (20, 0), (40, bad)),
+        lambda bad: entity("ARC", (10, 0), (20, 0), (40, 3), (50, bad), (51, 10)),
+        lambda bad: polyline([(0, 0), (bad, 1), (2, 2)]),
+        lambda bad: polyline([(0, 0, (42, bad)), (1, 1)]),
+        lambda bad: entity("ELLIPSE", (10, 0), (20, 0), (11, bad), (21, 0), (31, 0), (40, 0.5)),
+        lambda bad: entity("ELLIPSE", (10, 0), (20, 0), (11, 5), (21, 0), (31, 0), (40, bad)),
+        lambda bad: entity("LINE", (10, 0), (20, 0), (30, bad), (11, 5), (21, 5), (31, bad)),
+    ],
+    ids=["end", "centre", "radius", "angle", "vertex", "bulge", "axis", "ratio", "height"],
+)
+def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(make, bad):
+    drawing = read(dxf(make(bad), line(0, 0, 10, 0)))
+    assert drawing.ledger.fate[-1] == Fate.KEPT
+    assert np.isfinite(drawing.ends).all()
+    assert np.abs(drawing.ends).max() <= 1e7
+    if not (bad in ("1e308", "-1e308") and "50\n" in make(bad)):
+        # An angle of 1e308° is a number, and so some angle.
+        assert drawing.ledger.fate[0] == Fate.DROPPED
+        assert len(drawing) == 1
+
+
+def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure():
+    drawing = read(dxf(line(0, 0, 2e7, 0), line(0, 0, 10, 0)))
+    assert drawing.ledger.reason == ("a coordinate is 2e+07; the limit is 1e+07", "kept")
+
+
+@pytest.mark.parametrize(
+    ("kind", "reason"),
+    [
+        ("TEXT", "text is not cut"),
+        ("POINT", "a point has no length"),
+        ("3DFACE", "it is a solid or a face, not a flat line"),
+        ("SOLID", "a filled area has no line of its own"),
+        ("XLINE", "a construction line without end"),
+        ("DIMENSION", "dimensions and notes are not cut"),
+        ("NONSENSE", "NONSENSE is not a kind of line that is read"),
+    ],
+)
+def test_what_is_no_line_is_dropped_with_the_reason(kind, reason):
+    text = entity(kind, (10, 1), (20, 1), (11, 5), (21, 0), (12, 3), (22, 3), (13, 0), (23, 0))
+    drawing = read(dxf(text, line(0, 0, 1, 0)))
+    assert drawing.ledger.kind == (kind, "LINE")
+    assert drawing.ledger.reason == (reason, "kept")
+
+
+def test_every_kind_agrees_with_ezdxf_on_where_it_lies():
+    document = ezdxf.new("R2010")
+    space = document.modelspace()
+    block = document.blocks.new("PART", base_point=(3, 4))
+    block.add_line((0, 0), (30, 5))
+    block.add_arc((10, 10), 8, 20, 300)
+    block.add_circle((40, 10), 5)
+    block.add_lwpolyline([(0, 0, 0.7), (10, 0, -0.3), (10, 12, 0)], format="xyb", close=True)
+    block.add_ellipse((20, 30), (12, 5), 0.4, 0.5, 5.0)
+    block.add_open_spline([(0, 0), (10, 20), (30, 5), (45, 30)])
+    block.add_arc((10, 10), 8, 20, 300).dxf.extrusion = (0, 0, -1)
+    outer = document.blocks.new("OUTER", base_point=(1, 2))
+    outer.add_blockref("PART", (50, 60), {"rotation": 33, "xscale": -1})
+    outer.add_blockref("PART", (0, 0), {"xscale": 2, "yscale": 0.5, "rotation": 10})
+    space.add_blockref("OUTER", (100, 200), {"rotation": -70, "xscale": 1.5, "yscale": 1.5})
+    mirrored = space.add_blockref("PART", (10, 20), {"rotation": 40, "xscale": 2, "yscale": 2})
+    mirrored.dxf.extrusion = (0, 0, -1)
+    space.add_blockref(
+        "PART",
+        (300, 0),
+        {
+            "rotation": 30,
+            "xscale": 2,
+            "yscale": 2,
+            "column_count": 3,
+            "row_count": 2,
+            "column_spacing": 150,
+            "row_spacing": 170,
+        },
+    )
+    document.units = 4
+    stream = io.StringIO()
+    document.write(stream)
+    drawing = read(stream.getvalue().encode())
+    assert set(drawing.ledger.fate) == {Fate.KEPT}
+    length, low, high = 0.0, np.full(2, np.inf), np.full(2, -np.inf)
+    for piece in disassemble.recursive_decompose(space):
+        points = np.array([(p.x, p.y) for p in path.make_path(piece).flattening(2e-4, 64)])
+        length += float(np.hypot(*np.diff(points, axis=0).T).sum())
+        low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
+    assert_allclose(drawing.lengths.sum(), length, rtol=2e-4)
+    assert_allclose(drawing.bounds, [*low, *high], atol=0.02)
+
+
+def test_turned_block_in_an_unevenly_scaled_one_is_sheared():
+    # ezdxf cannot express this; by hand: turn by 30°, then stretch y by 3.
+    inner = block("INNER", line(0, 0, 10, 0), entity("CIRCLE", (10, 0), (20, 0), (40, 5)))
+    outer = block("OUTER", insert("INNER", 0, 0, (50, 30)))
+    drawing = read(dxf(insert("OUTER", 100, 200, (42, 3)), blocks=(inner, outer)))
+    assert drawing.ledger.kind == ("INSERT", "INSERT", "LINE", "CIRCLE")
+    tip = [100.0 + 10.0 * math.cos(math.radians(30)), 200.0 + 30.0 * math.sin(math.radians(30))]
+    assert_allclose(drawing.ends[0], [[100, 200], tip], atol=1e-12)
+    # The circle is now an ellipse of radii 5 and 15, whatever it was turned by.
+    round_ = drawing.ledger.kind.index("CIRCLE")
+    ring = drawing.ends[drawing.entity == round_]
+    assert_allclose(ring.min(axis=(0, 1)), [95, 185], atol=0.011)
+    assert_allclose(ring.max(axis=(0, 1)), [105, 215], atol=0.011)

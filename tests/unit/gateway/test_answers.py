@@ -1,0 +1,68 @@
+"""Status reports of grbl and grblHAL become records; damaged ones become nothing."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from knifetip.gateway import answers
+from knifetip.gateway.controller import State
+
+
+def test_a_full_report_is_read():
+    report = answers.report(
+        "<Run|MPos:1.000,2.000,-0.300,90.000|Bf:14,110|FS:600,1|Ln:41|WCO:0.5,0,0,0|Ov:100,100,100>"
+    )
+    assert report.state is State.RUN
+    assert report.machine == (1.0, 2.0, -0.3, 90.0)
+    assert report.work is None
+    assert report.offset == (0.5, 0.0, 0.0, 0.0)
+    assert (report.free, report.feed, report.number) == (14, 600.0, 41)
+    assert not report.still
+
+
+def test_a_report_in_work_coordinates_is_read():
+    assert answers.report("<Idle|WPos:1.0,2.0,3.0,4.0|F:0>").work == (1.0, 2.0, 3.0, 4.0)
+
+
+def test_an_axis_that_the_controller_does_not_have_is_zero():
+    assert answers.report("<Idle|MPos:1.0,2.0,3.0>").machine == (1.0, 2.0, 3.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("word", "state", "still"),
+    [
+        ("Idle", State.IDLE, True),
+        ("Run", State.RUN, False),
+        ("Hold:0", State.HOLD, True),
+        ("Hold:1", State.HOLD, False),
+        ("Door:2", State.DOOR, False),
+        ("Alarm", State.ALARM, True),
+        ("Check", State.CHECK, True),
+        ("Tool", State.BUSY, False),
+    ],
+)
+def test_states_are_known_and_whether_anything_moves(word, state, still):
+    report = answers.report(f"<{word}|MPos:0,0,0,0>")
+    assert (report.state, report.still) == (state, still)
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["<Run|MPos:1.0,2", "Run|MPos:1>", "<Run|MPos:a,b,c>", "<Run|MPos:nan,0,0>", "<Run|Bf:>"],
+)
+def test_a_damaged_report_is_no_report(line):
+    assert answers.report(line) is None
+
+
+@given(st.text(max_size=60))
+def test_no_text_at_all_breaks_the_reading_of_reports(text):
+    report = answers.report(f"<{text}>")
+    assert report is None or report.state in State
+
+
+def test_codes_have_words_and_unknown_ones_say_so():
+    assert "travel" in answers.alarm_text(2)
+    assert "no feed" in answers.error_text(22)
+    assert "no name" in answers.error_text(9999)

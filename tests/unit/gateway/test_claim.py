@@ -1,0 +1,337 @@
+"""The gateway's round: claim, stream, heartbeat, finish, and what it does when things go wrong."""
+
+from __future__ import annotations
+
+import asyncio
+import hashlib
+import json
+from contextlib import asynccontextmanager
+
+import httpx
+import pytest
+
+from knifetip.errors import ControllerError
+from knifetip.gateway import grbl, simulator
+from knifetip.gateway.claim import work
+from knifetip.gateway.journal import Journal
+from knifetip.gateway.simulator import Faults
+from knifetip.library import load
+
+MACHINE = load.machine("demo-table")
+
+# Station 2, the crease wheel, stands at x + 60 and z - 1.5: its datum is in the numbers.
+PROGRAM = b"""G21 G90 G91.1 G17 G40 G49 G94 G54
+G0 Z20.0000
+M64 P1
+G4 P0.15
+G0 X160.0000 Y100.0000 Z18.5000 C0.0000
+G1 Z-1.0000 F6000.0
+G1 X560.0000 F30000.0
+G1 Z18.5000 F6000.0
+G0 Z20.0000
+M65 P1
+M30
+"""
+
+
+class Office:
+    """The server, as far as a gateway sees it."""
+
+    def __init__(self, program=PROGRAM, *, copies=1, lease=5.0, sha256=None):
+        self.program = program
+        self.claim = {
+            "job": "job-1",
+            "epoch": 3,
+            "lease": lease,
+            "program": "/api/jobs/job-1/program",
+            "sha256": sha256 or hashlib.sha256(program).hexdigest(),
+            "lines": program.count(b"\n"),
+            "copies": copies,
+        }
+        self.claims = []
+        self.beats = []
+        self.finished = []
+        self.command = lambda beat: "continue"
+        self.reachable = True
+        self.stale = False
+        self.deaf = 0  # answers to finish that are lost
+        self.slow = 0.0  # seconds that a heartbeat is on its way
+
+    async def __call__(self, request):
+        if not self.reachable:
+            raise httpx.ConnectError("no route", request=request)
+        body = json.loads(request.content) if request.content else {}
+        path = request.url.path
+        if path == "/api/gateway/claim":
+            self.claims.append(body)
+            if len(self.claims) > 1:
+                return httpx.Response(204)
+            return httpx.Response(200, json=self.claim)
+        if path == self.claim["program"]:
+            return httpx.Response(200, content=self.program)
+        if path == "/api/gateway/heartbeat":
+            self.beats.append(body)
+            if self.stale:
+                return httpx.Response(409, json={"title": "stale"})
+            answer = {"command": self.command(body), "lease": self.claim["lease"]}
+            await asyncio.sleep(self.slow)
+            return httpx.Response(200, json=answer)
+        if path == "/api/gateway/finish":
+            if self.deaf:
+                self.deaf -= 1
+                return httpx.Response(503)
+            self.finished.append(body)
+            return httpx.Response(200, json={})
+        raise AssertionError(path)
+
+
+@asynccontextmanager
+async def table(**options):
+    async with await simulator.serve(
+        MACHINE, speed=options.pop("speed", 20.0), **options
+    ) as server:
+        yield server
+
+
+async def gateway(office, server, **options):
+    """Work for one job."""
+    async with httpx.AsyncClient(transport=httpx.MockTransport(office)) as client:
+        async with asyncio.timeout(20.0):
+            await work(
+                "http://office",
+                MACHINE,
+                "table-7",
+                options.pop("connect", lambda: grbl.dial(server.address, silence=0.5, poll=0.02)),
+                client=client,
+                wait=0.1,
+                beat=0.01,
+                jobs=1,
+                **options,
+            )
+
+
+async def test_a_job_is_claimed_run_and_finished():
+    office = Office()
+    async with table() as server:
+        await gateway(office, server)
+        assert server.table.position == (560.0, 100.0, 20.0, 0.0)
+    assert office.claims == [{"gateway": "table-7", "machine": "demo-table", "wait": 0.1}]
+    assert office.finished == [{"job": "job-1", "epoch": 3, "outcome": "done", "why": ""}]
+    lines = [beat["line"] for beat in office.beats]
+    assert lines == sorted(lines)
+    assert all(beat["epoch"] == 3 and not beat["held"] for beat in office.beats)
+
+
+async def test_positions_are_those_of_the_head_on_the_sheet():
+    office = Office()
+    async with table(speed=5.0) as server:
+        await gateway(office, server)
+    cutting = [beat["position"] for beat in office.beats if beat["line"] == 6]
+    assert cutting
+    for x, y, z, c in cutting:
+        # 160 … 560 and -1.0 in the program: without the wheel's datum 100 … 500 and 0.5.
+        assert 100.0 <= x <= 500.0
+        assert (y, z, c) == (100.0, 0.5, 0.0)
+
+
+async def test_another_program_than_the_verified_one_never_reaches_the_machine():
+    office = Office(sha256="0" * 64)
+    async with table() as server:
+        await gateway(office, server)
+        assert server.table.time == 0.0
+    assert office.finished[0]["outcome"] == "interrupted"
+    assert "SHA-256" in office.finished[0]["why"]
+
+
+async def test_between_two_copies_it_waits_as_held_for_a_new_sheet():
+    office = Office(copies=2)
+    waits = []
+
+    def command(beat):
+        if beat["copies_done"] == 1 and beat["held"]:
+            waits.append(beat)
+            return "resume" if len(waits) == 5 else "continue"
+        return "continue"
+
+    office.command = command
+    async with table() as server:
+        await gateway(office, server)
+        assert len(server.table.switched) == 4
+    assert len(waits) >= 5
+    assert all(beat["line"] == 11 for beat in waits)
+    assert office.finished[0]["outcome"] == "done"
+
+
+async def test_a_resume_that_comes_late_does_not_start_the_next_copy():
+    office = Office(copies=2)
+    office.slow = 0.05
+    # Says resume to every heartbeat that is not held, and cancel in the end.
+    held = []
+
+    def command(beat):
+        if beat["held"]:
+            held.append(beat)
+            return "cancel" if len(held) == 5 else "continue"
+        return "resume"
+
+    office.command = command
+    async with table() as server:
+        await gateway(office, server)
+        assert len(server.table.switched) == 2
+    assert office.finished[0]["outcome"] == "cancelled"
+
+
+async def test_hold_stops_the_machine_in_mid_line_and_resume_goes_on():
+    office = Office()
+    held = []
+
+    def command(beat):
+        if beat["held"]:
+            held.append(beat["position"])
+            return "resume" if len(held) > 5 else "continue"
+        return "hold" if beat["line"] == 6 and not held else "continue"
+
+    office.command = command
+    async with table(speed=2.0) as server:
+        await gateway(office, server)
+        assert server.table.position[0] == 560.0
+    assert 100.0 < held[-1][0] < 500.0
+    assert held[2:6] == [held[3]] * 4
+    assert office.finished[0]["outcome"] == "done"
+
+
+async def test_cancel_stops_the_machine_raises_the_tool_and_says_so():
+    office = Office()
+    office.command = lambda beat: "cancel" if beat["line"] == 6 else "continue"
+    async with table(speed=2.0) as server:
+        await gateway(office, server)
+        x, _, z, _ = server.table.position
+        assert 160.0 < x < 560.0
+        assert z == 20.0
+        assert server.table.state == "Idle"
+    assert office.finished[0]["outcome"] == "cancelled"
+    assert "line 6" in office.finished[0]["why"]
+
+
+async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_dropped():
+    office = Office()
+
+    def command(beat):
+        office.stale = beat["line"] == 6
+        return "continue"
+
+    office.command = command
+    async with table(speed=2.0) as server:
+        await gateway(office, server)
+        assert 160.0 < server.table.position[0] < 560.0
+        assert server.table.position[2] == 20.0
+    assert office.finished == []
+
+
+async def test_without_the_server_the_machine_goes_on_for_the_lease_and_then_holds():
+    office = Office(lease=0.1)
+
+    def command(beat):
+        office.reachable = beat["line"] != 6
+        return "continue"
+
+    office.command = command
+    async with table(speed=0.5) as server:
+        working = asyncio.create_task(gateway(office, server))
+        async with asyncio.timeout(10.0):
+            while server.table.state != "Hold:0":
+                await asyncio.sleep(0.01)
+        x = server.table.position[0]
+        assert 160.0 < x < 560.0
+        # Reachable again: it does not go on by itself, it says held and waits.
+        beats = len(office.beats)
+        office.command = lambda beat: "continue"
+        office.reachable = True
+        while len(office.beats) < beats + 10:
+            await asyncio.sleep(0.01)
+        assert office.beats[-1]["held"]
+        assert server.table.position[0] == x
+        office.command = lambda beat: "resume" if beat["held"] else "continue"
+        server.table.speed = 20.0
+        await working
+        assert server.table.position[0] == 560.0
+    assert office.finished[0]["outcome"] == "done"
+
+
+async def test_a_failure_of_the_controller_interrupts_with_its_words():
+    office = Office()
+    async with table(faults=Faults(disconnect=7)) as server:
+        await gateway(office, server)
+    assert office.finished[0]["outcome"] == "interrupted"
+    assert "is lost" in office.finished[0]["why"]
+
+
+async def test_a_table_that_is_switched_off_takes_no_job():
+    office = Office()
+    calls = []
+
+    async with table() as server:
+
+        async def connect():
+            calls.append(len(office.claims))
+            if len(calls) < 3:
+                raise ControllerError("No controller answers.", "Switch it on.")
+            return await grbl.dial(server.address, silence=0.5, poll=0.02)
+
+        await gateway(office, server, connect=connect)
+    assert calls == [0, 0, 0]
+    assert office.finished[0]["outcome"] == "done"
+
+
+async def test_how_it_ended_is_told_until_it_is_heard():
+    office = Office()
+    office.deaf = 2
+    async with table(speed=100.0) as server:
+        await gateway(office, server)
+    assert len(office.finished) == 1
+
+
+async def test_switching_the_gateway_off_stops_the_machine_and_says_so():
+    office = Office()
+    async with table(speed=0.5) as server:
+        working = asyncio.create_task(gateway(office, server))
+        async with asyncio.timeout(10.0):
+            while not (office.beats and office.beats[-1]["line"] == 6):
+                await asyncio.sleep(0.01)
+        server.table.speed = 20.0
+        working.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await working
+        assert server.table.state == "Idle"
+        assert server.table.position[2] == 20.0
+        assert server.table.position[0] < 560.0
+    assert office.finished[0]["outcome"] == "interrupted"
+    assert "switched off at line 6" in office.finished[0]["why"]
+
+
+async def test_the_journal_has_every_step_and_an_end(tmp_path):
+    office = Office()
+    path = tmp_path / "journal"
+    async with table() as server:
+        await gateway(office, server, journal=path)
+    rows = [json.loads(row) for row in path.read_text().splitlines()]
+    assert rows[0]["event"] == "begin"
+    assert rows[-1]["event"] == "end"
+    executed = [row["executed"] for row in rows if row["event"] == "line"]
+    assert executed == sorted(executed)
+    assert executed[-1] == 11
+
+
+async def test_a_job_cut_off_by_the_power_is_told_at_the_next_start(tmp_path):
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.begin("job-0", 9, "00", 40)
+    journal.line("job-0", 0, 17, 20)
+    office = Office()
+    async with table(speed=100.0) as server:
+        await gateway(office, server, journal=path)
+    first, second = office.finished
+    assert (first["job"], first["epoch"], first["outcome"]) == ("job-0", 9, "interrupted")
+    assert "line 17" in first["why"]
+    assert second["outcome"] == "done"
+    assert journal.unfinished() is None

@@ -1,0 +1,101 @@
+"""The executed line is followed by what the controller reports, never past the truth."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from knifetip.gateway.controller import State, Status
+from knifetip.gateway.executed import Executed, lines_of
+from knifetip.gateway.motion import Limits
+
+LIMITS = Limits((1000.0,) * 4, (1000.0,) * 4, (-math.inf,) * 4, (math.inf,) * 4)
+
+# Out along X with C at 0, half a turn in place, back over the same points with C at 180.
+GROOVE = b"""G21 G90 G94
+M64 P2
+G4 P0.15
+G0 X0 Y0 Z1
+G1 X100 F6000
+G1 C180
+G1 X0
+G1 Z20
+M30
+"""
+
+
+def at(x=0.0, y=0.0, z=0.0, c=0.0, *, number=0, free=None):
+    return Status(State.RUN, (x, y, z, c), 0, False, number, free)
+
+
+def followed(text=GROOVE):
+    return Executed(text, LIMITS)
+
+
+def test_lines_come_one_by_one_with_or_without_a_last_newline():
+    assert list(lines_of(b"G0\nG1\n")) == list(lines_of(b"G0\nG1")) == [b"G0", b"G1"]
+    assert list(lines_of(b"")) == []
+
+
+def test_nothing_is_executed_before_it_is_answered():
+    assert followed().update(at(50.0, z=1.0), 0, None) == 0
+
+
+def test_a_dwell_that_was_answered_settles_all_before_it():
+    follower = followed()
+    assert follower.update(at(z=0.0), 3, None) == 3
+    assert follower.output == 2
+
+
+def test_the_way_out_and_the_way_back_are_told_apart_by_c():
+    follower = followed()
+    assert follower.update(at(50.0, z=1.0, c=0.0), 8, None) == 4
+    assert follower.update(at(100.0, z=1.0, c=90.0), 8, None) == 5
+    assert follower.update(at(50.0, z=1.0, c=180.0), 8, None) == 6
+
+
+def test_the_executed_line_never_goes_back():
+    follower = followed()
+    follower.update(at(50.0, z=1.0, c=180.0), 8, None)
+    assert follower.update(at(50.0, z=1.0, c=0.0), 8, None) == 6
+
+
+def test_a_position_off_the_path_says_nothing():
+    follower = followed()
+    follower.update(at(50.0, z=1.0), 8, None)
+    assert follower.update(at(50.0, y=3.0, z=1.0), 8, None) == 4
+
+
+def test_blocks_free_in_the_planner_say_how_much_must_be_done():
+    # Five moves answered, 14 of 15 blocks free: one is held, one more may be in the steps.
+    follower = followed()
+    assert follower.update(at(y=500.0, free=14), 8, 15) == 6
+
+
+def test_a_line_number_that_is_reported_names_the_line():
+    text = b"N10 G1 X10 F600\nN20 G1 X20\nN30 G1 X30\n"
+    assert followed(text).update(at(y=500.0, number=30), 3, None) == 2
+
+
+def test_seconds_count_the_part_of_the_current_line():
+    # 100 mm at 6,000 mm/min is 1 s; G4 0.15 s; the rapid is 1 mm from rest to rest.
+    follower = followed()
+    follower.update(at(25.0, z=1.0), 8, None)
+    rapid = 2.0 * math.sqrt(1.0 / 1000.0)
+    assert follower.seconds_done == pytest.approx(0.15 + rapid + 0.25)
+
+
+def test_at_the_end_everything_is_executed():
+    assert followed().finish(9) == 9
+
+
+def test_memory_does_not_grow_with_the_program():
+    text = b"G21 G90\n" + b"".join(b"G1 X%d F600\n" % (row % 2) for row in range(5000))
+    follower = followed(text)
+    most = 0
+    for answered in range(20, 5001, 20):
+        follower.update(at(y=500.0, free=0), answered, 15)
+        most = max(most, len(follower._window))
+    assert most <= 17
+    assert follower.lines > 4900

@@ -1,0 +1,349 @@
+"""The grbl protocol from the sender's side: a scripted controller at the end of the wire."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+import time
+from contextlib import asynccontextmanager
+
+import pytest
+
+from knifetip.errors import (
+    ControllerAlarm,
+    ControllerError,
+    ControllerRejected,
+    ControllerReset,
+    ControllerSilent,
+    ProgramError,
+)
+from knifetip.gateway.controller import State
+from knifetip.gateway.grbl import Grbl
+
+BANNER = "Grbl 1.1h ['$' for help]"
+
+
+class Wire:
+    """A Transport to a controller that answers as it is told to.
+
+    ``answers`` maps a line to what is said to it; any other line is answered ``ok`` while
+    ``obliging``, and nothing after.
+    """
+
+    address = "wire"
+
+    def __init__(self, answers=None, *, state="Idle", options="[OPT:V,15,128]"):
+        self.answers = {"$I": f"{options}\nok", "$C": "ok"} | (answers or {})
+        self.state = state
+        self.position = "0,0,0,0"
+        self.obliging = True
+        self.mute = False
+        self.lines = []
+        self.realtime = b""
+        self.most = 0
+        self._due = 0
+        self._out = asyncio.Queue()
+
+    def say(self, text):
+        self._out.put_nowait("".join(f"{line}\r\n" for line in text.split("\n")).encode())
+
+    async def read(self):
+        return await self._out.get()
+
+    async def write(self, data):
+        if data == b"\x18":
+            self.realtime += data
+            self.say(f"\n{BANNER}")
+        elif data == b"?":
+            if not self.mute:
+                self.say(f"<{self.state}|MPos:{self.position}|Bf:15,128>")
+        elif data in (b"!", b"~"):
+            self.realtime += data
+            if self.state != "Idle":
+                self.state = "Hold:0" if data == b"!" else "Run"
+        else:
+            assert data.endswith(b"\n")
+            self._due += len(data)
+            self.most = max(self.most, self._due)
+            line = data.decode().strip()
+            self.lines.append(line)
+            if line in self.answers:
+                self.say(self.answers[line])
+                self._due -= len(data)
+            elif self.obliging:
+                self.say("ok")
+                self._due -= len(data)
+
+    async def close(self):
+        self._out.put_nowait(b"")
+
+
+@asynccontextmanager
+async def opened(wire, *, silence=0.2):
+    controller = Grbl(wire, silence=silence, poll=0.02)
+    try:
+        await controller.open()
+        yield controller
+    finally:
+        await controller.close()
+
+
+async def test_opening_resets_a_controller_at_rest_and_asks_for_its_buffers():
+    wire = Wire(options="[OPT:VNMSL,35,1024,4,0]")
+    async with opened(wire) as controller:
+        assert wire.realtime == b"\x18"
+        assert wire.lines == ["$I"]
+        assert controller.capacity == 35
+        assert (await controller.status()).state is State.IDLE
+
+
+@pytest.mark.parametrize("state", ["Run", "Hold:0", "Jog", "Home", "Door:1"])
+async def test_a_machine_that_is_busy_is_left_alone(state):
+    wire = Wire(state=state)
+    with pytest.raises(ControllerError, match="is busy"):
+        async with opened(wire):
+            pass
+    assert wire.realtime == b""
+    assert wire.lines == []
+
+
+async def test_a_machine_in_alarm_is_not_unlocked_from_here():
+    wire = Wire(state="Alarm")
+    with pytest.raises(ControllerAlarm, match="locked") as alarm:
+        async with opened(wire):
+            pass
+    assert "$H" in alarm.value.mend
+    assert "$X" not in wire.lines
+
+
+async def test_a_wire_without_a_controller_is_silent():
+    wire = Wire()
+    wire.mute = True
+    wire.say = lambda text: None
+    with pytest.raises(ControllerSilent):
+        async with opened(wire, silence=0.05):
+            pass
+
+
+async def test_characters_in_flight_never_exceed_the_buffer():
+    wire = Wire()
+    async with opened(wire) as controller:
+        wire.obliging = False
+        wire.state = "Run"
+        line = b"G1 X100.0000 Y200.0000 F1200"  # 28 and a newline: four fit into 127
+        sending = [asyncio.create_task(controller.send(line, row)) for row in range(1, 11)]
+        await asyncio.sleep(0.02)
+        assert len(wire.lines) == 1 + 4
+        for answered in range(10):
+            wire._due -= 29
+            wire.say("ok")
+            await asyncio.sleep(0.001)
+            assert len(wire.lines) == 1 + min(10, 5 + answered)
+        await asyncio.gather(*sending)
+        await controller.drain()
+        assert wire.most <= 127
+        assert controller.acknowledged == 10
+
+
+async def test_a_line_that_would_never_fit_is_refused_before_it_is_sent():
+    async with opened(Wire()) as controller:
+        with pytest.raises(ProgramError, match="Line 3 has 127 bytes"):
+            await controller.send(b"(" + b"x" * 126, 3)
+
+
+@pytest.mark.parametrize("byte", [b"!", b"~", b"?", b"\x18", b"\x85", b"\n"])
+async def test_bytes_that_a_controller_obeys_never_leave_in_a_line(byte):
+    wire = Wire()
+    async with opened(wire) as controller:
+        with pytest.raises(ProgramError, match=re.escape(f"0x{byte.hex()}")):
+            await controller.send(b"(cut here" + byte + b")", 1)
+        assert wire.lines == ["$I"]
+
+
+async def test_a_refused_line_is_named_with_its_number_text_and_reason():
+    wire = Wire({"G1 X5": "error:22"})
+    async with opened(wire) as controller:
+        await controller.send(b"G21", 1)
+        await controller.send(b"G1 X5", 2)
+        with pytest.raises(ControllerRejected, match=r"line 2 \(G1 X5\): no feed.*error:22"):
+            await controller.drain()
+
+
+async def test_check_mode_names_the_first_wrong_line_and_leaves_no_fault():
+    wire = Wire({"G1 X5": "error:22", "G43": "error:20", "$C": "ok"})
+    real = wire.write
+
+    async def write(data):
+        await real(data)
+        if data == b"$C\n" and wire.lines.count("$C") == 2:
+            wire.say(BANNER)
+
+    wire.write = write
+    async with opened(wire) as controller:
+        with pytest.raises(ControllerRejected, match=r"line 2 \(G1 X5\)") as refused:
+            await controller.check([b"G21", b"G1 X5", b"G43"])
+        assert "Nothing has moved" in refused.value.mend
+        assert controller.fault is None
+        assert controller.acknowledged == 0
+        assert (await controller.status()).state is State.IDLE
+
+
+async def test_outputs_are_not_switched_by_the_check():
+    wire = Wire()
+    real = wire.write
+
+    async def write(data):
+        await real(data)
+        if data == b"$C\n" and wire.lines.count("$C") == 2:
+            wire.say(BANNER)
+
+    wire.write = write
+    async with opened(wire) as controller:
+        await controller.check([b"G21", b"M64 P1", b"M65 P1", b"M30"])
+        assert wire.lines == ["$I", "$C", "G21", "M30", "$C"]
+
+
+async def test_a_lost_answer_while_idle_is_silence_that_names_the_line():
+    wire = Wire({"G1 X5": "[MSG:lost]"})
+    async with opened(wire, silence=0.1) as controller:
+        await controller.send(b"G21", 1)
+        await controller.send(b"G1 X5", 2)
+        with pytest.raises(ControllerSilent, match=r"idle.*line 2 \(G1 X5\).*lost on the way"):
+            await controller.drain()
+
+
+async def test_an_answer_may_take_as_long_as_the_machine_runs_or_holds():
+    wire = Wire({"G1 X5": "[MSG:later]"})
+    async with opened(wire, silence=0.06) as controller:
+        wire.state = "Run"
+        await controller.send(b"G1 X5", 1)
+        await asyncio.sleep(0.15)
+        assert controller.fault is None
+        wire.say("ok")
+        await controller.drain()
+
+
+async def test_a_dwell_may_take_its_seconds():
+    wire = Wire({"G4 P0.2": "[MSG:later]"})
+    async with opened(wire, silence=0.06) as controller:
+        await controller.send(b"G4 P0.2", 1)
+        await asyncio.sleep(0.15)
+        assert controller.fault is None
+
+
+async def test_no_report_at_all_is_silence():
+    wire = Wire()
+    async with opened(wire, silence=0.06) as controller:
+        wire.mute = True
+        wire.obliging = False
+        await controller.send(b"G1 X5", 1)
+        with pytest.raises(ControllerSilent, match="has not answered"):
+            await controller.drain()
+
+
+async def test_a_process_that_was_busy_does_not_call_the_controller_silent():
+    wire = Wire()
+    async with opened(wire, silence=0.06) as controller:
+        wire.state = "Run"
+        time.sleep(0.2)
+        await asyncio.sleep(0.05)
+        assert controller.fault is None
+
+
+async def test_a_banner_that_nobody_asked_for_is_a_reset():
+    wire = Wire()
+    async with opened(wire) as controller:
+        wire.obliging = False
+        wire.state = "Run"
+        await controller.send(b"G1 X5", 1)
+        wire.say(BANNER)
+        with pytest.raises(ControllerReset, match=r"was reset; the answer to line 1"):
+            await controller.drain()
+        with pytest.raises(ControllerReset):
+            await controller.send(b"G1 X6", 2)
+        with pytest.raises(ControllerReset):
+            await controller.resume()
+        assert wire.lines == ["$I", "G1 X5"]
+
+
+async def test_an_alarm_is_told_in_words():
+    wire = Wire({"G1 X5000": "ALARM:2"})
+    async with opened(wire) as controller:
+        await controller.send(b"G1 X5000", 1)
+        with pytest.raises(ControllerAlarm, match=r"ALARM:2: a move would have left the travel"):
+            await controller.drain()
+
+
+async def test_an_alarm_whose_words_were_lost_is_seen_in_the_state():
+    wire = Wire({"G1 X5": "[MSG:lost]"})
+    async with opened(wire) as controller:
+        await controller.send(b"G1 X5", 1)
+        wire.state = "Alarm"
+        with pytest.raises(ControllerAlarm, match="says alarm"):
+            await controller.drain()
+
+
+async def test_an_answer_to_a_line_of_somebody_else_is_a_fault():
+    wire = Wire()
+    async with opened(wire) as controller:
+        wire.say("ok")
+        with pytest.raises(ControllerError, match="not sent from here"):
+            await controller.status()
+
+
+async def test_a_lost_connection_says_which_answer_was_due():
+    wire = Wire()
+    async with opened(wire) as controller:
+        wire.obliging = False
+        await controller.send(b"G1 X5", 1)
+        await wire.close()
+        with pytest.raises(ControllerError, match=r"is lost; the answer to line 1 \(G1 X5\)"):
+            await controller.drain()
+
+
+async def test_noise_on_the_wire_is_passed_over():
+    wire = Wire()
+    async with opened(wire) as controller:
+        wire.say("\x00\xff<Run|MPos:1,2")
+        wire.say("x" * 20_000)
+        wire.say("<Idle|MPos:a,b>")
+        assert (await controller.status()).position == (0.0, 0.0, 0.0, 0.0)
+        assert controller.fault is None
+
+
+async def test_positions_are_in_the_numbers_of_the_program():
+    wire = Wire()
+    wire.position = "110,220,20,90"
+    async with opened(wire) as controller:
+        wire.say("<Idle|MPos:110,220,20,90|WCO:100,200,0,0>")
+        assert (await controller.status()).position == (10.0, 20.0, 20.0, 90.0)
+        # The offset is sent now and then only: it stays.
+        assert (await controller.status()).position == (10.0, 20.0, 20.0, 90.0)
+
+
+async def test_stopping_holds_resets_and_raises_the_tool():
+    wire = Wire()
+    async with opened(wire) as controller:
+        wire.obliging = False
+        wire.state, wire.position = "Run", "10,20,-0.3,90"
+        await controller.send(b"G1 X5", 1)
+        wire.obliging = True
+        real = wire.write
+
+        async def write(data):
+            await real(data)
+            if data == b"\x18":
+                wire.state = "Idle"
+
+        wire.write = write
+        await controller.stop(lift=20.0)
+        assert wire.realtime == b"\x18!\x18"
+        assert wire.lines[-1] == "$J=G90 G21 Z20.0000 F6000"
+
+
+async def test_stopping_high_enough_does_not_lower_the_tool():
+    wire = Wire()
+    async with opened(wire) as controller:
+        wire.position = "10,20,30,90"
+        await controller.stop(lift=20.0)
+        assert wire.lines == ["$I"]

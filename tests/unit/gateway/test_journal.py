@@ -1,0 +1,60 @@
+"""The journal knows after a crash which job had no end."""
+
+from __future__ import annotations
+
+from knifetip.gateway import journal as module
+from knifetip.gateway.journal import Journal
+
+
+def test_a_job_that_began_and_did_not_end_is_found_with_its_line(tmp_path):
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.begin("a", 1, "00", 50)
+    journal.end("a", 1, "done", "")
+    journal.begin("b", 7, "00", 50)
+    journal.line("b", 0, 12, 20)
+    journal.line("b", 0, 31, 40)
+    assert Journal(path).unfinished() == ("b", 7, 31)
+
+
+def test_a_job_that_ended_is_not_unfinished(tmp_path):
+    journal = Journal(tmp_path / "journal")
+    assert journal.unfinished() is None
+    journal.begin("a", 1, "00", 50)
+    journal.end("a", 1, "cancelled", "by the operator")
+    assert journal.unfinished() is None
+
+
+def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path):
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.begin("a", 1, "00", 50)
+    journal.line("a", 0, 12, 20)
+    with path.open("ab") as file:
+        file.write(b'{"event": "line", "job": "a", "exec')
+    assert journal.unfinished() == ("a", 1, 12)
+
+
+def test_the_same_line_is_written_once(tmp_path):
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    for _ in range(5):
+        journal.line("a", 0, 12, 20)
+    assert path.read_bytes().count(b"\n") == 1
+
+
+def test_a_long_journal_is_set_aside(tmp_path, monkeypatch):
+    monkeypatch.setattr(module, "LONG", 100)
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.begin("a", 1, "0" * 64, 50)
+    journal.end("a", 1, "done", "")
+    journal.begin("b", 1, "0" * 64, 50)
+    assert path.read_bytes().count(b"\n") == 1
+    assert (tmp_path / "journal.1").read_bytes().count(b"\n") == 2
+
+
+def test_without_a_path_nothing_is_kept():
+    journal = Journal(None)
+    journal.begin("a", 1, "00", 50)
+    assert journal.unfinished() is None

@@ -1,0 +1,252 @@
+"""Fitted curves, measured by dense sampling that shares nothing with the fit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose, assert_array_equal
+
+from knifetip.errors import GeometryError
+from knifetip.geometry import arc, curve
+
+#: The walk's own chords stand off an arc by this much at most (mm).
+SAGITTA = 1e-5
+
+
+def walked(segments):
+    """Points along the segments, so dense that their chords are off by SAGITTA at most."""
+    walk = []
+    for start, end, bulge in zip(*segments, strict=True):
+        one = (start[None], end[None], np.array([bulge]))
+        size = arc.radius(*one)[0]
+        turn = 4.0 * np.arctan(abs(bulge))
+        steps = 2 if bulge == 0.0 else int(np.ceil(turn * np.sqrt(size / (8.0 * SAGITTA)))) + 2
+        shares = np.linspace(0.0, 1.0, steps)
+        many = (np.repeat(one[0], steps, 0), np.repeat(one[1], steps, 0), np.repeat(bulge, steps))
+        walk.append(arc.point_at(*many, shares))
+    return np.concatenate(walk)
+
+
+def deviation(segments, points):
+    """The farthest that points of a true curve are from the segments, by brute force."""
+    walk = walked(segments)
+    pieces = np.stack([walk[:-1], walk[1:]], axis=1)
+    chord = pieces[:, 1] - pieces[:, 0]
+    square = np.maximum((chord**2).sum(axis=1), 1e-300)
+    worst = 0.0
+    for place in points:
+        share = np.clip(((place - pieces[:, 0]) * chord).sum(axis=1) / square, 0.0, 1.0)
+        nearest = pieces[:, 0] + share[:, None] * chord
+        worst = max(worst, float(np.hypot(*(place - nearest).T).min()))
+    return worst
+
+
+def chained(segments):
+    start, end, _ = segments
+    return np.array_equal(start[1:], end[:-1])
+
+
+def corners(segments):
+    """The angles between one segment's end and the next one's start (degrees)."""
+    before = arc.tangents(*segments)[1][:-1]
+    after = arc.tangents(*segments)[0][1:]
+    cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
+    return np.degrees(np.abs(np.arctan2(cross, (before * after).sum(axis=1))))
+
+
+def on_ellipse(major, minor, first=0.0, last=2.0 * np.pi, count=1500):
+    t = np.linspace(first, last, count)
+    return np.stack([major * np.cos(t), minor * np.sin(t)], axis=1)
+
+
+@pytest.mark.parametrize(
+    ("major", "minor", "tolerance", "most"),
+    [(50.0, 25.0, 0.01, 48), (100.0, 50.0, 0.01, 60), (100.0, 1.0, 0.01, 80), (50, 25, 0.1, 24)],
+)
+def test_ellipse_stays_within_tolerance_with_few_arcs(major, minor, tolerance, most):
+    fit = curve.ellipse((0.0, 0.0), (major, 0.0), minor / major, tolerance=tolerance)
+    assert deviation(fit, on_ellipse(major, minor)) <= tolerance
+    assert len(fit[2]) <= most
+    assert chained(fit)
+    assert_array_equal(fit[0][0], fit[1][-1])
+    assert corners(fit).max() < 1e-5
+
+
+def test_points_of_the_fit_are_as_near_to_the_ellipse_as_its_points_to_the_fit():
+    fit = curve.ellipse((0.0, 0.0), (50.0, 0.0), 0.5)
+    t = np.linspace(0.0, 2.0 * np.pi, 40_000)
+    true = np.stack([50.0 * np.cos(t), 25.0 * np.sin(t)], axis=1)
+    walk = walked(fit)[::20]
+    far = max(float(np.hypot(*(true - place).T).min()) for place in walk)
+    assert far <= 0.0105
+
+
+def test_circle_is_two_exact_half_turns():
+    start, end, bulge = curve.ellipse((5.0, 6.0), (10.0, 0.0), 1.0)
+    assert_allclose(start, [[15.0, 6.0], [-5.0, 6.0]], atol=1e-14)
+    assert_allclose(end, [[-5.0, 6.0], [15.0, 6.0]], atol=1e-14)
+    assert_allclose(bulge, [1.0, 1.0])
+
+
+def test_clockwise_circle_has_negative_bulges():
+    assert_allclose(curve.ellipse((0.0, 0.0), (10.0, 0.0), -1.0)[2], [-1.0, -1.0])
+
+
+def test_nearly_round_ellipse_takes_at_most_16_arcs():
+    fit = curve.ellipse((0.0, 0.0), (100.0, 0.0), 0.999)
+    assert len(fit[2]) <= 16
+    assert deviation(fit, on_ellipse(100.0, 99.9)) <= 0.01
+
+
+def test_elliptic_arc_starts_and_ends_exactly_at_its_parameters():
+    start, end, bulge = curve.ellipse((1.0, 2.0), (0.0, 40.0), 0.25, 0.3, 4.0)
+
+    def at(t):
+        return [1.0 - 10.0 * np.sin(t), 2.0 + 40.0 * np.cos(t)]
+
+    assert_allclose(start[0], at(0.3), atol=1e-13)
+    assert_allclose(end[-1], at(4.0), atol=1e-13)
+    assert (np.abs(bulge) <= 1.0).all()
+
+
+def test_conjugate_radii_need_not_be_square():
+    # A circle of radius 10 sheared by x += y: u = (10, 0), v = (10, 10).
+    shape = curve.Ellipse(np.zeros(2), np.array([10.0, 0.0]), np.array([10.0, 10.0]), 0.0, 6.0)
+    t = np.linspace(0.0, 6.0, 1500)
+    true = np.stack([10.0 * np.cos(t) + 10.0 * np.sin(t), 10.0 * np.sin(t)], axis=1)
+    assert deviation(shape.fitted(0.01), true) <= 0.01
+
+
+def test_ellipse_without_width_is_a_line_there_and_back():
+    start, end, bulge = curve.ellipse((0.0, 0.0), (10.0, 0.0), 0.0)
+    assert_array_equal(bulge, np.zeros(len(bulge)))
+    assert arc.length(start, end, bulge).sum() == pytest.approx(40.0)
+
+
+@settings(max_examples=20, deadline=None)
+@given(
+    major=st.floats(0.5, 900.0),
+    ratio=st.floats(0.02, 1.0),
+    first=st.floats(-6.0, 6.0),
+    turn=st.floats(0.05, 6.28),
+)
+def test_any_elliptic_arc_stays_within_a_hundredth(major, ratio, first, turn):
+    fit = curve.ellipse((0.0, 0.0), (major, 0.0), ratio, first, first + turn)
+    true = on_ellipse(major, major * ratio, first, first + turn, 400)
+    assert deviation(fit, true) <= 0.01 + SAGITTA
+    assert chained(fit)
+    assert_allclose(fit[0][0], true[0], atol=1e-10)
+    assert_allclose(fit[1][-1], true[-1], atol=1e-10)
+
+
+def bezier(*control):
+    return curve.Spline(
+        np.array(control, dtype=float), np.ones(4), np.array([0.0] * 4 + [1.0] * 4), 3
+    )
+
+
+def bernstein(control, count=1500):
+    t = np.linspace(0.0, 1.0, count)[:, None]
+    a, b, c, d = np.array(control, dtype=float)
+    return (1 - t) ** 3 * a + 3 * t * (1 - t) ** 2 * b + 3 * t * t * (1 - t) * c + t**3 * d
+
+
+@pytest.mark.parametrize(
+    "control",
+    [
+        ((0, 0), (0, 50), (100, 50), (100, 0)),
+        ((0, 0), (100, 80), (0, 80), (100, 0)),  # an S with an inflection
+        ((0, 0), (130, 80), (-30, 80), (100, 0)),  # a loop
+        ((0, 0), (100, 80), (0, 80.0), (100, 0.0001)),
+        ((0, 0), (0, 0), (100, 0), (100, 100)),  # no tangent at its start
+        ((0, 0), (100, 100), (0, 100), (100, 0)),  # a cusp
+    ],
+)
+def test_cubic_stays_within_tolerance(control):
+    fit = bezier(*control).fitted(0.01)
+    assert deviation(fit, bernstein(control)) <= 0.01
+    assert chained(fit)
+    assert_array_equal(fit[0][0], control[0])
+    assert_allclose(fit[1][-1], control[3], atol=1e-13)
+    assert len(fit[2]) < 120
+
+
+def test_straight_cubic_is_one_line():
+    start, end, bulge = bezier((0, 0), (10, 10), (20, 20), (30, 30)).fitted()
+    assert_allclose(np.hstack([start, end]), [[0.0, 0.0, 30.0, 30.0]], atol=1e-12)
+    assert_array_equal(bulge, [0.0])
+
+
+def test_rational_quadratic_draws_a_true_quarter_circle():
+    # Weights 1, cos 45°, 1 over a right angle: a circle of radius 10.
+    control = np.array([[10.0, 0.0], [10.0, 10.0], [0.0, 10.0]])
+    weights = np.array([1.0, np.sqrt(0.5), 1.0])
+    spline = curve.Spline(control, weights, np.array([0.0, 0, 0, 1, 1, 1]), 2)
+    points = spline.point(np.linspace(0.0, 1.0, 50))
+    assert_allclose(np.hypot(*points.T), 10.0)
+    start, end, bulge = spline.fitted()
+    assert_allclose(arc.length(start, end, bulge).sum(), 5.0 * np.pi, rtol=1e-9)
+    assert len(bulge) <= 2
+
+
+def test_spline_with_a_corner_keeps_it():
+    # Degree 2 with a double knot in the middle: two straight legs that meet at (10, 0).
+    control = np.array([[0.0, 0], [5, 0], [10, 0], [10, 5], [10, 10]])
+    knots = np.array([0.0, 0, 0, 1, 1, 2, 2, 2])
+    start, end, bulge = curve.Spline(control, np.ones(5), knots, 2).fitted()
+    assert_allclose(end[0], [10.0, 0.0], atol=1e-12)
+    assert_allclose(np.hstack([start, end]), [[0, 0, 10, 0], [10, 0, 10, 10]], atol=1e-12)
+    assert_array_equal(bulge, [0.0, 0.0])
+
+
+def test_unclamped_spline_lives_between_its_inner_knots():
+    # A uniform quadratic: at the ends of its domain it is midway between control points.
+    control = np.array([[0.0, 0], [10, 0], [10, 10], [0, 10]])
+    spline = curve.Spline(control, np.ones(4), np.arange(7.0), 2)
+    assert_array_equal(spline.breaks, [2.0, 3.0, 4.0])
+    start, end, _ = spline.fitted()
+    assert_allclose(start[0], [5.0, 0.0])
+    assert_allclose(end[-1], [5.0, 10.0])
+
+
+def test_tangent_is_the_derivative_of_the_point():
+    spline = bezier((0, 0), (10, 30), (40, 20), (50, 0))
+    t = np.linspace(0.05, 0.95, 20)
+    step = 1e-6
+    slope = (spline.point(t + step) - spline.point(t - step)) / (2.0 * step)
+    assert_allclose(spline.tangent(t), slope, rtol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("control", "knots", "degree"),
+    [
+        ([[0.0, 0], [1, 1]], [0.0, 0, 0, 1, 1, 1], 2),
+        ([[0.0, 0], [1, np.nan], [2, 0]], [0.0, 0, 0, 1, 1, 1], 2),
+        ([[0.0, 0], [1, 1], [2, 0]], [0.0, 0, 1, 0, 1, 1], 2),
+        ([[0.0, 0], [1, 1], [2, 0]], [0.0, 0, 0, 0, 0, 0], 2),
+    ],
+)
+def test_damaged_spline_is_refused(control, knots, degree):
+    with pytest.raises(GeometryError):
+        curve.Spline(np.array(control), np.ones(len(control)), np.array(knots), degree)
+
+
+@pytest.mark.parametrize("size", [(np.nan, 0.0), (np.inf, 0.0)], ids=["not a number", "endless"])
+def test_ellipse_without_a_size_is_refused(size):
+    with pytest.raises(GeometryError):
+        curve.ellipse((0.0, 0.0), size, 0.5)
+
+
+def test_parameters_that_do_not_increase_are_refused():
+    with pytest.raises(GeometryError, match="increase"):
+        curve.fit(lambda t: np.stack([t, t], axis=1), lambda t: np.ones((len(t), 2)), [1.0, 1.0])
+
+
+def test_curve_that_cannot_be_followed_is_refused_in_time():
+    def noise(t):
+        return np.stack([t, np.sin(1e9 * t * t) * 50.0], axis=1)
+
+    with pytest.raises(GeometryError):
+        curve.fit(noise, lambda t: np.ones((len(t), 2)), [0.0, 1.0])

@@ -1,0 +1,112 @@
+"""The crew's processes are real ones here: they take a second to start."""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import crew_tasks
+from knifetip.errors import CurvedGroove, DrawingTooLarge
+from knifetip.jobs.crew import Crew, Fault, Withdrawn
+
+pytestmark = pytest.mark.xdist_group("crew")
+
+
+@pytest.fixture(scope="module")
+def crew() -> Iterator[Crew]:
+    crew = Crew(size=1, memory=3 << 30)
+    yield crew
+    crew.close()
+
+
+def gone(process: int) -> bool:
+    for _ in range(100):
+        try:
+            os.kill(process, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.05)
+    return False
+
+
+def test_a_task_runs_in_another_process_and_tells_how_far_it_is(crew: Crew):
+    heard = []
+    assert (
+        crew.run(crew_tasks.double, 21, limit=30.0, watch=lambda *said: not heard.append(said))
+        == 42
+    )
+    assert heard == [("half", 0.5)]
+    assert crew.run(crew_tasks.process_id, limit=30.0) != os.getpid()
+
+
+def test_a_process_is_kept_for_the_next_task(crew: Crew):
+    first = crew.run(crew_tasks.process_id, limit=30.0)
+    assert crew.run(crew_tasks.process_id, limit=30.0) == first
+
+
+def test_an_error_comes_back_with_mend_and_source(crew: Crew):
+    with pytest.raises(CurvedGroove) as caught:
+        crew.run(crew_tasks.refuse, limit=30.0)
+    assert caught.value.mend == "Make it straight."
+    assert caught.value.source == ("2F4",)
+
+
+def test_a_failure_that_nobody_foresaw_leaves_the_process_alive(crew: Crew):
+    before = crew.run(crew_tasks.process_id, limit=30.0)
+    with pytest.raises(Fault, match="one by none"):
+        crew.run(crew_tasks.fail, limit=30.0)
+    assert crew.run(crew_tasks.process_id, limit=30.0) == before
+
+
+def test_a_task_that_hangs_is_killed_and_another_process_takes_its_place(crew: Crew):
+    before = crew.run(crew_tasks.process_id, limit=30.0)
+    began = time.monotonic()
+    with pytest.raises(DrawingTooLarge, match="Stage hang was not finished after 0 s"):
+        crew.run(crew_tasks.hang, limit=0.4)
+    assert time.monotonic() - began < 3.0
+    assert gone(before)
+    assert crew.run(crew_tasks.double, 1, limit=30.0) == 2
+
+
+def test_a_task_that_nobody_wants_any_more_is_killed(crew: Crew):
+    with pytest.raises(Withdrawn):
+        crew.run(crew_tasks.hang, limit=30.0, watch=lambda *_: False)
+
+
+def test_a_task_that_eats_all_memory_is_refused(crew: Crew):
+    with pytest.raises(DrawingTooLarge, match="GB"):
+        crew.run(crew_tasks.eat, 8, limit=30.0)
+
+
+def test_a_process_that_dies_is_told_apart_from_one_that_answers(crew: Crew):
+    with pytest.raises(DrawingTooLarge, match="exit code 3"):
+        crew.run(crew_tasks.die, limit=30.0)
+    assert crew.run(crew_tasks.double, 4, limit=30.0) == 8
+
+
+def test_a_crew_that_closes_breaks_its_tasks_off(tmp_path: Path):
+    crew = Crew(size=1)
+    note = tmp_path / "process"
+    ends: list[BaseException] = []
+
+    def work() -> None:
+        try:
+            crew.run(crew_tasks.hang, str(note), limit=60.0)
+        except Withdrawn as reason:
+            ends.append(reason)
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    while not note.exists() or not note.read_text():
+        time.sleep(0.02)
+    crew.close()
+    thread.join(5.0)
+    assert len(ends) == 1
+    assert gone(int(note.read_text()))
+    with pytest.raises(Withdrawn):
+        crew.run(crew_tasks.double, 1, limit=1.0)

@@ -1,0 +1,54 @@
+from __future__ import annotations
+
+from knifetip.jobs.job import ON_TABLE, TRANSITIONS, State, Who, new_id, sources
+
+
+def reachable(start: State, without: frozenset[State] = frozenset()) -> set[State]:
+    found = {start}
+    while more := {b for a, b in TRANSITIONS if a in found and b not in found | without}:
+        found |= more
+    return found
+
+
+def test_every_state_can_be_reached_from_received():
+    assert reachable(State.RECEIVED) == set(State)
+
+
+def test_nothing_leads_out_of_the_four_ends():
+    ends = {State.DONE, State.REFUSED, State.SCRAPPED, State.CANCELLED}
+    assert {a for a, _ in TRANSITIONS} == set(State) - ends
+
+
+def test_only_an_operator_leads_out_of_interrupted():
+    leaving = {
+        end: movers for (start, end), movers in TRANSITIONS.items() if start == "interrupted"
+    }
+    assert leaving == {
+        State.QUEUED: frozenset({Who.OPERATOR}),
+        State.SCRAPPED: frozenset({Who.OPERATOR}),
+    }
+
+
+def test_a_job_that_ran_is_never_queued_again_except_through_interrupted():
+    assert State.QUEUED not in reachable(State.RUNNING, without=frozenset({State.INTERRUPTED}))
+
+
+def test_nothing_runs_that_was_not_ready_and_queued():
+    assert State.RUNNING not in reachable(State.RECEIVED, without=frozenset({State.READY}))
+    assert State.RUNNING not in reachable(State.RECEIVED, without=frozenset({State.QUEUED}))
+
+
+def test_sources_are_told_apart_by_who_moves():
+    assert sources(State.CANCELLED, Who.GATEWAY) == (State.RUNNING, State.HELD)
+    assert sources(State.INTERRUPTED, Who.OPERATOR) == ()
+
+
+def test_a_board_lies_on_the_table_while_running_held_and_interrupted():
+    assert {*ON_TABLE} == {"running", "held", "interrupted"}
+
+
+def test_ids_are_ten_signs_that_cannot_be_mistaken_for_another():
+    ids = {new_id() for _ in range(1000)}
+    assert len(ids) == 1000
+    assert {len(id) for id in ids} == {10}
+    assert not set("".join(ids)) & set("0o1il")

@@ -1,0 +1,343 @@
+"""load: what is on the shelves, and how a wrong file is told."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from knifetip.errors import KnifetipError, LibraryError, ProfileError
+from knifetip.library import load
+from knifetip.model.dieline import LineType
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
+
+BOARD = """
+title = "A board"
+material = "greyboard"
+caliper = 2.0
+grain = 90.0
+crease_along = 0.6
+crease_across = 0.65
+end_clearance = 0.2
+groove_depth = 1.3
+groove_overcut = 3.0
+half_cut_depth = 1.0
+perforation = [3.0, 2.0]
+short_crease = "press"
+"""
+
+MACHINE = """
+title = "A table"
+width = 1300.0
+height = 900.0
+dialect = "grblhal"
+origin = [20.0, 20.0]
+travel_z = 20.0
+clearance = 2.0
+into_mat = 0.3
+settle = 0.15
+
+[axes]
+x = { low = 0.0, high = 1400.0, velocity = 1500.0, acceleration = 8000.0 }
+y = { low = 0.0, high = 1000.0, velocity = 1500.0, acceleration = 8000.0 }
+z = { low = -10.0, high = 60.0, velocity = 500.0, acceleration = 5000.0 }
+c = { low = -720.0, high = 720.0, velocity = 3600.0, acceleration = 36000.0 }
+
+[[station]]
+number = 3
+name = "V-cutter"
+datum = { x = -60.0, y = 0.0, z = 0.0, c = 90.0 }
+[station.tool]
+kind = "v-cutter"
+back = 6.0
+half_width = 1.5
+tilt = 45.0
+"""
+
+PROFILE = """
+title = "Ours"
+
+[[rule]]
+type = "cut"
+layer = ["KNIFE", "OUT*"]
+colour = [1, 7]
+
+[[rule]]
+type = "V-groove"
+layer = "RIEFE"
+"""
+
+
+@pytest.fixture
+def put(tmp_path: Path):
+    def written(text: str, name: str = "own.toml") -> str:
+        path = tmp_path / name
+        path.write_text(text, "utf-8")
+        return str(path)
+
+    return written
+
+
+@pytest.mark.parametrize("name", load.names("machines"))
+def test_every_shipped_machine_can_be_read(name: str):
+    assert load.machine(name).name == name
+    assert load.machine(name).stations
+
+
+@pytest.mark.parametrize("name", load.names("boards"))
+def test_every_shipped_board_can_be_read(name: str):
+    assert load.board(name).name == name
+    assert 0.0 < load.board(name).groove_depth < load.board(name).caliper
+
+
+@pytest.mark.parametrize("name", load.names("profiles"))
+def test_every_shipped_profile_can_be_read(name: str):
+    assert load.profile(name).name == name
+    assert load.profile(name).rules
+
+
+def test_the_shelves_hold_what_the_first_release_promises():
+    assert "demo-table" in load.names("machines")
+    assert {
+        "greyboard-1.5",
+        "greyboard-2.0",
+        "greyboard-3.0",
+        "e-flute",
+        "b-flute",
+        "fbb-0.4",
+    } <= (set(load.names("boards")))
+    assert "default" in load.names("profiles")
+
+
+def test_a_board_of_ones_own_is_named_after_its_file(put):
+    board = load.board(put(BOARD, "house.toml"))
+    assert (board.name, board.caliper, board.perforation) == ("house", 2.0, (3.0, 2.0))
+
+
+def test_a_machine_of_ones_own_keeps_its_figures(put):
+    machine = load.machine(put(MACHINE))
+    (station,) = machine.stations
+    assert station.tool == VCutter(6.0, 1.5, 45.0)
+    assert (station.number, station.x, station.c, station.output) == (
+        3,
+        -60.0,
+        90.0,
+        -1,
+    )
+    assert (machine.x.high, machine.origin) == (1400.0, (20.0, 20.0))
+
+
+def test_a_profile_of_ones_own_keeps_the_order_of_its_rules(put):
+    first, second = load.profile(put(PROFILE)).rules
+    assert (first.line_type, first.layer, first.colour) == (
+        LineType.CUT,
+        ("KNIFE", "OUT*"),
+        (1, 7),
+    )
+    assert (second.line_type, second.layer) == (LineType.V_GROOVE, ("RIEFE",))
+
+
+def test_a_profile_that_extends_another_has_its_rules_first(put):
+    own = load.profile(put('extends = "default"\n' + PROFILE))
+    assert own.rules[:-2] == load.profile("default").rules
+    assert own.rules[-1].layer == ("RIEFE",)
+
+
+@pytest.mark.parametrize(
+    ("tool", "word"),
+    [
+        (Knife(10.0, 3.0, 15.0, 1.0, 1.0), "knife"),
+        (CreaseWheel(15.0, 0.7, 1.0, 1.0), "crease-wheel"),
+        (VCutter(6.0, 1.5, 45.0), "v-cutter"),
+        (Cutter(3.0, 1.0, 1.0), "cutter"),
+    ],
+)
+def test_each_tool_has_its_word(tool, word: str):
+    assert load.kind_of(tool) == word
+
+
+# ── what is wrong with a file ────────────────────────────────────────────────────────────────────
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("caliper = 2.0\n", "", "'caliper' is missing"),
+        ('title = "A board"\n', "", "'title' is missing"),
+        ("caliper = 2.0", 'caliper = "thick"', "caliper is 'thick', not a number"),
+        ("caliper = 2.0", "caliper = true", "caliper is True, not a number"),
+        ("caliper = 2.0", "caliper = nan", "caliper is nan, not a number"),
+        ("caliper = 2.0", "caliper = inf", "caliper is inf, not a number"),
+        ("caliper = 2.0", "caliper = 0", "caliper is 0.0, and must be more than 0"),
+        ("caliper = 2.0", "caliper = -2.0", "caliper is -2.0, and must be more than 0"),
+        (
+            "groove_depth = 1.3",
+            "groove_depth = 2.5",
+            "groove_depth is 2.5, and must be less than",
+        ),
+        (
+            "end_clearance = 0.2",
+            "end_clearance = -1",
+            "end_clearance is -1.0, and must not be less",
+        ),
+        ("[3.0, 2.0]", "[3.0]", "not enough values to unpack"),
+        ("[3.0, 2.0]", "3.0", "cannot unpack"),
+        ("[3.0, 2.0]", "[3.0, nan]", "perforation gap is nan"),
+        ('"press"', '"maybe"', "short_crease is 'maybe': it is press or refuse"),
+        ("caliper = 2.0", "caliper = = 2", "Invalid value"),
+    ],
+)
+def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str):
+    assert old in BOARD
+    with pytest.raises(LibraryError, match="cannot be read") as caught:
+        load.board(put(BOARD.replace(old, new)))
+    assert told in caught.value.message
+    assert caught.value.mend
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        (
+            '"v-cutter"',
+            '"laser"',
+            "'laser' is not a tool; there are knife, crease-wheel",
+        ),
+        ('kind = "v-cutter"\n', "", "'kind' is missing"),
+        ("tilt = 45.0", "tilt = 90.0", "tilt is 90.0, and must lie between 0 and 90"),
+        ("tilt = 45.0", "tilt = nan", "tilt is nan, not a number"),
+        ("tilt = 45.0", "", "'tilt' is missing"),
+        ("back = 6.0", "back = 0.0", "back is 0.0, and must be more than 0"),
+        ("back = 6.0", "", "back"),
+        ("back = 6.0", "back = 6.0\nlength = 9.0", "length"),
+        (
+            "number = 3",
+            "number = 0",
+            "station numbers [0] must differ and lie in 1 … 255",
+        ),
+        ("number = 3", "number = 1.5", "station number is 1.5, not a whole number"),
+        ("number = 3", 'number = "three"', "station number is 'three', not a number"),
+        ("width = 1300.0", "width = inf", "width is inf"),
+        ("origin = [20.0, 20.0]", "origin = 20.0", "not subscriptable"),
+        ("high = 1400.0", "high = -1.0", "axis x must have low < high"),
+        (
+            "velocity = 500.0",
+            "velocity = 0.0",
+            "axis z must have low < high, and speeds",
+        ),
+        ("x = { low", "u = { low", "'x' is missing"),
+        (
+            "into_mat = 0.3",
+            "into_mat = -0.3",
+            "into_mat is -0.3, and must not be less than 0",
+        ),
+        ("[[station]]", "[station]", ""),
+        ("datum = {", "datum = 5 # {", ""),
+    ],
+)
+def test_a_wrong_machine_says_what_is_wrong(put, old: str, new: str, told: str):
+    assert old in MACHINE
+    with pytest.raises(LibraryError, match="cannot be read") as caught:
+        load.machine(put(MACHINE.replace(old, new)))
+    assert told in caught.value.message
+
+
+def test_two_stations_of_one_number_are_refused(put):
+    station = MACHINE[MACHINE.index("[[station]]") :]
+    with pytest.raises(LibraryError, match=r"station numbers \[3, 3\]"):
+        load.machine(put(MACHINE + station))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('title = "Ours"', "", "'title' is missing"),
+        ('type = "cut"', "", "rule 1 has no type"),
+        (
+            'type = "cut"',
+            'type = "burn"',
+            "'burn' is not a line type; they are unclassified, cut",
+        ),
+        (
+            'layer = "RIEFE"',
+            'laser = "RIEFE"',
+            "rule 2 has laser, which is no condition",
+        ),
+        ('layer = "RIEFE"', "layer = 20", "rule 2: layer is 20, not text"),
+        (
+            "colour = [1, 7]",
+            'colour = "red"',
+            "rule 1: colour is 'red', not a whole number",
+        ),
+        (
+            "colour = [1, 7]",
+            "colour = [1.5]",
+            "rule 1: colour is [1.5], not a whole number",
+        ),
+        (
+            "colour = [1, 7]",
+            "colour = true",
+            "rule 1: colour is True, not a whole number",
+        ),
+        (
+            "colour = [1, 7]",
+            "colour = 256",
+            "rule 1: colours [256] must lie in 1 … 255",
+        ),
+        (
+            "colour = [1, 7]",
+            "colour = nan",
+            "rule 1: colour is nan, not a whole number",
+        ),
+        (
+            'title = "Ours"',
+            'title = "Ours"\nextends = "mine"',
+            "extends 'mine', which is no profile",
+        ),
+        (
+            'title = "Ours"',
+            'title = "Ours"\nextends = 3',
+            "extends 3, which is no profile",
+        ),
+    ],
+)
+def test_a_wrong_profile_says_what_is_wrong(put, old: str, new: str, told: str):
+    assert old in PROFILE
+    with pytest.raises(ProfileError, match="cannot be read") as caught:
+        load.profile(put(PROFILE.replace(old, new)))
+    assert told in caught.value.message
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'title = "No rules"',
+        'title = "Not tables"\nrule = ["cut", "crease"]',
+        'title = "A number"\nrule = 7',
+        "",
+        "\x00",
+        'title = "Deep"\nrule = ' + "[" * 5000 + "]" * 5000,
+    ],
+    ids=["no rules", "not tables", "a number", "empty", "not text", "deep"],
+)
+def test_a_profile_without_rules_is_refused(put, text: str):
+    with pytest.raises(ProfileError):
+        load.profile(put(text))
+
+
+def test_a_file_that_is_not_utf8_is_refused(tmp_path: Path):
+    path = tmp_path / "latin.toml"
+    path.write_bytes(b'title = "Rillen f\xfcr die Wellpappe"')
+    with pytest.raises(ProfileError, match="cannot be read"):
+        load.profile(str(path))
+
+
+@pytest.mark.parametrize("shelf", [load.machine, load.board, load.profile])
+@pytest.mark.parametrize(
+    "name",
+    ["", "nope", "../boards/e-flute", "nowhere.toml", "x" * 5000 + ".toml", "\0.toml"],
+)
+def test_an_unknown_name_is_told_what_there_is(shelf, name: str):
+    with pytest.raises(KnifetipError) as caught:
+        shelf(name)
+    assert caught.value.mend
