@@ -1,12 +1,16 @@
-"""A server for tests: the real application behind a real port, in a thread of this process."""
+"""Servers for tests: the real application behind a real port, in a thread or a process."""
 
 from __future__ import annotations
 
+import signal
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import pairwise
+from pathlib import Path
 
 import httpx
 import uvicorn
@@ -78,3 +82,45 @@ def until(client: httpx.Client, job: str, *states: str, seconds: float = 60.0) -
         assert found["state"] not in ENDS, found
         time.sleep(0.02)
     raise AssertionError(f"job {job} is not {' or '.join(states)} after {seconds} s: {found}")
+
+
+class Running:
+    """``serve`` in a process of its own, which can be killed."""
+
+    def __init__(self, database: Path, **more: object) -> None:
+        said = {"samples": False, **more}
+        code = (
+            "from knifetip.api.embedded import serve\n"
+            f"serve('127.0.0.1', 0, 'sqlite:///{database}', **{said!r})"
+        )
+        self.process = subprocess.Popen(
+            [sys.executable, "-c", code], stdout=subprocess.PIPE, text=True
+        )
+        assert self.process.stdout is not None
+        first = self.process.stdout.readline()
+        assert "http://" in first, first
+        url = first.split()[-1]
+        self.client = httpx.Client(base_url=url, timeout=60.0, trust_env=False)
+
+    def kill(self) -> None:
+        """As the power cord does it."""
+        self._end(signal.SIGKILL)
+
+    def stop(self) -> int:
+        """As Ctrl-C does it; returns the exit code."""
+        return self._end(signal.SIGINT)
+
+    def _end(self, how: signal.Signals) -> int:
+        self.client.close()
+        if self.process.poll() is None:
+            self.process.send_signal(how)
+        code = self.process.wait(20.0)
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+        return code
+
+    def __enter__(self) -> httpx.Client:
+        return self.client
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()

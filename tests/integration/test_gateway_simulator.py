@@ -219,13 +219,14 @@ async def test_hold_in_mid_arc_stands_and_resume_finishes_the_same_path():
                     asked = True
                     await controller.hold()
                 if progress.state is State.HOLD:
-                    held.append(progress)
-                    if len(held) == 20:
-                        table.speed = 50.0
+                    table.speed = 50.0
+                    if table.state == "Hold:0":
+                        held.append(progress)
+                    if len(held) == 10:
                         await controller.resume()
         assert asked
-        x, y, z, _ = held[15].position
-        assert held[15].position == held[19].position
+        x, y, z, _ = held[5].position
+        assert held[5].position == held[9].position
         assert math.hypot(x - 300.0, y - 105.0) == pytest.approx(5.0, abs=1e-3)
         assert z == -0.3
         samples = table.trace.samples()

@@ -15,6 +15,7 @@ import socket
 import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from types import FrameType
 
@@ -46,7 +47,7 @@ def serve(
     simulator: bool = True,
     speed: float = 1.0,
     compiles: bool = True,
-    told: Callable[[str], None] = print,
+    told: Callable[[str], None] = partial(print, flush=True),
 ) -> None:
     """Serve until SIGINT or SIGTERM.
 

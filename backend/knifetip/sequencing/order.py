@@ -41,26 +41,26 @@ def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
 def unwound(
     start: Any, end: Any, least: Any, most: Any, here: float, low: float, high: float, period: float
 ) -> Any:
-    """Return what to add to the headings of each track, in order, so that C turns little.
+    """Return what to add to the headings of each run of moves, in order, so that C turns little.
 
     Parameters
     ----------
     start, end, least, most : (t,) degrees
-        Headings where each track begins and ends, and its extremes.
+        Headings where each run begins and ends, and its extremes.
     here : degrees
-        Heading before the first track.
+        Heading before the first run.
     low, high : degrees
-        Travel of C; a track that cannot stay within it is left where it is nearest.
+        Travel of C; a run that cannot stay within it is left where it is nearest.
     period : degrees
         After which the tool is the same again: 360, or 180 for one that is symmetric.
     """
     shift = np.empty(len(start))
-    for track in range(len(start)):
-        turns = np.round((here - start[track]) / period)
-        turns = max(turns, np.ceil((low - least[track]) / period))
-        turns = min(turns, np.floor((high - most[track]) / period))
-        shift[track] = turns * period
-        here = end[track] + shift[track]
+    for run in range(len(start)):
+        turns = np.round((here - start[run]) / period)
+        turns = max(turns, np.ceil((low - least[run]) / period))
+        turns = min(turns, np.floor((high - most[run]) / period))
+        shift[run] = turns * period
+        here = end[run] + shift[run]
     return shift
 
 

@@ -132,23 +132,25 @@ def _ordered(
     link = np.zeros(len(rows), np.bool_)
     link[begin[:-1]] = True
     pose = toolpath.pose[rows + 1]
-    heading = pose[:, 3]
+    motion = np.where(link, Motion.RAPID, toolpath.motion[rows]).astype(np.uint8)
+    # In the air C may take any equivalent turn, so it is unwound at every rapid.
+    runs = np.flatnonzero(motion == Motion.RAPID)
     shift = unwound(
-        start[order, 3],
-        end[order, 3],
-        np.minimum.reduceat(heading, begin[:-1]),
-        np.maximum.reduceat(heading, begin[:-1]),
+        pose[runs, 3],
+        pose[np.append(runs[1:], len(rows)) - 1, 3],
+        np.minimum.reduceat(pose[:, 3], runs),
+        np.maximum.reduceat(pose[:, 3], runs),
         float(here[3]),
         machine.c.low - station.c,
         machine.c.high - station.c,
         180.0 if isinstance(station.tool, CreaseWheel) else 360.0,
     )
-    pose[:, 3] += np.repeat(shift, size)
+    pose[:, 3] += np.repeat(shift, np.diff(np.append(runs, len(rows))))
     number = np.repeat(np.arange(count, count + len(order), dtype=np.int32), size)
     return _Moves(
         pose=pose,
         bulge=np.where(link, 0.0, toolpath.bulge[rows]),
-        motion=np.where(link, Motion.RAPID, toolpath.motion[rows]).astype(np.uint8),
+        motion=motion,
         feed=np.where(link, 0.0, toolpath.feed[rows]),
         source=np.where(link, -1, toolpath.source[rows]).astype(np.int32),
         tool=np.full(len(rows), station.number, np.uint8),

@@ -26,6 +26,7 @@ from knifetip.model.tool import CreaseWheel, Knife, VCutter
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.findings import MOST, Findings
 from knifetip.verification.intent import (
+    JOINED,
     TOUCHING,
     WORKED,
     Edges,
@@ -37,7 +38,7 @@ from knifetip.verification.intent import (
     run_on,
 )
 from knifetip.verification.kinematics import Trade, Work, azimuth_at, point_at
-from knifetip.verification.overlap import Rows, leftover, nearest_until, overlaps
+from knifetip.verification.overlap import BRIEF, Rows, leftover, nearest_until, overlaps
 
 #: A tool pressed deeper or less deep than planned by more than this is at a wrong depth (mm).
 DEPTH: Final = 0.005
@@ -137,9 +138,10 @@ class _Trial:
         dashed[self.track[rows.curve[rows.best & torn[rows.edge]]]] = True
         over = self._stops(whole, solid, ends, dashed, leads * slant, runs * slant)
         # What runs over an end crosses other edges there, and is no work of theirs.
-        rows = nearest_until(rows, self.curve, self._before(over))
+        until = self._before(over)
+        rows = nearest_until(rows, self.curve, until)
         self._placed(rows)
-        self._off(rows, over)
+        self._off(rows, until)
         self._uncut(rows, solid)
         if torn.any():
             self._perforated(rows, np.flatnonzero(torn), dashed, leads * slant)
@@ -157,7 +159,7 @@ class _Trial:
             self._finding("uncut", edge, "is too short for the wheel.", self.size[edge])
         rows = self._matched()
         self._placed(rows)
-        self._off(rows, np.zeros(int(self.track.max(initial=-1)) + 1))
+        self._off(rows, self.curve[:, 5])
         planned = np.maximum(self.high - self.low, 0.0)
         self.figures.setback[self.edges.row] += self.size - planned
         self._uncut(rows, np.arange(len(self.edges)))
@@ -172,7 +174,7 @@ class _Trial:
             self._finding("deviation", edge, "is an arc, which no leaning blade can follow.", 0.0)
         rows = self._matched()
         self._placed(rows)
-        self._off(rows, np.zeros(int(self.track.max(initial=-1)) + 1))
+        self._off(rows, self.curve[:, 5])
         for forward in (True, False):
             way = rows.place[:, 1] > rows.place[:, 0]
             self._uncut(rows, np.arange(len(self.edges)), (way == forward), forward)
@@ -259,7 +261,10 @@ class _Trial:
         point = length < 1e-6
         along, place = rows.along[best], rows.place[best]
         span = place[:, 1] - place[:, 0]
-        follows = np.abs(span) > 0.5 * (along[:, 1] - along[:, 0])
+        # The direction of a brief way is lost in the last digit.
+        size = along[:, 1] - along[:, 0]
+        follows = (size > BRIEF) & (np.abs(span) > 0.5 * size)
+        pressed = point & (self.trade == Trade.CREASE)
         back = np.where(span < 0.0, 180.0, 0.0)
         worst = np.zeros(len(best))
         for side in range(2):
@@ -268,9 +273,7 @@ class _Trial:
             heading = first + (last - first) * share
             drawn = azimuth_at(self.edges.curve[edge], place[:, side]) + back
             off = apart(heading, drawn, turn)
-            # A point has no direction of its own: pressed is pressed either way.
-            off = np.where(point, apart(heading, drawn, 180.0), off)
-            worst = np.maximum(worst, np.where(follows | point, off, 0.0))
+            worst = np.maximum(worst, np.where(follows | pressed, off, 0.0))
         self._swung(worst, reach[work], np.zeros(len(best)), work, edge)
 
         # What runs past an edge, or round a corner that is none, has only its own direction.
@@ -352,15 +355,19 @@ class _Trial:
         previous = np.where(new, -1, np.concatenate([[-1], line[:-1]]))
         return low - before, edge, before, np.where(line >= 0, line, previous)
 
-    def _off(self, rows: Rows, over: F64) -> None:
+    def _off(self, rows: Rows, until: F64) -> None:
         """Judge the work that lies on no edge, or past where it may go on one.
 
         Parameters
         ----------
-        over : (tracks,) mm
-            How far each track may end on no edge, as knives run over.
+        until : (n,) mm
+            How far along each way: what comes after runs over, as it may.
         """
         which, spans = leftover(rows, self.curve)
+        spans[:, 1] = np.minimum(spans[:, 1], until[which])
+        point = self.curve[which, 5] < 1e-6
+        keep = point | (spans[:, 1] - spans[:, 0] > 1e-7)
+        which, spans = which[keep], spans[keep]
         if len(which) == 0:
             return
         size = spans[:, 1] - spans[:, 0]
@@ -373,16 +380,10 @@ class _Trial:
             & (spans[1:, 0] <= 1e-7)
             & (spans[:-1, 1] >= self.curve[which[:-1], 5] - 1e-7)
         )
-        total: F64 = np.add.reduceat(size, np.flatnonzero(~joined))
         first = np.flatnonzero(~joined)
-        last = np.concatenate([first[1:] - 1, [len(which) - 1]])
-        lone = (self.curve[which[first], 5] < 1e-6) & (first == last)
-        next_work = np.minimum(which[last] + 1, len(self.track) - 1)
-        at_end = (spans[last, 1] >= self.curve[which[last], 5] - 1e-7) & (
-            (which[last] == len(self.track) - 1) | (self.track[next_work] != track[last])
-        )
-        allowed = np.where(at_end, over[track[last]], 0.0) + self.tolerance
-        self._astray(which, spans, first, total, np.flatnonzero((total > allowed) | lone))
+        total: F64 = np.add.reduceat(size, first)
+        lone = self.curve[which[first], 5] < 1e-6
+        self._astray(which, spans, first, total, np.flatnonzero((total > self.tolerance) | lone))
 
     def _astray(self, which: I32, spans: F64, first: I64, total: F64, bad: I64) -> None:
         """Say of pieces on no edge what they are: past an end, beside an edge, or nowhere."""
@@ -453,8 +454,13 @@ class _Trial:
         stop = point_at(self.curve[last], self.curve[last, 5])
         ahead = azimuth_at(self.curve[last], self.curve[last, 5])
 
+        known = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
+        run_over = np.zeros(count, np.bool_)
+        run_over[pairs_within(stop, ends.stop[known[ends.meets[known]]], self.tolerance)[0]] = True
         new = np.ones(count, np.bool_)
-        new[1:] = np.hypot(*(start[1:] - stop[:-1]).T) > self.tolerance
+        jump = np.hypot(*(start[1:] - stop[:-1]).T)
+        # Beside where one run has run over an end another may begin, but not at the same place.
+        new[1:] = jump > np.where(run_over[:-1], PRINTED, JOINED)
         opens = np.flatnonzero(new)
         closes = np.concatenate([opens[1:], [count]]) - 1
         plain = ~dashed[opens]
@@ -462,13 +468,13 @@ class _Trial:
         if len(opens) == 0:
             return over
 
-        ring = self._after(first[opens], last[closes], overrun)
-        gap = np.hypot(*(stop[closes] - ring).T)
         reached = np.cumsum(self.curve[:, 5])
         size = reached[last[closes]] - reached[first[opens]] + self.curve[first[opens], 5]
-        closed = (gap <= self.tolerance) & (size > overrun + self.tolerance)
+        # A way round that is shorter than the overrun is run over once.
+        ring = self._after(first[opens], last[closes], np.minimum(overrun, size / 2.0))
+        gap = np.hypot(*(stop[closes] - ring).T)
+        closed = gap <= self.tolerance
 
-        known = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
         run, end = pairs_within(stop[closes], ends.stop[known], CATCH)
         end = known[end]
         away = np.hypot(*(stop[closes[run]] - ends.stop[end]).T)
@@ -479,7 +485,7 @@ class _Trial:
         planned = np.full(len(opens), -1, np.int64)
         distance = np.full(len(opens), np.inf)
         planned[run], distance[run] = end, away
-        right = ~closed & (distance <= self.tolerance)
+        right = (distance <= self.tolerance) & (~closed | (distance < gap))
 
         ran = right & ends.meets[np.maximum(planned, 0)]
         over[closes[ran]] = overrun
@@ -542,9 +548,9 @@ class _Trial:
             at, left = at[on] - 1, (left - size)[on]
         return until
 
-    def _after(self, first: I64, last: I64, distance: float) -> F64:
+    def _after(self, first: I64, last: I64, distance: F64) -> F64:
         """Return the points at a distance (mm) along runs, from where they begin, (n, 2)."""
-        at, left = first.copy(), np.full(len(first), distance)
+        at, left = first.copy(), distance
         while True:
             size = self.curve[at, 5]
             on = (left > size) & (at < last)

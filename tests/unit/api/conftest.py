@@ -1,4 +1,4 @@
-"""One server for the tests of a module."""
+"""One server for all tests of the API: a process has one workshop."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from knifetip.api.service import Settings
 from serving import served
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     folder = tmp_path_factory.mktemp("server")
     page = folder / "page"

@@ -4,6 +4,9 @@ from pathlib import Path
 
 import httpx
 import pytest
+from starlette.datastructures import Headers
+
+from knifetip.api.site import Site
 
 pytestmark = pytest.mark.xdist_group("server")
 

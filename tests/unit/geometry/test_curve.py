@@ -201,6 +201,19 @@ def test_spline_with_a_corner_keeps_it():
     assert_array_equal(bulge, [0.0, 0.0])
 
 
+def test_corner_between_curved_legs_costs_no_extra_arcs():
+    # Two cubics that meet at (100, 0): falling into the corner, and rising out of it.
+    first = [(0, 0), (0, 50), (100, 50), (100, 0)]
+    second = [(100, 0), (100, 50), (200, 50), (200, 0)]
+    knots = np.array([0.0] * 4 + [1.0] * 3 + [2.0] * 4)
+    control = np.array(first + second[1:], dtype=float)
+    both = curve.Spline(control, np.ones(7), knots, 3).fitted()
+    apart = [bezier(*leg).fitted() for leg in (first, second)]
+    assert len(both[2]) == len(apart[0][2]) + len(apart[1][2])
+    assert deviation(both, np.concatenate([bernstein(first, 400), bernstein(second, 400)])) <= 0.01
+    assert corners(both).max() == pytest.approx(180.0, abs=1e-3)
+
+
 def test_unclamped_spline_lives_between_its_inner_knots():
     # A uniform quadratic: at the ends of its domain it is midway between control points.
     control = np.array([[0.0, 0], [10, 0], [10, 10], [0, 10]])

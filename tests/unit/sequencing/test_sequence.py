@@ -84,6 +84,17 @@ def test_c_stays_within_its_travel_though_the_work_winds_up():
     assert path.pose[:, 3].max() <= 1080
 
 
+def test_c_unwinds_in_the_air_inside_a_track_too():
+    # Sixty right angles to the left would be fifteen turns.
+    size = np.arange(300.0, 0.0, -5.0)
+    turns = np.array([[1, 0], [0, 1], [-1, 0], [0, -1]])[np.arange(60) % 4]
+    corners = np.concatenate([[[0.0, 0.0]], np.cumsum(size[:, None] * turns, axis=0)])
+    spiral = np.stack([corners[:-1], corners[1:]], axis=1)
+    path = sequenced((LineType.CUT, spiral))
+    assert path.pose[:, 3].max() <= 1080
+    assert (path.motion == Motion.FEED).sum() == 60
+
+
 def test_a_head_that_would_leave_the_machine_is_named():
     narrow = replace(MACHINE, x=Axis(-500.0, 100.0, 1500.0, 8000.0))
     with pytest.raises(

@@ -1,0 +1,191 @@
+"""The workloads, one function a room: subject, n, the work, the peers and the number of runs."""
+
+from __future__ import annotations
+
+import io
+import itertools
+from collections.abc import Callable
+from functools import cache
+from typing import TypeAlias
+
+import ezdxf
+import numpy as np
+
+from knifetip import pipeline
+from knifetip.classification.classify import classify
+from knifetip.compensation.compensate import compensate
+from knifetip.dxf.read import read
+from knifetip.library import load
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.planning.plan import plan
+from knifetip.post.process import process
+from knifetip.sequencing.order import nearest_neighbour
+from knifetip.verification.verify import verify
+
+Bench: TypeAlias = tuple[str, int, Callable[[], object], dict[str, Callable[[], object]], int]
+
+MACHINE = load.machine("demo-table")
+BOARD = load.board("greyboard-2.0")
+
+
+@cache
+def _drawing_bytes(count: int) -> bytes:
+    """A sheet of small panels: four cuts and one crease each, on two layers."""
+    document = ezdxf.new("R2010", units=4)
+    document.layers.add("CUT", color=1)
+    document.layers.add("CREASE", color=3)
+    space = document.modelspace()
+    for panel in range(count // 5):
+        x, y = panel % 100 * 12.0, panel // 100 * 12.0
+        corners = [(x, y), (x + 10, y), (x + 10, y + 10), (x, y + 10), (x, y)]
+        for start, end in itertools.pairwise(corners):
+            space.add_line(start, end, dxfattribs={"layer": "CUT"})
+        space.add_line((x + 5, y), (x + 5, y + 10), dxfattribs={"layer": "CREASE"})
+    text = io.StringIO()
+    document.write(text)
+    return text.getvalue().encode()
+
+
+def _edges(kind: LineType, count: int) -> Dieline:
+    """Loose edges of 40 mm at every azimuth, none of which touch."""
+    angle = np.arange(count) * 2.399963
+    start = np.column_stack([np.arange(count) % 1000 * 100.0, np.arange(count) // 1000 * 100.0])
+    end = start + 40.0 * np.column_stack([np.cos(angle), np.sin(angle)])
+    rows = np.arange(count)
+    return Dieline(
+        np.stack([start, end], axis=1),
+        np.zeros(count),
+        np.full(count, kind),
+        rows,
+        np.zeros(count),
+        np.ones(count),
+        ("bench",),
+    )
+
+
+def _engine(kind: LineType, count: int) -> Callable[[], object]:
+    operation = plan(_edges(kind, count), MACHINE, BOARD)[0]
+    return lambda: compensate(operation)
+
+
+def read_lines() -> Bench:
+    """Read a DXF of lines on two layers."""
+    data = _drawing_bytes(10_000)
+    text = data.decode()
+    return (
+        "DXF R2010, LINE on 2 layers",
+        10_000,
+        lambda: read(data),
+        {"ezdxf.read": lambda: ezdxf.read(io.StringIO(text))},
+        3,
+    )
+
+
+def classify_layers() -> Bench:
+    """Classify by the default profile."""
+    drawing = read(_drawing_bytes(10_000))
+    rules = load.profile("default")
+    return "2 layers, default profile", len(drawing), lambda: classify(drawing, rules), {}, 15
+
+
+def vgroove_edges() -> Bench:
+    """Compensate V-grooves at every azimuth."""
+    return "V-cutter, 2 passes", 100_000, _engine(LineType.V_GROOVE, 100_000), {}, 7
+
+
+def crease_edges() -> Bench:
+    """Compensate creases at every azimuth."""
+    return "wheel, set back at both ends", 100_000, _engine(LineType.CREASE, 100_000), {}, 7
+
+
+def knife_edges() -> Bench:
+    """Compensate free cuts at every azimuth."""
+    return "knife, free ends", 100_000, _engine(LineType.CUT, 100_000), {}, 7
+
+
+def plan_sheet() -> Bench:
+    """Chain and plan a sheet of panels."""
+    drawing = read(_drawing_bytes(10_000))
+    dieline = classify(drawing, load.profile("default"))
+    return "2,000 panels", len(dieline), lambda: plan(dieline, MACHINE, BOARD), {}, 7
+
+
+def order_nearest() -> Bench:
+    """Order tracks by nearest neighbour."""
+    random = np.random.default_rng(1)
+    start, end = random.uniform(0, 1000, (2, 10_000, 2))
+
+    def exhaustive() -> object:
+        left, here = np.ones(len(start), bool), np.zeros(2)
+        order = []
+        for _ in range(len(start)):
+            distance = np.where(left, np.hypot(*(start - here).T), np.inf)
+            order.append(int(distance.argmin()))
+            left[order[-1]] = False
+            here = end[order[-1]]
+        return order
+
+    return (
+        "random tracks",
+        10_000,
+        lambda: nearest_neighbour(start, end, np.zeros(2)),
+        {"NumPy, exhaustive": exhaustive},
+        3,
+    )
+
+
+def _compiled() -> tuple[pipeline.Compiled, Dieline]:
+    drawing = read(_drawing_bytes(10_000))
+    dieline = classify(drawing, load.profile("default"))
+    return pipeline.compiled(drawing, dieline, MACHINE, BOARD), dieline
+
+
+def process_lines() -> Bench:
+    """Write a program."""
+    made, _ = _compiled()
+    return (
+        "toolpath rows to grblHAL",
+        len(made.toolpath),
+        lambda: process(made.toolpath, MACHINE, "grblhal"),
+        {},
+        7,
+    )
+
+
+def verify_program() -> Bench:
+    """Judge a program against its drawing."""
+    made, dieline = _compiled()
+    return (
+        "program lines",
+        len(made.program),
+        lambda: verify(made.program.text, dieline, made.placement, MACHINE, BOARD),
+        {},
+        3,
+    )
+
+
+def compile_sheet() -> Bench:
+    """From a classified drawing to a judged program."""
+    drawing = read(_drawing_bytes(10_000))
+    dieline = classify(drawing, load.profile("default"))
+    return (
+        "2,000 panels, plan to verify",
+        len(dieline),
+        lambda: pipeline.compiled(drawing, dieline, MACHINE, BOARD),
+        {},
+        3,
+    )
+
+
+BENCHES: tuple[Callable[[], Bench], ...] = (
+    read_lines,
+    classify_layers,
+    plan_sheet,
+    vgroove_edges,
+    crease_edges,
+    knife_edges,
+    order_nearest,
+    process_lines,
+    verify_program,
+    compile_sheet,
+)

@@ -1,0 +1,61 @@
+"""The whole way through REST: upload, order, and the simulated table runs it to its end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import httpx
+import pytest
+
+from knifetip.dxf.samples import samples
+from serving import Running, ordered, square, until, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+BOARDS = {
+    "tuck-end-carton.dxf": "fbb-0.4",
+    "corrugated-tray.dxf": "b-flute",
+    "rigid-box-blank.dxf": "greyboard-2.0",
+}
+
+
+@pytest.fixture(scope="module")
+def shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
+    """A server with a table that is fifty times as fast as a real one."""
+    with Running(tmp_path_factory.mktemp("shop") / "shop.sqlite", speed=50.0) as client:
+        yield client
+
+
+@pytest.mark.parametrize("name", BOARDS)
+def test_a_sample_runs_to_its_end(shop: httpx.Client, name: str):
+    drawing = uploaded(shop, samples()[name])["id"]
+    job = ordered(shop, drawing, board=BOARDS[name], release=True)["id"]
+    done = until(shop, job, "done")
+    assert done["verdict"]["accepted"]
+    assert (done["line"], done["progress"]) == (done["lines"], 1.0)
+
+
+def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client):
+    drawing = uploaded(shop, square())["id"]
+    job = ordered(shop, drawing, copies=3, release=True)["id"]
+    for copy in (1, 2):
+        until(shop, job, "held")
+        assert shop.get(f"/api/jobs/{job}").json()["copies_done"] == copy
+        shop.post(f"/api/jobs/{job}/resume")
+        until(shop, job, "running", "done")
+    done = until(shop, job, "done")
+    assert done["copies_done"] == 3
+    whys = [event["why"] for event in shop.get(f"/api/jobs/{job}/events").json()]
+    assert "copy 1 of 3 is done: put a new sheet on the table" in whys
+    assert "copy 2 of 3 is done: put a new sheet on the table" in whys
+
+
+def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client):
+    # Fifty slits keep the table busy for a second or two.
+    drawing = uploaded(shop, square(side=1000.0))["id"]
+    job = ordered(shop, drawing, copies=2, release=True)["id"]
+    until(shop, job, "held")
+    shop.post(f"/api/jobs/{job}/cancel")
+    cancelled = until(shop, job, "cancelled")
+    assert cancelled["copies_done"] == 1
+    assert shop.get("/api/machines/demo-table").json()["job"] is None

@@ -1,0 +1,130 @@
+"""The server's process is killed as a power cord kills it, and nothing is lost."""
+
+from __future__ import annotations
+
+import random
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+
+import dxf_text as text
+from serving import Running, ordered, square, until, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+#: 10,000 slits of 8.5 mm: enough that their compile can be caught in the act.
+SLITS = text.dxf(
+    *(
+        text.line(i * 12.0, j * 11.0, i * 12.0 + 8.0, j * 11.0 + 3.0, (8, "CUT"))
+        for i in range(100)
+        for j in range(100)
+    )
+)
+
+
+@pytest.fixture
+def database(tmp_path: Path) -> Iterator[Path]:
+    yield tmp_path / "shop.sqlite"
+
+
+def course(client: httpx.Client, job: str) -> list[str]:
+    return [event["state"] for event in client.get(f"/api/jobs/{job}/events").json()]
+
+
+def test_killed_while_it_compiles_it_compiles_again(database: Path):
+    first = Running(database, simulator=False)
+    drawing = uploaded(first.client, SLITS)["id"]
+    job = ordered(first.client, drawing)["id"]
+    until(first.client, job, "compiling")
+    first.kill()
+    with Running(database, simulator=False) as client:
+        found = until(client, job, "ready")
+        assert found["verdict"]["accepted"]
+        assert found["lines"] > 10_000
+        states = course(client, job)
+        # It was really caught: the compile began twice, and ended once.
+        assert states.count("compiling") == 2
+        assert states.count("ready") == 1
+
+
+def test_killed_while_it_is_queued_it_is_queued_and_then_runs_to_its_end(database: Path):
+    first = Running(database, simulator=False)
+    job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
+    sha256 = until(first.client, job, "queued")["program_sha256"]
+    first.kill()
+    with Running(database, simulator=False) as client:
+        assert client.get(f"/api/jobs/{job}").json()["state"] == "queued"
+    with Running(database, speed=200.0) as client:
+        assert until(client, job, "done")["program_sha256"] == sha256
+
+
+def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path):
+    first = Running(database, speed=0.2)
+    drawing = uploaded(first.client, square())["id"]
+    job = ordered(first.client, drawing, release=True)["id"]
+    until(first.client, job, "running")
+    while not (line := first.client.get(f"/api/jobs/{job}").json()["line"]):
+        time.sleep(0.02)
+    first.kill()
+    with Running(database, speed=200.0) as client:
+        found = until(client, job, "interrupted")
+        assert found["line"] >= line > 0
+        assert "switched off" in found["reason"]
+        # The table is not given to another before somebody has looked at it.
+        other = ordered(client, drawing, release=True)["id"]
+        until(client, other, "queued")
+        time.sleep(1.0)
+        assert client.get(f"/api/jobs/{other}").json()["state"] == "queued"
+        client.post(f"/api/jobs/{job}/requeue")
+        until(client, other, "done")
+        until(client, job, "done")
+        assert course(client, job).count("interrupted") == 1
+
+
+def test_a_gateway_that_never_comes_back_leaves_an_interrupted_job(database: Path):
+    first = Running(database, speed=0.2)
+    job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
+    until(first.client, job, "running")
+    first.kill()
+    with Running(database, simulator=False) as client:
+        found = until(client, job, "interrupted", seconds=15.0)
+        assert "fell silent at line" in found["reason"]
+
+
+def test_killed_at_any_moment_it_loses_no_job(database: Path):
+    random.seed(20)
+    jobs: list[str] = []
+    server = Running(database, speed=2.0)
+    drawing = uploaded(server.client, square())["id"]
+    for _ in range(3):
+        jobs += [ordered(server.client, drawing, release=True)["id"] for _ in range(3)]
+        time.sleep(random.uniform(0.0, 0.6))
+        server.kill()
+        server = Running(database, speed=200.0)
+    try:
+        for job in jobs:
+            while (found := server.client.get(f"/api/jobs/{job}").json())["state"] != "done":
+                assert found["state"] not in ("refused", "cancelled", "scrapped")
+                if found["state"] == "interrupted":
+                    server.client.post(f"/api/jobs/{job}/requeue")
+                time.sleep(0.05)
+        listed = server.client.get("/api/jobs").json()
+        assert sorted(job["id"] for job in listed) == sorted(jobs)
+    finally:
+        server.stop()
+
+
+def test_stopped_in_order_it_is_quick_and_its_machine_stands(database: Path):
+    first = Running(database, speed=0.2)
+    job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
+    until(first.client, job, "running")
+    began = time.monotonic()
+    assert first.stop() == 0
+    assert time.monotonic() - began < 8.0
+    with Running(database, simulator=False) as client:
+        found = client.get(f"/api/jobs/{job}").json()
+        assert found["state"] == "interrupted"
+        assert "switched off" in found["reason"]
