@@ -13,11 +13,12 @@
     ├── PlanError                 the job cannot be made on this machine
     │   ├── OpenQuestions         edges or units that somebody must decide first
     │   ├── NoToolForLineType     no station of the machine makes this line type
+    │   ├── FlankOutside          a V-groove so near a cut that its flank leaves the board
     │   └── TravelExceeded        a head would leave the machine's travel
     ├── CompensationError         an engine refuses an edge
     │   ├── CurvedGroove          a V-groove along an arc
     │   ├── EdgeTooShort          shorter than the tool that should work it
-    │   └── GrooveTooDeep         a V-groove deeper than the board, or out of its sides
+    │   └── GrooveTooDeep         a V-groove deeper than the board, or a blade too wide for it
     ├── ProgramError              the emitted program is wrong
     │   ├── ProgramUnreadable     a line that the verifier cannot parse
     │   └── ProgramRefused        the verdict is outside tolerance
@@ -149,6 +150,10 @@ class OpenQuestions(PlanError):
 
 class NoToolForLineType(PlanError):
     """No station of the machine makes this line type."""
+
+
+class FlankOutside(PlanError):
+    """A V-groove runs so near a cut that its flank would leave the board."""
 
 
 class TravelExceeded(PlanError):

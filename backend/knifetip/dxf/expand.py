@@ -13,7 +13,7 @@ import time
 from collections import defaultdict, deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from ezdxf.document import Drawing as Document
@@ -24,7 +24,10 @@ from knifetip.dxf.census import Census, Counted
 from knifetip.dxf.entities import READ, REASONS, Shape, Undrawable, drawn, flat, mirrored
 from knifetip.dxf.limits import Limits
 from knifetip.errors import DrawingTooLarge, GeometryError
-from knifetip.geometry.columns import F64
+from knifetip.geometry.columns import F64, frozen
+
+#: The linear part of what no INSERT moves: most of a drawing, and nothing to be done.
+ON_SHEET: Final[F64] = frozen(np.eye(2)[None], np.float64, 1, 2, 2)
 
 
 class Placed(NamedTuple):
@@ -171,7 +174,7 @@ class _Walk:
         return endless
 
     def sheet_entities(self) -> None:
-        here = (np.eye(2)[None], np.zeros((1, 2)))
+        here = (ON_SHEET, np.zeros((1, 2)))
         for entry in self.entries:
             self._entry(entry, "", here, None)
 

@@ -20,7 +20,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.dxf.entities import Lines, Shape
-from knifetip.dxf.expand import Placed, Sheet
+from knifetip.dxf.expand import ON_SHEET, Placed, Sheet
 from knifetip.dxf.limits import REACH, Limits
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.geometry import arc
@@ -125,7 +125,9 @@ def _relative(near: list[tuple[F64, F64]], reach: float) -> float:
 def _reach(placed: Placed) -> tuple[F64, F64]:
     """Return the lower and upper corner of a box around a placed shape, not always the smallest."""
     shape = placed.shape
-    if isinstance(shape, Lines):
+    if isinstance(shape, Lines) and not shape.bulge.any():
+        low, high = shape.ends.min(axis=(0, 1)), shape.ends.max(axis=(0, 1))
+    elif isinstance(shape, Lines):
         boxes = arc.bounds(shape.ends[:, 0], shape.ends[:, 1], shape.bulge)
         low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
     elif isinstance(shape, Ellipse):
@@ -133,6 +135,8 @@ def _reach(placed: Placed) -> tuple[F64, F64]:
         low, high = shape.centre - half, shape.centre + half
     else:
         low, high = shape.control.min(axis=0), shape.control.max(axis=0)
+    if placed.linear is ON_SHEET:
+        return low, high
     middle, half = (low + high) / 2.0, (high - low) / 2.0
     at = (placed.linear @ middle) + placed.shift
     around = np.abs(placed.linear) @ half
@@ -142,6 +146,8 @@ def _reach(placed: Placed) -> tuple[F64, F64]:
 def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64, bool]:
     """Return ends (n, 2, 2), bulge (n,) of all placements, and whether anything was fitted."""
     shape, linear, shift = placed.shape, placed.linear, placed.shift
+    if isinstance(shape, Lines) and linear is ON_SHEET:
+        return shape.ends, shape.bulge, False
     straight = isinstance(shape, Lines) and bool((np.abs(shape.bulge) < BULGE).all())
     even = np.hypot(
         linear[:, 0, 0] * linear[:, 0, 1] + linear[:, 1, 0] * linear[:, 1, 1],

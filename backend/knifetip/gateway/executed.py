@@ -27,6 +27,8 @@ from knifetip.gateway.motion import NOTHING, Limits, Pose
 
 #: A reported position this near to a move is on it (mm and degrees): steps, chords, rounding.
 NEAR = 0.05
+#: A later move is preferred only where it is nearer by more than the rounding (mm and degrees).
+CLEARLY = 0.002
 #: Blocks that a planner may already have given up while the steps are still being made.
 AHEAD = 1
 
@@ -92,17 +94,9 @@ class Executed:
         self._take(acknowledged)
         if capacity is not None and status.free is not None:
             self._release(capacity - status.free + AHEAD)
-        for row, line in enumerate(self._window):
-            block = line.block
-            named = status.number > 0 and block.number == status.number
-            if named or (block.move is not None and block.move.length > NOTHING):
-                distance, fraction = (
-                    block.move.nearest(status.position) if block.move else (0.0, 0.0)
-                )
-                if named or distance <= NEAR:
-                    self._drop(row)
-                    self._fraction = fraction
-                    break
+        row, fraction = self._find(status)
+        self._drop(row)
+        self._fraction = fraction if row else max(fraction, self._fraction)
         self._skip()
         return self.lines
 
@@ -117,6 +111,22 @@ class Executed:
         """Nominal seconds of everything executed, the part of the current line included."""
         part = self._window[0].seconds * self._fraction if self._window else 0.0
         return self.seconds + part
+
+    def _find(self, status: Status) -> tuple[int, float]:
+        """Return the row of the window that is being executed, and how much of it is done."""
+        nearest, found = NEAR, (0, 0.0)
+        for row, line in enumerate(self._window):
+            if status.number > 0 and line.block.number == status.number:
+                return row, 0.0
+            if (move := line.block.move) is None or move.length <= NOTHING:
+                continue
+            distance, fraction = move.nearest(status.position)
+            if distance < nearest:
+                nearest, found = distance - CLEARLY, (row, fraction)
+            elif nearest < NEAR:
+                # Only the move that follows can be nearer for being the true one: at their joint.
+                break
+        return found
 
     def _take(self, acknowledged: int) -> None:
         """Read on to the last line answered; a line that waits for motion settles all before."""

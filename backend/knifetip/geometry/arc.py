@@ -72,6 +72,18 @@ def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
     return result
 
 
+def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
+    """Return points at equal distances along each segment, both ends among them, (n, count, 2)."""
+    share = np.tile(np.linspace(0.0, 1.0, count), len(bulge))
+    points = point_at(
+        np.repeat(start, count, axis=0),
+        np.repeat(end, count, axis=0),
+        np.repeat(bulge, count),
+        share,
+    )
+    return points.reshape(-1, count, 2)
+
+
 def part(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, F64, F64]:
     """Return the pieces between two fractions of the length: new start, end and bulge."""
     return (

@@ -157,7 +157,9 @@ def _spread(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) ->
             raise GeometryError(
                 "The curve has points that are not numbers.", "Draw it again, as lines and arcs."
             )
-        ahead = tangent(grid.reshape(-1)).reshape(shape)
+        seen = grid.copy()
+        seen[:, -1] = np.nextafter(grid[:, -1], grid[:, 0])
+        ahead = tangent(seen.reshape(-1)).reshape(shape)
         step = np.diff(place, axis=1)
         along = np.hypot(step[..., 0], step[..., 1])
         before, after = ahead[:, :-1], ahead[:, 1:]

@@ -83,11 +83,7 @@ def _area(start: F64, end: F64, bulge: F64) -> F64:
 
 def _enclosed(ends: F64, bulge: F64, component: I64) -> Bool:
     """Return for each edge whether its component lies inside another one's boundary."""
-    share = np.linspace(0.0, 1.0, _CHORDS + 1)
-    start = np.repeat(ends[:, 0], _CHORDS + 1, axis=0)
-    end = np.repeat(ends[:, 1], _CHORDS + 1, axis=0)
-    points = arc.point_at(start, end, np.repeat(bulge, _CHORDS + 1), np.tile(share, len(ends)))
-    points = points.reshape(-1, _CHORDS + 1, 2)
+    points = arc.points_along(ends[:, 0], ends[:, 1], bulge, _CHORDS + 1)
     size = component.max() + 1 if len(component) else 0
     probe = np.zeros((size, 2))
     probe[component[::-1]] = points[::-1, _CHORDS // 2]

@@ -24,6 +24,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import CreaseWheel, Knife, Tool, VCutter
+from knifetip.planning.flank import check_flanks
 from knifetip.planning.outer import outer
 
 #: The tools that each line type needs.
@@ -55,6 +56,8 @@ def plan(dieline: Dieline, machine: Machine, board: Board) -> list[Operation]:
     ------
     NoToolForLineType
         No station of the machine makes one of the line types.
+    FlankOutside
+        A V-groove runs so close beside a cut that its flank would leave the board.
     """
     line_type = dieline.line_type
     cuts = np.flatnonzero(line_type == LineType.CUT)
@@ -167,6 +170,8 @@ def _grooves(
 ) -> Operation:
     paths, source = _joined(dieline, rows, COLLINEAR)
     depth = np.full((len(source), 1), board.groove_depth)
+    if isinstance(station.tool, VCutter):
+        check_flanks(paths, source, board.groove_depth * station.tool.slope, dieline)
     free = np.zeros(2 * len(paths), np.bool_)
     ends = _ends(paths, free, End.FREE)
     return _operation(LineType.V_GROOVE, paths, source, depth, ends, machine, board, station)

@@ -55,7 +55,7 @@ class Office:
         self.reachable = True
         self.stale = False
         self.deaf = 0  # answers to finish that are lost
-        self.slow = 0.0  # seconds that a heartbeat is on its way
+        self.delayed = None  # what the answer to a heartbeat waits for
 
     async def __call__(self, request):
         if not self.reachable:
@@ -74,7 +74,8 @@ class Office:
             if self.stale:
                 return httpx.Response(409, json={"title": "stale"})
             answer = {"command": self.command(body), "lease": self.claim["lease"]}
-            await asyncio.sleep(self.slow)
+            if self.delayed:
+                await self.delayed(body)
             return httpx.Response(200, json=answer)
         if path == "/api/gateway/finish":
             if self.deaf:
@@ -164,7 +165,6 @@ async def test_between_two_copies_it_waits_as_held_for_a_new_sheet():
 
 async def test_a_resume_that_comes_late_does_not_start_the_next_copy():
     office = Office(copies=2)
-    office.slow = 0.05
     # Says resume to every heartbeat that is not held, and cancel in the end.
     held = []
 
@@ -176,6 +176,13 @@ async def test_a_resume_that_comes_late_does_not_start_the_next_copy():
 
     office.command = command
     async with table() as server:
+
+        async def delayed(beat):
+            while not beat["held"] and len(server.table.switched) < 2:
+                await asyncio.sleep(0.005)
+            await asyncio.sleep(0.1 if not beat["held"] else 0.0)
+
+        office.delayed = delayed
         await gateway(office, server)
         assert len(server.table.switched) == 2
     assert office.finished[0]["outcome"] == "cancelled"

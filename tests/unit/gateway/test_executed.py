@@ -67,6 +67,18 @@ def test_a_position_off_the_path_says_nothing():
     assert follower.update(at(50.0, y=3.0, z=1.0), 8, None) == 4
 
 
+def test_just_after_a_joint_it_is_the_next_line():
+    # 0.03 mm of the way back done: nearer to the way back than to the end of the half turn.
+    follower = followed()
+    follower.update(at(100.0, z=1.0, c=90.0), 8, None)
+    assert follower.update(at(99.97, z=1.0, c=180.0), 8, None) == 6
+
+
+def test_a_later_crossing_of_the_same_point_does_not_count():
+    text = b"G1 X100 F600\nG1 X100 Y10\nG1 X50\nG1 Y-10\n"
+    assert followed(text).update(at(50.0, 0.001), 4, None) == 0
+
+
 def test_blocks_free_in_the_planner_say_how_much_must_be_done():
     # Five moves answered, 14 of 15 blocks free: one is held, one more may be in the steps.
     follower = followed()

@@ -1,0 +1,164 @@
+/**
+ * The service, as functions: one to an endpoint, each answering with what the service promises.
+ *
+ * Everything that goes wrong is a `ServiceError` with the service's own words: what, and the mend.
+ */
+
+import type { Edges, Toolpath } from "../geometry/records";
+import { edgesOf, toolpathOf } from "./columns";
+import type { components } from "./openapi.gen";
+
+type Schemas = components["schemas"];
+export type Board = Schemas["BoardOut"];
+export type Drawing = Schemas["DrawingOut"];
+export type DrawingSummary = Schemas["DrawingSummary"];
+export type Finding = Schemas["FindingOut"];
+export type Job = Schemas["JobOut"];
+export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> & { copies: number };
+export type JobState = Job["state"];
+export type LedgerRow = Schemas["LedgerRow"];
+export type Machine = Schemas["MachineOut"];
+export type Override = { [K in keyof Schemas["Override"]]?: Schemas["Override"][K] } & {
+  type: Schemas["Override"]["type"];
+};
+export type Problem = Schemas["Problem"];
+export type Profile = Schemas["ProfileOut"];
+export type Question = Schemas["QuestionOut"];
+export type Unit = NonNullable<Drawing["unit"]>;
+export type Verdict = Schemas["VerdictOut"];
+export type VerdictSummary = Schemas["VerdictSummary"];
+
+/** What the operator can ask of a job. */
+export type JobCommand = "release" | "hold" | "resume" | "cancel" | "requeue" | "scrap";
+
+/** The service said no, or did not answer. */
+export class ServiceError extends Error {
+  override name = "ServiceError";
+
+  constructor(readonly problem: Problem) {
+    super(problem.detail || problem.title);
+  }
+
+  get mend(): string {
+    return this.problem.mend;
+  }
+}
+
+const SILENT: Problem = {
+  type: "about:blank",
+  title: "No answer",
+  status: 0,
+  detail: "knifetip does not answer.",
+  mend: "See whether it is still running, then try again.",
+  source: [],
+  questions: [],
+};
+
+/** What an answer that is not a success says, however badly it says it. */
+export function problemOf(status: number, title: string, body: string): Problem {
+  const plain: Problem = {
+    ...SILENT,
+    status,
+    title: title || `Status ${status}`,
+    detail: `knifetip answered ${status}${title ? ` ${title}` : ""}.`,
+    mend: status >= 500 ? "Try again; if it stays, look into the server's log." : "",
+  };
+  let said: unknown;
+  try {
+    said = JSON.parse(body);
+  } catch {
+    return plain;
+  }
+  if (typeof said !== "object" || said === null) return plain;
+  const known = said as Partial<Problem>;
+  return {
+    ...plain,
+    ...known,
+    detail: typeof known.detail === "string" ? known.detail : plain.detail,
+    mend: typeof known.mend === "string" ? known.mend : plain.mend,
+    source: known.source ?? [],
+    questions: known.questions ?? [],
+    status,
+  };
+}
+
+async function request(path: string, init?: RequestInit): Promise<Response> {
+  let answer: Response;
+  try {
+    answer = await fetch(path, init);
+  } catch (cause) {
+    if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
+    throw new ServiceError(SILENT);
+  }
+  if (!answer.ok) {
+    throw new ServiceError(problemOf(answer.status, answer.statusText, await answer.text()));
+  }
+  return answer;
+}
+
+const get = async <T>(path: string, signal?: AbortSignal): Promise<T> =>
+  (await request(path, signal ? { signal } : {})).json() as Promise<T>;
+
+const send = async <T>(method: string, path: string, body?: unknown): Promise<T> => {
+  const answer = await request(path, {
+    method,
+    ...(body === undefined
+      ? {}
+      : { headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) }),
+  });
+  return answer.json() as Promise<T>;
+};
+
+const bytes = async (path: string, signal?: AbortSignal): Promise<ArrayBuffer> =>
+  (await request(path, signal ? { signal } : {})).arrayBuffer();
+
+const at = (kind: string, id: string, rest = ""): string =>
+  `/api/${kind}/${encodeURIComponent(id)}${rest}`;
+
+/** Send a file; `onProgress` hears how much of it (0 … 1) is up. */
+function upload(file: File, onProgress: (fraction: number) => void): Promise<Drawing> {
+  // fetch does not tell how much of a body it has sent; this old door does.
+  return new Promise((resolve, reject) => {
+    const door = new XMLHttpRequest();
+    door.open("POST", "/api/drawings");
+    door.upload.onprogress = (event) => {
+      if (event.lengthComputable) onProgress(event.loaded / event.total);
+    };
+    door.onerror = () => reject(new ServiceError(SILENT));
+    door.onload = () => {
+      if (door.status >= 200 && door.status < 300)
+        resolve(JSON.parse(door.responseText) as Drawing);
+      else reject(new ServiceError(problemOf(door.status, door.statusText, door.responseText)));
+    };
+    const form = new FormData();
+    form.append("file", file, file.name);
+    door.send(form);
+  });
+}
+
+export const service = {
+  drawings: (signal?: AbortSignal) => get<DrawingSummary[]>("/api/drawings", signal),
+  drawing: (id: string, signal?: AbortSignal) => get<Drawing>(at("drawings", id), signal),
+  edges: async (id: string, signal?: AbortSignal): Promise<Edges> =>
+    edgesOf(await bytes(at("drawings", id, "/edges?format=columns"), signal)),
+  ledger: (id: string, signal?: AbortSignal) =>
+    get<Schemas["LedgerOut"]>(at("drawings", id, "/ledger"), signal),
+  upload,
+  settle: (id: string, change: { unit?: Unit; profile?: string }) =>
+    send<Drawing>("PATCH", at("drawings", id), change),
+  override: (id: string, overrides: readonly Override[]) =>
+    send<Drawing>("PATCH", at("drawings", id, "/edges"), { overrides }),
+
+  jobs: (signal?: AbortSignal) => get<Job[]>("/api/jobs", signal),
+  job: (id: string, signal?: AbortSignal) => get<Job>(at("jobs", id), signal),
+  compile: (order: JobOrder) => send<Job>("POST", "/api/jobs", order),
+  command: (id: string, command: JobCommand) => send<Job>("POST", at("jobs", id, `/${command}`)),
+  verdict: (id: string, signal?: AbortSignal) => get<Verdict>(at("jobs", id, "/verdict"), signal),
+  toolpath: async (id: string, signal?: AbortSignal): Promise<Toolpath> =>
+    toolpathOf(await bytes(at("jobs", id, "/toolpath"), signal)),
+  programUrl: (id: string) => at("jobs", id, "/program"),
+
+  machines: (signal?: AbortSignal) => get<Machine[]>("/api/machines", signal),
+  boards: (signal?: AbortSignal) => get<Board[]>("/api/boards", signal),
+  profiles: (signal?: AbortSignal) => get<Profile[]>("/api/profiles", signal),
+};

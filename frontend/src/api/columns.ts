@@ -1,0 +1,110 @@
+/**
+ * Binary columns: what the service sends becomes typed-array views, without a copy.
+ *
+ *     "KTIP"  uint32 header length  JSON header, padded to 8 bytes  little-endian columns
+ *
+ * The header is {"columns": [{name, dtype, shape, offset}], "meta": {…}}, offsets counted from
+ * where the data begins.
+ */
+
+import type { Edges, Toolpath } from "../geometry/records";
+
+type Column = Float64Array | Int32Array | Uint8Array;
+
+export interface Columns {
+  readonly columns: ReadonlyMap<string, Column>;
+  readonly meta: Readonly<Record<string, unknown>>;
+}
+
+/** The bytes are not what the service promises: it and the page are of different versions. */
+export class ColumnsError extends Error {
+  override name = "ColumnsError";
+}
+
+interface ColumnHead {
+  name: string;
+  dtype: string;
+  shape: number[];
+  offset: number;
+}
+
+const MAGIC = "KTIP";
+
+export function decodeColumns(bytes: ArrayBuffer): Columns {
+  const magic = String.fromCharCode(...new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength)));
+  if (magic !== MAGIC || bytes.byteLength < 8) {
+    throw new ColumnsError(`These are not columns: they begin with “${magic}”, not “${MAGIC}”.`);
+  }
+  const size = new DataView(bytes).getUint32(4, true);
+  if (8 + size > bytes.byteLength) {
+    throw new ColumnsError(`The header should be ${size} bytes long, but the answer ends before.`);
+  }
+  const header = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 8, size))) as {
+    columns: ColumnHead[];
+    meta?: Record<string, unknown>;
+  };
+  const data = Math.ceil((8 + size) / 8) * 8;
+  const columns = new Map<string, Column>();
+  for (const { name, dtype, shape, offset } of header.columns) {
+    const count = shape.reduce((product, extent) => product * extent, 1);
+    const at = data + offset;
+    const view = viewOf(dtype, bytes, at, count);
+    if (view === null) {
+      throw new ColumnsError(`Column ${name} (${dtype}, ${count} values) does not fit the answer.`);
+    }
+    columns.set(name, view);
+  }
+  return { columns, meta: header.meta ?? {} };
+}
+
+function viewOf(dtype: string, bytes: ArrayBuffer, at: number, count: number): Column | null {
+  const kinds = { "<f8": Float64Array, "<i4": Int32Array, "|u1": Uint8Array } as const;
+  const kind = kinds[dtype as keyof typeof kinds];
+  if (kind === undefined || at + count * kind.BYTES_PER_ELEMENT > bytes.byteLength) return null;
+  if (at % kind.BYTES_PER_ELEMENT !== 0) {
+    return new kind(bytes.slice(at, at + count * kind.BYTES_PER_ELEMENT));
+  }
+  return new kind(bytes, at, count);
+}
+
+function column<T extends Column>(from: Columns, name: string, kind: new (n: number) => T): T {
+  const found = from.columns.get(name);
+  if (!(found instanceof kind)) throw new ColumnsError(`The answer has no column ${name}.`);
+  return found;
+}
+
+const words = (value: unknown): string[] => (Array.isArray(value) ? value.map(String) : []);
+
+export function edgesOf(bytes: ArrayBuffer): Edges {
+  const from = decodeColumns(bytes);
+  return {
+    ends: column(from, "ends", Float64Array),
+    bulge: column(from, "bulge", Float64Array),
+    lineType: column(from, "line_type", Uint8Array),
+    layer: column(from, "layer", Int32Array),
+    colour: column(from, "colour", Int32Array),
+    rule: column(from, "rule", Int32Array),
+    linetype: column(from, "linetype", Int32Array),
+    confidence: column(from, "confidence", Float64Array),
+    length: column(from, "length", Float64Array),
+    handles: words(from.meta.handles),
+    layers: words(from.meta.layers),
+    rules: words(from.meta.rules),
+    linetypes: words(from.meta.linetypes),
+  };
+}
+
+export function toolpathOf(bytes: ArrayBuffer): Toolpath {
+  const from = decodeColumns(bytes);
+  const placement = Array.isArray(from.meta.placement) ? from.meta.placement.map(Number) : [];
+  return {
+    pose: column(from, "pose", Float64Array),
+    bulge: column(from, "bulge", Float64Array),
+    motion: column(from, "motion", Uint8Array),
+    feed: column(from, "feed", Float64Array),
+    source: column(from, "source", Int32Array),
+    tool: column(from, "tool", Uint8Array),
+    line: column(from, "line", Int32Array),
+    placement: [placement[0] ?? 0, placement[1] ?? 0],
+  };
+}

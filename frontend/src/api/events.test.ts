@@ -1,0 +1,96 @@
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { listen, type Source } from "./events";
+
+class FakeSource implements Source {
+  static made: FakeSource[] = [];
+  readyState = 0;
+  onopen: Source["onopen"] = null;
+  onerror: Source["onerror"] = null;
+  closed = false;
+  private readonly listeners = new Map<string, (event: MessageEvent<string>) => void>();
+
+  constructor() {
+    FakeSource.made.push(this);
+  }
+  addEventListener(name: string, listener: (event: MessageEvent<string>) => void) {
+    this.listeners.set(name, listener);
+  }
+  close() {
+    this.closed = true;
+  }
+  says(name: string, data: string) {
+    this.listeners.get(name)?.({ data } as MessageEvent<string>);
+  }
+  fails(readyState: number) {
+    this.readyState = readyState;
+    this.onerror?.(new Event("error"));
+  }
+}
+
+const CONNECTING = 0;
+const CLOSED = 2;
+const onEvent = vi.fn();
+const onLine = vi.fn();
+const start = () => listen("/e", ["job"], { onEvent, onLine }, () => new FakeSource());
+const source = (at: number) => FakeSource.made.at(at) as FakeSource;
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  FakeSource.made = [];
+  onEvent.mockClear();
+  onLine.mockClear();
+});
+afterEach(() => vi.useRealTimers());
+
+test("an event arrives as its name and its data", () => {
+  start();
+  source(0).says("job", '{"id":"j1"}');
+  expect(onEvent).toHaveBeenCalledWith("job", { id: "j1" });
+});
+
+test("what is no JSON is no news", () => {
+  start();
+  source(0).says("job", "still here");
+  expect(onEvent).not.toHaveBeenCalled();
+});
+
+test("a line that the browser mends itself is not opened twice", () => {
+  start();
+  source(0).fails(CONNECTING);
+  vi.advanceTimersByTime(60_000);
+  expect(FakeSource.made).toHaveLength(1);
+  expect(onLine).toHaveBeenLastCalledWith("broken");
+});
+
+test("a line that was given up is opened anew, later and later", () => {
+  start();
+  source(0).fails(CLOSED);
+  vi.advanceTimersByTime(499);
+  expect(FakeSource.made).toHaveLength(1);
+  vi.advanceTimersByTime(1);
+  expect(FakeSource.made).toHaveLength(2);
+  source(1).fails(CLOSED);
+  vi.advanceTimersByTime(999);
+  expect(FakeSource.made).toHaveLength(2);
+  vi.advanceTimersByTime(1);
+  expect(FakeSource.made).toHaveLength(3);
+});
+
+test("after a success the waiting begins again at its shortest", () => {
+  start();
+  source(0).fails(CLOSED);
+  vi.advanceTimersByTime(500);
+  source(1).onopen?.(new Event("open"));
+  source(1).fails(CLOSED);
+  vi.advanceTimersByTime(500);
+  expect(FakeSource.made).toHaveLength(3);
+});
+
+test("once it is ended it stays so", () => {
+  const end = start();
+  source(0).fails(CLOSED);
+  end();
+  vi.advanceTimersByTime(60_000);
+  expect(FakeSource.made).toHaveLength(1);
+  expect(source(0).closed).toBe(true);
+});

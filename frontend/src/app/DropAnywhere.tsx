@@ -1,0 +1,47 @@
+/** The whole page is a door for files. */
+
+import { useEffect, useState } from "react";
+import { uploadFiles } from "../state/actions";
+import css from "./app.module.css";
+
+export function DropAnywhere() {
+  const [over, setOver] = useState(false);
+  useEffect(() => {
+    let depth = 0;
+    const gone = new AbortController();
+    const on = (
+      name: "dragenter" | "dragover" | "dragleave" | "drop",
+      act: (e: DragEvent) => void,
+    ) =>
+      window.addEventListener(
+        name,
+        (event) => {
+          if (!event.dataTransfer?.types.includes("Files")) return;
+          event.preventDefault();
+          act(event);
+        },
+        { signal: gone.signal },
+      );
+    on("dragenter", () => {
+      depth++;
+      setOver(true);
+    });
+    on("dragover", () => undefined);
+    on("dragleave", () => {
+      depth--;
+      if (depth <= 0) setOver(false);
+    });
+    on("drop", (event) => {
+      depth = 0;
+      setOver(false);
+      void uploadFiles([...(event.dataTransfer?.files ?? [])]);
+    });
+    return () => gone.abort();
+  }, []);
+  if (!over) return null;
+  return (
+    <div className={css.drop} data-testid="drop-zone">
+      <div className={css.dropCard}>Drop the DXF to open it</div>
+    </div>
+  );
+}

@@ -1,0 +1,262 @@
+/** Joins the store to the viewer: what is open is shown, what is pointed at is known. */
+
+import { ActionIcon, Button, Tooltip } from "@mantine/core";
+import { IconFocusCentered, IconMinus, IconPlus } from "@tabler/icons-react";
+import { useEffect, useMemo, useRef, useState } from "react";
+import { type Edges, lineTypeOf, type Point } from "../geometry/records";
+import { duration, timeOf } from "../geometry/timeline";
+import { type TipOffset, tipOffset } from "../geometry/tip";
+import { EdgeTooltip } from "../panels/EdgeTooltip";
+import panels from "../panels/panels.module.css";
+import { Scrubber } from "../panels/Scrubber";
+import { SelectionBar } from "../panels/SelectionBar";
+import { ViewBar } from "../panels/ViewBar";
+import { isOnTable } from "../state/jobs";
+import { useDrawing, useEdges, useJob, useMachines, useTimeline } from "../state/queries";
+import { layerKey, layerOf } from "../state/rows";
+import { usePage } from "../state/store";
+import { NoWebGL, Viewer } from "../viewer/viewer";
+import css from "./app.module.css";
+import { VIEWER_COLOURS } from "./colours";
+import type { PictureKeys } from "./shortcuts";
+
+interface Props {
+  onReady: (keys: PictureKeys | null) => void;
+}
+
+export function Picture({ onReady }: Props) {
+  const host = useRef<HTMLDivElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const [viewer, setViewer] = useState<Viewer | null>(null);
+  const [failure, setFailure] = useState<string | null>(null);
+  const [scale, setScale] = useState(1);
+  const [cursor, setCursor] = useState<Point | null>(null);
+  const [box, setBox] = useState<{ from: Point; to: Point } | null>(null);
+
+  useEffect(() => {
+    if (host.current === null || canvas.current === null) return;
+    const page = usePage.getState();
+    let made: Viewer;
+    try {
+      made = new Viewer(host.current, canvas.current, VIEWER_COLOURS, {
+        onHover: (row, at) => page.point(row === null ? null : { row, ...at }),
+        onChoose: (rows, add) => page.choose(rows, add),
+        onCursor: setCursor,
+        onView: setScale,
+        onBox: setBox,
+      });
+    } catch (cause) {
+      if (!(cause instanceof NoWebGL)) throw cause;
+      setFailure(cause.message);
+      return;
+    }
+    setViewer(made);
+    return () => {
+      made.dispose();
+      setViewer(null);
+    };
+  }, []);
+
+  useShown(viewer, onReady);
+
+  if (failure !== null) return <NoPicture why={failure} />;
+  return (
+    <>
+      <div
+        ref={host}
+        className={css.picture}
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: the arrow keys pan it
+        tabIndex={0}
+        role="img"
+        aria-label="The dieline and the path of the head. Arrow keys pan, plus and minus zoom, F fits."
+      >
+        <canvas ref={canvas} data-testid="canvas" />
+      </div>
+      {box && <SelectionBox from={box.from} to={box.to} />}
+      <EdgeTooltip
+        width={host.current?.clientWidth ?? 0}
+        height={host.current?.clientHeight ?? 0}
+      />
+      <div className={css.overTop}>
+        <ViewBar />
+      </div>
+      <div className={css.overBottom}>
+        <SelectionBar />
+        <Scrubber />
+      </div>
+      <div className={`${panels.float} ${css.zoom}`}>
+        <ZoomButton label="Zoom in (+)" act={() => viewer?.zoomBy(1.4)}>
+          <IconPlus size={16} />
+        </ZoomButton>
+        <ZoomButton label="Zoom out (−)" act={() => viewer?.zoomBy(1 / 1.4)}>
+          <IconMinus size={16} />
+        </ZoomButton>
+        <ZoomButton label="Fit (F)" act={() => viewer?.fit()}>
+          <IconFocusCentered size={16} />
+        </ZoomButton>
+      </div>
+      <Status scale={scale} cursor={cursor} />
+    </>
+  );
+}
+
+function ZoomButton(props: { label: string; act: () => void; children: React.ReactNode }) {
+  return (
+    <Tooltip label={props.label} position="left">
+      <ActionIcon variant="subtle" color="gray" aria-label={props.label} onClick={props.act}>
+        {props.children}
+      </ActionIcon>
+    </Tooltip>
+  );
+}
+
+function SelectionBox({ from, to }: { from: Point; to: Point }) {
+  return (
+    <div
+      className={css.box}
+      style={{
+        left: Math.min(from.x, to.x),
+        top: Math.min(from.y, to.y),
+        width: Math.abs(to.x - from.x),
+        height: Math.abs(to.y - from.y),
+      }}
+    />
+  );
+}
+
+/** A round length whose bar is 60 to 150 pixels long. */
+function barLength(pixelsPerMm: number): number {
+  const least = 60 / pixelsPerMm;
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * ([1, 2, 5, 10].find((step) => step * power >= least) ?? 10);
+}
+
+function Status({ scale, cursor }: { scale: number; cursor: Point | null }) {
+  const bar = barLength(scale);
+  const digits = scale > 50 ? 3 : scale > 5 ? 2 : 1;
+  return (
+    <div className={css.status}>
+      <span className={css.scale} data-testid="scale-bar">
+        <span className={css.scaleBar} style={{ width: bar * scale }} />
+        {bar >= 1000 ? `${bar / 1000} m` : `${Number(bar.toPrecision(2))} mm`}
+      </span>
+      <span style={{ flex: 1 }} />
+      {cursor && (
+        <span data-testid="cursor">
+          X {cursor.x.toFixed(digits)}&ensp; Y {cursor.y.toFixed(digits)} mm
+        </span>
+      )}
+    </div>
+  );
+}
+
+function NoPicture({ why }: { why: string }) {
+  return (
+    <div className={css.centre} role="alert">
+      <div className={css.welcome} data-testid="no-webgl">
+        <h1>The picture cannot be drawn</h1>
+        <p>
+          {why} Turn on hardware acceleration in the browser's settings, or open this page in a
+          current Firefox, Chrome, Edge or Safari. Everything else on this page works.
+        </p>
+        <Button variant="default" onClick={() => window.location.reload()}>
+          Try again
+        </Button>
+      </div>
+    </div>
+  );
+}
+
+const NO_OFFSETS: ReadonlyMap<number, TipOffset> = new Map();
+
+/** Everything that the viewer is shown. */
+function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => void): void {
+  const { data: edges } = useEdges();
+  const { data: drawing } = useDrawing();
+  const { data: job } = useJob();
+  const { data: line } = useTimeline();
+  const { data: machines } = useMachines();
+  const hiddenTypes = usePage((page) => page.hiddenTypes);
+  const hiddenLayers = usePage((page) => page.hiddenLayers);
+  const layers = usePage((page) => page.layers);
+  const selection = usePage((page) => page.selection);
+  const hovered = usePage((page) => page.hover?.row ?? null);
+  const focus = usePage((page) => page.focus);
+  const scrub = usePage((page) => page.scrub);
+  const chosenMachine = usePage((page) => page.machine);
+  const open = usePage((page) => page.drawing);
+
+  const machine = machines?.find(({ name }) => name === (job?.machine ?? chosenMachine));
+  const offsets = useMemo(
+    () =>
+      machine === undefined
+        ? NO_OFFSETS
+        : new Map(
+            machine.stations.map(
+              ({ number, tool }) => [number, tipOffset(tool.kind, tool.dimensions)] as const,
+            ),
+          ),
+    [machine],
+  );
+
+  const shown: Edges | null = open === null ? null : (edges ?? null);
+  useEffect(() => {
+    viewer?.showEdges(shown, (row) => {
+      if (shown === null || hiddenTypes.has(lineTypeOf(shown.lineType[row]))) return false;
+      return !hiddenLayers.has(layerKey(layerOf(shown, row), shown.colour[row] ?? 0));
+    });
+  }, [viewer, shown, hiddenTypes, hiddenLayers]);
+
+  // A drawing that is opened, or whose unit is settled, is brought into view; a new type is not.
+  const unit = drawing?.unit;
+  const ready = shown !== null;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: these are when, not what
+  useEffect(() => {
+    if (ready) viewer?.fit(null, false);
+  }, [viewer, ready, open, unit]);
+
+  const placement = line?.toolpath.placement;
+  useEffect(() => {
+    if (machine === undefined || drawing === undefined || open === null) {
+      viewer?.showTable(null);
+      return;
+    }
+    const x = placement?.[0] ?? machine.origin[0] - drawing.bounds[0];
+    const y = placement?.[1] ?? machine.origin[1] - drawing.bounds[1];
+    viewer?.showTable([-x, -y, machine.width - x, machine.height - y]);
+  }, [viewer, machine, drawing, placement, open]);
+
+  useEffect(() => viewer?.showTravel(line ?? null, offsets), [viewer, line, offsets]);
+  useEffect(() => viewer?.showLayers(layers), [viewer, layers]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the rows are those of these edges
+  useEffect(() => viewer?.showChosen(selection), [viewer, selection, shown]);
+  useEffect(() => viewer?.showHovered(hovered), [viewer, hovered]);
+  useEffect(() => {
+    if (focus.count > 0) viewer?.fitRows(focus.rows);
+  }, [viewer, focus]);
+
+  const before = useRef(0);
+  useEffect(() => {
+    if (viewer === null || line === undefined || job === undefined) return;
+    if (isOnTable(job)) {
+      const now = performance.now();
+      // As long as the last report took to come, the next one will.
+      const lasts = Math.min(1500, Math.max(80, now - before.current));
+      before.current = now;
+      viewer.runHead(timeOf(line, job.line, job.position), lasts * 1.1);
+    } else if (scrub !== null) viewer.moveHead(scrub);
+    else if (job.state === "done") viewer.moveHead(duration(line));
+    else viewer.moveHead(null);
+  }, [viewer, line, job, scrub]);
+
+  useEffect(() => {
+    if (viewer === null) return;
+    onReady({
+      fit: () => viewer.fit(),
+      fitTable: () => viewer.fitTable(),
+      zoom: (factor) => viewer.zoomBy(factor),
+      pan: (dx, dy) => viewer.panBy(dx, dy),
+    });
+    return () => onReady(null);
+  }, [viewer, onReady]);
+}

@@ -1,0 +1,30 @@
+/** The palette of the page, in the form that the picture wants. */
+
+import { LINE_TYPES, type LineType } from "../geometry/records";
+import type { Palette } from "../scene/dieline";
+import { rgba } from "../scene/lines";
+import { CANVAS, LINE_LOOKS, TRAVEL } from "../state/palette";
+import type { ViewerColours } from "../viewer/viewer";
+
+const lineLook = (type: LineType) =>
+  [type, { colour: rgba(LINE_LOOKS[type].colour), dash: LINE_LOOKS[type].dash }] as const;
+
+export const VIEWER_COLOURS: ViewerColours = {
+  palette: Object.fromEntries(LINE_TYPES.map(lineLook)) as Palette,
+  head: rgba(TRAVEL.head),
+  lead: rgba(TRAVEL.lead),
+  tip: rgba(TRAVEL.tip, 0.9),
+  rapid: rgba(TRAVEL.rapid, 0.8),
+  done: rgba(TRAVEL.done),
+  backdrop: CANVAS.backdrop,
+  table: CANVAS.table,
+  tableEdge: rgba(CANVAS.tableEdge),
+  gridMinor: rgba(CANVAS.gridMinor, 0.045),
+  gridMajor: rgba(CANVAS.gridMajor, 0.07),
+  axisX: rgba("#ff6b61", 0.75),
+  axisY: rgba("#3ddc97", 0.75),
+  hover: rgba(CANVAS.hover),
+  chosen: rgba(CANVAS.chosen, 0.55),
+  mark: rgba(CANVAS.mark),
+  blade: rgba(CANVAS.blade),
+};

@@ -1,0 +1,25 @@
+/** Where the page begins. */
+
+import "@fontsource-variable/inter";
+import "@mantine/core/styles.css";
+import "./app.css";
+import { MantineProvider } from "@mantine/core";
+import { QueryClientProvider } from "@tanstack/react-query";
+import { StrictMode } from "react";
+import { createRoot } from "react-dom/client";
+import { queries } from "../state/queries";
+import { App } from "./App";
+import { theme } from "./theme";
+
+const root = document.getElementById("root");
+if (root === null) throw new Error("The page has no #root to stand in.");
+
+createRoot(root).render(
+  <StrictMode>
+    <MantineProvider theme={theme} forceColorScheme="dark">
+      <QueryClientProvider client={queries}>
+        <App />
+      </QueryClientProvider>
+    </MantineProvider>
+  </StrictMode>,
+);

@@ -1,0 +1,68 @@
+/** Keys → what the page does. */
+
+import { redo, retype, undo } from "../state/actions";
+import { CHOICES, LINE_LOOKS } from "../state/palette";
+import { keys, queries } from "../state/queries";
+import { type Layer, usePage } from "../state/store";
+
+/** What only the picture can do. */
+export interface PictureKeys {
+  fit(): void;
+  fitTable(): void;
+  zoom(factor: number): void;
+  pan(dx: number, dy: number): void;
+}
+
+const LAYER_KEYS: Readonly<Record<string, Layer>> = {
+  n: "nominal",
+  h: "head",
+  t: "tip",
+  r: "rapids",
+};
+const STEP = 80;
+
+const typing = (target: EventTarget | null): boolean =>
+  target instanceof HTMLElement &&
+  (target.isContentEditable ||
+    target.closest("input, textarea, select, [role=listbox], [role=menu], [role=slider]") !== null);
+
+export function listenToKeys(picture: () => PictureKeys | null): () => void {
+  const act = (event: KeyboardEvent): boolean => {
+    const page = usePage.getState();
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (event.ctrlKey || event.metaKey) {
+      if (key === "z") void (event.shiftKey ? redo() : undo());
+      else if (key === "y") void redo();
+      else if (key === "a" && page.drawing !== null) {
+        const edges = queries.getQueryData(keys.edges(page.drawing).queryKey);
+        if (edges !== undefined) page.choose(edges.bulge.keys());
+      } else return false;
+      return true;
+    }
+    if (event.altKey) return false;
+    const layer = LAYER_KEYS[key];
+    const type = CHOICES.find((choice) => LINE_LOOKS[choice].key === key);
+    if (key === "f" && event.shiftKey) picture()?.fitTable();
+    else if (key === "f") picture()?.fit();
+    else if (key === "+" || key === "=") picture()?.zoom(1.4);
+    else if (key === "-") picture()?.zoom(1 / 1.4);
+    else if (key === "ArrowLeft") picture()?.pan(STEP, 0);
+    else if (key === "ArrowRight") picture()?.pan(-STEP, 0);
+    else if (key === "ArrowUp") picture()?.pan(0, STEP);
+    else if (key === "ArrowDown") picture()?.pan(0, -STEP);
+    else if (key === "[") page.set({ leftOpen: !page.leftOpen });
+    else if (key === "]") page.set({ rightOpen: !page.rightOpen });
+    else if (key === "?") page.set({ helpOpen: !page.helpOpen });
+    else if (key === "Escape" && !page.helpOpen) page.choose([]);
+    else if (layer !== undefined) page.toggleLayer(layer);
+    else if (type !== undefined && page.selection.size > 0) void retype([...page.selection], type);
+    else if (key === "0" && page.selection.size > 0) void retype([...page.selection], null);
+    else return false;
+    return true;
+  };
+  const listener = (event: KeyboardEvent) => {
+    if (!event.defaultPrevented && !typing(event.target) && act(event)) event.preventDefault();
+  };
+  window.addEventListener("keydown", listener);
+  return () => window.removeEventListener("keydown", listener);
+}

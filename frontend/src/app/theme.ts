@@ -1,0 +1,51 @@
+/** The look of the component library: calm, dark, one accent. */
+
+import { createTheme, type MantineColorsTuple } from "@mantine/core";
+
+const dark: MantineColorsTuple = [
+  "#eef2f7",
+  "#ccd4de",
+  "#98a4b3",
+  "#6c7887",
+  "#3b4553",
+  "#2b333f",
+  "#222932",
+  "#191e26",
+  "#12161c",
+  "#0e1116",
+];
+
+const blue: MantineColorsTuple = [
+  "#e8f3ff",
+  "#cfe4ff",
+  "#9fc8ff",
+  "#6cabff",
+  "#4693ff",
+  "#2f84fb",
+  "#2277f0",
+  "#1866d6",
+  "#0f58bd",
+  "#0848a0",
+];
+
+export const theme = createTheme({
+  fontFamily: '"Inter Variable", system-ui, sans-serif',
+  fontFamilyMonospace: 'ui-monospace, "SF Mono", Menlo, Consolas, monospace',
+  colors: { dark, blue },
+  primaryColor: "blue",
+  primaryShade: 6,
+  defaultRadius: 8,
+  cursorType: "pointer",
+  focusRing: "auto",
+  components: {
+    Tooltip: { defaultProps: { openDelay: 350, withArrow: false, fz: 12, color: "dark.5" } },
+    Select: {
+      defaultProps: { size: "sm", checkIconPosition: "right", comboboxProps: { shadow: "lg" } },
+    },
+    Input: { defaultProps: { size: "sm" } },
+    InputWrapper: {
+      styles: { label: { color: "var(--ink-2)", fontSize: 12, fontWeight: 500, marginBottom: 4 } },
+    },
+    Button: { defaultProps: { fw: 600 } },
+  },
+});

@@ -1,0 +1,64 @@
+/** Boxes about lines and arcs, the arcs with their bellies. */
+
+import { circle } from "./arc";
+import type { Box, Segments } from "./records";
+
+const NOTHING: Box = [
+  Number.POSITIVE_INFINITY,
+  Number.POSITIVE_INFINITY,
+  Number.NEGATIVE_INFINITY,
+  Number.NEGATIVE_INFINITY,
+];
+
+/** The box about one line or arc. */
+export function boxOf(x0: number, y0: number, x1: number, y1: number, bulge: number): Box {
+  let low = Math.min(x0, x1);
+  let bottom = Math.min(y0, y1);
+  let high = Math.max(x0, x1);
+  let top = Math.max(y0, y1);
+  const round = circle(x0, y0, x1, y1, bulge);
+  if (round !== null) {
+    const turn = 2 * Math.PI;
+    for (let quarter = 0; quarter < 4; quarter++) {
+      const axis = (quarter * Math.PI) / 2;
+      const angle = round.sweep > 0 ? axis - round.first : round.first - axis;
+      const along = ((angle % turn) + turn) % turn;
+      if (along < Math.abs(round.sweep)) {
+        low = Math.min(low, round.x + round.radius * Math.cos(axis));
+        high = Math.max(high, round.x + round.radius * Math.cos(axis));
+        bottom = Math.min(bottom, round.y + round.radius * Math.sin(axis));
+        top = Math.max(top, round.y + round.radius * Math.sin(axis));
+      }
+    }
+  }
+  return [low, bottom, high, top];
+}
+
+export const joined = (a: Box, b: Box): Box => [
+  Math.min(a[0], b[0]),
+  Math.min(a[1], b[1]),
+  Math.max(a[2], b[2]),
+  Math.max(a[3], b[3]),
+];
+
+/** The box about one row. */
+export function boxOfRow(segments: Segments, row: number): Box {
+  const { ends, bulge } = segments;
+  const at = row * 4;
+  return boxOf(
+    ends[at] as number,
+    ends[at + 1] as number,
+    ends[at + 2] as number,
+    ends[at + 3] as number,
+    bulge[row] as number,
+  );
+}
+
+/** The box about some rows, or about all; null where there are none. */
+export function boundsOf(segments: Segments, rows?: Iterable<number>): Box | null {
+  let box = NOTHING;
+  for (const row of rows ?? segments.bulge.keys()) {
+    if (row >= 0 && row < segments.bulge.length) box = joined(box, boxOfRow(segments, row));
+  }
+  return Number.isFinite(box[0]) ? box : null;
+}

@@ -1,0 +1,53 @@
+/** What is near the cursor: an index over the boxes of edges, and the exact distance to each. */
+
+import Flatbush from "flatbush";
+import { nearest } from "./arc";
+import { boxOfRow } from "./bounds";
+import type { Box, Segments } from "./records";
+
+export interface PickIndex {
+  /** The row nearest to a point within `reach` mm, among those that `accepts` lets through. */
+  at(x: number, y: number, reach: number, accepts?: (row: number) => boolean): number | null;
+  /** The rows whose boxes lie wholly inside a box. */
+  inside(box: Box): number[];
+}
+
+export function pickIndex(segments: Segments): PickIndex {
+  const count = segments.bulge.length;
+  if (count === 0) return { at: () => null, inside: () => [] };
+  const tree = new Flatbush(count);
+  for (let row = 0; row < count; row++) tree.add(...boxOfRow(segments, row));
+  tree.finish();
+  const { ends, bulge } = segments;
+
+  return {
+    at(x, y, reach, accepts = () => true) {
+      let found: number | null = null;
+      let least = reach;
+      for (const row of tree.search(x - reach, y - reach, x + reach, y + reach)) {
+        if (!accepts(row)) continue;
+        const at = row * 4;
+        const { distance } = nearest(
+          x,
+          y,
+          ends[at] as number,
+          ends[at + 1] as number,
+          ends[at + 2] as number,
+          ends[at + 3] as number,
+          bulge[row] as number,
+        );
+        if (distance <= least) {
+          least = distance;
+          found = row;
+        }
+      }
+      return found;
+    },
+    inside(box) {
+      return tree.search(...box).filter((row) => {
+        const inner = boxOfRow(segments, row);
+        return inner[0] >= box[0] && inner[1] >= box[1] && inner[2] <= box[2] && inner[3] <= box[3];
+      });
+    },
+  };
+}

@@ -1,0 +1,134 @@
+/**
+ * When the head is where: the moves of a toolpath laid out in nominal time.
+ *
+ * A machine reports a position some times a second; between two reports the marker must go on
+ * along the path, round the arcs, and not cut across. So a report becomes a time on this line,
+ * and the marker moves in time.
+ */
+
+import { length, nearest, pointAt } from "./arc";
+import type { Pose, Toolpath } from "./records";
+
+/** Assumed for rapids, which carry no feed (mm/min). */
+const RAPID_FEED = 90_000;
+/** Assumed for turns of C in the air (degrees/min). */
+const TURN_FEED = 216_000;
+/** A report is looked for from here before its program line … */
+const LINES_BEFORE = 3;
+/** … to here after it, since a controller has more lines in its window than it reports. */
+const LINES_AFTER = 24;
+
+export interface Timeline {
+  /** (n + 1,) seconds at each pose */
+  readonly clock: Float64Array;
+  readonly toolpath: Toolpath;
+}
+
+export function timeline(toolpath: Toolpath): Timeline {
+  const { pose, bulge, feed } = toolpath;
+  const clock = new Float64Array(bulge.length + 1);
+  for (let row = 0; row < bulge.length; row++) {
+    const a = row * 4;
+    const run = Math.hypot(
+      length(
+        pose[a] as number,
+        pose[a + 1] as number,
+        pose[a + 4] as number,
+        pose[a + 5] as number,
+        bulge[row] as number,
+      ),
+      (pose[a + 6] as number) - (pose[a + 2] as number),
+    );
+    const turned = Math.abs((pose[a + 7] as number) - (pose[a + 3] as number));
+    const speed = feed[row] as number;
+    let minutes = run / (speed > 0 ? speed : RAPID_FEED);
+    if (run < 1e-9) minutes = turned / TURN_FEED;
+    else if (speed <= 0) minutes = Math.max(minutes, turned / TURN_FEED);
+    clock[row + 1] = (clock[row] as number) + minutes * 60;
+  }
+  return { clock, toolpath };
+}
+
+export const duration = (line: Timeline): number => line.clock[line.clock.length - 1] ?? 0;
+
+/** The last row that has begun at a time. */
+export function rowAt(line: Timeline, seconds: number): number {
+  let low = 0;
+  let high = line.toolpath.bulge.length;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if ((line.clock[middle] as number) <= seconds) low = middle;
+    else high = middle - 1;
+  }
+  return Math.min(low, line.toolpath.bulge.length - 1);
+}
+
+/** Where the head is at a time; null for an empty toolpath. */
+export function poseAt(line: Timeline, seconds: number): Pose | null {
+  const { pose, bulge } = line.toolpath;
+  const row = rowAt(line, seconds);
+  if (row < 0) return null;
+  const start = line.clock[row] as number;
+  const span = (line.clock[row + 1] as number) - start;
+  const fraction = span > 0 ? Math.min(1, Math.max(0, (seconds - start) / span)) : 1;
+  const a = row * 4;
+  const [x, y] = pointAt(
+    pose[a] as number,
+    pose[a + 1] as number,
+    pose[a + 4] as number,
+    pose[a + 5] as number,
+    bulge[row] as number,
+    fraction,
+  );
+  const between = (from: number, to: number) => from + (to - from) * fraction;
+  return {
+    x,
+    y,
+    z: between(pose[a + 2] as number, pose[a + 6] as number),
+    c: between(pose[a + 3] as number, pose[a + 7] as number),
+  };
+}
+
+/**
+ * The time at which the head passes a reported position, near a reported program line.
+ *
+ * Without a position it is the time at which the line is finished.
+ */
+export function timeOf(
+  line: Timeline,
+  programLine: number,
+  position: readonly [number, number, number, number] | null,
+): number {
+  const { pose, bulge, line: lines } = line.toolpath;
+  let first = 0;
+  while (first < bulge.length && (lines[first] as number) < programLine - LINES_BEFORE) first++;
+  let best = line.clock[Math.min(first, bulge.length)] ?? 0;
+  let least = Number.POSITIVE_INFINITY;
+  for (let row = first; row < bulge.length; row++) {
+    if ((lines[row] as number) > programLine + LINES_AFTER) break;
+    if (position === null) {
+      if ((lines[row] as number) <= programLine) best = line.clock[row + 1] as number;
+      continue;
+    }
+    const a = row * 4;
+    const { distance, fraction } = nearest(
+      position[0],
+      position[1],
+      pose[a] as number,
+      pose[a + 1] as number,
+      pose[a + 4] as number,
+      pose[a + 5] as number,
+      bulge[row] as number,
+    );
+    const rise =
+      (pose[a + 2] as number) + ((pose[a + 6] as number) - (pose[a + 2] as number)) * fraction;
+    // Height tells the outward pass from the way back through the air.
+    const miss = distance + Math.abs(rise - position[2]);
+    if (miss < least - 1e-6) {
+      least = miss;
+      const start = line.clock[row] as number;
+      best = start + ((line.clock[row + 1] as number) - start) * fraction;
+    }
+  }
+  return best;
+}

@@ -1,0 +1,116 @@
+/** Bring a drawing in, or open one that is here. */
+
+import { Button, Progress, Skeleton } from "@mantine/core";
+import { IconFileVector, IconUpload } from "@tabler/icons-react";
+import { useRef } from "react";
+import type { DrawingSummary } from "../api/client";
+import { uploadFiles } from "../state/actions";
+import { useDrawings } from "../state/queries";
+import { usePage } from "../state/store";
+import { count, size } from "../state/words";
+import css from "./panels.module.css";
+import { Section } from "./Section";
+
+export function DrawingsPanel() {
+  const { data: drawings, isPending, error } = useDrawings();
+  const current = usePage((page) => page.drawing);
+  return (
+    <Section
+      title="Drawings"
+      flush
+      aside={drawings && <span className={css.rowFigure}>{drawings.length}</span>}
+    >
+      <div style={{ padding: "0 8px 10px" }}>
+        <ChooseFile />
+      </div>
+      {isPending && [1, 2, 3].map((row) => <Skeleton key={row} height={44} mb={6} radius={8} />)}
+      {error && <p className={css.note}>{error.message}</p>}
+      {drawings?.length === 0 && (
+        <p className={css.note} style={{ padding: "0 8px" }}>
+          No drawings yet. Drop a DXF anywhere on this page.
+        </p>
+      )}
+      {drawings?.map((drawing) => (
+        <Row key={drawing.id} drawing={drawing} current={drawing.id === current} />
+      ))}
+    </Section>
+  );
+}
+
+function Row({ drawing, current }: { drawing: DrawingSummary; current: boolean }) {
+  const open = usePage((page) => page.open);
+  return (
+    <button
+      type="button"
+      className={css.drawing}
+      aria-current={current}
+      data-testid="drawing-row"
+      onClick={() => open(drawing.id)}
+    >
+      <span className={css.drawingIcon}>
+        <IconFileVector size={18} stroke={1.5} aria-hidden />
+      </span>
+      <span className={css.drawingName}>{drawing.name}</span>
+      {drawing.questions > 0 ? (
+        <span className={css.badge} data-tone="amber">
+          {count(drawing.questions, "question")}
+        </span>
+      ) : (
+        <span />
+      )}
+      <small>
+        {drawing.unit === null ? "unit not known" : size(drawing.width, drawing.height)} ·{" "}
+        {count(drawing.segments, "edge")}
+      </small>
+    </button>
+  );
+}
+
+/** The door for files, and how far one has come through it. */
+export function ChooseFile({ large = false }: { large?: boolean }) {
+  const input = useRef<HTMLInputElement>(null);
+  const upload = usePage((page) => page.upload);
+  return (
+    <>
+      <input
+        ref={input}
+        type="file"
+        accept=".dxf"
+        multiple
+        hidden
+        data-testid={large ? "file-input-large" : "file-input"}
+        onChange={(event) => {
+          void uploadFiles([...(event.currentTarget.files ?? [])]);
+          event.currentTarget.value = "";
+        }}
+      />
+      <Button
+        fullWidth={!large}
+        size={large ? "md" : "sm"}
+        variant={large ? "filled" : "default"}
+        leftSection={<IconUpload size={16} aria-hidden />}
+        loading={upload !== null}
+        onClick={() => input.current?.click()}
+        data-testid={large ? "choose-file-large" : "choose-file"}
+      >
+        Choose a DXF
+      </Button>
+      {upload && !large && (
+        <div style={{ marginTop: 10 }} role="status" data-testid="upload">
+          <div className={css.runFigures} style={{ margin: "0 0 6px" }}>
+            <span className={css.rowName}>{upload.name}</span>
+            <span>
+              {upload.fraction < 1 ? `${Math.round(upload.fraction * 100)} %` : "reading …"}
+            </span>
+          </div>
+          <Progress
+            value={upload.fraction * 100}
+            animated={upload.fraction >= 1}
+            size="sm"
+            aria-label="Upload"
+          />
+        </div>
+      )}
+    </>
+  );
+}

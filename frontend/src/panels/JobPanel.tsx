@@ -1,0 +1,246 @@
+/** The job that is looked at: where it stands, and what the operator can ask of it. */
+
+import { Button, Progress } from "@mantine/core";
+import {
+  IconCircleCheckFilled,
+  IconDownload,
+  IconPlayerPauseFilled,
+  IconPlayerPlayFilled,
+  IconPlayerStopFilled,
+  IconRefresh,
+  IconSend2,
+  IconTrash,
+} from "@tabler/icons-react";
+import type { ReactNode } from "react";
+import { type Job, type JobCommand, service } from "../api/client";
+import { command } from "../state/actions";
+import { commandsOf, hasProgram, isCompiling, isOnTable, STATE_LOOKS } from "../state/jobs";
+import { useEdges, useJob } from "../state/queries";
+import { rowsOfHandles } from "../state/rows";
+import { usePage } from "../state/store";
+import { count, duration } from "../state/words";
+import css from "./panels.module.css";
+import { Section } from "./Section";
+import { StateBadge } from "./StateBadge";
+import { VerdictCard } from "./VerdictCard";
+
+const STAGES: readonly string[] = [
+  "read",
+  "classify",
+  "plan",
+  "compensate",
+  "sequence",
+  "process",
+  "verify",
+];
+
+export function JobPanel() {
+  const { data: job } = useJob();
+  if (job === undefined) return null;
+  return (
+    <Section title="Job" aside={<StateBadge job={job} testId="job-state" />}>
+      <div style={{ display: "grid", gap: 12 }}>
+        {isCompiling(job) && <Compiling job={job} />}
+        {(isOnTable(job) || job.state === "queued") && <Running job={job} />}
+        <Ending job={job} />
+        <Controls job={job} />
+        <VerdictCard job={job} />
+        {hasProgram(job) && (
+          <Button
+            component="a"
+            href={service.programUrl(job.id)}
+            download
+            size="xs"
+            variant="subtle"
+            color="gray"
+            leftSection={<IconDownload size={15} aria-hidden />}
+            data-testid="program"
+          >
+            Program, {count(job.lines, "line")}
+          </Button>
+        )}
+      </div>
+    </Section>
+  );
+}
+
+function Compiling({ job }: { job: Job }) {
+  const now = STAGES.indexOf(job.stage);
+  return (
+    <div role="status" data-testid="stage">
+      <ol className={css.stages} aria-hidden="true">
+        {STAGES.map((stage, at) => (
+          <li key={stage} data-state={at < now ? "done" : at === now ? "now" : "open"} />
+        ))}
+      </ol>
+      <div className={css.runFigures} style={{ marginTop: 0 }}>
+        <span>{job.stage === "" ? "waiting for a worker" : job.stage}</span>
+        <span>{Math.round(job.progress * 100)} %</span>
+      </div>
+    </div>
+  );
+}
+
+function Running({ job }: { job: Job }) {
+  if (job.state === "queued") {
+    return (
+      <div className={css.callout} data-tone="grey" role="status">
+        Waiting for the table. It starts as soon as {job.machine} is free.
+      </div>
+    );
+  }
+  const held = job.state === "held";
+  const left = job.seconds_left;
+  return (
+    <div data-testid="run">
+      <Progress
+        value={job.progress * 100}
+        size="lg"
+        color={held ? "yellow" : "blue"}
+        striped={held}
+        transitionDuration={200}
+        aria-label="Progress of the run"
+        data-testid="run-progress"
+      />
+      <div className={css.runFigures}>
+        <span>
+          {Math.round(job.progress * 100)} %
+          {job.copies > 1 &&
+            ` · copy ${Math.min(job.copies_done + 1, job.copies)} of ${job.copies}`}
+        </span>
+        <span>
+          line {job.line.toLocaleString("en")} of {job.lines.toLocaleString("en")}
+        </span>
+        <span data-testid="time-left">{left === null ? "" : `${duration(left)} left`}</span>
+      </div>
+    </div>
+  );
+}
+
+function Ending({ job }: { job: Job }) {
+  const { data: edges } = useEdges();
+  const look = usePage((page) => page.look);
+  if (job.state === "done") {
+    return (
+      <div className={css.callout} data-tone="green" data-testid="done" role="status">
+        <div className={css.verdictHead}>
+          <IconCircleCheckFilled size={20} color="var(--good)" aria-hidden />
+          <span className={css.verdictTitle}>
+            {job.copies === 1 ? "Cut and done" : `${count(job.copies, "copy", "copies")} cut`}
+          </span>
+        </div>
+        <div className={css.mend}>The table is free for the next job.</div>
+      </div>
+    );
+  }
+  const fallback =
+    job.state === "interrupted"
+      ? "The run was interrupted; nobody knows how far the tool came."
+      : job.state === "cancelled"
+        ? "The job was cancelled."
+        : "";
+  const said = job.reason || fallback;
+  if (said === "") return null;
+  const { tone } = STATE_LOOKS[job.state];
+  const rows = edges === undefined ? [] : rowsOfHandles(edges, job.source);
+  return (
+    <div
+      className={css.callout}
+      data-tone={tone === "red" || tone === "amber" ? tone : "grey"}
+      data-testid="reason"
+      role={tone === "red" ? "alert" : "status"}
+    >
+      {said}
+      {job.state === "interrupted" && (
+        <div className={css.mend}>
+          Look at the table. Queue the job again with a fresh board, or scrap it.
+        </div>
+      )}
+      {job.mend !== "" && <div className={css.mend}>{job.mend}</div>}
+      {rows.length > 0 && (
+        <Button mt={8} size="compact-xs" variant="default" onClick={() => look(rows)}>
+          Show {count(rows.length, "edge")}
+        </Button>
+      )}
+    </div>
+  );
+}
+
+const LOOKS: Readonly<
+  Record<
+    JobCommand,
+    { title: string; icon: ReactNode; colour: string; variant: string; testId: string }
+  >
+> = {
+  release: {
+    title: "Send to table",
+    icon: <IconSend2 size={17} />,
+    colour: "blue",
+    variant: "filled",
+    testId: "send",
+  },
+  hold: {
+    title: "Hold",
+    icon: <IconPlayerPauseFilled size={16} />,
+    colour: "yellow",
+    variant: "light",
+    testId: "hold",
+  },
+  resume: {
+    title: "Resume",
+    icon: <IconPlayerPlayFilled size={16} />,
+    colour: "blue",
+    variant: "filled",
+    testId: "resume",
+  },
+  cancel: {
+    title: "Cancel",
+    icon: <IconPlayerStopFilled size={16} />,
+    colour: "red",
+    variant: "subtle",
+    testId: "cancel",
+  },
+  requeue: {
+    title: "Queue again",
+    icon: <IconRefresh size={16} />,
+    colour: "blue",
+    variant: "filled",
+    testId: "requeue",
+  },
+  scrap: {
+    title: "Scrap",
+    icon: <IconTrash size={16} />,
+    colour: "red",
+    variant: "subtle",
+    testId: "scrap",
+  },
+};
+
+function Controls({ job }: { job: Job }) {
+  const busy = usePage((page) => page.busy);
+  const words = commandsOf(job);
+  if (words.length === 0) return null;
+  return (
+    <div style={{ display: "flex", gap: 8 }}>
+      {words.map((word, at) => {
+        const { title, icon, colour, variant, testId } = LOOKS[word];
+        return (
+          <Button
+            key={word}
+            style={at === 0 && words.length > 1 ? { flex: 1 } : {}}
+            leftSection={icon}
+            color={colour}
+            variant={variant}
+            disabled={busy}
+            // Asked for, and the machine has not done it yet.
+            loading={job.wish === word}
+            onClick={() => void command(job.id, word)}
+            data-testid={testId}
+          >
+            {title}
+          </Button>
+        );
+      })}
+    </div>
+  );
+}

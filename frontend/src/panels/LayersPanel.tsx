@@ -1,0 +1,82 @@
+/** The layers and colours of the file: show them, choose them, say what they are. */
+
+import { ActionIcon } from "@mantine/core";
+import { IconDots, IconEye, IconEyeOff } from "@tabler/icons-react";
+import type { Drawing } from "../api/client";
+import { retype } from "../state/actions";
+import { indexColour } from "../state/colours";
+import { useDrawing, useEdges } from "../state/queries";
+import { layerKey, rowsOfLayer } from "../state/rows";
+import { usePage } from "../state/store";
+import css from "./panels.module.css";
+import { Section } from "./Section";
+import { Swatch } from "./Swatch";
+import { TypeMenu } from "./TypeMenu";
+
+type Layer = Drawing["layers"][number];
+
+export function LayersPanel() {
+  const { data: drawing } = useDrawing();
+  if (drawing === undefined) return null;
+  return (
+    <Section
+      title="Layers of the file"
+      flush
+      aside={<span className={css.rowFigure}>{drawing.layers.length}</span>}
+    >
+      {drawing.layers.map((layer) => (
+        <Row key={layerKey(layer.name, layer.colour)} layer={layer} />
+      ))}
+    </Section>
+  );
+}
+
+function Row({ layer }: { layer: Layer }) {
+  const { data: edges } = useEdges();
+  const key = layerKey(layer.name, layer.colour);
+  const hidden = usePage((page) => page.hiddenLayers.has(key));
+  const toggle = usePage((page) => page.toggleLayerOfDrawing);
+  const choose = usePage((page) => page.choose);
+  const rows = () => (edges === undefined ? [] : rowsOfLayer(edges, layer.name, layer.colour));
+  return (
+    <div className={css.row} data-off={hidden}>
+      <button
+        type="button"
+        className={css.rowMain}
+        title={`Choose the edges of layer ${layer.name}, colour ${layer.colour}`}
+        onClick={() => choose(rows())}
+      >
+        <span className={css.dot} style={{ background: indexColour(layer.colour) }} />
+        <span className={css.rowName}>{layer.name}</span>
+        <span style={{ display: "flex", gap: 4 }}>
+          {layer.types.map((type) => (
+            <Swatch key={type} type={type} />
+          ))}
+        </span>
+        <span className={css.rowCount}>{layer.edges.toLocaleString("en")}</span>
+      </button>
+      <span style={{ display: "flex" }}>
+        <TypeMenu label={`All of ${layer.name} is`} onChoose={(type) => void retype(rows(), type)}>
+          <ActionIcon
+            variant="subtle"
+            color="gray"
+            size="sm"
+            aria-label={`Line type of layer ${layer.name}`}
+          >
+            <IconDots size={15} />
+          </ActionIcon>
+        </TypeMenu>
+        <ActionIcon
+          variant="subtle"
+          color="gray"
+          size="sm"
+          aria-label={`${hidden ? "Show" : "Hide"} layer ${layer.name}`}
+          aria-pressed={!hidden}
+          onClick={() => toggle(key)}
+        >
+          {hidden ? <IconEyeOff size={15} /> : <IconEye size={15} />}
+        </ActionIcon>
+      </span>
+    </div>
+  );
+}

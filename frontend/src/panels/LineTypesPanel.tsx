@@ -1,0 +1,63 @@
+/** The legend: what each line type is, how much of it there is, and whether it is shown. */
+
+import { ActionIcon, Skeleton } from "@mantine/core";
+import { IconEye, IconEyeOff } from "@tabler/icons-react";
+import type { LineType } from "../geometry/records";
+import { LEGEND, LINE_LOOKS } from "../state/palette";
+import { useDrawing, useEdges } from "../state/queries";
+import { rowsOfType } from "../state/rows";
+import { usePage } from "../state/store";
+import { length } from "../state/words";
+import css from "./panels.module.css";
+import { Section } from "./Section";
+import { Swatch } from "./Swatch";
+
+export function LineTypesPanel() {
+  const { data: drawing } = useDrawing();
+  const counts = new Map(drawing?.counts.map((count) => [count.type, count]));
+  return (
+    <Section title="Line types" flush>
+      {drawing === undefined && <Skeleton height={96} radius={8} />}
+      <div data-testid="legend">
+        {LEGEND.map((type) => {
+          const count = counts.get(type);
+          if (count === undefined || count.edges === 0) return null;
+          return <Row key={type} type={type} edges={count.edges} run={count.length} />;
+        })}
+      </div>
+    </Section>
+  );
+}
+
+function Row({ type, edges, run }: { type: LineType; edges: number; run: number }) {
+  const hidden = usePage((page) => page.hiddenTypes.has(type));
+  const toggle = usePage((page) => page.toggleType);
+  const choose = usePage((page) => page.choose);
+  const { data: columns } = useEdges();
+  const { title } = LINE_LOOKS[type];
+  return (
+    <div className={css.row} data-off={hidden} data-testid={`legend-${type}`}>
+      <button
+        type="button"
+        className={css.rowMain}
+        title={`Choose all edges of type ${title.toLowerCase()}`}
+        onClick={() => columns && choose(rowsOfType(columns, type))}
+      >
+        <Swatch type={type} />
+        <span className={css.rowName}>{title}</span>
+        <span className={css.rowFigure}>{length(run)}</span>
+        <span className={css.rowCount}>{edges.toLocaleString("en")}</span>
+      </button>
+      <ActionIcon
+        variant="subtle"
+        color="gray"
+        size="sm"
+        aria-label={`${hidden ? "Show" : "Hide"} ${title.toLowerCase()}`}
+        aria-pressed={!hidden}
+        onClick={() => toggle(type)}
+      >
+        {hidden ? <IconEyeOff size={15} /> : <IconEye size={15} />}
+      </ActionIcon>
+    </div>
+  );
+}

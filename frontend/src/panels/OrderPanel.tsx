@@ -1,0 +1,94 @@
+/** The order: on which machine, on which board, how many; then compile. */
+
+import { Button, NumberInput, Select } from "@mantine/core";
+import { IconBolt } from "@tabler/icons-react";
+import { useEffect } from "react";
+import { compile } from "../state/actions";
+import { isCompiling } from "../state/jobs";
+import { useBoards, useDrawing, useJob, useMachines } from "../state/queries";
+import { usePage } from "../state/store";
+import { count } from "../state/words";
+import css from "./panels.module.css";
+import { Section } from "./Section";
+
+export function OrderPanel() {
+  const { data: drawing } = useDrawing();
+  const { data: machines } = useMachines();
+  const { data: boards } = useBoards();
+  const { data: job } = useJob();
+  const machine = usePage((page) => page.machine);
+  const board = usePage((page) => page.board);
+  const copies = usePage((page) => page.copies);
+  const busy = usePage((page) => page.busy);
+  const set = usePage((page) => page.set);
+
+  useEffect(() => {
+    const [only] = machines ?? [];
+    if (machine === null && only !== undefined) set({ machine: only.name });
+  }, [machines, machine, set]);
+
+  if (drawing === undefined) return null;
+  const open = drawing.questions.length;
+  const missing =
+    open > 0
+      ? `Answer ${open === 1 ? "the open question" : `the ${count(open, "open question")}`} first: nothing is cut by default.`
+      : board === null
+        ? "Choose the board that lies on the table."
+        : machine === null
+          ? "Choose a machine."
+          : null;
+  return (
+    <Section title="Make it">
+      <div style={{ display: "grid", gap: 10 }}>
+        <Select
+          label="Machine"
+          placeholder="Choose a machine"
+          data={(machines ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
+          value={machine}
+          allowDeselect={false}
+          onChange={(value) => set({ machine: value })}
+          data-testid="machine-select"
+        />
+        <div style={{ display: "grid", gridTemplateColumns: "1fr 84px", gap: 10 }}>
+          <Select
+            label="Board"
+            placeholder="Choose a board"
+            data={(boards ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
+            value={board}
+            allowDeselect={false}
+            onChange={(value) => set({ board: value })}
+            data-testid="board-select"
+          />
+          <NumberInput
+            label="Copies"
+            min={1}
+            max={1000}
+            allowDecimal={false}
+            clampBehavior="strict"
+            value={copies}
+            onChange={(value) => set({ copies: Math.max(1, Number(value) || 1) })}
+            data-testid="copies"
+          />
+        </div>
+        <Button
+          mt={4}
+          leftSection={<IconBolt size={17} aria-hidden />}
+          disabled={missing !== null}
+          loading={(busy && missing === null) || (job !== undefined && isCompiling(job))}
+          onClick={() => {
+            if (machine !== null && board !== null) void compile(machine, board);
+          }}
+          variant={job === undefined || job.state === "refused" ? "filled" : "default"}
+          data-testid="compile"
+        >
+          {job === undefined ? "Compile" : "Compile again"}
+        </Button>
+        {missing !== null && (
+          <p className={css.note} style={{ margin: 0 }}>
+            {missing}
+          </p>
+        )}
+      </div>
+    </Section>
+  );
+}

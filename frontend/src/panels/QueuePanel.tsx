@@ -1,0 +1,88 @@
+/** All jobs, those on a table and those waiting first. */
+
+import { Progress } from "@mantine/core";
+import { useEffect, useState } from "react";
+import type { Job } from "../api/client";
+import { isCompiling, isOnTable, isOver } from "../state/jobs";
+import { useJobs } from "../state/queries";
+import { usePage } from "../state/store";
+import { ago, duration } from "../state/words";
+import css from "./panels.module.css";
+import { Section } from "./Section";
+import { StateBadge } from "./StateBadge";
+
+const SHOWN = 30;
+
+/** On a table, then waiting, then ready, then over; the latest first among those. */
+function order(job: Job): number {
+  if (isOnTable(job) || job.state === "interrupted") return 0;
+  if (job.state === "queued") return 1;
+  return isOver(job) ? 3 : 2;
+}
+
+export function QueuePanel() {
+  const { data: jobs, error } = useJobs();
+  const [now, setNow] = useState(() => Date.now() / 1000);
+  useEffect(() => {
+    const timer = setInterval(() => setNow(Date.now() / 1000), 30_000);
+    return () => clearInterval(timer);
+  }, []);
+  const listed = [...(jobs ?? [])].sort((a, b) => order(a) - order(b) || b.created - a.created);
+  const waiting = listed.filter(({ state }) => state === "queued").length;
+  return (
+    <Section
+      title="Queue"
+      flush
+      aside={<span className={css.rowFigure}>{waiting > 0 ? `${waiting} waiting` : ""}</span>}
+    >
+      <div data-testid="queue">
+        {error && <p className={css.note}>{error.message}</p>}
+        {listed.slice(0, SHOWN).map((job) => (
+          <Row key={job.id} job={job} now={now} />
+        ))}
+        {jobs !== undefined && jobs.length === 0 && (
+          <p className={css.note} style={{ padding: "0 8px", margin: "0 0 8px" }}>
+            No jobs yet. A drawing becomes one when it is compiled.
+          </p>
+        )}
+        {listed.length > SHOWN && (
+          <p className={css.note} style={{ padding: "0 8px" }}>
+            … and {listed.length - SHOWN} older.
+          </p>
+        )}
+      </div>
+    </Section>
+  );
+}
+
+function Row({ job, now }: { job: Job; now: number }) {
+  const open = usePage((page) => page.open);
+  const current = usePage((page) => page.job === job.id);
+  const moving = isOnTable(job) || isCompiling(job);
+  return (
+    <button
+      type="button"
+      className={css.jobRow}
+      aria-current={current}
+      onClick={() => open(job.drawing, job.id)}
+      data-testid="queue-row"
+    >
+      <span className={css.rowName}>{job.drawing_name}</span>
+      <StateBadge job={job} />
+      <small>
+        {job.board}
+        {job.copies > 1 ? ` · ${job.copies} copies` : ""} · {ago(job.updated, now)}
+      </small>
+      <small>{job.seconds > 0 ? duration(job.seconds) : ""}</small>
+      {moving && (
+        <Progress
+          className={css.bar ?? ""}
+          value={job.progress * 100}
+          size={3}
+          color={job.state === "held" ? "yellow" : "blue"}
+          aria-label={`Progress of ${job.drawing_name}`}
+        />
+      )}
+    </button>
+  );
+}

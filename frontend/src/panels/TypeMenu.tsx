@@ -1,0 +1,41 @@
+/** A menu of line types. */
+
+import { Menu } from "@mantine/core";
+import { IconArrowBackUp } from "@tabler/icons-react";
+import type { ReactNode } from "react";
+import type { LineType } from "../geometry/records";
+import { CHOICES, LINE_LOOKS } from "../state/palette";
+import css from "./panels.module.css";
+import { Swatch } from "./Swatch";
+
+interface Props {
+  /** null: let the profile decide. */
+  onChoose: (type: LineType | null) => void;
+  label: string;
+  children: ReactNode;
+}
+
+export function TypeMenu({ onChoose, label, children }: Props) {
+  return (
+    <Menu position="bottom-end" shadow="lg" width={190}>
+      <Menu.Target>{children}</Menu.Target>
+      <Menu.Dropdown aria-label={label}>
+        <Menu.Label>{label}</Menu.Label>
+        {CHOICES.map((type) => (
+          <Menu.Item
+            key={type}
+            leftSection={<Swatch type={type} />}
+            rightSection={<span className={css.key}>{LINE_LOOKS[type].key}</span>}
+            onClick={() => onChoose(type)}
+          >
+            {LINE_LOOKS[type].title}
+          </Menu.Item>
+        ))}
+        <Menu.Divider />
+        <Menu.Item leftSection={<IconArrowBackUp size={16} />} onClick={() => onChoose(null)}>
+          As the profile says
+        </Menu.Item>
+      </Menu.Dropdown>
+    </Menu>
+  );
+}

@@ -1,0 +1,44 @@
+/** Which lines the picture shows. */
+
+import { TRAVEL } from "../state/palette";
+import { useToolpath } from "../state/queries";
+import { type Layer, usePage } from "../state/store";
+import css from "./panels.module.css";
+
+const LAYERS: readonly { layer: Layer; title: string; colour: string; dashed?: boolean }[] = [
+  { layer: "nominal", title: "Nominal", colour: "#ff6b61" },
+  { layer: "head", title: "Head path", colour: TRAVEL.head },
+  { layer: "tip", title: "Tip path", colour: TRAVEL.tip },
+  { layer: "rapids", title: "Rapids", colour: "#8b97a6", dashed: true },
+];
+
+export function ViewBar() {
+  const layers = usePage((page) => page.layers);
+  const toggle = usePage((page) => page.toggleLayer);
+  const { data: toolpath } = useToolpath();
+  return (
+    <div className={`${css.float} ${css.chips}`} role="toolbar" aria-label="Lines shown">
+      {LAYERS.map(({ layer, title, colour, dashed }) => {
+        const needsPath = layer !== "nominal";
+        return (
+          <button
+            key={layer}
+            type="button"
+            className={css.chip}
+            aria-pressed={layers[layer] && (!needsPath || toolpath !== undefined)}
+            disabled={needsPath && toolpath === undefined}
+            title={needsPath && toolpath === undefined ? "Compile to see it" : undefined}
+            onClick={() => toggle(layer)}
+            data-testid={`layer-${layer}`}
+          >
+            <span
+              className={css.chipLine}
+              style={{ color: colour, borderTopStyle: dashed ? "dashed" : "solid" }}
+            />
+            {title}
+          </button>
+        );
+      })}
+    </div>
+  );
+}

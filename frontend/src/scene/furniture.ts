@@ -1,0 +1,110 @@
+/** What stands around the drawing: grid, table, datum and the mark of the head. */
+
+import type { Box, Point, Pose } from "../geometry/records";
+import { type TipOffset, tipOf } from "../geometry/tip";
+import { degree, radians } from "../geometry/units";
+import { type Lines, LinesUnderWay, type Rgba } from "./lines";
+
+/** Grid lines nearer than this are not told apart (pixels). */
+const FINEST = 9;
+
+/** The step of the grid (mm), a power of ten, whose lines stand at least `FINEST` pixels apart. */
+export function gridStep(pixelsPerMm: number): number {
+  return 10 ** Math.ceil(Math.log10(FINEST / pixelsPerMm));
+}
+
+/** Grid lines across a box, each tenth one stronger. */
+export function gridLines(
+  box: Box,
+  origin: Point,
+  pixelsPerMm: number,
+  minor: Rgba,
+  major: Rgba,
+): Lines {
+  const step = gridStep(pixelsPerMm);
+  // The finer lines come up gently as they part.
+  const near = Math.min(1, Math.max(0, (step * pixelsPerMm - FINEST) / (FINEST * 4)));
+  const faint: Rgba = [minor[0], minor[1], minor[2], minor[3] * near];
+  const lines = new LinesUnderWay(origin);
+  const stroke = (index: number) => (index % 10 === 0 ? major : faint);
+  for (let index = Math.ceil(box[0] / step); index * step <= box[2]; index++) {
+    lines.add(index * step, box[1], index * step, box[3], stroke(index));
+  }
+  for (let index = Math.ceil(box[1] / step); index * step <= box[3]; index++) {
+    lines.add(box[0], index * step, box[2], index * step, stroke(index));
+  }
+  return lines.done();
+}
+
+/** The outline of a box. */
+export function frameLines(box: Box, origin: Point, colour: Rgba): Lines {
+  const lines = new LinesUnderWay(origin);
+  const [x0, y0, x1, y1] = box;
+  lines.add(x0, y0, x1, y0, colour);
+  lines.add(x1, y0, x1, y1, colour);
+  lines.add(x1, y1, x0, y1, colour);
+  lines.add(x0, y1, x0, y0, colour);
+  return lines.done();
+}
+
+/** A cross of the axes at a datum, its arms in mm. */
+export function datumLines(at: Point, origin: Point, arm: number, x: Rgba, y: Rgba): Lines {
+  const lines = new LinesUnderWay(origin);
+  lines.add(at.x, at.y, at.x + arm, at.y, x);
+  lines.add(at.x, at.y, at.x, at.y + arm, y);
+  return lines.done();
+}
+
+const RING = 40;
+
+/**
+ * The mark of the head: a ring about its axis, an arrow along C, and where the tip is.
+ *
+ * Ring and arrow keep their size on the screen; tip and blade are where they really are.
+ */
+export function headLines(
+  pose: Pose,
+  offset: TipOffset,
+  origin: Point,
+  mmPerPixel: number,
+  colour: Rgba,
+  blade: Rgba,
+): Lines {
+  const lines = new LinesUnderWay(origin);
+  const c = radians(degree(pose.c));
+  const ahead = { x: Math.cos(c), y: Math.sin(c) };
+  const left = { x: -ahead.y, y: ahead.x };
+  const radius = 10 * mmPerPixel;
+  for (let step = 0; step < RING; step++) {
+    const a = (2 * Math.PI * step) / RING;
+    const b = (2 * Math.PI * (step + 1)) / RING;
+    lines.add(
+      pose.x + radius * Math.cos(a),
+      pose.y + radius * Math.sin(a),
+      pose.x + radius * Math.cos(b),
+      pose.y + radius * Math.sin(b),
+      colour,
+    );
+  }
+  const point = (forward: number, sideways: number): [number, number] => [
+    pose.x + (ahead.x * forward + left.x * sideways) * mmPerPixel,
+    pose.y + (ahead.y * forward + left.y * sideways) * mmPerPixel,
+  ];
+  lines.add(...point(0, 0), ...point(26, 0), colour);
+  lines.add(...point(26, 0), ...point(19, 4.5), colour);
+  lines.add(...point(26, 0), ...point(19, -4.5), colour);
+  lines.add(...point(0, -4), ...point(0, 4), colour);
+
+  const tip = tipOf(pose, offset);
+  if (offset.left !== 0 || offset.behind !== 0) {
+    lines.add(pose.x, pose.y, tip.x, tip.y, [blade[0], blade[1], blade[2], 120]);
+  }
+  if (offset.blade > 0) {
+    const back = { x: tip.x + ahead.x * offset.blade, y: tip.y + ahead.y * offset.blade };
+    lines.add(tip.x, tip.y, back.x, back.y, blade);
+  }
+  const dot = 2.5 * mmPerPixel;
+  lines.add(tip.x - dot, tip.y, tip.x + dot, tip.y, blade);
+  lines.add(tip.x, tip.y - dot, tip.x, tip.y + dot, blade);
+  return lines.done();
+}

@@ -1,0 +1,101 @@
+/**
+ * Lines for the screen: straight pieces in float32 about an origin, with colour, dash and time.
+ *
+ * The origin is the middle of the drawing, so that a drawing in survey coordinates, a kilometre
+ * from its zero, keeps all its digits.
+ */
+
+import type { Point } from "../geometry/records";
+
+/** How the pieces of a line are broken; the index goes to the shader. */
+export const DASHES = ["solid", "dashed", "dotted", "long"] as const;
+export type Dash = (typeof DASHES)[number];
+
+/** Red, green, blue and opacity, 0 … 255. */
+export type Rgba = readonly [number, number, number, number];
+
+export interface Lines {
+  readonly count: number;
+  /** (m, 4) x0 y0 x1 y1, mm about the origin */
+  readonly ends: Float32Array;
+  /** (m, 4) */
+  readonly colour: Uint8Array;
+  /** (m,) mm travelled before the piece, so that dashes run on round an arc */
+  readonly along: Float32Array;
+  /** (m,) index into DASHES */
+  readonly dash: Uint8Array;
+  /** (m, 2) seconds at either end; never for what has no time */
+  readonly time: Float32Array;
+  /** (m,) of the edge or move */
+  readonly row: Int32Array;
+}
+
+/** Later than the end of every program. */
+export const NEVER = 3e38;
+
+/** Pieces, as they come. */
+export class LinesUnderWay {
+  private count = 0;
+  private room = 256;
+  private ends = new Float32Array(this.room * 4);
+  private colour = new Uint8Array(this.room * 4);
+  private along = new Float32Array(this.room);
+  private dash = new Uint8Array(this.room);
+  private time = new Float32Array(this.room * 2);
+  private row = new Int32Array(this.room);
+
+  constructor(private readonly origin: Point) {}
+
+  add(
+    x0: number,
+    y0: number,
+    x1: number,
+    y1: number,
+    colour: Rgba,
+    { along = 0, dash = 0, from = NEVER, to = NEVER, row = -1 } = {},
+  ): void {
+    if (this.count === this.room) this.grow();
+    const at = this.count++;
+    const { x, y } = this.origin;
+    this.ends.set([x0 - x, y0 - y, x1 - x, y1 - y], at * 4);
+    this.colour.set(colour, at * 4);
+    this.along[at] = along;
+    this.dash[at] = dash;
+    this.time[at * 2] = from;
+    this.time[at * 2 + 1] = to;
+    this.row[at] = row;
+  }
+
+  done(): Lines {
+    const { count } = this;
+    return {
+      count,
+      ends: this.ends.slice(0, count * 4),
+      colour: this.colour.slice(0, count * 4),
+      along: this.along.slice(0, count),
+      dash: this.dash.slice(0, count),
+      time: this.time.slice(0, count * 2),
+      row: this.row.slice(0, count),
+    };
+  }
+
+  private grow(): void {
+    this.room *= 2;
+    const larger = <T extends Float32Array | Uint8Array | Int32Array>(old: T, next: T): T => {
+      next.set(old);
+      return next;
+    };
+    this.ends = larger(this.ends, new Float32Array(this.room * 4));
+    this.colour = larger(this.colour, new Uint8Array(this.room * 4));
+    this.along = larger(this.along, new Float32Array(this.room));
+    this.dash = larger(this.dash, new Uint8Array(this.room));
+    this.time = larger(this.time, new Float32Array(this.room * 2));
+    this.row = larger(this.row, new Int32Array(this.room));
+  }
+}
+
+/** "#rrggbb" as bytes. */
+export function rgba(hex: string, opacity = 1): Rgba {
+  const value = Number.parseInt(hex.slice(1), 16);
+  return [(value >> 16) & 255, (value >> 8) & 255, value & 255, Math.round(opacity * 255)];
+}

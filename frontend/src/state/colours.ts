@@ -1,0 +1,25 @@
+/** The colours that drawings are made in: AutoCAD's index, as far as people use it by name. */
+
+const NAMED: Readonly<Record<number, string>> = {
+  1: "#ff4d4d",
+  2: "#ffe14d",
+  3: "#4dff6a",
+  4: "#4de8ff",
+  5: "#5b7bff",
+  6: "#ff5bff",
+  7: "#f2f5f9",
+  8: "#8a939e",
+  9: "#c3c9d1",
+};
+
+/** A colour to show for an index: named ones as they are, 10 to 249 round the circle of hues. */
+export function indexColour(index: number): string {
+  const named = NAMED[index];
+  if (named !== undefined) return named;
+  if (index >= 10 && index < 250) {
+    const hue = Math.floor((index - 10) / 10) * 15;
+    const light = [62, 74, 50, 60, 40, 50, 32, 42, 26, 34][(index - 10) % 10] ?? 60;
+    return `hsl(${hue} 85% ${light}%)`;
+  }
+  return "#aab3be";
+}

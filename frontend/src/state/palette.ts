@@ -1,0 +1,57 @@
+/** How each thing looks, on the picture and in the legend alike. */
+
+import type { LineType } from "../geometry/records";
+
+export interface LineLook {
+  readonly title: string;
+  readonly colour: string;
+  readonly dash: "solid" | "dashed" | "dotted" | "long";
+  /** The key that gives it to the chosen edges. */
+  readonly key: string;
+}
+
+export const LINE_LOOKS: Readonly<Record<LineType, LineLook>> = {
+  cut: { title: "Cut", colour: "#ff6b61", dash: "solid", key: "1" },
+  crease: { title: "Crease", colour: "#3ddc97", dash: "dashed", key: "2" },
+  "v-groove": { title: "V-groove", colour: "#b794ff", dash: "solid", key: "3" },
+  perforation: { title: "Perforation", colour: "#ffc53d", dash: "dotted", key: "4" },
+  "half-cut": { title: "Half-cut", colour: "#ff9446", dash: "long", key: "5" },
+  combi: { title: "Combi", colour: "#d3df62", dash: "long", key: "6" },
+  ignored: { title: "Ignored", colour: "#7d8794", dash: "solid", key: "7" },
+  unclassified: { title: "Unclassified", colour: "#ff2fd6", dash: "solid", key: "" },
+};
+
+/** In the order of the legend. */
+export const LEGEND: readonly LineType[] = [
+  "unclassified",
+  "cut",
+  "crease",
+  "v-groove",
+  "perforation",
+  "half-cut",
+  "combi",
+  "ignored",
+];
+
+/** What an edge can be made by hand. */
+export const CHOICES: readonly LineType[] = LEGEND.filter((type) => type !== "unclassified");
+
+export const TRAVEL = {
+  head: "#4db2ff",
+  lead: "#2b7fc4",
+  tip: "#e8eef6",
+  rapid: "#66717f",
+  done: "#f4f8ff",
+} as const;
+
+export const CANVAS = {
+  backdrop: "#0e1116",
+  table: "#151a21",
+  tableEdge: "#3a4554",
+  gridMinor: "#ffffff",
+  gridMajor: "#ffffff",
+  hover: "#ffffff",
+  chosen: "#3b82f6",
+  mark: "#ffffff",
+  blade: "#ffe27a",
+} as const;

@@ -1,0 +1,26 @@
+/** Which rows of the drawing something is about. */
+
+import { type Edges, type LineType, lineTypeOf } from "../geometry/records";
+
+const where = (edges: Edges, accepts: (row: number) => boolean): number[] => {
+  const rows: number[] = [];
+  for (let row = 0; row < edges.bulge.length; row++) if (accepts(row)) rows.push(row);
+  return rows;
+};
+
+export const rowsOfType = (edges: Edges, type: LineType): number[] =>
+  where(edges, (row) => lineTypeOf(edges.lineType[row]) === type);
+
+export const rowsOfLayer = (edges: Edges, layer: string, colour: number): number[] =>
+  where(edges, (row) => layerOf(edges, row) === layer && edges.colour[row] === colour);
+
+export function rowsOfHandles(edges: Edges, handles: Iterable<string>): number[] {
+  const wanted = new Set(handles);
+  return where(edges, (row) => wanted.has(edges.handles[row] ?? ""));
+}
+
+export const layerOf = (edges: Edges, row: number): string =>
+  edges.layers[edges.layer[row] ?? -1] ?? "";
+
+/** A layer and a colour as one word: what the page can hide. */
+export const layerKey = (layer: string, colour: number): string => `${colour}\u0000${layer}`;

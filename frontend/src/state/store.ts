@@ -1,0 +1,169 @@
+/**
+ * The one store: which document, what is chosen, what is shown, and how it came to be.
+ *
+ * What the service knows (drawings, jobs, the library) is not copied here: `queries.ts` asks for
+ * it and keeps it fresh. Here is what only this page knows.
+ */
+
+import { create } from "zustand";
+import type { Question } from "../api/client";
+import type { LineState } from "../api/events";
+import type { Change } from "./history";
+
+export type Layer = "nominal" | "head" | "tip" | "rapids";
+
+export interface Hover {
+  readonly row: number;
+  /** CSS pixels from the upper left of the picture */
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Somebody wants to see these edges: the picture goes there. */
+export interface Focus {
+  readonly rows: readonly number[];
+  readonly count: number;
+}
+
+export interface Upload {
+  readonly name: string;
+  readonly fraction: number;
+}
+
+export interface PageState {
+  readonly drawing: string | null;
+  readonly job: string | null;
+  readonly selection: ReadonlySet<number>;
+  readonly hover: Hover | null;
+  readonly hiddenTypes: ReadonlySet<string>;
+  readonly hiddenLayers: ReadonlySet<string>;
+  readonly layers: Readonly<Record<Layer, boolean>>;
+  readonly focus: Focus;
+  readonly past: readonly Change[];
+  readonly future: readonly Change[];
+  readonly busy: boolean;
+  readonly upload: Upload | null;
+  readonly line: LineState;
+  readonly leftOpen: boolean;
+  readonly rightOpen: boolean;
+  readonly helpOpen: boolean;
+  /** Where the head is put by hand in the preview (s), while no table moves it. */
+  readonly scrub: number | null;
+  readonly machine: string | null;
+  readonly board: string | null;
+  readonly copies: number;
+  /** What the service asked when it was told to compile. */
+  readonly asked: readonly Question[];
+
+  open(drawing: string | null, job?: string | null): void;
+  openJob(job: string | null): void;
+  choose(rows: Iterable<number>, add?: boolean): void;
+  point(hover: Hover | null): void;
+  toggleType(type: string): void;
+  toggleLayerOfDrawing(layer: string): void;
+  toggleLayer(layer: Layer): void;
+  look(rows: readonly number[]): void;
+  /** A change was made: it can be undone, and what was undone is forgotten. */
+  made(change: Change): void;
+  /** The last change was undone (or done again). */
+  undone(): void;
+  redone(): void;
+  set(part: Partial<PageValues>): void;
+}
+
+type PageValues = Pick<
+  PageState,
+  | "busy"
+  | "upload"
+  | "line"
+  | "leftOpen"
+  | "rightOpen"
+  | "helpOpen"
+  | "scrub"
+  | "machine"
+  | "board"
+  | "copies"
+  | "asked"
+>;
+
+const NOTHING: ReadonlySet<number> = new Set();
+
+const toggled = (set: ReadonlySet<string>, word: string): ReadonlySet<string> => {
+  const next = new Set(set);
+  if (!next.delete(word)) next.add(word);
+  return next;
+};
+
+export const usePage = create<PageState>()((put) => ({
+  drawing: null,
+  job: null,
+  selection: NOTHING,
+  hover: null,
+  hiddenTypes: new Set<string>(),
+  hiddenLayers: new Set<string>(),
+  layers: { nominal: true, head: true, tip: false, rapids: false },
+  focus: { rows: [], count: 0 },
+  past: [],
+  future: [],
+  busy: false,
+  upload: null,
+  line: "connecting",
+  leftOpen: true,
+  rightOpen: true,
+  helpOpen: false,
+  scrub: null,
+  machine: null,
+  board: null,
+  copies: 1,
+  asked: [],
+
+  open: (drawing, job = null) =>
+    put((page) =>
+      page.drawing === drawing
+        ? { job, scrub: null }
+        : {
+            drawing,
+            job,
+            selection: NOTHING,
+            hover: null,
+            hiddenTypes: new Set<string>(),
+            hiddenLayers: new Set<string>(),
+            past: [],
+            future: [],
+            scrub: null,
+            asked: [],
+          },
+    ),
+  openJob: (job) => put({ job, scrub: null }),
+  choose: (rows, add = false) =>
+    put(({ selection }) => {
+      if (!add) return { selection: new Set(rows) };
+      const listed = [...rows];
+      const next = new Set(selection);
+      // A single edge that is chosen already is let go; a box only adds.
+      const [only] = listed;
+      if (listed.length === 1 && only !== undefined && next.delete(only))
+        return { selection: next };
+      for (const row of listed) next.add(row);
+      return { selection: next };
+    }),
+  point: (hover) => put({ hover }),
+  toggleType: (type) => put(({ hiddenTypes }) => ({ hiddenTypes: toggled(hiddenTypes, type) })),
+  toggleLayerOfDrawing: (layer) =>
+    put(({ hiddenLayers }) => ({ hiddenLayers: toggled(hiddenLayers, layer) })),
+  toggleLayer: (layer) => put(({ layers }) => ({ layers: { ...layers, [layer]: !layers[layer] } })),
+  look: (rows) =>
+    put(({ focus }) => ({ selection: new Set(rows), focus: { rows, count: focus.count + 1 } })),
+  made: (change) => put(({ past }) => ({ past: [...past, change], future: [] })),
+  undone: () =>
+    put(({ past, future }) => {
+      const last = past.at(-1);
+      return last === undefined ? {} : { past: past.slice(0, -1), future: [...future, last] };
+    }),
+  redone: () =>
+    put(({ past, future }) => {
+      const next = future.at(-1);
+      return next === undefined ? {} : { past: [...past, next], future: future.slice(0, -1) };
+    }),
+  set: (part) => put(part),
+}));

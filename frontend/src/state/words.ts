@@ -1,0 +1,43 @@
+/** Figures as people read them. */
+
+const THIN = "\u202f";
+
+/** A length in mm, or in m from ten metres up. */
+export function length(value: number): string {
+  if (!Number.isFinite(value)) return "–";
+  if (Math.abs(value) >= 10_000) return `${(value / 1000).toFixed(2)}${THIN}m`;
+  return `${value.toFixed(Math.abs(value) >= 100 ? 0 : 1)}${THIN}mm`;
+}
+
+/** A deviation in mm: small, so with all the digits that mean something. */
+export function deviation(value: number): string {
+  if (!Number.isFinite(value)) return "–";
+  if (value === 0) return `0${THIN}mm`;
+  return value < 0.0001 ? `<${THIN}0.0001${THIN}mm` : `${value.toFixed(4)}${THIN}mm`;
+}
+
+export function duration(seconds: number): string {
+  if (!Number.isFinite(seconds)) return "–";
+  const whole = Math.max(0, Math.round(seconds));
+  if (whole < 60) return `${seconds < 10 ? seconds.toFixed(1) : whole}${THIN}s`;
+  const minutes = Math.floor(whole / 60);
+  if (minutes < 60) return `${minutes}:${String(whole % 60).padStart(2, "0")}${THIN}min`;
+  return `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}${THIN}h`;
+}
+
+export function ago(then: number, now: number): string {
+  const seconds = Math.max(0, now - then);
+  if (seconds < 60) return "just now";
+  if (seconds < 3600) return `${Math.floor(seconds / 60)}${THIN}min ago`;
+  if (seconds < 86_400) return `${Math.floor(seconds / 3600)}${THIN}h ago`;
+  return new Date(then * 1000).toLocaleDateString();
+}
+
+export const count = (n: number, one: string, many = `${one}s`): string =>
+  `${n.toLocaleString("en")} ${n === 1 ? one : many}`;
+
+/** Width and height in mm, or in m where either is ten metres or more. */
+export const size = (width: number, height: number): string =>
+  Math.max(width, height) < 10_000
+    ? `${width.toFixed(1)} × ${height.toFixed(1)}${THIN}mm`
+    : `${(width / 1000).toFixed(2)} × ${(height / 1000).toFixed(2)}${THIN}m`;

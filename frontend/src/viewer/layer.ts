@@ -1,0 +1,190 @@
+/**
+ * Lines on the graphics card: one quad to a piece, as wide as asked on the screen.
+ *
+ * A fragment knows how far it is from its piece, so edges and round caps are smooth without
+ * multisampling, and dashes are measured along the line.
+ */
+
+import {
+  BufferAttribute,
+  DynamicDrawUsage,
+  GLSL3,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  Mesh,
+  RawShaderMaterial,
+  Vector2,
+  Vector4,
+} from "three";
+import { type Lines, NEVER } from "../scene/lines";
+
+const VERTEX = /* glsl */ `
+precision highp float;
+uniform mat4 projectionMatrix;
+uniform mat4 modelViewMatrix;
+uniform vec2 viewport;
+uniform float width;
+in vec2 corner;
+in vec4 ends;
+in vec4 colour;
+in vec2 time;
+in float along;
+in float dash;
+out vec2 across;
+out float run;
+out float first;
+flat out vec4 ink;
+flat out vec2 clock;
+flat out float pattern;
+
+void main() {
+  vec4 a = projectionMatrix * modelViewMatrix * vec4(ends.xy, 0.0, 1.0);
+  vec4 b = projectionMatrix * modelViewMatrix * vec4(ends.zw, 0.0, 1.0);
+  vec2 from = a.xy * viewport * 0.5;
+  vec2 to = b.xy * viewport * 0.5;
+  vec2 way = to - from;
+  run = length(way);
+  vec2 ahead = run > 1e-6 ? way / run : vec2(1.0, 0.0);
+  vec2 side = vec2(-ahead.y, ahead.x);
+  float reach = width * 0.5 + 1.0;
+  across = vec2(corner.x * run + (corner.x * 2.0 - 1.0) * reach, corner.y * reach);
+  vec2 place = from + ahead * across.x + side * across.y;
+  first = along * viewport.x * 0.5 * projectionMatrix[0][0];
+  ink = colour;
+  clock = time;
+  pattern = dash;
+  gl_Position = vec4(place / (viewport * 0.5), 0.0, 1.0);
+}
+`;
+
+const FRAGMENT = /* glsl */ `
+precision highp float;
+uniform float width;
+uniform float ratio;
+uniform float now;
+uniform vec4 done;
+uniform float opacity;
+in vec2 across;
+in float run;
+in float first;
+flat in vec4 ink;
+flat in vec2 clock;
+flat in float pattern;
+out vec4 paint;
+
+void main() {
+  float past = max(max(-across.x, across.x - run), 0.0);
+  float away = length(vec2(past, across.y));
+  float cover = clamp(width * 0.5 + 0.5 - away, 0.0, 1.0);
+  if (pattern > 0.5) {
+    vec2 beat = pattern < 1.5 ? vec2(9.0, 5.0) : pattern < 2.5 ? vec2(2.5, 4.0) : vec2(16.0, 5.0);
+    beat *= ratio;
+    float period = beat.x + beat.y;
+    float at = mod(first + clamp(across.x, 0.0, run), period);
+    float gap = min(at, beat.x - at);
+    cover *= clamp(gap + 0.5, 0.0, 1.0);
+  }
+  float part = run > 0.0 ? clamp(across.x / run, 0.0, 1.0) : 1.0;
+  float when = mix(clock.x, clock.y, part);
+  vec4 hue = when <= now ? done : ink;
+  float strength = cover * hue.a * opacity;
+  if (strength < 0.004) discard;
+  paint = vec4(hue.rgb, strength);
+}
+`;
+
+const CORNERS = new Float32Array([0, -1, 1, -1, 1, 1, 0, 1]);
+const TRIANGLES = [0, 1, 2, 0, 2, 3];
+
+export class LineLayer {
+  readonly mesh: Mesh<InstancedBufferGeometry, RawShaderMaterial>;
+  private width: number;
+  private ratio = 1;
+
+  /** `width` in CSS pixels; a larger `order` lies above. */
+  constructor(width: number, order: number) {
+    this.width = width;
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      transparent: true,
+      depthTest: false,
+      depthWrite: false,
+      uniforms: {
+        viewport: { value: new Vector2(1, 1) },
+        width: { value: width },
+        ratio: { value: 1 },
+        now: { value: -1 },
+        done: { value: new Vector4(1, 1, 1, 1) },
+        opacity: { value: 1 },
+      },
+    });
+    this.mesh = new Mesh(emptyGeometry(), material);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = order;
+    this.mesh.visible = false;
+  }
+
+  show(lines: Lines | null): void {
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = emptyGeometry();
+    this.mesh.visible = lines !== null && lines.count > 0;
+    if (lines === null || lines.count === 0) return;
+    const put = (
+      name: string,
+      values: Float32Array | Uint8Array,
+      size: number,
+      normalised = false,
+    ) => {
+      const attribute = new InstancedBufferAttribute(values, size, normalised);
+      attribute.setUsage(DynamicDrawUsage);
+      this.mesh.geometry.setAttribute(name, attribute);
+    };
+    put("ends", lines.ends, 4);
+    put("colour", lines.colour, 4, true);
+    put("along", lines.along, 1);
+    put("dash", Float32Array.from(lines.dash), 1);
+    put("time", lines.time, 2);
+    this.mesh.geometry.instanceCount = lines.count;
+  }
+
+  /** Everything before this time (s) is drawn in the colour of what is done. */
+  until(seconds: number, done: readonly [number, number, number, number]): void {
+    this.uniform("now").value = Math.min(seconds, NEVER / 2);
+    (this.uniform("done").value as Vector4).set(...done).divideScalar(255);
+  }
+
+  /** Wider and fainter, as when another line lies upon it. */
+  look(width: number, opacity: number): void {
+    this.width = width;
+    this.uniform("width").value = width * this.ratio;
+    this.uniform("opacity").value = opacity;
+  }
+
+  resize(width: number, height: number, ratio: number): void {
+    (this.uniform("viewport").value as Vector2).set(width * ratio, height * ratio);
+    this.ratio = ratio;
+    this.uniform("width").value = this.width * ratio;
+    this.uniform("ratio").value = ratio;
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+
+  private uniform(name: string): { value: unknown } {
+    const found = this.mesh.material.uniforms[name];
+    if (found === undefined) throw new Error(`The shader has no uniform ${name}.`);
+    return found;
+  }
+}
+
+function emptyGeometry(): InstancedBufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  geometry.setAttribute("corner", new BufferAttribute(CORNERS, 2));
+  geometry.setIndex(TRIANGLES);
+  geometry.instanceCount = 0;
+  return geometry;
+}

@@ -1,0 +1,107 @@
+/**
+ * Mouse, pen and fingers → pan, zoom, point and choose.
+ *
+ *     drag, middle or right drag   pan         wheel, pinch    zoom about the cursor
+ *     click                        choose      shift + drag    choose by a box
+ */
+
+import type { Point } from "../geometry/records";
+
+export interface PointerTarget {
+  pan(dx: number, dy: number): void;
+  zoom(factor: number, about: Point): void;
+  point(at: Point | null): void;
+  choose(at: Point, add: boolean): void;
+  /** While a box is drawn, and once more with `final` when it is let go. */
+  box(from: Point, to: Point, final: boolean): void;
+}
+
+/** A press that moves less than this is a click (pixels). */
+const STILL = 4;
+const LINE_HEIGHT = 16;
+
+export function listenToPointer(element: HTMLElement, target: PointerTarget): () => void {
+  const held = new Map<number, Point>();
+  let pressed: { at: Point; button: number; shift: boolean; moved: boolean } | null = null;
+  const gone = new AbortController();
+  const on = <K extends keyof HTMLElementEventMap>(
+    name: K,
+    act: (event: HTMLElementEventMap[K]) => void,
+    passive = true,
+  ) => element.addEventListener(name, act, { signal: gone.signal, passive });
+
+  const place = (event: MouseEvent): Point => {
+    const frame = element.getBoundingClientRect();
+    return { x: event.clientX - frame.left, y: event.clientY - frame.top };
+  };
+
+  const spread = (): { middle: Point; apart: number } => {
+    const [a, b] = [...held.values()];
+    if (a === undefined || b === undefined) return { middle: { x: 0, y: 0 }, apart: 0 };
+    return {
+      middle: { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 },
+      apart: Math.hypot(a.x - b.x, a.y - b.y),
+    };
+  };
+
+  on("pointerdown", (event) => {
+    element.setPointerCapture(event.pointerId);
+    held.set(event.pointerId, place(event));
+    pressed = { at: place(event), button: event.button, shift: event.shiftKey, moved: false };
+    element.focus({ preventScroll: true });
+  });
+
+  on("pointermove", (event) => {
+    const now = place(event);
+    const before = held.get(event.pointerId);
+    if (before === undefined || pressed === null) {
+      if (event.pointerType !== "touch") target.point(now);
+      return;
+    }
+    if (held.size === 2) {
+      const old = spread();
+      held.set(event.pointerId, now);
+      const next = spread();
+      target.pan(next.middle.x - old.middle.x, next.middle.y - old.middle.y);
+      if (old.apart > 0) target.zoom(next.apart / old.apart, next.middle);
+      pressed.moved = true;
+      return;
+    }
+    if (!pressed.moved && Math.hypot(now.x - pressed.at.x, now.y - pressed.at.y) < STILL) return;
+    if (!pressed.moved) target.point(null);
+    const from = pressed.moved ? before : pressed.at;
+    pressed.moved = true;
+    held.set(event.pointerId, now);
+    if (pressed.shift && pressed.button === 0) target.box(pressed.at, now, false);
+    else target.pan(now.x - from.x, now.y - from.y);
+  });
+
+  const release = (event: PointerEvent, finished: boolean) => {
+    if (!held.delete(event.pointerId) || pressed === null || held.size > 0) return;
+    const now = place(event);
+    if (pressed.moved && pressed.shift && pressed.button === 0) {
+      target.box(pressed.at, finished ? now : pressed.at, true);
+    } else if (!pressed.moved && pressed.button === 0 && finished) {
+      target.choose(now, pressed.shift || event.ctrlKey || event.metaKey);
+    }
+    pressed = null;
+  };
+  on("pointerup", (event) => release(event, true));
+  on("pointercancel", (event) => release(event, false));
+  on("pointerleave", () => {
+    if (held.size === 0) target.point(null);
+  });
+  on("contextmenu", (event) => event.preventDefault(), false);
+  on(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      const turned = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_HEIGHT : 1;
+      // A pinch on a touch pad arrives as a wheel with Ctrl, in small steps.
+      const gain = event.ctrlKey ? 0.01 : 0.0016;
+      target.zoom(Math.exp(-event.deltaY * turned * gain), place(event));
+    },
+    false,
+  );
+  return () => gone.abort();
+}

@@ -1,0 +1,26 @@
+import react from "@vitejs/plugin-react";
+import { defineConfig } from "vitest/config";
+
+export default defineConfig({
+  plugins: [react()],
+  build: {
+    outDir: "../backend/knifetip/api/page",
+    emptyOutDir: true,
+    chunkSizeWarningLimit: 1500,
+    rolldownOptions: {
+      output: {
+        // Libraries change seldom, the page often: a browser keeps the first and fetches the second.
+        codeSplitting: {
+          groups: [
+            { name: "three", test: /node_modules[\\/]three/ },
+            { name: "vendor", test: /node_modules/ },
+          ],
+        },
+      },
+    },
+  },
+  server: {
+    proxy: { "/api": process.env.KNIFETIP_API ?? "http://127.0.0.1:8080" },
+  },
+  test: { environment: "node", include: ["src/**/*.test.ts"] },
+});

@@ -1,0 +1,134 @@
+"""A real server, a real table (simulated) and a real browser for the tests of the page."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
+
+ROOT = Path(__file__).resolve().parents[2]
+SCREENSHOTS = ROOT / "build" / "screenshots"
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+#: WebGL without a graphics card.
+SOFTWARE_GL = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+#: How much faster than life the table of these tests moves.
+SPEED = 4.0
+
+
+class Running(NamedTuple):
+    """A server and where it is."""
+
+    url: str
+    log: Path
+
+
+@pytest.fixture(scope="session")
+def chromium() -> str:
+    """The path of a Chromium; skips where there is none."""
+    named = os.environ.get("KNIFETIP_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), "")
+    if not named:
+        pytest.skip("there is no Chromium here (install it, or set KNIFETIP_CHROMIUM)")
+    return named
+
+
+@pytest.fixture(scope="session")
+def browser(chromium: str) -> Iterator[Browser]:
+    """A browser that draws in software."""
+    with sync_playwright() as playwright:
+        # Chromium's sandbox does not work for root, who runs the tests in most containers.
+        sandbox = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
+        started = playwright.chromium.launch(
+            executable_path=chromium, args=[*sandbox, *SOFTWARE_GL]
+        )
+        yield started
+        started.close()
+
+
+@pytest.fixture(scope="session")
+def built() -> None:
+    """The page, built from the sources that are here."""
+    made = subprocess.run(
+        [sys.executable, str(ROOT / "frontend" / "build.py")],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert made.returncode == 0, made.stdout + made.stderr
+
+
+@pytest.fixture(scope="module")
+def server(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
+    """The whole service on a free port, with a database of its own."""
+    folder = tmp_path_factory.mktemp("served")
+    with socket.socket() as door:
+        door.bind(("127.0.0.1", 0))
+        port = door.getsockname()[1]
+    running = Running(f"http://127.0.0.1:{port}", folder / "server.log")
+    command = [sys.executable, "-m", "knifetip.cli", "serve", "--host", "127.0.0.1"]
+    command += ["--port", str(port), "--speed", str(SPEED)]
+    command += ["--database", f"sqlite:///{folder / 'browser.sqlite'}"]
+    with running.log.open("wb") as log:
+        process = subprocess.Popen(command, cwd=folder, stdout=log, stderr=log)
+        try:
+            _wait(running, process)
+            yield running
+        finally:
+            process.send_signal(signal.SIGINT)
+            try:
+                process.wait(20)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+
+def _wait(running: Running, process: subprocess.Popen[bytes]) -> None:
+    deadline = time.monotonic() + 60.0
+    while time.monotonic() < deadline and process.poll() is None:
+        try:
+            with urllib.request.urlopen(f"{running.url}/readyz", timeout=2) as answer:
+                if answer.status == 200:
+                    return
+        except (urllib.error.URLError, TimeoutError, ConnectionError):
+            pass
+        time.sleep(0.2)
+    pytest.fail(f"the server did not become ready:\n{running.log.read_text()}")
+
+
+@pytest.fixture
+def page(browser: Browser, server: Running) -> Iterator[Page]:
+    """The page, opened; whatever it says on the console as an error fails the test."""
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    opened = context.new_page()
+    opened.set_default_timeout(30_000)
+    complaints: list[str] = []
+
+    def hear(message: ConsoleMessage) -> None:
+        # An answer of 4xx is an answer: what the page makes of it is what the test looks at.
+        if message.type == "error" and "Failed to load resource" not in message.text:
+            complaints.append(message.text)
+
+    opened.on("console", hear)
+    opened.on("pageerror", lambda error: complaints.append(str(error)))
+    opened.goto(server.url)
+    yield opened
+    context.close()
+    assert complaints == []
+
+
+@pytest.fixture(scope="session")
+def screenshots() -> Path:
+    """The folder that pictures go to."""
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    return SCREENSHOTS

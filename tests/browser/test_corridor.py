@@ -1,0 +1,200 @@
+"""From a dropped DXF to a cut board, as somebody at the screen does it."""
+
+from __future__ import annotations
+
+import base64
+import re
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from knifetip.dxf.samples import samples
+
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+
+#: No unit, a layer that no profile knows, and a layer that every profile does.
+ODD = """0
+SECTION
+2
+ENTITIES
+0
+LINE
+8
+NOBODY KNOWS
+10
+0
+20
+0
+11
+100
+21
+0
+0
+LINE
+8
+NOBODY KNOWS
+10
+100
+20
+0
+11
+100
+21
+80
+0
+LINE
+8
+CREASE
+10
+50
+20
+0
+11
+50
+21
+80
+0
+ENDSEC
+0
+EOF
+"""
+
+
+def drop(page: Page, name: str, content: bytes) -> None:
+    """Let a file fall on the page, as from a folder of the desktop."""
+    carried = page.evaluate_handle(
+        """([name, text]) => {
+            const bytes = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
+            const carried = new DataTransfer();
+            carried.items.add(new File([bytes], name));
+            return carried;
+        }""",
+        [name, base64.b64encode(content).decode()],
+    )
+    page.dispatch_event("body", "dragenter", {"dataTransfer": carried})
+    expect(page.get_by_test_id("drop-zone")).to_be_visible()
+    page.dispatch_event("body", "drop", {"dataTransfer": carried})
+    expect(page.get_by_test_id("drop-zone")).to_be_hidden()
+    expect(page.get_by_role("heading", name=name)).to_be_visible()
+
+
+def compile_on(page: Page, board: str) -> None:
+    page.get_by_test_id("board-select").click()
+    page.get_by_role("option", name=board).click()
+    page.get_by_test_id("compile").click()
+    expect(page.get_by_test_id("verdict")).to_be_visible(timeout=60_000)
+
+
+def ink(page: Page) -> int:
+    """Return how many pixels of the middle of the picture are brighter than its ground."""
+    box = page.get_by_test_id("canvas").bounding_box()
+    assert box is not None
+    clip = {
+        "x": box["x"] + 0.2 * box["width"],
+        "y": box["y"] + 0.2 * box["height"],
+        "width": 0.6 * box["width"],
+        "height": 0.5 * box["height"],
+    }
+    shot = page.screenshot(clip=clip)  # type: ignore[arg-type]
+    return page.evaluate(
+        """async (text) => {
+            const image = new Image();
+            image.src = "data:image/png;base64," + text;
+            await image.decode();
+            const canvas = new OffscreenCanvas(image.width, image.height);
+            const pen = canvas.getContext("2d");
+            pen.drawImage(image, 0, 0);
+            const { data } = pen.getImageData(0, 0, image.width, image.height);
+            let count = 0;
+            for (let at = 0; at < data.length; at += 4) {
+                if (Math.max(data[at], data[at + 1], data[at + 2]) > 120) count++;
+            }
+            return count;
+        }""",
+        base64.b64encode(shot).decode(),
+    )
+
+
+@pytest.mark.parametrize(
+    ("sample", "board", "types"),
+    [
+        ("tuck-end-carton.dxf", "Folding boxboard 0.4 mm", ("cut", "crease")),
+        ("rigid-box-blank.dxf", "Greyboard 2.0 mm", ("cut", "v-groove")),
+    ],
+)
+def test_a_dropped_dieline_is_compiled_sent_and_done(
+    page: Page, screenshots: Path, sample: str, board: str, types: tuple[str, ...]
+) -> None:
+    stem = sample.removesuffix(".dxf")
+    drop(page, sample, samples()[sample])
+    for line_type in types:
+        expect(page.get_by_test_id(f"legend-{line_type}")).to_be_visible()
+    assert ink(page) > 500
+    page.screenshot(path=screenshots / f"{stem}-1-dropped.png")
+
+    compile_on(page, board)
+    expect(page.get_by_test_id("verdict")).to_have_attribute("data-accepted", "true")
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready")
+    page.screenshot(path=screenshots / f"{stem}-2-verified.png")
+
+    page.get_by_test_id("send").click()
+    expect(page.get_by_test_id("job-state")).to_have_text("Running")
+    page.get_by_test_id("hold").click()
+    expect(page.get_by_test_id("job-state")).to_have_text("Held")
+    page.screenshot(path=screenshots / f"{stem}-3-held.png")
+    page.get_by_test_id("resume").click()
+    expect(page.get_by_test_id("done")).to_be_visible(timeout=120_000)
+    expect(page.get_by_test_id("job-state")).to_have_text("Done")
+    page.screenshot(path=screenshots / f"{stem}-4-done.png")
+
+
+def test_what_nobody_knows_is_asked_and_answered_and_can_be_taken_back(
+    page: Page, screenshots: Path
+) -> None:
+    drop(page, "odd.dxf", ODD.encode())
+    expect(page.get_by_test_id("unit-mm")).to_be_visible()
+    expect(page.get_by_test_id("compile")).to_be_disabled()
+    page.screenshot(path=screenshots / "odd-1-asked.png")
+    page.get_by_test_id("unit-mm").click()
+    expect(page.get_by_test_id("drawing-size")).to_have_text(re.compile(r"^100\.0 × 80\.0"))
+
+    page.get_by_test_id("answer-cut").click()
+    expect(page.get_by_test_id("questions")).to_be_hidden()
+    expect(page.get_by_test_id("legend-cut")).to_be_visible()
+    page.keyboard.press("Control+z")
+    expect(page.get_by_test_id("question")).to_be_visible()
+    expect(page.get_by_test_id("legend-unclassified")).to_be_visible()
+    page.keyboard.press("Control+Shift+z")
+    expect(page.get_by_test_id("questions")).to_be_hidden()
+
+
+def test_hover_names_the_edge_and_a_click_changes_its_type(page: Page, screenshots: Path) -> None:
+    drop(page, "rigid-box-blank.dxf", samples()["rigid-box-blank.dxf"])
+    canvas = page.get_by_test_id("canvas")
+    box = canvas.bounding_box()
+    assert box is not None
+    tip = page.get_by_test_id("edge-tooltip")
+    # Down the middle of the picture there is a groove, at a height that the layout decides.
+    for step in range(int(box["height"])):
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + step)
+        if step % 4 == 0 and tip.count() and "V-groove" in tip.inner_text():
+            break
+    expect(tip).to_contain_text("V-GROOVE")
+    page.mouse.down()
+    page.mouse.up()
+    expect(page.get_by_test_id("selection")).to_contain_text("1 edge")
+    page.screenshot(path=screenshots / "rigid-box-blank-5-chosen.png")
+    page.get_by_test_id("type-crease").click()
+    expect(page.get_by_test_id("legend-crease")).to_be_visible()
+
+
+def test_a_file_that_is_no_drawing_is_refused_in_words(page: Page, screenshots: Path) -> None:
+    page.get_by_test_id("file-input").set_input_files(
+        {"name": "letter.dxf", "mimeType": "image/vnd.dxf", "buffer": b"Dear Sir or Madam"}
+    )
+    report = page.get_by_test_id("report")
+    expect(report).to_contain_text("letter.dxf")
+    page.screenshot(path=screenshots / "refused.png")
+    report.get_by_role("button", name="Dismiss").click()
+    expect(report).to_be_hidden()
