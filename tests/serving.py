@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
+from tempfile import gettempdir
 
 import httpx
 import uvicorn
@@ -93,8 +95,11 @@ class Running:
             "from knifetip.api.embedded import serve\n"
             f"serve('127.0.0.1', 0, 'sqlite:///{database}', **{said!r})"
         )
+        # Compiled once for all servers of all tests, whatever the environment says of bytecode.
+        environment = {**os.environ, "PYTHONPYCACHEPREFIX": f"{gettempdir()}/knifetip-bytecode"}
+        environment.pop("PYTHONDONTWRITEBYTECODE", None)
         self.process = subprocess.Popen(
-            [sys.executable, "-c", code], stdout=subprocess.PIPE, text=True
+            [sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, env=environment
         )
         assert self.process.stdout is not None
         first = self.process.stdout.readline()

@@ -15,7 +15,13 @@ from knifetip.classification import classify
 from knifetip.compensation.compensate import compensate
 from knifetip.dxf import units
 from knifetip.dxf.read import read
-from knifetip.errors import OpenQuestions, TravelExceeded
+from knifetip.errors import (
+    CompensationError,
+    KnifetipError,
+    OpenQuestions,
+    PlanError,
+    TravelExceeded,
+)
 from knifetip.geometry.columns import U8
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
@@ -140,6 +146,16 @@ def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
     return round(x - float(low_x), 4), round(y - float(low_y), 4)
 
 
+def _placed(error: KnifetipError, drawing: Drawing) -> KnifetipError:
+    """Return the error of a stage, which knows rows of edges, in the words of the drawing."""
+    rows = [int(row) for row in error.source]
+    if rows:
+        layer, handles = drawing.layers[drawing.layer[rows[0]]], drawing.handles
+        error.message = f'{error.message.rstrip(".")} (handle {handles[rows[0]]}, layer "{layer}").'
+        error.source = tuple(handles[row] for row in rows)
+    return error
+
+
 def compiled(
     drawing: Drawing,
     dieline: Dieline,
@@ -171,13 +187,17 @@ def compiled(
     asked = questions(drawing, dieline, machine)
     if asked:
         raise OpenQuestions([question.as_json() for question in asked])
-    progress("plan", 0.05)
     where = placement(dieline, machine)
-    operations = plan(replace(dieline, ends=dieline.ends + np.array(where)), machine, board)
-    progress("compensate", 0.2)
-    toolpaths = [compensate(operation) for operation in operations]
-    progress("sequence", 0.4)
-    toolpath = sequence(toolpaths, machine)
+    placed = replace(dieline, ends=dieline.ends + np.array(where))
+    try:
+        progress("plan", 0.05)
+        operations = plan(placed, machine, board)
+        progress("compensate", 0.2)
+        toolpaths = [compensate(operation) for operation in operations]
+        progress("sequence", 0.4)
+        toolpath = sequence(toolpaths, machine)
+    except (PlanError, CompensationError) as error:
+        raise _placed(error, drawing) from None
     progress("process", 0.5)
     head = (
         f"machine {machine.name}",

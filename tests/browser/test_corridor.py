@@ -76,7 +76,8 @@ def drop(page: Page, name: str, content: bytes) -> None:
     expect(page.get_by_test_id("drop-zone")).to_be_visible()
     page.dispatch_event("body", "drop", {"dataTransfer": carried})
     expect(page.get_by_test_id("drop-zone")).to_be_hidden()
-    expect(page.get_by_role("heading", name=name)).to_be_visible()
+    # The first reading of a fresh server waits for its processes to start.
+    expect(page.get_by_role("heading", name=name)).to_be_visible(timeout=60_000)
 
 
 def compile_on(page: Page, board: str) -> None:

@@ -72,7 +72,7 @@ def read_grbl(program: bytes) -> list[Line]:
             assert len(commands) == 1, here
             (outputs.add if "M64" in commands else outputs.discard)(int(values.pop("P")))
         if "G4" in commands:
-            assert values.pop("P") > 0, here
+            assert values.pop("P") >= 0, here
         if "M3" in commands:
             assert values.pop("S") > 0, here
             oscillates = True

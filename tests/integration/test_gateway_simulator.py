@@ -208,6 +208,17 @@ async def test_a_reset_in_mid_arc_stops_everything_and_nothing_goes_on():
     assert low[:, 2].max() <= 110.0 + 1e-9
 
 
+async def test_after_an_alarm_only_the_operator_lets_it_go_on():
+    async with await simulator.serve(MACHINE, speed=50.0) as server:
+        server.table.receive(b"G0 X5000\n\x18")
+        with pytest.raises(ControllerAlarm, match="locked"):
+            await grbl.dial(server.address, silence=0.4)
+        assert server.table.state == "Alarm"
+        controller = await grbl.dial(server.address, silence=0.4, unlock=True)
+        assert (await finished(slots(1), controller))[-1].state is State.IDLE
+        await controller.close()
+
+
 async def test_hold_in_mid_arc_stands_and_resume_finishes_the_same_path():
     async with joined(speed=2.0, sample=0.0005) as (table, controller):
         held, asked = [], False

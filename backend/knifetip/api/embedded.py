@@ -15,7 +15,6 @@ import socket
 import threading
 import time
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from types import FrameType
 
@@ -27,7 +26,6 @@ from fastapi import FastAPI
 from knifetip.api.app import create_app
 from knifetip.api.drawings import added
 from knifetip.api.service import Service, Settings
-from knifetip.dxf.samples import samples as drawn
 from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, grbl, simulator
 from knifetip.jobs.crew import Withdrawn
@@ -36,6 +34,10 @@ from knifetip.library import load
 MACHINE = "demo-table"
 _GRACE = 5.0  # seconds for the machine to stop and to say so
 _log = logging.getLogger("knifetip.api")
+
+
+def _said(words: str) -> None:
+    print(words, flush=True)
 
 
 def serve(
@@ -47,7 +49,7 @@ def serve(
     simulator: bool = True,
     speed: float = 1.0,
     compiles: bool = True,
-    told: Callable[[str], None] = partial(print, flush=True),
+    told: Callable[[str], None] = _said,
 ) -> None:
     """Serve until SIGINT or SIGTERM.
 
@@ -225,7 +227,10 @@ def _add_samples(service: Service) -> None:
     """Read the samples into a database in which nothing ever happened."""
     try:
         if service.store.last_event() == 0:
-            for name, content in drawn().items():
+            # Drawn by ezdxf, which the server does without at every other start.
+            from knifetip.dxf.samples import samples
+
+            for name, content in samples().items():
                 added(service, None, name, content, "", "default")
     except (KnifetipError, Withdrawn) as reason:
         _log.warning("the samples could not be read: %s", reason)

@@ -95,11 +95,12 @@ class Grbl:
 
     # -- opening and closing ------------------------------------------------------------------
 
-    async def open(self) -> None:
+    async def open(self, *, unlock: bool = False) -> None:
         """Take the controller over: at rest, unlocked, buffers empty.
 
         It is reset, which at rest loses nothing.  A machine that moves, holds or is locked is
-        left alone: whoever stands there decides.
+        left alone: whoever stands there decides.  With ``unlock`` that has been done, and an
+        alarm is taken back without homing (``$X``): the operator vouches for the position.
 
         Raises
         ------
@@ -125,6 +126,9 @@ class Grbl:
             )
         await self._reset()
         status = await self.status()
+        if status.state is State.ALARM and unlock:
+            await self._command(b"$X")
+            status = await self.status()
         if status.state is State.ALARM:
             raise self._fail(
                 ControllerAlarm(
@@ -136,11 +140,6 @@ class Grbl:
             if options := _OPTIONS.match(line):
                 self.capacity = int(options[1])
                 self._window = max(int(options[2]), 2) - 1
-
-    async def unlock(self) -> None:
-        """Take an alarm back without homing (``$X``): the operator vouches for the position."""
-        self.fault = None
-        await self._command(b"$X")
 
     async def close(self) -> None:
         """Close the transport; what the controller has in its buffer it still does."""
@@ -497,8 +496,10 @@ class Grbl:
         )
 
 
-async def dial(address: str, *, silence: float = 5.0, poll: float = 0.1) -> Grbl:
-    """Connect to a grbl and take it over.
+async def dial(
+    address: str, *, silence: float = 5.0, poll: float = 0.1, unlock: bool = False
+) -> Grbl:
+    """Connect to a grbl and take it over; with ``unlock`` even out of an alarm.
 
     Raises
     ------
@@ -507,7 +508,7 @@ async def dial(address: str, *, silence: float = 5.0, poll: float = 0.1) -> Grbl
     """
     controller = Grbl(await connect(address), silence=silence, poll=poll)
     try:
-        await controller.open()
+        await controller.open(unlock=unlock)
     except BaseException:
         await controller.close()
         raise

@@ -707,20 +707,25 @@ class Store:
                 "seconds_left": seconds_left,
                 "lease": self.clock() + LEASE,
             }
+            new_copy = held and heard["copies_done"] > row.copies_done
             wish = row.wish
-            if wish == ("hold" if held else "resume"):
+            # A wish to go on is spent by going on: it must not start the copy after the next.
+            if wish == ("hold" if held else "resume") or (new_copy and wish == "resume"):
                 wish = ""
             heard["wish"] = wish
             goal = State.HELD if held else State.RUNNING
-            if goal == row.state:
-                session.execute(sa.update(Job).where(Job.id == id).values(**heard))
-            else:
-                new_copy = held and heard["copies_done"] > row.copies_done
+            why = f"at line {line}"
+            if new_copy:
                 done = f"copy {heard['copies_done']} of {row.copies} is done"
-                why = f"{done}: put a new sheet on the table" if new_copy else f"at line {line}"
+                why = f"{done}: put a new sheet on the table"
+            if goal != row.state:
                 self._move(
                     session, id, goal, Who.GATEWAY, why, name=row.owner, epoch=epoch, **heard
                 )
+            else:
+                session.execute(sa.update(Job).where(Job.id == id).values(**heard))
+                if new_copy:
+                    self._note(session, "job", id, goal, f"{Who.GATEWAY} {row.owner}", why)
         return wish or "continue"
 
     def finish(self, id: str, epoch: int, outcome: str, why: str) -> Job:

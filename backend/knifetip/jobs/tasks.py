@@ -14,12 +14,10 @@ import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from knifetip import pipeline
-from knifetip.dxf.samples import samples
 from knifetip.errors import KnifetipError, UnitUnknown
 from knifetip.geometry.columns import F64, U8
 from knifetip.jobs.columns import packed
@@ -30,6 +28,9 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
+
+if TYPE_CHECKING:
+    from knifetip.pipeline import Compiled
 
 NONE = 255  #: no override
 _FAR = 1e9  # stands for a measure that is infinite or not a number, which JSON cannot say
@@ -56,6 +57,8 @@ class Carried:
 # The same drawing is read again for each override and each order: keep the last few.
 @lru_cache(maxsize=4)
 def _drawing(content: bytes, unit: str) -> Drawing:
+    from knifetip import pipeline
+
     return pipeline.read_drawing(content, unit or None)
 
 
@@ -72,6 +75,8 @@ def read(
         Overrides to keep: row by row where the reading has the same rows, and else by handle
         where all rows of the handle agreed.
     """
+    from knifetip import pipeline
+
     progress("read", 0.0)
     drawing = _drawing(content, unit)
     handles = [_said(handle) for handle in drawing.handles]
@@ -179,6 +184,8 @@ def ask(
     progress: Progress, content: bytes, unit: str, profile: str, overrides: bytes, machine: str
 ) -> list[dict[str, Any]]:
     """Return what must be decided before the drawing can be made on this machine."""
+    from knifetip import pipeline
+
     progress("read", 0.0)
     drawing = _drawing(content, unit)
     dieline = pipeline.dieline(drawing, load.profile(profile), np.frombuffer(overrides, np.uint8))
@@ -203,6 +210,8 @@ def compile(
     KnifetipError
         It cannot be made; the reason names the place and the measure.
     """
+    from knifetip import pipeline
+
     progress("read", 0.0)
     drawing = _drawing(content, unit)
     if not drawing.unit:
@@ -265,6 +274,8 @@ def compile(
 
 def rehearse(progress: Progress) -> None:
     """Go once through everything: kernels become machine code, which is kept on disk."""
+    from knifetip.dxf.samples import samples
+
     machine = load.names("machines")[0]
     for content in samples().values():
         overrides = read(progress, content, "", "default").overrides
@@ -272,7 +283,7 @@ def rehearse(progress: Progress) -> None:
             compile(progress, content, "", "default", overrides, machine, "greyboard-2.0", ())
 
 
-def _toolpath(made: pipeline.Compiled, machine: Machine) -> bytes:
+def _toolpath(made: Compiled, machine: Machine) -> bytes:
     path = made.toolpath
     rows = made.program.source
     # The last line that a row became: when the machine has executed it, the row is behind it.

@@ -13,6 +13,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left, unit
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
+from knifetip.geometry.tolerance import POINT
 from knifetip.model.dieline import Dieline, LineType
 
 _CHORDS = 8
@@ -43,11 +44,11 @@ def check_flanks(paths: Paths, source: I32, reach: float, dieline: Dieline) -> N
     points = arc.points_along(ends[:, 0], ends[:, 1], dieline.bulge[cut], _CHORDS + 1)
     chords = np.stack([points[:, :-1], points[:, 1:]], axis=2).reshape(-1, 2, 2)
     begin, finish = paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]
-    ahead = unit(finish - begin)
-    long = np.hypot(*(finish - begin).T) > 4.0 * reach
-    inset = 2.0 * reach * ahead[long]
+    long = np.hypot(*(finish - begin).T) > max(4.0 * reach, POINT)
+    ahead = unit((finish - begin)[long])
+    inset = 2.0 * reach * ahead
     for side in (1.0, -1.0):
-        beside = side * reach * left(ahead[long])
+        beside = side * reach * left(ahead)
         start, end = begin[long] + beside + inset, finish[long] + beside - inset
         step = max(1, _PAIRS // max(1, len(chords)))
         for row in range(0, len(start), step):

@@ -23,6 +23,7 @@ class Dialect:
     tool_table: bool  #: Tn M6 G43 bring the station's datum; otherwise it is in the numbers
     blending: bool  #: knows G64 P Q
     inverse_arcs: bool  #: counts degrees as mm under G94, so an arc with C goes by G93
+    eager_outputs: bool  #: switches M64, M65 when it reads them, while earlier moves still run
     comments: bool  #: stations are announced in comments; the notes always stand at the top
     radius: float  #: arcs larger than this are sent as chords (mm)
     line_limit: int  #: longest line, without its newline (bytes)
@@ -39,6 +40,7 @@ _DIALECTS = {
             tool_table=True,
             blending=True,
             inverse_arcs=False,
+            eager_outputs=False,
             comments=True,
             radius=1e6,
             line_limit=250,
@@ -52,6 +54,7 @@ _DIALECTS = {
             tool_table=False,
             blending=False,
             inverse_arcs=True,
+            eager_outputs=True,
             comments=False,
             radius=16e3,
             line_limit=80,

@@ -26,6 +26,8 @@ from knifetip.post.dialect import Dialect, dialect_of
 
 #: mm, absolute, arc centres from the start, XY plane, no compensation in the controller, mm/min.
 HEADER: Final = "G21 G90 G91.1 G17 G40 G49 G94 G54"
+#: Wait until the machine stands still: a dwell of nothing.
+STILL: Final = "G4 P0"
 #: The controller may round corners by half the tolerance, and never by more than half of this (mm).
 BLENDED: Final = 0.01
 #: Coordinates beyond this are a mistake, on any table (mm, degrees).
@@ -126,6 +128,8 @@ def _change(
 ) -> Iterator[str]:
     if dialect.comments:
         yield gcode.comment(f"station {station.number} {station.name}")
+    if dialect.eager_outputs:
+        yield STILL
     if previous is not None and previous.output >= 0:
         yield f"M65 P{previous.output}"
     if previous is not None and _oscillates(previous):
@@ -144,6 +148,8 @@ def _change(
 def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[str]:
     up = machine.travel_z + _added(station, dialect)[2]
     yield f"G0 Z{gcode.plain(up)}"
+    if dialect.eager_outputs:
+        yield STILL
     if station.output >= 0:
         yield f"M65 P{station.output}"
     yield "M5"

@@ -17,8 +17,11 @@ from knifetip.verification.findings import MOST, Findings
 from knifetip.verification.kinematics import LEVEL, Tips
 from knifetip.verification.modal import Moves
 
-#: A feed may differ from the tool's by this share of it.
-FEED: Final = 1e-3
+#: A feed may differ from the tool's by this share of it: programs print six figures.
+FEED: Final = 1e-5
+#: A time may, where the move's length is known only from printed numbers (share, and mm).
+TIMED: Final = 1e-4
+LENGTH: Final = 5e-4
 #: Moves that take no longer may take any time: controllers round it up to a step (minutes).
 INSTANT: Final = 2e-6
 #: A joint may stand past its travel by this (mm, degrees): less than programs print.
@@ -89,8 +92,8 @@ def feeds(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
     least = np.maximum(np.where(swivel, 0.0, length / own), degrees / (60.0 * machine.c.velocity))
     minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
     feeding = (moves.code > 0) & ~np.isnan(own) & ~np.isnan(length) & ~np.isnan(moves.feed)
-    off = np.abs(minutes / np.where(least > 0.0, least, np.nan) - 1.0) > FEED
-    off &= ~((minutes <= INSTANT) & (minutes > least * (1.0 - FEED)))
+    off = np.abs(minutes - least) > TIMED * least + np.where(swivel, 0.0, LENGTH / own)
+    off &= ~((minutes <= INSTANT) & (minutes > least))
     # Without a time of its own, a move along XYZ has its feed from the word.
     plain = ~moves.inverse
     off = np.where(plain, np.abs(moves.feed - own) > FEED * own, off)

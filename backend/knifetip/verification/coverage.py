@@ -44,6 +44,8 @@ from knifetip.verification.overlap import BRIEF, Rows, leftover, nearest_until, 
 DEPTH: Final = 0.005
 #: Work farther than this from every edge is not a badly placed edge but a stray (mm).
 CATCH: Final = 2.0
+#: Below this nothing can be asked of a printed number (mm).
+PLACE: Final = 5e-4
 #: How far the last printed digit of both ends of a move can turn it, times its length (mm).
 PRINTED: Final = 1.5e-4
 
@@ -94,6 +96,9 @@ class _Trial:
         self.curve, self.z, self.heading = work.curve[rows], work.z[rows], work.heading[rows]
         self.station, self.line = work.station[rows], work.line[rows]
         self.blend = work.blend[rows]
+        # Along its line, too, the tip may be off by what the controller rounds.
+        rounds = self.blend[np.isfinite(self.blend)].max(initial=0.0)
+        self.slack = float(np.clip(self.tolerance - rounds, PLACE, self.tolerance))
         self.track = np.unique(work.track[rows], return_inverse=True)[1].astype(np.int64)
         self.size = edges.curve[:, 5]
         self.low, self.high = np.zeros(len(edges)), self.size.copy()
@@ -315,7 +320,7 @@ class _Trial:
         if only is not None:
             keep &= only
         gaps, edge, begin, line = self._gaps(rows, np.flatnonzero(keep), np.flatnonzero(wanted))
-        bare = gaps > self.tolerance
+        bare = gaps > self.slack
         # A pressed crease is a point: covered, or not there at all.
         bare |= (self.high - self.low < 1e-9)[edge] & (line < 0)
         missed = np.where(gaps > 0.0, gaps, size[edge])
@@ -383,7 +388,7 @@ class _Trial:
         first = np.flatnonzero(~joined)
         total: F64 = np.add.reduceat(size, first)
         lone = self.curve[which[first], 5] < 1e-6
-        self._astray(which, spans, first, total, np.flatnonzero((total > self.tolerance) | lone))
+        self._astray(which, spans, first, total, np.flatnonzero((total > self.slack) | lone))
 
     def _astray(self, which: I32, spans: F64, first: I64, total: F64, bad: I64) -> None:
         """Say of pieces on no edge what they are: past an end, beside an edge, or nowhere."""
@@ -473,7 +478,7 @@ class _Trial:
         # A way round that is shorter than the overrun is run over once.
         ring = self._after(first[opens], last[closes], np.minimum(overrun, size / 2.0))
         gap = np.hypot(*(stop[closes] - ring).T)
-        closed = gap <= self.tolerance
+        closed = gap <= self.slack
 
         run, end = pairs_within(stop[closes], ends.stop[known], CATCH)
         end = known[end]
@@ -485,7 +490,7 @@ class _Trial:
         planned = np.full(len(opens), -1, np.int64)
         distance = np.full(len(opens), np.inf)
         planned[run], distance[run] = end, away
-        right = (distance <= self.tolerance) & (~closed | (distance < gap))
+        right = (distance <= self.slack) & (~closed | (distance < gap))
 
         ran = right & ends.meets[np.maximum(planned, 0)]
         over[closes[ran]] = overrun
@@ -579,7 +584,7 @@ class _Trial:
         torn[which] = True
         keep = np.flatnonzero(torn[rows.edge])
         gaps, edge, begin, line = self._gaps(rows, keep, which)
-        wide = gaps > gap + lead + self.tolerance
+        wide = gaps > gap + lead + self.slack
         np.add.at(self.figures.uncut, self.edges.row[edge[wide]], gaps[wide])
         for row in np.flatnonzero(wide)[:MOST]:
             self._finding(
@@ -595,7 +600,7 @@ class _Trial:
         alone = np.zeros(len(dashed), np.bool_)
         few = keep[number[rows.edge[keep]] <= 2]
         alone[self.track[rows.curve[few]]] = True
-        wrong = dashed & ~alone & (np.abs(size - (cut - lead)) > self.tolerance)
+        wrong = dashed & ~alone & (np.abs(size - (cut - lead)) > self.slack)
         first = np.searchsorted(self.track, np.arange(len(dashed)))
         for track in np.flatnonzero(wrong)[:MOST]:
             self._finding(

@@ -214,8 +214,8 @@ class Chains:
 
 def chains(edges: Edges, link: I64) -> Chains:
     """Return the paths that linked ends make."""
-    path, begin, flipped, length, first, last = _strung(link, edges.curve[:, 5])
-    return Chains(path, begin, flipped, length, first, last)
+    path, begin, flipped, length, first, last, count = _strung(link, edges.curve[:, 5].copy())
+    return Chains(path, begin, flipped, length[:count], first[:count], last[:count])
 
 
 @njit(cache=True)
@@ -251,7 +251,7 @@ def _strung(link: Any, size: Any) -> Any:
             tail = link[tail ^ 1]
         length[paths] = at
         paths += 1
-    return path, begin, flipped, length[:paths].copy(), first[:paths].copy(), last[:paths].copy()
+    return path, begin, flipped, length, first, last, paths
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -247,7 +247,8 @@ class _State:
         # grbl forgets the feed when the feed mode changes, so it must be said again.
         fresh = (stated >= 0) & (stated >= _last(changed))
         fresh &= ~self.inverse | has_feed
-        self.feed = np.where(fresh, _held(number["F"], has_feed), np.nan)
+        held = _held(number["F"], has_feed)
+        self.feed = np.where(fresh & (held > 0.0), held, np.nan)
 
         blending = blocks.says(_PATH)
         bound = np.fmax(number["P"], number["Q"])
@@ -289,7 +290,9 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
     fault(has("Q") & ~says(_PATH), "has a Q that belongs to nothing.")
     if not state.tabled:
         fault(bounded, "says G64, which controllers without a tool table reject.")
-    fault(says(_DWELL) & (number["P"] < 0.0), "waits for less than nothing.")
+    # A dwell of nothing only ends a blend; any other is for what was switched.
+    waits = (number["P"] == 0.0) | (np.abs(number["P"] - machine.settle) <= PRINT)
+    fault(timed & ~waits, f"waits for another time than the machine's {machine.settle:g} s.")
     fault(has("F") & ~(number["F"] > 0.0), "has a feed that does not move.")
     outputs = [station.output for station in machine.stations if station.output >= 0]
     fault(

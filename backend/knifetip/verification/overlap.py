@@ -50,17 +50,30 @@ def overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) -> Rows
         pairs, spans = np.zeros((0, 2), np.int32), np.zeros((0, 5))
     else:
         corner, size, shape = _laid_out(edges, limit)
-        pairs, spans = _found(curves, edges, low, high, limit, corner, size, shape[0], shape[1])
+        pairs, spans, rows = _found(
+            np.ascontiguousarray(curves),
+            np.ascontiguousarray(edges),
+            np.ascontiguousarray(low),
+            np.ascontiguousarray(high),
+            limit,
+            corner,
+            size,
+            shape[0],
+            shape[1],
+        )
+        pairs, spans = pairs[:rows], spans[:rows]
     order = np.lexsort((spans[:, 4], pairs[:, 0]))
     pairs, spans = pairs[order], spans[order]
-    best = _best(pairs[:, 0], spans, curves[:, 5], curves[:, 5])
-    return Rows(pairs[:, 0], pairs[:, 1], spans[:, :2], spans[:, 2:4], spans[:, 4], best)
+    curve, edge = pairs[:, 0].copy(), pairs[:, 1].copy()
+    length = curves[:, 5].copy()
+    best = _best(curve, spans, length, length)
+    return Rows(curve, edge, spans[:, :2].copy(), spans[:, 2:4], spans[:, 4], best)
 
 
 def nearest_until(rows: Rows, curves: F64, until: F64) -> Rows:
     """Return the rows with ``best`` for the first ``until`` mm, (n,), of each curve only."""
     spans = np.column_stack([rows.along, rows.place, rows.distance])
-    return replace(rows, best=_best(rows.curve, spans, curves[:, 5], until))
+    return replace(rows, best=_best(rows.curve, spans, curves[:, 5].copy(), until))
 
 
 def _laid_out(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
@@ -85,8 +98,8 @@ def leftover(rows: Rows, curves: F64) -> tuple[I32, F64]:
 
     A point on no edge is a stretch without length.
     """
-    which, spans = _left(rows.curve, rows.along, curves[:, 5])
-    return which, spans
+    which, spans, count = _left(rows.curve, rows.along, curves[:, 5].copy())
+    return which[:count], spans[:count]
 
 
 @njit(cache=True)
@@ -124,13 +137,27 @@ def _cells(
                 for j in range(max(y0, 0), min(y1, high - 1) + 1):
                     if count == len(out):
                         bigger = np.empty(2 * len(out), np.int64)
-                        bigger[:count] = out
+                        for k in range(count):
+                            bigger[k] = out[k]
                         out = bigger
                     out[count] = i * high + j
                     count += 1
         x = nx
         y = ny
     return out, count
+
+
+@njit(cache=True)
+def _grown(pairs: Any, spans: Any) -> Any:
+    """Return the arrays with room for twice the rows; loops compile faster than slices."""
+    more_pairs = np.empty((2 * len(pairs), 2), np.int32)
+    more_spans = np.empty((2 * len(pairs), 5))
+    for row in range(len(pairs)):
+        for column in range(2):
+            more_pairs[row, column] = pairs[row, column]
+        for column in range(5):
+            more_spans[row, column] = spans[row, column]
+    return more_pairs, more_spans
 
 
 @njit(cache=True)
@@ -156,10 +183,13 @@ def _found(
             if seen[cells[k]] != edge:
                 seen[cells[k]] = edge
                 count[cells[k] + 1] += 1
-    count = np.cumsum(count)
-    listed = np.empty(count[-1], np.int32)
-    filled = count[:-1].copy()
-    seen[:] = -1
+    filled = np.empty(wide * tall, np.int64)
+    for cell in range(wide * tall):
+        filled[cell] = count[cell]
+        count[cell + 1] += count[cell]
+    listed = np.empty(count[wide * tall], np.int32)
+    for cell in range(len(seen)):
+        seen[cell] = -1
     for edge in range(len(edges)):
         if high[edge] < low[edge]:
             continue
@@ -186,17 +216,13 @@ def _found(
                 found = _shared(curves[curve], edges[edge], low[edge], high[edge], limit, hits)
                 for hit in range(found):
                     if rows == len(pairs):
-                        more_pairs = np.empty((2 * rows, 2), np.int32)
-                        more_pairs[:rows] = pairs
-                        pairs = more_pairs
-                        more_spans = np.empty((2 * rows, 5))
-                        more_spans[:rows] = spans
-                        spans = more_spans
+                        pairs, spans = _grown(pairs, spans)
                     pairs[rows, 0] = curve
                     pairs[rows, 1] = edge
-                    spans[rows] = hits[hit]
+                    for column in range(5):
+                        spans[rows, column] = hits[hit, column]
                     rows += 1
-    return pairs[:rows].copy(), spans[:rows].copy()
+    return pairs, spans, rows
 
 
 @njit(cache=True)
@@ -448,7 +474,8 @@ def _left(curve_of: Any, along: Any, length: Any) -> Any:
         if length[curve] < 1e-9:
             if row == begin:
                 which[count] = curve
-                spans[count] = 0.0
+                spans[count, 0] = 0.0
+                spans[count, 1] = 0.0
                 count += 1
             continue
         at = 0.0
@@ -461,4 +488,4 @@ def _left(curve_of: Any, along: Any, length: Any) -> Any:
                 count += 1
             if k < many:
                 at = covered[k, 1]
-    return which[:count].copy(), spans[:count].copy()
+    return which, spans, count

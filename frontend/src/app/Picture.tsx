@@ -187,16 +187,17 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   const open = usePage((page) => page.drawing);
 
   const machine = machines?.find(({ name }) => name === (job?.machine ?? chosenMachine));
+  const stations = machine?.stations;
   const offsets = useMemo(
     () =>
-      machine === undefined
+      stations === undefined
         ? NO_OFFSETS
         : new Map(
-            machine.stations.map(
+            stations.map(
               ({ number, tool }) => [number, tipOffset(tool.kind, tool.dimensions)] as const,
             ),
           ),
-    [machine],
+    [stations],
   );
 
   const shown: Edges | null = open === null ? null : (edges ?? null);
@@ -246,6 +247,7 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
       viewer.runHead(timeOf(line, job.line, job.position), lasts * 1.1);
     } else if (scrub !== null) viewer.moveHead(scrub);
     else if (job.state === "done") viewer.moveHead(duration(line));
+    else if (job.state === "interrupted") viewer.moveHead(timeOf(line, job.line, job.position));
     else viewer.moveHead(null);
   }, [viewer, line, job, scrub]);
 

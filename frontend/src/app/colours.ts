@@ -18,6 +18,7 @@ export const VIEWER_COLOURS: ViewerColours = {
   done: rgba(TRAVEL.done),
   backdrop: CANVAS.backdrop,
   table: CANVAS.table,
+  ground: rgba(CANVAS.table),
   tableEdge: rgba(CANVAS.tableEdge),
   gridMinor: rgba(CANVAS.gridMinor, 0.045),
   gridMajor: rgba(CANVAS.gridMajor, 0.07),

@@ -142,6 +142,10 @@ function Ending({ job }: { job: Job }) {
   const said = job.reason || fallback;
   if (said === "") return null;
   const { tone } = STATE_LOOKS[job.state];
+  const mend =
+    job.mend === "" && job.state === "interrupted"
+      ? "Look at the table. Queue the job again with a fresh board, or scrap it."
+      : job.mend;
   const rows = edges === undefined ? [] : rowsOfHandles(edges, job.source);
   return (
     <div
@@ -151,12 +155,7 @@ function Ending({ job }: { job: Job }) {
       role={tone === "red" ? "alert" : "status"}
     >
       {said}
-      {job.state === "interrupted" && (
-        <div className={css.mend}>
-          Look at the table. Queue the job again with a fresh board, or scrap it.
-        </div>
-      )}
-      {job.mend !== "" && <div className={css.mend}>{job.mend}</div>}
+      {mend !== "" && <div className={css.mend}>{mend}</div>}
       {rows.length > 0 && (
         <Button mt={8} size="compact-xs" variant="default" onClick={() => look(rows)}>
           Show {count(rows.length, "edge")}

@@ -27,6 +27,12 @@ export function OrderPanel() {
     if (machine === null && only !== undefined) set({ machine: only.name });
   }, [machines, machine, set]);
 
+  // Looking at a job is the first step to making it once more.
+  // biome-ignore lint/correctness/useExhaustiveDependencies: once to a job, not to each of its news
+  useEffect(() => {
+    if (job !== undefined) set({ machine: job.machine, board: job.board });
+  }, [job?.id, set]);
+
   if (drawing === undefined) return null;
   const open = drawing.questions.length;
   const missing =
@@ -49,16 +55,18 @@ export function OrderPanel() {
           onChange={(value) => set({ machine: value })}
           data-testid="machine-select"
         />
-        <div style={{ display: "grid", gridTemplateColumns: "1fr 84px", gap: 10 }}>
-          <Select
-            label="Board"
-            placeholder="Choose a board"
-            data={(boards ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
-            value={board}
-            allowDeselect={false}
-            onChange={(value) => set({ board: value })}
-            data-testid="board-select"
-          />
+        <Select
+          label="Board"
+          placeholder="Choose a board"
+          data={(boards ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
+          value={board}
+          allowDeselect={false}
+          onChange={(value) => set({ board: value })}
+          data-testid="board-select"
+        />
+        <div
+          style={{ display: "grid", gridTemplateColumns: "84px 1fr", gap: 10, alignItems: "end" }}
+        >
           <NumberInput
             label="Copies"
             min={1}
@@ -69,20 +77,19 @@ export function OrderPanel() {
             onChange={(value) => set({ copies: Math.max(1, Number(value) || 1) })}
             data-testid="copies"
           />
+          <Button
+            leftSection={<IconBolt size={17} aria-hidden />}
+            disabled={missing !== null}
+            loading={(busy && missing === null) || (job !== undefined && isCompiling(job))}
+            onClick={() => {
+              if (machine !== null && board !== null) void compile(machine, board);
+            }}
+            variant={job === undefined || job.state === "refused" ? "filled" : "default"}
+            data-testid="compile"
+          >
+            {job === undefined ? "Compile" : "Compile again"}
+          </Button>
         </div>
-        <Button
-          mt={4}
-          leftSection={<IconBolt size={17} aria-hidden />}
-          disabled={missing !== null}
-          loading={(busy && missing === null) || (job !== undefined && isCompiling(job))}
-          onClick={() => {
-            if (machine !== null && board !== null) void compile(machine, board);
-          }}
-          variant={job === undefined || job.state === "refused" ? "filled" : "default"}
-          data-testid="compile"
-        >
-          {job === undefined ? "Compile" : "Compile again"}
-        </Button>
         {missing !== null && (
           <p className={css.note} style={{ margin: 0 }}>
             {missing}

@@ -1,28 +1,31 @@
 /** What the user does, from the page to the service and back into what is shown. */
 
 import { type JobCommand, ServiceError, service, type Unit } from "../api/client";
-import type { Edges, LineType } from "../geometry/records";
-import { backwards, type Change, changeOf, forwards } from "./history";
+import type { LineType } from "../geometry/records";
+import { backwards, changeOf, forwards } from "./history";
 import { heardJob, keys, queries } from "./queries";
 import { report } from "./reports";
 import { usePage } from "./store";
 
-/** Run one thing at a time; what fails is told. */
-async function alone(act: () => Promise<void>): Promise<void> {
-  const page = usePage.getState();
-  if (page.busy) return;
-  page.set({ busy: true });
-  try {
-    await act();
-  } catch (cause) {
-    report(cause);
-  } finally {
-    usePage.getState().set({ busy: false });
-  }
+let last: Promise<void> = Promise.resolve();
+let waiting = 0;
+
+/** Run one thing after the other, in the order in which they were asked; what fails is told. */
+function inTurn(act: () => Promise<void>): Promise<void> {
+  waiting++;
+  usePage.getState().set({ busy: true });
+  last = last
+    .then(act)
+    .catch(report)
+    .finally(() => {
+      waiting--;
+      if (waiting === 0) usePage.getState().set({ busy: false });
+    });
+  return last;
 }
 
 export function uploadFiles(files: readonly File[]): Promise<void> {
-  return alone(async () => {
+  return inTurn(async () => {
     try {
       for (const file of files) {
         usePage.getState().set({ upload: { name: file.name, fraction: 0 } });
@@ -48,9 +51,9 @@ const refresh = (drawing: string) =>
   ]);
 
 export function settle(change: { unit?: Unit; profile?: string }): Promise<void> {
-  const { drawing } = usePage.getState();
-  if (drawing === null) return Promise.resolve();
-  return alone(async () => {
+  return inTurn(async () => {
+    const { drawing } = usePage.getState();
+    if (drawing === null) return;
     const answer = await service.settle(drawing, change);
     queries.setQueryData(keys.drawing(drawing).queryKey, answer);
     usePage.getState().openJob(null);
@@ -70,41 +73,41 @@ async function apply(drawing: string, overrides: ReturnType<typeof forwards>): P
 
 /** Give these edges a line type; null lets the profile decide again. */
 export function retype(rows: readonly number[], to: LineType | null): Promise<void> {
-  const { drawing } = usePage.getState();
-  const edges: Edges | undefined =
-    drawing === null ? undefined : queries.getQueryData(keys.edges(drawing).queryKey);
-  if (drawing === null || edges === undefined || rows.length === 0) return Promise.resolve();
-  const change: Change = changeOf(edges, rows, to);
-  return alone(async () => {
+  return inTurn(async () => {
+    const { drawing } = usePage.getState();
+    if (drawing === null || rows.length === 0) return;
+    const edges = queries.getQueryData(keys.edges(drawing).queryKey);
+    if (edges === undefined) return;
+    const change = changeOf(edges, rows, to);
     await apply(drawing, forwards(change));
     usePage.getState().made(change);
   });
 }
 
 export function undo(): Promise<void> {
-  const { drawing, past } = usePage.getState();
-  const last = past.at(-1);
-  if (drawing === null || last === undefined) return Promise.resolve();
-  return alone(async () => {
-    await apply(drawing, backwards(last));
+  return inTurn(async () => {
+    const { drawing, past } = usePage.getState();
+    const change = past.at(-1);
+    if (drawing === null || change === undefined) return;
+    await apply(drawing, backwards(change));
     usePage.getState().undone();
   });
 }
 
 export function redo(): Promise<void> {
-  const { drawing, future } = usePage.getState();
-  const next = future.at(-1);
-  if (drawing === null || next === undefined) return Promise.resolve();
-  return alone(async () => {
-    await apply(drawing, forwards(next));
+  return inTurn(async () => {
+    const { drawing, future } = usePage.getState();
+    const change = future.at(-1);
+    if (drawing === null || change === undefined) return;
+    await apply(drawing, forwards(change));
     usePage.getState().redone();
   });
 }
 
 export function compile(machine: string, board: string): Promise<void> {
-  const { drawing, copies } = usePage.getState();
-  if (drawing === null) return Promise.resolve();
-  return alone(async () => {
+  return inTurn(async () => {
+    const { drawing, copies } = usePage.getState();
+    if (drawing === null) return;
     try {
       const job = await service.compile({ drawing, machine, board, copies });
       heardJob(job);
@@ -117,7 +120,5 @@ export function compile(machine: string, board: string): Promise<void> {
 }
 
 export function command(job: string, word: JobCommand): Promise<void> {
-  return alone(async () => {
-    heardJob(await service.command(job, word));
-  });
+  return inTurn(async () => heardJob(await service.command(job, word)));
 }

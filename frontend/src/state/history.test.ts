@@ -70,6 +70,13 @@ describe("undo and redo", () => {
     ]);
   });
 
+  test("keys that are pressed fast are done one after the other", async () => {
+    await Promise.all([retype([0], "crease"), undo(), redo(), undo()]);
+    expect(override).toHaveBeenCalledTimes(4);
+    expect(usePage.getState().future).toHaveLength(1);
+    expect(usePage.getState().busy).toBe(false);
+  });
+
   test("a new change forgets what was undone", async () => {
     await retype([0], "crease");
     await undo();

@@ -37,7 +37,7 @@ export const LEGEND: readonly LineType[] = [
 export const CHOICES: readonly LineType[] = LEGEND.filter((type) => type !== "unclassified");
 
 export const TRAVEL = {
-  head: "#4db2ff",
+  head: "#5cbcff",
   lead: "#2b7fc4",
   tip: "#e8eef6",
   rapid: "#66717f",

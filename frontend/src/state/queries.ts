@@ -47,7 +47,7 @@ const ask = {
     queryOptions({
       queryKey: ["machines"],
       queryFn: ({ signal }) => service.machines(signal),
-      refetchInterval: 10_000,
+      refetchInterval: 4000,
     }),
   boards: () =>
     queryOptions({ queryKey: ["boards"], queryFn: ({ signal }) => service.boards(signal) }),

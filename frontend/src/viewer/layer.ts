@@ -14,9 +14,10 @@ import {
   Mesh,
   RawShaderMaterial,
   Vector2,
+  Vector3,
   Vector4,
 } from "three";
-import { type Lines, NEVER } from "../scene/lines";
+import { type Lines, NEVER, type Rgba } from "../scene/lines";
 
 const VERTEX = /* glsl */ `
 precision highp float;
@@ -63,7 +64,8 @@ uniform float width;
 uniform float ratio;
 uniform float now;
 uniform vec4 done;
-uniform float opacity;
+uniform vec3 ground;
+uniform float strength;
 in vec2 across;
 in float run;
 in float first;
@@ -87,9 +89,10 @@ void main() {
   float part = run > 0.0 ? clamp(across.x / run, 0.0, 1.0) : 1.0;
   float when = mix(clock.x, clock.y, part);
   vec4 hue = when <= now ? done : ink;
-  float strength = cover * hue.a * opacity;
-  if (strength < 0.004) discard;
-  paint = vec4(hue.rgb, strength);
+  float opacity = cover * hue.a;
+  if (opacity < 0.004) discard;
+  // Mixed with the ground and not translucent: the caps of neighbours lie on each other unseen.
+  paint = vec4(mix(ground, hue.rgb, strength), opacity);
 }
 `;
 
@@ -117,7 +120,8 @@ export class LineLayer {
         ratio: { value: 1 },
         now: { value: -1 },
         done: { value: new Vector4(1, 1, 1, 1) },
-        opacity: { value: 1 },
+        ground: { value: new Vector3(0, 0, 0) },
+        strength: { value: 1 },
       },
     });
     this.mesh = new Mesh(emptyGeometry(), material);
@@ -150,16 +154,18 @@ export class LineLayer {
   }
 
   /** Everything before this time (s) is drawn in the colour of what is done. */
-  until(seconds: number, done: readonly [number, number, number, number]): void {
+  until(seconds: number, done: Rgba): void {
     this.uniform("now").value = Math.min(seconds, NEVER / 2);
     (this.uniform("done").value as Vector4).set(...done).divideScalar(255);
   }
 
-  /** Wider and fainter, as when another line lies upon it. */
-  look(width: number, opacity: number): void {
+  /** Wider, and nearer to the colour of the ground, as when another line lies upon it. */
+  look(width: number, strength: number, ground: Rgba): void {
     this.width = width;
     this.uniform("width").value = width * this.ratio;
-    this.uniform("opacity").value = opacity;
+    this.uniform("strength").value = strength;
+    const [red, green, blue] = ground;
+    (this.uniform("ground").value as Vector3).set(red, green, blue).divideScalar(255);
   }
 
   resize(width: number, height: number, ratio: number): void {

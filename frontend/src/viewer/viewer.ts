@@ -23,6 +23,8 @@ export interface ViewerColours extends TravelColours {
   readonly palette: Palette;
   readonly backdrop: string;
   readonly table: string;
+  /** What a line that steps back comes near to. */
+  readonly ground: Rgba;
   readonly tableEdge: Rgba;
   readonly gridMinor: Rgba;
   readonly gridMajor: Rgba;
@@ -70,10 +72,10 @@ export class Viewer {
   private readonly grid = new LineLayer(1, 1);
   private readonly frame = new LineLayer(1.25, 2);
   private readonly datum = new LineLayer(2, 3);
-  private readonly chosen = new LineLayer(7, 4);
+  private readonly chosen = new LineLayer(10, 4);
   private readonly nominal = new LineLayer(1.75, 5);
   private readonly rapids = new LineLayer(1, 6);
-  private readonly head = new LineLayer(1.4, 7);
+  private readonly head = new LineLayer(1.6, 7);
   private readonly tip = new LineLayer(1, 8);
   private readonly hovered = new LineLayer(3.5, 9);
   private readonly mark = new LineLayer(2.25, 11);
@@ -193,10 +195,12 @@ export class Viewer {
   }
 
   showTravel(timeline: Timeline | null, offsets: ReadonlyMap<number, TipOffset>): void {
+    if (timeline !== this.timeline) {
+      this.seconds = null;
+      this.run = null;
+    }
     this.timeline = timeline;
     this.offsets = offsets;
-    this.seconds = null;
-    this.run = null;
     this.layTravel();
     this.draw();
   }
@@ -429,8 +433,8 @@ export class Viewer {
     this.nominal.mesh.visible = shown.nominal && this.edges !== null;
     // Where the tool turns about its tip both paths are one: the nominal line becomes the wider
     // and fainter, so that it is seen on either side of the other.
-    if (has && (shown.head || shown.tip)) this.nominal.look(5, 0.6);
-    else this.nominal.look(1.75, 1);
+    if (has && (shown.head || shown.tip)) this.nominal.look(4.5, 0.75, this.colours.ground);
+    else this.nominal.look(1.75, 1, this.colours.ground);
     this.head.mesh.visible = shown.head && has;
     this.tip.mesh.visible = shown.tip && has;
     this.rapids.mesh.visible = shown.rapids && has;

@@ -43,9 +43,10 @@ def test_nothing_is_executed_before_it_is_answered():
 
 
 def test_a_dwell_that_was_answered_settles_all_before_it():
-    follower = followed()
-    assert follower.update(at(z=0.0), 3, None) == 3
+    follower = followed(b"M64 P2\nG1 X10 F600\nG4 P0.15\nG1 X20\n")
+    assert follower.update(at(y=500.0), 2, None) == 1
     assert follower.output == 2
+    assert follower.update(at(y=500.0), 3, None) == 3
 
 
 def test_the_way_out_and_the_way_back_are_told_apart_by_c():
@@ -72,6 +73,12 @@ def test_just_after_a_joint_it_is_the_next_line():
     follower = followed()
     follower.update(at(100.0, z=1.0, c=90.0), 8, None)
     assert follower.update(at(99.97, z=1.0, c=180.0), 8, None) == 6
+
+
+def test_the_rounding_of_a_report_does_not_move_it_on():
+    # The second line passes nearer to the report, by half a thousandth of a millimetre.
+    text = b"G1 X100 F600\nG1 X0 Y0.001\n"
+    assert followed(text).update(at(50.0, 0.0005), 2, None) == 0
 
 
 def test_a_later_crossing_of_the_same_point_does_not_count():

@@ -203,27 +203,25 @@ def test_postgresql_is_told_the_same_index():
 def test_ten_gateways_that_claim_at_once_get_one_job(store: Store):
     for _ in range(3):
         queued(store)
-    got: list[str] = []
+    got: list[Job | None] = []
     refused: list[Exception] = []
     start = threading.Barrier(10)
 
     def claim(name: str) -> None:
         start.wait()
         try:
-            job = store.claim("table", name)
+            got.append(store.claim("table", name))
         except MachineBusy as reason:
             refused.append(reason)
-        else:
-            assert job is not None
-            got.append(job.id)
 
     threads = [threading.Thread(target=claim, args=(f"g{n}",)) for n in range(10)]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
-    assert len(got) == 1
-    assert len(refused) == 9
+    # PostgreSQL shows a row that another is claiming to nobody: None is as good a no as busy.
+    assert len([job for job in got if job is not None]) == 1
+    assert len(got) + len(refused) == 10
 
 
 def test_machines_do_not_wait_for_each_other(store: Store):
@@ -321,6 +319,17 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store):
     assert again is not None
     store.heartbeat(again.id, again.epoch, line=LINES, copies_done=1, held=True)
     assert store.job(job.id).copies_done == 2
+
+
+def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store):
+    job = running(store, copies=3)
+    store.heartbeat(job.id, job.epoch, line=LINES, copies_done=1, held=True)
+    store.resume(job.id)
+    assert store.heartbeat(job.id, job.epoch, line=LINES, copies_done=1, held=True) == "resume"
+    # The second copy was so short that no heartbeat fell into it.
+    answer = store.heartbeat(job.id, job.epoch, line=LINES, copies_done=2, held=True)
+    assert answer == "continue"
+    assert store.events_of(job.id)[-1].why.startswith("copy 2 of 3 is done")
 
 
 # What the operator wants
