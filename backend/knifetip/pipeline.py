@@ -15,6 +15,7 @@ from knifetip.classification import classify
 from knifetip.compensation.compensate import compensate
 from knifetip.dxf import units
 from knifetip.dxf.read import read
+from knifetip.dxf.samples import samples
 from knifetip.errors import (
     CompensationError,
     KnifetipError,
@@ -23,6 +24,7 @@ from knifetip.errors import (
     TravelExceeded,
 )
 from knifetip.geometry.columns import U8
+from knifetip.library import load
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
@@ -48,6 +50,7 @@ __all__ = [
     "questions",
     "read_drawing",
     "verify",
+    "warm",
     "with_unit",
 ]
 
@@ -212,3 +215,19 @@ def compiled(
     verdict = verify(program.text, dieline, where, machine, board, tolerance=TOLERANCE)
     progress("done", 1.0)
     return Compiled(toolpath, program, verdict, where)
+
+
+def warm() -> None:
+    """Run every compiled kernel once, so that no user waits for one to be compiled.
+
+    The kernels are kept beside the code: the first call takes half a minute, the next a second.
+    """
+    table = load.machine("demo-table")
+    for name, board in (
+        ("tuck-end-carton.dxf", "fbb-0.4"),
+        ("rigid-box-blank.dxf", "greyboard-2.0"),
+    ):
+        drawing = read_drawing(samples()[name])
+        line = dieline(drawing, load.profile("default"))
+        for dialect in ("linuxcnc", "grblhal"):
+            compiled(drawing, line, table, load.board(board), dialect=dialect)

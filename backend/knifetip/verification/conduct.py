@@ -44,7 +44,8 @@ def lengths(moves: Moves) -> F64:
 def travel(moves: Moves, machine: Machine, found: Findings) -> Bool:
     """Return which moves stay within the machine's travel; note the others."""
     good = np.ones(len(moves.line), np.bool_)
-    low, high = np.fmin(moves.start, moves.end), np.fmax(moves.start, moves.end)
+    # Of moves that begin or stay outside, the one that led there is told.
+    low, high = moves.end.copy(), moves.end.copy()
     round_ = moves.sweep != 0.0
     centre = moves.centre
     radius = np.hypot(*(moves.start[:, :2] - centre).T)
@@ -63,7 +64,10 @@ def travel(moves: Moves, machine: Machine, found: Findings) -> Bool:
         past = np.maximum(below, above)
         unit = "°" if name == "C" else " mm"
         good &= past <= TRAVEL
-        for row in np.flatnonzero(past > TRAVEL)[:MOST]:
+        good &= ~(moves.start[:, column] < axis.low - TRAVEL)
+        good &= ~(moves.start[:, column] > axis.high + TRAVEL)
+        goes = round_ | (moves.start[:, column] != moves.end[:, column])
+        for row in np.flatnonzero((past > TRAVEL) & goes)[:MOST]:
             reached = low[row, column] if below[row] > above[row] else high[row, column]
             found.add(
                 "travel",

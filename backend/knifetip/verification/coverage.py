@@ -492,10 +492,11 @@ class _Trial:
         planned[run], distance[run] = end, away
         right = (distance <= self.slack) & (~closed | (distance < gap))
 
-        ran = right & ends.meets[np.maximum(planned, 0)]
+        # Where no end is near, ``planned`` is -1: the last, which neither meets nor is free.
+        ran = right & np.append(ends.meets, False)[planned]
         over[closes[ran]] = overrun
         self._overcut(solid[planned[ran] // 2], np.full(int(ran.sum()), overrun))
-        short = right & ends.free[np.maximum(planned, 0)]
+        short = right & np.append(ends.free, False)[planned]
         self._set_back(whole, solid, ends, planned[short], lead)
 
         for k in np.flatnonzero(~closed & ~right)[:MOST]:

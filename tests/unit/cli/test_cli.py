@@ -111,8 +111,8 @@ def test_a_layer_may_be_given_a_line_type(knifetip, folder):
     ("words", "said"),
     [
         (("read", "nowhere.dxf"), "nowhere.dxf"),
-        (("program", "{}", "--machine", "none", "--board", "e-flute", "-o", "x"), "no machine 'none'"),
-        (("program", "{}", "--machine", "demo-table", "--board", "none", "-o", "x"), "no board 'none'"),
+        (("program", "{}", *RIGID, "--machine", "none", "-o", "x"), "no machine 'none'"),
+        (("program", "{}", *RIGID, "--board", "none", "-o", "x"), "no board 'none'"),
         (("classify", "{}", "--profile", "none"), "no profile 'none'"),
         (("classify", "{}", "--layer", "nothing=cut"), "no layer 'nothing'"),
         (("classify", "{}", "--layer", "CUT=sawn"), "'sawn' is not a line type"),

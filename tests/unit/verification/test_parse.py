@@ -1,7 +1,9 @@
 import numpy as np
 import pytest
 
+from handwritten import MACHINE
 from knifetip.errors import ProgramUnreadable
+from knifetip.verification.modal import interpret
 from knifetip.verification.parse import LARGEST, obeyed, parse, placement_of
 
 
@@ -62,10 +64,6 @@ def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all():
     ],
 )
 def test_what_is_wrong_with_a_line_is_said_with_its_number(text, said):
-    from knifetip.verification.modal import interpret
-
-    from handwritten import MACHINE
-
     _, faults = interpret(parse(b"\n" + text), MACHINE)
     assert any(line == 2 and said in fault for line, fault in faults), faults
 

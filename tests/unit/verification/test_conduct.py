@@ -1,0 +1,170 @@
+import pytest
+
+from handwritten import (
+    BOARD,
+    DIELINE,
+    GRBLHAL,
+    LINUXCNC,
+    MACHINE,
+    PLACEMENT,
+    changed,
+    cutter_program,
+    dieline,
+    knife_program,
+    wheel_program,
+)
+from knifetip.model.verdict import Finding
+from knifetip.verification.verify import verify
+
+
+def findings(text: bytes) -> list[Finding]:
+    return list(verify(text, DIELINE, PLACEMENT, MACHINE, BOARD).findings)
+
+
+def of_nothing(text: bytes) -> list[Finding]:
+    """Findings about a program alone, with no dieline to compare it with."""
+    return list(verify(text, dieline(), PLACEMENT, MACHINE, BOARD).findings)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said"),
+    [
+        ("G1 Y65.6000 F30000", "G1 Y65.6000 F30001", 14, "30001 mm/min instead of 30000"),
+        ("G1 Z1.4000 F6000", "G1 Z1.4000 F5999", 13, "5999 mm/min instead of 6000"),
+        ("G1 X110.0000 F24000", "G1 X110.0000 F34000", 53, "34000 mm/min instead of 24000"),
+    ],
+)
+def test_a_feed_that_is_not_the_tools_own_is_found(old, new, line, said):
+    found = [finding for finding in findings(changed(LINUXCNC, old, new)) if finding.line == line]
+    assert found[0].kind == "feed"
+    assert said in found[0].text
+
+
+def test_a_timed_arc_that_takes_another_time_is_found():
+    arc = "X120.0000 Y30.0000 C90.0000 I0.0000 J10.0000 F1527.887"
+    found = findings(changed(GRBLHAL, arc, arc.replace("1527", "1627")))
+    assert [(finding.kind, finding.line) for finding in found] == [("feed", 45)]
+    # 15.708 mm at 24,000 mm/min
+    assert "takes 0.0369 s instead of 0.0393 s" in found[0].text
+
+
+def test_c_must_not_share_a_feed_in_mm_per_minute():
+    arc = "G93 G3 X120.0000 Y30.0000 C90.0000 I0.0000 J10.0000 F1527.887\nG94 G1 Y70.0000 F24000"
+    plain = "G3 X120.0000 Y30.0000 C90.0000 I0.0000 J10.0000\nG1 Y70.0000"
+    found = findings(changed(GRBLHAL, arc, plain))
+    assert [(finding.kind, finding.line) for finding in found] == [("feed", 45)]
+    assert "C turns by 90.0000°" in found[0].text
+
+
+def test_a_rapid_in_the_board_is_found_with_its_depth():
+    found = findings(changed(LINUXCNC, "G1 Y65.6000 F30000", "G0 Y65.6000"))
+    assert any(
+        finding.kind == "stray" and finding.line == 14 and finding.measure == pytest.approx(0.6)
+        for finding in found
+    )
+
+
+def test_a_lift_that_stays_in_the_board_lets_the_next_rapid_be_found():
+    found = findings(changed(LINUXCNC, "G1 Y65.6000 F30000\nG1 Z4", "G1 Y65.6000 F30000\nG1 Z1.9"))
+    assert any(finding.kind == "stray" and finding.line == 16 for finding in found)
+
+
+def test_a_plunge_that_leaves_the_blades_own_line_is_found():
+    # Straight down instead of along the blade: 1.3 mm deep at 45° is 1.3 mm sideways.
+    text = cutter_program(
+        "G0 X41.5 Y44 Z20 C0", "G0 Z4", "G1 Z0.7 F3000", "G1 X81.5 F12000", "G1 Z4 F3000"
+    )
+    found = [finding for finding in of_nothing(text) if finding.kind == "deviation"]
+    assert [finding.line for finding in found] == [9, 11]
+    assert [finding.measure for finding in found] == pytest.approx([1.3, 1.3])
+
+
+def test_a_knife_that_travels_while_it_plunges_is_found():
+    text = knife_program("G0 X41.5 Y44 Z20 C0", "G0 Z4", "G1 X42 Z-0.3 F6000", "G1 Z4")
+    found = [finding for finding in of_nothing(text) if finding.kind == "deviation"]
+    # 2.3 of the 4.3 mm down are in the board, and so are as much of the 0.5 mm across.
+    assert found[0].measure == pytest.approx(0.5 * 2.3 / 4.3)
+
+
+def test_a_knife_may_turn_in_the_board_by_its_swivel_angle_and_no_more():
+    def turned(degrees: float) -> list[str]:
+        # 3,600 degrees a second are 216,000 a minute.
+        text = knife_program(
+            "G0 X41.5 Y44 Z20 C0",
+            "G0 Z4",
+            "G1 Z-0.3 F6000",
+            f"G93 G1 C{degrees} F{216000.0 / degrees:.4f}",
+            "G94 G1 Z4 F6000",
+        )
+        return [finding.kind for finding in of_nothing(text) if finding.kind != "stray"]
+
+    assert turned(15.0) == []
+    assert turned(16.0) == ["heading"]
+
+
+def test_a_wheel_does_not_turn_in_one_place():
+    text = wheel_program(
+        "G0 X90 Y40 Z20 C90",
+        "G0 Z4",
+        "G1 Z1.4 F6000",
+        "G93 G1 C85 F43200",
+        "G94 G1 Z4 F6000",
+    )
+    assert "heading" in [finding.kind for finding in of_nothing(text)]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("M64 P1\n", "M64 P2\n", "station 2 works while its output 1 is off"),
+        ("M65 P1\n", "M64 P1\n", "station 3 works while station 2 is lowered too"),
+        ("M65 P2\n", "M64 P2\n", "station 1 works while station 3 is lowered too"),
+        ("M3 S1\n", "M5\n", "the oscillating knife cuts at rest"),
+        ("M64 P1\n", "M64 P1\nM3 S1\n", "station 2 works while the oscillation is on"),
+    ],
+)
+def test_outputs_must_be_those_of_the_station_at_work(old, new, said):
+    text = LINUXCNC.replace(old.encode(), new.encode(), 1)
+    found = [finding for finding in findings(text) if finding.kind == "program"]
+    assert any(said in finding.text for finding in found), found
+
+
+@pytest.mark.parametrize(
+    ("line", "axis", "past"),
+    [
+        ("G0 X901 Y0 Z20 C0", "X", 1.0),
+        ("G0 X0 Y-10.5 Z20 C0", "Y", 0.5),
+        ("G0 X0 Y0 Z61 C0", "Z", 1.0),
+        ("G0 X0 Y0 Z20 C1080.5", "C", 0.5),
+    ],
+)
+def test_a_joint_past_its_travel_is_found(line, axis, past):
+    found = of_nothing(knife_program(line))
+    assert [finding.kind for finding in found] == ["travel"]
+    assert f"joint {axis}" in found[0].text
+    assert found[0].measure == pytest.approx(past)
+
+
+def test_the_datum_counts_in_the_travel():
+    # 860 + 60 for the wheel's station is 20 past 900.
+    found = of_nothing(wheel_program("G0 X860 Y0 Z20 C0"))
+    assert [finding.kind for finding in found] == ["travel"]
+    assert found[0].measure == pytest.approx(20.0)
+
+
+def test_the_belly_of_an_arc_counts_in_the_travel():
+    text = knife_program("G0 X895 Y100 Z20 C-90", "G3 X895 Y120 C90 I0 J10 F24000")
+    found = [finding for finding in of_nothing(text) if finding.kind == "travel"]
+    assert [round(finding.measure, 6) for finding in found] == [5.0]
+
+
+def test_a_feed_from_a_place_that_nobody_stated_is_found():
+    found = of_nothing(knife_program("G1 X5 F24000"))
+    assert any("no line before it states" in finding.text for finding in found)
+
+
+def test_the_time_is_lengths_over_feeds_rapids_and_waits():
+    text = knife_program("G0 X0 Y0 Z20 C0", "G0 X150 Y30", "G1 X550 F24000")
+    verdict = verify(text, dieline(), PLACEMENT, MACHINE, BOARD)
+    # 150 mm at 1,500 mm/s, 400 mm at 400 mm/s, 0.15 s for the piston.
+    assert verdict.seconds == pytest.approx(0.1 + 1.0 + 0.15)
