@@ -57,7 +57,7 @@ lint: dev page
 
 test: dev page system lint
 	$(BIN)/python frontend/build.py test
-	$(BIN)/python -m pytest -c backend/pyproject.toml --rootdir .
+	$(BIN)/python -m pytest -c backend/pyproject.toml --rootdir . tests
 
 bench: dev
 	$(BIN)/python -m tests.benchmarks

@@ -22,11 +22,11 @@ def process_id(progress: Progress) -> int:
     return os.getpid()
 
 
-def refuse(progress: Progress) -> NoReturn:
+def refuse(progress: Progress, *_: object) -> NoReturn:
     raise CurvedGroove("Edge 7 is an arc.", "Make it straight.", ["2F4"])
 
 
-def fail(progress: Progress) -> NoReturn:
+def fail(progress: Progress, *_: object) -> NoReturn:
     raise ZeroDivisionError("one by none")
 
 
@@ -37,9 +37,14 @@ def hang(progress: Progress, note: str = "") -> None:
     time.sleep(60.0)
 
 
+def hang_in_verify(progress: Progress, *_: object) -> None:
+    progress("verify", 0.7)
+    time.sleep(60.0)
+
+
 def eat(progress: Progress, gigabytes: int) -> int:
     return len(np.ones(gigabytes << 27))
 
 
-def die(progress: Progress) -> NoReturn:
+def die(progress: Progress, *_: object) -> NoReturn:
     os._exit(3)

@@ -43,7 +43,8 @@ def chromium() -> str:
     return named
 
 
-@pytest.fixture(scope="session")
+# Playwright keeps an event loop running: it must be gone before another module's async tests.
+@pytest.fixture(scope="module")
 def browser(chromium: str) -> Iterator[Browser]:
     """A browser that draws in software."""
     with sync_playwright() as playwright:

@@ -128,13 +128,3 @@ def test_stopped_in_order_its_machine_stands(database: Path):
         found = client.get(f"/api/jobs/{job}").json()
         assert found["state"] == "interrupted"
         assert "switched off" in found["reason"]
-
-
-def test_stopped_in_order_it_gives_its_compile_back(database: Path):
-    first = Running(database, simulator=False)
-    job = ordered(first.client, uploaded(first.client, SLITS)["id"])["id"]
-    until(first.client, job, "compiling")
-    assert first.stop() == 0
-    with Running(database, simulator=False) as client:
-        until(client, job, "ready")
-        assert course(client, job) == [*["received", "compiling"] * 2, "ready"]

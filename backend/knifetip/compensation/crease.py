@@ -99,8 +99,8 @@ def _pressed(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
         listed = operation.source[rows[bad]]
         raise EdgeTooShort(
             f"The crease at edge {listed[0]} is {length[bad[0]]:.2f} mm long, too short for a "
-            f"wheel of {wheel.radius:.1f} mm radius that keeps {operation.end_clearance:.2f} mm off "
-            "its ends.",
+            f"wheel of {wheel.radius:.1f} mm radius that keeps "
+            f"{operation.end_clearance:.2f} mm off its ends.",
             "Join it to its neighbour, ignore it, or let the board press short creases in place.",
             [str(row) for row in listed[:10]],
         )

@@ -272,15 +272,11 @@ def compile(
     )
 
 
-def rehearse(progress: Progress) -> None:
+def rehearse(_progress: Progress) -> None:
     """Go once through everything: kernels become machine code, which is kept on disk."""
-    from knifetip.dxf.samples import samples
+    from knifetip import pipeline
 
-    machine = load.names("machines")[0]
-    for content in samples().values():
-        overrides = read(progress, content, "", "default").overrides
-        with contextlib.suppress(KnifetipError):
-            compile(progress, content, "", "default", overrides, machine, "greyboard-2.0", ())
+    pipeline.warm()
 
 
 def _toolpath(made: Compiled, machine: Machine) -> bytes:

@@ -75,7 +75,8 @@ class Workshop:
             QUEUE,
             worker_concurrency=self.at_once,
             polling_interval_sec=_POLL,
-            on_conflict="always_update",
+            # How many at once is for those to say who compile.
+            on_conflict="always_update" if self.compiles else "never_update",
         )
         self._sweeping = threading.Thread(target=self._sweep, name="sweep", daemon=True)
         self._sweeping.start()

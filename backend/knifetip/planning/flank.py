@@ -76,5 +76,5 @@ def _crossed(start: F64, end: F64, chords: F64) -> Bool:
     a, b = start[:, None], end[:, None]
     c, d = chords[None, :, 0], chords[None, :, 1]
     crossing = (side(a, b, c) * side(a, b, d) < 0.0) & (side(c, d, a) * side(c, d, b) < 0.0)
-    hit: Bool = crossing.any(axis=1)
+    hit: Bool = np.logical_or.reduce(crossing, axis=1)
     return hit

@@ -99,6 +99,21 @@ def test_heartbeats_move_the_job_and_bring_the_operators_wishes(
     assert finish(client, claimed, "cancelled").json()["state"] == "cancelled"
 
 
+@pytest.mark.parametrize(
+    "said",
+    ['"position": [0, 0, NaN, 0]', '"position": [Infinity, 0, 0, 0]', '"seconds_left": NaN'],
+)
+def test_a_heartbeat_with_what_is_no_number_is_refused(
+    client: httpx.Client, claimed: dict, said: str
+):
+    body = f'{{"job": "{claimed["job"]}", "epoch": {claimed["epoch"]}, "line": 1, {said}}}'
+    answer = client.post(
+        "/api/gateway/heartbeat", content=body, headers={"Content-Type": "application/json"}
+    )
+    assert answer.status_code == 422
+    assert client.get(f"/api/jobs/{claimed['job']}").json()["line"] == 0
+
+
 def test_a_stale_epoch_is_refused(client: httpx.Client, claimed: dict):
     old = {**claimed, "epoch": claimed["epoch"] - 1}
     for answer in (beat(client, old, 1), finish(client, old)):

@@ -1,0 +1,44 @@
+"""One digit of a real program changed at random: whatever moves the working tip is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from knifetip import pipeline, verify
+from knifetip.library import load
+from mutation import shares, told
+from named import NAMED, SAMPLES, Named
+
+MACHINE = load.machine("demo-table")
+
+
+def every_moving_mutant_is_refused(named: Named, corpus: Path | None, dialect: str) -> None:
+    drawing, dieline, board = named.classified(corpus)
+    made = pipeline.compiled(drawing, dieline, MACHINE, board, dialect=dialect)
+
+    def refused(text: bytes) -> bool:
+        return not verify(text, dieline, made.placement, MACHINE, board).accepted
+
+    assert not refused(made.program.text)
+    everything, caught, missed = shares(
+        made.program.text, MACHINE, board, refused, count=150, seed=1
+    )
+    print(named, dialect, {kind: f"{caught[kind]}/{everything[kind]}" for kind in everything})
+    assert everything["moved"] > 20
+    for kind in ("moved", "line", "code", "output"):
+        let_pass = [told(made.program.text, place, text) for k, place, text in missed if k == kind]
+        assert caught[kind] == everything[kind], let_pass
+
+
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+@pytest.mark.parametrize("named", SAMPLES, ids=str)
+def test_of_our_samples(named: Named, dialect: str):
+    every_moving_mutant_is_refused(named, None, dialect)
+
+
+@pytest.mark.corpus
+@pytest.mark.parametrize("named", NAMED, ids=str)
+def test_of_drawings_by_other_hands(named: Named, corpus: Path):
+    every_moving_mutant_is_refused(named, corpus, "linuxcnc")
