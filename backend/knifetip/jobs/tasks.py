@@ -7,7 +7,6 @@ compile   … and a board -> Result                 program, head path and verdi
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import json
 import zlib
@@ -18,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from knifetip.errors import KnifetipError, UnitUnknown
+from knifetip.errors import UnitUnknown
 from knifetip.geometry.columns import F64, U8
 from knifetip.jobs.columns import packed
 from knifetip.jobs.crew import Progress

@@ -220,6 +220,10 @@ def parse_board(name: str, fields: Mapping[str, Any]) -> Board:
         groove_overcut=_not_negative(fields["groove_overcut"], "groove_overcut"),
         perforation=(_positive(cut, "perforation cut"), _positive(gap, "perforation gap")),
         short_crease=fields["short_crease"],
+        **{
+            key: _not_negative(fields.get(key, 0.0), key)
+            for key in ("bridge_width", "bridge_spacing", "double_crease")
+        },
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 
 import numpy as np
@@ -20,6 +20,7 @@ class End(IntEnum):
     CONTINUED = 1  #: another path of the same tool goes on in the same direction
     MEETS = 2  #: another cut: the tool may run over
     CLOSED = 3  #: its own other end
+    BRIDGE = 4  #: a bridge that holds the part: the tool must leave it whole
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -42,6 +43,8 @@ class Operation:
     start: U8  #: (p,) End, where each path begins
     finish: U8  #: (p,) End, where it ends
     source: I32  #: (n,) row in Dieline
+    #: (p, 2) mm past start and end, off the board's edge; zeros unless given
+    run_out: F64 = field(default_factory=lambda: np.zeros((0, 2)))
     side: int = 0  #: of the material that stays: +1 tool left of travel, -1 right, 0 on the line
     corner: str = "B"  #: convex corners of a cutter: B, C, D or auto
     k: float = 0.5  #: knob of the D type
@@ -51,4 +54,6 @@ class Operation:
         put(self, "depth", frozen(self.depth, np.float64, len(self.paths.bulge), -1))
         put(self, "start", frozen(self.start, np.uint8, len(self.paths)))
         put(self, "finish", frozen(self.finish, np.uint8, len(self.paths)))
+        out = self.run_out if len(self.run_out) else np.zeros((len(self.paths), 2))
+        put(self, "run_out", frozen(out, np.float64, len(self.paths), 2))
         put(self, "source", frozen(self.source, np.int32, len(self.paths.bulge)))
