@@ -4,20 +4,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from pathlib import Path
 
 import httpx
 import pytest
 
-from knifetip.dxf.samples import samples
+from named import NAMED, SAMPLES, Named
 from serving import Running, ordered, square, until, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
-
-BOARDS = {
-    "tuck-end-carton.dxf": "fbb-0.4",
-    "corrugated-tray.dxf": "b-flute",
-    "rigid-box-blank.dxf": "greyboard-2.0",
-}
 
 
 @pytest.fixture(scope="module")
@@ -27,13 +22,25 @@ def shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
         yield client
 
 
-@pytest.mark.parametrize("name", BOARDS)
-def test_a_sample_runs_to_its_end(shop: httpx.Client, name: str):
-    drawing = uploaded(shop, samples()[name])["id"]
-    job = ordered(shop, drawing, board=BOARDS[name], release=True)["id"]
+def runs_to_its_end(shop: httpx.Client, named: Named, corpus: Path | None) -> None:
+    asked = {"profile": named.profile} | ({"unit": named.unit} if named.unit else {})
+    drawing = uploaded(shop, named.data(corpus), **asked)
+    assert drawing["questions"] == []
+    job = ordered(shop, drawing["id"], board=named.board, release=True)["id"]
     done = until(shop, job, "done")
     assert done["verdict"]["accepted"]
     assert (done["line"], done["progress"]) == (done["lines"], 1.0)
+
+
+@pytest.mark.parametrize("named", SAMPLES, ids=str)
+def test_a_sample_runs_to_its_end(shop: httpx.Client, named: Named):
+    runs_to_its_end(shop, named, None)
+
+
+@pytest.mark.corpus
+@pytest.mark.parametrize("named", NAMED, ids=str)
+def test_a_drawing_by_other_hands_runs_to_its_end(shop: httpx.Client, named: Named, corpus: Path):
+    runs_to_its_end(shop, named, corpus)
 
 
 def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client):

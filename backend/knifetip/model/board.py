@@ -22,8 +22,6 @@ class Board:
     half_cut_depth: float  #: below the top face (mm)
     perforation: tuple[float, float]  #: length of cut and of gap (mm)
     short_crease: str  #: "press" in place at the depth that fits, or "refuse"
-    bridge_width: float = (
-        0.0  #: of a bridge (nick) that holds the part (mm); 0 for none
-    )
+    bridge_width: float = 0.0  #: of a bridge (nick) that holds the part (mm); 0 for none
     bridge_spacing: float = 0.0  #: the longest way between two bridges along an outer cut (mm)
     double_crease: float = 0.0  #: between the lines of a double crease (mm); 0 for a single one

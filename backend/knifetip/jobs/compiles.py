@@ -1,0 +1,170 @@
+"""compiles: what a compile worker does to a job, while it holds its epoch."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sqlalchemy as sa
+
+from knifetip.jobs.job import State, Who
+from knifetip.jobs.moves import LEASE, rows
+from knifetip.jobs.orders import Orders
+from knifetip.jobs.tables import Job
+
+ATTEMPTS = 5  #: compiles that may die under a job before it is refused
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """What a compile hands to the store."""
+
+    accepted: bool
+    reason: str  #: of a refusal
+    program: bytes
+    sha256: str
+    lines: int
+    toolpath: bytes  #: see ``columns``
+    verdict: bytes  #: see ``columns``
+    judged: dict[str, Any]  #: the verdict in four figures
+    source: list[str] = field(default_factory=list)
+
+
+class Compiles(Orders):
+    """The jobs of the store, as compile workers move them."""
+
+    def begin_compile(self, id: str, attempt: int, worker: str) -> Job | None:
+        """Take a received job, or one whose worker died under this same attempt.
+
+        None if the job has gone on without this attempt: cancelled, or given to another.
+        """
+        with self._writing() as session:
+            row = session.scalar(sa.select(Job).where(Job.id == id).with_for_update())
+            if row is None or row.attempt != attempt:
+                return None
+            if row.state not in (State.RECEIVED, State.COMPILING):
+                return None
+            again = row.state == State.COMPILING
+            if again:
+                row.epoch += 1
+                row.lease = self.clock() + LEASE
+                row.owner = worker
+                row.updated = self.clock()
+                self._note(
+                    session, "job", id, State.COMPILING, f"{Who.WORKER} {worker}", "taken up again"
+                )
+            else:
+                self._move(
+                    session,
+                    id,
+                    State.COMPILING,
+                    Who.WORKER,
+                    f"attempt {attempt}",
+                    name=worker,
+                    epoch=row.epoch,
+                    changes_epoch=row.epoch + 1,
+                    owner=worker,
+                    lease=self.clock() + LEASE,
+                    stage="read",
+                    progress=0.0,
+                )
+        return self.job(id)
+
+    def compile_progress(self, id: str, epoch: int, stage: str, progress: float) -> bool:
+        """Say how far a compile is and renew its lease; False when the job is no longer ours."""
+        with self._writing() as session:
+            return bool(
+                rows(
+                    session,
+                    sa.update(Job)
+                    .where(Job.id == id, Job.state == State.COMPILING, Job.epoch == epoch)
+                    .values(stage=stage[:80], progress=progress, lease=self.clock() + LEASE),
+                )
+            )
+
+    def compiled(self, id: str, epoch: int, result: Result) -> None:
+        """Keep what a compile made: ready (and queued, if that was ordered) or refused."""
+        kept: dict[str, Any] = {
+            "program": result.program,
+            "program_sha256": result.sha256,
+            "lines": result.lines,
+            "toolpath": result.toolpath,
+            "verdict": result.verdict,
+            "judged": result.judged,
+            "seconds": result.judged["seconds"],
+            "stage": "",
+            "progress": 1.0,
+            "owner": "",
+            "lease": 0.0,
+        }
+        with self._writing() as session:
+            if not result.accepted:
+                self._move(
+                    session,
+                    id,
+                    State.REFUSED,
+                    Who.WORKER,
+                    result.reason,
+                    epoch=epoch,
+                    reason=result.reason,
+                    source=result.source,
+                    mend="Change the drawing, the line types or the board; nothing was cut.",
+                    **kept,
+                )
+                return
+            self._move(session, id, State.READY, Who.WORKER, "verified", epoch=epoch, **kept)
+            if session.scalar(sa.select(Job.release).where(Job.id == id)):
+                self._move(
+                    session,
+                    id,
+                    State.QUEUED,
+                    Who.WORKER,
+                    "released by its order",
+                    queued=self.clock(),
+                )
+
+    def refuse(
+        self,
+        id: str,
+        epoch: int,
+        reason: str,
+        mend: str,
+        source: Sequence[str] = (),
+        questions: Sequence[dict[str, Any]] = (),
+    ) -> None:
+        """Refuse a job that could not be compiled."""
+        with self._writing() as session:
+            self._move(
+                session,
+                id,
+                State.REFUSED,
+                Who.WORKER,
+                reason,
+                epoch=epoch,
+                reason=reason,
+                mend=mend,
+                source=list(source),
+                questions=list(questions),
+                stage="",
+                owner="",
+                lease=0.0,
+            )
+
+    def give_back(self, id: str, epoch: int) -> None:
+        """Return a job whose compile was broken off, so that it is tried again."""
+        with self._writing() as session:
+            attempt = self._fresh(session, id).attempt
+            self._move(
+                session,
+                id,
+                State.RECEIVED,
+                Who.WORKER,
+                "broken off",
+                epoch=epoch,
+                attempt=attempt + 1,
+                stage="",
+                progress=0.0,
+                owner="",
+                lease=0.0,
+            )

@@ -1,0 +1,109 @@
+"""database: the connection to SQLite or PostgreSQL, its transactions and its tables' form.
+
+"sqlite:///knifetip.sqlite" -> Database
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import sqlalchemy as sa
+from alembic import command
+from alembic.config import Config
+from sqlalchemy import event as on
+from sqlalchemy.orm import Session
+
+from knifetip.errors import StoreError
+
+_MIGRATIONS = Path(__file__).parent / "migrations"
+_MIGRATING = 0x6B6E_6966  # PostgreSQL's advisory lock of the migration
+
+
+def _sqlite(engine: sa.Engine) -> None:
+    @on.listens_for(engine, "connect")
+    def connect(connection: Any, _record: object) -> None:
+        # Transactions are begun below: left to itself the driver begins them only before the
+        # first write, so that what was read may no longer be true when it is acted upon.
+        connection.isolation_level = None
+        connection.execute("PRAGMA busy_timeout=30000")
+        connection.execute("PRAGMA journal_mode=WAL")
+        connection.execute("PRAGMA synchronous=FULL")
+        connection.execute("PRAGMA foreign_keys=ON")
+
+    @on.listens_for(engine, "begin")
+    def begin(connection: sa.Connection) -> None:
+        writes = connection.get_execution_options().get("writes", False)
+        connection.exec_driver_sql("BEGIN IMMEDIATE" if writes else "BEGIN")
+
+
+def _check(url: str) -> None:
+    try:
+        parts = sa.make_url(url)
+        backend = parts.get_backend_name()
+    except sa.exc.ArgumentError:
+        backend = ""
+    if backend not in ("sqlite", "postgresql"):
+        raise StoreError(
+            f"{url!r} is not the URL of a database.",
+            "It is sqlite:///FILE or postgresql://USER@HOST/NAME.",
+        )
+    if backend == "sqlite":
+        if parts.database in (None, "", ":memory:"):
+            raise StoreError(
+                "A database in memory would forget its jobs.", "Name a file: sqlite:///FILE."
+            )
+        Path(parts.database).parent.mkdir(parents=True, exist_ok=True)
+
+
+def dialect_url(url: str) -> str:
+    """Return the URL with the driver that is installed: psycopg for PostgreSQL."""
+    for scheme in ("postgresql://", "postgres://"):
+        if url.startswith(scheme):
+            return "postgresql+psycopg://" + url.removeprefix(scheme)
+    return url
+
+
+class Database:
+    """The database; safe to use from many threads and from many processes."""
+
+    def __init__(self, url: str, clock: Callable[[], float] = time.time) -> None:
+        self.url = dialect_url(url)
+        self.clock = clock
+        _check(self.url)
+        self._engine = sa.create_engine(self.url, pool_size=10, max_overflow=40)
+        if self._engine.dialect.name == "sqlite":
+            _sqlite(self._engine)
+        self._writer = self._engine.execution_options(writes=True)
+
+    def migrate(self) -> None:
+        """Bring the tables to the newest form, from none at all if need be."""
+        settings = Config()
+        settings.set_main_option("script_location", str(_MIGRATIONS).replace("%", "%%"))
+        with self._writer.begin() as connection:
+            if connection.dialect.name == "postgresql":
+                connection.execute(sa.select(sa.func.pg_advisory_xact_lock(_MIGRATING)))
+            settings.attributes["connection"] = connection
+            command.upgrade(settings, "head")
+
+    def close(self) -> None:
+        """Close all connections."""
+        self._engine.dispose()
+
+    @contextmanager
+    def _reading(self) -> Iterator[Session]:
+        with Session(self._engine, expire_on_commit=False) as session:
+            yield session
+
+    @contextmanager
+    def _writing(self) -> Iterator[Session]:
+        with Session(self._writer, expire_on_commit=False) as session, session.begin():
+            yield session
+
+    def alive(self) -> bool:
+        """Return True if the database answers."""
+        with self._reading() as session:
+            return bool(session.scalar(sa.select(sa.literal(1))))
