@@ -156,6 +156,10 @@ class FlankOutside(PlanError):
     """A V-groove runs so near a cut that its flank would leave the board."""
 
 
+class NoRoomForBridges(PlanError):
+    """A contour has no places for the bridges that the board asks for."""
+
+
 class TravelExceeded(PlanError):
     """A head would leave the travel of the machine."""
 

@@ -36,6 +36,7 @@ from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Verdict
 from knifetip.planning.plan import missing, plan
 from knifetip.post.process import process
+from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
 from knifetip.verification.verify import placement_of, verify
 
@@ -68,6 +69,7 @@ class Compiled:
     program: Program
     verdict: Verdict
     placement: tuple[float, float]  #: added to the drawing's coordinates on the sheet (mm)
+    seconds: float  #: that the machine will take, its accelerations counted
 
 
 def read_drawing(data: bytes, unit: str | None = None) -> Drawing:
@@ -214,20 +216,20 @@ def compiled(
     progress("verify", 0.7)
     verdict = verify(program.text, dieline, where, machine, board, tolerance=TOLERANCE)
     progress("done", 1.0)
-    return Compiled(toolpath, program, verdict, where)
+    return Compiled(toolpath, program, verdict, where, duration(toolpath, machine))
 
 
 def warm() -> None:
     """Run every compiled kernel once, so that no user waits for one to be compiled.
 
-    The kernels are kept beside the code: the first call takes half a minute, the next a second.
+    The kernels are kept beside the code: the first call takes a minute, the next a few seconds.
     """
-    table = load.machine("demo-table")
-    for name, board in (
-        ("tuck-end-carton.dxf", "fbb-0.4"),
-        ("rigid-box-blank.dxf", "greyboard-2.0"),
+    for name, board, machine in (
+        ("tuck-end-carton.dxf", "fbb-0.4", "demo-table"),
+        ("rigid-box-blank.dxf", "greyboard-2.0", "demo-table"),
+        ("rigid-box-blank.dxf", "greyboard-2.0", "router-table"),
     ):
         drawing = read_drawing(samples()[name])
         line = dieline(drawing, load.profile("default"))
         for dialect in ("linuxcnc", "grblhal"):
-            compiled(drawing, line, table, load.board(board), dialect=dialect)
+            compiled(drawing, line, load.machine(machine), load.board(board), dialect=dialect)

@@ -10,6 +10,8 @@ from typing import TypeAlias
 
 import ezdxf
 import numpy as np
+from tests.benchmarks.offset import offset_arcs, offset_lines, offset_million, offset_one
+from tests.benchmarks.turning import order_shortest
 
 from knifetip import pipeline
 from knifetip.classification.classify import classify
@@ -185,7 +187,12 @@ BENCHES: tuple[Callable[[], Bench], ...] = (
     crease_edges,
     knife_edges,
     order_nearest,
+    order_shortest,
     process_lines,
     verify_program,
     compile_sheet,
+    offset_lines,
+    offset_arcs,
+    offset_one,
+    offset_million,
 )

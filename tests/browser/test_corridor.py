@@ -84,20 +84,24 @@ def compile_on(page: Page, board: str) -> None:
     page.get_by_test_id("board-select").click()
     page.get_by_role("option", name=board).click()
     page.get_by_test_id("compile").click()
-    expect(page.get_by_test_id("verdict")).to_be_visible(timeout=60_000)
+    expect(page.get_by_test_id("verdict")).to_be_visible(timeout=120_000)
 
 
-def ink(page: Page) -> int:
-    """Return how many pixels of the middle of the picture are brighter than its ground."""
+def middle(page: Page) -> dict[str, float]:
+    """Return the middle of the picture, which no panel lies over."""
     box = page.get_by_test_id("canvas").bounding_box()
     assert box is not None
-    clip = {
+    return {
         "x": box["x"] + 0.2 * box["width"],
         "y": box["y"] + 0.2 * box["height"],
         "width": 0.6 * box["width"],
         "height": 0.5 * box["height"],
     }
-    shot = page.screenshot(clip=clip)  # type: ignore[arg-type]
+
+
+def ink(page: Page) -> int:
+    """Return how many pixels of the middle of the picture are brighter than its ground."""
+    shot = page.screenshot(clip=middle(page))  # type: ignore[arg-type]
     return page.evaluate(
         """async (text) => {
             const image = new Image();
@@ -150,6 +154,64 @@ def test_a_dropped_dieline_is_compiled_sent_and_done(
     page.screenshot(path=screenshots / f"{stem}-4-done.png")
 
 
+def colours(page: Page) -> set[tuple[int, int, int]]:
+    """Return the colours that more than a few pixels of the picture have."""
+    found: list[list[int]] = page.evaluate(
+        """async (text) => {
+            const image = new Image();
+            image.src = "data:image/png;base64," + text;
+            await image.decode();
+            const canvas = new OffscreenCanvas(image.width, image.height);
+            const pen = canvas.getContext("2d");
+            pen.drawImage(image, 0, 0);
+            const { data } = pen.getImageData(0, 0, image.width, image.height);
+            const count = new Map();
+            for (let at = 0; at < data.length; at += 4) {
+                const colour = (data[at] << 16) | (data[at + 1] << 8) | data[at + 2];
+                count.set(colour, (count.get(colour) ?? 0) + 1);
+            }
+            const many = [...count].filter(([, pixels]) => pixels > 100);
+            return many.map(([colour]) => [colour >> 16, (colour >> 8) & 255, colour & 255]);
+        }""",
+        base64.b64encode(page.screenshot(clip=middle(page))).decode(),  # type: ignore[arg-type]
+    )
+    return {(red, green, blue) for red, green, blue in found}
+
+
+#: The ends of the scale of figures, and the colour of a V-groove.
+NOTHING, LIMIT, GROOVE = (0x3F, 0x6D, 0xD7), (0xFA, 0xF1, 0x64), (0xB7, 0x94, 0xFF)
+
+
+def test_the_verdict_colours_the_edges_and_bands_show_what_is_taken(
+    page: Page, screenshots: Path
+) -> None:
+    drop(page, "rigid-box-blank.dxf", samples()["rigid-box-blank.dxf"])
+    expect(page.get_by_test_id("colour-mode")).to_be_hidden()
+    compile_on(page, "Greyboard 2.0 mm")
+    mode = page.get_by_test_id("colour-mode")
+    expect(mode).to_have_attribute("data-mode", "types")
+    expect(page.get_by_test_id("colour-scale")).to_be_hidden()
+    page.get_by_test_id("layer-head").click()
+    assert GROOVE in colours(page)
+
+    # Within the tolerance by far: all are at the lower end of the scale.
+    page.get_by_test_id("colour-deviation").click()
+    expect(page.get_by_test_id("colour-scale")).to_contain_text("0.005")
+    assert colours(page) >= {NOTHING}
+    assert colours(page).isdisjoint({LIMIT, GROOVE})
+    # The V-cutter runs 3 mm past the ends of a groove inside the board: at the upper end.
+    page.get_by_test_id("colour-overcut").click()
+    expect(page.get_by_test_id("colour-scale")).to_contain_text("3 mm")
+    assert colours(page) >= {NOTHING, LIMIT}
+    page.screenshot(path=screenshots / "rigid-box-blank-6-overcut.png")
+
+    page.get_by_test_id("colour-types").click()
+    page.get_by_test_id("layer-swept").click()
+    # 1.3 mm deep, at 45° to either side.
+    expect(page.get_by_test_id("path-legend")).to_contain_text(re.compile(r"2\.60\smm wide"))
+    page.screenshot(path=screenshots / "rigid-box-blank-7-swept.png")
+
+
 def test_what_nobody_knows_is_asked_and_answered_and_can_be_taken_back(
     page: Page, screenshots: Path
 ) -> None:
@@ -177,9 +239,10 @@ def test_hover_names_the_edge_and_a_click_changes_its_type(page: Page, screensho
     assert box is not None
     tip = page.get_by_test_id("edge-tooltip")
     # Down the middle of the picture there is a groove, at a height that the layout decides.
-    for step in range(int(box["height"])):
+    # An edge is found from 7 pixels away, so every fifth pixel comes near to each.
+    for step in range(0, int(box["height"]), 5):
         page.mouse.move(box["x"] + box["width"] / 2, box["y"] + step)
-        if step % 4 == 0 and tip.count() and "V-groove" in tip.inner_text():
+        if tip.count() and "V-groove" in tip.inner_text():
             break
     expect(tip).to_contain_text("V-GROOVE")
     page.mouse.down()

@@ -5,7 +5,7 @@ The sums stand here as the paper has them, case by case, and share nothing with 
 
 from __future__ import annotations
 
-from math import atan, cos, degrees, pi, radians, sin
+from math import atan, cos, degrees, radians, sin
 
 import numpy as np
 import pytest
@@ -13,8 +13,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.compensation.vgroove import head_offset, sideways
+from knifetip.errors import ZeroLengthEdge
 from knifetip.geometry.azimuth import azimuth
 from knifetip.model.tool import VCutter
+from vgroove_listing import AZIMUTHS, PAGE, listing_azimuth, page, worst
 
 coordinates = st.floats(-1000.0, 1000.0).map(lambda value: round(value, 3))
 
@@ -78,36 +80,33 @@ def test_section_3_oblique_interpolation_lifts_to_the_right_and_plunges_to_the_l
     np.testing.assert_allclose(moved, [[0.0, -1.7320508], [0.0, 1.7320508]], atol=1e-7)
 
 
-def listing_azimuth(x0, y0, x1, y1):
-    """AzimuthAngle of 4.3, with its truncation to 0.01 mm and its cut-off π."""
-    dx, dy = int(100 * (x1 - x0)), int(100 * (y1 - y0))
-    if dx == 0:
-        a = 1.570796 if dy > 0 else -1.570796
-    elif dy == 0:
-        a = 0.0 if dx > 0 else -0.000001
-    else:
-        a = atan(dy / dx)
-    a = a / pi * 180
-    if dx < 0:
-        a += 180
-    while a < 0:
-        a += 360
-    return a
-
-
-@pytest.mark.parametrize(("length", "worst"), [(10.0, 0.06), (1.0, 0.6), (0.1, 5.8)])
-def test_4_3_the_listing_is_off_by_what_we_say_it_is_and_we_are_not(length, worst):
-    angles = np.arange(0.0, 360.0, 0.05)
-    ends = length * np.column_stack([np.cos(np.radians(angles)), np.sin(np.radians(angles))])
-    listing = np.array([listing_azimuth(0.0, 0.0, x, y) for x, y in ends])
-    error = np.abs((listing - angles + 180) % 360 - 180).max()
-    assert 0.75 * worst < error < worst
-    ours = np.abs((azimuth(ends) - angles + 180) % 360 - 180).max()
+@pytest.mark.parametrize(("length", "degrees"), [(10.0, 0.057), (1.0, 0.573), (0.1, 5.739)])
+def test_4_3_the_listing_is_off_by_what_we_say_it_is_and_we_are_not(length, degrees):
+    # An edge that leaves its axis by just less than 0.01 mm is taken for the axis: asin(0.01 / L).
+    turn = np.radians(AZIMUTHS)
+    ends = length * np.column_stack([np.cos(turn), np.sin(turn)])
+    error = np.abs((listing_azimuth(*ends.T) - AZIMUTHS + 180) % 360 - 180).max()
+    assert error == pytest.approx(degrees, abs=1.5e-3)
+    ours = np.abs((azimuth(ends) - AZIMUTHS + 180) % 360 - 180).max()
     assert ours < 1e-10
 
 
+@pytest.mark.parametrize(("length", "d", "off"), [(0.1, 10.0, 1.012), (1.0, 6.0, 0.0618)])
+def test_4_3_so_the_listings_tip_is_off_by_the_arm_times_that(length, d, off):
+    # √(d² + r²) · 2 sin(error / 2): √102.25 · 0.1001 and √38.25 · 0.0100.
+    theirs, ours = worst(length, d)
+    assert theirs == pytest.approx(off, rel=2e-3)
+    assert ours < 1e-14
+
+
+def test_4_3_the_table_in_the_docs_is_what_comes_out():
+    assert PAGE.read_text(encoding="utf-8") == page()
+
+
 def test_4_3_the_listing_sends_an_edge_without_length_due_south():
-    assert listing_azimuth(5.0, 5.0, 5.0, 5.0) == pytest.approx(270.0, abs=1e-3)
+    assert listing_azimuth(np.zeros(1), np.zeros(1))[0] == pytest.approx(270.0, abs=1e-3)
+    with pytest.raises(ZeroLengthEdge):
+        head_offset(np.zeros((1, 2)), np.zeros((1, 2)), VCutter(4.0, 1.5, 45.0))
 
 
 def test_point_2_and_4_are_mirrors_of_3_and_1():

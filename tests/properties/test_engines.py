@@ -131,6 +131,104 @@ def test_a_closed_contour_is_cut_the_same_wherever_its_drawing_begins(start, wid
     np.testing.assert_allclose(path.pose[:, :3], first.pose[:, :3], atol=1e-9)
 
 
+@thousand
+@given(
+    side=st.integers(0, 3), share=st.floats(0.3, 0.7), angle=st.floats(15.0, 165.0),
+    degrees=angles, length=st.floats(20.0, 60.0), passes=st.integers(1, 4),
+)  # fmt: skip
+def test_a_groove_leaves_the_board_with_its_whole_width_in_every_pass(
+    side, share, angle, degrees, length, passes
+):
+    turn = rotation(degrees)
+    outline = closed((0, 0), (300, 0), (300, 300), (0, 300)) @ turn.T
+    a, b = outline[side]
+    along = (b - a) / 300.0
+    inward = np.array([-along[1], along[0]])
+    point = a + 300.0 * share * along
+    ahead = np.cos(np.radians(angle)) * along + np.sin(np.radians(angle)) * inward
+    groove = np.array([[point, point + length * ahead]])
+    board = replace(BOARD, groove_pass=BOARD.groove_depth / passes)
+    line = dieline((LineType.CUT, outline), (LineType.V_GROOVE, groove))
+    operation = plan(line, MACHINE, board)[0]
+    path = compensate(operation)
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    assert len(fed) == 2 * passes
+    # The tip of all passes, seen from the edge: it begins or ends where the last corner is out.
+    tip = tips(path, LineType.V_GROOVE) - point
+    width = 2.0 * BOARD.groove_depth
+    beside = width / 2.0 * np.array([-ahead[1], ahead[0]])
+    for row in (*fed[::2], *(fed[1::2] + 1)):
+        out = [float((tip[row] + s * beside) @ inward) for s in (1, -1)]
+        assert max(out) == pytest.approx(0.0, abs=1e-9)
+    # The other end lies inside and stays where it is drawn.
+    for row in (*(fed[::2] + 1), *fed[1::2]):
+        np.testing.assert_allclose(tip[row], length * ahead, atol=1e-9)
+    depths = BOARD.caliper - path.pose[fed, 2]
+    np.testing.assert_allclose(depths, np.repeat(np.arange(1, passes + 1) / passes, 2))
+
+
+@thousand
+@given(place=places, azimuth=angles, length=lengths, apart=st.floats(0.5, 6.0), bulge=bulges)
+def test_a_double_crease_stands_half_its_width_on_either_side(place, azimuth, length, apart, bulge):
+    bent = bulge if abs(bulge) > 0.3 else 0.0
+    ends = edge(place, azimuth, length)
+    line = dieline((LineType.CREASE, ends), bulge={0: bent})
+    path = compensate(plan(line, MACHINE, replace(BOARD, double_crease=apart))[0])
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    assert len(fed) == 2
+    chord = ends[0, 1] - ends[0, 0]
+    normal = np.array([-chord[1], chord[0]]) / length
+    for row, side in zip(fed, (1.0, -1.0), strict=True):
+        for pose in path.pose[[row, row + 1], :2]:
+            if bent:
+                up = (1 - bent**2) / (4 * bent) * length
+                spoke = pose - ends[0].mean(axis=0) - up * normal
+                radius = length * (1 + bent**2) / (4 * abs(bent))
+                off = np.sign(bent) * (radius - np.hypot(*spoke))
+            else:
+                off = (pose - ends[0, 0]) @ normal
+            assert off == pytest.approx(side * apart / 2.0, abs=1e-8)
+
+
+@thousand
+@given(count=st.integers(3, 12), dash=st.floats(4.0, 9.0), gap=st.floats(1.0, 5.9),
+       place=places, azimuth=angles)  # fmt: skip
+def test_a_dashed_crease_is_rolled_as_the_solid_one(count, dash, gap, place, azimuth):
+    low = np.arange(count) * (dash + gap)
+    ahead = rotation(azimuth)[:, 0]
+    drawn = np.array(place) + np.stack([low, low + dash], axis=1)[..., None] * ahead
+    whole = edge(place, azimuth, low[-1] + dash)
+    dashed, solid = made(LineType.CREASE, drawn), made(LineType.CREASE, whole)
+    for row in (0, 1, -2, -1):
+        np.testing.assert_allclose(dashed.pose[row, :3], solid.pose[row, :3], atol=1e-5)
+    assert (dashed.motion == Motion.PLUNGE).sum() == 1
+
+
+@thousand
+@given(width=st.floats(60.0, 300.0), height=st.floats(60.0, 300.0), degrees=angles,
+       bridge=st.floats(0.2, 1.5), start=st.integers(0, 3))  # fmt: skip
+def test_bridges_stay_whole_and_stand_alike_on_a_turned_board(
+    width, height, degrees, bridge, start
+):
+    board = replace(BOARD, bridge_width=bridge, bridge_spacing=150.0)
+    ends = np.roll(closed((0, 0), (width, 0), (width, height), (0, height)), -start, axis=0)
+    straight = plan(dieline((LineType.CUT, ends)), MACHINE, board)[0]
+    turned = plan(dieline((LineType.CUT, ends @ rotation(degrees).T)), MACHINE, board)[0]
+    np.testing.assert_allclose(
+        turned.paths.start, straight.paths.start @ rotation(degrees).T, atol=1e-6
+    )
+    path = compensate(straight)
+    down = path.pose[1:][path.motion == Motion.PLUNGE][:, :2]
+    begun = straight.paths.start[straight.paths.first[:-1]]
+    # The blade goes in where each piece begins, its corners apart, and ends 2.3 mm before it ends.
+    for place in begun:
+        assert np.hypot(*(down - place).T).min() < 1e-9
+    stops = straight.paths.end[straight.paths.first[1:] - 1]
+    lifted = path.pose[:-1][path.motion == Motion.LIFT][:, :2]
+    for place in stops:
+        assert np.hypot(*(lifted - place).T).min() == pytest.approx(2.3)
+
+
 def test_zero_dimensions_give_the_identity():
     line = dieline((LineType.V_GROOVE, edges(((0, 0), (50, 20)))))
     operation = plan(line, MACHINE, BOARD)[0]

@@ -9,16 +9,18 @@ from collections.abc import Callable
 
 from knifetip.compensation.crease import crease
 from knifetip.compensation.knife import knife
+from knifetip.compensation.radius import radius
 from knifetip.compensation.vgroove import vgroove
 from knifetip.errors import NoToolForLineType
 from knifetip.model.operation import Operation
-from knifetip.model.tool import CreaseWheel, Knife, Tool, VCutter
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
 from knifetip.model.toolpath import Toolpath
 
 ENGINES: dict[type[Tool], Callable[[Operation], Toolpath]] = {
     Knife: knife,
     CreaseWheel: crease,
     VCutter: vgroove,
+    Cutter: radius,
 }
 
 

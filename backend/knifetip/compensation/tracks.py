@@ -7,18 +7,23 @@ moves, all segments at once.
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
+from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth, turn
-from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.model.operation import Operation
 from knifetip.model.toolpath import Motion, Toolpath
 
 #: A smaller change of direction or depth needs no move of its own (degrees, mm).
 _STILL = 1e-7
+# A kernel knows plain numbers.
+_RAPID, _PLUNGE, _SWIVEL = int(Motion.RAPID), int(Motion.PLUNGE), int(Motion.SWIVEL)
+_LIFT = int(Motion.LIFT)
 
 
 def headings(paths: Paths) -> tuple[F64, F64]:
@@ -56,6 +61,7 @@ class Strokes:
     track: I32  #: (n,) the track of each segment, ascending
     source: I32  #: (n,) row in Dieline
     swing: F64  #: (n,) bulge of the head's way round the tip where C turns in the board
+    motion: U8  #: (n,) FEED, LEAD_IN or LEAD_OUT
 
     @classmethod
     def flat(
@@ -70,6 +76,7 @@ class Strokes:
         source: I32,
         height: float,
         swing: F64 | None = None,
+        motion: U8 | None = None,
     ) -> Strokes:
         """Return the strokes of an upright tool, which plunges from ``height`` and lifts to it."""
         above_start, above_end = start.copy(), end.copy()
@@ -85,10 +92,13 @@ class Strokes:
             track=track,
             source=source,
             swing=np.zeros(len(bulge)) if swing is None else swing,
+            motion=np.full(len(bulge), Motion.FEED, np.uint8) if motion is None else motion,
         )
 
     def merged(self, other: Strokes) -> Strokes:
         """Return these strokes and others, their tracks in order."""
+        if len(other.track) == 0:
+            return self
         order = np.argsort(np.concatenate([self.track, other.track]), kind="stable")
         columns = {
             field.name: np.concatenate([getattr(self, field.name), getattr(other, field.name)])
@@ -98,51 +108,100 @@ class Strokes:
 
     def laid(self, operation: Operation) -> Toolpath:
         """Return the moves: jump or turn in the air, plunge, step, swivel, feed, lift."""
-        new = np.ones(len(self.bulge), np.bool_)
-        new[1:] = self.track[1:] != self.track[:-1]
-        before = np.roll(self.end, 1, axis=0)
-        stepped = before.copy()
-        stepped[:, 2] = self.start[:, 2]
-        change = np.abs(self.start - before)
-        straight = np.zeros(len(self.bulge))
-        travels = (self.start[:, :2] != self.end[:, :2]).any(axis=1)
-        # One slot for each kind of move, in order; a segment has those whose condition holds.
-        slots: list[tuple[Motion, Bool, F64, F64, float]] = [
-            (Motion.RAPID, self.down, self.above_start, straight, 0.0),
-            (Motion.PLUNGE, self.down, self.start, straight, operation.plunge),
-            (
-                Motion.PLUNGE,
-                ~self.down & (change[:, 2] > _STILL),
-                stepped,
-                straight,
-                operation.plunge,
-            ),
-            (
-                Motion.SWIVEL,
-                ~self.down & (change[:, 3] > _STILL),
-                self.start,
-                self.swing,
-                operation.swivel,
-            ),
-            (Motion.FEED, travels, self.end, self.bulge, operation.feed),
-            (Motion.LIFT, self.up, self.above_end, straight, operation.plunge),
-        ]
-        wide = len(slots)
-        mask = np.stack([slot[1] for slot in slots], axis=1).ravel()
-        motion = np.tile(np.array([slot[0] for slot in slots], np.uint8), len(self.bulge))[mask]
-        pose = np.stack([slot[2] for slot in slots], axis=1).reshape(-1, 4)[mask]
-        bulge = np.stack([slot[3] for slot in slots], axis=1).ravel()[mask]
-        feed = np.tile([slot[4] for slot in slots], len(self.bulge))[mask]
-        track = np.repeat(self.track, wide)
-        track[::wide][new] = -1  # the jump to where a track begins belongs to none
-        source = np.repeat(self.source, wide)[mask]
+        pose, bulge, motion, feed, source, track = _laid(
+            self.start,
+            self.end,
+            self.bulge,
+            self.above_start,
+            self.above_end,
+            self.down,
+            self.up,
+            self.track,
+            self.source,
+            self.swing,
+            self.motion,
+            operation.feed,
+            operation.plunge,
+            operation.swivel,
+        )
+        # What cannot be written to goes into the record as it stands.
+        for column in (pose, bulge, motion, feed, source, track):
+            column.flags.writeable = False
         # The first row is the jump to the first track: where it ends the toolpath begins.
         return Toolpath(
             pose=pose,
             bulge=bulge[1:],
             motion=motion[1:],
             feed=feed[1:],
-            source=np.where(motion == Motion.RAPID, -1, source)[1:],
-            tool=np.full(len(motion) - 1, operation.station),
-            track=track[mask][1:],
+            source=source[1:],
+            tool=np.full(len(motion) - 1, operation.station, np.uint8),
+            track=track[1:],
         )
+
+
+@njit(cache=True)
+def _laid(
+    start: Any,
+    end: Any,
+    bulge: Any,
+    above_start: Any,
+    above_end: Any,
+    down: Any,
+    up: Any,
+    track: Any,
+    source: Any,
+    swing: Any,
+    motion: Any,
+    feed: float,
+    plunge: float,
+    swivel: float,
+) -> Any:
+    """Lay out all strokes, each as those of its six moves that it needs."""
+    count = len(bulge)
+    travels = (start[:, 0] != end[:, 0]) | (start[:, 1] != end[:, 1])
+    stepped = np.zeros(count, np.bool_)
+    turned = np.zeros(count, np.bool_)
+    for i in range(count):
+        if not down[i]:
+            stepped[i] = abs(start[i, 2] - end[i - 1, 2]) > _STILL
+            turned[i] = abs(start[i, 3] - end[i - 1, 3]) > _STILL
+    rows = 2 * down.sum() + stepped.sum() + turned.sum() + travels.sum() + up.sum()
+    poses = np.empty((rows, 4))
+    bent = np.zeros(rows)
+    kind = np.empty(rows, np.uint8)
+    speed = np.empty(rows)
+    edge = np.empty(rows, np.int32)
+    tracks = np.empty(rows, np.int32)
+    row = 0
+    for i in range(count):
+        begun = row
+        if down[i]:
+            poses[row] = above_start[i]
+            kind[row], speed[row] = _RAPID, 0.0
+            poses[row + 1] = start[i]
+            kind[row + 1], speed[row + 1] = _PLUNGE, plunge
+            row += 2
+        if stepped[i]:
+            poses[row] = end[i - 1]
+            poses[row, 2] = start[i, 2]
+            kind[row], speed[row] = _PLUNGE, plunge
+            row += 1
+        if turned[i]:
+            poses[row] = start[i]
+            kind[row], speed[row], bent[row] = _SWIVEL, swivel, swing[i]
+            row += 1
+        if travels[i]:
+            poses[row] = end[i]
+            kind[row], speed[row], bent[row] = motion[i], feed, bulge[i]
+            row += 1
+        if up[i]:
+            poses[row] = above_end[i]
+            kind[row], speed[row] = _LIFT, plunge
+            row += 1
+        edge[begun:row] = source[i]
+        tracks[begun:row] = track[i]
+        if down[i]:
+            edge[begun] = -1
+            if i == 0 or track[i] != track[i - 1]:
+                tracks[begun] = -1  # the jump to where a track begins belongs to none
+    return poses, bent, kind, speed, edge, tracks

@@ -3,24 +3,28 @@
     Operation[VCutter] -> Toolpath, two passes along every straight path, for each depth
 
 The blade leans, so its tip lies off the axis of the head.  Out and back, with the head turned half
-a turn between, the two slanted cuts meet and lift a V out of the board.
+a turn between, the two slanted cuts meet and lift a V out of the board.  A groove that ends on the
+board's edge runs on until its whole width has left: ``Operation.run_out`` says how far.
 
 Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker", sections 3, 4.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
+from numba import njit
 
 from knifetip.compensation.tracks import Strokes
 from knifetip.errors import CurvedGroove, EdgeTooShort, GrooveTooDeep
-from knifetip.geometry.azimuth import azimuth, right, unit
-from knifetip.geometry.columns import F64, I32
-from knifetip.geometry.path import reversed_where
+from knifetip.geometry.azimuth import azimuth, right, turn, unit
+from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import BULGE
-from knifetip.model.operation import Operation
+from knifetip.model.operation import End, Operation
 from knifetip.model.tool import VCutter
-from knifetip.model.toolpath import Toolpath
+from knifetip.model.toolpath import Motion, Toolpath
 
 
 def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
@@ -77,6 +81,29 @@ def sideways(start: F64, end: F64, cutter: VCutter, rise: F64) -> F64:
     return offset
 
 
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A V-groove seen from its end."""
+
+    included: float  #: angle between the flanks, and so how far the board folds (degrees)
+    width: float  #: at the top face (mm)
+    web: float  #: what is left below the groove (mm)
+
+
+def section(depth: float, caliper: float, cutter: VCutter) -> Section:
+    """Return the section of a groove of some depth (mm) in a board of some caliper (mm).
+
+    With θ the tilt: included angle 2θ, width W = 2 h tan θ, web T - h (our derivation).
+
+    Examples
+    --------
+    >>> section(1.3, 2.0, VCutter(6.0, 1.5, 45.0))
+    Section(included=90.0, width=2.6, web=0.7)
+    """
+    width = 2.0 * depth * cutter.slope
+    return Section(2.0 * cutter.tilt, round(width, 9), round(caliper - depth, 9))
+
+
 def vgroove(operation: Operation) -> Toolpath:
     """Return the toolpath that cuts V-grooves: out and back along every path, for every depth.
 
@@ -87,60 +114,122 @@ def vgroove(operation: Operation) -> Toolpath:
     EdgeTooShort
         A path is shorter than the blade is wide.
     GrooveTooDeep
-        A groove goes through the board, or the blade would run past its ends further than the
-        board allows.
+        A groove goes through the board, or the blade would run past an end inside the panel
+        further than the board allows.
     """
     cutter = operation.tool
     assert isinstance(cutter, VCutter)
     _refuse(operation, cutter)
-    there = operation.paths
-    back, mirror = reversed_where(there, np.ones(len(there), np.bool_))
-    passes = operation.depth.shape[1]
-    # Segments in working order: path by path, depth by depth, out and then back.
-    owner, size = there.path_of, np.diff(there.first)
-    begin = there.first[:-1] * (2 * passes)
-    place = np.arange(len(owner)) - there.first[:-1][owner]
-    start = np.empty((2 * passes * len(owner), 2))
-    end = np.empty_like(start)
-    depth = np.empty(len(start))
-    source = np.empty(len(start), np.int32)
-    down = np.zeros(len(start), np.bool_)
-    up = np.zeros(len(start), np.bool_)
-    segment: I32 = np.arange(len(owner), dtype=np.int32)
-    for stroke in range(2 * passes):
-        at = begin[owner] + stroke * size[owner] + place
-        paths, rows = (back, mirror) if stroke % 2 else (there, segment)
-        start[at], end[at] = paths.start, paths.end
-        depth[at] = operation.depth[rows, stroke // 2]
-        source[at] = operation.source[rows]
-        down[at] = place == 0
-        up[at] = place == size[owner] - 1
+    start, end = _run_out(operation)
     offset = head_offset(start, end, cutter)
+    aside = sideways(start, end, cutter, np.ones(len(start)))
     heading = azimuth(end - start)
-    # Half a turn between out and back, always the same way, and back again: C never winds up.
-    track = np.repeat(np.arange(len(there), dtype=np.int32), size * 2 * passes)
-    outward_heading = heading[begin][track]
-    returning = np.abs(heading - outward_heading) > 90.0
-    heading = np.where(returning, outward_heading + 180.0, heading)
-    aside = sideways(start, end, cutter, depth + operation.clearance)
-    level = operation.caliper - depth
-    above = np.full(len(start), operation.caliper + operation.clearance)
+    first, owner = operation.paths.first, operation.paths.path_of
+    # The pieces of one groove differ by hundredths of a degree, on either side of due east too.
+    along = heading[first[:-1]][owner]
+    heading = along + turn(along, heading)
+    columns = _out_and_back(
+        first,
+        start,
+        end,
+        offset,
+        aside,
+        heading,
+        operation.depth,
+        operation.source,
+        operation.caliper,
+        operation.clearance,
+    )
+    begin, finish, above_begin, above_finish, down, up, track, source = columns
+    still = np.zeros(len(track))
     return Strokes(
-        start=_pose(start + offset, level, heading),
-        end=_pose(end + offset, level, heading),
-        bulge=np.zeros(len(start)),
-        above_start=_pose(start + offset + aside, above, heading),
-        above_end=_pose(end + offset + aside, above, heading),
+        start=begin,
+        end=finish,
+        bulge=still,
+        above_start=above_begin,
+        above_end=above_finish,
         down=down,
         up=up,
         track=track,
         source=source,
-        swing=np.zeros(len(start)),
+        swing=still,
+        motion=np.full(len(track), Motion.FEED, np.uint8),
     ).laid(operation)
 
 
-def _pose(xy: F64, z: F64, c: F64) -> F64:
-    return np.column_stack([xy, z, c])
+def _run_out(operation: Operation) -> tuple[F64, F64]:
+    """Return where the tip begins and ends on each segment: off the board where that is asked."""
+    paths, out = operation.paths, operation.run_out
+    start, end = paths.start, paths.end
+    for column, rows in ((0, paths.first[:-1]), (1, paths.first[1:] - 1)):
+        some = out[:, column] > 0.0
+        at, size = rows[some], out[some, column, None]
+        ahead = unit(paths.end[at] - paths.start[at])
+        if column == 0:
+            start = start.copy()
+            start[at] -= size * ahead
+        else:
+            end = end.copy()
+            end[at] += size * ahead
+    return start, end
+
+
+@njit(cache=True)
+def _out_and_back(
+    first: Any,
+    start: Any,
+    end: Any,
+    offset: Any,
+    aside: Any,
+    heading: Any,
+    depth: Any,
+    source: Any,
+    caliper: float,
+    clearance: float,
+) -> Any:
+    """Segments in working order: path by path, depth by depth, out and then back.
+
+    Half a turn lies between out and back, always the same way, and back again: C never winds up.
+    """
+    passes = depth.shape[1]
+    rows = 2 * passes * len(source)
+    begin = np.empty((rows, 4))
+    finish = np.empty((rows, 4))
+    above_begin = np.empty((rows, 4))
+    above_finish = np.empty((rows, 4))
+    down = np.zeros(rows, np.bool_)
+    up = np.zeros(rows, np.bool_)
+    track = np.empty(rows, np.int32)
+    edge = np.empty(rows, np.int32)
+    top = caliper + clearance
+    row = 0
+    for path in range(len(first) - 1):
+        size = first[path + 1] - first[path]
+        for stroke in range(2 * passes):
+            down[row] = True
+            up[row + size - 1] = True
+            for place in range(size):
+                back = stroke % 2 == 1
+                i = first[path + 1] - 1 - place if back else first[path] + place
+                side = -1.0 if back else 1.0
+                deep = depth[i, stroke // 2]
+                for axis in range(2):
+                    near = end[i, axis] if back else start[i, axis]
+                    far = start[i, axis] if back else end[i, axis]
+                    out = side * offset[i, axis]
+                    lifted = out + side * aside[i, axis] * (deep + clearance)
+                    begin[row, axis] = near + out
+                    finish[row, axis] = far + out
+                    above_begin[row, axis] = near + lifted
+                    above_finish[row, axis] = far + lifted
+                begin[row, 2] = finish[row, 2] = caliper - deep
+                above_begin[row, 2] = above_finish[row, 2] = top
+                c = heading[i] + (180.0 if back else 0.0)
+                begin[row, 3] = finish[row, 3] = above_begin[row, 3] = above_finish[row, 3] = c
+                track[row] = path
+                edge[row] = source[i]
+                row += 1
+    return begin, finish, above_begin, above_finish, down, up, track, edge
 
 
 def _refuse(operation: Operation, cutter: VCutter) -> None:
@@ -174,10 +263,12 @@ def _refuse(operation: Operation, cutter: VCutter) -> None:
             "Take a shallower groove or a thicker board.",
             [str(row) for row in rows[:10]],
         )
-    if blade > operation.overcut:
+    # Past an end on the board's edge the blade runs freely.
+    inside = np.flatnonzero((operation.start == End.FREE) | (operation.finish == End.FREE))
+    if blade > operation.overcut and len(inside):
         raise GrooveTooDeep(
-            f"The blade runs {blade:.2f} mm past each end of a V-groove, and the board allows "
-            f"{operation.overcut:.2f} mm.",
+            f"The blade runs {blade:.2f} mm past each end of a V-groove inside the board, and the "
+            f"board allows {operation.overcut:.2f} mm.",
             "Take a narrower blade, or allow a longer overcut for this board.",
-            [str(row) for row in operation.source[:10]],
+            [str(row) for row in operation.source[paths.first[inside[:10]]]],
         )

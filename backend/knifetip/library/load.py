@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from knifetip.errors import LibraryError, ProfileError
-from knifetip.model.board import Board
+from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Axis, Machine, Station
 from knifetip.model.profile import LineRule, LineRules
@@ -29,6 +29,10 @@ _TOOLS: dict[str, type[Knife] | type[CreaseWheel] | type[VCutter] | type[Cutter]
     "v-cutter": VCutter,
     "cutter": Cutter,
 }
+
+#: More passes along one groove than this, or bridges nearer than this (mm), are a slip of the pen.
+_MOST_PASSES = 50
+_LEAST_SPACING = 10.0
 
 
 def kind_of(tool: Tool) -> str:
@@ -150,6 +154,11 @@ def parse_tool(fields: Mapping[str, Any]) -> Tool:
         raise ValueError(f"tilt is {rest['tilt']}, and must lie between 0 and 90 degrees")
     if kind == "knife" and not 0 <= rest["blade_angle"] < 80:
         raise ValueError(f"blade_angle is {rest['blade_angle']}, and must lie in 0 … 80 degrees")
+    if kind == "cutter":
+        for key in ("speed", "spin_up", "lead", "step", "dwell"):
+            _not_negative(rest.get(key, 0.0), key)
+        if 0 < rest.get("lead", 0.0) <= rest["radius"]:
+            raise ValueError(f"lead is {rest['lead']}, and must be more than the radius, or 0")
     return _TOOLS[kind](**rest)
 
 
@@ -208,6 +217,12 @@ def parse_board(name: str, fields: Mapping[str, Any]) -> Board:
             raise ValueError(f"{key} is {depth}, and must be less than the caliper {caliper}")
     if fields["short_crease"] not in ("press", "refuse"):
         raise ValueError(f"short_crease is {fields['short_crease']!r}: it is press or refuse")
+    step = fields.get("groove_pass", 0.0)
+    if step and depths["groove_depth"] / _positive(step, "groove_pass") > _MOST_PASSES:
+        raise ValueError(f"groove_pass is {step}, and would take more than {_MOST_PASSES} passes")
+    spacing = fields.get("bridge_spacing", 0.0)
+    if spacing and _positive(spacing, "bridge_spacing") < _LEAST_SPACING:
+        raise ValueError(f"bridge_spacing is {spacing}, and must be {_LEAST_SPACING:g} or more")
     cut, gap = fields["perforation"]
     return Board(
         name=name,
@@ -220,9 +235,22 @@ def parse_board(name: str, fields: Mapping[str, Any]) -> Board:
         groove_overcut=_not_negative(fields["groove_overcut"], "groove_overcut"),
         perforation=(_positive(cut, "perforation cut"), _positive(gap, "perforation gap")),
         short_crease=fields["short_crease"],
+        deflection=tuple(
+            Deflection(
+                tool=tool,
+                **{axis: _not_negative(given[axis], f"deflection {tool}.{axis}") for axis in "xy"},
+            )
+            for tool, given in fields.get("deflection", {}).items()
+        ),
         **{
             key: _not_negative(fields.get(key, 0.0), key)
-            for key in ("bridge_width", "bridge_spacing", "double_crease")
+            for key in (
+                "bridge_width",
+                "bridge_spacing",
+                "double_crease",
+                "groove_pass",
+                "groove_curve",
+            )
         },
     )
 

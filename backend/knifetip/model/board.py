@@ -6,6 +6,15 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
+class Deflection:
+    """How far a tool gives way in this board: the radius paper's ΔXmax and ΔYmax."""
+
+    tool: str  #: name of its station
+    x: float  #: δx, the most in X (mm)
+    y: float  #: δy, the most in Y (mm)
+
+
+@dataclass(frozen=True, slots=True)
 class Board:
     """One material in one thickness."""
 
@@ -25,3 +34,6 @@ class Board:
     bridge_width: float = 0.0  #: of a bridge (nick) that holds the part (mm); 0 for none
     bridge_spacing: float = 0.0  #: the longest way between two bridges along an outer cut (mm)
     double_crease: float = 0.0  #: between the lines of a double crease (mm); 0 for a single one
+    groove_pass: float = 0.0  #: the deepest that one pass of a V-groove may go (mm); 0 for all
+    groove_curve: float = 0.0  #: the most that a groove of chords may leave its arc (mm); 0: none
+    deflection: tuple[Deflection, ...] = ()  #: of the tools that were measured in it

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from enum import IntEnum
 
@@ -48,6 +49,11 @@ class Operation:
     side: int = 0  #: of the material that stays: +1 tool left of travel, -1 right, 0 on the line
     corner: str = "B"  #: convex corners of a cutter: B, C, D or auto
     k: float = 0.5  #: knob of the D type
+    #: (n,) knob at the corner where each segment begins; NaN for ``k``; all NaN unless given
+    k_at: F64 = field(default_factory=lambda: np.zeros(0))
+    acceleration: float = math.inf  #: of the slower of X and Y (mm/s²), for corners "auto"
+    interference: str = "trim"  #: leave uncut what a cutter cannot reach, or "refuse"
+    deflection: tuple[float, float] = (0.0, 0.0)  #: δx, δy of a cutter under load (mm)
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -55,5 +61,7 @@ class Operation:
         put(self, "start", frozen(self.start, np.uint8, len(self.paths)))
         put(self, "finish", frozen(self.finish, np.uint8, len(self.paths)))
         out = self.run_out if len(self.run_out) else np.zeros((len(self.paths), 2))
+        knobs = self.k_at if len(self.k_at) else np.full(len(self.paths.bulge), np.nan)
+        put(self, "k_at", frozen(knobs, np.float64, len(self.paths.bulge)))
         put(self, "run_out", frozen(out, np.float64, len(self.paths), 2))
         put(self, "source", frozen(self.source, np.int32, len(self.paths.bulge)))

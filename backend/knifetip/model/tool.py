@@ -21,6 +21,13 @@ class Knife:
     plunge: float
     oscillating: bool = False
     trail: float = 0.0  #: e, tip behind the head's axis (mm): 0 for a tangential knife
+    lead_in: float = 0.0  #: arc by which it comes to an outer contour from the waste (mm)
+    lead_out: float = 0.0  #: arc by which it leaves an outer contour into the waste (mm)
+
+    @property
+    def led(self) -> bool:
+        """Whether it begins or ends outer contours in the waste."""
+        return self.lead_in > 0.0 or self.lead_out > 0.0
 
     def lead(self, thickness: float) -> float:
         """Return how far the top of the cut runs ahead of its bottom (mm) over a thickness (mm)."""
@@ -73,9 +80,20 @@ class VCutter:
 class Cutter:
     """A rotating cutter (router) or a beam: anything that removes a disc."""
 
-    radius: float  #: r (mm)
+    radius: float  #: r (mm); of a beam half its kerf
     feed: float
     plunge: float
+    speed: float = 0.0  #: of the spindle (rpm); 0 for a beam, which has none
+    spin_up: float = 0.0  #: seconds from the spindle's start to its full speed
+    lead: float = 0.0  #: straight way on which the offset is set up (mm); 0 for 1.5 r
+    approach: float = 90.0  #: of that way to the contour (degrees): 0 in line, −90 round outside
+    step: float = 0.0  #: deepest cut in one pass (mm); 0 for all at once
+    dwell: float = 0.0  #: longest touch of one corner before it burns (s); 0 for no limit
+
+    @property
+    def set_up(self) -> float:
+        """Length of the straight way on which the offset is set up (mm), longer than r."""
+        return self.lead or 1.5 * self.radius
 
 
 Tool: TypeAlias = Knife | CreaseWheel | VCutter | Cutter

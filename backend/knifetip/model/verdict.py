@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, frozen
+from knifetip.geometry.columns import F64, I32, frozen
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +21,25 @@ class Finding:
     line: int = -1  #: 1-based line of the program, -1 where it is about none
 
 
+def _none() -> F64:
+    return np.zeros(0)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Samples:
+    """A map of deviations along the edges, for a viewer to colour: at most 200,000 rows."""
+
+    edge: I32 = field(default_factory=lambda: np.zeros(0, np.int32))  #: (m,) row in Dieline
+    place: F64 = field(default_factory=_none)  #: (m,) share of the edge's length, 0 … 1
+    deviation: F64 = field(default_factory=_none)  #: (m,) mm to the left of the edge
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        put(self, "edge", frozen(self.edge, np.int32, -1))
+        put(self, "place", frozen(self.place, np.float64, len(self.edge)))
+        put(self, "deviation", frozen(self.deviation, np.float64, len(self.edge)))
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Verdict:
     """The judge's answer, edge by edge."""
@@ -33,9 +52,20 @@ class Verdict:
     setback: F64  #: (n,) length not worked as planned: crease ends, slanted blades (mm)
     findings: tuple[Finding, ...]
     seconds: float  #: nominal machine time of the program: lengths over feeds
+    width: F64 = field(default_factory=_none)  #: (n,) of a V-groove at the top face (mm), else 0
+    web: F64 = field(default_factory=_none)  #: (n,) of board left below a V-groove (mm), else 0
+    flank: F64 = field(default_factory=_none)  #: (n,) the farthest that a flank is off there (mm)
+    unreached: F64 = field(default_factory=_none)  #: (n,) length that no cutter can touch (mm)
+    bottom_uncut: F64 = field(default_factory=_none)  #: (n,) length not cut in the bottom face (mm)
+    top_overcut: F64 = field(default_factory=_none)  #: (n,) cut past the ends in the top face (mm)
+    samples: Samples = field(default_factory=lambda: Samples())
 
     def __post_init__(self) -> None:
         put = object.__setattr__
         put(self, "deviation", frozen(self.deviation, np.float64, -1))
+        rows = len(self.deviation)
         for name in ("overcut", "uncut", "setback"):
-            put(self, name, frozen(getattr(self, name), np.float64, len(self.deviation)))
+            put(self, name, frozen(getattr(self, name), np.float64, rows))
+        for name in ("width", "web", "flank", "unreached", "bottom_uncut", "top_overcut"):
+            column = getattr(self, name) if len(getattr(self, name)) else np.zeros(rows)
+            put(self, name, frozen(column, np.float64, rows))

@@ -13,7 +13,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left, unit
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
-from knifetip.geometry.tolerance import POINT
+from knifetip.geometry.tolerance import GAP, POINT
 from knifetip.model.dieline import Dieline, LineType
 
 _CHORDS = 8
@@ -21,11 +21,11 @@ _CHORDS = 8
 _PAIRS = 4_000_000
 
 
-def check_flanks(paths: Paths, source: I32, reach: float, dieline: Dieline) -> None:
+def check_flanks(paths: Paths, source: I32, reach: float, out: F64, dieline: Dieline) -> None:
     """Refuse grooves whose flanks cross a cut beside them.
 
     A groove ends where a cut crosses it, and there its flanks may leave the board: twice their
-    reach is left out at either end.
+    reach is left out at either end, and as much as it runs out where that is more.
 
     Parameters
     ----------
@@ -33,6 +33,8 @@ def check_flanks(paths: Paths, source: I32, reach: float, dieline: Dieline) -> N
         The grooves, and the edge of each of their segments.
     reach : mm
         Of a flank beside the line.
+    out : (p, 2) mm
+        By which each groove runs out past its start and its end.
 
     Raises
     ------
@@ -44,12 +46,14 @@ def check_flanks(paths: Paths, source: I32, reach: float, dieline: Dieline) -> N
     points = arc.points_along(ends[:, 0], ends[:, 1], dieline.bulge[cut], _CHORDS + 1)
     chords = np.stack([points[:, :-1], points[:, 1:]], axis=2).reshape(-1, 2, 2)
     begin, finish = paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]
-    long = np.hypot(*(finish - begin).T) > max(4.0 * reach, POINT)
+    # Where a groove runs out over the edge, its other flank left the board as far before it.
+    inset = np.maximum(2.0 * reach, out * 1.001 + GAP)
+    long = np.hypot(*(finish - begin).T) > np.maximum(inset.sum(axis=1), POINT)
     ahead = unit((finish - begin)[long])
-    inset = 2.0 * reach * ahead
+    after, before = inset[long, :1] * ahead, inset[long, 1:] * ahead
     for side in (1.0, -1.0):
         beside = side * reach * left(ahead)
-        start, end = begin[long] + beside + inset, finish[long] + beside - inset
+        start, end = begin[long] + beside + after, finish[long] + beside - before
         step = max(1, _PAIRS // max(1, len(chords)))
         for row in range(0, len(start), step):
             hit = _crossed(start[row : row + step], end[row : row + step], chords)

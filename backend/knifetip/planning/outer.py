@@ -15,7 +15,7 @@ from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.chain import nodes, outward
-from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.geometry.columns import F64, I8, I64, Bool
 
 _CHORDS = 16
 
@@ -28,9 +28,25 @@ def outer(ends: F64, bulge: F64) -> Bool:
     ends, bulge : (n, 2, 2) mm and (n,)
         Cut edges of any order and direction.
     """
+    bounding: Bool = outside(ends, bulge) != 0
+    return bounding
+
+
+def outside(ends: F64, bulge: F64) -> I8:
+    """Return on which side of each edge the waste round a blank lies, (n,).
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        Cut edges of any order and direction.
+
+    Returns
+    -------
+    (n,) +1 left of the way from start to end, -1 right, 0 where the edge bounds no blank
+    """
     count = len(ends)
     if count == 0:
-        return np.zeros(0, np.bool_)
+        return np.zeros(0, np.int8)
     node = nodes(ends.reshape(-1, 2)).astype(np.int64)
     direction = outward(ends, bulge).reshape(-1, 2)
     # Arcs that leave a place in one direction are told apart by the side to which they bend.
@@ -51,14 +67,14 @@ def outer(ends: F64, bulge: F64) -> Bool:
     bent = np.stack([bulge, -bulge], axis=1).ravel()
     area = np.bincount(face, _area(start, end, bent), minlength=2 * count)
     # A tree of slits encloses nothing: its one face has no area.
-    outside = (area < 1e-6)[face]
-    faces = outside.reshape(-1, 2)
+    faces = (area < 1e-6)[face].reshape(-1, 2)
     bounding: Bool = faces[:, 0] != faces[:, 1]
     rows = np.flatnonzero(bounding)
     component = np.where(faces[rows, 0], face[2 * rows], face[2 * rows + 1])
     inside = _enclosed(ends[rows], bulge[rows], np.unique(component, return_inverse=True)[1])
     bounding[rows] = ~inside
-    return bounding
+    # The walk round a blank from outside has the waste on its left.
+    return np.where(bounding, np.where(faces[:, 0], 1, -1), 0).astype(np.int8)
 
 
 def _cycles(onward: I64) -> I64:

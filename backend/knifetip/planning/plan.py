@@ -8,24 +8,32 @@ what is cut part of the way, then inner cuts, and last the outer contours that s
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
 from knifetip.errors import NoToolForLineType
 from knifetip.geometry.azimuth import azimuth
 from knifetip.geometry.chain import chain, outward, run_on
-from knifetip.geometry.columns import F64, I32, U8, Bool
+from knifetip.geometry.columns import F64, I8, I32, U8, Bool
 from knifetip.geometry.grid import touching
 from knifetip.geometry.path import Paths, begun_in_middle, reversed_where, taken, trimmed
-from knifetip.geometry.tolerance import ANGLE, COLLINEAR, GAP
+from knifetip.geometry.tolerance import ANGLE, COLLINEAR, GAP, POINT
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import End, Operation
-from knifetip.model.tool import CreaseWheel, Knife, Tool, VCutter
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
+from knifetip.planning.boundary import Outline, run_out
+from knifetip.planning.bridges import bridged
+from knifetip.planning.chords import chorded
+from knifetip.planning.creases import doubled, split_at_cuts
+from knifetip.planning.dashes import distinct, once
 from knifetip.planning.flank import check_flanks
-from knifetip.planning.outer import outer
+from knifetip.planning.milling import milled
+from knifetip.planning.outer import outside
 
 #: The tools that each line type needs.
 NEEDS: dict[LineType, tuple[type[Tool], ...]] = {
@@ -40,7 +48,15 @@ NEEDS: dict[LineType, tuple[type[Tool], ...]] = {
 
 def missing(line_type: LineType, machine: Machine) -> bool:
     """Return whether the machine lacks a tool that this line type needs."""
-    return any(_station(machine, kind) is None for kind in NEEDS.get(line_type, ()))
+    return any(_station(machine, kind) is None for kind in _needs(line_type, machine))
+
+
+def _needs(line_type: LineType, machine: Machine) -> tuple[type[Tool], ...]:
+    """Return the tools for a line type; a machine without a knife cuts with what it has."""
+    needs = NEEDS.get(line_type, ())
+    if line_type == LineType.CUT and _station(machine, Knife) is None:
+        return (Cutter,) if _station(machine, Cutter) else needs
+    return needs
 
 
 def plan(dieline: Dieline, machine: Machine, board: Board) -> list[Operation]:
@@ -57,27 +73,33 @@ def plan(dieline: Dieline, machine: Machine, board: Board) -> list[Operation]:
     NoToolForLineType
         No station of the machine makes one of the line types.
     FlankOutside
-        A V-groove runs so close beside a cut that its flank would leave the board.
+        A V-groove runs so close beside a cut, or along the board's edge, that its flank would
+        leave the board.
+    NoRoomForBridges
+        A contour has no places for the bridges that the board asks for.
     """
     line_type = dieline.line_type
-    cuts = np.flatnonzero(line_type == LineType.CUT)
-    bounding = outer(dieline.ends[cuts], dieline.bulge[cuts])
+    cuts = np.flatnonzero(line_type == LineType.CUT).astype(np.int32)
+    cuts = cuts[distinct(dieline.ends[cuts], dieline.bulge[cuts])]
+    side = outside(dieline.ends[cuts], dieline.bulge[cuts])
+    outline = Outline.of(dieline.ends[cuts], dieline.bulge[cuts], side)
+    bounding = side != 0
 
     def rows(*types: LineType) -> I32:
         return np.flatnonzero(np.isin(line_type, types)).astype(np.int32)
 
     work: list[tuple[LineType, I32, Callable[..., Operation]]] = [
         (LineType.CREASE, rows(LineType.CREASE, LineType.COMBI), _creases),
-        (LineType.V_GROOVE, rows(LineType.V_GROOVE), _grooves),
+        (LineType.V_GROOVE, rows(LineType.V_GROOVE), partial(_grooves, outline)),
         (LineType.HALF_CUT, rows(LineType.HALF_CUT), _half_cuts),
         (LineType.PERFORATION, rows(LineType.PERFORATION, LineType.COMBI), _perforations),
-        (LineType.CUT, cuts[~bounding].astype(np.int32), _cuts),
-        (LineType.CUT, cuts[bounding].astype(np.int32), _cuts),
+        (LineType.CUT, cuts[~bounding], _cuts),
+        (LineType.CUT, cuts[bounding], partial(_contours, side[bounding])),
     ]
     operations = []
     for kind, listed, make in work:
         if len(listed):
-            station = _station(machine, NEEDS[kind][0])
+            station = _station(machine, _needs(kind, machine)[0], board)
             if station is None:
                 raise NoToolForLineType(
                     f"{len(listed)} edges are {kind.word}, and no station of {machine.title} "
@@ -85,12 +107,25 @@ def plan(dieline: Dieline, machine: Machine, board: Board) -> list[Operation]:
                     "Give them another line type, or choose another machine.",
                     [str(row) for row in listed[:10]],
                 )
-            operations.append(make(dieline, listed, machine, board, station))
+            if isinstance(station.tool, Cutter):
+                operations += milled(dieline, listed, machine, board, station)
+            else:
+                operations.append(make(dieline, listed, machine, board, station))
     return operations
 
 
-def _station(machine: Machine, kind: type[Tool]) -> Station | None:
-    return next((station for station in machine.stations if type(station.tool) is kind), None)
+def _station(machine: Machine, kind: type[Tool], board: Board | None = None) -> Station | None:
+    """Return the station that does this: of several wheels the one that suits the board.
+
+    The trade's rule: a rim at least as wide as the board is thick, so that the fold has room for
+    the board on its inside, and no wider than that needs; the widest where none is wide enough.
+    """
+    held = [station for station in machine.stations if type(station.tool) is kind]
+    rims = [station.tool.width for station in held if isinstance(station.tool, CreaseWheel)]
+    if board is not None and len(rims) > 1:
+        enough = [rim for rim in rims if rim >= board.caliper - POINT]
+        return held[rims.index(min(enough, default=max(rims)))]
+    return held[0] if held else None
 
 
 def _operation(
@@ -102,6 +137,9 @@ def _operation(
     machine: Machine,
     board: Board,
     station: Station,
+    *,
+    out: F64 | None = None,
+    side: int = 0,
 ) -> Operation:
     return Operation(
         paths=paths,
@@ -120,6 +158,8 @@ def _operation(
         start=ends[0],
         finish=ends[1],
         source=source,
+        run_out=np.zeros((len(paths), 2)) if out is None else out,
+        side=side,
     )
 
 
@@ -145,13 +185,38 @@ def _ends(paths: Paths, met: Bool, word: End) -> tuple[U8, U8]:
 def _creases(
     dieline: Dieline, rows: I32, machine: Machine, board: Board, station: Station
 ) -> Operation:
-    paths, source = _joined(dieline, rows, ANGLE)
+    paths, source, ends = _folds(dieline, rows)
+    if board.double_crease > 0.0:
+        paths, which, row = doubled(paths, board.double_crease, source)
+        source, ends = source[row], (ends[0][which], ends[1][which])
     chord = azimuth(paths.end - paths.start) - board.grain
     depth = board.crease_along + (board.crease_across - board.crease_along) * (
         np.sin(np.radians(chord)) ** 2
     )
-    ends = _ends(paths, _continued(paths), End.CONTINUED)
     return _operation(LineType.CREASE, paths, source, depth[:, None], ends, machine, board, station)
+
+
+def _folds(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8]]:
+    """Return creases as they are rolled, the edge of each segment, and the kinds of their ends."""
+    cut = dieline.line_type == LineType.CUT
+    cut_ends, cut_bulge = dieline.ends[cut], dieline.bulge[cut]
+    alone = dieline.line_type[rows] == LineType.CREASE
+    ends, bulge, row = once(
+        dieline.ends[rows[alone]], dieline.bulge[rows[alone]], (cut_ends, cut_bulge)
+    )
+    # A combi line is perforated too, so its dashes stay as they are drawn.
+    row = np.concatenate([rows[alone][row], rows[~alone]])
+    order = np.argsort(row, kind="stable")
+    ends = np.concatenate([ends, dieline.ends[rows[~alone]]])[order]
+    bulge = np.concatenate([bulge, dieline.bulge[rows[~alone]]])[order]
+    chains = chain(ends, bulge, ANGLE)
+    paths, source = chains.paths(ends, bulge), row[order][chains.order]
+    start, finish = _ends(paths, _continued(paths), End.CONTINUED)
+    whole = paths.path_of
+    paths, piece, split = split_at_cuts(paths, cut_ends, cut_bulge)
+    owner = whole[piece[paths.first[:-1]]]
+    kinds = np.where(split, End.FREE, np.stack([start, finish], axis=1)[owner]).astype(np.uint8)
+    return paths, source[piece], (kinds[:, 0], kinds[:, 1])
 
 
 def _continued(paths: Paths) -> Bool:
@@ -159,22 +224,57 @@ def _continued(paths: Paths) -> Bool:
 
     Chaining has joined all that is plain; what is left are places where several go on.
     """
+    return run_on(*_departures(paths))
+
+
+def _departures(paths: Paths) -> tuple[F64, F64]:
+    """Return where the paths begin and end, (2p, 2), and the directions in which they set out."""
     points, own = _end_points(paths)
     side = np.repeat([0, 1], len(paths))
     segments = np.stack([paths.start, paths.end], axis=1)
-    return run_on(points, outward(segments, paths.bulge)[own, side])
+    return points, outward(segments, paths.bulge)[own, side]
 
 
 def _grooves(
-    dieline: Dieline, rows: I32, machine: Machine, board: Board, station: Station
+    outline: Outline,
+    dieline: Dieline,
+    rows: I32,
+    machine: Machine,
+    board: Board,
+    station: Station,
 ) -> Operation:
-    paths, source = _joined(dieline, rows, COLLINEAR)
-    depth = np.full((len(source), 1), board.groove_depth)
-    if isinstance(station.tool, VCutter):
-        check_flanks(paths, source, board.groove_depth * station.tool.slope, dieline)
-    free = np.zeros(2 * len(paths), np.bool_)
-    ends = _ends(paths, free, End.FREE)
-    return _operation(LineType.V_GROOVE, paths, source, depth, ends, machine, board, station)
+    cutter = station.tool
+    assert isinstance(cutter, VCutter)
+    ends, bulge, joint = dieline.ends[rows], dieline.bulge[rows], 0.0
+    if board.groove_curve > 0.0:
+        ends, bulge, rows, joint = chorded(ends, bulge, rows, cutter, board.groove_curve)
+    chains = chain(ends, bulge, COLLINEAR)
+    paths, source = chains.paths(ends, bulge), rows[chains.order]
+    passes = 1
+    if board.groove_pass > 0.0:
+        passes = max(1, math.ceil(board.groove_depth / board.groove_pass - 1e-9))
+    depth = np.tile(board.groove_depth * np.arange(1, passes + 1) / passes, (len(source), 1))
+    reach = board.groove_depth * cutter.slope
+    points, inward = _departures(paths)
+    own = source[_end_points(paths)[1]]
+    out, on_edge = run_out(points, -inward, 2.0 * reach, outline, own)
+    out = out.reshape(2, -1).T
+    check_flanks(paths, source, reach, out, dieline)
+    # From chord to chord the blade runs over into its own groove.
+    joined = run_on(points, inward, joint + COLLINEAR) if joint else np.zeros(len(own), np.bool_)
+    kinds = np.where(on_edge, End.MEETS, np.where(joined, End.CONTINUED, End.FREE))
+    start, finish = np.split(kinds.astype(np.uint8), 2)
+    return _operation(
+        LineType.V_GROOVE, paths, source, depth, (start, finish), machine, board, station, out=out
+    )
+
+
+def _contours(
+    side: I8, dieline: Dieline, rows: I32, machine: Machine, board: Board, station: Station
+) -> Operation:
+    """The cuts that set a blank free; ``side`` says where the waste is, as ``outer.outside``."""
+    through = board.caliper + machine.into_mat
+    return _knifed(LineType.CUT, dieline, rows, through, machine, board, station, side)
 
 
 def _cuts(
@@ -198,17 +298,45 @@ def _knifed(
     machine: Machine,
     board: Board,
     station: Station,
+    waste: I8 | None = None,
 ) -> Operation:
+    """Cuts by a knife; those round a blank, where ``waste`` says on which side of each edge."""
     paths, source = _joined(dieline, rows, 180.0)
+    held = np.zeros(len(paths), np.bool_)
+    side = 0
+    if waste is not None and board.bridge_width > 0.0 and board.bridge_spacing > 0.0:
+        round_ = paths.closed
+        paths, owner, order = bridged(
+            paths, round_, board.bridge_width, board.bridge_spacing, source
+        )
+        held, source = round_[owner], source[order]
+    elif waste is not None and isinstance(station.tool, Knife) and station.tool.led:
+        paths, source = _waste_on_left(paths, source, dieline, rows, waste)
+        side = 1
     paths, order = begun_in_middle(paths, paths.closed)
     source = source[order]
     start, finish = np.split(_meeting(paths, source, dieline), 2)
     # A blade enters exactly at its tip and runs out ahead of it: begin at the end that is free.
-    paths, order = reversed_where(paths, start & ~finish & ~paths.closed)
+    paths, order = reversed_where(paths, start & ~finish & ~paths.closed & ~held)
     source = source[order]
     ends = _ends(paths, _meeting(paths, source, dieline), End.MEETS)
+    for kinds in ends:
+        kinds[held] = End.BRIDGE
     deep = np.full((len(source), 1), depth)
-    return _operation(kind, paths, source, deep, ends, machine, board, station)
+    return _operation(kind, paths, source, deep, ends, machine, board, station, side=side)
+
+
+def _waste_on_left(
+    paths: Paths, source: I32, dieline: Dieline, rows: I32, waste: I8
+) -> tuple[Paths, I32]:
+    """Return the paths, the closed ones travelled with the waste on their left."""
+    side = np.zeros(len(dieline), np.int8)
+    side[rows] = waste
+    first = paths.first[:-1]
+    as_drawn = (paths.start[first] == dieline.ends[source[first], 0]).all(axis=1)
+    on_right = side[source[first]] == np.where(as_drawn, -1, 1)
+    paths, order = reversed_where(paths, paths.closed & on_right)
+    return paths, source[order]
 
 
 def _meeting(paths: Paths, source: I32, dieline: Dieline) -> Bool:

@@ -132,17 +132,19 @@ def _change(
         yield STILL
     if previous is not None and previous.output >= 0:
         yield f"M65 P{previous.output}"
-    if previous is not None and _oscillates(previous):
+    if previous is not None and _speed(previous):
         yield "M5"
     if dialect.tool_table:
         yield f"T{station.number} M6 G43"
     if station.output >= 0:
         yield f"M64 P{station.output}"
-    if _oscillates(station):
-        # The oscillation has one speed, but at S0 a controller takes M3 for off.
-        yield "M3 S1"
-    if machine.settle > 0:
-        yield f"G4 P{gcode.plain(machine.settle)}".rstrip("0").rstrip(".")
+    if speed := _speed(station):
+        yield f"M3 S{speed}"
+    pause = machine.settle
+    if isinstance(station.tool, Cutter):
+        pause = max(pause, station.tool.spin_up)
+    if pause > 0:
+        yield f"G4 P{gcode.plain(pause)}".rstrip("0").rstrip(".")
 
 
 def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[str]:
@@ -157,8 +159,12 @@ def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[st
     yield dialect.end
 
 
-def _oscillates(station: Station) -> bool:
-    return isinstance(station.tool, Knife) and station.tool.oscillating
+def _speed(station: Station) -> int:
+    """Return the S word of what turns or oscillates in a station; 0 where nothing does."""
+    if isinstance(station.tool, Cutter):
+        return round(station.tool.speed)
+    # The oscillation has one speed, but at S0 a controller takes M3 for off.
+    return int(isinstance(station.tool, Knife) and station.tool.oscillating)
 
 
 def _added(station: Station, dialect: Dialect) -> F64:
@@ -176,11 +182,12 @@ def _station(toolpath: Toolpath, machine: Machine, first: int) -> Station:
             f"{_place(toolpath, first)} is for station {number}, which {machine.name} lacks.",
             f"It has {known}.",
         ) from None
-    if isinstance(station.tool, Cutter):
+    if isinstance(station.tool, Cutter) and _speed(station) < 1:
         raise ProgramError(
             f"Station {number} of {machine.name} holds a rotating cutter, and nothing says how"
             " fast it turns.",
-            "Use a knife, a crease wheel or a V-cutter.",
+            "Give the cutter a speed; a beam, which must be switched on and off, has no program"
+            " yet.",
         )
     if toolpath.motion[first] != Motion.RAPID:
         raise ProgramError(

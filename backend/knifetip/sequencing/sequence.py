@@ -2,25 +2,37 @@
 
     Toolpaths in working order, Machine -> Toolpath
 
-Toolpaths keep their order, which is the order of trades; the tracks of each are put in a short one.
-Between tracks the head goes through the air, turning as it goes, at the height to which the tool
-lifted; where the tool changes, at the machine's travel height.
+Toolpaths keep their order, which is the order of trades; the tracks of each are put in a short one,
+and run from their far end where that is as good.  Between tracks the head goes through the air,
+turning as it goes, at the least height that clears the board; where the tool changes, at the
+machine's travel height.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from typing import Final
 
 import numpy as np
 
 from knifetip.errors import PlanError
-from knifetip.geometry.columns import F64, I32, U8
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.path import Paths
 from knifetip.model.machine import Machine, Station
-from knifetip.model.tool import CreaseWheel
+from knifetip.model.tool import CreaseWheel, Knife, Tool, VCutter
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.sequencing.order import nearest_neighbour, unwound
+from knifetip.sequencing.order import Way, shortest
 from knifetip.sequencing.travel import check_travel
+from knifetip.sequencing.turning import clear_ways, interference, lifted, tip_circle, unwound
+
+#: What a motion is when it is run backwards.
+_BACKWARDS: Final = np.arange(len(Motion), dtype=np.uint8)
+_BACKWARDS[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
+    Motion.PLUNGE,
+    Motion.LEAD_OUT,
+    Motion.LEAD_IN,
+)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -36,8 +48,18 @@ class _Moves:
     track: I32
 
 
-def sequence(toolpaths: Sequence[Toolpath], machine: Machine) -> Toolpath:
+def sequence(
+    toolpaths: Sequence[Toolpath], machine: Machine, outline: Paths | None = None
+) -> Toolpath:
     """Return one toolpath that begins and ends parked, with the tip at travel height.
+
+    Parameters
+    ----------
+    toolpaths
+        In working order; each lifts to the machine's clearance above the board at its tracks' ends.
+    outline : closed Paths, holes included
+        Of the board itself.  Given, a tool that has left the board turns without a lift.  A dieline
+        is no such thing: around the blank lies the rest of the sheet.
 
     Raises
     ------
@@ -73,7 +95,7 @@ def sequence(toolpaths: Sequence[Toolpath], machine: Machine) -> Toolpath:
         for field in fields(_Moves)
     }
     columns["pose"] = np.concatenate([home[None], columns["pose"]])
-    result = Toolpath(**columns)
+    result = _least_lift(Toolpath(**columns), machine, outline)
     check_travel(result, machine)
     return result
 
@@ -110,6 +132,21 @@ def _air(pose: F64, tool: int) -> _Moves:
     )
 
 
+def _way(tool: Tool) -> tuple[Way, float]:
+    """Return how tracks of a tool may be run, and by how much C differs from the far end.
+
+    A blade that slants or trails makes another cut the other way.  A V-groove's two flanks may be
+    cut in either order: that is the groove begun at its other end.
+    """
+    if isinstance(tool, CreaseWheel):
+        return Way.EITHER, 0.0
+    if isinstance(tool, VCutter):
+        return Way.SIDES, 0.0
+    if isinstance(tool, Knife) and tool.blade_angle == 0.0 and tool.trail == 0.0:
+        return Way.EITHER, 180.0
+    return Way.ONE, 0.0
+
+
 def _ordered(
     toolpath: Toolpath, station: Station, machine: Machine, here: F64, count: int
 ) -> _Moves:
@@ -117,42 +154,133 @@ def _ordered(
 
     ``count`` is the number of the first track.
     """
-    # A track is a run of rows with one number; rows between runs are jumps, which links replace.
-    inner = np.flatnonzero(toolpath.track >= 0)
-    breaks = np.flatnonzero(np.diff(toolpath.track[inner]) != 0) + 1
+    # A stay is a run of rows from one rapid to the next, a track the stays with one number; rows
+    # between tracks are jumps.  Rapids are laid anew, to where the next stay begins.
+    inner = np.flatnonzero((toolpath.track >= 0) & (toolpath.motion != Motion.RAPID))
+    number = toolpath.track[inner]
+    breaks = np.flatnonzero((np.diff(inner) > 1) | (np.diff(number) != 0)) + 1
     first = inner[np.concatenate([[0], breaks])]
     last = inner[np.concatenate([breaks - 1, [len(inner) - 1]])]
-    start, end = toolpath.pose[first], toolpath.pose[last + 1]
-    order = nearest_neighbour(start[:, :2], end[:, :2], here[:2])
-    first, last = first[order], last[order]
-    # Row -1 of each track is its link: it ends where the track begins.
-    size = last - first + 2
-    begin = np.concatenate([[0], np.cumsum(size)])
-    rows = np.arange(begin[-1]) + np.repeat(first - 1 - begin[:-1], size)
-    link = np.zeros(len(rows), np.bool_)
-    link[begin[:-1]] = True
-    pose = toolpath.pose[rows + 1]
-    motion = np.where(link, Motion.RAPID, toolpath.motion[rows]).astype(np.uint8)
+    number = toolpath.track[first]
+    opens = np.flatnonzero(np.concatenate([[True], number[1:] != number[:-1]]))
+    stays = np.diff(np.append(opens, len(first)))
+    closes = opens + stays - 1
+
+    way, turned = _way(station.tool)
+    if way == Way.SIDES and (stays % 2).any():
+        way = Way.ONE
+    period = 180.0 if isinstance(station.tool, CreaseWheel) else 360.0
+    columns = [0, 1, 3]
+    entry, leave = toolpath.pose[first[opens]], toolpath.pose[last[closes] + 1]
+    if way == Way.SIDES:
+        far, near = toolpath.pose[first[opens + 1]], toolpath.pose[last[closes - 1] + 1]
+    else:
+        about = np.array([0.0, 0.0, 0.0, turned])
+        far, near = leave + about, entry + about
+    axes = (machine.x, machine.y, machine.c)
+    order, flip = shortest(
+        np.stack([entry, far])[..., columns],
+        np.stack([leave, near])[..., columns],
+        here[columns],
+        np.array([[axis.velocity for axis in axes], [axis.acceleration for axis in axes]]),
+        period,
+        way,
+    )
+    # The stays in their new order: a track from its far end has them reversed, or swapped in pairs.
+    owner = np.repeat(np.arange(len(order)), stays[order])
+    place = np.arange(len(first)) - np.repeat(np.cumsum(stays[order]) - stays[order], stays[order])
+    other = place ^ 1 if way == Way.SIDES else stays[order][owner] - 1 - place
+    stay = opens[order][owner] + np.where(flip[owner], other, place)
+    back = flip[owner] & (way == Way.EITHER)
+    # Row 0 of each stay is the rapid to where it begins.
+    size = last[stay] - first[stay] + 2
+    run = np.repeat(np.arange(len(stay)), size)
+    step = np.arange(len(run)) - np.repeat(np.cumsum(size) - size, size)
+    head = step == 0
+    reverse = back[run]
+    ends = np.where(reverse, last[stay][run] + 1 - step, first[stay][run] + step)
+    rows = np.where(reverse, ends, ends - 1)
+    rows[head] = first[stay]
+    motion = np.where(reverse, _BACKWARDS[toolpath.motion[rows]], toolpath.motion[rows])
+    # Of a way back only the last plunge comes out of the board: others are steps on the way.
+    up = reverse & (step == size[run] - 1) & (toolpath.motion[rows] == Motion.PLUNGE)
+    motion = np.where(head, Motion.RAPID, np.where(up, Motion.LIFT, motion)).astype(np.uint8)
+    pose = toolpath.pose[ends]
+    pose[:, 3] += np.where(reverse, turned, 0.0)
     # In the air C may take any equivalent turn, so it is unwound at every rapid.
-    runs = np.flatnonzero(motion == Motion.RAPID)
+    begin = np.flatnonzero(head)
     shift = unwound(
-        pose[runs, 3],
-        pose[np.append(runs[1:], len(rows)) - 1, 3],
-        np.minimum.reduceat(pose[:, 3], runs),
-        np.maximum.reduceat(pose[:, 3], runs),
+        pose[begin, 3],
+        pose[np.append(begin[1:], len(rows)) - 1, 3],
+        np.minimum.reduceat(pose[:, 3], begin),
+        np.maximum.reduceat(pose[:, 3], begin),
         float(here[3]),
         machine.c.low - station.c,
         machine.c.high - station.c,
-        180.0 if isinstance(station.tool, CreaseWheel) else 360.0,
+        period,
     )
-    pose[:, 3] += np.repeat(shift, np.diff(np.append(runs, len(rows))))
-    number = np.repeat(np.arange(count, count + len(order), dtype=np.int32), size)
+    pose[:, 3] += shift[run]
+    link = head & (place == 0)[run]
+    bulge = np.where(reverse, -toolpath.bulge[rows], toolpath.bulge[rows])
     return _Moves(
         pose=pose,
-        bulge=np.where(link, 0.0, toolpath.bulge[rows]),
+        bulge=np.where(head, 0.0, bulge),
         motion=motion,
-        feed=np.where(link, 0.0, toolpath.feed[rows]),
-        source=np.where(link, -1, toolpath.source[rows]).astype(np.int32),
+        feed=np.where(head, 0.0, toolpath.feed[rows]),
+        source=np.where(head, -1, toolpath.source[rows]).astype(np.int32),
         tool=np.full(len(rows), station.number, np.uint8),
-        track=np.where(link, -1, number).astype(np.int32),
+        track=np.where(link, -1, count + owner[run]).astype(np.int32),
     )
+
+
+def _least_lift(toolpath: Toolpath, machine: Machine, outline: Paths | None) -> Toolpath:
+    """Return the toolpath with its turns lifted as far as they must be, and no further.
+
+    A turn is a rapid between a lift and a plunge.  The board's face is the machine's clearance
+    below where they meet it.  Outside the board only the mat is in the way.
+    """
+    rapid = np.flatnonzero(toolpath.motion[1:-1] == Motion.RAPID) + 1
+    turns = rapid[
+        (toolpath.motion[rapid - 1] == Motion.LIFT) & (toolpath.motion[rapid + 1] == Motion.PLUNGE)
+    ]
+    pose = toolpath.pose.copy()
+    for station in machine.stations:
+        own = turns[toolpath.tool[turns] == station.number]
+        if len(own) == 0:
+            continue
+        face = float(pose[own, 2].min()) - machine.clearance
+        circle = tip_circle(station.tool, 0.0)
+        for end in (own, own + 1):
+            pose[end] = lifted(pose[end], interference(pose[end], circle, face), circle)
+        if outline is None:
+            continue
+        low, high = toolpath.pose[own - 1], toolpath.pose[own + 2]
+        depth = face - float(min(low[:, 2].min(), high[:, 2].min()))
+        circle = tip_circle(station.tool, depth)
+        clear = _unbroken(toolpath, own) & clear_ways(low, high, circle, outline)
+        for end, stand in ((own[clear], low[clear]), (own[clear] + 1, high[clear])):
+            over = np.minimum(pose[end, 2], machine.clearance)
+            rise = np.where(stand[:, 2] < 0.0, over - stand[:, 2], 0.0)
+            pose[end] = lifted(stand, rise, circle)
+    # A lift that goes nowhere is none.
+    still = np.zeros(len(toolpath), np.bool_)
+    ends = np.concatenate([turns - 1, turns + 1])
+    still[ends] = (pose[ends + 1] == pose[ends]).all(axis=1)
+    kept = np.flatnonzero(~still)
+    return Toolpath(
+        pose=np.concatenate([pose[:1], pose[kept + 1]]),
+        bulge=toolpath.bulge[kept],
+        motion=toolpath.motion[kept],
+        feed=toolpath.feed[kept],
+        source=toolpath.source[kept],
+        tool=toolpath.tool[kept],
+        track=toolpath.track[kept],
+    )
+
+
+def _unbroken(toolpath: Toolpath, turns: I64) -> Bool:
+    """Return which turns have their lift and their plunge with the same tool, C standing still."""
+    c, tool = toolpath.pose[:, 3], toolpath.tool
+    same: Bool = (tool[turns - 1] == tool[turns]) & (tool[turns + 1] == tool[turns])
+    same &= (c[turns - 1] == c[turns]) & (c[turns + 1] == c[turns + 2])
+    return same

@@ -160,16 +160,15 @@ def outputs(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
         moved = isinstance(station.tool, Knife) and station.tool.oscillating
         if moved:
             wrong.append((mine & ~moves.oscillating, "the oscillating knife cuts at rest."))
+        elif isinstance(station.tool, Cutter):
+            if station.tool.speed > 0.0:
+                wrong.append((mine & ~moves.oscillating, "the cutter works and does not turn."))
         else:
             wrong.append(
                 (
                     mine & moves.oscillating,
                     f"station {station.number} works while the oscillation is on.",
                 )
-            )
-        if isinstance(station.tool, Cutter):
-            wrong.append(
-                (mine, f"station {station.number} holds a cutter, whose work is not judged yet.")
             )
     nobody = (moves.station < 0) & (moves.code > 0)
     wrong.append((nobody, "feeds, and no station has been chosen."))

@@ -14,85 +14,89 @@ must not be more than the tolerance.  A wheel's ΔC is the remainder of 180°, t
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import replace
 from typing import Final, TypeVar
 
 import numpy as np
 
-from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
-from knifetip.model.machine import Machine
-from knifetip.model.tool import CreaseWheel, Knife, VCutter
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
+from knifetip.verification.bench import CATCH, DEPTH, PLACE, PRINTED, Bench
+from knifetip.verification.bridges import bridges, near_corner
 from knifetip.verification.columns import F64, I32, I64, Bool
-from knifetip.verification.findings import MOST, Findings
+from knifetip.verification.findings import MOST
+from knifetip.verification.folds import at_places, doubled, joined, parted, rolled_gaps
 from knifetip.verification.intent import (
     JOINED,
     TOUCHING,
     WORKED,
+    Chains,
     Edges,
     KnifeEnds,
     apart,
     creases,
+    drawn_once,
     knife_ends,
     pairs_within,
     run_on,
+    straight_on,
 )
-from knifetip.verification.kinematics import Trade, Work, azimuth_at, point_at
-from knifetip.verification.overlap import BRIEF, Rows, leftover, nearest_until, overlaps
+from knifetip.verification.kinematics import Trade, Work, azimuth_at, lines, off_line, point_at
+from knifetip.verification.outline import inside, outline, run_outs
+from knifetip.verification.overlap import BRIEF, Rows, leftover, narrowed, nearest_until, overlaps
+from knifetip.verification.removal import Ways, gaps, judge_removal
 
-#: A tool pressed deeper or less deep than planned by more than this is at a wrong depth (mm).
-DEPTH: Final = 0.005
-#: Work farther than this from every edge is not a badly placed edge but a stray (mm).
-CATCH: Final = 2.0
-#: Below this nothing can be asked of a printed number (mm).
-PLACE: Final = 5e-4
-#: How far the last printed digit of both ends of a move can turn it, times its length (mm).
-PRINTED: Final = 1.5e-4
-
+#: A bridge stays this far from a sharp corner (mm), and no part hangs by fewer.
+CLEAR: Final = 5.0
+FEWEST: Final = 2
 
 Held = TypeVar("Held", Knife, CreaseWheel, VCutter)
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Figures:
-    """The columns of the verdict, one row to an edge of the dieline (mm)."""
-
-    deviation: F64
-    overcut: F64
-    uncut: F64
-    setback: F64
-
-    @classmethod
-    def zeros(cls, count: int) -> Figures:
-        """Return figures for edges that nobody has worked."""
-        return cls(*(np.zeros(count) for _ in range(4)))
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Bench:
-    """What every comparison needs to hand."""
-
-    edges: Edges  #: all edges on the sheet
-    machine: Machine
-    board: Board
-    tolerance: float  #: mm
-    figures: Figures
-    found: Findings
-
-
 def compare(bench: Bench, work: Work) -> None:
-    """Compare all work with all edges, trade by trade."""
+    """Compare all work with all edges, trade by trade and station by station."""
+    knives = any(isinstance(held.tool, Knife) for held in bench.machine.stations)
+    cutters = any(isinstance(held.tool, Cutter) for held in bench.machine.stations)
     for trade, kinds in WORKED.items():
-        _Trial(bench, work, trade, bench.edges.of(*kinds)).run()
+        edges = bench.edges.of(*kinds)
+        if trade == Trade.CUT and cutters and not knives:
+            edges = bench.edges.of(*(kind for kind in kinds if kind != LineType.CUT))
+        elif trade == Trade.MILL and (knives or not cutters):
+            # Where there is a knife, nothing is left for a cutter.
+            edges = bench.edges.of()
+        edges, twin, first = drawn_once(edges)
+        rows = np.flatnonzero(work.trade == trade)
+        owner = _owners(work, rows, edges, bench.tolerance)
+        for station in np.unique(work.station[rows]) if len(rows) else (-1,):
+            mine = rows[work.station[rows] == station]
+            _Trial(bench, work, mine, trade, edges.taken(np.flatnonzero(owner == station))).run()
+        # What is drawn twice is worked once, and the figures are those of both.
+        bench.figures.copied(first, twin)
+
+
+def _owners(work: Work, rows: I64, edges: Edges, tolerance: float) -> I64:
+    """Return the station that works most of each edge, (n,): the first where none does."""
+    stations = np.unique(work.station[rows])
+    if len(stations) < 2:
+        return np.full(len(edges), stations[0] if len(stations) else -1, np.int64)
+    near = overlaps(
+        work.curve[rows], edges.curve, np.zeros(len(edges)), edges.curve[:, 5], tolerance
+    )
+    # A wheel that presses one place goes over no length of it.
+    size = np.abs(near.place[:, 1] - near.place[:, 0]) + 1e-6
+    column = np.searchsorted(stations, work.station[rows][near.curve])
+    total = np.zeros((len(edges), len(stations)))
+    np.add.at(total, (near.edge, column), size)
+    result: I64 = stations[total.argmax(axis=1)].astype(np.int64)
+    return result
 
 
 class _Trial:
-    """One trade's work and edges."""
+    """The work of one station in one trade, and its edges."""
 
-    def __init__(self, bench: Bench, work: Work, trade: Trade, edges: Edges) -> None:
-        self.bench, self.trade, self.edges = bench, trade, edges
+    def __init__(self, bench: Bench, work: Work, rows: I64, trade: Trade, edges: Edges) -> None:
+        self.bench, self.trade = bench, trade
         self.figures, self.found, self.tolerance = bench.figures, bench.found, bench.tolerance
-        rows = np.flatnonzero(work.trade == trade)
         self.curve, self.z, self.heading = work.curve[rows], work.z[rows], work.heading[rows]
         self.station, self.line = work.station[rows], work.line[rows]
         self.blend = work.blend[rows]
@@ -100,20 +104,28 @@ class _Trial:
         rounds = self.blend[np.isfinite(self.blend)].max(initial=0.0)
         self.slack = float(np.clip(self.tolerance - rounds, PLACE, self.tolerance))
         self.track = np.unique(work.track[rows], return_inverse=True)[1].astype(np.int64)
+        self._laid(edges)
+
+    def _laid(self, edges: Edges) -> None:
+        """Take these edges for those to work, all of each."""
+        self.edges = edges
         self.size = edges.curve[:, 5]
         self.low, self.high = np.zeros(len(edges)), self.size.copy()
         self.depth = np.zeros(len(edges))
+        #: (n,) mm of each curve before the edge as drawn begins
+        self.before = np.zeros(len(edges))
+        #: (n, 2) mm at start and end that may be worked and need not
+        self.spare = np.zeros((len(edges), 2))
 
     def run(self) -> None:
         if len(self.curve) == 0 and len(self.edges) == 0:
-            return
-        if self.trade == Trade.OTHER:
             return
         {
             Trade.CUT: self._cut,
             Trade.HALF_CUT: self._half_cut,
             Trade.CREASE: self._crease,
             Trade.GROOVE: self._groove,
+            Trade.MILL: self._mill,
         }[self.trade]()
 
     # -- the four trades -------------------------------------------------------------------------
@@ -138,27 +150,195 @@ class _Trial:
         solid = np.flatnonzero(~torn)
         whole = self.edges.of(LineType.CUT, LineType.HALF_CUT)
         ends = knife_ends(whole, cuts, leads * slant, runs * slant)
+        rounds = self._held(whole, ends.paths)
+        held = np.zeros(len(self.edges), np.bool_)
+        held[solid[rounds[ends.paths.path]]] = True
+        if blade and self.trade == Trade.CUT:
+            self._unled(blade)
         rows = self._matched()
         dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
         dashed[self.track[rows.curve[rows.best & torn[rows.edge]]]] = True
+        dashed |= self._mostly_on(rows, held)
         over = self._stops(whole, solid, ends, dashed, leads * slant, runs * slant)
         # What runs over an end crosses other edges there, and is no work of theirs.
         until = self._before(over)
         rows = nearest_until(rows, self.curve, until)
         self._placed(rows)
         self._off(rows, until)
-        self._uncut(rows, solid)
+        self._uncut(rows, np.flatnonzero(~torn & ~held))
+        if held.any():
+            self._bridged(rows, whole, solid, ends.paths, rounds, leads * slant)
         if torn.any():
-            self._perforated(rows, np.flatnonzero(torn), dashed, leads * slant)
+            self._perforated(
+                rows, np.flatnonzero(torn), dashed & ~self._mostly_on(rows, held), leads * slant
+            )
         if blade:
             self._headed(rows, np.full(len(self.z), blade.blade_width), 360.0)
+            self._faces(rows, over, leads * slant, (leads - runs) * slant)
+
+    def _faces(self, rows: Rows, over: F64, top: float, bottom: float) -> None:
+        """Tell what the bottom face lacks, and what is cut past the edges in the top face.
+
+        Where a track ends the cut is ``top`` mm ahead of the tip in the top face, and ``bottom``
+        mm in the bottom one.
+        """
+        last = np.zeros(len(self.curve), np.bool_)
+        last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
+        work, edge = rows.curve, rows.edge
+        low, high = rows.place.min(axis=1), rows.place.max(axis=1)
+        forward = rows.place[:, 1] > rows.place[:, 0]
+        until = self.curve[work, 5] - over[self.track[work]]
+        ends = rows.best & last[work] & (np.abs(rows.along[:, 1] - until) <= BRIEF)
+        ends &= np.diff(rows.along)[:, 0] > BRIEF
+        ahead = np.where(ends, bottom + over[self.track[work]], 0.0)
+        size = self.size[edge]
+        keep = rows.best
+        bare = gaps(
+            edge[keep].astype(np.int64),
+            np.where(forward, low, low - ahead)[keep],
+            np.where(forward, high + ahead, high)[keep],
+            self.size,
+        )
+        np.add.at(self.figures.bottom_uncut, self.edges.row[bare[0]], bare[2] - bare[1])
+        short = np.where(forward, size - high, low)
+        past = np.where(ends, top + over[self.track[work]] - short, 0.0)
+        goes_on = straight_on(self.edges)[2 * edge.astype(np.int64) + forward]
+        past[goes_on] = 0.0
+        np.maximum.at(
+            self.figures.top_overcut, self.edges.row[edge], np.where(past > BRIEF, past, 0.0)
+        )
+
+    def _held(self, whole: Edges, paths: Chains) -> Bool:
+        """Return which paths, (c,), the board wants to hang by bridges."""
+        result = np.zeros(len(paths.length), np.bool_)
+        board = self.bench.board
+        if self.trade == Trade.CUT and board.bridge_width > 0.0 and board.bridge_spacing > 0.0:
+            result |= paths.first < 0
+            inner = ~outline(whole).outer
+            result[paths.path[inner]] = False
+        return result
+
+    def _mostly_on(self, rows: Rows, some: Bool) -> Bool:
+        """Return which tracks run along some of the edges for more than half of their length."""
+        count = int(self.track.max(initial=-1)) + 1
+        size = np.bincount(self.track, self.curve[:, 5], minlength=count)
+        mine = rows.best & some[rows.edge]
+        along = np.diff(rows.along[mine])[:, 0]
+        on = np.bincount(self.track[rows.curve[mine]], along, minlength=count)
+        result: Bool = on > 0.5 * size
+        return result
+
+    def _bridged(
+        self, rows: Rows, whole: Edges, solid: I64, paths: Chains, rounds: Bool, lead: float
+    ) -> None:
+        """Judge the bridges: how wide, how many, how far apart, and how far from corners."""
+        board = self.bench.board
+        place = np.full(len(self.edges), -1, np.int32)
+        place[solid] = np.arange(len(solid))
+        found = bridges(
+            replace(rows, edge=place[rows.edge], best=rows.best & (place[rows.edge] >= 0)),
+            paths,
+            rounds,
+            whole,
+            lead,
+        )
+        edge, short = near_corner(found, paths, whole, CLEAR)
+        np.add.at(self.figures.setback, whole.row[edge], np.minimum(found.bare, lead + found.width))
+        wide = found.width - board.bridge_width
+        np.add.at(self.figures.uncut, whole.row[edge], np.where(wide > self.slack, wide, 0.0))
+        for k in range(len(edge))[:MOST]:
+            at, e = f"at {found.middle[k]:.3f} mm round the contour", int(solid[edge[k]])
+            if abs(wide[k]) > self.slack:
+                self._finding(
+                    "uncut" if wide[k] > 0.0 else "overcut",
+                    e,
+                    f"a bridge {at} is {found.width[k]:.3f} mm wide in the top face; the board "
+                    f"wants {board.bridge_width:g} mm.",
+                    float(abs(wide[k])),
+                )
+            if short[k] > self.slack:
+                self._finding(
+                    "deviation",
+                    e,
+                    f"a bridge {at} is {short[k]:.3f} mm too near a sharp corner.",
+                    float(short[k]),
+                )
+            if found.apart[k] > board.bridge_spacing + self.slack:
+                self._finding(
+                    "overcut",
+                    e,
+                    f"from the bridge {at} it is {found.apart[k]:.3f} mm to the next; the board "
+                    f"wants at most {board.bridge_spacing:g} mm.",
+                    float(found.apart[k] - board.bridge_spacing),
+                )
+        many = np.bincount(found.path, minlength=len(rounds))
+        for path in np.flatnonzero(rounds & (many < FEWEST))[:MOST]:
+            e = int(solid[np.flatnonzero(paths.path == path)[0]])
+            self._finding(
+                "overcut",
+                e,
+                f"{many[path]} bridges hold the part; the board wants {FEWEST} at least.",
+                0.0,
+            )
+
+    def _unled(self, blade: Knife) -> None:
+        """Leave out how the knife comes from the waste to an outer cut, and goes back into it."""
+        if (blade.lead_in <= 0.0 and blade.lead_out <= 0.0) or len(self.curve) == 0:
+            return
+        bounds = outline(self.edges.of(LineType.CUT))
+        cuts = bounds.edges.curve
+        nothing, size = np.zeros(len(cuts)), cuts[:, 5]
+        keep = np.ones(len(self.curve), np.bool_)
+        length = self.curve[:, 5]
+        for last, lead in ((False, blade.lead_in), (True, blade.lead_out)):
+            order = np.arange(len(length))[:: -1 if last else 1]
+            track = self.track[order]
+            new = np.ones(len(order), np.bool_)
+            new[1:] = track[1:] != track[:-1]
+            total = np.cumsum(length[order])
+            before = (total - length[order])[new][np.cumsum(new) - 1]
+            done = total - before
+            mine = order[done <= lead + self.slack]
+            # The far end of a lead lies on no cut and in no part, and its near one on an outer cut.
+            ends = [point_at(self.curve[mine], np.zeros(len(mine)))]
+            ends.append(point_at(self.curve[mine], length[mine]))
+            far, near = (ends[1], ends[0]) if last else (ends[0], ends[1])
+            on = np.zeros(len(mine), np.bool_)
+            on[overlaps(lines(far, far), cuts, nothing, size, self.tolerance).curve] = True
+            waste = ~on & (inside(far, bounds) != 1)
+            meets = np.zeros(len(mine), np.bool_)
+            touch = overlaps(lines(near, near), cuts, nothing, size, self.tolerance)
+            meets[touch.curve[bounds.outer[touch.edge]]] = True
+            whole = np.abs(done[done <= lead + self.slack] - lead) <= self.slack
+            complete = np.zeros(int(self.track.max()) + 1, np.bool_)
+            complete[self.track[mine[whole & meets & waste]]] = True
+            bad = np.zeros(len(complete), np.bool_)
+            bad[self.track[mine[~waste]]] = True
+            led = (complete & ~bad)[self.track[mine]]
+            keep[mine[led]] = False
+        self.curve, self.z, self.heading = self.curve[keep], self.z[keep], self.heading[keep]
+        self.station, self.line = self.station[keep], self.line[keep]
+        self.blend = self.blend[keep]
+        self.track = np.unique(self.track[keep], return_inverse=True)[1].astype(np.int64)
 
     def _crease(self) -> None:
         wheel = self._tool(CreaseWheel)
         if wheel is None:
             self._uncut(self._matched(), np.arange(len(self.edges)))
             return
-        asked = creases(self.edges, self.bench.board, wheel)
+        around = self.bench.edges.of(*WORKED[Trade.CREASE])
+        pair = self.bench.board.double_crease
+        between = rolled_gaps(
+            self.edges, self.bench.edges.of(LineType.CUT), self.curve, 0.5 * pair + self.tolerance
+        )
+        single, places = parted(joined(self.edges, between), self.bench.edges.of(LineType.CUT))
+        around, _ = parted(joined(around, between), self.bench.edges.of(LineType.CUT))
+        parts = at_places(single, places)
+        many = 2 if pair > 0.0 else 1
+        if pair > 0.0:
+            single, around, parts = doubled(single, pair), doubled(around, pair), np.tile(parts, 2)
+        self._laid(single)
+        asked = creases(self.edges, self.bench.board, wheel, around, parts)
         self.low, self.high, self.depth = asked.low, asked.high, asked.depth
         for edge in np.flatnonzero(asked.refused)[:MOST]:
             self._finding("uncut", edge, "is too short for the wheel.", self.size[edge])
@@ -166,7 +346,7 @@ class _Trial:
         self._placed(rows)
         self._off(rows, self.curve[:, 5])
         planned = np.maximum(self.high - self.low, 0.0)
-        self.figures.setback[self.edges.row] += self.size - planned
+        np.add.at(self.figures.setback, self.edges.row, (self.size - planned) / many)
         self._uncut(rows, np.arange(len(self.edges)))
         depth = np.maximum(self.bench.board.caliper - self.z, 0.0)
         contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
@@ -175,21 +355,38 @@ class _Trial:
     def _groove(self) -> None:
         self.depth[:] = self.bench.board.groove_depth
         blade = self._tool(VCutter)
-        for edge in np.flatnonzero(self.edges.curve[:, 0] != 0.0)[:MOST]:
+        leaves = self.bench.board.groove_curve
+        curved = self.edges.curve[:, 0] != 0.0
+        for edge in np.flatnonzero(curved)[:MOST] if leaves <= 0.0 else ():
             self._finding("deviation", edge, "is an arc, which no leaning blade can follow.", 0.0)
+        boundary = self._run_out(blade) if blade else np.zeros((len(self.edges), 2), np.bool_)
         rows = self._matched()
-        self._placed(rows)
-        self._off(rows, self.curve[:, 5])
+        wide = np.full(len(self.edges), self.tolerance)
+        if leaves > 0.0 and curved.any():
+            # A groove of chords leaves its arc by as much as the board allows.
+            wide[curved] = leaves + self.tolerance
+            wider = overlaps(self.curve, self.edges.curve, self.low, self.high, leaves)
+            rows = narrowed(wider, wide, self.curve)
+        final = self._passes(rows)
+        self._placed(rows, final, wide)
+        off_board = 0.0
+        if blade and curved.any():
+            # Chords leave the board in their own direction.
+            off_board = 2.0 * (blade.half_width + self.bench.board.groove_depth * blade.slope)
+        self._off(rows, self.curve[:, 5], off_board)
+        # What it may run out further is not asked for.
+        self.low, self.high = self.low + self.spare[:, 0], self.high - self.spare[:, 1]
         for forward in (True, False):
             way = rows.place[:, 1] > rows.place[:, 0]
-            self._uncut(rows, np.arange(len(self.edges)), (way == forward), forward)
+            self._uncut(rows, np.arange(len(self.edges)), (way == forward) & final, forward)
         if blade is None:
             return
-        self._headed(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0)
+        self._headed(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
+        self._flanks(rows, final, blade, wide)
         worked = np.zeros(len(self.edges), np.bool_)
         worked[rows.edge[rows.best]] = True
-        past: F64 = np.where(worked, 2.0 * blade.half_width, 0.0)
-        past[run_on(self.edges).reshape(-1, 2).all(axis=1)] = 0.0
+        inside = ~(boundary | run_on(self.edges).reshape(-1, 2)).all(axis=1)
+        past: F64 = np.where(worked & inside, 2.0 * blade.half_width, 0.0)
         self._overcut(np.arange(len(self.edges)), past)
         limit = self.bench.board.groove_overcut
         for edge in np.flatnonzero(past > limit + self.tolerance)[:MOST]:
@@ -200,6 +397,100 @@ class _Trial:
                 f"{limit:.2f} mm.",
                 past[edge],
             )
+
+    def _run_out(self, blade: VCutter) -> Bool:
+        """Lengthen grooves that leave the board; return which ends do, (n, 2).
+
+        Beyond what it must run out, the tip may go on by the blade's width: there is no board.
+        """
+        half = self.bench.board.groove_depth * blade.slope
+        asked = run_outs(self.edges, self.bench.edges.of(LineType.CUT), half)
+        boundary = asked.boundary.reshape(-1, 2)
+        least = asked.least.reshape(-1, 2)
+        # Chords leave the board in their own direction, and their last one says how far.
+        straight_on = self.edges.curve[:, 0] == 0.0
+        boundary &= straight_on[:, None]
+        self.spare = np.where(boundary, 2.0 * blade.half_width + self.tolerance, 0.0)
+        more = least + self.spare
+        curve = self.edges.curve.copy()
+        # Of a straight edge the row is its start, its direction and its length.
+        straight = curve[:, 0] == 0.0
+        curve[straight, 1:3] -= more[straight, :1] * curve[straight, 3:5]
+        curve[straight, 5] += more[straight].sum(axis=1)
+        self.edges = replace(self.edges, curve=curve)
+        self.size = curve[:, 5]
+        self.high = self.size.copy()
+        self.before = more[:, 0]
+        return boundary
+
+    def _passes(self, rows: Rows) -> Bool:
+        """Return which stretches are of the deepest pass over their edge in their direction.
+
+        Those before it may be shallower, each no deeper than the next.
+        """
+        deep = (self.bench.board.caliper - self.z)[rows.curve]
+        way = 2 * rows.edge.astype(np.int64) + (rows.place[:, 1] > rows.place[:, 0])
+        deepest = np.zeros(2 * len(self.edges))
+        np.maximum.at(deepest, way[rows.best], deep[rows.best])
+        final: Bool = deep >= deepest[way] - DEPTH
+        order = np.flatnonzero(rows.best & (np.abs(np.diff(rows.place)[:, 0]) > BRIEF))
+        order = order[np.lexsort((rows.curve[order], way[order]))]
+        same = way[order[1:]] == way[order[:-1]]
+        back = same & (deep[order[1:]] < deep[order[:-1]] - DEPTH)
+        for k in np.flatnonzero(back)[:MOST]:
+            row = order[k + 1]
+            self._finding(
+                "depth",
+                int(rows.edge[row]),
+                f"the V-cutter goes {deep[row]:.3f} mm deep after it has been "
+                f"{deep[order[k]]:.3f} mm deep.",
+                float(deep[order[k]] - deep[row]),
+                int(rows.curve[row]),
+            )
+        return final
+
+    def _flanks(self, rows: Rows, final: Bool, blade: VCutter, limit: F64) -> None:
+        """Judge where the flanks come out at the top face, h tan θ beside the line.
+
+        On each pass the blade leans to the right of travel, and cuts the flank on that side.
+        """
+        size = np.abs(np.diff(rows.place)[:, 0])
+        which = np.flatnonzero(rows.best & final & (size > BRIEF))
+        work, edge = rows.curve[which], rows.edge[which]
+        forward = rows.place[which, 1] > rows.place[which, 0]
+        deep = self.bench.board.caliper - self.z[work]
+        lean = (deep - self.depth[edge]) * blade.slope
+        error = np.zeros(len(which))
+        for side in range(2):
+            left = off_line(self.curve[work], rows.along[which, side], self.edges.curve[edge])
+            right = np.where(forward, -left, left) + lean
+            error = np.where(np.abs(right) > np.abs(error), right, error)
+        row = self.edges.row[edge]
+        np.maximum.at(self.figures.flank, row, np.abs(error))
+        wide = np.zeros((len(self.figures.width), 2))
+        np.maximum.at(wide, (row, forward.astype(np.int64)), self.depth[edge] * blade.slope + error)
+        np.maximum(self.figures.width, wide.sum(axis=1), out=self.figures.width)
+        web = np.full(len(self.figures.web), np.inf)
+        np.minimum.at(web, row, self.bench.board.caliper - deep)
+        self.figures.web[np.isfinite(web)] = web[np.isfinite(web)]
+        for k in np.flatnonzero(np.abs(error) > limit[edge] + 1e-9)[:MOST]:
+            hand = "outside" if error[k] > 0.0 else "inside"
+            self._finding(
+                "deviation",
+                int(edge[k]),
+                f"a flank comes out {abs(error[k]):.4f} mm {hand} "
+                f"its place on the top face; the tolerance is {limit[edge[k]]:g} mm.",
+                float(abs(error[k])),
+                int(work[k]),
+            )
+
+    def _mill(self) -> None:
+        held = self.bench.machine.stations[int(self.station[0])] if len(self.station) else None
+        if held is None or not isinstance(held.tool, Cutter):
+            self._uncut(self._matched(), np.arange(len(self.edges)))
+            return
+        ways = Ways(self.curve, self.z, self.track, self.line, self.blend)
+        judge_removal(self.bench, self.edges, ways, held, self.slack)
 
     # -- what they share -------------------------------------------------------------------------
 
@@ -229,25 +520,40 @@ class _Trial:
         """Return where the work runs along the edges."""
         return overlaps(self.curve, self.edges.curve, self.low, self.high, self.tolerance)
 
-    def _placed(self, rows: Rows) -> None:
-        """Judge how far off the edges the work is, and how deep."""
+    def _placed(self, rows: Rows, final: Bool | None = None, wide: F64 | None = None) -> None:
+        """Judge how far off the edges the work is, and how deep where it is ``final``.
+
+        Parameters
+        ----------
+        wide : (n,) mm
+            The tolerance of each edge, where they differ.
+        """
+        limit = np.full(len(self.edges), self.tolerance) if wide is None else wide
         best = np.flatnonzero(rows.best)
         work, edge = rows.curve[best], rows.edge[best]
         figure = rows.distance[best] + self.blend[work]
         shown = np.where(np.isfinite(figure), figure, rows.distance[best])
         np.maximum.at(self.figures.deviation, self.edges.row[edge], shown)
-        for row in np.flatnonzero(figure > self.tolerance + 1e-9)[:MOST]:
+        for row in np.flatnonzero(figure > limit[edge] + 1e-9)[:MOST]:
             self._finding(
                 "deviation",
                 edge[row],
                 f"{self.trade.tool} is {rows.distance[best[row]]:.4f} mm off the line and the "
                 f"controller may round {self.blend[work[row]]:.4f} mm more; the tolerance is "
-                f"{self.tolerance:g} mm.",
+                f"{limit[edge[row]]:g} mm.",
                 shown[row],
                 work[row],
             )
+        drawn = self.size[edge] - self.before[edge] - self.spare[edge, 1]
+        for share in (0.0, 0.5, 1.0):
+            along = rows.along[best] @ (1.0 - share, share)
+            off = off_line(self.curve[work], along, self.edges.curve[edge])
+            place = rows.place[best] @ (1.0 - share, share) - self.before[edge]
+            self.bench.samples.append((self.edges.row[edge], place / drawn, off))
         deep = self.bench.board.caliper - self.z[work]
         wrong = np.abs(deep - self.depth[edge])
+        if final is not None:
+            wrong[~final[best]] = 0.0
         for row in np.flatnonzero(wrong > DEPTH)[:MOST]:
             self._finding(
                 "depth",
@@ -258,8 +564,14 @@ class _Trial:
                 work[row],
             )
 
-    def _headed(self, rows: Rows, reach: F64, turn: float) -> None:
-        """Judge the heading where the work runs along an edge, and where it runs on past one."""
+    def _headed(self, rows: Rows, reach: F64, turn: float, chorded: Bool | None = None) -> None:
+        """Judge the heading where the work runs along an edge, and where it runs on past one.
+
+        Parameters
+        ----------
+        chorded : (n,)
+            Edges that are worked in chords, each in its own direction.
+        """
         best = np.flatnonzero(rows.best)
         work, edge = rows.curve[best], rows.edge[best]
         length = self.curve[work, 5]
@@ -277,6 +589,9 @@ class _Trial:
             first, last = self.heading[work, 0], self.heading[work, 1]
             heading = first + (last - first) * share
             drawn = azimuth_at(self.edges.curve[edge], place[:, side]) + back
+            if chorded is not None:
+                own = azimuth_at(self.curve[work], along[:, side])
+                drawn = np.where(chorded[edge], own, drawn)
             off = apart(heading, drawn, turn)
             worst = np.maximum(worst, np.where(follows | pressed, off, 0.0))
         self._swung(worst, reach[work], np.zeros(len(best)), work, edge)
@@ -319,20 +634,28 @@ class _Trial:
         keep = wanted[rows.edge]
         if only is not None:
             keep &= only
-        gaps, edge, begin, line = self._gaps(rows, np.flatnonzero(keep), np.flatnonzero(wanted))
-        bare = gaps > self.slack
+        wide, edge, begin, line = self._gaps(rows, np.flatnonzero(keep), np.flatnonzero(wanted))
+        bare = wide > self.slack
         # A pressed crease is a point: covered, or not there at all.
         bare |= (self.high - self.low < 1e-9)[edge] & (line < 0)
-        missed = np.where(gaps > 0.0, gaps, size[edge])
+        missed = np.where(wide > 0.0, wide, size[edge])
         np.add.at(self.figures.uncut, self.edges.row[edge[bare]], missed[bare])
         done = {Trade.CREASE: "creased", Trade.GROOVE: "grooved"}.get(self.trade, "cut")
         for row in np.flatnonzero(bare)[:MOST]:
             e = int(edge[row])
             way = "" if forward is None else f" from its {'start' if forward else 'end'}"
-            text = (
-                f"{missed[row]:.3f} mm of it are not {done}{way}, beginning "
-                f"{begin[row]:.3f} mm from its start."
-            )
+            place = begin[row] - self.before[e]
+            where = f", beginning {place:.3f} mm from its start."
+            if place < -self.slack:
+                where = ", where it must run out past its start."
+            elif self.spare[e, 1] > 0.0 and begin[row] > self.low[e] + self.slack:
+                drawn = self.size[e] - self.spare[e, 1]
+                where = (
+                    where
+                    if drawn - begin[row] > missed[row] + self.slack
+                    else (", where it must run out past its end.")
+                )
+            text = f"{missed[row]:.3f} mm of it are not {done}{way}{where}"
             self._finding("uncut", e, text, missed[row], line=int(line[row]))
 
     def _gaps(self, rows: Rows, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
@@ -360,18 +683,25 @@ class _Trial:
         previous = np.where(new, -1, np.concatenate([[-1], line[:-1]]))
         return low - before, edge, before, np.where(line >= 0, line, previous)
 
-    def _off(self, rows: Rows, until: F64) -> None:
+    def _off(self, rows: Rows, until: F64, past: float = 0.0) -> None:
         """Judge the work that lies on no edge, or past where it may go on one.
 
         Parameters
         ----------
         until : (n,) mm
             How far along each way: what comes after runs over, as it may.
+        past : mm
+            As much work off the board is let pass.
         """
         which, spans = leftover(rows, self.curve)
         spans[:, 1] = np.minimum(spans[:, 1], until[which])
         point = self.curve[which, 5] < 1e-6
         keep = point | (spans[:, 1] - spans[:, 0] > 1e-7)
+        if past > 0.0 and len(which):
+            bounds = outline(self.bench.edges.of(LineType.CUT))
+            middle = point_at(self.curve[which], spans.mean(axis=1))
+            short = spans[:, 1] - spans[:, 0] <= past
+            keep &= ~(short & bounds.outer.any() & (inside(middle, bounds) == 0))
         which, spans = which[keep], spans[keep]
         if len(which) == 0:
             return
@@ -497,7 +827,10 @@ class _Trial:
         over[closes[ran]] = overrun
         self._overcut(solid[planned[ran] // 2], np.full(int(ran.sum()), overrun))
         short = right & np.append(ends.free, False)[planned]
-        self._set_back(whole, solid, ends, planned[short], lead)
+        # Cuts drawn over each other end together.
+        free = known[ends.free[known]]
+        together = pairs_within(ends.stop[planned[short]], ends.stop[free], JOINED)[1]
+        self._set_back(whole, solid, ends, np.unique(free[together]), lead)
 
         for k in np.flatnonzero(~closed & ~right)[:MOST]:
             work = int(last[closes[k]])

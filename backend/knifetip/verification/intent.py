@@ -33,6 +33,10 @@ JOINED: Final = 0.002
 TOUCHING: Final = 0.05
 #: Straighter than this is straight on (degrees).
 STRAIGHT: Final = 1.0
+#: Edges that are one so far from their common end are drawn over each other (mm).
+OVER: Final = 2.0
+#: So far ahead of its end a crease is looked for that goes on (mm).
+PROBE: Final = 0.5
 #: Grooves that differ less in direction are one groove (degrees).
 ONE_LINE: Final = 0.005
 #: More pairs of ends at one place are no dieline.
@@ -46,7 +50,7 @@ WORKED: Final[dict[Trade, tuple[LineType, ...]]] = {
     Trade.HALF_CUT: (LineType.HALF_CUT,),
     Trade.CREASE: (LineType.CREASE, LineType.COMBI),
     Trade.GROOVE: (LineType.V_GROOVE,),
-    Trade.OTHER: (),
+    Trade.MILL: (LineType.CUT,),
 }
 
 
@@ -66,7 +70,10 @@ class Edges:
 
     def of(self, *types: LineType) -> Edges:
         """Return the edges of these line types."""
-        where = np.flatnonzero(np.isin(self.line_type, types))
+        return self.taken(np.flatnonzero(np.isin(self.line_type, types)))
+
+    def taken(self, where: I64) -> Edges:
+        """Return some of the edges, by row."""
         twice = np.stack([2 * where, 2 * where + 1], axis=1).ravel()
         return Edges(
             self.row[where],
@@ -112,6 +119,34 @@ def on_sheet(dieline: Dieline, placement: tuple[float, float]) -> Edges:
         outward=np.stack([at_start + 180.0, at_end], axis=1).ravel(),
         chord=np.degrees(np.arctan2(*(end - start).T[::-1])),
     )
+
+
+def drawn_once(edges: Edges) -> tuple[Edges, I32, I32]:
+    """Return the edges without those drawn again over another of their type.
+
+    Returns
+    -------
+    edges, rows of what is left out, rows of what stays for each of those
+    """
+    a, b = pairs_within(edges.ends, edges.ends, JOINED)
+    same = (a % 2 == 0) & (a // 2 > b // 2)
+    # Which end of the other lies at the start, and whether its other end lies at the end too.
+    first, other = a[same] // 2, b[same]
+    away = edges.ends[2 * first + 1] - edges.ends[other ^ 1]
+    middle = [point_at(edges.curve[row], 0.5 * edges.curve[row, 5]) for row in (first, other // 2)]
+    twins = (
+        (np.hypot(*away.T) <= JOINED)
+        & (np.hypot(*(middle[0] - middle[1]).T) <= JOINED)
+        & (edges.line_type[first] == edges.line_type[other // 2])
+    )
+    stays = np.arange(len(edges))
+    np.minimum.at(stays, first[twins], other[twins] // 2)
+    # The one that stays may itself be drawn over an earlier one.
+    while (stays[stays] != stays).any():
+        stays = stays[stays]
+    twin = np.flatnonzero(stays != np.arange(len(edges)))
+    left = edges.taken(np.flatnonzero(stays == np.arange(len(edges))))
+    return left, edges.row[twin], edges.row[stays[twin]]
 
 
 def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
@@ -166,6 +201,8 @@ def _links(edges: Edges, kink: float) -> tuple[I64, Bool]:
     goes_on = np.zeros(count, np.bool_)
     goes_on[a[turn <= STRAIGHT]] = True
     joined = np.hypot(*(edges.ends[a] - edges.ends[b]).T) <= JOINED
+    # One drawn over the other does not come back along it.
+    joined &= ~((turn >= 180.0 - STRAIGHT) & _over(edges, a, b))
     a, b, turn = a[joined], b[joined], turn[joined]
     crowd = np.bincount(a, minlength=count)
     fits = np.where((crowd[a] == 1) & (crowd[b] == 1), turn <= kink + 1e-9, turn <= STRAIGHT)
@@ -175,6 +212,18 @@ def _links(edges: Edges, kink: float) -> tuple[I64, Bool]:
     mutual = single[a] & single[b]
     link[a[mutual]] = b[mutual]
     return link, goes_on
+
+
+def _over(edges: Edges, a: I64, b: I64) -> Bool:
+    """Return whether the edges of pairs of ends that lie together are drawn over each other."""
+    size = np.minimum(edges.curve[a // 2, 5], edges.curve[b // 2, 5])
+    inward = np.minimum(size, OVER)
+    points = [
+        point_at(curve, np.where(end % 2 == 0, inward, curve[:, 5] - inward))
+        for end, curve in ((a, edges.curve[a // 2]), (b, edges.curve[b // 2]))
+    ]
+    result: Bool = np.hypot(*(points[0] - points[1]).T) <= JOINED
+    return result
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -210,6 +259,11 @@ class Chains:
         rows = order[np.searchsorted(key, path * widest + at, side="right") - 1]
         along = np.clip(at - self.begin[rows], 0.0, curve[rows, 5])
         return rows, np.where(self.flipped[rows], curve[rows, 5] - along, along)
+
+
+def straight_on(edges: Edges) -> Bool:
+    """Return for the ends of edges, (2n,), whether another one goes straight on."""
+    return _links(edges, STRAIGHT)[1]
 
 
 def chains(edges: Edges, link: I64) -> Chains:
@@ -266,12 +320,31 @@ class Creases:
     refused: Bool  #: (n,) too short, and the board wants none pressed
 
 
-def creases(edges: Edges, board: Board, wheel: CreaseWheel) -> Creases:
-    """Return where the wheel's lowest point goes, and how deep, for creases and combi lines."""
+def creases(
+    edges: Edges,
+    board: Board,
+    wheel: CreaseWheel,
+    around: Edges | None = None,
+    parts: Bool | None = None,
+) -> Creases:
+    """Return where the wheel's lowest point goes, and how deep, for creases and combi lines.
+
+    Parameters
+    ----------
+    around
+        All creases, those of other wheels too: where one of them goes on, no end is free.
+    parts : (2n,)
+        The ends at which a cut runs through a crease: they are free.
+    """
     across = np.radians(edges.chord - board.grain)
     depth = board.crease_along + (board.crease_across - board.crease_along) * np.sin(across) ** 2
     contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
     link, goes_on = _links(edges, STRAIGHT)
+    goes_on |= _onward(edges, edges if around is None else around)
+    if parts is not None:
+        goes_on[parts] = False
+        link[parts] = -1
+        link[(link >= 0) & parts[link]] = -1
     paths = chains(edges, link)
     open_ = paths.first >= 0
     free = [open_ & ~goes_on[np.maximum(end, 0)] for end in (paths.first, paths.last)]
@@ -300,6 +373,23 @@ def creases(edges: Edges, board: Board, wheel: CreaseWheel) -> Creases:
         pressed[row] = True
         refused[row] = (board.short_crease != "press") | (half <= 0.0)
     return Creases(edges, depth, low, high, pressed, refused)
+
+
+def _onward(edges: Edges, around: Edges) -> Bool:
+    """Return for the ends of edges, (2n,), whether one of those around lies on from there."""
+    ahead = np.radians(edges.outward)
+    step = PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
+    probe = lines(edges.ends, edges.ends + step)
+    rows = overlaps(probe, around.curve, np.zeros(len(around)), around.curve[:, 5], TOUCHING)
+    own = edges.row[rows.curve // 2] == around.row[rows.edge]
+    turn = apart(
+        edges.outward[rows.curve], azimuth_at(around.curve[rows.edge], rows.place[:, 0]), 180.0
+    )
+    begins = rows.along[:, 0] <= TOUCHING
+    on = ~own & begins & (turn <= STRAIGHT) & (np.diff(rows.along)[:, 0] > 0.5 * PROBE)
+    result = np.zeros(len(edges.ends), np.bool_)
+    result[rows.curve[on]] = True
+    return result
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -333,6 +423,11 @@ def knife_ends(edges: Edges, cuts: Edges, lead: float, overrun: float) -> KnifeE
         lines(edges.ends, edges.ends), cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], TOUCHING
     )
     own = edges.row[rows.curve // 2] == cuts.row[rows.edge]
+    # One that ends here too, from the same side, is the same cut drawn again.
+    near = np.where(rows.place[:, 0] < 0.5 * cuts.curve[rows.edge, 5], 0, 1)
+    twin = 2 * rows.edge.astype(np.int64) + near
+    here = np.hypot(*(cuts.ends[twin] - edges.ends[rows.curve]).T) <= JOINED
+    own |= here & (apart(cuts.outward[twin], edges.outward[rows.curve]) <= STRAIGHT)
     meets = np.zeros(2 * count, np.bool_)
     meets[rows.curve[~own]] = True
     free = ~meets & (link < 0)

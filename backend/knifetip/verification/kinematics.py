@@ -40,17 +40,17 @@ class Trade(IntEnum):
     HALF_CUT = 1  #: a knife part of the way
     CREASE = 2
     GROOVE = 3
-    OTHER = 4  #: a tool whose work this judge cannot follow
+    MILL = 4  #: a cutter that removes a disc, through the board
 
     @property
     def word(self) -> str:
         """How a finding begins."""
-        return ("Cut", "Half-cut", "Crease", "V-groove", "Work")[self]
+        return ("Cut", "Half-cut", "Crease", "V-groove", "Cutter")[self]
 
     @property
     def tool(self) -> str:
         """What a finding calls the tool."""
-        return ("the knife", "the knife", "the wheel", "the V-cutter", "the tool")[self]
+        return ("the knife", "the knife", "the wheel", "the V-cutter", "the cutter")[self]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -103,6 +103,15 @@ def azimuth_at(curve: F64, along: F64) -> F64:
     radius = np.where(straight, 1.0, curve[:, 3])
     angle = curve[:, 4] + curve[:, 0] * (along / radius + math.pi / 2.0)
     result: F64 = np.degrees(np.where(straight, np.arctan2(curve[:, 4], curve[:, 3]), angle))
+    return result
+
+
+def off_line(curve: F64, along: F64, edge: F64) -> F64:
+    """Return how far to the left of edges (mm) the points at a distance (mm) along curves lie."""
+    x, y = (point_at(curve, along) - edge[:, 1:3]).T
+    straight = edge[:, 0] == 0.0
+    off = np.where(straight, edge[:, 3] * y - edge[:, 4] * x, 0.0)
+    result: F64 = np.where(straight, off, edge[:, 0] * (edge[:, 3] - np.hypot(x, y)))
     return result
 
 
@@ -263,7 +272,7 @@ def _chorded(
 
 
 def _trades(z: F64, station: I32, machine: Machine, board: Board) -> U8:
-    kinds = np.full((len(machine.stations), 2), Trade.OTHER, np.uint8)
+    kinds = np.full((len(machine.stations), 2), Trade.MILL, np.uint8)
     for index, held in enumerate(machine.stations):
         if isinstance(held.tool, Knife):
             kinds[index] = Trade.CUT, Trade.HALF_CUT

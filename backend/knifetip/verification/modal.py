@@ -291,7 +291,11 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
     if not state.tabled:
         fault(bounded, "says G64, which controllers without a tool table reject.")
     # A dwell of nothing only ends a blend; any other is for what was switched.
-    waits = (number["P"] == 0.0) | (np.abs(number["P"] - machine.settle) <= PRINT)
+    # A spindle has its own speed, and its own time to come to it; an oscillation is at S1.
+    turns = np.array([*(getattr(held.tool, "speed", 1.0) for held in machine.stations), 1.0])
+    spins = [getattr(held.tool, "spin_up", 0.0) for held in machine.stations]
+    settle = np.maximum(np.array([*spins, 0.0]), machine.settle)[state.station]
+    waits = (number["P"] == 0.0) | (np.abs(number["P"] - settle) <= PRINT)
     fault(timed & ~waits, f"waits for another time than the machine's {machine.settle:g} s.")
     fault(has("F") & ~(number["F"] > 0.0), "has a feed that does not move.")
     outputs = [station.output for station in machine.stations if station.output >= 0]
@@ -301,8 +305,8 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
     )
     fault(has("S") & ~says(_SPINDLE, 3), "has a speed without M3.")
     fault(
-        says(_SPINDLE, 3) & (state.speed != 1.0),
-        "switches the oscillation on by another word than S1.",
+        says(_SPINDLE, 3) & (state.speed != np.rint(turns[state.station])),
+        "switches what turns or oscillates on with another speed (S) than the tool's.",
     )
     known = [station.number for station in machine.stations]
     fault(has("T") & ~np.isin(number["T"], known), f"calls a station that {machine.name} lacks.")
@@ -335,10 +339,10 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
         feeding & ~state.inverse & np.isnan(state.feed),
         "feeds, and no F has been said since the feed mode was set.",
     )
-    unready: Bool = moving & (state.waited < machine.settle - 1e-9)
+    unready: Bool = moving & (state.waited < settle - 1e-9)
     # One finding to a switching, not one to every move after it.
-    unready[1:] &= ~(moving[:-1] & (state.waited[:-1] < machine.settle - 1e-9))
-    fault(unready, f"moves less than {machine.settle:g} s after something was switched.")
+    unready[1:] &= ~(moving[:-1] & (state.waited[:-1] < settle[:-1] - 1e-9))
+    fault(unready, "moves before what was switched has settled.")
 
     ends = says(_END)
     if not ends.any():
@@ -350,7 +354,7 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
     after = np.arange(blocks.count) > end
     fault(after, "stands after the end of the program.")
     here = np.arange(blocks.count) == end
-    fault(here & state.oscillating, "ends the program while the knife oscillates.")
+    fault(here & state.oscillating, "ends the program while something oscillates or turns.")
     fault(here & state.on.any(axis=1), "ends the program with a station lowered.")
     fault(here & (state.offset_of >= 0), "ends the program with the offset of a station in force.")
 

@@ -76,6 +76,20 @@ def nearest_until(rows: Rows, curves: F64, until: F64) -> Rows:
     return replace(rows, best=_best(rows.curve, spans, curves[:, 5].copy(), until))
 
 
+def narrowed(rows: Rows, limit: F64, curves: F64) -> Rows:
+    """Return the rows that stay within the limit, (m,) mm, of their own edge."""
+    keep = rows.distance <= limit[rows.edge]
+    kept = Rows(
+        rows.curve[keep],
+        rows.edge[keep],
+        rows.along[keep],
+        rows.place[keep],
+        rows.distance[keep],
+        rows.best[keep],
+    )
+    return nearest_until(kept, curves, curves[:, 5].copy())
+
+
 def _laid_out(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
     straight = edges[:, 0] == 0.0
     reach = np.where(straight, 0.0, edges[:, 3])

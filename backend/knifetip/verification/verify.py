@@ -10,6 +10,7 @@ could have come from anywhere.
 from __future__ import annotations
 
 import math
+from typing import Final
 
 import numpy as np
 
@@ -17,14 +18,18 @@ from knifetip.errors import ProgramError
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
-from knifetip.model.verdict import Verdict
+from knifetip.model.verdict import Samples, Verdict
 from knifetip.verification import conduct
-from knifetip.verification.coverage import Bench, Figures, compare
+from knifetip.verification.bench import Bench, Figures
+from knifetip.verification.coverage import compare
 from knifetip.verification.findings import MOST, Findings
 from knifetip.verification.intent import on_sheet
 from knifetip.verification.kinematics import Tips, Work, tips, work
 from knifetip.verification.modal import Moves, interpret
 from knifetip.verification.parse import obeyed, parse, placement_of
+
+#: The map of a verdict has no more rows.
+SAMPLES: Final = 200_000
 
 __all__ = ["followed", "placement_of", "verify"]
 
@@ -77,7 +82,8 @@ def verify(
     moves, _, ways = _followed(text, machine, board, tolerance, found)
     _stated(text, placement, found)
     _unclassified(dieline, found)
-    compare(Bench(edges, machine, board, tolerance, figures, found), ways)
+    bench = Bench(edges, machine, board, tolerance, figures, found)
+    compare(bench, ways)
     return Verdict(
         accepted=len(found) == 0,
         tolerance=tolerance,
@@ -85,9 +91,26 @@ def verify(
         overcut=figures.overcut,
         uncut=figures.uncut,
         setback=figures.setback,
+        width=figures.width,
+        web=figures.web,
+        flank=figures.flank,
+        unreached=figures.unreached,
+        bottom_uncut=figures.bottom_uncut,
+        top_overcut=figures.top_overcut,
+        samples=_samples(bench),
         findings=found.sorted(),
         seconds=conduct.seconds(moves, machine),
     )
+
+
+def _samples(bench: Bench) -> Samples:
+    """Return the map of deviations, thinned evenly to at most ``SAMPLES`` rows."""
+    columns = [np.concatenate(column) for column in zip(*bench.samples, strict=True)]
+    if not columns:
+        return Samples()
+    edge, place, deviation = columns
+    order = np.lexsort((place, edge))[:: -(-len(edge) // SAMPLES) or 1]
+    return Samples(edge[order], np.clip(place[order], 0.0, 1.0), deviation[order])
 
 
 def followed(text: bytes, machine: Machine, board: Board) -> tuple[Moves, Tips, Work]:

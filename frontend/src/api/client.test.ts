@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
-import { problemOf, ServiceError, service } from "./client";
+import { nextOf, problemOf, ServiceError, service } from "./client";
 
 const answers = (body: string, init: ResponseInit) =>
   vi.stubGlobal(
@@ -71,4 +71,26 @@ test("a name from elsewhere cannot leave its place in the address", async () => 
   answers("{}", { status: 200 });
   await service.drawing("../jobs?x");
   expect(fetch).toHaveBeenCalledWith("/api/drawings/..%2Fjobs%3Fx", expect.anything());
+});
+
+describe("a list", () => {
+  test("leads on by its Link header", async () => {
+    const link = '</api/jobs?state=done&cursor=41&limit=100>; rel="next"';
+    answers('[{"id": "a"}]', { status: 200, headers: { Link: link } });
+    const { rows, next } = await service.jobs();
+    expect(rows.map(({ id }) => id)).toEqual(["a"]);
+    expect(next).toBe("/api/jobs?state=done&cursor=41&limit=100");
+    await service.jobs(undefined, next ?? "");
+    expect(fetch).toHaveBeenLastCalledWith(next, expect.anything());
+  });
+
+  test("without one has come to its end", async () => {
+    answers("[]", { status: 200 });
+    expect(await service.drawings()).toEqual({ rows: [], next: null });
+  });
+
+  test.each([null, "", '</api/jobs?cursor=1>; rel="prev"', '<https://else.where/api>; rel="next"'])(
+    "is not led astray by %s",
+    (link) => expect(nextOf(link)).toBeNull(),
+  );
 });

@@ -96,6 +96,24 @@ async function request(path: string, init?: RequestInit): Promise<Response> {
   return answer;
 }
 
+/** Part of a list, the newest first. */
+export interface Page<T> {
+  readonly rows: readonly T[];
+  /** Where the service has the next part; null where this is the last. */
+  readonly next: string | null;
+}
+
+/** The address that a Link header gives for the next page; null for none, or for another site's. */
+export function nextOf(link: string | null): string | null {
+  const [, address] = /<([^>]*)>\s*;[^,]*\brel="?next"?/.exec(link ?? "") ?? [];
+  return address?.startsWith("/api/") ? address : null;
+}
+
+const page = async <T>(path: string, signal?: AbortSignal): Promise<Page<T>> => {
+  const answer = await request(path, signal ? { signal } : {});
+  return { rows: (await answer.json()) as T[], next: nextOf(answer.headers.get("Link")) };
+};
+
 const get = async <T>(path: string, signal?: AbortSignal): Promise<T> =>
   (await request(path, signal ? { signal } : {})).json() as Promise<T>;
 
@@ -136,8 +154,12 @@ function upload(file: File, onProgress: (fraction: number) => void): Promise<Dra
   });
 }
 
+/** Where the lists begin. */
+export const FIRST = { drawings: "/api/drawings", jobs: "/api/jobs" } as const;
+
 export const service = {
-  drawings: (signal?: AbortSignal) => get<DrawingSummary[]>("/api/drawings", signal),
+  drawings: (signal?: AbortSignal, from: string = FIRST.drawings) =>
+    page<DrawingSummary>(from, signal),
   drawing: (id: string, signal?: AbortSignal) => get<Drawing>(at("drawings", id), signal),
   edges: async (id: string, signal?: AbortSignal): Promise<Edges> =>
     edgesOf(await bytes(at("drawings", id, "/edges?format=columns"), signal)),
@@ -149,7 +171,7 @@ export const service = {
   override: (id: string, overrides: readonly Override[]) =>
     send<Drawing>("PATCH", at("drawings", id, "/edges"), { overrides }),
 
-  jobs: (signal?: AbortSignal) => get<Job[]>("/api/jobs", signal),
+  jobs: (signal?: AbortSignal, from: string = FIRST.jobs) => page<Job>(from, signal),
   job: (id: string, signal?: AbortSignal) => get<Job>(at("jobs", id), signal),
   compile: (order: JobOrder) => send<Job>("POST", "/api/jobs", order),
   command: (id: string, command: JobCommand) => send<Job>("POST", at("jobs", id, `/${command}`)),

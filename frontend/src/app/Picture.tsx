@@ -4,20 +4,35 @@ import { ActionIcon, Button, Tooltip } from "@mantine/core";
 import { IconFocusCentered, IconMinus, IconPlus } from "@tabler/icons-react";
 import { useEffect, useMemo, useRef, useState } from "react";
 import { type Edges, lineTypeOf, type Point } from "../geometry/records";
+import { type Sweep, sweepOf } from "../geometry/sweep";
 import { duration, timeOf } from "../geometry/timeline";
-import { type TipOffset, tipOffset } from "../geometry/tip";
+import { tipOffset } from "../geometry/tip";
+import { workedSpans } from "../geometry/worked";
+import { ColourBar } from "../panels/ColourBar";
 import { EdgeTooltip } from "../panels/EdgeTooltip";
+import { PathLegend } from "../panels/PathLegend";
 import panels from "../panels/panels.module.css";
 import { Scrubber } from "../panels/Scrubber";
 import { SelectionBar } from "../panels/SelectionBar";
 import { ViewBar } from "../panels/ViewBar";
+import { mapColours } from "../scene/map";
+import type { Tools } from "../scene/swept";
 import { isOnTable } from "../state/jobs";
-import { useDrawing, useEdges, useJob, useMachines, useTimeline } from "../state/queries";
+import { mapOf } from "../state/maps";
+import {
+  useBoards,
+  useDrawing,
+  useEdges,
+  useJob,
+  useMachines,
+  useTimeline,
+  useVerdict,
+} from "../state/queries";
 import { layerKey, layerOf } from "../state/rows";
 import { usePage } from "../state/store";
 import { NoWebGL, Viewer } from "../viewer/viewer";
 import css from "./app.module.css";
-import { VIEWER_COLOURS } from "./colours";
+import { MAP_SCALE, VIEWER_COLOURS } from "./colours";
 import type { PictureKeys } from "./shortcuts";
 
 interface Props {
@@ -39,7 +54,8 @@ export function Picture({ onReady }: Props) {
     let made: Viewer;
     try {
       made = new Viewer(host.current, canvas.current, VIEWER_COLOURS, {
-        onHover: (row, at) => page.point(row === null ? null : { row, ...at }),
+        onHover: (row, moves, at) =>
+          page.point(row === null && moves.length === 0 ? null : { row, moves, ...at }),
         onChoose: (rows, add) => page.choose(rows, add),
         onCursor: setCursor,
         onView: setScale,
@@ -79,9 +95,11 @@ export function Picture({ onReady }: Props) {
       />
       <div className={css.overTop}>
         <ViewBar />
+        <ColourBar />
       </div>
       <div className={css.overBottom}>
         <SelectionBar />
+        <PathLegend />
         <Scrubber />
       </div>
       <div className={`${panels.float} ${css.zoom}`}>
@@ -167,8 +185,6 @@ function NoPicture({ why }: { why: string }) {
   );
 }
 
-const NO_OFFSETS: ReadonlyMap<number, TipOffset> = new Map();
-
 /** Everything that the viewer is shown. */
 function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => void): void {
   const { data: edges } = useEdges();
@@ -176,11 +192,15 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   const { data: job } = useJob();
   const { data: line } = useTimeline();
   const { data: machines } = useMachines();
+  const { data: boards } = useBoards();
+  const { data: verdict } = useVerdict();
+  const colourMode = usePage((page) => page.colourMode);
   const hiddenTypes = usePage((page) => page.hiddenTypes);
   const hiddenLayers = usePage((page) => page.hiddenLayers);
   const layers = usePage((page) => page.layers);
   const selection = usePage((page) => page.selection);
   const hovered = usePage((page) => page.hover?.row ?? null);
+  const hoveredMoves = usePage((page) => page.hover?.moves);
   const focus = usePage((page) => page.focus);
   const scrub = usePage((page) => page.scrub);
   const chosenMachine = usePage((page) => page.machine);
@@ -188,25 +208,38 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
 
   const machine = machines?.find(({ name }) => name === (job?.machine ?? chosenMachine));
   const stations = machine?.stations;
-  const offsets = useMemo(
-    () =>
-      stations === undefined
-        ? NO_OFFSETS
-        : new Map(
-            stations.map(
-              ({ number, tool }) => [number, tipOffset(tool.kind, tool.dimensions)] as const,
-            ),
-          ),
-    [stations],
-  );
+  const caliper = boards?.find(({ name }) => name === job?.board)?.caliper ?? 0;
+  const tools = useMemo<Tools>(() => {
+    const offsets = new Map();
+    const sweeps = new Map<number, Sweep>();
+    for (const { number, tool } of stations ?? []) {
+      offsets.set(number, tipOffset(tool.kind, tool.dimensions));
+      const sweep = sweepOf(tool.kind, tool.dimensions);
+      if (sweep !== null) sweeps.set(number, sweep);
+    }
+    return { offsets, sweeps, caliper };
+  }, [stations, caliper]);
 
   const shown: Edges | null = open === null ? null : (edges ?? null);
+  const colours = useMemo(() => {
+    const map = shown === null ? null : mapOf(colourMode, verdict, shown.bulge.length);
+    return shown === null || map === null ? null : mapColours(shown, map, MAP_SCALE);
+  }, [shown, colourMode, verdict]);
+  const toolpath = line?.toolpath;
+  const worked = useMemo(
+    () =>
+      shown === null || toolpath === undefined || verdict === undefined
+        ? null
+        : workedSpans(shown, toolpath, tools.offsets, verdict.edge_setback),
+    [shown, toolpath, verdict, tools],
+  );
   useEffect(() => {
-    viewer?.showEdges(shown, (row) => {
+    const isShown = (row: number) => {
       if (shown === null || hiddenTypes.has(lineTypeOf(shown.lineType[row]))) return false;
       return !hiddenLayers.has(layerKey(layerOf(shown, row), shown.colour[row] ?? 0));
-    });
-  }, [viewer, shown, hiddenTypes, hiddenLayers]);
+    };
+    viewer?.showEdges(shown, isShown, { colours, worked });
+  }, [viewer, shown, hiddenTypes, hiddenLayers, colours, worked]);
 
   // A drawing that is opened, or whose unit is settled, is brought into view; a new type is not.
   const unit = drawing?.unit;
@@ -227,11 +260,14 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
     viewer?.showTable([-x, -y, machine.width - x, machine.height - y]);
   }, [viewer, machine, drawing, placement, open]);
 
-  useEffect(() => viewer?.showTravel(line ?? null, offsets), [viewer, line, offsets]);
+  useEffect(() => viewer?.showTravel(line ?? null, tools), [viewer, line, tools]);
   useEffect(() => viewer?.showLayers(layers), [viewer, layers]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the rows are those of these edges
   useEffect(() => viewer?.showChosen(selection), [viewer, selection, shown]);
-  useEffect(() => viewer?.showHovered(hovered), [viewer, hovered]);
+  useEffect(
+    () => viewer?.showHovered(hovered, hoveredMoves ?? []),
+    [viewer, hovered, hoveredMoves],
+  );
   useEffect(() => {
     if (focus.count > 0) viewer?.fitRows(focus.rows);
   }, [viewer, focus]);

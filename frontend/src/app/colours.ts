@@ -3,7 +3,8 @@
 import { LINE_TYPES, type LineType } from "../geometry/records";
 import type { Palette } from "../scene/dieline";
 import { rgba } from "../scene/lines";
-import { CANVAS, LINE_LOOKS, TRAVEL } from "../state/palette";
+import type { Scale } from "../scene/map";
+import { CANVAS, LINE_LOOKS, MARKS, SCALE, SWEPT, TRAVEL } from "../state/palette";
 import type { ViewerColours } from "../viewer/viewer";
 
 const lineLook = (type: LineType) =>
@@ -11,6 +12,14 @@ const lineLook = (type: LineType) =>
 
 export const VIEWER_COLOURS: ViewerColours = {
   palette: Object.fromEntries(LINE_TYPES.map(lineLook)) as Palette,
+  swept: {
+    cutter: rgba(SWEPT.cutter, 0.2),
+    groove: rgba(SWEPT.groove, 0.28),
+    groovesRim: rgba(SWEPT.groove, 0.8),
+    crease: rgba(SWEPT.crease, 0.3),
+    contact: rgba(SWEPT.crease, 0.95),
+  },
+  marks: { plunge: rgba(MARKS.plunge), lift: rgba(MARKS.lift), swivel: rgba(MARKS.swivel) },
   head: rgba(TRAVEL.head),
   lead: rgba(TRAVEL.lead),
   tip: rgba(TRAVEL.tip, 0.9),
@@ -28,4 +37,10 @@ export const VIEWER_COLOURS: ViewerColours = {
   chosen: rgba(CANVAS.chosen, 0.55),
   mark: rgba(CANVAS.mark),
   blade: rgba(CANVAS.blade),
+};
+
+export const MAP_SCALE: Scale = {
+  stops: SCALE.stops.map((stop) => rgba(stop)),
+  beyond: rgba(SCALE.beyond),
+  unworked: rgba(SCALE.unworked),
 };

@@ -3,7 +3,7 @@
 import { redo, retype, undo } from "../state/actions";
 import { CHOICES, LINE_LOOKS } from "../state/palette";
 import { keys, queries } from "../state/queries";
-import { type Layer, usePage } from "../state/store";
+import { COLOUR_MODES, type Layer, usePage } from "../state/store";
 
 /** What only the picture can do. */
 export interface PictureKeys {
@@ -18,6 +18,8 @@ const LAYER_KEYS: Readonly<Record<string, Layer>> = {
   h: "head",
   t: "tip",
   r: "rapids",
+  s: "swept",
+  p: "moves",
 };
 const STEP = 80;
 
@@ -54,7 +56,10 @@ export function listenToKeys(picture: () => PictureKeys | null): () => void {
     else if (key === "]") page.set({ rightOpen: !page.rightOpen });
     else if (key === "?") page.set({ helpOpen: !page.helpOpen });
     else if (key === "Escape" && !page.helpOpen) page.choose([]);
-    else if (layer !== undefined) page.toggleLayer(layer);
+    else if (key === "c") {
+      const next = (COLOUR_MODES.indexOf(page.colourMode) + 1) % COLOUR_MODES.length;
+      page.set({ colourMode: COLOUR_MODES[next] ?? "types" });
+    } else if (layer !== undefined) page.toggleLayer(layer);
     else if (type !== undefined && page.selection.size > 0) void retype([...page.selection], type);
     else if (key === "0" && page.selection.size > 0) void retype([...page.selection], null);
     else return false;

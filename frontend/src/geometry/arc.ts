@@ -104,6 +104,9 @@ export function pointAt(
   return [round.x + round.radius * Math.cos(angle), round.y + round.radius * Math.sin(angle)];
 }
 
+/** The bulge of a part of a line or arc. */
+export const bulgeOf = (bulge: number, share: number): number => Math.tan(Math.atan(bulge) * share);
+
 /** Where a point is nearest to a line or arc: the distance (mm) and the fraction of the length. */
 export function nearest(
   x: number,

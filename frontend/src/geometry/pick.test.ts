@@ -13,6 +13,17 @@ test("the nearest edge within reach is picked", () => {
   expect(index.at(50, 48, 3)).toBe(1);
 });
 
+test("moves that lie on each other are pointed at together", () => {
+  const index = pickIndex({
+    ends: Float64Array.of(0, 0, 10, 0, 10, 0, 0, 0, 5, 1, 5, 1, 5, 4, 9, 4),
+    bulge: Float64Array.of(0, 0, 0, 0),
+  });
+  expect(index.near(2, 0.25, 3, 0.5)).toEqual([0, 1]);
+  expect(index.near(5, 0.5, 3, 0.5)).toEqual([0, 1, 2]);
+  expect(index.near(5, 0.5, 3, 0.5, (row) => row !== 0)).toEqual([1, 2]);
+  expect(index.near(50, 50, 3, 0.5)).toEqual([]);
+});
+
 test("inside an arc's box but far from the arc nothing is picked", () => {
   expect(pickIndex(SEGMENTS).at(50, 25, 3)).toBeNull();
 });

@@ -8,17 +8,38 @@ import type { Box, Segments } from "./records";
 export interface PickIndex {
   /** The row nearest to a point within `reach` mm, among those that `accepts` lets through. */
   at(x: number, y: number, reach: number, accepts?: (row: number) => boolean): number | null;
+  /** The rows within `reach` mm that are no more than `slack` mm farther than the nearest. */
+  near(
+    x: number,
+    y: number,
+    reach: number,
+    slack: number,
+    accepts?: (row: number) => boolean,
+  ): number[];
   /** The rows whose boxes lie wholly inside a box. */
   inside(box: Box): number[];
 }
 
 export function pickIndex(segments: Segments): PickIndex {
   const count = segments.bulge.length;
-  if (count === 0) return { at: () => null, inside: () => [] };
+  if (count === 0) return { at: () => null, near: () => [], inside: () => [] };
   const tree = new Flatbush(count);
   for (let row = 0; row < count; row++) tree.add(...boxOfRow(segments, row));
   tree.finish();
   const { ends, bulge } = segments;
+
+  const away = (x: number, y: number, row: number): number => {
+    const at = row * 4;
+    return nearest(
+      x,
+      y,
+      ends[at] as number,
+      ends[at + 1] as number,
+      ends[at + 2] as number,
+      ends[at + 3] as number,
+      bulge[row] as number,
+    ).distance;
+  };
 
   return {
     at(x, y, reach, accepts = () => true) {
@@ -26,22 +47,24 @@ export function pickIndex(segments: Segments): PickIndex {
       let least = reach;
       for (const row of tree.search(x - reach, y - reach, x + reach, y + reach)) {
         if (!accepts(row)) continue;
-        const at = row * 4;
-        const { distance } = nearest(
-          x,
-          y,
-          ends[at] as number,
-          ends[at + 1] as number,
-          ends[at + 2] as number,
-          ends[at + 3] as number,
-          bulge[row] as number,
-        );
+        const distance = away(x, y, row);
         if (distance <= least) {
           least = distance;
           found = row;
         }
       }
       return found;
+    },
+    near(x, y, reach, slack, accepts = () => true) {
+      const around = tree
+        .search(x - reach, y - reach, x + reach, y + reach)
+        .filter(accepts)
+        .map((row) => ({ row, distance: away(x, y, row) }));
+      const least = Math.min(reach, ...around.map(({ distance }) => distance));
+      return around
+        .filter(({ distance }) => distance <= reach && distance <= least + slack)
+        .map(({ row }) => row)
+        .sort((a, b) => a - b);
     },
     inside(box) {
       return tree.search(...box).filter((row) => {

@@ -10,15 +10,23 @@ import { usePage } from "../state/store";
 import { count, size } from "../state/words";
 import css from "./panels.module.css";
 import { Section } from "./Section";
+import { ShowMore } from "./ShowMore";
 
 export function DrawingsPanel() {
-  const { data: drawings, isPending, error } = useDrawings();
+  const list = useDrawings();
+  const { data: drawings, isPending, error } = list;
   const current = usePage((page) => page.drawing);
   return (
     <Section
       title="Drawings"
       flush
-      aside={drawings && <span className={css.rowFigure}>{drawings.length}</span>}
+      aside={
+        drawings && (
+          <span
+            className={css.rowFigure}
+          >{`${drawings.length}${list.hasNextPage ? "+" : ""}`}</span>
+        )
+      }
     >
       <div style={{ padding: "0 8px 10px" }}>
         <ChooseFile />
@@ -33,6 +41,9 @@ export function DrawingsPanel() {
       {drawings?.map((drawing) => (
         <Row key={drawing.id} drawing={drawing} current={drawing.id === current} />
       ))}
+      {list.hasNextPage && (
+        <ShowMore busy={list.isFetchingNextPage} act={() => void list.fetchNextPage()} />
+      )}
     </Section>
   );
 }

@@ -1,27 +1,35 @@
-/** What the edge under the cursor is, and why. */
+/** What the edge under the cursor is, and why; what the tools do there. */
 
-import { lineTypeOf } from "../geometry/records";
-import { LINE_LOOKS } from "../state/palette";
-import { useEdges, useVerdict } from "../state/queries";
+import { type Edges, lineTypeOf, MOTIONS, type Toolpath } from "../geometry/records";
+import { LINE_LOOKS, TRAVEL } from "../state/palette";
+import { useEdges, useJob, useMachines, useToolpath, useVerdict } from "../state/queries";
 import { layerOf } from "../state/rows";
 import { usePage } from "../state/store";
-import { deviation, length } from "../state/words";
+import { deviation, fine, length } from "../state/words";
 import css from "./panels.module.css";
 import { Swatch } from "./Swatch";
 
 const WIDTH = 320;
-const HEIGHT = 170;
+const HEAD = 100;
+const LINE = 20;
+const FIGURES = 4;
+/** More moves than these at one place are counted only. */
+const MOVES = 4;
 
 export function EdgeTooltip({ width, height }: { width: number; height: number }) {
   const hover = usePage((page) => page.hover);
   const { data: edges } = useEdges();
+  const { data: toolpath } = useToolpath();
   const { data: verdict } = useVerdict();
-  if (hover === null || edges === undefined || hover.row >= edges.bulge.length) return null;
-  const { row, x, y } = hover;
-  const type = lineTypeOf(edges.lineType[row]);
-  const missed = verdict?.edge_deviation[row];
+  if (hover === null) return null;
+  const { x, y } = hover;
+  const row = edges !== undefined && (hover.row ?? -1) < edges.bulge.length ? hover.row : null;
+  const moves = hover.moves.filter((move) => move < (toolpath?.motion.length ?? 0));
+  if (row === null && moves.length === 0) return null;
+  const lines = (verdict === undefined ? 0 : FIGURES) + Math.min(moves.length, MOVES + 1);
+  const tall = HEAD + lines * LINE;
   const side = x + WIDTH + 24 > width ? { right: width - x + 14 } : { left: x + 16 };
-  const level = y + HEIGHT + 24 > height ? { bottom: height - y + 12 } : { top: y + 16 };
+  const level = y + tall + 24 > height ? { bottom: height - y + 12 } : { top: y + 16 };
   return (
     <div
       className={`${css.float} ${css.tooltip}`}
@@ -29,6 +37,17 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
       role="tooltip"
       data-testid="edge-tooltip"
     >
+      {row !== null && edges !== undefined && <Edge row={row} edges={edges} />}
+      {moves.length > 0 && toolpath !== undefined && <Moves rows={moves} toolpath={toolpath} />}
+    </div>
+  );
+}
+
+function Edge({ row, edges }: { row: number; edges: Edges }) {
+  const { data: verdict } = useVerdict();
+  const type = lineTypeOf(edges.lineType[row]);
+  return (
+    <>
       <div className={css.tooltipHead}>
         <Swatch type={type} />
         {LINE_LOOKS[type].title}
@@ -45,13 +64,58 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
         </dd>
         <dt>Rule</dt>
         <dd>{ruleWords(edges.rules[edges.rule[row] ?? -1] ?? "")}</dd>
-        {missed !== undefined && (
+        {verdict !== undefined && verdict.edge_deviation.length === edges.bulge.length && (
           <>
             <dt>Deviation</dt>
-            <dd>{deviation(missed)}</dd>
+            <dd>{deviation(verdict.edge_deviation[row] ?? Number.NaN)}</dd>
+            <dt>Overcut</dt>
+            <dd>{fine(verdict.edge_overcut[row] ?? Number.NaN)}</dd>
+            <dt>Uncut</dt>
+            <dd>{fine(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
+            <dt>Setback</dt>
+            <dd>{fine(verdict.edge_setback[row] ?? Number.NaN)}</dd>
           </>
         )}
       </dl>
+    </>
+  );
+}
+
+/** Each move of the head that passes here: which tool, what it does, how high, and by which line. */
+function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath }) {
+  const { data: job } = useJob();
+  const { data: machines } = useMachines();
+  const stations = machines?.find(({ name }) => name === job?.machine)?.stations;
+  const shown = rows.slice(0, MOVES);
+  return (
+    <div className={css.tooltipMoves} data-testid="moves-tooltip">
+      {shown.map((row, at) => {
+        const tool = toolpath.tool[row] ?? 0;
+        const before = shown[at - 1];
+        const named = before === undefined || toolpath.tool[before] !== tool;
+        const name = stations?.find(({ number }) => number === tool)?.name ?? `Station ${tool}`;
+        const line = toolpath.line[row] ?? -1;
+        return (
+          <div key={row}>
+            {named && (
+              <div className={css.tooltipHead}>
+                <span className={css.chipLine} style={{ color: TRAVEL.head }} />
+                {name}
+              </div>
+            )}
+            <div className={css.tooltipMove}>
+              <span>{MOTIONS[toolpath.motion[row] ?? 0]}</span>
+              <span>Z {(toolpath.pose[row * 4 + 6] ?? 0).toFixed(2)}</span>
+              <span>{line > 0 ? `line ${line.toLocaleString("en")}` : ""}</span>
+            </div>
+          </div>
+        );
+      })}
+      {rows.length > MOVES && (
+        <div className={css.tooltipMove}>
+          <span>… and {rows.length - MOVES} more moves</span>
+        </div>
+      )}
     </div>
   );
 }

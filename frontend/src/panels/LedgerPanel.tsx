@@ -3,23 +3,30 @@
 import { SegmentedControl } from "@mantine/core";
 import { useState } from "react";
 import type { LedgerRow } from "../api/client";
-import { useDrawing, useEdges } from "../state/queries";
+import { useDrawing, useEdges, useLedger } from "../state/queries";
 import { rowsOfHandles } from "../state/rows";
 import { usePage } from "../state/store";
 import { length } from "../state/words";
 import css from "./panels.module.css";
 import { Section } from "./Section";
+import { ShowMore } from "./ShowMore";
 
 const FATES = ["dropped", "merged", "kept"] as const;
-const SHOWN = 200;
+/** Rows that come at once. */
+const STEP = 200;
 
 export function LedgerPanel() {
   const { data: drawing } = useDrawing();
   const [chosen, setChosen] = useState<LedgerRow["fate"] | null>(null);
+  const [most, setMost] = useState(STEP);
+  // A drawing lists the first of its entities only; the rest is asked for when somebody gets there.
+  const [wanted, setWanted] = useState<string | null>(null);
+  const whole = useLedger(drawing !== undefined && wanted === drawing.id);
   if (drawing === undefined) return null;
-  const { ledger } = drawing;
+  const ledger = { ...drawing.ledger, rows: (whole.data ?? drawing.ledger).rows };
   const fate = chosen ?? FATES.find((word) => ledger[word] > 0) ?? "kept";
   const rows = ledger.rows.filter((row) => row.fate === fate);
+  const left = ledger[fate] - Math.min(most, rows.length);
   return (
     <Section
       title="What became of the file"
@@ -35,24 +42,33 @@ export function LedgerPanel() {
         size="xs"
         mb={8}
         value={fate}
-        onChange={(word) => setChosen(word as LedgerRow["fate"])}
+        onChange={(word) => {
+          setChosen(word as LedgerRow["fate"]);
+          setMost(STEP);
+        }}
         data={FATES.map((word) => ({ value: word, label: `${word} ${ledger[word]}` }))}
         aria-label="Fate of the entities"
       />
       <div className={css.findings} style={{ margin: "0 -8px" }} data-testid="ledger">
-        {rows.slice(0, SHOWN).map((row, at) => (
+        {rows.slice(0, most).map((row, at) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: a file may name two entities alike
           <Entity key={`${row.handle} ${at}`} row={row} />
         ))}
-        {rows.length === 0 && (
+        {ledger[fate] === 0 && (
           <p className={css.note} style={{ padding: "0 8px" }}>
             Nothing was {fate}.
           </p>
         )}
-        {rows.length > SHOWN && (
-          <p className={css.note} style={{ padding: "0 8px" }}>
-            … and {rows.length - SHOWN} more.
-          </p>
+        {whole.error && <p className={css.note}>{whole.error.message}</p>}
+        {left > 0 && (
+          <ShowMore
+            left={left}
+            busy={whole.isFetching}
+            act={() => {
+              if (rows.length < ledger[fate]) setWanted(drawing.id);
+              setMost(most + STEP);
+            }}
+          />
         )}
       </div>
     </Section>

@@ -9,9 +9,11 @@ import { usePage } from "../state/store";
 import { ago, duration } from "../state/words";
 import css from "./panels.module.css";
 import { Section } from "./Section";
+import { ShowMore } from "./ShowMore";
 import { StateBadge } from "./StateBadge";
 
-const SHOWN = 30;
+/** Rows that come at once. */
+const STEP = 30;
 
 /** On a table, then waiting, then ready, then over; the latest first among those. */
 function order(job: Job): number {
@@ -21,7 +23,9 @@ function order(job: Job): number {
 }
 
 export function QueuePanel() {
-  const { data: jobs, error } = useJobs();
+  const list = useJobs();
+  const { data: jobs, error } = list;
+  const [most, setMost] = useState(STEP);
   const [now, setNow] = useState(() => Date.now() / 1000);
   useEffect(() => {
     const timer = setInterval(() => setNow(Date.now() / 1000), 30_000);
@@ -37,7 +41,7 @@ export function QueuePanel() {
     >
       <div data-testid="queue">
         {error && <p className={css.note}>{error.message}</p>}
-        {listed.slice(0, SHOWN).map((job) => (
+        {listed.slice(0, most).map((job) => (
           <Row key={job.id} job={job} now={now} />
         ))}
         {jobs !== undefined && jobs.length === 0 && (
@@ -45,10 +49,14 @@ export function QueuePanel() {
             No jobs yet. A drawing becomes one when it is compiled.
           </p>
         )}
-        {listed.length > SHOWN && (
-          <p className={css.note} style={{ padding: "0 8px" }}>
-            … and {listed.length - SHOWN} older.
-          </p>
+        {(listed.length > most || list.hasNextPage) && (
+          <ShowMore
+            busy={list.isFetchingNextPage}
+            act={() => {
+              setMost(most + STEP);
+              if (listed.length < most + STEP && list.hasNextPage) void list.fetchNextPage();
+            }}
+          />
         )}
       </div>
     </Section>

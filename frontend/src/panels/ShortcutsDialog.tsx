@@ -16,6 +16,8 @@ const KEYS: readonly (readonly [string, string])[] = [
   ["Ctrl A", "Choose all edges"],
   ["[  ]", "Fold the side panels away"],
   ["N  H  T  R", "Nominal, head path, tip path, rapids"],
+  ["S  P", "What tools sweep; plunges, lifts and swivels"],
+  ["C", "Colour by line type, deviation, overcut"],
   ["?", "This list"],
 ];
 

@@ -1,15 +1,24 @@
 /** Which lines the picture shows. */
 
-import { TRAVEL } from "../state/palette";
+import { MARKS, SWEPT, TRAVEL } from "../state/palette";
 import { useToolpath } from "../state/queries";
 import { type Layer, usePage } from "../state/store";
 import css from "./panels.module.css";
 
-const LAYERS: readonly { layer: Layer; title: string; colour: string; dashed?: boolean }[] = [
+const LAYERS: readonly {
+  layer: Layer;
+  title: string;
+  colour: string;
+  dashed?: true;
+  thick?: true;
+  dot?: true;
+}[] = [
   { layer: "nominal", title: "Nominal", colour: "#ff6b61" },
   { layer: "head", title: "Head path", colour: TRAVEL.head },
   { layer: "tip", title: "Tip path", colour: TRAVEL.tip },
   { layer: "rapids", title: "Rapids", colour: "#8b97a6", dashed: true },
+  { layer: "swept", title: "Swept", colour: `${SWEPT.groove}99`, thick: true },
+  { layer: "moves", title: "Plunges", colour: MARKS.plunge, dot: true },
 ];
 
 export function ViewBar() {
@@ -18,7 +27,7 @@ export function ViewBar() {
   const { data: toolpath } = useToolpath();
   return (
     <div className={`${css.float} ${css.chips}`} role="toolbar" aria-label="Lines shown">
-      {LAYERS.map(({ layer, title, colour, dashed }) => {
+      {LAYERS.map(({ layer, title, colour, dashed, thick, dot }) => {
         const needsPath = layer !== "nominal";
         return (
           <button
@@ -32,8 +41,12 @@ export function ViewBar() {
             data-testid={`layer-${layer}`}
           >
             <span
-              className={css.chipLine}
-              style={{ color: colour, borderTopStyle: dashed ? "dashed" : "solid" }}
+              className={dot ? css.chipDot : css.chipLine}
+              style={{
+                color: colour,
+                borderTopStyle: dashed ? "dashed" : "solid",
+                borderTopWidth: thick ? 7 : 2,
+              }}
             />
             {title}
           </button>

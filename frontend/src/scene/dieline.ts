@@ -1,7 +1,13 @@
 /** Edges → lines coloured by what is to be done along them. */
 
-import { length, walk } from "../geometry/arc";
-import { type Edges, type LineType, lineTypeOf, type Point } from "../geometry/records";
+import { bulgeOf, length, pointAt, walk } from "../geometry/arc";
+import {
+  type Edges,
+  type LineType,
+  lineTypeOf,
+  type Point,
+  type Segments,
+} from "../geometry/records";
 import { mm } from "../geometry/units";
 import { DASHES, type Dash, type Lines, LinesUnderWay, type Rgba } from "./lines";
 
@@ -11,25 +17,52 @@ export const ROUNDNESS = mm(0.01);
 /** How each line type looks. */
 export type Palette = Readonly<Record<LineType, { colour: Rgba; dash: Dash }>>;
 
-/** The nominal lines of those edges that `shown` lets through. */
+/** What is not worked is this much fainter. */
+const LEFT = 0.3;
+
+export interface DielineLooks {
+  /** Which edges are drawn; all, if it is not said. */
+  readonly shown?: (row: number) => boolean;
+  /** (n, 4) colours that stand for those of the line types */
+  readonly colours?: Uint8Array | null;
+  /** (n, 2) the part of each edge that is worked, as fractions of its length */
+  readonly worked?: Float64Array | null;
+}
+
+/** The nominal lines, coloured by line type or as they are told to be. */
 export function dielineLines(
   edges: Edges,
   origin: Point,
   palette: Palette,
-  shown: (row: number) => boolean = () => true,
+  { shown = () => true, colours = null, worked = null }: DielineLooks = {},
 ): Lines {
   const lines = new LinesUnderWay(origin);
   for (let row = 0; row < edges.bulge.length; row++) {
     if (!shown(row)) continue;
-    const { colour, dash } = palette[lineTypeOf(edges.lineType[row])];
-    addEdge(lines, edges, row, colour, DASHES.indexOf(dash));
+    const look = palette[lineTypeOf(edges.lineType[row])];
+    const colour = colours === null ? look.colour : rgbaAt(colours, row);
+    // In a gap of a line there would be nothing to read a colour from.
+    const dash = colours === null ? DASHES.indexOf(look.dash) : 0;
+    const from = worked?.[row * 2] ?? 0;
+    const to = worked?.[row * 2 + 1] ?? 1;
+    const faint: Rgba = [colour[0], colour[1], colour[2], Math.round(colour[3] * LEFT)];
+    if (from > 0) addEdge(lines, edges, row, faint, dash, 0, from);
+    if (to > from) addEdge(lines, edges, row, colour, dash, from, to);
+    if (to < 1) addEdge(lines, edges, row, faint, dash, to, 1);
   }
   return lines.done();
 }
 
-/** The same edges in one colour, to lie under or over the others. */
+const rgbaAt = (colours: Uint8Array, row: number): Rgba => [
+  colours[row * 4] ?? 0,
+  colours[row * 4 + 1] ?? 0,
+  colours[row * 4 + 2] ?? 0,
+  colours[row * 4 + 3] ?? 0,
+];
+
+/** Some edges, or moves, in one colour, to lie under or over the others. */
 export function highlightLines(
-  edges: Edges,
+  edges: Segments,
   origin: Point,
   rows: Iterable<number>,
   colour: Rgba,
@@ -41,18 +74,31 @@ export function highlightLines(
   return lines.done();
 }
 
-function addEdge(lines: LinesUnderWay, edges: Edges, row: number, colour: Rgba, dash: number) {
+function addEdge(
+  lines: LinesUnderWay,
+  { ends, bulge }: Segments,
+  row: number,
+  colour: Rgba,
+  dash: number,
+  from = 0,
+  to = 1,
+) {
   const at = row * 4;
-  let x = edges.ends[at] as number;
-  let y = edges.ends[at + 1] as number;
-  const x1 = edges.ends[at + 2] as number;
-  const y1 = edges.ends[at + 3] as number;
-  const bulge = edges.bulge[row] as number;
-  const whole = length(x, y, x1, y1, bulge);
-  let before = 0;
-  walk(x, y, x1, y1, bulge, ROUNDNESS, (nextX, nextY, fraction) => {
+  const whole = [
+    ends[at] as number,
+    ends[at + 1] as number,
+    ends[at + 2] as number,
+    ends[at + 3] as number,
+    bulge[row] as number,
+  ] as const;
+  const run = length(...whole);
+  let [x, y] = from > 0 ? pointAt(...whole, from) : [whole[0], whole[1]];
+  const [x1, y1] = to < 1 ? pointAt(...whole, to) : [whole[2], whole[3]];
+  const bend = bulgeOf(whole[4], to - from);
+  let before = run * from;
+  walk(x, y, x1, y1, bend, ROUNDNESS, (nextX, nextY, fraction) => {
     lines.add(x, y, nextX, nextY, colour, { along: before, dash, row });
-    before = whole * fraction;
+    before = run * (from + (to - from) * fraction);
     x = nextX;
     y = nextY;
   });

@@ -56,7 +56,7 @@ describe("the dieline", () => {
   });
 
   test("leaves out what is hidden", () => {
-    const lines = dielineLines(EDGES, ORIGIN, PALETTE, (row) => row === 0);
+    const lines = dielineLines(EDGES, ORIGIN, PALETTE, { shown: (row) => row === 0 });
     expect(lines.count).toBe(1);
   });
 

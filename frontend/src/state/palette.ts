@@ -44,6 +44,42 @@ export const TRAVEL = {
   done: "#f4f8ff",
 } as const;
 
+/**
+ * A figure from nothing to its limit.
+ *
+ * The stops lie equally far apart in OKLab, and each is lighter than the one before: a step of the
+ * figure looks the same everywhere, and in grey too.
+ */
+export const SCALE = {
+  stops: [
+    "#3f6dd7",
+    "#1e86d2",
+    "#209cc7",
+    "#19b2bd",
+    "#47c4ac",
+    "#69d496",
+    "#99df76",
+    "#cbe865",
+    "#faf164",
+  ],
+  beyond: "#ff4249",
+  unworked: "#525c69",
+} as const;
+
+/** What a tool takes of the board, or presses. */
+export const SWEPT = {
+  cutter: "#5cbcff",
+  groove: "#b794ff",
+  crease: "#3ddc97",
+} as const;
+
+/** The moves that go nowhere on the plane. */
+export const MARKS = {
+  plunge: "#ff9446",
+  lift: "#8fe3ff",
+  swivel: "#f3e36b",
+} as const;
+
 export const CANVAS = {
   backdrop: "#0e1116",
   table: "#151a21",

@@ -1,7 +1,13 @@
 /** What the service knows, asked for once, kept, and refreshed by its events. */
 
-import { QueryClient, queryOptions, useQuery } from "@tanstack/react-query";
-import { type Job, service } from "../api/client";
+import {
+  infiniteQueryOptions,
+  QueryClient,
+  queryOptions,
+  useInfiniteQuery,
+  useQuery,
+} from "@tanstack/react-query";
+import { type DrawingSummary, FIRST, type Job, type Page, service } from "../api/client";
 import { listen } from "../api/events";
 import { timeline } from "../geometry/timeline";
 import { hasProgram } from "./jobs";
@@ -11,9 +17,16 @@ export const queries = new QueryClient({
   defaultOptions: { queries: { retry: 1, staleTime: 30_000, refetchOnWindowFocus: false } },
 });
 
+const getNextPageParam = ({ next }: Page<unknown>) => next;
+
 const ask = {
   drawings: () =>
-    queryOptions({ queryKey: ["drawings"], queryFn: ({ signal }) => service.drawings(signal) }),
+    infiniteQueryOptions({
+      queryKey: ["drawings"],
+      queryFn: ({ signal, pageParam }) => service.drawings(signal, pageParam),
+      initialPageParam: FIRST.drawings as string,
+      getNextPageParam,
+    }),
   drawing: (id: string) =>
     queryOptions({
       queryKey: ["drawing", id],
@@ -27,7 +40,13 @@ const ask = {
     }),
   ledger: (id: string) =>
     queryOptions({ queryKey: ["ledger", id], queryFn: ({ signal }) => service.ledger(id, signal) }),
-  jobs: () => queryOptions({ queryKey: ["jobs"], queryFn: ({ signal }) => service.jobs(signal) }),
+  jobs: () =>
+    infiniteQueryOptions({
+      queryKey: ["jobs"],
+      queryFn: ({ signal, pageParam }) => service.jobs(signal, pageParam),
+      initialPageParam: FIRST.jobs as string,
+      getNextPageParam,
+    }),
   job: (id: string) =>
     queryOptions({ queryKey: ["job", id], queryFn: ({ signal }) => service.job(id, signal) }),
   verdict: (id: string) =>
@@ -57,11 +76,15 @@ const ask = {
 
 export const keys = ask;
 
-export const useDrawings = () => useQuery(ask.drawings());
+const rowsOf = <T>({ pages }: { pages: Page<T>[] }): T[] => pages.flatMap(({ rows }) => rows);
+
+/** The lists, as far as they were asked for: `fetchNextPage` brings more where `hasNextPage`. */
+export const useDrawings = () =>
+  useInfiniteQuery({ ...ask.drawings(), select: rowsOf<DrawingSummary> });
+export const useJobs = () => useInfiniteQuery({ ...ask.jobs(), select: rowsOf<Job> });
 export const useMachines = () => useQuery(ask.machines());
 export const useBoards = () => useQuery(ask.boards());
 export const useProfiles = () => useQuery(ask.profiles());
-export const useJobs = () => useQuery(ask.jobs());
 
 export function useDrawing() {
   const id = usePage((page) => page.drawing);
@@ -71,6 +94,12 @@ export function useDrawing() {
 export function useEdges() {
   const id = usePage((page) => page.drawing);
   return useQuery({ ...ask.edges(id ?? ""), enabled: id !== null });
+}
+
+/** What became of every entity of the drawing that is open, once it is `wanted`. */
+export function useLedger(wanted: boolean) {
+  const id = usePage((page) => page.drawing);
+  return useQuery({ ...ask.ledger(id ?? ""), enabled: id !== null && wanted });
 }
 
 /** The job that is looked at. */
@@ -114,10 +143,14 @@ export function heardJob(job: Job): void {
   if (known?.state !== job.state) {
     void queries.invalidateQueries({ queryKey: ask.machines().queryKey });
   }
-  queries.setQueryData(ask.jobs().queryKey, (jobs) => {
-    if (jobs === undefined) return jobs;
-    const at = jobs.findIndex(({ id }) => id === job.id);
-    return at < 0 ? [job, ...jobs] : jobs.with(at, job);
+  queries.setQueryData(ask.jobs().queryKey, (list) => {
+    if (list === undefined) return list;
+    const known = list.pages.some(({ rows }) => rows.some(({ id }) => id === job.id));
+    const pages = list.pages.map((page, at) => {
+      const rows = page.rows.map((row) => (row.id === job.id ? job : row));
+      return { ...page, rows: known || at > 0 ? rows : [job, ...rows] };
+    });
+    return { ...list, pages };
   });
 }
 

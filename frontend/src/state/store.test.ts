@@ -49,6 +49,16 @@ test("to look at the same edges again is a new wish", () => {
   expect(page().focus.count).toBe(first + 1);
 });
 
+test("moves that stay under the cursor stay the same list", () => {
+  page().point({ row: null, moves: [3, 4], x: 1, y: 1 });
+  const before = page().hover?.moves;
+  page().point({ row: null, moves: [3, 4], x: 2, y: 1 });
+  expect(page().hover?.moves).toBe(before);
+  expect(page().hover?.x).toBe(2);
+  page().point({ row: null, moves: [4], x: 2, y: 1 });
+  expect(page().hover?.moves).toEqual([4]);
+});
+
 test("what is hidden is shown again by the same click", () => {
   page().toggleType("cut");
   expect(page().hiddenTypes.has("cut")).toBe(true);
@@ -58,14 +68,18 @@ test("what is hidden is shown again by the same click", () => {
 
 describe("what the service tells of a job", () => {
   test("stands in the queue and where it is looked at", () => {
-    queries.setQueryData(keys.jobs().queryKey, [job("a"), job("b")]);
+    queries.setQueryData(keys.jobs().queryKey, {
+      pages: [
+        { rows: [job("a")], next: "/api/jobs?cursor=1" },
+        { rows: [job("b")], next: null },
+      ],
+      pageParams: ["/api/jobs", "/api/jobs?cursor=1"],
+    });
     heardJob(job("b", { progress: 0.5 }));
     heardJob(job("c"));
-    expect(queries.getQueryData(keys.jobs().queryKey)?.map(({ id }) => id)).toEqual([
-      "c",
-      "a",
-      "b",
-    ]);
+    const pages = queries.getQueryData(keys.jobs().queryKey)?.pages ?? [];
+    expect(pages.map(({ rows }) => rows.map(({ id }) => id))).toEqual([["c", "a"], ["b"]]);
+    expect(pages[1]?.rows[0]?.progress).toBe(0.5);
     expect(queries.getQueryData(keys.job("b").queryKey)?.progress).toBe(0.5);
   });
 

@@ -10,10 +10,17 @@ import type { Question } from "../api/client";
 import type { LineState } from "../api/events";
 import type { Change } from "./history";
 
-export type Layer = "nominal" | "head" | "tip" | "rapids";
+export type Layer = "nominal" | "head" | "tip" | "rapids" | "swept" | "moves";
+
+/** What the colour of a nominal line says. */
+export const COLOUR_MODES = ["types", "deviation", "overcut"] as const;
+export type ColourMode = (typeof COLOUR_MODES)[number];
 
 export interface Hover {
-  readonly row: number;
+  /** of the edge; null where there are only moves */
+  readonly row: number | null;
+  /** rows of the toolpath */
+  readonly moves: readonly number[];
   /** CSS pixels from the upper left of the picture */
   readonly x: number;
   readonly y: number;
@@ -38,6 +45,7 @@ export interface PageState {
   readonly hiddenTypes: ReadonlySet<string>;
   readonly hiddenLayers: ReadonlySet<string>;
   readonly layers: Readonly<Record<Layer, boolean>>;
+  readonly colourMode: ColourMode;
   readonly focus: Focus;
   readonly past: readonly Change[];
   readonly future: readonly Change[];
@@ -84,6 +92,7 @@ type PageValues = Pick<
   | "board"
   | "copies"
   | "asked"
+  | "colourMode"
 >;
 
 const NOTHING: ReadonlySet<number> = new Set();
@@ -94,6 +103,9 @@ const toggled = (set: ReadonlySet<string>, word: string): ReadonlySet<string> =>
   return next;
 };
 
+const same = (a: readonly number[], b: readonly number[]): boolean =>
+  a.length === b.length && a.every((row, at) => row === b[at]);
+
 export const usePage = create<PageState>()((put) => ({
   drawing: null,
   job: null,
@@ -101,7 +113,15 @@ export const usePage = create<PageState>()((put) => ({
   hover: null,
   hiddenTypes: new Set<string>(),
   hiddenLayers: new Set<string>(),
-  layers: { nominal: true, head: true, tip: false, rapids: false },
+  layers: {
+    nominal: true,
+    head: true,
+    tip: false,
+    rapids: false,
+    swept: false,
+    moves: false,
+  },
+  colourMode: "types",
   focus: { rows: [], count: 0 },
   past: [],
   future: [],
@@ -147,7 +167,13 @@ export const usePage = create<PageState>()((put) => ({
       for (const row of listed) next.add(row);
       return { selection: next };
     }),
-  point: (hover) => put({ hover }),
+  point: (hover) =>
+    put((page) => {
+      const before = page.hover?.moves;
+      if (hover === null || before === undefined || !same(before, hover.moves)) return { hover };
+      // The cursor moved on along the same moves: they are the same list.
+      return { hover: { ...hover, moves: before } };
+    }),
   toggleType: (type) => put(({ hiddenTypes }) => ({ hiddenTypes: toggled(hiddenTypes, type) })),
   toggleLayerOfDrawing: (layer) =>
     put(({ hiddenLayers }) => ({ hiddenLayers: toggled(hiddenLayers, layer) })),

@@ -9,6 +9,12 @@ export function length(value: number): string {
   return `${value.toFixed(Math.abs(value) >= 100 ? 0 : 1)}${THIN}mm`;
 }
 
+/** A length of which hundredths matter, and the rest is nothing. */
+export function fine(value: number): string {
+  if (!Number.isFinite(value)) return "–";
+  return value < 0.005 ? `0${THIN}mm` : `${value.toFixed(2)}${THIN}mm`;
+}
+
 /** A deviation in mm: small, so with all the digits that mean something. */
 export function deviation(value: number): string {
   if (!Number.isFinite(value)) return "–";

@@ -7,20 +7,33 @@
 
 import { Mesh, MeshBasicMaterial, PlaneGeometry, Scene, WebGLRenderer } from "three";
 import { boundsOf, joined } from "../geometry/bounds";
+import { movesOf } from "../geometry/moves";
 import { type PickIndex, pickIndex } from "../geometry/pick";
-import type { Box, Edges, Point, Pose } from "../geometry/records";
+import {
+  type Box,
+  type Edges,
+  MOTIONS,
+  type Point,
+  type Pose,
+  type Segments,
+} from "../geometry/records";
 import { poseAt, rowAt, type Timeline } from "../geometry/timeline";
-import { type TipOffset, UNDER_THE_HEAD } from "../geometry/tip";
-import { dielineLines, highlightLines, type Palette } from "../scene/dieline";
+import { UNDER_THE_HEAD } from "../geometry/tip";
+import { type DielineLooks, dielineLines, highlightLines, type Palette } from "../scene/dieline";
 import { datumLines, frameLines, gridLines, headLines } from "../scene/furniture";
 import type { Rgba } from "../scene/lines";
+import { MARKED, type Marked, motionMarks } from "../scene/marks";
+import { type SweptColours, sweptShapes, type Tools } from "../scene/swept";
 import { type TravelColours, travelLines } from "../scene/travel";
+import { BandLayer } from "./bands";
 import { type Insets, PlaneCamera } from "./camera";
 import { LineLayer } from "./layer";
 import { listenToPointer } from "./pointer";
 
 export interface ViewerColours extends TravelColours {
   readonly palette: Palette;
+  readonly swept: SweptColours;
+  readonly marks: Readonly<Record<Marked, Rgba>>;
   readonly backdrop: string;
   readonly table: string;
   /** What a line that steps back comes near to. */
@@ -38,7 +51,8 @@ export interface ViewerColours extends TravelColours {
 }
 
 export interface ViewerEvents {
-  onHover(row: number | null, at: Point): void;
+  /** An edge, and the moves of the head that are there: both may be none. */
+  onHover(row: number | null, moves: readonly number[], at: Point): void;
   onChoose(rows: readonly number[], add: boolean): void;
   onCursor(at: Point | null): void;
   onView(pixelsPerMm: number): void;
@@ -50,11 +64,23 @@ export interface Shown {
   readonly head: boolean;
   readonly tip: boolean;
   readonly rapids: boolean;
+  readonly swept: boolean;
+  readonly moves: boolean;
 }
 
 /** How near the cursor must come to an edge (pixels). */
 const REACH = 7;
+/** Moves this much farther than the nearest one are pointed at with it (pixels). */
+const TOGETHER = 1.5;
 const GLIDE = 260;
+const NOMINAL_ORDER = 5;
+/** Above the paths, under what is pointed at. */
+const MAP_ORDER = 8.5;
+/** How wide the dots of the moves are (pixels) … */
+const MARKS: Readonly<Record<Marked, number>> = { lift: 10, swivel: 7, plunge: 4 };
+/** … where a millimetre is at least this large; smaller from farther away, to this part of it. */
+const FULL_MARKS = 2;
+const LEAST_MARKS = 0.4;
 /** A report this much behind the marker is no way back (s of the program). */
 const SLACK = 1.5;
 
@@ -65,7 +91,7 @@ export class NoWebGL extends Error {
 
 export class Viewer {
   readonly camera = new PlaneCamera();
-  insets: Insets = { left: 56, top: 68, right: 64, bottom: 104 };
+  insets: Insets = { left: 56, top: 108, right: 64, bottom: 104 };
 
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
@@ -73,11 +99,19 @@ export class Viewer {
   private readonly frame = new LineLayer(1.25, 2);
   private readonly datum = new LineLayer(2, 3);
   private readonly chosen = new LineLayer(10, 4);
-  private readonly nominal = new LineLayer(1.75, 5);
+  private readonly bands = new BandLayer(4.5);
+  private readonly rims = new LineLayer(1.25, 4.6);
+  private readonly nominal = new LineLayer(1.75, NOMINAL_ORDER);
   private readonly rapids = new LineLayer(1, 6);
   private readonly head = new LineLayer(1.6, 7);
   private readonly tip = new LineLayer(1, 8);
   private readonly hovered = new LineLayer(3.5, 9);
+  // One within the other, so that all are seen where a tool is lifted, turned and set down.
+  private readonly motions = {
+    lift: new LineLayer(MARKS.lift, 9.1),
+    swivel: new LineLayer(MARKS.swivel, 9.2),
+    plunge: new LineLayer(MARKS.plunge, 9.3),
+  };
   private readonly mark = new LineLayer(2.25, 11);
   private readonly halo = new LineLayer(5, 10);
   private readonly table: Mesh<PlaneGeometry, MeshBasicMaterial>;
@@ -86,11 +120,13 @@ export class Viewer {
     this.frame,
     this.datum,
     this.chosen,
+    this.rims,
     this.nominal,
     this.rapids,
     this.head,
     this.tip,
     this.hovered,
+    ...Object.values(this.motions),
     this.halo,
     this.mark,
   ];
@@ -101,10 +137,21 @@ export class Viewer {
   private edges: Edges | null = null;
   private index: PickIndex | null = null;
   private visible: (row: number) => boolean = () => true;
+  private mapped = false;
   private timeline: Timeline | null = null;
-  private offsets: ReadonlyMap<number, TipOffset> = new Map();
+  private moves: { segments: Segments; index: PickIndex } | null = null;
+  private tools: Tools = { sweeps: new Map(), offsets: new Map(), caliper: 0 };
+  /** What is swept costs more to lay than a line: it is laid when it is first asked for. */
+  private sweptLaid = false;
   private tableBox: Box | null = null;
-  private shown: Shown = { nominal: true, head: true, tip: false, rapids: false };
+  private shown: Shown = {
+    nominal: true,
+    head: true,
+    tip: false,
+    rapids: false,
+    swept: false,
+    moves: false,
+  };
   private seconds: number | null = null;
   private run: { from: number; to: number; began: number; lasts: number } | null = null;
   private glide: {
@@ -115,6 +162,7 @@ export class Viewer {
   private asked = 0;
   private ratio = 1;
   private hoverRow: number | null = null;
+  private hoverMoves: readonly number[] = [];
 
   constructor(
     private readonly host: HTMLElement,
@@ -135,7 +183,7 @@ export class Viewer {
     this.table.visible = false;
     this.table.frustumCulled = false;
     this.scene.add(this.table);
-    for (const layer of this.layers) this.scene.add(layer.mesh);
+    for (const layer of [this.bands, ...this.layers]) this.scene.add(layer.mesh);
 
     this.watch = new ResizeObserver(() => this.resize());
     this.watch.observe(host);
@@ -173,8 +221,12 @@ export class Viewer {
     this.resize();
   }
 
-  /** Show a drawing; `visible` says which of its edges. */
-  showEdges(edges: Edges | null, visible: (row: number) => boolean): void {
+  /** Show a drawing; `visible` says which of its edges, `looks` how they are told apart. */
+  showEdges(
+    edges: Edges | null,
+    visible: (row: number) => boolean,
+    looks: Omit<DielineLooks, "shown"> = {},
+  ): void {
     const fresh = edges?.ends !== this.edges?.ends;
     this.edges = edges;
     this.visible = visible;
@@ -189,18 +241,23 @@ export class Viewer {
       this.layTravel();
     }
     this.nominal.show(
-      edges === null ? null : dielineLines(edges, this.origin, this.colours.palette, visible),
+      edges === null
+        ? null
+        : dielineLines(edges, this.origin, this.colours.palette, { ...looks, shown: visible }),
     );
+    this.mapped = (looks.colours ?? null) !== null;
     this.draw();
   }
 
-  showTravel(timeline: Timeline | null, offsets: ReadonlyMap<number, TipOffset>): void {
+  showTravel(timeline: Timeline | null, tools: Tools): void {
     if (timeline !== this.timeline) {
       this.seconds = null;
       this.run = null;
+      this.moves = null;
+      this.hoverMoves = [];
     }
     this.timeline = timeline;
-    this.offsets = offsets;
+    this.tools = tools;
     this.layTravel();
     this.draw();
   }
@@ -214,6 +271,7 @@ export class Viewer {
 
   showLayers(shown: Shown): void {
     this.shown = shown;
+    this.laySwept();
     this.draw();
   }
 
@@ -226,12 +284,14 @@ export class Viewer {
     this.draw();
   }
 
-  showHovered(row: number | null): void {
+  /** Light an edge, or the moves where there is none. */
+  showHovered(row: number | null, moves: readonly number[] = []): void {
     this.hoverRow = row;
+    this.hoverMoves = moves;
+    const { edges, origin, colours } = this;
+    const [lit, rows] = row === null ? [this.moves?.segments, moves] : [edges, [row]];
     this.hovered.show(
-      this.edges === null || row === null
-        ? null
-        : highlightLines(this.edges, this.origin, [row], this.colours.hover),
+      lit === null || lit === undefined ? null : highlightLines(lit, origin, rows, colours.hover),
     );
     this.draw();
   }
@@ -304,7 +364,7 @@ export class Viewer {
     cancelAnimationFrame(this.asked);
     this.watch.disconnect();
     this.stopListening();
-    for (const layer of this.layers) layer.dispose();
+    for (const layer of [this.bands, ...this.layers]) layer.dispose();
     this.table.geometry.dispose();
     this.table.material.dispose();
     this.renderer.dispose();
@@ -332,12 +392,30 @@ export class Viewer {
     return this.index.at(place.x, place.y, REACH / this.camera.scale, this.visible);
   }
 
+  /** The moves of the head that are seen at a place. */
+  private pickMoves(at: Point): readonly number[] {
+    const { timeline, shown } = this;
+    if (timeline === null || !(shown.head || shown.rapids)) return [];
+    const { toolpath } = timeline;
+    if (this.moves === null) {
+      const segments = movesOf(toolpath);
+      this.moves = { segments, index: pickIndex(segments) };
+    }
+    const place = this.camera.toPlane(at);
+    const pixel = 1 / this.camera.scale;
+    return this.moves.index.near(place.x, place.y, REACH * pixel, TOGETHER * pixel, (row) =>
+      MOTIONS[toolpath.motion[row] ?? 0] === "rapid" ? shown.rapids : shown.head,
+    );
+  }
+
   private point(at: Point | null): void {
     this.events.onCursor(at === null ? null : this.camera.toPlane(at));
     const row = at === null ? null : this.pick(at);
-    if (row !== null || this.hoverRow !== null) {
+    const moves = at === null ? [] : this.pickMoves(at);
+    const was = this.hoverRow !== null || this.hoverMoves.length > 0;
+    if (row !== null || moves.length > 0 || was) {
       this.host.style.cursor = row === null ? "" : "pointer";
-      this.events.onHover(row, at ?? { x: 0, y: 0 });
+      this.events.onHover(row, moves, at ?? { x: 0, y: 0 });
     }
   }
 
@@ -357,10 +435,29 @@ export class Viewer {
   private layTravel(): void {
     const { timeline } = this;
     const lines =
-      timeline === null ? null : travelLines(timeline, this.origin, this.colours, this.offsets);
+      timeline === null
+        ? null
+        : travelLines(timeline, this.origin, this.colours, this.tools.offsets);
     this.head.show(lines?.head ?? null);
     this.tip.show(lines?.tip ?? null);
     this.rapids.show(lines?.rapids ?? null);
+    const dots =
+      timeline === null ? null : motionMarks(timeline.toolpath, this.origin, this.colours.marks);
+    this.motions.plunge.show(dots?.plunge ?? null);
+    this.motions.lift.show(dots?.lift ?? null);
+    this.motions.swivel.show(dots?.swivel ?? null);
+    this.sweptLaid = false;
+    this.laySwept();
+  }
+
+  private laySwept(): void {
+    if (this.sweptLaid || !this.shown.swept) return;
+    this.sweptLaid = true;
+    const { timeline, origin, tools, colours } = this;
+    const swept =
+      timeline === null ? null : sweptShapes(timeline.toolpath, origin, tools, colours.swept);
+    this.bands.show(swept?.bands ?? null);
+    this.rims.show(swept?.rims ?? null);
   }
 
   private resize(): void {
@@ -433,11 +530,24 @@ export class Viewer {
     this.nominal.mesh.visible = shown.nominal && this.edges !== null;
     // Where the tool turns about its tip both paths are one: the nominal line becomes the wider
     // and fainter, so that it is seen on either side of the other.
-    if (has && (shown.head || shown.tip)) this.nominal.look(4.5, 0.75, this.colours.ground);
-    else this.nominal.look(1.75, 1, this.colours.ground);
+    const { ground } = this.colours;
+    if (this.mapped) this.nominal.look(4, 1, ground);
+    else if (has && (shown.head || shown.tip)) this.nominal.look(4.5, 0.75, ground);
+    else this.nominal.look(1.75, 1, ground);
+    // A map is what is looked at: the paths step back, and under it.
+    this.nominal.mesh.renderOrder = this.mapped ? MAP_ORDER : NOMINAL_ORDER;
+    this.head.look(1.6, this.mapped ? 0.5 : 1, ground);
+    this.tip.look(1, this.mapped ? 0.4 : 1, ground);
     this.head.mesh.visible = shown.head && has;
     this.tip.mesh.visible = shown.tip && has;
     this.rapids.mesh.visible = shown.rapids && has;
+    this.bands.mesh.visible = shown.swept && has;
+    this.rims.mesh.visible = shown.swept && has;
+    const near = Math.min(1, Math.max(LEAST_MARKS, camera.scale / FULL_MARKS));
+    for (const word of MARKED) {
+      this.motions[word].mesh.visible = shown.moves && has;
+      this.motions[word].look(MARKS[word] * near, 1, ground);
+    }
     for (const layer of [this.head, this.tip]) layer.until(this.seconds ?? -1, this.colours.done);
     camera.apply(origin);
     this.renderer.render(this.scene, camera.three);
@@ -455,7 +565,7 @@ export class Viewer {
       return;
     }
     const { placement, tool } = timeline.toolpath;
-    const offset = this.offsets.get(tool[rowAt(timeline, seconds)] ?? 0) ?? UNDER_THE_HEAD;
+    const offset = this.tools.offsets.get(tool[rowAt(timeline, seconds)] ?? 0) ?? UNDER_THE_HEAD;
     const here: Pose = { ...pose, x: pose.x - placement[0], y: pose.y - placement[1] };
     const pixel = 1 / this.camera.scale;
     const { mark, blade } = this.colours;

@@ -84,6 +84,39 @@ def test_a_cut_shorter_than_the_lead_is_refused():
         knife(planned(edges(((0, 0), (2.2, 0)))))
 
 
+def led(ends, **leads):
+    blade = replace(KNIFE, **leads)
+    machine = replace(MACHINE, stations=(replace(MACHINE.stations[0], tool=blade),))
+    return knife(plan(dieline((LineType.CUT, ends)), machine, BOARD)[-1])
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_an_outline_begins_and_ends_in_the_waste_on_a_quarter_of_a_circle(backwards):
+    outline = closed((0, 0), (100, 0), (90, 50), (10, 50))
+    path = led(outline[:, ::-1] if backwards else outline, lead_in=np.pi, lead_out=np.pi)
+    assert path.motion[1] == Motion.LEAD_IN
+    assert path.motion[-2] == Motion.LEAD_OUT
+    # Clockwise, so that the waste is on the left: due west along the edge y = 0, begun at (50, 0).
+    # A quarter of π mm has a radius of 2 mm; it comes from (52, -2), due north.
+    np.testing.assert_allclose(path.pose[1, :2], [52, -2], atol=1e-9)
+    np.testing.assert_allclose(path.pose[2, :2], [50, 0], atol=1e-9)
+    np.testing.assert_allclose(path.pose[1:3, 3] % 360, [90, 180], atol=1e-9)
+    # Over its start by 2 mm, and off into the waste, due south.
+    np.testing.assert_allclose(path.pose[-3, :2], [48, 0], atol=1e-9)
+    np.testing.assert_allclose(path.pose[-2, :2], [46, -2], atol=1e-9)
+    assert path.pose[-2, 3] % 360 == pytest.approx(270)
+
+
+def test_holes_and_slits_have_no_leads():
+    hole = closed((20, 20), (40, 20), (40, 40), (20, 40))
+    blade = replace(KNIFE, lead_in=3.0, lead_out=3.0)
+    machine = replace(MACHINE, stations=(replace(MACHINE.stations[0], tool=blade),))
+    outline = closed((0, 0), (100, 0), (100, 50), (0, 50))
+    inner, outer = plan(dieline((LineType.CUT, outline), (LineType.CUT, hole)), machine, BOARD)
+    assert Motion.LEAD_IN not in knife(inner).motion
+    assert Motion.LEAD_IN in knife(outer).motion
+
+
 def test_a_drag_knife_trails_its_head_and_swings_round_its_tip():
     drag = replace(KNIFE, blade_angle=0.0, trail=2.0)
     ends = edges(((0, 0), (50, 0)), ((50, 0), (50 + 40, 10)))

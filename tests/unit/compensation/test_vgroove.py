@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from knifetip.compensation.vgroove import head_offset, vgroove
+from knifetip.compensation.vgroove import head_offset, section, vgroove
 from knifetip.errors import CurvedGroove, EdgeTooShort, GrooveTooDeep
 from knifetip.model.dieline import LineType
+from knifetip.model.operation import End
 from knifetip.model.toolpath import Motion
 from knifetip.planning.plan import plan
 from shapes import BOARD, CUTTER, MACHINE, dieline, edges
@@ -63,6 +64,35 @@ def test_deeper_passes_follow_each_other():
     fed = np.flatnonzero(path.motion == Motion.FEED)
     np.testing.assert_allclose(path.pose[fed, 2], [1.5, 1.5, 1.0, 1.0])
     np.testing.assert_allclose(path.pose[fed, 3], [0.0, 180.0, 0.0, 180.0])
+
+
+def test_a_groove_runs_out_past_its_ends_by_what_the_operation_says():
+    path = grooved(EAST, run_out=np.array([[1.0, 2.5]]), start=[End.MEETS], finish=[End.MEETS])
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    # The tip goes from -1 to 102.5 and back; Δ = (1.5, -4).
+    np.testing.assert_allclose(path.pose[fed, :2], [[0.5, -4.0], [101.0, 4.0]])
+    np.testing.assert_allclose(path.pose[fed + 1, :2], [[104.0, -4.0], [-2.5, 4.0]])
+
+
+def test_only_ends_inside_the_board_are_held_to_its_overcut():
+    assert len(grooved(EAST, overcut=2.9, start=[End.MEETS], finish=[End.MEETS]))
+    with pytest.raises(GrooveTooDeep, match="inside the board"):
+        grooved(EAST, overcut=2.9, start=[End.MEETS], finish=[End.FREE])
+
+
+def test_a_groove_of_two_pieces_on_either_side_of_due_east_keeps_its_heading():
+    # 0.001° below and above the x axis: azimuths 359.999 and 0.001.
+    rise = 50 * np.tan(np.radians(0.001))
+    path = grooved(edges(((0, rise), (50, 0)), ((50, 0), (100, rise))))
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    np.testing.assert_allclose(path.pose[fed, 3], [359.999, 360.001, 540.001, 539.999], atol=1e-6)
+
+
+def test_the_section_of_a_groove_is_its_angle_its_width_and_what_it_leaves():
+    # 1.3 deep in 2.0 at 30°: 2 · 1.3 · tan 30° = 1.5011 wide.
+    cut = section(1.3, 2.0, replace(CUTTER, tilt=30.0))
+    assert (cut.included, cut.web) == (60.0, 0.7)
+    assert cut.width == pytest.approx(1.50111, abs=1e-5)
 
 
 def test_a_groove_in_two_pieces_is_cut_in_one_go():

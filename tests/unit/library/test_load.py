@@ -8,6 +8,7 @@ import pytest
 
 from knifetip.errors import KnifetipError, LibraryError, ProfileError
 from knifetip.library import load
+from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
 
@@ -341,3 +342,62 @@ def test_an_unknown_name_is_told_what_there_is(shelf, name: str):
     with pytest.raises(KnifetipError) as caught:
         shelf(name)
     assert caught.value.mend
+
+
+CUTTER = """kind = "cutter"
+radius = 3.0
+speed = 18000.0
+feed = 9000.0
+plunge = 1500.0
+"""
+
+
+def routed(text: str) -> str:
+    return MACHINE[: MACHINE.index('kind = "v-cutter"')] + text
+
+
+def test_a_router_keeps_its_figures_and_sets_up_on_one_and_a_half_radii(put):
+    (station,) = load.machine(put(routed(CUTTER))).stations
+    assert station.tool == Cutter(3.0, 9000.0, 1500.0, speed=18000.0)
+    assert station.tool.set_up == 4.5
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("speed = -1.0", "speed is -1.0, and must not be less than 0"),
+        ("lead = 3.0", "lead is 3.0, and must be more than the radius"),
+        ("step = nan", "step is nan, not a number"),
+        ("dwell = -0.1", "dwell is -0.1, and must not be less than 0"),
+        ("teeth = 2", "teeth"),
+    ],
+)
+def test_a_wrong_router_says_what_is_wrong(put, line: str, told: str):
+    text = CUTTER.replace("speed = 18000.0\n", "") + line + "\n"
+    with pytest.raises(LibraryError, match="cannot be read") as caught:
+        load.machine(put(routed(text)))
+    assert told in caught.value.message
+
+
+def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put):
+    given = '\n[deflection.Router]\nx = 0.08\ny = 0.05\n[deflection."Router 6"]\nx = 0.1\ny = 0\n'
+    board = load.board(put(BOARD + given))
+    assert board.deflection == (Deflection("Router", 0.08, 0.05), Deflection("Router 6", 0.1, 0.0))
+    assert load.board(put(BOARD, "bare.toml")).deflection == ()
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ("[deflection.Router]\nx = 0.08", "'y' is missing"),
+        (
+            "[deflection.Router]\nx = -0.08\ny = 0.0",
+            "deflection Router.x is -0.08, and must not be",
+        ),
+        ("[deflection]\nRouter = 3", "cannot be read"),
+    ],
+)
+def test_a_wrong_deflection_says_what_is_wrong(put, given: str, told: str):
+    with pytest.raises(LibraryError) as caught:
+        load.board(put(BOARD + "\n" + given + "\n"))
+    assert told in caught.value.message

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.planning.outer import outer
+from knifetip.planning.outer import outer, outside
 from shapes import closed, edges, rotation
 
 OUTLINE = edges(
@@ -32,6 +32,13 @@ def test_order_direction_and_turn_do_not_matter(seed, degrees):
     backwards = random.random(len(SHEET)) < 0.5
     turned[backwards] = turned[backwards][:, ::-1]
     np.testing.assert_array_equal(outer(turned, np.zeros(len(SHEET))), EXPECTED[order])
+
+
+@given(degrees=st.floats(0, 360), backwards=st.booleans())
+def test_the_waste_is_right_of_an_outline_drawn_counter_clockwise(degrees, backwards):
+    turned = OUTLINE @ rotation(degrees).T
+    side = outside(turned[:, ::-1] if backwards else turned, np.zeros(5))
+    assert side.tolist() == [1 if backwards else -1] * 5
 
 
 def test_a_circle_of_two_arcs_is_outer_and_the_one_inside_it_is_not():

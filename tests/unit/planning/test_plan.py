@@ -50,6 +50,46 @@ def test_depths_are_the_boards():
     assert set(cut.depth.ravel()) == {2.3}  # caliper 2.0 and 0.3 into the mat
 
 
+def test_a_groove_goes_down_in_equal_passes_none_deeper_than_the_board_allows():
+    line = dieline((LineType.V_GROOVE, edges(((80, 10), (80, 90)))))
+    assert only(plan(line, MACHINE, BOARD)).depth.tolist() == [[1.0]]
+    three = only(plan(line, MACHINE, replace(BOARD, groove_pass=0.4)))
+    np.testing.assert_allclose(three.depth, [[1 / 3, 2 / 3, 1.0]])
+    two = only(plan(line, MACHINE, replace(BOARD, groove_pass=0.5)))
+    np.testing.assert_allclose(two.depth, [[0.5, 1.0]])
+
+
+def test_a_groove_runs_out_where_it_meets_the_outline_and_only_there():
+    # 2 mm wide; from the left edge at 45° to the middle of the board.
+    line = dieline((LineType.CUT, OUTLINE), (LineType.V_GROOVE, edges(((0, 20), (50, 70)))))
+    groove = plan(line, MACHINE, BOARD)[0]
+    np.testing.assert_allclose(groove.run_out, [[1.0, 0.0]])
+    assert (groove.start[0], groove.finish[0]) == (End.MEETS, End.FREE)
+
+
+def test_a_groove_that_ends_on_a_hole_or_on_a_slit_does_not_run_out():
+    slit = (LineType.CUT, edges(((120, 10), (120, 90))))
+    groove = (LineType.V_GROOVE, edges(((40, 30), (120, 50))))
+    line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, HOLE), slit, groove)
+    assert not plan(line, MACHINE, BOARD)[0].run_out.any()
+
+
+def test_a_groove_that_meets_the_edge_at_ten_degrees_runs_out_and_is_no_flank_outside():
+    reach = 30.0 / np.tan(np.radians(10.0))
+    line = dieline(
+        (LineType.CUT, OUTLINE), (LineType.V_GROOVE, edges(((10, 70), (10 + reach, 100))))
+    )
+    # cot 10° = 5.6713
+    assert plan(line, MACHINE, BOARD)[0].run_out[0, 1] == pytest.approx(5.67128, abs=1e-5)
+
+
+def test_a_cut_drawn_twice_is_cut_once():
+    line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, OUTLINE[:2, ::-1]))
+    operation = only(plan(line, MACHINE, BOARD))
+    assert sorted(set(operation.source.tolist())) == [0, 1, 2, 3]
+    assert operation.start.tolist() == [End.CLOSED]
+
+
 @pytest.mark.parametrize(("end", "depth"), [((0, 50), 0.4), ((50, 0), 0.6), ((50, 50), 0.5)])
 def test_a_crease_is_as_deep_as_its_angle_to_the_grain_asks(end, depth):
     operation = only(plan(dieline((LineType.CREASE, edges(((0, 0), end)))), MACHINE, BOARD))

@@ -472,6 +472,24 @@ def test_a_rotating_cutter_is_refused_because_nothing_says_its_speed():
         process(toolpath(rapid(1, 1)), replace(TABLE, stations=(router,)), "grblhal")
 
 
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+def test_a_router_turns_at_its_speed_before_it_goes_down_and_stops_after(dialect):
+    router = Cutter(3.0, 1000.0, 500.0, speed=18000.0, spin_up=2.5)
+    table = replace(TABLE, stations=(replace(TABLE.stations[0], tool=router),))
+    text = process(toolpath(rapid(1, 1), feed(5, 1, -0.3)), table, dialect).text
+    head, work = text.split(b"M3 S18000\nG4 P2.5\n")
+    assert b"G1 " not in head
+    assert b"M5\n" in work
+    assert b"M5" not in head
+
+
+def test_the_pause_of_the_pistons_stands_where_the_spindle_is_quicker():
+    router = Cutter(3.0, 1000.0, 500.0, speed=18000.0, spin_up=0.05)
+    table = replace(TABLE, stations=(replace(TABLE.stations[0], tool=router),))
+    text = process(toolpath(rapid(1, 1), feed(5, 1, -0.3)), table, "linuxcnc").text
+    assert b"M3 S18000\nG4 P0.15\n" in text
+
+
 def test_a_line_that_grbl_cannot_read_is_refused():
     # A climbing arc with every number at its longest.
     rows = [

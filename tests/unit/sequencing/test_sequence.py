@@ -6,18 +6,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from knifetip.compensation.compensate import compensate
 from knifetip.errors import PlanError, TravelExceeded
+from knifetip.geometry.path import Paths
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Axis
+from knifetip.model.tool import VCutter
 from knifetip.model.toolpath import Motion
 from knifetip.planning.plan import plan
-from knifetip.sequencing.order import nearest_neighbour, unwound
 from knifetip.sequencing.sequence import sequence
-from shapes import BOARD, MACHINE, closed, dieline, edges
+from shapes import BOARD, KNIFE, MACHINE, closed, dieline, edges
 
 
 def sequenced(*groups, machine=MACHINE):
@@ -108,28 +107,124 @@ def test_nothing_to_do_is_said():
         sequence([], MACHINE)
 
 
-@given(seed=st.integers(0, 500), count=st.integers(1, 60))
-def test_the_nearest_start_is_always_taken(seed, count):
-    random = np.random.default_rng(seed)
-    start, end = random.uniform(0, 100, (2, count, 2))
-    order = nearest_neighbour(start, end, np.zeros(2))
-    assert sorted(order) == list(range(count))
-    here, left = np.zeros(2), set(range(count))
-    for track in order:
-        left_now = np.array(sorted(left))
-        distances = np.hypot(*(start[left_now] - here).T)
-        assert np.hypot(*(start[track] - here)) <= distances.min() + 1e-12
-        left.remove(int(track))
-        here = end[track]
+def test_a_crease_is_rolled_from_the_end_that_is_nearer():
+    # From (0, 0) the first crease begins 3 mm before (90, 10): it is run back to x = 13.
+    path = sequenced(
+        (LineType.CREASE, edges(((90, 10), (10, 10)), ((90, 20), (10, 20)))),
+    )
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    assert path.pose[fed[0], 0] < 20 < 80 < path.pose[fed[0] + 1, 0]
+    assert path.pose[fed[1], 0] > 80 > 20 > path.pose[fed[1] + 1, 0]
+    # Backwards the plunge is still a plunge, and the lift a lift.
+    for row in fed:
+        assert path.motion[row - 1 : row + 2].tolist() == [Motion.PLUNGE, Motion.FEED, Motion.LIFT]
+        assert path.pose[row - 1, 2] > path.pose[row, 2] == path.pose[row + 1, 2]
+        assert path.pose[row + 2, 2] > path.pose[row + 1, 2]
 
 
-def test_headings_take_the_nearest_equivalent_turn():
-    start = np.array([350.0, 10.0, 350.0])
-    shift = unwound(start, start, start, start, 0.0, -1080.0, 1080.0, 360.0)
-    np.testing.assert_array_equal(start + shift, [-10.0, 10.0, -10.0])
+def test_a_way_back_bends_the_other_way_and_keeps_the_wheel_on_the_tangent():
+    # A half circle over (0, 50) … (100, 50), drawn from its far end: bulge 1 becomes -1.
+    line = dieline((LineType.CREASE, edges(((100, 50), (0, 50)))), bulge={0: 1.0})
+    path = sequence([compensate(plan(line, MACHINE, BOARD)[0])], MACHINE)
+    row = int(np.flatnonzero(path.motion == Motion.FEED)[0])
+    assert path.pose[row, 0] < 1.0
+    assert path.bulge[row] < -0.9
+    # At the left the tangent stands up: C is 90 or 270 to within the setback's turn.
+    assert abs(path.pose[row, 3] % 180.0 - 90.0) < 6.0
+    assert path.pose[row + 1, 3] - path.pose[row, 3] == pytest.approx(
+        4.0 * np.degrees(np.arctan(path.bulge[row]))
+    )
 
 
-def test_headings_come_back_before_the_limit():
-    start, end = np.array([0.0, 0.0]), np.array([300.0, 300.0])
-    shift = unwound(start, end, start, end, 0.0, -100.0, 400.0, 360.0)
-    np.testing.assert_array_equal(shift, [0.0, 0.0])
+def test_a_v_groove_is_begun_at_its_nearer_end_and_both_its_flanks_are_cut():
+    line = (LineType.V_GROOVE, edges(((300, 50), (100, 50))))
+    path = sequenced(line)
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    assert len(fed) == 2
+    # Out from x = 100, C 0, head right of travel (y - 4) and ahead (x + 1.5); back the other way.
+    np.testing.assert_allclose(path.pose[fed[0], :2], [101.5, 46.0])
+    np.testing.assert_allclose(path.pose[fed[0] + 1, :2], [301.5, 46.0])
+    np.testing.assert_allclose(path.pose[fed[1], :2], [298.5, 54.0])
+    np.testing.assert_allclose(path.pose[fed[1] + 1, :2], [98.5, 54.0])
+    assert abs(path.pose[fed[1], 3] - path.pose[fed[0], 3]) == pytest.approx(180.0)
+
+
+def test_a_slanted_blade_is_never_run_backwards():
+    cuts = edges(*[((90, y), (10, y)) for y in range(10, 60, 10)])
+    path = sequenced((LineType.CUT, cuts))
+    for row in np.flatnonzero(path.motion == Motion.FEED):
+        assert path.pose[row + 1, 0] < path.pose[row, 0]
+
+
+def test_an_upright_blade_is_and_turns_round_for_it():
+    upright = replace(
+        MACHINE,
+        stations=(
+            replace(MACHINE.stations[0], tool=replace(KNIFE, blade_angle=0.0)),
+            *MACHINE.stations[1:],
+        ),
+    )
+    cuts = edges(*[((90, y), (10, y)) for y in range(10, 60, 10)])
+    path = sequenced((LineType.CUT, cuts), machine=upright)
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    way = np.sign(path.pose[fed + 1, 0] - path.pose[fed, 0])
+    assert set(way) == {-1.0, 1.0}
+    np.testing.assert_allclose(np.cos(np.radians(path.pose[fed, 3])), way, atol=1e-9)
+
+
+def test_two_runs_give_the_same_way():
+    random = np.random.default_rng(3)
+    ends = random.uniform(0, 500, (60, 2, 2))
+    one, two = (sequenced((LineType.CREASE, ends)) for _ in range(2))
+    np.testing.assert_array_equal(one.pose, two.pose)
+
+
+def sheet(x, y, width, height):
+    ends = closed((x, y), (x + width, y), (x + width, y + height), (x, y + height))
+    return Paths(ends[:, 0], ends[:, 1], np.zeros(4), np.array([0, 4]))
+
+
+def test_a_groove_that_has_left_the_board_turns_without_a_lift():
+    # The board is 100 … 300 wide; the grooves run out by 40 mm on both sides of it.
+    lines = edges(((60, 50), (340, 50)), ((60, 80), (340, 80)))
+    operation = plan(dieline((LineType.V_GROOVE, lines)), MACHINE, BOARD)[0]
+    high = sequence([compensate(operation)], MACHINE)
+    low = sequence([compensate(operation)], MACHINE, sheet(100, 0, 200, 400))
+    # Groove 1 out, turn, back, link, groove 2 out, turn, back: three lifts fewer.
+    assert (high.motion == Motion.LIFT).sum() == 4
+    assert (low.motion == Motion.LIFT).sum() == 1
+    turns = np.flatnonzero((low.motion == Motion.RAPID) & (low.pose[1:, 2] < 2.0))
+    assert len(turns) == 3
+    np.testing.assert_allclose(low.pose[1:][turns, 2], 1.0)
+    fed = [path.pose[1:][path.motion == Motion.FEED] for path in (high, low)]
+    np.testing.assert_allclose(*fed)
+
+
+def test_a_groove_that_has_not_quite_left_the_board_turns_above_it():
+    # 2 mm past the edge the tip circle of 1.5 mm about the blade still reaches back over it.
+    lines = edges(((98.5, 50), (301.5, 50)))
+    operation = plan(dieline((LineType.V_GROOVE, lines)), MACHINE, BOARD)[0]
+    low = sequence([compensate(operation)], MACHINE, sheet(100, 0, 200, 400))
+    assert low.pose[:, 2][1:][low.motion == Motion.RAPID].min() == 4.0
+
+
+def test_a_knife_beside_the_board_is_lifted_off_the_mat():
+    cuts = edges(((60, 50), (20, 50)), ((60, 80), (20, 80)))
+    operation = plan(dieline((LineType.CUT, cuts)), MACHINE, BOARD)[0]
+    low = sequence([compensate(operation)], MACHINE, sheet(100, 0, 200, 400))
+    link = np.flatnonzero((low.motion == Motion.RAPID) & (low.pose[1:, 2] < 4.0))
+    # It cuts at -0.3 and travels at the machine's clearance above the mat: 2 mm.
+    np.testing.assert_allclose(low.pose[1:][link, 2], 2.0)
+    assert len(link) == 1
+
+
+def test_a_blade_so_wide_that_its_circle_would_dip_is_lifted_further_along_itself():
+    wide = VCutter(back=4.0, half_width=6.0, tilt=45.0)
+    machine = replace(MACHINE, stations=(replace(MACHINE.stations[2], tool=wide),))
+    board = replace(BOARD, groove_overcut=20.0)
+    line = dieline((LineType.V_GROOVE, edges(((100, 50), (300, 50)))))
+    path = sequence([compensate(plan(line, machine, board)[0])], machine)
+    turn = np.flatnonzero(path.motion == Motion.RAPID)
+    turn = turn[path.pose[1:][turn, 2] < 20.0]
+    # The circle hangs 6 sin 45° = 4.243 below the tip, 2.243 of it below the face at 2: so much up.
+    assert path.pose[1:][turn, 2].max() == pytest.approx(2.0 + 6.0 * np.sin(np.pi / 4))

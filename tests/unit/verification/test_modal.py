@@ -86,7 +86,7 @@ def test_a_feed_is_forgotten_when_the_feed_mode_changes():
         ("Q5", "has a Q that belongs to nothing."),
         ("G1 X1 F0", "has a feed that does not move."),
         ("M64 P7", "switches an output that hand-table lacks."),
-        ("M3 S0", "switches the oscillation on by another word than S1."),
+        ("M3 S0", "switches what turns or oscillates on with another speed (S) than the tool's."),
         ("T9", "calls a station that hand-table lacks."),
         ("M6", "changes the station and none is named."),
         ("G43", "takes the offset of a station, and none is called."),
@@ -119,7 +119,7 @@ def test_what_the_controller_may_remember_must_be_stated_before_the_first_move(w
 
 def test_a_piston_needs_its_time_before_anything_moves():
     text = LINUXCNC.decode().replace("M64 P1\nG4 P0.15\n", "M64 P1\n")
-    assert any("less than 0.15 s after something" in fault for fault in faults_of(text))
+    assert any("moves before what was switched has settled" in fault for fault in faults_of(text))
 
 
 def test_the_end_leaves_nothing_switched_on():
@@ -128,7 +128,7 @@ def test_the_end_leaves_nothing_switched_on():
     assert faults_of(text) == []
     for gone, said in (
         ("M65 P0\n", "with a station lowered."),
-        ("M5\n", "while the knife oscillates."),
+        ("M5\n", "while something oscillates or turns."),
         ("G49\n", "with the offset of a station in force."),
         ("M2\n", "does not end (M2)."),
     ):

@@ -1,0 +1,195 @@
+"""Corner: which way round each convex corner of a cutter's path, and what it costs.
+
+    Operation[Cutter] -> (n,) Corner and (n,) knob k, at the corner where each segment begins
+
+B goes round on an arc and touches the corner all the way, C on straight lines with a stop at each
+bend, D on line, arc, line, which neither stops nor touches.  "auto" takes for each corner the one
+that is over soonest on this machine, B only where its touch does not burn the corner.
+
+Source: radius compensation patent of Dalian Jiaotong University (B, C and D types); the times are
+our derivation: trapezoidal, with a stop where the direction jumps and v² ≤ a r′ on an arc.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from knifetip.errors import CompensationError
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, U8
+from knifetip.geometry.path import Paths
+from knifetip.geometry.transition import Corner
+from knifetip.model.operation import Operation
+from knifetip.model.tool import Cutter
+
+#: Extension ends and insertion begins at this turn (radians).
+_SQUARE: Final = np.pi / 2.0
+#: A knob below this would be a B type in all but name.
+_LEAST: Final = 0.05
+#: A corner that turns less than this is none (radians).
+_STRAIGHT: Final = 1e-9
+
+
+def turns(paths: Paths, side: int) -> F64:
+    """Return φ at the corner where each segment begins (radians), > 0 convex for the tool.
+
+    With u1 the tangent in and u2 out, φ = atan2(−σ u1 × u2, u1 · u2).  Where an open path begins
+    there is no corner, and φ is 0.
+
+    Parameters
+    ----------
+    side
+        σ, +1 with the tool left of travel, −1 right.
+    """
+    ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
+    first, last = paths.first[:-1], paths.first[1:] - 1
+    before = np.roll(arriving, 1, axis=0)
+    before[first] = np.where(paths.closed[:, None], arriving[last], ahead[first])
+    cross = before[:, 0] * ahead[:, 1] - before[:, 1] * ahead[:, 0]
+    angle: F64 = np.arctan2(-side * cross, (before * ahead).sum(axis=1))
+    return angle
+
+
+def extension(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
+    """Return l and r′ of the D type (mm): straight on for l, round with r′, straight for l.
+
+    l = k r tan(φ/2) up to 90°, k (L_C − L_B) / (2 − φ cot(φ/2)) beyond; r′ = r − l cot(φ/2).
+
+    Parameters
+    ----------
+    turn : (n,) radians, in (0, π]
+    radius : mm
+    k : (n,), in [0, 1]
+    """
+    b, c = arc_length(turn, radius), line_length(turn, radius)
+    half = turn / 2.0
+    cotangent = np.cos(half) / np.sin(half)
+    wide = turn > _SQUARE
+    gentle = k * radius * np.tan(np.where(wide, 0.0, half))
+    sharp = k * (c - b) / np.where(wide, 2.0 - turn * cotangent, 1.0)
+    straight: F64 = np.where(wide, sharp, gentle)
+    return straight, radius - straight * cotangent
+
+
+def arc_length(turn: F64, radius: float) -> F64:
+    """Return L_B = r φ (mm)."""
+    return radius * turn
+
+
+def line_length(turn: F64, radius: float) -> F64:
+    """Return L_C (mm): 2 r tan(φ/2) up to 90°, 2 r (1 + sin(φ/2) − cos(φ/2)) beyond."""
+    half = turn / 2.0
+    wide = turn > _SQUARE
+    bend = 2.0 * radius * np.tan(np.where(wide, 0.0, half))
+    chord = 2.0 * radius * (1.0 + np.sin(half) - np.cos(half))
+    length: F64 = np.where(wide, chord, bend)
+    return length
+
+
+def lengths(turn: F64, radius: float, k: F64) -> F64:
+    """Return the ways round each corner in B, C and D (mm), (n, 3); arguments as ``extension``."""
+    straight, bend = extension(turn, radius, k)
+    return np.stack(
+        [arc_length(turn, radius), line_length(turn, radius), 2.0 * straight + bend * turn], axis=1
+    )
+
+
+def touch(turn: F64, radius: float, feed: float, acceleration: float) -> F64:
+    """Return how long a B type touches each corner (s); C and D leave it at once."""
+    duration: F64 = arc_length(turn, radius) / _round(
+        np.full(len(turn), radius), feed, acceleration
+    )
+    return duration
+
+
+def durations(turn: F64, radius: float, k: F64, feed: float, acceleration: float) -> F64:
+    """Return what each corner takes in B, C and D (s), (n, 3).
+
+    Each from B₀ to E₀, and what slowing down before and speeding up after cost there: between full
+    feed v and w that is (v − w)² / (2 a v) each time.
+
+    Parameters
+    ----------
+    turn : (n,) radians, in (0, π]
+    radius : mm
+    k : (n,), in [0, 1]
+    feed : mm/s
+    acceleration : mm/s²
+        Along the path and across it.  Without limit only lengths count.
+    """
+    way = lengths(turn, radius, k)
+    straight, bend = extension(turn, radius, k)
+
+    def changed(speed: F64) -> F64:
+        lost: F64 = (feed - speed) ** 2 / (acceleration * feed)
+        return lost
+
+    on_b = _round(np.full(len(turn), radius), feed, acceleration)
+    on_d = _round(bend, feed, acceleration)
+    b = way[:, 0] / on_b + changed(on_b)
+    d = 2.0 * straight / feed + bend * turn / on_d + changed(on_d)
+    # Beyond 90° there are two bends, and the head goes from stop to stop between them.
+    between = np.where(turn > _SQUARE, way[:, 1] - 2.0 * radius, 0.0)
+    reached = between >= feed**2 / acceleration
+    stopped = np.where(
+        reached,
+        between / feed + np.where(between > 0.0, feed / acceleration, 0.0),
+        2.0 * np.sqrt(between / acceleration),
+    )
+    c = (way[:, 1] - between) / feed + changed(np.zeros(len(turn))) + stopped
+    return np.stack([b, c, d], axis=1)
+
+
+def _round(radius: F64, feed: float, acceleration: float) -> F64:
+    """Return the speed on arcs (mm/s): v ≤ √(a r′)."""
+    if acceleration == np.inf:
+        return np.full(len(radius), feed)
+    speed: F64 = np.minimum(feed, np.sqrt(acceleration * np.maximum(radius, 0.0)))
+    return np.maximum(speed, 1e-9)
+
+
+def corners(operation: Operation) -> tuple[U8, F64]:
+    """Return the type and the knob at the corner where each segment begins, both (n,).
+
+    "auto" chooses the type with the shortest time, B only where it touches the corner no longer
+    than the cutter's ``dwell``.  Its knob never takes the feed from a D type that could keep it:
+    k ≤ 1 − v² / (a r), so that r′ ≥ v² / a up to 90°.
+
+    Raises
+    ------
+    CompensationError
+        The corner policy is none of B, C, D and auto, or a knob is outside 0 … 1.
+    """
+    cutter = operation.tool
+    assert isinstance(cutter, Cutter)
+    count = len(operation.paths.bulge)
+    k = np.where(np.isnan(operation.k_at), operation.k, operation.k_at)
+    within = (k >= 0.0) & (k <= 1.0)
+    if not within.all():
+        bad = int(np.argmin(within))
+        raise CompensationError(
+            f"The knob k at the corner where edge {operation.source[bad]} begins is {k[bad]:g}.",
+            "Give a k from 0 (as B) to 1 (as C).",
+            [str(operation.source[bad])],
+        )
+    if operation.corner in Corner.__members__:
+        return np.full(count, Corner[operation.corner], np.uint8), k
+    if operation.corner != "auto":
+        raise CompensationError(
+            f"There is no corner type {operation.corner!r}.", "There are B, C, D and auto."
+        )
+    feed, acceleration = operation.feed / 60.0, operation.acceleration
+    spare = feed**2 / (acceleration * cutter.radius)
+    if 1.0 - spare > _LEAST:
+        k = np.where(np.isnan(operation.k_at), np.minimum(k, 1.0 - spare), operation.k_at)
+    chosen = np.full(count, Corner.B, np.uint8)
+    turn = turns(operation.paths, operation.side)
+    rows = np.flatnonzero(turn > _STRAIGHT)
+    took = durations(turn[rows], cutter.radius, k[rows], feed, acceleration)
+    if cutter.dwell > 0.0:
+        burns = touch(turn[rows], cutter.radius, feed, acceleration) > cutter.dwell
+        took[burns, Corner.B] = np.inf
+    chosen[rows] = np.argmin(took, axis=1).astype(np.uint8)
+    return chosen, k

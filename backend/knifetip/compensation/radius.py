@@ -1,0 +1,257 @@
+"""Radius: the centre of a cutter runs r beside the line, so that its disc touches the part.
+
+    Operation[Cutter] -> Toolpath, one track along every equidistant
+
+The same for a router and for the kerf of a beam, r = kerf / 2.  The offset is set up on a straight
+block longer than r before the contour and cancelled on one after it, so the tool goes down and
+comes up in the waste; where there is no room for that, on the equidistant itself.  Contours are
+milled in several passes; a cut with no side is milled on the line, there and back.
+
+Source: radius paper, eqs 1–5 (in ``geometry.offset``); set up and cancel to the perpendicular or
+round the outside as controllers do it (types A and B).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.compensation.corner import corners
+from knifetip.compensation.deflection import deflected
+from knifetip.compensation.tracks import Strokes
+from knifetip.errors import CompensationError, GeometryError
+from knifetip.geometry import arc
+from knifetip.geometry.azimuth import left, unit
+from knifetip.geometry.columns import F64, I32, U8, Bool
+from knifetip.geometry.grid import touching
+from knifetip.geometry.offset import equidistant
+from knifetip.geometry.path import Paths, begun_in_middle, reversed_where
+from knifetip.geometry.tolerance import POINT
+from knifetip.model.operation import Operation
+from knifetip.model.tool import Cutter
+from knifetip.model.toolpath import Motion, Toolpath
+
+#: Places on the way in and out that are looked at for other contours.
+_LOOKS: Final = 8
+#: Shares of the way in and out that are tried.
+_SHARES: Final = (1.0, 0.5, 0.0)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Centres:
+    """Where the centre runs: n segments in q paths."""
+
+    paths: Paths  #: q paths
+    segment: I32  #: (n,) the operation's segment that each belongs to
+    unreached: F64  #: (p,) mm² beside each of the operation's paths that stay uncut
+
+
+def centres(operation: Operation) -> Centres:
+    """Return where the centre of a cutter runs, and how much of each contour it cannot reach.
+
+    Closed paths keep clear of one another; each begins in the middle of its longest line.
+
+    Raises
+    ------
+    CompensationError
+        The cutter does not fit into a contour at all, or would cut into one and is to refuse, or
+        corner policy, knob or deflection make no sense.
+    """
+    cutter = operation.tool
+    assert isinstance(cutter, Cutter)
+    paths = operation.paths
+    segment = np.arange(len(paths.bulge), dtype=np.int32)
+    unreached = np.zeros(len(paths))
+    if operation.side != 0:
+        kind, k = corners(operation)
+        # Every open path is by itself: what lies beyond its ends nobody knows.
+        group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
+        try:
+            beside = equidistant(
+                paths, cutter.radius, operation.side,
+                corner=kind, k=k, interference=operation.interference, group=group,
+            )  # fmt: skip
+        except (CompensationError, GeometryError) as reason:
+            edges = [str(operation.source[int(row)]) for row in reason.source]
+            named = f"At edge {' and edge '.join(edges)}: " if edges else ""
+            raise CompensationError(named + reason.message, reason.mend, edges) from None
+        paths, segment, unreached = beside.paths, beside.source, beside.unreached
+        _refuse_lost(operation, cutter, segment)
+        paths, rows = deflected(paths, operation.side, *operation.deflection)
+        segment = segment[rows]
+    paths, rows = begun_in_middle(paths, paths.closed)
+    return Centres(paths, segment[rows], unreached)
+
+
+def _refuse_lost(operation: Operation, cutter: Cutter, segment: I32) -> None:
+    owner = operation.paths.path_of
+    lost = np.setdiff1d(np.arange(len(operation.paths)), owner[segment])
+    if len(lost):
+        rows = operation.source[operation.paths.first[lost]]
+        raise CompensationError(
+            f"The cutter of {2.0 * cutter.radius:.2f} mm does not fit the contour at edge {rows[0]}"
+            f" anywhere, and {len(lost) - 1} more.",
+            "Take a thinner cutter, or ignore the contour.",
+            [str(row) for row in rows[:10]],
+        )
+
+
+def set_up(
+    start: F64, ahead: F64, side: int, radius: float, lead: float, approach: float
+) -> tuple[F64, F64, F64]:
+    """Return how the offset is set up on a straight block of ``lead`` mm before a contour.
+
+    The block ends where the contour begins, and arrives at ``approach`` degrees to it: at 90
+    square to it from the tool's side, at 0 in line with it, at −90 from the far side.  Where it
+    turns towards the tool's side, or not at all, the centre goes straight to the perpendicular at
+    the contour's start (type A); where it turns away, beside the block to the perpendicular at its
+    end, and round the outside on an arc (type B).  To cancel is the mirror image: set up the
+    reversed contour, and reverse.
+
+    Parameters
+    ----------
+    start : (m, 2) mm
+        Where the contours begin.
+    ahead : (m, 2)
+        Unit tangents there.
+    side
+        σ, +1 with the cutter left of travel, −1 right.
+
+    Returns
+    -------
+    from, to : (m, 2) float64, mm
+        Where the block begins, and where the centre is at its end.
+    bulge : (m,)
+        Of the arc on from there to the perpendicular at the contour's start; 0 where it is there.
+    """
+    normal = side * left(ahead)
+    cos, sin = np.cos(np.radians(approach)), np.sin(np.radians(approach))
+    block = cos * ahead - sin * normal
+    begin = start - lead * block
+    if approach >= 0.0:
+        return begin, start + radius * normal, np.zeros(len(start))
+    # Straight from the block to its perpendicular the disc would cut the corner: r off it already.
+    beside = radius * side * left(block)
+    turn = np.full(len(start), -side * np.tan(np.radians(-approach) / 4.0))
+    return begin + beside, start + beside, turn
+
+
+def radius(operation: Operation) -> Toolpath:
+    """Return the toolpath that mills every contour.
+
+    Raises
+    ------
+    CompensationError
+        As ``centres``; or the cutter's ``lead`` is not longer than r.
+    """
+    cutter = operation.tool
+    assert isinstance(cutter, Cutter)
+    if operation.side != 0 and cutter.set_up <= cutter.radius:
+        raise CompensationError(
+            f"The offset would be set up on a block of {cutter.set_up:g} mm, and r is "
+            f"{cutter.radius:g} mm.",
+            "Give the cutter a lead longer than its radius.",
+        )
+    way = centres(operation)
+    paths, rows, motion = _with_leads(operation, cutter, way)
+    loose = paths.end[paths.first[1:] - 1] - paths.start[paths.first[:-1]]
+    again = np.hypot(*loose.T) < POINT
+    back, mirror = reversed_where(paths, ~again & (operation.side == 0))
+    passes = operation.depth.shape[1]
+    owner, size = paths.path_of, np.diff(paths.first)
+    place = np.arange(len(owner)) - paths.first[:-1][owner]
+    total = passes * len(owner)
+    start, end = np.empty((total, 2)), np.empty((total, 2))
+    bulge, z = np.empty(total), np.empty(total)
+    source, kind = np.empty(total, np.int32), np.empty(total, np.uint8)
+    down, up = np.zeros(total, np.bool_), np.zeros(total, np.bool_)
+    # Where a pass ends at the next one's beginning, the tool only goes deeper there.
+    stays = again if operation.side != 0 else np.ones(len(paths), np.bool_)
+    forward: I32 = np.arange(len(owner), dtype=np.int32)
+    for number in range(passes):
+        at = passes * paths.first[:-1][owner] + number * size[owner] + place
+        ways, order = (back, mirror) if number % 2 else (paths, forward)
+        start[at], end[at], bulge[at] = ways.start, ways.end, ways.bulge
+        z[at] = operation.caliper - operation.depth[rows[order], number]
+        source[at], kind[at] = operation.source[rows[order]], motion[order]
+        down[at] = (place == 0) & ((number == 0) | ~stays[owner])
+        up[at] = (place == size[owner] - 1) & ((number == passes - 1) | ~stays[owner])
+    upright = np.zeros(total)
+    return Strokes.flat(
+        start=np.column_stack([start, z, upright]),
+        end=np.column_stack([end, z, upright]),
+        bulge=bulge,
+        down=down,
+        up=up,
+        track=np.repeat(np.arange(len(paths), dtype=np.int32), passes * size),
+        source=source,
+        height=operation.caliper + operation.clearance,
+        motion=kind,
+    ).laid(operation)
+
+
+def _with_leads(operation: Operation, cutter: Cutter, way: Centres) -> tuple[Paths, I32, U8]:
+    """Return the centre's paths with their ways in and out, segments, and what each is for."""
+    paths = way.paths
+    fed = np.full(len(paths.bulge), Motion.FEED, np.uint8)
+    if operation.side == 0:
+        return paths, way.segment, fed
+    first, last = paths.first[:-1], paths.first[1:] - 1
+    ahead, _ = arc.tangents(paths.start[first], paths.end[first], paths.bulge[first])
+    _, arriving = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])
+    side = operation.side
+    come = _lead(operation, cutter, paths.start[first], unit(ahead), side)
+    # The way out is the way in of the contour run backwards.
+    leave = _lead(operation, cutter, paths.end[last], -unit(arriving), -side)
+    count: I32 = np.arange(len(paths), dtype=np.int32)
+    straight: F64 = np.zeros(len(paths))
+    own: I32 = np.arange(len(fed), dtype=np.int32)
+    parts: list[tuple[F64, F64, F64, I32, I32, U8]] = [
+        (come[0], come[1], straight, first, count, _all(Motion.LEAD_IN, count)),
+        (come[1], paths.start[first], come[2], first, count, _all(Motion.LEAD_IN, count)),
+        (paths.start, paths.end, paths.bulge, own, paths.path_of, fed),
+        (paths.end[last], leave[1], -leave[2], last, count, _all(Motion.LEAD_OUT, count)),
+        (leave[1], leave[0], straight, last, count, _all(Motion.LEAD_OUT, count)),
+    ]
+    start, end, bulge, rows, owner, motion = (
+        np.concatenate(columns) for columns in zip(*parts, strict=True)
+    )
+    some: Bool = (motion == Motion.FEED) | (np.hypot(*(end - start).T) > POINT)
+    kept = np.flatnonzero(some)
+    order = kept[np.argsort(owner[kept], kind="stable")]
+    size = np.bincount(owner[order], minlength=len(paths))
+    joined = Paths(start[order], end[order], bulge[order], np.concatenate([[0], np.cumsum(size)]))
+    return joined, way.segment[rows[order]], motion[order]
+
+
+def _all(motion: Motion, like: I32) -> U8:
+    return np.full(len(like), motion, np.uint8)
+
+
+def _lead(
+    operation: Operation, cutter: Cutter, place: F64, ahead: F64, side: int
+) -> tuple[F64, F64, F64]:
+    """Return ``set_up`` for centres that begin at ``place``, shortened where contours are near.
+
+    A way in that would bring the disc into any contour is halved, then left out: the tool goes
+    down beside the contour, which it touches there as it does all along.
+    """
+    r, paths = cutter.radius, operation.paths
+    on_line = place - side * r * left(ahead)
+    begin, arrived, bulge = set_up(on_line, ahead, side, r, cutter.set_up, cutter.approach)
+    arrived = np.where((bulge == 0.0)[:, None], place, arrived)
+    away = begin - arrived
+    # Between two looks an obstacle may come nearer by the sagitta of the step.
+    step = float(np.hypot(*away.T).max(initial=0.0)) / _LOOKS
+    near = float(np.hypot(r, step / 2.0))
+    share = np.full(len(place), _SHARES[-1])
+    for tried in reversed(_SHARES[:-1]):
+        looks = np.arange(1, _LOOKS + 1) / _LOOKS * tried
+        points = (arrived[:, None] + looks[None, :, None] * away[:, None]).reshape(-1, 2)
+        hit = touching(
+            points, np.full(len(points), -1, np.int32), paths.start, paths.end, paths.bulge, near
+        )
+        share = np.where(hit.reshape(-1, _LOOKS).any(axis=1), share, tried)
+    return arrived + share[:, None] * away, arrived, bulge

@@ -1,0 +1,294 @@
+"""intersect: where two segments, lines or arcs, have points in common.
+
+    two segments -> the points, and how far along each of both they are
+
+Touching counts, and where two segments run along each other the ends of the shared stretch do, so
+that whoever cuts both at these points has pieces that are the same or apart.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.tolerance import BULGE
+
+#: Two segments share at most this many points: two arcs of one circle may overlap twice.
+MOST: Final = 4
+#: Within this of each other is touching (mm).
+TOUCH: Final = 1e-9
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Crossings:
+    """What n pairs of segments share."""
+
+    count: I32  #: (n,) points of each pair
+    points: F64  #: (n, 4, 2) mm, NaN beyond ``count``
+    first: F64  #: (n, 4) how far along the first segment, 0 to 1 of its length
+    second: F64  #: (n, 4) how far along the second
+
+
+def crossings(
+    start: F64,
+    end: F64,
+    bulge: F64,
+    other_start: F64,
+    other_end: F64,
+    other_bulge: F64,
+    touch: float = TOUCH,
+) -> Crossings:
+    """Return the points that each pair of segments shares.
+
+    Parameters
+    ----------
+    start, end, bulge : (n, 2), (n, 2) mm and (n,)
+    other_start, other_end, other_bulge : the same of the second segments
+    touch : mm
+        Within this of each other is touching.
+    """
+    one = np.column_stack([start, end, bulge])
+    two = np.column_stack([other_start, other_end, other_bulge])
+    count = np.zeros(len(one), np.int32)
+    found = np.full((len(one), MOST, 4), np.nan)
+    _pairs(one, two, touch, count, found)
+    return Crossings(count, found[:, :, :2], found[:, :, 2], found[:, :, 3])
+
+
+@njit(cache=True, error_model="numpy")
+def _pairs(one: Any, two: Any, touch: float, count: Any, found: Any) -> None:
+    for i in range(len(one)):
+        count[i] = crossing(one, i, two, i, touch, found[i])
+
+
+@njit(cache=True, error_model="numpy")
+def circle(rows: Any, i: int) -> tuple[float, float, float]:
+    """Centre and radius of the arc in row i of (x0, y0, x1, y1, bulge)."""
+    dx = rows[i, 2] - rows[i, 0]
+    dy = rows[i, 3] - rows[i, 1]
+    b = rows[i, 4]
+    lean = (1.0 - b * b) / (4.0 * b)
+    return (
+        (rows[i, 0] + rows[i, 2]) / 2.0 - lean * dy,
+        (rows[i, 1] + rows[i, 3]) / 2.0 + lean * dx,
+        math.sqrt(dx * dx + dy * dy) * (1.0 + b * b) / (4.0 * abs(b)),
+    )
+
+
+@njit(cache=True, error_model="numpy")
+def box(rows: Any, i: int, boxes: Any, at: int) -> None:
+    """Write a box that holds row i as boxes[at]: x min, y min, x max, y max.
+
+    That of an arc is not the least.
+    """
+    x0 = rows[i, 0]
+    y0 = rows[i, 1]
+    x1 = rows[i, 2]
+    y1 = rows[i, 3]
+    low_x = min(x0, x1)
+    low_y = min(y0, y1)
+    high_x = max(x0, x1)
+    high_y = max(y0, y1)
+    b = rows[i, 4]
+    if abs(b) > 1.0:
+        cx, cy, radius = circle(rows, i)
+        low_x = cx - radius
+        low_y = cy - radius
+        high_x = cx + radius
+        high_y = cy + radius
+    elif b != 0.0:
+        # Up to half a turn, an arc lies in the rectangle of its chord and its height.
+        rise_x = 0.5 * b * (y1 - y0)
+        rise_y = 0.5 * b * (x0 - x1)
+        low_x += min(rise_x, 0.0)
+        low_y += min(rise_y, 0.0)
+        high_x += max(rise_x, 0.0)
+        high_y += max(rise_y, 0.0)
+    boxes[at, 0] = low_x
+    boxes[at, 1] = low_y
+    boxes[at, 2] = high_x
+    boxes[at, 3] = high_y
+
+
+@njit(cache=True, error_model="numpy")
+def along(rows: Any, i: int, x: float, y: float, touch: float) -> float:
+    """How far along row i the point (x, y), which is on its line or circle, is; -1 if outside."""
+    x0 = rows[i, 0]
+    y0 = rows[i, 1]
+    dx = rows[i, 2] - x0
+    dy = rows[i, 3] - y0
+    b = rows[i, 4]
+    if abs(b) < BULGE:
+        square = dx * dx + dy * dy
+        share = ((x - x0) * dx + (y - y0) * dy) / square
+        slack = touch / math.sqrt(square)
+        if share < -slack or share > 1.0 + slack:
+            return -1.0
+        inside: float = min(max(share, 0.0), 1.0)
+        return inside
+    cx, cy, radius = circle(rows, i)
+    fx = x0 - cx
+    fy = y0 - cy
+    px = x - cx
+    py = y - cy
+    angle = math.atan2(fx * py - fy * px, fx * px + fy * py)
+    if b < 0.0:
+        angle = -angle
+    sweep = 4.0 * math.atan(abs(b))
+    slack = touch / radius
+    if angle < 0.0:
+        if angle >= -slack:
+            return 0.0
+        angle += 2.0 * math.pi
+    if angle <= sweep:
+        return angle / sweep
+    if angle <= sweep + slack:
+        return 1.0
+    return -1.0
+
+
+@njit(cache=True, error_model="numpy")
+def point_on(rows: Any, i: int, share: float) -> tuple[float, float]:
+    """The point at a share of the length of row i."""
+    x0 = rows[i, 0]
+    y0 = rows[i, 1]
+    dx = rows[i, 2] - x0
+    dy = rows[i, 3] - y0
+    b = rows[i, 4]
+    if abs(b) < BULGE:
+        return x0 + share * dx, y0 + share * dy
+    cx, cy, _ = circle(rows, i)
+    turned = share * 4.0 * math.atan(b)
+    cos = math.cos(turned)
+    sin = math.sin(turned)
+    return (
+        cx + (x0 - cx) * cos - (y0 - cy) * sin,
+        cy + (x0 - cx) * sin + (y0 - cy) * cos,
+    )
+
+
+@njit(cache=True, error_model="numpy")
+def _keep(
+    one: Any, i: int, two: Any, j: int, x: float, y: float, touch: float, found: Any, count: int
+) -> int:
+    for k in range(count):
+        if abs(found[k, 0] - x) <= touch and abs(found[k, 1] - y) <= touch:
+            return count
+    first = along(one, i, x, y, touch)
+    if first < 0.0:
+        return count
+    second = along(two, j, x, y, touch)
+    if second < 0.0 or count == MOST:
+        return count
+    found[count, 0] = x
+    found[count, 1] = y
+    found[count, 2] = first
+    found[count, 3] = second
+    return count + 1
+
+
+@njit(cache=True, error_model="numpy")
+def _shared_ends(one: Any, i: int, two: Any, j: int, touch: float, found: Any) -> int:
+    count = _keep(one, i, two, j, one[i, 0], one[i, 1], touch, found, 0)
+    count = _keep(one, i, two, j, one[i, 2], one[i, 3], touch, found, count)
+    count = _keep(one, i, two, j, two[j, 0], two[j, 1], touch, found, count)
+    return _keep(one, i, two, j, two[j, 2], two[j, 3], touch, found, count)
+
+
+@njit(cache=True, error_model="numpy")
+def crossing(one: Any, i: int, two: Any, j: int, touch: float, found: Any) -> int:
+    """Write what row i of ``one`` and row j of ``two`` share into found (4, 4); return how many.
+
+    A row of ``found`` is x, y, and the shares of the lengths of the first and of the second.
+    """
+    flat = abs(one[i, 4]) < BULGE
+    other_flat = abs(two[j, 4]) < BULGE
+    if flat and other_flat:
+        return _lines(one, i, two, j, touch, found)
+    if flat or other_flat:
+        return _line_arc(one, i, two, j, flat, touch, found)
+    ax, ay, ar = circle(one, i)
+    bx, by, br = circle(two, j)
+    dx = bx - ax
+    dy = by - ay
+    apart = math.sqrt(dx * dx + dy * dy)
+    if apart <= touch and abs(ar - br) <= touch:
+        return _shared_ends(one, i, two, j, touch, found)
+    if apart > ar + br + touch or apart < abs(ar - br) - touch or apart == 0.0:
+        return 0
+    foot = (apart * apart + (ar - br) * (ar + br)) / (2.0 * apart)
+    rise = math.sqrt(max(0.0, (ar - foot) * (ar + foot)))
+    ux = dx / apart
+    uy = dy / apart
+    x = ax + foot * ux
+    y = ay + foot * uy
+    count = _keep(one, i, two, j, x - rise * uy, y + rise * ux, touch, found, 0)
+    return _keep(one, i, two, j, x + rise * uy, y - rise * ux, touch, found, count)
+
+
+@njit(cache=True, error_model="numpy")
+def _lines(one: Any, i: int, two: Any, j: int, touch: float, found: Any) -> int:
+    ax = one[i, 2] - one[i, 0]
+    ay = one[i, 3] - one[i, 1]
+    bx = two[j, 2] - two[j, 0]
+    by = two[j, 3] - two[j, 1]
+    cx = two[j, 0] - one[i, 0]
+    cy = two[j, 1] - one[i, 1]
+    cross = ax * by - ay * bx
+    a2 = ax * ax + ay * ay
+    b2 = bx * bx + by * by
+    if cross * cross <= 1e-24 * a2 * b2:
+        off = ax * cy - ay * cx
+        if off * off > touch * touch * a2:
+            return 0
+        return _shared_ends(one, i, two, j, touch, found)
+    # Both ends of one clearly on one side of the other: most pairs end here.
+    near = ax * cy - ay * cx
+    far = near + cross
+    if near * far > 0.0 and min(near * near, far * far) > touch * touch * a2:
+        return 0
+    near = bx * cy - by * cx
+    far = near + cross
+    if near * far > 0.0 and min(near * near, far * far) > touch * touch * b2:
+        return 0
+    first = (cx * by - cy * bx) / cross
+    second = (cx * ay - cy * ax) / cross
+    slack = touch / math.sqrt(a2)
+    if first < -slack or first > 1.0 + slack:
+        return 0
+    slack = touch / math.sqrt(b2)
+    if second < -slack or second > 1.0 + slack:
+        return 0
+    first = min(max(first, 0.0), 1.0)
+    found[0, 0] = one[i, 0] + first * ax
+    found[0, 1] = one[i, 1] + first * ay
+    found[0, 2] = first
+    found[0, 3] = min(max(second, 0.0), 1.0)
+    return 1
+
+
+@njit(cache=True, error_model="numpy")
+def _line_arc(one: Any, i: int, two: Any, j: int, flat: bool, touch: float, found: Any) -> int:
+    if flat:
+        x0, y0, dx, dy = one[i, 0], one[i, 1], one[i, 2] - one[i, 0], one[i, 3] - one[i, 1]
+        cx, cy, radius = circle(two, j)
+    else:
+        x0, y0, dx, dy = two[j, 0], two[j, 1], two[j, 2] - two[j, 0], two[j, 3] - two[j, 1]
+        cx, cy, radius = circle(one, i)
+    length = math.sqrt(dx * dx + dy * dy)
+    ux = dx / length
+    uy = dy / length
+    # From the centre square to the line.
+    off = ux * (cy - y0) - uy * (cx - x0)
+    if abs(off) > radius + touch:
+        return 0
+    reach = math.sqrt(max(0.0, (radius - off) * (radius + off)))
+    fx = cx + off * uy
+    fy = cy - off * ux
+    count = _keep(one, i, two, j, fx - reach * ux, fy - reach * uy, touch, found, 0)
+    return _keep(one, i, two, j, fx + reach * ux, fy + reach * uy, touch, found, count)

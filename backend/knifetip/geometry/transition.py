@@ -1,0 +1,223 @@
+"""transition: how the tool's centre goes round a convex corner.
+
+    vertex, tangent in, tangent out, signed radius, type, k -> lines and arcs from B₀ to E₀
+
+B rolls about the vertex on an arc and touches it all the way.  C goes straight on, and touches the
+vertex only at both ends, but stops at its corners.  D is C with its corner rounded: it touches the
+vertex only at both ends and never turns a corner.
+
+Source: "Radius compensation algorithm for convex contour closed-angle linear and circular arc
+composite transitional cutting tool" (Dalian Jiaotong University) names and draws the three; the
+lengths of D are our derivation from "between B and C".
+"""
+
+from __future__ import annotations
+
+import math
+from enum import IntEnum
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import ArrayLike
+
+from knifetip.errors import CompensationError
+from knifetip.geometry.azimuth import unit
+from knifetip.geometry.columns import F64
+from knifetip.geometry.path import Paths
+from knifetip.geometry.tolerance import POINT
+
+
+class Corner(IntEnum):
+    """The types of transition at a convex corner."""
+
+    B = 0
+    C = 1
+    D = 2
+
+
+#: The most segments that one transition has.
+MOST = 3
+
+
+def transitions(
+    corner: ArrayLike,
+    u1: F64,
+    u2: F64,
+    point: F64,
+    radius: ArrayLike,
+    side: ArrayLike,
+    k: ArrayLike,
+) -> Paths:
+    """Return the way of the tool's centre round each corner, one path to a corner.
+
+    With φ the angle of the corner, seen from the tool, and r the radius::
+
+        B   L = r φ
+        C   L = 2 r tan(φ/2)          φ ≤ 90°, else 2 r (1 + sin(φ/2) - cos(φ/2))
+        D   l = k r tan(φ/2)          φ ≤ 90°, else k (L_C - L_B) / (2 - φ cot(φ/2))
+            r′ = r - l cot(φ/2),  L = 2 l + r′ φ = (1 - k) L_B + k L_C
+
+    Parameters
+    ----------
+    corner, radius, side, k : (m,) or one for all
+        ``Corner``, mm, +1 left of travel or -1 right, and the share of C in D, 0 to 1.
+    u1, u2 : (m, 2)
+        Directions of travel into and out of the corner.
+    point : (m, 2) mm
+        The vertex.
+
+    Returns
+    -------
+    Paths
+        m paths.  A corner that is not convex for the tool has no segments.
+
+    Raises
+    ------
+    CompensationError
+        k or the radius is not a number in its range.
+    """
+    before, after = unit(np.asarray(u1, np.float64)), unit(np.asarray(u2, np.float64))
+    vertex = np.asarray(point, np.float64)
+    count = len(vertex)
+    kind = np.broadcast_to(np.asarray(corner, np.uint8), count)
+    share = np.broadcast_to(np.asarray(k, np.float64), count)
+    size = np.broadcast_to(np.asarray(radius, np.float64), count)
+    check(kind, share)
+    if not (np.isfinite(size) & (size >= 0.0)).all():
+        raise CompensationError(
+            "A tool's radius is not a number of 0 mm or more.", "Correct the tool."
+        )
+    signed = size * np.broadcast_to(np.asarray(side, np.float64), count)
+    rows = np.empty((MOST * count, 5))
+    first = np.zeros(count + 1, np.int32)
+    _all(kind, before, after, vertex, signed, share, rows, first)
+    rows = rows[: first[-1]]
+    return Paths(rows[:, :2], rows[:, 2:4], rows[:, 4], first)
+
+
+def check(corner: Any, k: F64) -> None:
+    """Refuse types that there are not, and a k that is not from 0 to 1 where it matters."""
+    if (np.asarray(corner) > Corner.D).any():
+        row = int(np.flatnonzero(np.asarray(corner) > Corner.D)[0])
+        raise CompensationError(
+            f"Corner {row} is of type {int(corner[row])}, which there is not.",
+            "Give B, C or D.",
+            [str(row)],
+        )
+    wrong = (np.asarray(corner) == Corner.D) & ~((k >= 0.0) & (k <= 1.0))
+    if wrong.any():
+        row = int(np.flatnonzero(wrong)[0])
+        raise CompensationError(
+            f"Corner {row} is of type D with k = {float(k[row]):g}.",
+            "Give a k from 0 (as B) to 1 (as C).",
+            [str(row)],
+        )
+
+
+@njit(cache=True, error_model="numpy")
+def _all(
+    kind: Any, u1: Any, u2: Any, vertex: Any, signed: Any, k: Any, rows: Any, first: Any
+) -> None:
+    for i in range(len(kind)):
+        at = first[i]
+        cross = u1[i, 0] * u2[i, 1] - u1[i, 1] * u2[i, 0]
+        dot = u1[i, 0] * u2[i, 0] + u1[i, 1] * u2[i, 1]
+        if signed[i] != 0.0 and (cross * signed[i] < 0.0 or dot <= -1.0 + 1e-12):
+            at = transition(
+                kind[i],
+                vertex[i, 0],
+                vertex[i, 1],
+                u1[i, 0],
+                u1[i, 1],
+                u2[i, 0],
+                u2[i, 1],
+                signed[i],
+                k[i],
+                rows,
+                at,
+            )
+        first[i + 1] = at
+
+
+@njit(cache=True, error_model="numpy")
+def quarter_tangent(cross: float, dot: float) -> float:
+    """tan(φ/4), 0 ≤ φ ≤ π, from sin φ and cos φ."""
+    if dot < -0.99:
+        # There tan(φ/2) has few digits, or is infinite.
+        sin = math.sqrt(0.5 * (1.0 - dot))
+        return sin / (1.0 + abs(cross) / (2.0 * sin))
+    half = abs(cross) / (1.0 + dot)
+    return half / (1.0 + math.sqrt(1.0 + half * half))
+
+
+@njit(cache=True, error_model="numpy")
+def reach(kind: int, cross: float, dot: float, size: float, k: float) -> tuple[float, float]:
+    """The straight part l and the radius r′ of D; l alone (r′ = 0) of C, r′ alone of B.
+
+    For C beyond 90° l is r: it goes on by r, and across.
+    """
+    if kind == 0:
+        return 0.0, size
+    if kind == 1:
+        return (size * abs(cross) / (1.0 + dot) if dot >= 0.0 else size), 0.0
+    if dot >= 0.0:
+        return k * size * abs(cross) / (1.0 + dot), (1.0 - k) * size
+    phi = math.atan2(abs(cross), dot)
+    sin, cos = math.sin(phi / 2.0), math.cos(phi / 2.0)
+    more = 2.0 * (1.0 + sin - cos) - phi
+    straight = k * size * more / (2.0 - phi * cos / sin)
+    return straight, size - straight * cos / sin
+
+
+@njit(cache=True, error_model="numpy")
+def _put(rows: Any, at: int, x0: float, y0: float, x1: float, y1: float, bulge: float) -> int:
+    rows[at, 0] = x0
+    rows[at, 1] = y0
+    rows[at, 2] = x1
+    rows[at, 3] = y1
+    rows[at, 4] = bulge
+    return at + 1
+
+
+@njit(cache=True, error_model="numpy")
+def transition(
+    kind: int,
+    x: float,
+    y: float,
+    u1x: float,
+    u1y: float,
+    u2x: float,
+    u2y: float,
+    signed: float,
+    k: float,
+    rows: Any,
+    at: int,
+) -> int:
+    """Write the transition at a convex corner into rows (x0, y0, x1, y1, bulge) from ``at`` on.
+
+    ``signed`` is the radius, positive left of travel.  Returns the next free row.  What would have
+    pieces shorter than POINT is made with fewer pieces: C and D as B, D as C.
+    """
+    size = abs(signed)
+    cross = u1x * u2y - u1y * u2x
+    dot = u1x * u2x + u1y * u2y
+    bx = x - signed * u1y
+    by = y + signed * u1x
+    ex = x - signed * u2y
+    ey = y + signed * u2x
+    straight, _ = reach(kind, cross, dot, size, k)
+    bulge = -math.copysign(quarter_tangent(cross, dot), signed)
+    if straight < POINT:
+        return _put(rows, at, bx, by, ex, ey, bulge)
+    cx = bx + straight * u1x
+    cy = by + straight * u1y
+    dx = ex - straight * u2x
+    dy = ey - straight * u2y
+    gap = math.hypot(dx - cx, dy - cy)
+    if gap < POINT:
+        at = _put(rows, at, bx, by, cx, cy, 0.0)
+        return _put(rows, at, cx, cy, ex, ey, 0.0)
+    at = _put(rows, at, bx, by, cx, cy, 0.0)
+    at = _put(rows, at, cx, cy, dx, dy, bulge if kind == 2 else 0.0)
+    return _put(rows, at, dx, dy, ex, ey, 0.0)

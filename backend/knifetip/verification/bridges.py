@@ -1,0 +1,120 @@
+"""Bridges: the nicks that hold a part in its sheet, as the knife has left them in the top face.
+
+    Chains, stretches of work along them -> Bridges: where, how wide, how far apart
+
+A blade slanted by α has cut the top face further than its tip has come, by its lead.  So where it
+stops before a bridge the tip leaves a gap that is wider than the bridge by that; where it goes in
+again, tip and top face begin in one place.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.intent import STRAIGHT, Chains, Edges, apart
+from knifetip.verification.overlap import BRIEF, Rows
+from knifetip.verification.removal import gaps
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Bridges:
+    """k gaps in closed paths, path by path and in order along each."""
+
+    path: I64  #: (k,)
+    middle: F64  #: (k,) mm along the path
+    width: F64  #: (k,) mm in the top face
+    bare: F64  #: (k,) mm that the tip has left
+    apart: F64  #: (k,) mm from its middle to that of the next one of its path
+
+
+def bridges(rows: Rows, paths: Chains, held: Bool, edges: Edges, lead: float) -> Bridges:
+    """Return the gaps that work has left in closed paths.
+
+    Parameters
+    ----------
+    rows
+        The work's stretches along the edges of the paths.
+    held : (c,)
+        The paths to look at.
+    lead : mm
+        How far the top face is cut ahead of the tip.
+    """
+    size = edges.curve[:, 5]
+    some = rows.best & (np.diff(rows.along)[:, 0] > BRIEF)
+    some &= np.abs(np.diff(rows.place)[:, 0]) > BRIEF
+    edge = np.maximum(rows.edge, 0)
+    some &= held[paths.path[edge]]
+    edge, place = rows.edge[some], rows.place[some]
+    flipped = paths.flipped[edge][:, None]
+    at = paths.begin[edge][:, None] + np.where(flipped, size[edge][:, None] - place, place)
+    path = paths.path[edge]
+    forward = at[:, 1] > at[:, 0]
+    low, high = at.min(axis=1), at.max(axis=1)
+    which, begin, end = gaps(path, low, high, np.where(held, paths.length, 0.0))
+    length = paths.length[which]
+    # A gap over the place where the path begins is one.
+    first, last = begin <= 1e-9, end >= length - 1e-9
+    for k in np.flatnonzero(first & ~last):
+        other = np.flatnonzero((which == which[k]) & last & ~first)
+        if len(other):
+            end[other[0]] += end[k]
+            which[k] = -1
+    kept = which >= 0
+    which, begin, end, length = which[kept], begin[kept], end[kept], length[kept]
+
+    ahead = _arrived(path[forward], high[forward], which, begin, length)
+    back = _arrived(path[~forward], low[~forward], which, end, length)
+    top_begin, top_end = begin + lead * ahead, end - lead * back
+    middle = (top_begin + top_end) / 2.0 % np.where(length > 0.0, length, 1.0)
+    order = np.lexsort((middle, which))
+    which, middle = which[order], middle[order]
+    width, bare, length = (top_end - top_begin)[order], (end - begin)[order], length[order]
+    new = np.ones(len(which), np.bool_)
+    new[1:] = which[1:] != which[:-1]
+    start = np.flatnonzero(new)
+    following = np.append(middle[1:], 0.0)
+    closing = np.append(start[1:], len(which)) - 1 if len(which) else start
+    following[closing] = middle[start] + length[closing]
+    return Bridges(which, middle, width, bare, following - middle)
+
+
+def _arrived(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
+    """Return 1 where a stretch ends at a place of a path, going towards it, else 0."""
+    result = np.zeros(len(which))
+    for k in range(len(which)):
+        off = np.abs(at[path == which[k]] - place[k]) % length[k]
+        result[k] = bool((np.minimum(off, length[k] - off) < 1e-6).any())
+    return result
+
+
+def near_corner(found: Bridges, paths: Chains, edges: Edges, clear: float) -> tuple[I64, F64]:
+    """Return for bridges the edge that each is on, and how much too near a sharp corner (mm)."""
+    size = edges.curve[:, 5]
+    edge, place = paths.find(found.path, found.middle, edges.curve)
+    least = np.minimum(clear + found.width / 2.0, size[edge] / 2.0)
+    sharp = _sharp(paths, edges)
+    short = np.zeros(len(edge))
+    for side, away in ((0, place), (1, size[edge] - place)):
+        short = np.maximum(short, np.where(sharp[2 * edge + side], least - away, 0.0))
+    return edge, short
+
+
+def _sharp(paths: Chains, edges: Edges) -> Bool:
+    """Return for the ends of edges on closed paths, (2n,), whether a sharp corner is there."""
+    order = np.lexsort((paths.begin, paths.path))
+    path = paths.path[order]
+    new = np.ones(len(order), np.bool_)
+    new[1:] = path[1:] != path[:-1]
+    start = np.flatnonzero(new)
+    following = np.roll(order, -1)
+    following[np.append(start[1:], len(order)) - 1] = order[start]
+    leaves = 2 * order + np.where(paths.flipped[order], 0, 1)
+    enters = 2 * following + np.where(paths.flipped[following], 1, 0)
+    turn = apart(edges.outward[leaves], edges.outward[enters] + 180.0)
+    result = np.zeros(2 * len(order), np.bool_)
+    result[leaves[turn > STRAIGHT]] = True
+    result[enters[turn > STRAIGHT]] = True
+    return result

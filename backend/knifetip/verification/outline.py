@@ -1,0 +1,317 @@
+"""Outline: which cuts bound the blanks, on which side of each lies the board, and what it asks.
+
+    Edges (the cuts) -> Outline -> how far grooves that end on it must run out
+
+Cuts that share their ends enclose faces.  A walk with the face on its left goes round a bounded one
+anticlockwise and round a whole component clockwise, so the sign of the area that it sweeps tells
+what lies outside.  A component inside another one is a hole, or the waste in it.
+
+A groove of width W at the top face has left the board when both points c ± (W/2) n have: along u
+past an edge with outward normal m, one of them has (W/2) |n·m| / (u·m) further to go.
+
+Source of the run-out: the turning paper, 1, on a flat board.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.intent import JOINED, TOUCHING, Edges, pairs_within
+from knifetip.verification.kinematics import azimuth_at, lines, point_at
+from knifetip.verification.overlap import overlaps
+
+#: A groove nearer than 5° to the direction of the board's edge runs along it (sine).
+ALONG: Final = math.sin(math.radians(5.0))
+#: A walk that sweeps less than this encloses nothing (mm²).
+_NOTHING: Final = 1e-6
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Outline:
+    """What n cuts enclose."""
+
+    edges: Edges
+    closing: Bool  #: (n,) a face lies on one side and what is outside its component on the other
+    depth: I64  #: (n,) in how many other components the edge's own lies
+    board_left: Bool  #: (n,) of a closing edge: the board that stays is on its left
+    component: I64  #: (n,)
+
+    @property
+    def outer(self) -> Bool:
+        """(n,) Whether an edge bounds a blank from outside."""
+        result: Bool = self.closing & (self.depth == 0)
+        return result
+
+
+def outline(edges: Edges) -> Outline:
+    """Return what cuts enclose."""
+    count = len(edges)
+    if count == 0:
+        none = np.zeros(0, np.bool_)
+        return Outline(edges, none, np.zeros(0, np.int64), none, np.zeros(0, np.int64))
+    a, b = pairs_within(edges.ends, edges.ends, JOINED)
+    node = _named(a, b, 2 * count)
+    curve = np.repeat(edges.curve, 2, axis=0)
+    back = np.tile([False, True], count)
+    leaves = np.round(np.radians(edges.outward + 180.0) % (2.0 * math.pi), 9)
+    straight = curve[:, 0] == 0.0
+    bend = np.where(straight, 0.0, curve[:, 0] / np.where(straight, 1.0, curve[:, 3]))
+    bend = np.where(back, -bend, bend)
+    order = np.lexsort((bend, leaves, node))
+    cycle, swept = _walked(order, node[order], _swept(edges))
+    # A cycle is the outside of its component if it is clockwise, or encloses nothing.
+    outside = (swept < _NOTHING)[cycle].reshape(-1, 2)
+    closing = outside[:, 0] != outside[:, 1]
+    component = _named(
+        np.concatenate([node, np.arange(2 * count)]),
+        np.concatenate([np.arange(2 * count), np.arange(2 * count) ^ 1]),
+        2 * count,
+    )[::2]
+    component = np.unique(component, return_inverse=True)[1].astype(np.int64)
+    depth = _depths(edges.curve, closing, component)[component]
+    # Half-edge 0 has its face on the edge's left.  In a hole the board is outside.
+    left = ~outside[:, 0] ^ (depth % 2 == 1)
+    return Outline(edges, closing, depth, left, component)
+
+
+def _named(a: I64, b: I64, count: int) -> I64:
+    """Return for each of ``count`` things the least one that it hangs together with."""
+    name = np.arange(count)
+    while True:
+        least = name.copy()
+        np.minimum.at(least, a, name[b])
+        np.minimum.at(least, b, name[a])
+        least = least[least]
+        if np.array_equal(least, name):
+            return name
+        name = least
+
+
+def _swept(edges: Edges) -> F64:
+    """Return twice the area that each edge sweeps about the first end of all (mm²)."""
+    curve = edges.curve
+    origin = edges.ends[0]
+    start, end = edges.ends[::2] - origin, edges.ends[1::2] - origin
+    straight = curve[:, 0] == 0.0
+    radius = np.where(straight, 0.0, curve[:, 3])
+    sweep = curve[:, 0] * curve[:, 5] / np.where(straight, 1.0, radius)
+    bulge = radius**2 * (sweep - np.sin(sweep))
+    result: F64 = start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0] + bulge
+    return result
+
+
+@njit(cache=True)
+def _walked(order: Any, node: Any, swept: Any) -> Any:
+    """Return the cycle of every half-edge, and twice the area of every cycle."""
+    count = len(order)
+    rank = np.empty(count, np.int64)
+    for place in range(count):
+        rank[order[place]] = place
+    last = np.empty(count, np.int64)
+    for place in range(count - 1, -1, -1):
+        same = place + 1 < count and node[place + 1] == node[place]
+        last[place] = last[place + 1] if same else place
+    cycle = np.full(count, -1, np.int64)
+    area = np.zeros(count)
+    cycles = 0
+    for begin in range(count):
+        half = begin
+        while cycle[half] < 0:
+            cycle[half] = cycles
+            area[cycles] += swept[half // 2] if half % 2 == 0 else -swept[half // 2]
+            # Arrived along the twin: the next one clockwise keeps the face on the left.
+            place = rank[half ^ 1]
+            first = place == 0 or node[place - 1] != node[place]
+            half = order[last[place] if first else place - 1]
+        if cycle[begin] == cycles:
+            cycles += 1
+    return cycle, area[:cycles]
+
+
+def _depths(curve: F64, closing: Bool, component: I64) -> I64:
+    """Return in how many other components' outlines each component lies."""
+    rows = np.flatnonzero(closing)
+    rows = rows[np.argsort(component[rows], kind="stable")]
+    count = int(component.max()) + 1
+    first = np.searchsorted(component[rows], np.arange(count + 1))
+    probe = np.zeros((count, 2))
+    probe[component[::-1]] = point_at(curve, 0.5 * curve[:, 5])[::-1]
+    around = curve[rows]
+    boxes = _boxes(around, first)
+    return np.asarray(_containing(probe, around, first, boxes, True))
+
+
+def inside(points: F64, outlined: Outline) -> I64:
+    """Return in how many outlines points, (n, 2) mm, lie."""
+    rows = np.flatnonzero(outlined.closing)
+    rows = rows[np.argsort(outlined.component[rows], kind="stable")]
+    around = outlined.edges.curve[rows]
+    count = int(outlined.component.max(initial=-1)) + 1
+    first = np.searchsorted(outlined.component[rows], np.arange(count + 1))
+    return np.asarray(_containing(points, around, first, _boxes(around, first), False))
+
+
+def _boxes(around: F64, first: I64) -> F64:
+    boxes = np.empty((len(first) - 1, 4))
+    boxes[:, :2], boxes[:, 2:] = np.inf, -np.inf
+    owner = np.repeat(np.arange(len(first) - 1), np.diff(first))
+    straight = around[:, 0] == 0.0
+    reach = np.where(straight, 0.0, around[:, 3])[:, None]
+    start = np.where(straight[:, None], around[:, 1:3], around[:, 1:3])
+    end = np.where(straight[:, None], point_at(around, around[:, 5]), around[:, 1:3])
+    np.minimum.at(boxes[:, :2], owner, np.minimum(start, end) - reach)
+    np.maximum.at(boxes[:, 2:], owner, np.maximum(start, end) + reach)
+    return boxes
+
+
+@njit(cache=True)
+def _containing(points: Any, around: Any, first: Any, boxes: Any, own: bool) -> Any:
+    """Return how many outlines are crossed oddly by the rays from points along +X."""
+    depth = np.zeros(len(points), np.int64)
+    for i in range(len(points)):
+        x = points[i, 0]
+        y = points[i, 1]
+        for j in range(len(boxes)):
+            if own and i == j:
+                continue
+            if x < boxes[j, 0] or y < boxes[j, 1] or x > boxes[j, 2] or y > boxes[j, 3]:
+                continue
+            crossed = 0
+            for row in range(first[j], first[j + 1]):
+                crossed += _crossed(around[row], x, y)
+            depth[i] += crossed % 2
+    return depth
+
+
+@njit(cache=True)
+def _crossed(curve: Any, x: float, y: float) -> int:
+    """Return how often a ray along +X crosses a curve; an end counts where the curve is above."""
+    if curve[0] == 0.0:
+        y0 = curve[2]
+        y1 = curve[2] + curve[4] * curve[5]
+        if (y0 > y) == (y1 > y):
+            return 0
+        at = curve[1] + (y - y0) / (y1 - y0) * curve[3] * curve[5]
+        return 1 if at > x else 0
+    radius = curve[3]
+    first = curve[4]
+    last = curve[4] + curve[0] * curve[5] / radius
+    low = min(first, last)
+    high = max(first, last)
+    crossed = 0
+    # Between two of its highest and lowest points an arc rises or falls all the way.
+    piece = math.floor(low / math.pi - 0.5)
+    begin = low
+    while begin < high:
+        end = min((piece + 1.5) * math.pi, high)
+        if end > begin:
+            y0 = curve[2] + radius * math.sin(begin)
+            y1 = curve[2] + radius * math.sin(end)
+            if (y0 > y) != (y1 > y):
+                half = math.sqrt(max(radius * radius - (y - curve[2]) ** 2, 0.0))
+                side = 1.0 if math.cos(0.5 * (begin + end)) > 0.0 else -1.0
+                if curve[1] + side * half > x:
+                    crossed += 1
+            begin = end
+        piece += 1
+    return crossed
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RunOuts:
+    """What the 2n ends of n straight grooves ask for."""
+
+    boundary: Bool  #: (2n,) the end lies on the board's edge, and the groove goes out there
+    least: F64  #: (2n,) mm that the tip must go on past it
+
+
+def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
+    """Return how far grooves must run out where they end on the board's edge.
+
+    Parameters
+    ----------
+    grooves, cuts
+        Arcs among the grooves ask for nothing.
+    half : mm
+        W/2 at the top face.
+    """
+    count = len(grooves.ends)
+    boundary, least = np.zeros(count, np.bool_), np.zeros(count)
+    bounds = outline(cuts)
+    outer = np.flatnonzero(bounds.outer)
+    if len(outer) == 0 or count == 0:
+        return RunOuts(boundary, least)
+    curve = cuts.curve[outer]
+    rows = overlaps(
+        lines(grooves.ends, grooves.ends), curve, np.zeros(len(outer)), curve[:, 5], TOUCHING
+    )
+    end, edge = rows.curve.astype(np.int64), rows.edge.astype(np.int64)
+    straight = grooves.curve[end // 2, 0] == 0.0
+    end, edge, place = end[straight], edge[straight], rows.place[straight, 0]
+    ahead = np.radians(grooves.outward[end])
+    u = np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
+    along = np.radians(azimuth_at(curve[edge], place))
+    left = np.stack([-np.sin(along), np.cos(along)], axis=1)
+    m = np.where(bounds.board_left[outer[edge]][:, None], -left, left)
+    out = (u * m).sum(axis=1)
+    leaves = out > ALONG
+    # Each point of the groove's width, from the end of its line: how far until it is past an edge.
+    need = np.full((count, 2), np.inf)
+    most = np.full((count, 2), -np.inf)
+    n = np.stack([-u[:, 1], u[:, 0]], axis=1)
+    for side, sign in enumerate((1.0, -1.0)):
+        go = np.where(leaves, -sign * half * (n * m).sum(axis=1) / np.where(leaves, out, 1.0), 0.0)
+        go = np.where(leaves, _round(curve[edge], grooves.ends[end], u, sign * half * n, go), go)
+        np.minimum.at(need[:, side], end[leaves], go[leaves])
+        np.maximum.at(most[:, side], end[leaves], go[leaves])
+    # Past an outward corner's one edge a place has left; in a notch part of the groove meets board.
+    inward, outward = _corners(bounds, outer, end, edge, count)
+    many = np.bincount(end, minlength=count)
+    out_by = np.bincount(end[leaves], minlength=count)
+    boundary[:] = (many > 0) & (out_by >= np.where(outward, 1, many)) & ~inward
+    reach = np.where(outward[:, None], need, most)
+    least[boundary] = np.maximum(reach[boundary].max(axis=1), 0.0)
+    return RunOuts(boundary, least)
+
+
+def _round(curve: F64, end: F64, u: F64, aside: F64, straight: F64) -> F64:
+    """Return how far to an edge's own circle, where that is nearer than to its tangent (mm)."""
+    bent = curve[:, 0] != 0.0
+    to = end + aside - curve[:, 1:3]
+    b = (to * u).sum(axis=1)
+    inner = b**2 - (to**2).sum(axis=1) + np.where(bent, curve[:, 3], 0.0) ** 2
+    root = np.sqrt(np.maximum(inner, 0.0))
+    near = np.where(np.abs(-b - root) < np.abs(-b + root), -b - root, -b + root)
+    result: F64 = np.where(bent & (inner >= 0.0), np.minimum(near, straight), straight)
+    return result
+
+
+def _corners(bounds: Outline, outer: I64, end: I64, edge: I64, count: int) -> tuple[Bool, Bool]:
+    """Return which of ``count`` ends lie in a notch of the outline, and which on a corner of it."""
+    inward, outward = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
+    order = np.argsort(end, kind="stable")
+    end, edge = end[order], edge[order]
+    pair = np.flatnonzero(end[1:] == end[:-1])
+    for first, second in ((pair, pair + 1), (pair + 1, pair)):
+        a, b = outer[edge[first]], outer[edge[second]]
+        heading = []
+        for row, arrives in ((a, True), (b, False)):
+            # Walk with the board on the left: in along the first edge, out along the second.
+            ahead = bounds.board_left[row]
+            at_end = ahead if arrives else ~ahead
+            curve = bounds.edges.curve[row]
+            angle = azimuth_at(curve, np.where(at_end, curve[:, 5], 0.0))
+            heading.append(np.radians(np.where(ahead, angle, angle + 180.0)))
+            place = point_at(curve, np.where(at_end, curve[:, 5], 0.0))
+            heading.append(place)
+        meets = np.hypot(*(heading[1] - heading[3]).T) <= TOUCHING
+        turn = np.sin(heading[2] - heading[0])
+        inward[end[first[meets & (turn < -1e-6)]]] = True
+        outward[end[first[meets & (turn > 1e-6)]]] = True
+    return inward, outward

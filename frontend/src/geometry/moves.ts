@@ -1,0 +1,15 @@
+/** The moves of a toolpath as lines and arcs of the drawing, so that they can be pointed at. */
+
+import type { Segments, Toolpath } from "./records";
+
+export function movesOf({ pose, bulge, placement }: Toolpath): Segments {
+  const ends = new Float64Array(bulge.length * 4);
+  for (let row = 0; row < bulge.length; row++) {
+    const a = row * 4;
+    ends[a] = (pose[a] as number) - placement[0];
+    ends[a + 1] = (pose[a + 1] as number) - placement[1];
+    ends[a + 2] = (pose[a + 4] as number) - placement[0];
+    ends[a + 3] = (pose[a + 5] as number) - placement[1];
+  }
+  return { ends, bulge };
+}

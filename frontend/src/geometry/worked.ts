@@ -1,0 +1,65 @@
+/** Which part of each edge the tip goes along. */
+
+import { nearest } from "./arc";
+import { type Edges, MOTIONS, type Toolpath } from "./records";
+import { type TipOffset, tipOf, UNDER_THE_HEAD } from "./tip";
+
+const FEED = MOTIONS.indexOf("feed");
+/** A part this short is not seen, and may be no more than rounding (mm). */
+const SHORTEST = 0.05;
+
+/**
+ * The first and last place on each edge that a tip comes to, (n, 2) as fractions of its length.
+ *
+ * Only an edge of which some was set back on purpose is looked at; all others are whole.
+ */
+export function workedSpans(
+  edges: Edges,
+  { pose, motion, source, tool, placement }: Toolpath,
+  offsets: ReadonlyMap<number, TipOffset>,
+  setback: readonly number[],
+): Float64Array {
+  const count = edges.bulge.length;
+  const spans = new Float64Array(count * 2);
+  const reached = new Uint8Array(count);
+  for (let edge = 0; edge < count; edge++) {
+    if ((setback[edge] ?? 0) < SHORTEST) spans[edge * 2 + 1] = 1;
+    else spans[edge * 2] = 1;
+  }
+  for (let row = 0; row < motion.length; row++) {
+    const edge = source[row] as number;
+    if (motion[row] !== FEED || edge < 0 || edge >= count || !((setback[edge] ?? 0) >= SHORTEST))
+      continue;
+    const offset = offsets.get(tool[row] ?? 0) ?? UNDER_THE_HEAD;
+    for (const at of [row * 4, row * 4 + 4]) {
+      const tip = tipOf(
+        {
+          x: (pose[at] as number) - placement[0],
+          y: (pose[at + 1] as number) - placement[1],
+          z: 0,
+          c: pose[at + 3] as number,
+        },
+        offset,
+      );
+      const { ends, bulge } = edges;
+      const e = edge * 4;
+      const { fraction } = nearest(
+        tip.x,
+        tip.y,
+        ends[e] as number,
+        ends[e + 1] as number,
+        ends[e + 2] as number,
+        ends[e + 3] as number,
+        bulge[edge] as number,
+      );
+      spans[edge * 2] = Math.min(spans[edge * 2] as number, fraction);
+      spans[edge * 2 + 1] = Math.max(spans[edge * 2 + 1] as number, fraction);
+      reached[edge] = 1;
+    }
+  }
+  // What no feed names may have been pressed on the spot: no part of it is told apart.
+  for (let edge = 0; edge < count; edge++) {
+    if (reached[edge] === 0) spans.set([0, 1], edge * 2);
+  }
+  return spans;
+}

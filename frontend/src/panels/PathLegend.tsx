@@ -1,0 +1,77 @@
+/** What the marks and bands of the path mean, with the figures of the tools. */
+
+import { useMemo } from "react";
+import { deepest } from "../geometry/deepest";
+import { contactOf, type Sweep, sweepOf } from "../geometry/sweep";
+import { MARKS, SWEPT } from "../state/palette";
+import { useBoards, useJob, useMachines, useToolpath } from "../state/queries";
+import { usePage } from "../state/store";
+import { fine } from "../state/words";
+import css from "./panels.module.css";
+
+const WORDS: readonly { word: keyof typeof MARKS; size: number }[] = [
+  { word: "plunge", size: 5 },
+  { word: "swivel", size: 7 },
+  { word: "lift", size: 10 },
+];
+
+export function PathLegend() {
+  const layers = usePage((page) => page.layers);
+  const { data: toolpath } = useToolpath();
+  if (toolpath === undefined || !(layers.moves || layers.swept)) return null;
+  return (
+    <div className={`${css.float} ${css.legend}`} data-testid="path-legend">
+      {layers.swept && <Tools />}
+      {layers.moves &&
+        WORDS.map(({ word, size }) => (
+          <span key={word}>
+            <span
+              className={css.dot}
+              style={{ width: size, height: size, background: MARKS[word] }}
+            />
+            {word}
+          </span>
+        ))}
+    </div>
+  );
+}
+
+function Tools() {
+  const { data: toolpath } = useToolpath();
+  const { data: machines } = useMachines();
+  const { data: boards } = useBoards();
+  const { data: job } = useJob();
+  const depths = useMemo(
+    () => (toolpath === undefined ? new Map<number, number>() : deepest(toolpath)),
+    [toolpath],
+  );
+  const caliper = boards?.find(({ name }) => name === job?.board)?.caliper ?? 0;
+  const stations = machines?.find(({ name }) => name === job?.machine)?.stations ?? [];
+  const swept = stations.flatMap(({ number, name, tool }) => {
+    const z = depths.get(number);
+    const sweep = sweepOf(tool.kind, tool.dimensions);
+    return z === undefined || sweep === null ? [] : [{ number, name, sweep, depth: caliper - z }];
+  });
+  if (swept.length === 0) return <span>No tool here sweeps wider than its line.</span>;
+  return swept.map(({ number, name, sweep, depth }) => (
+    <span key={number}>
+      <span className={css.band} style={{ background: COLOURS[sweep.kind], opacity: 0.6 }} />
+      <b>{name}</b>
+      {inWords(sweep, depth)}
+    </span>
+  ));
+}
+
+const COLOURS: Readonly<Record<Sweep["kind"], string>> = {
+  disc: SWEPT.cutter,
+  groove: SWEPT.groove,
+  wheel: SWEPT.crease,
+};
+
+function inWords(sweep: Sweep, depth: number): string {
+  if (sweep.kind === "disc") return `⌀ ${fine(2 * sweep.radius)}`;
+  if (sweep.kind === "groove") {
+    return `${fine(2 * depth * sweep.slope)} wide at the top face, ${fine(depth)} deep`;
+  }
+  return `touches ±\u202f${fine(contactOf(sweep.radius, depth))}, ${fine(depth)} deep`;
+}

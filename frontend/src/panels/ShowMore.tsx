@@ -1,0 +1,27 @@
+/** At the end of a list that goes on. */
+
+import { Button } from "@mantine/core";
+
+interface Props {
+  act: () => void;
+  busy?: boolean;
+  /** How many there are still, where that is known. */
+  left?: number;
+}
+
+export function ShowMore({ act, busy = false, left }: Props) {
+  return (
+    <Button
+      fullWidth
+      mt={4}
+      size="xs"
+      variant="subtle"
+      color="gray"
+      loading={busy}
+      onClick={act}
+      data-testid="show-more"
+    >
+      Show more{left !== undefined && ` (${left.toLocaleString("en")} left)`}
+    </Button>
+  );
+}

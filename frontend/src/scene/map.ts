@@ -1,0 +1,60 @@
+/** The verdict's figures → a colour to each edge: from nothing to a limit, and beyond. */
+
+import { type Edges, lineTypeOf } from "../geometry/records";
+import type { Rgba } from "./lines";
+
+export interface Scale {
+  /** From nothing to the limit, at equal steps; at least two. */
+  readonly stops: readonly Rgba[];
+  readonly beyond: Rgba;
+  /** Of an edge that no tool works. */
+  readonly unworked: Rgba;
+}
+
+/** One figure of every edge, and what it may come to (mm). */
+export interface FigureMap {
+  /** (n,) */
+  readonly figure: readonly number[];
+  readonly limit: number;
+  /** (n,) length that was left, though it should have been worked */
+  readonly uncut: readonly number[];
+  /** (n,) length that was left on purpose */
+  readonly setback: readonly number[];
+}
+
+/** A figure this little past its limit was rounded there (mm). */
+const ROUNDED = 1e-6;
+
+/** The colour of a figure. */
+export function onScale(figure: number, limit: number, { stops, beyond }: Scale): Rgba {
+  if (!(figure <= limit + ROUNDED)) return beyond;
+  const share = limit > 0 ? Math.min(1, Math.max(0, figure / limit)) : 0;
+  const place = share * (stops.length - 1);
+  const before = Math.min(stops.length - 2, Math.floor(place));
+  const [a, b] = [stops[before] ?? beyond, stops[before + 1] ?? beyond];
+  const mixed = (at: 0 | 1 | 2 | 3) => Math.round(a[at] + (b[at] - a[at]) * (place - before));
+  return [mixed(0), mixed(1), mixed(2), mixed(3)];
+}
+
+/** Whether a tool worked some of an edge. */
+export function isWorked(edges: Edges, { uncut, setback }: FigureMap, row: number): boolean {
+  const type = lineTypeOf(edges.lineType[row]);
+  if (type === "ignored" || type === "unclassified") return false;
+  const left = (uncut[row] ?? 0) + (setback[row] ?? 0);
+  // A crease that is shorter than the wheel's contact is pressed on the spot: all of it is set
+  // back, and it is worked nevertheless.
+  return (uncut[row] ?? 0) === 0 || left < (edges.length[row] ?? 0) - ROUNDED;
+}
+
+/** The colours of all edges, (n, 4). */
+export function mapColours(edges: Edges, map: FigureMap, scale: Scale): Uint8Array {
+  const count = edges.bulge.length;
+  const colours = new Uint8Array(count * 4);
+  for (let row = 0; row < count; row++) {
+    const colour = isWorked(edges, map, row)
+      ? onScale(map.figure[row] ?? Number.NaN, map.limit, scale)
+      : scale.unworked;
+    colours.set(colour, row * 4);
+  }
+  return colours;
+}

@@ -1,0 +1,291 @@
+"""The patent's claim, measured: sharp corners in B, C and D on LinuxCNC's own planner.
+
+    python -m tests.benchmarks.patent_table  ->  backend/docs/d-type-table.md and .log
+
+The same polygons, milled from outside, once with each type.  LinuxCNC runs headless and its
+``sampler`` notes both joints in every servo period (1 ms of the machine's time), so the figures do
+not depend on how busy this computer is.  Needs linuxcnc-uspace and the files that
+``controllers/linuxcnc_machine.py`` names; takes about five minutes.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+import time
+from dataclasses import dataclass
+from itertools import product
+from pathlib import Path
+from shutil import copyfile
+
+import numpy as np
+from tests.controllers import linuxcnc_machine
+
+from knifetip.compensation.corner import durations, lengths
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64
+from knifetip.geometry.offset import equidistant
+from knifetip.geometry.path import Paths
+from knifetip.geometry.transition import Corner
+
+DOCS = Path(__file__).resolve().parents[2] / "backend" / "docs"
+SIDE = 30.0  #: mm
+KNOB = 0.5
+RADII = (1.0, 3.0, 6.0)  #: mm
+FEEDS = (6000.0, 12000.0, 24000.0)  #: mm/min
+LASTS = 1.0  #: a run lasts about so long, in whole laps (s)
+ACCELERATION = 8000.0  #: of X and Y on that machine (mm/s²)
+#: The disc touches the corner while its centre is within r of it and this much more (mm).
+TOUCH = 0.02
+#: A centre that moves less in a servo period stands (mm).
+STANDS = 1e-6
+
+SAMPLER = """
+loadrt sampler depth=8000 cfg=ff
+addf sampler.0 servo-thread
+net Xpos => sampler.0.pin.0
+net Ypos => sampler.0.pin.1
+loadusr halsampler -t samples.txt
+"""
+HEADER = """\
+# LinuxCNC {version}, headless, servo period 1 ms, G64 P0.005 Q0.005, polygons of {side:g} mm sides
+# axes 1500 mm/s and 8000 mm/s2, k = {knob:g}; times in ms of LinuxCNC's own servo periods
+# shape turn_deg r_mm feed_mm_min type laps way_mm ms_a_lap ms_at_a_corner slowest_mm_s
+"""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A polygon, travelled to the left, whose corners turn by angles that alternate."""
+
+    name: str
+    turns: tuple[float, ...]  #: degrees, all the way round
+
+    @property
+    def corners(self) -> F64:
+        heading = np.radians(np.concatenate([[0.0], np.cumsum(self.turns)[:-1]]))
+        steps = SIDE * np.column_stack([np.cos(heading), np.sin(heading)])
+        return np.concatenate([[[0.0, 0.0]], np.cumsum(steps, axis=0)[:-1]])
+
+
+SHAPES = (
+    Shape("hexagon", (60.0,) * 6),
+    Shape("square", (90.0,) * 4),
+    Shape("triangle", (120.0,) * 3),
+    Shape("rhombus", (150.0, 30.0) * 2),
+)
+
+
+@dataclass(frozen=True)
+class Row:
+    """What one run showed."""
+
+    shape: Shape
+    radius: float
+    feed: float
+    corner: Corner
+    laps: int
+    way: float  #: of the centre, one lap (mm)
+    cycle: float  #: one lap (ms)
+    touch: float  #: at each corner, on the mean (ms)
+    slowest: float  #: near the corners (mm/s)
+
+    def line(self) -> str:
+        """The row as it stands in the log."""
+        return (
+            f"{self.shape.name} {'/'.join(f'{t:g}' for t in self.shape.turns[:2])}"
+            f" {self.radius:g} {self.feed:g} {self.corner.name} {self.laps} {self.way:.4f}"
+            f" {self.cycle:.1f} {self.touch:.2f} {self.slowest:.1f}"
+        )
+
+
+def centre(shape: Shape, radius: float, corner: Corner) -> Paths:
+    """Return the way of the centre round a polygon, begun in the middle of its first side."""
+    corners = shape.corners
+    middle = corners[:1] + np.array([SIDE / 2.0, 0.0])
+    start = np.concatenate([middle, corners[1:], corners[:1]])
+    end = np.concatenate([corners[1:], corners[:1], middle])
+    contour = Paths(start, end, np.zeros(len(start)), np.array([0, len(start)]))
+    beside = equidistant(contour, radius, -1, corner=corner, k=KNOB)
+    assert len(beside.paths) == 1
+    return beside.paths
+
+
+def program(way: Paths, feed: float, laps: int) -> bytes:
+    """Return a program that goes round some times, and stands still before and after."""
+    x, y = way.start[0] + PLACE
+    lines = ["G21 G90 G91.1 G17 G40 G49 G94 G54", "G64 P0.005 Q0.005"]
+    lines += [f"G0 X{x:.4f} Y{y:.4f}", "G4 P0.05", f"F{feed:g}"]
+    middles = arc.centre(way.start, way.end, way.bulge)
+    for a, b, bend, middle in [*zip(way.start, way.end, way.bulge, middles, strict=True)] * laps:
+        (x, y), (i, j) = b + PLACE, middle - a
+        word = "G1" if bend == 0.0 else "G3" if bend > 0.0 else "G2"
+        lines.append(f"{word} X{x:.4f} Y{y:.4f}" + (f" I{i:.4f} J{j:.4f}" if bend else ""))
+    return "\n".join([*lines, "G4 P0.05", "M2", ""]).encode()
+
+
+#: Where the polygons lie on the table (mm).
+PLACE = np.array([100.0, 100.0])
+
+
+class Samples:
+    """What the sampler writes, from where it was last read."""
+
+    def __init__(self, file: Path) -> None:
+        self.file = file
+        self.read = 0
+
+    def new(self) -> F64:
+        """Return the positions since the last call, (n, 2) mm, one to a servo period."""
+        with self.file.open("rb") as text:
+            text.seek(self.read)
+            data = text.read()
+        whole = data[: data.rfind(b"\n") + 1]
+        self.read += len(whole)
+        assert b"overrun" not in whole, "the sampler lost periods"
+        rows = np.array([line.split() for line in whole.splitlines()], float).reshape(-1, 3)
+        assert (np.diff(rows[:, 0]) == 1.0).all(), "the sampler lost periods"
+        return rows[:, 1:]
+
+
+def measured(
+    machine: linuxcnc_machine.Machine, samples: Samples, shape: Shape, radius: float,
+    feed: float, corner: Corner,
+) -> Row:  # fmt: skip
+    """Run one polygon and return what the samples say."""
+    way = centre(shape, radius, corner)
+    length = float(way.lengths[0])
+    laps = max(1, round(LASTS * feed / 60.0 / length))
+    samples.new()
+    machine.run(program(way, feed, laps))
+    time.sleep(0.1)  # what the sampler has not written yet
+    seen = samples.new()
+    step = np.hypot(*np.diff(seen, axis=0).T)
+    moving = np.flatnonzero(step > STANDS)
+    # The last run of moves: the rapid to the start is parted from it by the dwell.
+    begin = moving[np.flatnonzero(np.diff(moving, prepend=-1000) > 20)[-1]]
+    cut, speed = seen[begin : moving[-1] + 2], 1000.0 * step[begin : moving[-1] + 1]
+    away = np.hypot(*(cut[:, None] - (shape.corners + PLACE)).transpose(2, 0, 1)).min(axis=1)
+    assert away.min() > radius - 0.006, (
+        f"the planner cut {radius - away.min():.4f} mm into a corner"
+    )
+    near = away[1:] < 1.5 * radius
+    return Row(
+        shape, radius, feed, corner, laps, length,
+        cycle=len(speed) / laps,
+        touch=float((away[1:] <= radius + TOUCH).sum()) / (laps * len(shape.corners)),
+        slowest=float(speed[near].min()),
+    )  # fmt: skip
+
+
+def table(rows: list[Row], version: str) -> str:
+    """Return the page of the docs."""
+    runs = {(r.shape.name, r.radius, r.feed, r.corner): r for r in rows}
+    cases = product(SHAPES, RADII, FEEDS)
+    lines = []
+    quicker = smoother = lost = 0
+    off = []
+    for shape, radius, feed in cases:
+        b, c, d = (runs[shape.name, radius, feed, corner] for corner in Corner)
+        quicker += d.cycle < c.cycle
+        smoother += d.touch < b.touch
+        lost += d.cycle > b.cycle
+        count = len(shape.turns)
+        model = 1000.0 * durations(
+            np.radians(shape.turns), radius, np.full(count, KNOB), feed / 60.0, ACCELERATION
+        ).sum(axis=0)
+        expected = [model[Corner.C] - model[Corner.B], model[Corner.D] - model[Corner.B]]
+        off.append(np.abs(np.subtract([c.cycle - b.cycle, d.cycle - b.cycle], expected)) / count)
+        cells = [f"{'/'.join(f'{t:g}' for t in dict.fromkeys(shape.turns))}°", f"{radius:g}",
+                 f"{feed / 1000:g}"]  # fmt: skip
+        cells += [f"{run.way:.2f}" for run in (b, c, d)]
+        cells += [f"{run.cycle:.0f}" for run in (b, c, d)]
+        cells += [f"{run.touch:.1f}" for run in (b, c, d)]
+        cells += [f"{run.slowest:.0f}" for run in (b, c, d)]
+        lines.append("| " + " | ".join(cells) + " |")
+    count = len(lines)
+    return PAGE.format(
+        version=version, count=count, quicker=quicker, smoother=smoother, lost=lost,
+        side=SIDE, knob=KNOB, touch=TOUCH, rows="\n".join(lines),
+        c_off=np.median(off, axis=0)[0], c_worst=np.max(off, axis=0)[0],
+        d_off=np.median(off, axis=0)[1], d_worst=np.max(off, axis=0)[1],
+    )  # fmt: skip
+
+
+PAGE = """\
+# B, C and D round the same corners, measured
+
+Written by `python -m tests.benchmarks.patent_table`; the figures of every run are in
+[d-type-table.log](d-type-table.log).
+
+Regular polygons of {side:g} mm sides (and a rhombus, whose corners turn by 150° and 30°) are milled
+from outside on LinuxCNC ({version}), headless, with its own planner: G64 P0.005,
+axes of 8,000 mm/s² and 1,500 mm/s, k = {knob:g}.  Times are servo periods of 1 ms that LinuxCNC's
+`sampler` counted.
+
+- **way** is the centre's path round the polygon once.
+- **lap** is what going round once takes.
+- **touch** is how long the disc touches one corner on the mean: its centre is within
+  r + {touch:g} mm of it.  The burnt corner of the patent.  Some of it is the way along the sides
+  before B₀ and after E₀, in every type.
+- **slowest** is the least speed nearer than 1.5 r to a corner.
+
+What the patent claims, and what came out of {count} cases:
+
+- D is longer than B and shorter than C: in all {count}, by construction.
+- D leaves the corner sooner than B: in {smoother} of {count}.
+- D is quicker than C, which stops at its bends: in {quicker} of {count}.
+- B is quicker than D, whose arc is tighter: in {lost} of {count}.  So time alone does not ask for
+  D: "auto" takes B until its touch would burn the corner, and D then.
+
+What `compensation/corner.py` expects D to take longer than B at a corner is off by {d_off:.1f} ms
+on the median and {d_worst:.1f} ms at worst, and C by {c_off:.1f} and {c_worst:.1f} ms.  LinuxCNC
+leaves √3/2 of the acceleration to arcs (83 mm/s at r 1 mm, where the model has 89), and blends a
+little of C's stops.
+
+| turn | r mm | feed m/min | way B mm | C | D | lap B ms | C | D | touch B ms | C | D \
+| slowest B mm/s | C | D |
+|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|
+{rows}
+"""
+
+
+def check(rows: list[Row]) -> None:
+    """Refuse to write figures down that contradict the lengths of the patent's table."""
+    for row in rows:
+        turn = np.radians(row.shape.turns)
+        around = lengths(turn, row.radius, np.full(len(turn), KNOB))[:, row.corner].sum()
+        assert abs(row.way - SIDE * len(turn) - around) < 1e-6
+
+
+def main() -> None:
+    """Measure, and write the table and its log."""
+    reason = linuxcnc_machine.absent()
+    if reason:
+        raise SystemExit(reason)
+    version = subprocess.run(
+        ["dpkg-query", "-W", "-f=${Version}", "linuxcnc-uspace"],
+        capture_output=True, text=True, check=False,
+    ).stdout or "of unknown version"  # fmt: skip
+    rows: list[Row] = []
+    with tempfile.TemporaryDirectory() as folder:
+        parts = Path(folder)
+        for part in ("carton.ini", "carton.hal", "loopback_bind.c"):
+            copyfile(linuxcnc_machine.PARTS / part, parts / part)
+        with (parts / "carton.hal").open("a") as hal:
+            hal.write(SAMPLER)
+        linuxcnc_machine.PARTS = parts
+        with linuxcnc_machine.running("T4 P4 Z0 D6 ;router\n") as machine:
+            samples = Samples(machine.room / "samples.txt")
+            for shape, radius, feed, corner in product(SHAPES, RADII, FEEDS, Corner):
+                rows.append(measured(machine, samples, shape, radius, feed, corner))
+                print(rows[-1].line(), flush=True)
+    check(rows)
+    head = HEADER.format(version=version, side=SIDE, knob=KNOB)
+    log = head + "".join(f"{row.line()}\n" for row in rows)
+    (DOCS / "d-type-table.log").write_text(log, "utf-8")
+    (DOCS / "d-type-table.md").write_text(table(rows, version), "utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,94 @@
+"""What planning adds to a drawing, from plan to verdict: run-outs, passes, bridges, folds."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from knifetip import compensate, plan, process, sequence, verify
+from knifetip.library import load
+from knifetip.model.dieline import LineType
+from knifetip.planning import plan as planning
+from shapes import closed, dieline, edges
+
+MACHINE, BOARD = load.machine("demo-table"), load.board("greyboard-2.0")
+OUTLINE = (LineType.CUT, closed((100, 100), (400, 100), (400, 300), (100, 300)))
+ROUND = edges(((100, 200), (300, 200)), ((300, 200), (100, 200)))
+CUT, CREASE, GROOVE = LineType.CUT, LineType.CREASE, LineType.V_GROOVE
+
+
+def judged(line, machine=MACHINE, **asked):
+    board = replace(BOARD, **asked)
+    operations = plan(line, machine, board)
+    toolpath = sequence([compensate(operation) for operation in operations], machine)
+    text = process(toolpath, machine, "grblhal").text
+    return verify(text, line, (0.0, 0.0), machine, board)
+
+
+@pytest.mark.parametrize("degrees", [7.0, 20.0, 45.0, 70.0, 90.0])
+@pytest.mark.parametrize("step", [0.0, 0.5])
+def test_a_groove_that_meets_the_edge_at_any_angle(degrees, step):
+    reach = 40.0 / np.tan(np.radians(degrees)) if degrees < 90.0 else 0.0
+    start = 120.0 if reach > 200.0 else 150.0
+    # From 40 mm inside, or less, to the top edge.
+    share = min(1.0, 200.0 / max(reach, 1.0))
+    groove = edges(((start, 300 - 40 * share), (start + reach * share, 300)))
+    verdict = judged(dieline(OUTLINE, (GROOVE, groove)), groove_pass=step)
+    assert verdict.accepted, verdict.findings[:2]
+
+
+@pytest.mark.parametrize("factor", [0.0, 0.8])
+def test_a_groove_that_does_not_run_out_far_enough_is_refused(monkeypatch, factor):
+    line = dieline(OUTLINE, (GROOVE, edges(((200, 200), (300, 300)))))
+    assert judged(line).accepted
+    right = planning.run_out
+
+    def short(*args):
+        size, on_edge = right(*args)
+        return factor * size, on_edge
+
+    monkeypatch.setattr(planning, "run_out", short)
+    assert not judged(line).accepted
+
+
+def test_a_curved_groove_within_the_error_that_the_board_allows():
+    line = dieline(OUTLINE, (GROOVE, edges(((120, 150), (380, 150)))), bulge={4: 0.1})
+    assert judged(line, groove_curve=0.1).accepted
+
+
+@pytest.mark.parametrize(
+    ("contour", "bulge"),
+    [
+        (OUTLINE[1], {}),
+        (ROUND, {0: 1.0, 1: 1.0}),
+        (closed((100, 100), (400, 100), (380, 300), (110, 290)), {}),
+    ],
+    ids=["blank", "disc", "slanted"],
+)
+def test_a_part_held_by_bridges(contour, bulge):
+    line = dieline((CUT, contour), bulge=bulge)
+    verdict = judged(line, bridge_width=0.8, bridge_spacing=200.0)
+    assert verdict.accepted, verdict.findings[:2]
+
+
+def test_an_outline_begun_and_ended_in_the_waste():
+    knife = replace(MACHINE.stations[0].tool, lead_in=5.0, lead_out=5.0)
+    stations = (replace(MACHINE.stations[0], tool=knife), *MACHINE.stations[1:])
+    verdict = judged(dieline(OUTLINE), replace(MACHINE, stations=stations))
+    assert verdict.accepted, verdict.findings[:2]
+
+
+@pytest.mark.parametrize("apart", [0.0, 3.0])
+def test_creases_crossed_dashed_and_drawn_twice(apart):
+    dashes = edges(*[((150 + 9 * i, 150), (156 + 9 * i, 150)) for i in range(10)])
+    line = dieline(
+        OUTLINE,
+        (CREASE, dashes),
+        (CREASE, edges(((150, 200), (250, 200)), ((300, 200), (200, 200)))),
+        (CREASE, edges(((150, 250), (250, 280)))),
+        (CUT, edges(((200, 235), (200, 285)))),
+    )
+    verdict = judged(line, double_crease=apart)
+    assert verdict.accepted, verdict.findings[:2]

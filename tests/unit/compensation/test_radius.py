@@ -1,0 +1,363 @@
+"""The radius engine: the disc touches the part and never enters it, whatever the contour.
+
+Distances are taken to the drawing's own lines and arcs by sums of this file alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from knifetip.compensation.compensate import compensate
+from knifetip.compensation.radius import centres, radius, set_up
+from knifetip.errors import CompensationError
+from knifetip.geometry import arc
+from knifetip.geometry.path import Paths
+from knifetip.model.dieline import LineType
+from knifetip.model.machine import Station
+from knifetip.model.operation import End, Operation
+from knifetip.model.tool import Cutter
+from knifetip.model.toolpath import Motion
+from knifetip.planning.plan import plan
+from shapes import BOARD, MACHINE, closed, dieline, edges, rotation
+
+ROUTER = Cutter(radius=3.0, feed=9000.0, plunge=1500.0, speed=18000.0)
+ROUTED = replace(MACHINE, stations=(Station(4, "Router", ROUTER, 0.0, 0.0, 0.0, 0.0, 3),))
+QUARTER = np.tan(np.pi / 8)
+many = settings(max_examples=300, deadline=None)
+
+
+def contour(*points, bulge=None, side=-1, r=3.0, **changes) -> Operation:
+    """One closed contour, travelled as given, with the cutter on one side."""
+    xy = np.array(points, float)
+    count = len(xy)
+    bent = np.zeros(count) if bulge is None else np.asarray(bulge, float)
+    plain = Operation(
+        paths=Paths(xy, np.roll(xy, -1, axis=0), bent, np.array([0, count])),
+        line_type=LineType.CUT, tool=replace(ROUTER, radius=r), station=4,
+        depth=np.full((count, 1), 2.3), caliper=2.0, clearance=2.0, feed=9000.0, plunge=1500.0,
+        swivel=0.0, end_clearance=0.0, overcut=0.0, short_crease="press",
+        start=[End.CLOSED], finish=[End.CLOSED], source=np.arange(count), side=side,
+        acceleration=8000.0,
+    )  # fmt: skip
+    return replace(plain, **changes)
+
+
+def open_cut(*points, side=1, r=3.0, depth=(2.3,), **changes) -> Operation:
+    xy = np.array(points, float)
+    whole = contour(*points, side=side, r=r)
+    count = len(xy) - 1
+    return replace(
+        whole, paths=Paths(xy[:-1], xy[1:], np.zeros(count), np.array([0, count])),
+        depth=np.tile(depth, (count, 1)), start=[End.FREE], finish=[End.FREE],
+        source=np.arange(count), k_at=np.zeros(0), run_out=np.zeros((0, 2)), **changes,
+    )  # fmt: skip
+
+
+def sampled(path, motions=(Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT), step=0.5):
+    """Points of the centre in the board, ends of moves among them."""
+    points = []
+    for row in np.flatnonzero(np.isin(path.motion, motions)):
+        a, b, bend = path.pose[row, :2], path.pose[row + 1, :2], path.bulge[row]
+        count = 3 + int(np.hypot(*(b - a)) * (1 + bend * bend) / step)
+        points.append(arc.points_along(a[None], b[None], np.array([bend]), count)[0])
+    return np.concatenate(points)
+
+
+def distance(points, paths):
+    """From each point to the nearest place of lines and arcs, by hand."""
+    best = np.full(len(points), np.inf)
+    for a, b, bend in zip(paths.start, paths.end, paths.bulge, strict=True):
+        ends = np.minimum(np.hypot(*(points - a).T), np.hypot(*(points - b).T))
+        chord = b - a
+        if abs(bend) < 1e-9:
+            share = np.clip((points - a) @ chord / (chord @ chord), 0.0, 1.0)
+            ends = np.hypot(*(points - a - share[:, None] * chord).T)
+        else:
+            normal = np.array([-chord[1], chord[0]])
+            middle = (a + b) / 2 + normal * (1 - bend * bend) / (4 * bend)
+            size = np.hypot(*(a - middle))
+            # Within the arc's sector the chord lies between the point and the centre, or not.
+            spoke = points - middle
+            turn = np.arctan2(*(a - middle)[::-1])
+            angle = (np.arctan2(spoke[:, 1], spoke[:, 0]) - turn) * np.sign(bend) % (2 * np.pi)
+            within = angle <= 4 * np.arctan(abs(bend))
+            ends = np.where(within, np.abs(np.hypot(*spoke.T) - size), ends)
+        best = np.minimum(best, ends)
+    return best
+
+
+def within(points, polygon):
+    """Even-odd."""
+    odd = np.zeros(len(points), bool)
+    for a, b in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
+        crosses = (a[1] > points[:, 1]) != (b[1] > points[:, 1])
+        if crosses.any():
+            x = a[0] + (points[:, 1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1] or 1.0)
+            odd ^= crosses & (points[:, 0] < x)
+    return odd
+
+
+stars = st.lists(st.floats(25.0, 90.0), min_size=3, max_size=9)
+# An arc of less than 2° has too large a radius for nine places behind the point.
+bends = st.lists(
+    st.floats(-0.35, 0.35).map(lambda b: b if abs(b) > 0.01 else 0.0), min_size=9, max_size=9
+)
+corners = st.sampled_from(["B", "C", "D", "auto"])
+cutters = st.floats(0.2, 8.0)
+
+
+def star(radii, phase=0.3):
+    angle = phase + np.arange(len(radii)) * 2 * np.pi / len(radii)
+    return np.array(radii)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+@many
+@given(radii=stars, corner=corners, r=cutters, outside=st.booleans())
+def test_the_disc_touches_the_part_and_never_enters_it(radii, corner, r, outside):
+    points = star(radii)
+    operation = contour(*points, side=-1 if outside else 1, r=r, corner=corner)
+    path = radius(operation)
+    way = sampled(path)
+    away = distance(way, operation.paths)
+    assert away.min() >= r - 1e-9
+    assert distance(sampled(path, [Motion.FEED]), operation.paths).min() <= r + 1e-9
+    assert not (within(way, points) == outside).any()
+
+
+@many
+@given(
+    radii=stars, bulges=bends, corner=corners, r=st.floats(0.2, 4.0), side=st.sampled_from([1, -1])
+)
+def test_with_arcs_too_the_disc_never_enters_the_part(radii, bulges, corner, r, side):
+    points = star(radii)
+    operation = contour(*points, bulge=bulges[: len(points)], side=side, r=r, corner=corner)
+    # Bent edges of a star may cross: such a contour bounds nothing.
+    flat = arc.points_along(
+        *(operation.paths.start, operation.paths.end, operation.paths.bulge), 65
+    )
+    angle = np.unwrap(np.arctan2(flat[:, :-1, 1].ravel(), flat[:, :-1, 0].ravel()))
+    assume((np.diff(angle) > 0.0).all())
+    path = radius(operation)
+    away = distance(sampled(path), operation.paths)
+    assert away.min() >= r - 1e-9
+    assert distance(sampled(path, [Motion.FEED]), operation.paths).min() <= r + 1e-9
+
+
+@many
+@given(radii=stars, corner=corners, r=st.floats(0.2, 4.0), degrees=st.floats(-180.0, 180.0))
+def test_the_centre_turns_with_the_board(radii, corner, r, degrees):
+    turn = rotation(degrees)
+    before = centres(contour(*star(radii), r=r, corner=corner)).paths
+    after = centres(contour(*(star(radii) @ turn.T), r=r, corner=corner)).paths
+    np.testing.assert_allclose(after.lengths, before.lengths, atol=1e-7)
+    points = arc.points_along(after.start, after.end, after.bulge, 5).reshape(-1, 2)
+    assert distance(points @ turn, before).max() < 1e-7
+
+
+@many
+@given(radii=stars, corner=st.sampled_from(["B", "C", "D"]), r=st.floats(0.2, 4.0),
+       shift=st.integers(1, 8))  # fmt: skip
+def test_reversed_on_the_other_side_and_begun_elsewhere_it_is_the_same_way(radii, corner, r, shift):
+    points = star(radii)
+    there = centres(contour(*points, r=r, corner=corner)).paths
+    for other in (
+        contour(*points[::-1], side=1, r=r, corner=corner),
+        contour(*np.roll(points, shift, axis=0), r=r, corner=corner),
+    ):
+        paths = centres(other).paths
+        np.testing.assert_allclose(paths.lengths, there.lengths, atol=1e-7)
+        places = arc.points_along(paths.start, paths.end, paths.bulge, 5).reshape(-1, 2)
+        assert distance(places, there).max() < 1e-7
+
+
+def test_a_radius_of_zero_is_the_line_itself():
+    points = star([50.0, 30.0, 60.0, 40.0])
+    paths = centres(contour(*points, r=0.0)).paths
+    assert distance(points, paths).max() == 0.0
+    assert distance(paths.start, contour(*points).paths).max() < 1e-12
+
+
+def test_a_rectangle_from_outside_in_b_worked_by_hand():
+    # 100 × 50 to the left, r 3: down at the middle of the first long side, 4.5 mm off it.
+    path = compensate(contour((0, 0), (100, 0), (100, 50), (0, 50)))
+    assert path.motion.tolist() == [
+        Motion.PLUNGE, Motion.LEAD_IN, *[Motion.FEED] * 9, Motion.LEAD_OUT, Motion.LIFT,
+    ]  # fmt: skip
+    expected = [
+        [50, -4.5], [50, -4.5], [50, -3], [100, -3], [103, 0], [103, 50], [100, 53], [0, 53],
+        [-3, 50], [-3, 0], [0, -3], [50, -3], [50, -4.5], [50, -4.5],
+    ]  # fmt: skip
+    np.testing.assert_allclose(path.pose[:, :2], expected, atol=1e-12)
+    np.testing.assert_allclose(path.pose[[0, 1, 7, 12, 13], 2], [4, -0.3, -0.3, -0.3, 4])
+    np.testing.assert_allclose(path.bulge[3:10:2], [QUARTER] * 4)
+    assert (path.pose[:, 3] == 0.0).all()
+    assert path.source[2:11].tolist() == [0, 1, 1, 2, 2, 3, 3, 0, 0]
+
+
+def test_a_hole_is_milled_from_inside_without_transitions():
+    path = compensate(contour((0, 0), (100, 0), (100, 50), (0, 50), side=1))
+    fed = path.motion == Motion.FEED
+    np.testing.assert_allclose(
+        path.pose[:-1][fed][:, :2], [[50, 3], [97, 3], [97, 47], [3, 47], [3, 3]], atol=1e-12
+    )
+    np.testing.assert_allclose(path.pose[1, :2], [50, 4.5])
+
+
+def test_several_passes_go_deeper_beside_the_contour_without_lifting():
+    deep = np.tile([1.0, 2.3], (4, 1))
+    path = compensate(contour((0, 0), (100, 0), (100, 50), (0, 50), depth=deep))
+    plunges = np.flatnonzero(path.motion == Motion.PLUNGE)
+    np.testing.assert_allclose(path.pose[plunges + 1][:, :3], [[50, -4.5, 1.0], [50, -4.5, -0.3]])
+    assert np.count_nonzero(path.motion == Motion.LIFT) == 1
+    assert np.count_nonzero(path.motion == Motion.RAPID) == 0
+
+
+def test_a_slit_is_milled_on_its_line_there_and_back():
+    path = compensate(open_cut((0, 0), (50, 0), side=0))
+    np.testing.assert_allclose(path.pose[:, :2], [[0, 0], [0, 0], [50, 0], [50, 0]])
+    path = compensate(open_cut((0, 0), (50, 0), (50, 20), side=0, depth=(1.0, 2.3)))
+    assert path.motion.tolist() == [
+        Motion.PLUNGE, Motion.FEED, Motion.FEED, Motion.PLUNGE, Motion.FEED, Motion.FEED,
+        Motion.LIFT,
+    ]  # fmt: skip
+    np.testing.assert_allclose(path.pose[-2, :3], [0, 0, -0.3])
+    assert path.source.tolist() == [0, 0, 1, 1, 1, 0, 0]
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_an_open_cut_is_milled_beside_its_line_left_or_right(side):
+    path = compensate(open_cut((0, 0), (50, 0), side=side))
+    np.testing.assert_allclose(
+        path.pose[:, :2] * [1, side],
+        [[0, 4.5], [0, 4.5], [0, 3], [50, 3], [50, 4.5], [50, 4.5]],
+        atol=1e-12,
+    )
+
+
+def test_passes_of_an_open_cut_with_a_side_all_go_the_same_way():
+    path = compensate(open_cut((0, 0), (50, 0), depth=(1.0, 2.3)))
+    fed = np.flatnonzero(path.motion == Motion.FEED)
+    np.testing.assert_allclose(path.pose[fed, 0], [0, 0])
+    assert np.count_nonzero(path.motion == Motion.LIFT) == 2
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_set_up_to_the_perpendicular_and_round_the_outside(side):
+    start, ahead = np.array([[10.0, 0.0]]), np.array([[1.0, 0.0]])
+    flip = np.array([1.0, side])
+    # Type A, square on from the tool's side, r 3 and a block of 5.
+    begin, arrived, bulge = set_up(start, ahead, side, 3.0, 5.0, 90.0)
+    np.testing.assert_allclose([begin[0] * flip, arrived[0] * flip], [[10, 5], [10, 3]], atol=1e-12)
+    assert bulge[0] == 0.0
+    # In line: from (5, 0) aslant to (10, 3).
+    begin, arrived, bulge = set_up(start, ahead, side, 3.0, 5.0, 0.0)
+    np.testing.assert_allclose([begin[0] * flip, arrived[0] * flip], [[5, 0], [10, 3]], atol=1e-12)
+    # Type B, from the far side up to the corner: beside it to (7, 0), and a quarter to (10, 3).
+    begin, arrived, bulge = set_up(start, ahead, side, 3.0, 5.0, -90.0)
+    np.testing.assert_allclose([begin[0] * flip, arrived[0] * flip], [[7, -5], [7, 0]], atol=1e-12)
+    assert bulge[0] == pytest.approx(-side * QUARTER)
+
+
+def test_an_open_cut_set_up_and_cancelled_round_the_outside():
+    around = replace(ROUTER, lead=5.0, approach=-90.0)
+    path = compensate(open_cut((0, 0), (50, 0), tool=around))
+    np.testing.assert_allclose(
+        path.pose[1:-1, :2], [[-3, -5], [-3, 0], [0, 3], [50, 3], [53, 0], [53, -5]], atol=1e-12
+    )
+    np.testing.assert_allclose(path.bulge[1:-1], [0, -QUARTER, 0, -QUARTER, 0], atol=1e-12)
+
+
+def test_a_way_in_that_would_meet_another_contour_is_shortened_or_left_out():
+    # A slot 8 mm wide, r 3: the centre runs 3 mm off either wall, and 2 mm are left between.
+    roomy = compensate(contour((0, 0), (60, 0), (60, 8), (0, 8), side=1))
+    np.testing.assert_allclose(roomy.pose[1, :2], [30, 4.5])
+    tight = compensate(contour((0, 0), (60, 0), (60, 7), (0, 7), side=1))
+    np.testing.assert_allclose(tight.pose[1, :2], [30, 3.75])
+    none = compensate(contour((0, 0), (60, 0), (60, 6.2), (0, 6.2), side=1))
+    assert none.motion[:2].tolist() == [Motion.PLUNGE, Motion.FEED]
+    np.testing.assert_allclose(none.pose[1, :2], [30, 3])
+
+
+def test_what_the_cutter_cannot_reach_is_told_in_square_millimetres():
+    # A square hole keeps a fillet in each corner: (1 − π/4) r² each.
+    way = centres(contour((0, 0), (50, 0), (50, 50), (0, 50), side=1))
+    np.testing.assert_allclose(way.unreached, 4 * (1 - np.pi / 4) * 9.0, rtol=1e-9)
+    assert centres(contour((0, 0), (50, 0), (50, 50), (0, 50))).unreached.sum() < 1e-9
+
+
+def test_a_neck_too_narrow_is_trimmed_into_two_or_refused():
+    # Two rooms of 30 × 30 with a passage of 4 mm between them, for a cutter of 6 mm.
+    rooms = [
+        (0, 0), (30, 0), (30, 13), (50, 13), (50, 0), (80, 0), (80, 30), (50, 30), (50, 17),
+        (30, 17), (30, 30), (0, 30),
+    ]  # fmt: skip
+    operation = contour(*rooms, side=1)
+    path = compensate(operation)
+    assert path.track.max() == 1
+    assert distance(sampled(path), operation.paths).min() >= 3.0 - 1e-9
+    assert centres(operation).unreached.sum() > 20 * 4
+    with pytest.raises(CompensationError, match=r"At edge .* would cut"):
+        compensate(replace(operation, interference="refuse"))
+
+
+def test_a_hole_that_the_cutter_does_not_fit_is_refused_not_dropped():
+    with pytest.raises(CompensationError, match=r"6\.00 mm does not fit the contour at edge 0"):
+        compensate(contour((0, 0), (50, 0), (50, 5), (0, 5), side=1))
+
+
+def test_neighbours_nearer_than_the_cutter_keep_clear_of_each_other():
+    # Two blanks 4 mm apart and a cutter of 6 mm: between them nothing can be cut.
+    line = dieline(
+        (LineType.CUT, closed((0, 0), (50, 0), (50, 50), (0, 50))),
+        (LineType.CUT, closed((54, 0), (104, 0), (104, 50), (54, 50))),
+    )
+    (operation,) = plan(line, ROUTED, BOARD)
+    path = compensate(operation)
+    assert distance(sampled(path), operation.paths).min() >= 3.0 - 1e-9
+    assert centres(operation).unreached.sum() > 4 * 48
+
+
+def test_a_lead_no_longer_than_the_radius_is_refused():
+    with pytest.raises(CompensationError, match="block of 3 mm, and r is 3 mm"):
+        compensate(contour((0, 0), (50, 0), (50, 50), tool=replace(ROUTER, lead=3.0)))
+
+
+def test_the_kerf_of_a_beam_is_the_same_engine():
+    path = compensate(
+        contour((0, 0), (50, 0), (50, 50), (0, 50), tool=replace(ROUTER, radius=0.1, speed=0.0))
+    )
+    fed = sampled(path, [Motion.FEED])
+    np.testing.assert_allclose([fed.min(), fed.max()], [-0.1, 50.1], atol=1e-12)
+
+
+@pytest.mark.parametrize("corner", ["B", "C", "D"])
+def test_deflection_and_every_corner_type_go_together(corner):
+    # Pushed back by δ the disc must touch each side of the square: δx on those along Y.
+    operation = contour((0, 0), (80, 0), (80, 80), (0, 80), corner=corner, deflection=(0.08, 0.05))
+    fed = sampled(compensate(operation), [Motion.FEED])
+    np.testing.assert_allclose(
+        [fed[:, 0].min(), fed[:, 0].max(), fed[:, 1].min(), fed[:, 1].max()],
+        [-2.92, 82.92, -2.95, 82.95],
+        atol=1e-9,
+    )
+    path = compensate(operation)
+    row = np.flatnonzero(path.motion == Motion.FEED)
+    np.testing.assert_allclose(path.pose[row[1:], :2], path.pose[row[:-1] + 1, :2], atol=1e-9)
+
+
+def test_a_planned_blank_with_a_hole_and_a_slit():
+    line = dieline(
+        (LineType.CUT, closed((0, 0), (200, 0), (200, 100), (0, 100))),
+        (LineType.CUT, closed((20, 20), (60, 20), (60, 60), (20, 60))),
+        (LineType.CUT, edges(((100, 50), (150, 50)))),
+    )
+    slit, hole, blank = (compensate(operation) for operation in plan(line, ROUTED, BOARD))
+    assert set(sampled(slit)[:, 1]) == {50.0}
+    inner, outer = sampled(hole), sampled(blank)
+    np.testing.assert_allclose([inner.min(), inner.max()], [23.0, 57.0])
+    np.testing.assert_allclose([outer[:, 0].min(), outer[:, 0].max()], [-3.0, 203.0])

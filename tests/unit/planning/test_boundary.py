@@ -1,0 +1,111 @@
+"""Which grooves end on the board's edge, and how far they run out over it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from knifetip.errors import FlankOutside
+from knifetip.planning.boundary import Outline, run_out
+from knifetip.planning.outer import outside
+from shapes import closed, edges, rotation
+
+SQUARE = closed((0, 0), (100, 0), (100, 100), (0, 100))
+
+
+def out(point, towards, ends=SQUARE, bulge=None, width=2.0):
+    """Run-out and whether the end lies on the edge, for one groove that leaves at ``point``."""
+    bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
+    outline = Outline.of(ends, bent, outside(ends, bent))
+    ahead = np.array([towards], float) / np.hypot(*towards)
+    size, on_edge = run_out(np.array([point], float), ahead, width, outline, np.array([7]))
+    return size[0], bool(on_edge[0])
+
+
+def test_square_to_the_edge_nothing_is_run_out_and_the_end_is_on_the_edge():
+    assert out((100, 50), (1, 0)) == (pytest.approx(0.0, abs=1e-12), True)
+
+
+@pytest.mark.parametrize(("degrees", "extra"), [(45.0, 1.0), (30.0, 1.7320508), (60.0, 0.5773503)])
+def test_at_an_angle_to_the_edge_the_far_corner_has_the_cotangent_further_to_go(degrees, extra):
+    # The groove is 2 wide; it meets the top edge at this angle.
+    towards = (np.cos(np.radians(degrees)), np.sin(np.radians(degrees)))
+    assert out((50, 100), towards) == (pytest.approx(extra), True)
+
+
+def test_an_end_inside_or_one_that_points_into_the_board_does_not_run_out():
+    assert out((100 - 0.06, 50), (1, 1)) == (0.0, False)
+    assert out((100, 50), (-1, 1)) == (0.0, False)
+
+
+def test_an_end_short_of_the_edge_within_the_gap_goes_that_much_further():
+    assert out((100 - 0.04, 50), (1, 1))[0] == pytest.approx(1.0 + 0.04 * 2**0.5)
+
+
+def test_along_the_edge_is_refused():
+    with pytest.raises(FlankOutside, match=r"edge 7 meets the board's edge at 4\.0°"):
+        out((50, 100), (np.cos(np.radians(4)), np.sin(np.radians(4))))
+
+
+def test_out_of_an_outer_corner_along_the_diagonal_both_flanks_leave_at_once():
+    # Each flank is 1 beside the diagonal, and so 1 behind the edge on its side.
+    assert out((100, 100), (1, 1)) == (pytest.approx(-1.0 + 1.0), True)
+
+
+def test_out_of_an_outer_corner_each_flank_needs_only_its_nearer_edge():
+    # At 10° above due east the lower flank is past x = 100 after tan 10° mm, never past y = 100.
+    towards = (np.cos(np.radians(10)), np.sin(np.radians(10)))
+    size, on_edge = out((100, 100), towards)
+    assert on_edge
+    assert size == pytest.approx(0.0, abs=1e-12)
+
+
+def test_in_a_notch_half_of_the_groove_meets_board_so_nothing_is_run_out():
+    # A plus: the groove along y = 100 ends in the inner corner (200, 100).
+    plus = closed(
+        (100, 0), (200, 0), (200, 100), (300, 100), (300, 200), (200, 200),
+        (200, 300), (100, 300), (100, 200), (0, 200), (0, 100), (100, 100),
+    )  # fmt: skip
+    assert out((200, 100), (1, 0), plus) == (0.0, False)
+
+
+def test_a_round_edge_adds_its_sagitta():
+    # A disc of radius 50 about (50, 0) in two halves; leaving its top at 45°.
+    disc = edges(((0, 0), (100, 0)), ((100, 0), (0, 0)))
+    size, on_edge = out((50, 50), (1, 1), disc, [1.0, 1.0])
+    # The far corner is √2 along the tangent: 2 / 100 = 0.02 deeper, and √2 of that along the way.
+    assert on_edge
+    assert size == pytest.approx(1.0 + 0.02 * 2**0.5)
+
+
+def test_no_cuts_bound_nothing():
+    assert out((50, 100), (0, 1), edges(((0, 100), (100, 100)))) == (0.0, False)
+
+
+@given(
+    side=st.integers(0, 3),
+    share=st.floats(0.2, 0.8),
+    angle=st.floats(8.0, 172.0),
+    degrees=st.floats(0.0, 360.0),
+    backwards=st.booleans(),
+    width=st.floats(0.2, 5.0),
+)
+def test_both_corners_of_the_tool_are_past_the_edge_and_one_of_them_just(
+    side, share, angle, degrees, backwards, width
+):
+    turn = rotation(degrees)
+    ends = SQUARE @ turn.T
+    if backwards:
+        ends = ends[:, ::-1]
+    a, b = SQUARE[side] @ turn.T
+    along = (b - a) / 100.0
+    normal = np.array([along[1], -along[0]])
+    point = a + share * 100.0 * along
+    ahead = np.cos(np.radians(angle)) * along + np.sin(np.radians(angle)) * normal
+    size, on_edge = out(point, ahead, ends, width=width)
+    assert on_edge
+    beside = width / 2.0 * np.array([-ahead[1], ahead[0]])
+    past = [float((point + size * ahead + s * beside - point) @ normal) for s in (1, -1)]
+    assert min(past) == pytest.approx(0.0, abs=1e-9)

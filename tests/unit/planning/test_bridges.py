@@ -1,0 +1,118 @@
+"""Bridges: how many, how far apart, and clear of what."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from knifetip.compensation.knife import knife
+from knifetip.errors import NoRoomForBridges
+from knifetip.model.dieline import LineType
+from knifetip.model.operation import End
+from knifetip.model.toolpath import Motion
+from knifetip.planning.plan import plan
+from shapes import BOARD, MACHINE, closed, dieline, edges, rotation
+
+HELD = replace(BOARD, bridge_width=0.5, bridge_spacing=150.0)
+OUTLINE = closed((0, 0), (200, 0), (200, 100), (0, 100))
+
+
+def cut(ends, board=HELD, bulge=None):
+    return plan(dieline((LineType.CUT, ends), bulge=bulge), MACHINE, board)[-1]
+
+
+def gaps(operation):
+    """The middles and widths of the bridges of one contour."""
+    end, start = operation.paths.end[operation.paths.first[1:] - 1], operation.paths.start
+    begin = np.roll(start[operation.paths.first[:-1]], -1, axis=0)
+    return (end + begin) / 2.0, np.hypot(*(begin - end).T)
+
+
+def test_a_blank_of_600_mm_is_held_by_four_bridges_of_half_a_millimetre():
+    operation = cut(OUTLINE)
+    middle, width = gaps(operation)
+    assert len(operation.paths) == 4
+    np.testing.assert_allclose(width, 0.5)
+    # 75, 225, 375 and 525 mm round from the first corner.
+    wanted = [[75, 0], [200, 25], [125, 100], [0, 75]]
+    np.testing.assert_allclose(sorted(middle.tolist()), sorted(wanted), atol=1e-9)
+    assert set(operation.start.tolist() + operation.finish.tolist()) == {End.BRIDGE}
+    assert operation.paths.lengths.sum() == pytest.approx(600.0 - 4 * 0.5)
+
+
+def test_no_contour_is_held_by_fewer_than_two():
+    assert len(cut(closed((0, 0), (30, 0), (30, 20), (0, 20))).paths) == 2
+
+
+def test_a_bridge_due_on_a_corner_moves_five_millimetres_off_it():
+    # Of 4 × 100 the bridges are due at 50, 150 …; of a square begun in a side's middle at corners.
+    square = edges(((50, 0), (100, 0)), ((100, 0), (100, 100)), ((100, 100), (0, 100)),
+                   ((0, 100), (0, 0)), ((0, 0), (50, 0)))  # fmt: skip
+    middle, _ = gaps(cut(square, replace(HELD, bridge_spacing=110.0)))
+    corner = np.abs(middle - np.round(middle / 100.0) * 100.0).max(axis=1)
+    assert corner.min() >= 5.0 + 0.25 - 1e-9
+
+
+def test_the_top_face_ends_at_the_bridge():
+    path = knife(cut(OUTLINE))
+    lifted = np.flatnonzero(path.motion == Motion.LIFT)
+    middle, _ = gaps(cut(OUTLINE))
+    # 45° over 2.3 mm: the tip stops that much before the bridge.
+    apart = np.hypot(*(path.pose[lifted][:, None, :2] - middle[None]).transpose(2, 0, 1)).min(
+        axis=0
+    )
+    np.testing.assert_allclose(apart, 2.3 + 0.25)
+
+
+def test_holes_slits_and_open_outlines_have_no_bridges():
+    hole = closed((20, 20), (40, 20), (40, 40), (20, 40))
+    inner = plan(dieline((LineType.CUT, OUTLINE), (LineType.CUT, hole)), MACHINE, HELD)[0]
+    assert inner.start.tolist() == [End.CLOSED]
+    assert cut(OUTLINE[:3]).start.tolist() == [End.FREE]
+
+
+def test_a_disc_is_held_on_its_arcs_because_it_has_no_straight_piece():
+    disc = edges(((0, 0), (100, 0)), ((100, 0), (0, 0)))
+    operation = cut(disc, bulge={0: 1.0, 1: 1.0})
+    # Round by 314 mm: three.
+    assert len(operation.paths) == 3
+
+
+def test_a_rounded_blank_is_held_on_its_straight_pieces():
+    quarter = np.tan(np.pi / 8)
+    ends = edges(((10, 0), (90, 0)), ((90, 0), (100, 10)), ((100, 10), (100, 90)),
+                 ((100, 90), (90, 100)), ((90, 100), (10, 100)), ((10, 100), (0, 90)),
+                 ((0, 90), (0, 10)), ((0, 10), (10, 0)))  # fmt: skip
+    operation = cut(ends, bulge=dict.fromkeys((1, 3, 5, 7), quarter))
+    middle, _ = gaps(operation)
+    assert (np.minimum(np.abs(middle), np.abs(middle - 100)).min(axis=1) < 1e-9).all()
+
+
+def test_where_there_is_no_room_the_contour_is_refused():
+    with pytest.raises(NoRoomForBridges, match=r"12\.0 mm round and has no places for 2 bridges"):
+        cut(closed((0, 0), (3, 0), (3, 3), (0, 3)), replace(HELD, bridge_width=2.0))
+
+
+@given(
+    width=st.floats(60.0, 400.0), height=st.floats(60.0, 300.0), slant=st.floats(-20.0, 20.0),
+    bridge=st.floats(0.2, 2.0), spacing=st.floats(60.0, 300.0), degrees=st.floats(0.0, 360.0),
+    start=st.integers(0, 3),
+)  # fmt: skip
+def test_at_least_two_never_too_far_apart_and_clear_of_corners(
+    width, height, slant, bridge, spacing, degrees, start
+):
+    corners = [(0, 0), (width, slant), (width, height), (0, height)]
+    ends = np.roll(closed(*corners), -start, axis=0) @ rotation(degrees).T
+    operation = cut(ends, replace(BOARD, bridge_width=bridge, bridge_spacing=spacing))
+    middle, gap = gaps(operation)
+    assert len(middle) >= 2
+    np.testing.assert_allclose(gap, bridge, rtol=1e-6)
+    assert operation.paths.lengths.max() + bridge <= spacing + 1e-6
+    to_corner = np.hypot(*(middle[:, None] - ends[None, :, 0]).transpose(2, 0, 1))
+    assert to_corner.min() >= 5.0 + bridge / 2.0 - 1e-6
+    whole = np.hypot(*(ends[:, 1] - ends[:, 0]).T).sum()
+    assert operation.paths.lengths.sum() == pytest.approx(whole - len(middle) * bridge)

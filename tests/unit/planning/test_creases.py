@@ -1,0 +1,109 @@
+"""Creases that a cut crosses, and double ones."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from knifetip.errors import EdgeTooShort
+from knifetip.model.dieline import LineType
+from knifetip.model.operation import End
+from knifetip.model.tool import CreaseWheel
+from knifetip.planning.plan import plan
+from shapes import BOARD, MACHINE, dieline, edges
+
+ACROSS = edges(((0, 0), (100, 0)))
+
+
+def rolled(creases, cuts=None, bulge=None, board=BOARD, machine=MACHINE):
+    groups = [(LineType.CREASE, creases)]
+    if cuts is not None:
+        groups.append((LineType.CUT, cuts))
+    return plan(dieline(*groups, bulge=bulge), machine, board)[0]
+
+
+def test_a_crease_that_a_cut_crosses_is_two_with_free_ends():
+    operation = rolled(ACROSS, edges(((40, -10), (40, 10))))
+    np.testing.assert_allclose(operation.paths.end, [[40, 0], [100, 0]])
+    np.testing.assert_allclose(operation.paths.start, [[0, 0], [40, 0]])
+    assert operation.start.tolist() == operation.finish.tolist() == [End.FREE, End.FREE]
+    assert operation.source.tolist() == [0, 0]
+
+
+@pytest.mark.parametrize(
+    "cut",
+    [((40, 0), (40, 10)), ((0, -10), (0, 10)), ((40, 1), (40, 10)), ((20, 0), (80, 0))],
+    ids=["ends on it", "runs through its end", "stops before it", "runs along it"],
+)
+def test_a_cut_that_does_not_cross_splits_nothing(cut):
+    assert len(rolled(ACROSS, edges(cut)).paths) == 1
+
+
+def test_a_crease_of_two_pieces_is_split_at_its_joint_once():
+    pieces = edges(((0, 0), (40, 0)), ((40, 0), (100, 0)))
+    operation = rolled(pieces, edges(((40, -10), (40, 10))))
+    assert len(operation.paths) == 2
+    assert operation.source.tolist() == [0, 1]
+    assert operation.finish.tolist() == [End.FREE, End.FREE]
+
+
+def test_a_curved_crease_is_split_by_a_straight_cut():
+    # Half a circle of radius 50 from (0, 0) to (100, 0); the cut stands on its lowest point.
+    operation = rolled(ACROSS, edges(((50, -80), (50, 0))), bulge={0: 1.0})
+    np.testing.assert_allclose(operation.paths.end[0], [50, -50], atol=1e-9)
+    np.testing.assert_allclose(operation.paths.bulge, np.tan(np.pi / 8), atol=1e-9)
+
+
+def test_a_double_crease_is_two_lines_side_by_side_and_equally_long():
+    operation = rolled(ACROSS, board=replace(BOARD, double_crease=3.0))
+    np.testing.assert_allclose(operation.paths.start, [[0, 1.5], [0, -1.5]])
+    np.testing.assert_allclose(operation.paths.end, [[100, 1.5], [100, -1.5]])
+    assert operation.source.tolist() == [0, 0]
+
+
+def test_a_double_crease_bends_on_two_circles_about_one_centre():
+    operation = rolled(ACROSS, bulge={0: 1.0}, board=replace(BOARD, double_crease=3.0))
+    # Radius 50 about (50, 0): the lines begin 48.5 and 51.5 west of it.
+    np.testing.assert_allclose(np.sort(operation.paths.start[:, 0]), [-1.5, 1.5], atol=1e-12)
+    np.testing.assert_allclose(operation.paths.start[:, 1], 0.0, atol=1e-12)
+    np.testing.assert_allclose(operation.paths.bulge, 1.0)
+
+
+def test_a_bend_tighter_than_half_a_double_crease_is_refused():
+    with pytest.raises(EdgeTooShort, match=r"radius of 1\.00 mm"):
+        rolled(edges(((0, 0), (2, 0))), bulge={0: 1.0}, board=replace(BOARD, double_crease=2.0))
+
+
+def test_a_double_crease_of_two_pieces_meets_on_the_mitre():
+    pieces = edges(((0, 0), (50, 0)), ((50, 0), (100, 0.5)))
+    operation = rolled(pieces, board=replace(BOARD, double_crease=2.0))
+    for path in range(2):
+        first = operation.paths.first[path]
+        np.testing.assert_allclose(operation.paths.end[first], operation.paths.start[first + 1])
+
+
+@pytest.mark.parametrize(("caliper", "number"), [(0.4, 2), (1.4, 4), (1.5, 4), (2.0, 5), (9.0, 5)])
+def test_the_narrowest_wheel_at_least_as_wide_as_the_board_is_thick(caliper, number):
+    wheels = [replace(MACHINE.stations[1], number=n, tool=CreaseWheel(15.0, w, 30000.0, 6000.0))
+              for n, w in ((2, 0.7), (5, 3.0), (4, 1.5))]  # fmt: skip
+    machine = replace(MACHINE, stations=(*wheels, MACHINE.stations[0]))
+    board = replace(BOARD, caliper=caliper)
+    assert rolled(ACROSS, board=board, machine=machine).station == number
+
+
+@given(
+    places=st.lists(st.integers(2, 97), min_size=1, max_size=8, unique=True),
+    slant=st.floats(-60.0, 60.0),
+)
+def test_cuts_at_any_angle_split_where_they_cross(places, slant):
+    lean = 10.0 * np.tan(np.radians(slant))
+    cuts = edges(*[((x - lean, -10.0), (x + lean, 10.0)) for x in places])
+    operation = rolled(ACROSS, cuts)
+    wanted = [0, *sorted(places), 100]
+    np.testing.assert_allclose(operation.paths.start[:, 0], wanted[:-1], atol=1e-9)
+    np.testing.assert_allclose(operation.paths.end[:, 0], wanted[1:], atol=1e-9)
+    assert set(operation.source.tolist()) == {0}

@@ -1,0 +1,104 @@
+"""The order of tracks: greedy first, then shorter, always the same, never longer."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from knifetip.sequencing.order import Way, greedy, link_times, nearest_neighbour, shortest
+
+PACE = np.array([[1500.0, 1500.0, 3600.0], [8000.0, 8000.0, 36000.0]])
+HOME = np.zeros(3)
+
+
+def tracks(seed, count, way):
+    """Strokes of 30 mm at every heading, and what they are from their far ends."""
+    random = np.random.default_rng(seed)
+    start, azimuth = random.uniform(0, 800, (count, 2)), random.uniform(0, 360, count)
+    end = start + 30.0 * np.column_stack([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
+    begin, finish = np.column_stack([start, azimuth]), np.column_stack([end, azimuth])
+    if way == Way.ONE:
+        return np.stack([begin, begin]), np.stack([finish, finish])
+    if way == Way.EITHER:
+        return np.stack([begin, finish]), np.stack([finish, begin])
+    half = np.array([0.0, 0.0, 180.0])
+    return np.stack([begin, finish + half]), np.stack([begin + half, finish])
+
+
+def total(entry, leave, order, flip, period=360.0):
+    side = flip.astype(int)
+    return link_times(entry[side, order], leave[side, order], HOME, PACE, period).sum()
+
+
+@settings(deadline=None)
+@given(seed=st.integers(0, 500), count=st.integers(1, 60))
+def test_the_nearest_start_is_always_taken(seed, count):
+    random = np.random.default_rng(seed)
+    start, end = random.uniform(0, 100, (2, count, 2))
+    order = nearest_neighbour(start, end, np.zeros(2))
+    assert sorted(order) == list(range(count))
+    here, left = np.zeros(2), set(range(count))
+    for track in order:
+        left_now = np.array(sorted(left))
+        distances = np.hypot(*(start[left_now] - here).T)
+        assert np.hypot(*(start[track] - here)) <= distances.min() + 1e-12
+        left.remove(int(track))
+        here = end[track]
+
+
+def test_a_link_takes_as_long_as_its_slowest_axis():
+    # X 450 mm at 8000 mm/s² up to 1500 mm/s: 450/1500 + 1500/8000 = 0.4875 s.
+    # C 100° at 36000°/s²: 2 √(100/36000) = 0.1054 s; Y 2 mm: 2 √(2/8000) = 0.0316 s.
+    entry = np.array([[450.0, 0.0, 0.0], [450.0, 0.0, 460.0], [450.0, 2.0, 460.0]])
+    times = link_times(entry, entry, HOME, PACE, 360.0)
+    np.testing.assert_allclose(times, [0.4875, 0.1054093, 0.0316228], rtol=1e-6)
+    # A wheel turns by 80° instead: 2 √(80/36000) = 0.0943 s.
+    assert link_times(entry, entry, HOME, PACE, 180.0)[1] == pytest.approx(0.0942809)
+
+
+@pytest.mark.parametrize("way", Way)
+@pytest.mark.parametrize("seed", range(6))
+def test_of_five_tracks_the_best_order_of_all_is_found(way, seed):
+    entry, leave = tracks(seed, 5, way)
+    order, flip = shortest(entry, leave, HOME, PACE, 360.0, way)
+    sides = [(0,)] * 5 if way == Way.ONE else [(0, 1)] * 5
+    best = min(
+        total(entry, leave, np.array(tour), np.array(side))
+        for tour in itertools.permutations(range(5))
+        for side in itertools.product(*sides)
+    )
+    assert total(entry, leave, order, flip) <= 1.03 * best
+
+
+@pytest.mark.parametrize("way", Way)
+@settings(deadline=None, max_examples=25)
+@given(seed=st.integers(0, 10_000), count=st.integers(1, 60))
+def test_every_track_comes_once_and_never_later_than_greedily(way, seed, count):
+    entry, leave = tracks(seed, count, way)
+    order, flip = shortest(entry, leave, HOME, PACE, 360.0, way)
+    assert sorted(order) == list(range(count))
+    assert way != Way.ONE or not flip.any()
+    assert total(entry, leave, order, flip) <= total(entry, leave, *greedy(entry, leave, HOME, way))
+    again = shortest(entry, leave, HOME, PACE, 360.0, way)
+    np.testing.assert_array_equal(order, again[0])
+    np.testing.assert_array_equal(flip, again[1])
+
+
+@pytest.mark.parametrize(("way", "share"), [(Way.ONE, 0.93), (Way.EITHER, 0.92), (Way.SIDES, 0.92)])
+def test_two_hundred_tracks_are_linked_well_faster_than_greedily(way, share):
+    entry, leave = tracks(1, 200, way)
+    order, flip = shortest(entry, leave, HOME, PACE, 360.0, way)
+    best = total(entry, leave, order, flip)
+    first = total(entry, leave, *greedy(entry, leave, HOME, way))
+    assert best < share * first
+
+
+@pytest.mark.parametrize("way", Way)
+def test_tracks_on_one_point_are_no_trouble(way):
+    entry = np.zeros((2, 40, 3))
+    order, _ = shortest(entry, entry, HOME, PACE, 360.0, way)
+    assert sorted(order) == list(range(40))

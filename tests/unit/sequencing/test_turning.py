@@ -1,0 +1,208 @@
+"""Turns: C by the shorter way, the tip circle off the board, lifts no higher than they must be."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from knifetip.errors import CompensationError
+from knifetip.geometry.path import Paths
+from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.sequencing.turning import (
+    TipCircle,
+    clear_ways,
+    interference,
+    interpolated,
+    lifted,
+    retracted,
+    tip_circle,
+    unwound,
+)
+from shapes import CUTTER, KNIFE, MACHINE, WHEEL, closed, rotation
+
+
+def outline(ends, bulge=None):
+    rows = len(ends)
+    bulge = np.zeros(rows) if bulge is None else bulge
+    return Paths(ends[:, 0], ends[:, 1], bulge, np.array([0, rows]))
+
+
+#: 100 × 60 with its right side a half circle about (100, 30).
+BOARD = outline(closed((0, 0), (100, 0), (100, 60), (0, 60)), np.array([0.0, 1.0, 0.0, 0.0]))
+FACE = 2.0
+
+
+def dots(pose, circle, count=48):
+    """Points of the tip circle by its drawing: an orthogonal triad about the leaning axis."""
+    c, b = math.radians(pose[3]), math.radians(circle.tilt)
+    ahead = np.array([math.cos(c), math.sin(c), 0.0])
+    right = np.array([math.sin(c), -math.cos(c), 0.0])
+    up = np.array([0.0, 0.0, 1.0])
+    across = right * math.cos(b) - up * math.sin(b)
+    angle = np.linspace(0.0, 2.0 * math.pi, count, endpoint=False)[:, None]
+    centre = pose[:3] - circle.aside * right
+    return centre + circle.radius * (np.cos(angle) * ahead + np.sin(angle) * across)
+
+
+def over_board(xy):
+    """Whether points are over BOARD: a rectangle and a half disc."""
+    x, y = xy.T
+    inside = (x > 0) & (x < 100) & (y > 0) & (y < 60)
+    return inside | ((x >= 100) & (np.hypot(x - 100, y - 30) < 30))
+
+
+def test_headings_take_the_nearest_equivalent_turn():
+    start = np.array([350.0, 10.0, 350.0])
+    shift = unwound(start, start, start, start, 0.0, -1080.0, 1080.0, 360.0)
+    np.testing.assert_array_equal(start + shift, [-10.0, 10.0, -10.0])
+
+
+def test_headings_come_back_before_the_limit():
+    start, end = np.array([0.0, 0.0]), np.array([300.0, 300.0])
+    shift = unwound(start, end, start, end, 0.0, -100.0, 400.0, 360.0)
+    np.testing.assert_array_equal(shift, [0.0, 0.0])
+
+
+@pytest.mark.parametrize(("here", "goes"), [(700.0, 520.0), (-700.0, -520.0)])
+@pytest.mark.parametrize("off", [0.0, 1e-8, -1e-8])
+def test_at_exactly_half_a_turn_c_goes_away_from_its_limit(here, goes, off):
+    start = np.array([160.0 if here > 0 else -160.0]) + off
+    shift = unwound(start, start, start, start, here, -1080.0, 1080.0, 360.0)
+    assert start[0] + shift[0] == pytest.approx(goes)
+
+
+def test_a_wheel_is_the_same_after_half_a_turn():
+    start = np.array([170.0])
+    assert unwound(start, start, start, start, 0.0, -1080.0, 1080.0, 180.0)[0] == -180.0
+
+
+def test_tip_circles_come_from_the_tools_drawings():
+    assert tip_circle(CUTTER, 1.0) == TipCircle(1.5, 4.0, 45.0)
+    assert tip_circle(KNIFE, 1.0) == TipCircle(3.0, 0.0, 0.0)
+    # A wheel of 15 mm at 0.4 mm touches ± 3.4409 mm, and is 0.7 mm wide.
+    assert tip_circle(WHEEL, 0.4).radius == pytest.approx(math.hypot(3.4409, 0.35), abs=1e-4)
+
+
+def test_a_bow_belongs_to_the_board_and_what_lies_beside_it_does_not():
+    circle = TipCircle(1.0, 0.0, 0.0)
+    # 28 mm from the bow's centre, at 45° 28 mm, 31.5 mm; a corner that the bow leaves free.
+    xy = [(128, 30), (100 + 28 * 0.7071, 30 + 28 * 0.7071), (131.5, 30), (129, 59)]
+    pose = np.array([(x, y, 1.25, 0.0) for x, y in xy])
+    np.testing.assert_allclose(interference(pose, circle, FACE, BOARD), [0.75, 0.75, 0.0, 0.0])
+
+
+def test_a_tip_that_swings_over_the_board_while_the_head_stands_beside_it_is_seen():
+    # The tip's circle is 10 mm to the left of a head at x = -8: at C 90 at x = -18, at 270 at 2.
+    circle = TipCircle(1.0, 10.0, 0.0)
+    here = np.array([[-8.0, 30.0, 1.0, 90.0]])
+    turn = np.array([0.0, 0.0, 0.0, 360.0])
+    round_, quarter = here + turn, here + turn / 8.0
+    assert not clear_ways(here, round_, circle, BOARD)[0]
+    assert clear_ways(here, quarter, circle, BOARD)[0]
+
+
+def test_a_way_across_the_board_is_not_clear_though_both_its_ends_are():
+    circle = TipCircle(1.0, 0.0, 0.0)
+    start = np.array([[-20.0, 30.0, 1.0, 0.0], [-20.0, -5.0, 1.0, 0.0], [-20.0, -5.0, 1.0, 0.0]])
+    end = np.array([[150.0, 30.0, 1.0, 0.0], [150.0, -5.0, 1.0, 0.0], [150.0, 7.0, 1.0, 0.0]])
+    assert clear_ways(start, end, circle, BOARD).tolist() == [False, True, False]
+
+
+def test_a_hole_in_the_board_is_outside():
+    ends = np.concatenate(
+        [closed((0, 0), (90, 0), (90, 90), (0, 90)), closed((30, 30), (60, 30), (60, 60), (30, 60))]
+    )
+    holed = Paths(ends[:, 0], ends[:, 1], np.zeros(8), np.array([0, 4, 8]))
+    pose = np.array([(45.0, 45.0, 1.0, 0.0), (45.0, 31.0, 1.0, 0.0), (15.0, 15.0, 1.0, 0.0)])
+    circle = TipCircle(2.0, 0.0, 0.0)
+    np.testing.assert_allclose(interference(pose, circle, FACE, holed), [0.0, 1.0, 1.0])
+
+
+poses = st.tuples(
+    st.floats(-60, 190), st.floats(-60, 120), st.floats(-1.0, 5.0), st.floats(-400.0, 400.0)
+)
+circles = st.builds(TipCircle, st.floats(0.1, 12.0), st.floats(0.0, 10.0), st.floats(0.0, 80.0))
+
+
+@settings(deadline=None, max_examples=3000)
+@given(start=poses, end=poses, circle=circles, share=st.floats(0.0, 1.0))
+def test_no_pose_of_a_corrected_turn_dips_the_tip_circle_below_the_face(start, end, circle, share):
+    ends = np.array([start, end])
+    if not clear_ways(ends[:1], ends[1:], circle, BOARD)[0]:
+        ends = lifted(ends, interference(ends, circle, FACE), circle)
+    pose = ends[0] + share * (ends[1] - ends[0])
+    points = dots(pose, circle)
+    over = points[over_board(points[:, :2])]
+    assert over[:, 2].min(initial=FACE) >= FACE - 1e-9
+
+
+@settings(deadline=None, max_examples=1000)
+@given(pose=poses, circle=circles)
+def test_the_lift_is_the_least_that_clears(pose, circle):
+    ends = np.array([pose])
+    depth = interference(ends, circle, FACE)
+    up = lifted(ends, depth, circle)
+    if depth[0] > 0.0:
+        # The circle's lowest point now lies on the face; 4 × 12 dots meet it at a quarter.
+        assert dots(up[0], circle)[:, 2].min() == pytest.approx(FACE, abs=1e-9)
+    else:
+        np.testing.assert_array_equal(up, ends)
+
+
+@settings(deadline=None, max_examples=300)
+@given(start=poses, end=poses, circle=circles, angle=st.floats(0.0, 360.0))
+def test_turning_the_board_turns_everything(start, end, circle, angle):
+    turn = rotation(angle)
+    ends = np.array([start, end])
+    moved = ends.copy()
+    moved[:, :2] = ends[:, :2] @ turn.T
+    moved[:, 3] += angle
+    board = Paths(BOARD.start @ turn.T, BOARD.end @ turn.T, BOARD.bulge, BOARD.first)
+    depth = interference(ends, circle, FACE)
+    np.testing.assert_allclose(interference(moved, circle, FACE), depth, atol=1e-9)
+    up, up_moved = lifted(ends, depth, circle), lifted(moved, depth, circle)
+    np.testing.assert_allclose(up_moved[:, :2], up[:, :2] @ turn.T, atol=1e-8)
+    np.testing.assert_allclose(up_moved[:, 2], up[:, 2], atol=1e-9)
+    near = clear_ways(ends[:1], ends[1:], TipCircle(circle.radius + 0.02, *_rest(circle)), BOARD)
+    far = clear_ways(moved[:1], moved[1:], circle, board)
+    # What is clear with two hundredths to spare is clear whichever way the board lies.
+    assert far[0] or not near[0]
+
+
+def _rest(circle):
+    return circle.aside, circle.tilt
+
+
+def test_a_tool_that_lies_down_is_not_lifted_along_itself():
+    with pytest.raises(CompensationError, match=r"leans by 89\.50°"):
+        lifted(np.zeros((1, 4)), np.ones(1), TipCircle(1.0, 0.0, 89.5))
+
+
+def test_steps_of_a_turn_are_no_longer_than_asked():
+    # 90° by 4° are 23 steps, 30 mm by 2 mm are 15: the same 23 for both.
+    pose = interpolated(np.zeros(4), np.array([30.0, 0.0, 0.0, 90.0]), 4.0, 2.0)
+    assert len(pose) == 24
+    np.testing.assert_allclose(pose[12], [30 * 12 / 23, 0, 0, 90 * 12 / 23])
+
+
+def test_a_full_retract_goes_up_along_and_down():
+    pose = np.array([[0, 0, 1, 0], [0, 0, 4, 0], [50, 0, 4, 90], [50, 0, 1, 90]], float)
+    path = Toolpath(
+        pose,
+        np.zeros(3),
+        [Motion.LIFT, Motion.RAPID, Motion.PLUNGE],
+        [6000, 0, 6000],
+        [0, -1, 1],
+        [1, 1, 1],
+        [0, -1, 1],
+    )
+    full = retracted(path, MACHINE)
+    np.testing.assert_allclose(
+        full.pose[1:],
+        [[0, 0, 4, 0], [0, 0, 20, 0], [50, 0, 20, 90], [50, 0, 4, 90], [50, 0, 1, 90]],
+    )
+    assert full.motion.tolist() == [Motion.LIFT, *[Motion.RAPID] * 3, Motion.PLUNGE]

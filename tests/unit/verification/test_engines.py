@@ -1,0 +1,345 @@
+"""Rules for what the engines of issue 3 emit, each with a program worked out by hand."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from handwritten import (
+    BOARD,
+    CREASE,
+    CUT,
+    MACHINE,
+    cutter_program,
+    dieline,
+    knife_program,
+    wheel_program,
+)
+from knifetip.model.board import Board
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine, Station
+from knifetip.model.tool import CreaseWheel
+from knifetip.model.verdict import Verdict
+from knifetip.verification.intent import on_sheet
+from knifetip.verification.outline import inside, outline, run_outs
+from knifetip.verification.verify import verify
+
+GROOVE = LineType.V_GROOVE
+
+
+def judged(
+    text: bytes, drawn: Dieline, board: Board = BOARD, machine: Machine = MACHINE
+) -> Verdict:
+    return verify(text, drawn, (0.0, 0.0), machine, board)
+
+
+def kinds(verdict: Verdict) -> set[tuple[str, int]]:
+    return {(finding.kind, finding.edge) for finding in verdict.findings}
+
+
+# -- V-grooves: cutter d 6, r 1.5, 45°; 1.3 deep, so 2.6 wide at the top face, web 0.7
+
+
+def grooved(x0: float, x1: float, y: float, *depths: float, aside: float = 0.0) -> list[str]:
+    """Return out and back along y from x0 to x1; ``aside`` moves the way out to the right."""
+    lines = []
+    for depth in depths:
+        rise = depth + 2.0
+        low = 2.0 - depth
+        # Eastward the head is 1.5 east and 6 south of the tip; lifted by Δz, Δz further south.
+        lines += [
+            f"G0 X{x0 + 1.5:.4f} Y{y - 6 - rise - aside:.4f} C0", "G0 Z4",
+            f"G1 Y{y - 6 - aside:.4f} Z{low:.4f} F3000", f"G1 X{x1 + 1.5:.4f} F12000",
+            f"G1 Y{y - 6 - rise - aside:.4f} Z4 F3000",
+            f"G0 X{x1 - 1.5:.4f} Y{y + 6 + rise:.4f} C180",
+            f"G1 Y{y + 6:.4f} Z{low:.4f} F3000", f"G1 X{x0 - 1.5:.4f} F12000",
+            f"G1 Y{y + 6 + rise:.4f} Z4 F3000",
+        ]  # fmt: skip
+    return lines
+
+
+INSIDE = dieline((GROOVE, 20, 30, 60, 30, 0.0))
+
+
+def test_the_width_the_web_and_the_flanks_of_a_groove_are_told():
+    verdict = judged(cutter_program(*grooved(20, 60, 30, 1.3)), INSIDE)
+    assert verdict.findings == ()
+    np.testing.assert_allclose(
+        [verdict.width[0], verdict.web[0], verdict.flank[0]], [2.6, 0.7, 0.0], atol=1e-9
+    )
+
+
+def test_a_flank_beside_its_place_widens_the_groove_by_as_much():
+    # 0.004 to the right and 0.003 too deep: at 45° the flank is out by 0.007.
+    verdict = judged(cutter_program(*grooved(20, 60, 30, 1.303, aside=0.004)), INSIDE)
+    assert verdict.findings == ()
+    np.testing.assert_allclose([verdict.flank[0], verdict.width[0]], [0.007, 2.61], atol=1e-9)
+    # Each of 0.005 and 0.0049 is let pass by itself, and together they are 0.0109 in 0.01.
+    far = judged(cutter_program(*grooved(20, 60, 30, 1.3049, aside=0.006)), INSIDE).findings
+    assert any("flank comes out 0.0109 mm outside" in finding.text for finding in far)
+
+
+def test_a_groove_may_be_cut_in_passes_that_go_deeper():
+    assert judged(cutter_program(*grooved(20, 60, 30, 0.5, 1.0, 1.3)), INSIDE).findings == ()
+    back = judged(cutter_program(*grooved(20, 60, 30, 1.0, 0.5, 1.3)), INSIDE)
+    assert kinds(back) == {("depth", 0)}
+    assert back.findings[0].measure == pytest.approx(0.5)
+    shallow = judged(cutter_program(*grooved(20, 60, 30, 0.5, 1.0)), INSIDE)
+    # At 45° flanks that are 0.3 less deep come out 0.3 further in.
+    assert kinds(shallow) == {("depth", 0), ("deviation", 0)}
+    assert shallow.flank[0] == pytest.approx(0.3)
+    assert shallow.web[0] == pytest.approx(1.0)
+
+
+#: A blank of 100 × 60 whose left side leans by 45°, and a groove across it.
+BLANK = dieline(
+    (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 60, 0.0), (CUT, 100, 60, 60, 60, 0.0),
+    (CUT, 60, 60, 0, 0, 0.0), (GROOVE, 30, 30, 100, 30, 0.0),
+)  # fmt: skip
+
+
+def groove_findings(x0: float, x1: float) -> list:
+    verdict = judged(cutter_program(*grooved(x0, x1, 30, 1.3)), BLANK)
+    return [finding for finding in verdict.findings if finding.edge == 4]
+
+
+def test_a_groove_runs_out_until_its_whole_width_has_left_the_board():
+    # Square to the right side nothing is asked; at 45° (W/2) tan 45° = 1.3.
+    assert groove_findings(28.7, 100.0) == []
+    short = groove_findings(28.75, 100.0)
+    assert {finding.kind for finding in short} == {"uncut"}
+    assert short[0].measure == pytest.approx(0.05)
+    assert "where it must run out past its start" in short[0].text
+    assert {finding.kind for finding in groove_findings(28.7, 99.9)} == {"uncut"}
+    # It may go on by the blade's 3 mm: there is no board.  The blade's overcut is none there.
+    assert groove_findings(25.8, 102.9) == []
+    assert {finding.kind for finding in groove_findings(25.0, 100.0)} == {"overcut"}
+
+
+def test_where_grooves_must_run_out_and_where_not():
+    outline_ = dieline(
+        (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 50, 100, 0, 0.0), (CUT, 100, 50, 50, 50, 0.0),
+        (CUT, 50, 50, 50, 100, 0.0), (CUT, 50, 100, 0, 100, 0.0), (CUT, 0, 0, 0, 100, 0.0),
+        (CUT, 20, 20, 30, 20, 1.0), (CUT, 30, 20, 20, 20, 1.0),
+    )  # fmt: skip
+    cuts = on_sheet(outline_, (0.0, 0.0))
+    bounds = outline(cuts)
+    assert bounds.outer.tolist() == [True] * 6 + [False] * 2
+    assert bounds.depth.tolist() == [0] * 6 + [1, 1]
+    points = np.array([[10.0, 10.0], [25.0, 20.0], [75.0, 75.0]])
+    assert inside(points, bounds).tolist() == [1, 2, 0]
+    grooves = on_sheet(
+        dieline(
+            (GROOVE, 0, 0, 40, 40, 0.0),  # from an outer corner, symmetrically
+            (GROOVE, 0, 50, 50, 50, 0.0),  # into the notch: half of it meets board
+            (GROOVE, 0, 60, 50, 90, 0.0),  # at tan 30/50 to both sides
+            (GROOVE, 25, 25, 25, 60, 0.0),  # from the hole, which is no edge of the board
+        ),
+        (0.0, 0.0),
+    )
+    asked = run_outs(grooves, cuts, 1.3)
+    assert asked.boundary.tolist() == [True, False, True, False, True, True, False, False]
+    np.testing.assert_allclose(asked.least, [0, 0, 0, 0, 0.78, 0.78, 0, 0], atol=1e-9)
+
+
+def test_a_curved_groove_is_refused_unless_the_board_lets_it_leave_its_arc():
+    # A chord of 40 over an arc with a sagitta of 0.1: bulge 0.1 / 20.
+    drawn = dieline((GROOVE, 20, 30, 60, 30, 0.1 / 20.0))
+    text = cutter_program(*grooved(20, 60, 30, 1.3))
+    assert ("deviation", 0) in kinds(judged(text, drawn))
+    assert judged(text, drawn, replace(BOARD, groove_curve=0.11)).findings == ()
+    assert not judged(text, drawn, replace(BOARD, groove_curve=0.08)).accepted
+
+
+# -- creases: R 15; across the grain 0.8 deep, so s = √(0.8 · 29.2) and 0.2 clear
+
+BACK = math.sqrt(0.8 * 29.2) + 0.2
+
+
+def rolled(*ways: tuple[float, float, float]) -> bytes:
+    lines = ["G0 C0"]
+    for x0, x1, y in ways:
+        lines += [f"G0 X{x0:.4f} Y{y:.4f}", "G0 Z4", "G1 Z1.2 F6000", f"G1 X{x1:.4f} F30000",
+                  "G1 Z4 F6000"]  # fmt: skip
+    return wheel_program(*lines)
+
+
+def test_a_double_crease_needs_both_its_lines():
+    drawn, board = dieline((CREASE, 0, 0, 60, 0, 0.0)), replace(BOARD, double_crease=2.0)
+    both = judged(rolled((BACK, 60 - BACK, 1), (BACK, 60 - BACK, -1)), drawn, board)
+    assert both.findings == ()
+    assert both.setback[0] == pytest.approx(2 * BACK)
+    one = judged(rolled((BACK, 60 - BACK, 1)), drawn, board)
+    assert kinds(one) == {("uncut", 0)}
+    assert {"uncut", "deviation"} == {
+        f.kind for f in judged(rolled((BACK, 60 - BACK, 0)), drawn, board).findings
+    }
+
+
+DASHES = dieline(*((CREASE, 20 * k, 0, 20 * k + 12, 0, 0.0) for k in range(4)))
+
+
+def test_dashes_may_be_rolled_as_one_crease():
+    assert judged(rolled((BACK, 72 - BACK, 0)), DASHES).findings == ()
+    # One by one each keeps its own distance.
+    alone = [(20 * k + BACK, 20 * k + 12 - BACK, 0.0) for k in range(4)]
+    assert judged(rolled(*alone), DASHES).findings == ()
+    # Two are no dashes.
+    two = dieline((CREASE, 0, 0, 30, 0, 0.0), (CREASE, 38, 0, 68, 0, 0.0))
+    assert not judged(rolled((BACK, 68 - BACK, 0)), two).accepted
+    # A gap with a cut on it is a slot.
+    slot = dieline(*((CREASE, 20 * k, 0, 20 * k + 12, 0, 0.0) for k in range(4)),
+                   (CUT, 12, -5, 12, 5, 0.0))  # fmt: skip
+    assert ("stray", -1) in kinds(judged(rolled((BACK, 72 - BACK, 0)), slot))
+    # And gaps of 19 between pieces of 12 are more than one and a half.
+    wide = dieline(*((CREASE, 31 * k, 0, 31 * k + 12, 0, 0.0) for k in range(4)))
+    assert not judged(rolled((BACK, 105 - BACK, 0)), wide).accepted
+
+
+def test_a_crease_drawn_twice_in_part_is_rolled_once():
+    drawn = dieline((CREASE, 0, 0, 60, 0, 0.0), (CREASE, 100, 0, 57, 0, 0.0),
+                    (CREASE, 0, 20, 50, 20, 0.0), (CREASE, 50, 20, 0, 20, 0.0))  # fmt: skip
+    verdict = judged(rolled((BACK, 100 - BACK, 0), (BACK, 50 - BACK, 20)), drawn)
+    assert verdict.findings == ()
+    np.testing.assert_allclose(verdict.setback, [BACK, BACK, 2 * BACK, 2 * BACK])
+
+
+def test_a_crease_that_a_cut_runs_through_keeps_off_it_on_both_sides():
+    drawn = dieline((CREASE, 0, 0, 60, 0, 0.0), (CUT, 30, -20, 30, 20, 0.0))
+    kept = judged(rolled((BACK, 30 - BACK, 0), (30 + BACK, 60 - BACK, 0)), drawn)
+    assert {finding.edge for finding in kept.findings} == {1}
+    assert kept.setback[0] == pytest.approx(4 * BACK)
+    through = judged(rolled((BACK, 60 - BACK, 0)), drawn)
+    assert ("overcut", 0) in kinds(through)
+
+
+def test_each_crease_is_judged_by_the_wheel_that_rolls_it():
+    # A second wheel of R 10 in station 4: s = √(0.8 · 19.2) = 3.9192.
+    small = Station(4, "Small", CreaseWheel(10.0, 0.7, 30000.0, 6000.0), 0, 0, 0, 0, 3)
+    machine = replace(MACHINE, stations=(*MACHINE.stations, small))
+    drawn = dieline((CREASE, 0, 0, 60, 0, 0.0), (CREASE, 0, 20, 60, 20, 0.0))
+    back = math.sqrt(0.8 * 19.2) + 0.2
+
+    def program(other: float) -> bytes:
+        first = rolled((BACK, 60 - BACK, 0))
+        change = f"""G0 Z20
+M65 P1
+T4 M6 G43
+M64 P3
+G4 P0.15
+G0 X{other:.4f} Y20 C0
+G0 Z4
+G1 Z1.2 F6000
+G1 X{60 - other:.4f} F30000
+G1 Z4 F6000
+G0 Z20.0000
+M65 P3"""
+        return first.replace(b"G0 Z20.0000\nM65 P1", change.encode())
+
+    assert judged(program(back), drawn, machine=machine).findings == ()
+    assert kinds(judged(program(BACK), drawn, machine=machine)) == {("uncut", 1)}
+
+
+# -- bridges: the lead over 2.3 mm is 0.4056
+
+SQUARE = dieline(
+    (CUT, 0, 0, 60, 0, 0.0), (CUT, 60, 0, 60, 40, 0.0), (CUT, 60, 40, 0, 40, 0.0),
+    (CUT, 0, 40, 0, 0, 0.0),
+)  # fmt: skip
+LEAD = 2.3 * math.tan(math.radians(10.0))
+NICKED = replace(BOARD, bridge_width=0.5, bridge_spacing=110.0)
+
+
+def nicked(first: float = 30.0, second: float = 30.0, stop: float = 0.25) -> bytes:
+    """Return a square with bridges about ``first`` below and ``second`` above."""
+    down, up = "G1 Z-0.3 F6000", "G1 Z4 F6000"
+    return knife_program(
+        f"G0 X{first + 0.25:.4f} Y0 Z20 C0", "G0 Z4", down, "G1 X60 F24000", up,
+        "G0 C90", down, "G1 Y40 F24000", up,
+        "G0 C180", down, f"G1 X{second + 0.25 + LEAD:.4f} F24000", up,
+        f"G0 X{second - 0.25:.4f}", down, "G1 X0 F24000", up,
+        "G0 C270", down, "G1 Y0 F24000", up,
+        "G0 C360", down, f"G1 X{first - stop - LEAD:.4f} F24000", up,
+    )  # fmt: skip
+
+
+def test_bridges_of_the_board_s_width_in_the_top_face_are_accepted():
+    verdict = judged(nicked(), SQUARE, NICKED)
+    assert verdict.findings == ()
+    np.testing.assert_allclose(verdict.setback, [0.5 + LEAD, 0, 0.5 + LEAD, 0], atol=1e-3)
+    # Nobody else may leave one.
+    assert not judged(nicked(), SQUARE).accepted
+
+
+@pytest.mark.parametrize(("stop", "kind"), [(0.2, "overcut"), (0.3, "uncut")])
+def test_a_bridge_too_narrow_or_too_wide_is_refused(stop, kind):
+    verdict = judged(nicked(stop=stop), SQUARE, NICKED)
+    assert kinds(verdict) == {(kind, 0)}
+    assert verdict.findings[0].measure == pytest.approx(0.05, abs=1e-3)
+
+
+def test_bridges_too_far_apart_too_near_a_corner_or_too_few_are_refused():
+    # Half way round is 100: moved by 12 mm each the longer way is 124.
+    far = judged(nicked(18.0, 42.0 + 0.0), SQUARE, NICKED).findings
+    assert far == ()
+    wide = judged(nicked(18.0, 18.0), SQUARE, NICKED)
+    assert any("124.000 mm to the next" in finding.text for finding in wide.findings)
+    corner = judged(nicked(4.0, 56.0), SQUARE, NICKED)
+    assert kinds(corner) == {("deviation", 0), ("deviation", 2)}
+    assert corner.findings[0].measure == pytest.approx(5.25 - 4.0, abs=1e-3)
+    none = knife_program(
+        "G0 X30 Y0 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", "G1 X60 F24000", "G1 Z4 F6000",
+        "G0 C90", "G1 Z-0.3", "G1 Y40 F24000", "G1 Z4 F6000", "G0 C180", "G1 Z-0.3",
+        "G1 X0 F24000", "G1 Z4 F6000", "G0 C270", "G1 Z-0.3", "G1 Y0 F24000", "G1 Z4 F6000",
+        "G0 C360", "G1 Z-0.3", "G1 X30.3527 F24000", "G1 Z4 F6000",
+    )  # fmt: skip
+    assert judged(none, SQUARE).findings == ()
+    assert "0 bridges hold the part" in judged(none, SQUARE, NICKED).findings[0].text
+
+
+# -- cuts drawn over each other
+
+
+@pytest.mark.parametrize("again", [(0, 0, 50, 0), (50, 0, 0, 0), (20, 0, 50, 0), (50, 0, 10, 0)])
+def test_a_slit_drawn_twice_is_cut_once(again):
+    drawn = dieline((CUT, 0, 0, 50, 0, 0.0), (CUT, *again, 0.0))
+    text = knife_program(
+        "G0 X0 Y0 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", f"G1 X{50 - LEAD:.4f} F24000", "G1 Z4 F6000"
+    )
+    verdict = judged(text, drawn)
+    assert verdict.findings == ()
+    np.testing.assert_allclose(verdict.setback, LEAD, atol=1e-4)
+
+
+# -- the map
+
+
+def test_the_map_says_where_on_which_edge_how_far_off_the_work_is():
+    # From 0.006 to the left to 0.002 to the right of an edge that is drawn westward.
+    drawn = dieline((CUT, 50, 0, 0, 0, 0.0))
+    text = knife_program(
+        "G0 X0 Y0.006 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", f"G1 X{50 - LEAD:.4f} Y-0.002 F24000",
+        "G1 Z4 F6000",
+    )  # fmt: skip
+    told = judged(text.replace(b"P0.0050 Q0.0050", b"P0.0010 Q0.0010"), drawn).samples
+    assert told.edge.tolist() == [0, 0, 0]
+    low = LEAD / 50
+    np.testing.assert_allclose(told.place, [low, (1.0 + low) / 2.0, 1.0], atol=1e-5)
+    np.testing.assert_allclose(told.deviation, [0.002, -0.002, -0.006], atol=1e-6)
+
+
+def test_the_faces_of_the_board_are_told_apart():
+    # A slit that ends inside: the bottom face lacks 2 tan 10°, the top none.
+    drawn = dieline((CUT, 0, 0, 50, 0, 0.0), (CUT, 0, 30, 50, 30, 0.0), (CUT, 50, 30, 50, 20, 0.0))
+    text = knife_program(
+        "G0 X0 Y0 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", f"G1 X{50 - LEAD:.4f} F24000", "G1 Z4 F6000",
+        "G0 Y30 X0", "G1 Z-0.3", "G1 X50 F24000", "G1 Z4 F6000",
+        "G0 C-90", "G1 Z-0.3", f"G1 Y{20 + LEAD:.4f} F24000", "G1 Z4 F6000",
+    )  # fmt: skip
+    verdict = judged(text, drawn)
+    assert verdict.findings == ()
+    slant = math.tan(math.radians(10.0))
+    np.testing.assert_allclose(verdict.bottom_uncut, [2 * slant, 0, 2 * slant], atol=1e-4)
+    # Where it was lifted and turned at the corner, the top face is cut 2.3 tan 10° past it.
+    np.testing.assert_allclose(verdict.top_overcut, [0, LEAD, 0], atol=1e-4)
