@@ -215,6 +215,8 @@ def table(rows: list[Row], version: str) -> str:
 PAGE = """\
 # B, C and D round the same corners, measured
 
+![B, C and D round one corner](corners.svg)
+
 Written by `python -m tests.benchmarks.patent_table`; the figures of every run are in
 [d-type-table.log](d-type-table.log).
 

@@ -242,7 +242,7 @@ def compile(
         "deviation": _greatest(verdict.deviation),
         "overcut": _greatest(verdict.overcut),
         "uncut": _greatest(verdict.uncut),
-        "seconds": _finite(verdict.seconds),
+        "seconds": _finite(made.seconds),
     }
     text = made.program.text
     reason = ""
