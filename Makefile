@@ -18,7 +18,11 @@ help:
 	@echo "make bench    side by side with the peers, to build/bench.json"
 	@echo "make lock     resolve the dependencies anew"
 
-install: $(VENV)/.runtime
+# Compiled code is kept beside the source, and does not see that what it calls in another file has
+# changed: when any of these files is newer, all of them are compiled anew.
+KERNELS := $(shell grep -rl "^@njit" backend/knifetip --include=*.py)
+
+install: $(VENV)/.kernels
 dev: $(VENV)/.dev
 
 $(BIN)/python:
@@ -28,10 +32,14 @@ $(BIN)/python:
 $(VENV)/.runtime: backend/requirements.lock backend/pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --disable-pip-version-check --quiet --require-hashes -r backend/requirements.lock
 	$(BIN)/python -m pip install --disable-pip-version-check --quiet --no-deps --editable backend
+	@touch $@
+
+$(VENV)/.kernels: $(VENV)/.runtime $(KERNELS)
+	@find backend/knifetip -name "*.nb[ci]" -delete
 	$(BIN)/python -c "from knifetip.pipeline import warm; warm()"
 	@touch $@
 
-$(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.runtime
+$(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.kernels
 	$(BIN)/python -m pip install --disable-pip-version-check --quiet --require-hashes -r backend/requirements-dev.lock
 	@touch $@
 

@@ -216,7 +216,7 @@ def _tip(way: Way, machine: Machine, station: int) -> Way:
     return tip
 
 
-def _sunk(move: Move, caliper: float) -> Way:
+def sunk(move: Move, caliper: float) -> Way:
     """Return the part of a way that is below the top of the board."""
     way = move.way
     if move.station < 0 or not (way[:, 2] < caliper - 1e-6).any():
@@ -233,8 +233,8 @@ def _felt(before: list[Move], after: list[Move], machine: Machine, board: Board)
     if len(before) != len(after):
         return math.inf
     caliper = board.caliper
-    old = [_sunk(move, caliper) for move in before]
-    new = [_sunk(move, caliper) for move in after]
+    old = [sunk(move, caliper) for move in before]
+    new = [sunk(move, caliper) for move in after]
     farthest = 0.0
     for index, (one, other) in enumerate(zip(before, after, strict=True)):
         same = one.station == other.station and one.rapid == other.rapid

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from knifetip.classification import classify
+from knifetip.compensation import deflection
 from knifetip.compensation.compensate import compensate
 from knifetip.dxf import units
 from knifetip.dxf.read import read
@@ -26,6 +27,7 @@ from knifetip.errors import (
 from knifetip.geometry.columns import U8
 from knifetip.library import load
 from knifetip.model.board import Board
+from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
 from knifetip.model.machine import Machine
@@ -34,16 +36,20 @@ from knifetip.model.program import Program
 from knifetip.model.question import Question
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Verdict
-from knifetip.planning.plan import missing, plan
+from knifetip.planning.plan import check_corners, missing, plan
 from knifetip.post.process import process
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
+from knifetip.sequencing.turning import retracted
 from knifetip.verification.verify import placement_of, verify
 
 __all__ = [
     "NO_OVERRIDE",
     "TOLERANCE",
+    "Calibration",
     "Compiled",
+    "calibrated",
+    "check_corners",
     "compiled",
     "dieline",
     "placement",
@@ -70,6 +76,16 @@ class Compiled:
     verdict: Verdict
     placement: tuple[float, float]  #: added to the drawing's coordinates on the sheet (mm)
     seconds: float  #: that the machine will take, its accelerations counted
+    seconds_retracted: float  #: that it would take if every turn were a full retract
+
+
+@dataclass(frozen=True, slots=True)
+class Calibration:
+    """How far a cutter gives way in a board, from measured points."""
+
+    x: float  #: δx (mm)
+    y: float  #: δy (mm)
+    residual: float  #: the farthest that a point is from what these two say (mm)
 
 
 def read_drawing(data: bytes, unit: str | None = None) -> Drawing:
@@ -167,6 +183,7 @@ def compiled(
     machine: Machine,
     board: Board,
     *,
+    corners: Corners | None = None,
     dialect: str | None = None,
     notes: Sequence[str] = (),
     progress: Callable[[str, float], None] = lambda _stage, _share: None,
@@ -175,6 +192,8 @@ def compiled(
 
     Parameters
     ----------
+    corners
+        How a cutter goes round corners; None leaves it to the machine's accelerations.
     dialect
         "linuxcnc" or "grblhal"; the machine's own where none is given.
     notes
@@ -196,7 +215,8 @@ def compiled(
     placed = replace(dieline, ends=dieline.ends + np.array(where))
     try:
         progress("plan", 0.05)
-        operations = plan(placed, machine, board)
+        chosen = None if corners is None else replace(corners, placement=where)
+        operations = plan(placed, machine, board, chosen)
         progress("compensate", 0.2)
         toolpaths = [compensate(operation) for operation in operations]
         progress("sequence", 0.4)
@@ -216,7 +236,35 @@ def compiled(
     progress("verify", 0.7)
     verdict = verify(program.text, dieline, where, machine, board, tolerance=TOLERANCE)
     progress("done", 1.0)
-    return Compiled(toolpath, program, verdict, where, duration(toolpath, machine))
+    full = duration(retracted(toolpath, machine), machine)
+    return Compiled(toolpath, program, verdict, where, duration(toolpath, machine), full)
+
+
+def calibrated(
+    azimuth: Sequence[float], measured: Sequence[tuple[float, float]], side: int = 1
+) -> Calibration:
+    """Return how far a cutter gives way, from points measured on a contour that it cut.
+
+    Parameters
+    ----------
+    azimuth : degrees
+        In which direction the cutter ran along the contour at each point, 0 along X.
+    measured : mm
+        ΔX and ΔY at each: where the contour came to lie, less where it was drawn.
+    side
+        +1 if the cutter ran on the left of travel, as knifetip has it, -1 on the right.
+
+    Raises
+    ------
+    CompensationError
+        The points say too little, with what else to measure.
+    """
+    angle = np.radians(np.array(azimuth, np.float64))
+    tangent = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    moved = np.array(measured, np.float64).reshape(-1, 2)
+    x, y = deflection.calibrated(tangent, moved, side)
+    off = moved - deflection.deflection(tangent, side, x, y)
+    return Calibration(x, y, float(np.hypot(*off.T).max()))
 
 
 def warm() -> None:

@@ -21,7 +21,7 @@ from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.planning.plan import plan
 from knifetip.post.process import process
-from knifetip.sequencing.order import nearest_neighbour
+from knifetip.sequencing.nearest import nearest_neighbour
 from knifetip.verification.verify import verify
 
 Bench: TypeAlias = tuple[str, int, Callable[[], object], dict[str, Callable[[], object]], int]

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import base64
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
 
+import dxf_text as text
 from knifetip.dxf.samples import samples
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
@@ -262,3 +264,93 @@ def test_a_file_that_is_no_drawing_is_refused_in_words(page: Page, screenshots: 
     page.screenshot(path=screenshots / "refused.png")
     report.get_by_role("button", name="Dismiss").click()
     expect(report).to_be_hidden()
+
+
+#: A part of 200 × 120 mm with a slot of 4 mm in its upper side, and a window in it.
+PART = (
+    (0.0, 0.0), (200.0, 0.0), (200.0, 120.0), (152.0, 120.0), (152.0, 80.0), (148.0, 80.0),
+    (148.0, 120.0), (0.0, 120.0), (0.0, 0.0),
+)  # fmt: skip
+WINDOW = ((30.0, 30.0), (90.0, 30.0), (90.0, 80.0), (30.0, 80.0), (30.0, 30.0))
+#: What no cutter gets to.
+UNCUT = (0xFF, 0x4F, 0xA3)
+
+
+def on_router(page: Page, board: str) -> None:
+    page.get_by_test_id("machine-select").click()
+    page.get_by_role("option", name="Router table").click()
+    compile_on(page, board)
+
+
+def test_a_cutter_is_told_its_corners_and_what_it_leaves_is_shown(
+    page: Page, screenshots: Path
+) -> None:
+    lines = [text.line(*a, *b, (8, "CUT")) for a, b in [*pairwise(PART), *pairwise(WINDOW)]]
+    drop(page, "window.dxf", text.dxf(*lines, units=4))
+    # A table with a knife has no corners to choose.
+    expect(page.get_by_test_id("corners")).to_be_hidden()
+    on_router(page, "Greyboard 3.0 mm")
+    expect(page.get_by_test_id("corners")).to_be_visible()
+    expect(page.get_by_test_id("verdict")).to_have_attribute("data-accepted", "true")
+    # Four corners of the window, 1.93 mm² each, and the slot: 4 × 40 - 1.9.
+    expect(page.get_by_test_id("unreached")).to_contain_text(
+        re.compile(r"16\d\smm² in 5 places stay uncut")
+    )
+    expect(page.get_by_test_id("saved")).to_contain_text(re.compile(r"Saves \d+\s%"))
+    expect(page.get_by_test_id("layer-uncut")).to_have_attribute("aria-pressed", "true")
+    page.screenshot(path=screenshots / "router-1-auto.png")
+    shown = colours(page)
+    page.get_by_test_id("layer-uncut").click()
+    hidden = colours(page)
+    pink = {(r, g, b) for r, g, b in shown - hidden if r > 1.4 * g and b > g}
+    assert pink, sorted(shown - hidden)
+
+    page.get_by_test_id("corner-D").click()
+    expect(page.get_by_test_id("corner-D")).to_have_attribute("aria-pressed", "true")
+    page.get_by_test_id("pick-corner").click()
+    before = page.get_by_test_id("program").get_attribute("href")
+    # Along the middle of the picture goes no cut: look for the part's left side from its left.
+    box = page.get_by_test_id("canvas").bounding_box()
+    assert box is not None
+    tip = page.get_by_test_id("edge-tooltip")
+    for step in range(0, int(box["width"]), 4):
+        page.mouse.move(box["x"] + step, box["y"] + 0.6 * box["height"])
+        if tip.count() and "120" in tip.inner_text():
+            break
+    page.mouse.down()
+    page.mouse.up()
+    expect(page.get_by_test_id("single-corners")).to_contain_text("0.0, 0.0")
+    page.screenshot(path=screenshots / "router-2-choosing.png")
+    page.get_by_test_id("compile").click()
+    expect(page.get_by_test_id("program")).not_to_have_attribute("href", str(before))
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready", timeout=60_000)
+    page.get_by_test_id("layer-uncut").click()
+    page.get_by_test_id("layer-swept").click()
+    # The largest place first, then a corner of the window.
+    page.get_by_test_id("unreached").click()
+    page.get_by_test_id("unreached").click()
+    page.wait_for_timeout(600)
+    expect(page.get_by_test_id("scale-bar")).to_contain_text(re.compile(r"^[12] mm"))
+    page.screenshot(path=screenshots / "router-3-chosen.png")
+
+    page.get_by_test_id("interference").get_by_text("Refuse").click()
+    page.get_by_test_id("compile").click()
+    expect(page.get_by_test_id("job-state")).to_have_text("Refused", timeout=60_000)
+    expect(page.get_by_test_id("reason")).to_contain_text("mm")
+
+
+def test_the_inspector_has_the_section_of_a_groove(page: Page, screenshots: Path) -> None:
+    drop(page, "rigid-box-blank.dxf", samples()["rigid-box-blank.dxf"])
+    on_router(page, "Greyboard 2.0 mm")
+    expect(page.get_by_test_id("unreached")).to_contain_text("8 places")
+    box = page.get_by_test_id("canvas").bounding_box()
+    assert box is not None
+    tip = page.get_by_test_id("edge-tooltip")
+    for step in range(0, int(box["height"]), 5):
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + step)
+        if tip.count() and "V-groove" in tip.inner_text():
+            break
+    # 1.3 mm deep at 45° in 2 mm.
+    expect(tip).to_contain_text(re.compile(r"2\.60\smm wide"))
+    expect(tip).to_contain_text(re.compile(r"Web left\s*0\.70\smm"))
+    page.screenshot(path=screenshots / "router-4-groove.png")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -37,6 +38,39 @@ def test_a_groove_that_meets_the_edge_at_any_angle(degrees, step):
     groove = edges(((start, 300 - 40 * share), (start + reach * share, 300)))
     verdict = judged(dieline(OUTLINE, (GROOVE, groove)), groove_pass=step)
     assert verdict.accepted, verdict.findings[:2]
+
+
+NOTCHED = (CUT, closed((100, 100), (400, 100), (400, 300), (270, 300), (250, 260), (230, 300),
+                       (100, 300)))  # fmt: skip
+PLUS = (CUT, closed((200, 100), (300, 100), (300, 200), (400, 200), (400, 300), (200, 300)))
+
+
+@pytest.mark.parametrize(
+    ("outline", "groove"),
+    [
+        (NOTCHED, ((250, 120), (250, 260))),
+        (NOTCHED, ((240, 160), (250, 260))),
+        (NOTCHED, ((200, 200), (250, 260))),
+        (PLUS, ((220, 280), (300, 200))),
+        (OUTLINE, ((400, 300), (300, 180))),
+    ],
+    ids=["notch", "notch, slanted", "almost along", "inner corner", "outer corner"],
+)
+def test_a_groove_that_ends_at_a_corner_of_the_board(outline, groove):
+    verdict = judged(dieline(outline, (GROOVE, edges(groove))))
+    assert verdict.accepted, verdict.findings[:2]
+
+
+def test_a_groove_that_does_not_run_out_into_a_notch_is_refused(monkeypatch):
+    line = dieline(NOTCHED, (GROOVE, edges(((250, 120), (250, 260)))))
+    right = planning.run_out
+
+    def stopped(*args):
+        size, on_edge = right(*args)
+        return 0.0 * size, on_edge
+
+    monkeypatch.setattr(planning, "run_out", stopped)
+    assert not judged(line).accepted
 
 
 @pytest.mark.parametrize("factor", [0.0, 0.8])
@@ -92,3 +126,56 @@ def test_creases_crossed_dashed_and_drawn_twice(apart):
     )
     verdict = judged(line, double_crease=apart)
     assert verdict.accepted, verdict.findings[:2]
+
+
+def dashes(count, length, gap):
+    """A row of dashes along y = 150."""
+    step = length + gap
+    return edges(*[((150 + step * i, 150), (150 + step * i + length, 150)) for i in range(count)])
+
+
+@pytest.mark.parametrize("short", ["press", "refuse"])
+@pytest.mark.parametrize(
+    "row",
+    [(10, 3.0, 3.0), (20, 1.0, 1.0), (10, 3.0, 4.4), (3, 3.0, 3.0), (10, 0.5, 0.5)],
+    ids=str,
+)
+def test_dashes_shorter_than_the_setback_are_one_crease(row, short):
+    # The wheel stands back by 5.1 mm from either end of all of them.
+    verdict = judged(dieline(OUTLINE, (CREASE, dashes(*row))), short_crease=short)
+    assert verdict.accepted, verdict.findings[:2]
+
+
+@pytest.mark.parametrize("row", [(2, 3.0, 3.0), (10, 3.0, 4.6), (5, 1.0, 1.0)], ids=str)
+def test_short_creases_and_short_rows_of_dashes_are_pressed(row):
+    verdict = judged(dieline(OUTLINE, (CREASE, dashes(*row))), short_crease="press")
+    assert verdict.accepted, verdict.findings[:2]
+
+
+@pytest.mark.parametrize(
+    "cut",
+    [
+        ((176.5, 130), (176.5, 170)),
+        ((180, 130), (180, 170)),
+        ((176.5, 130), (176.5, 150), (170, 170)),
+        ((180, 130), (180, 150), (190, 170)),
+        ((176.5, 130), (176.5, 150)),
+        ((180, 130), (180, 150)),
+    ],
+    ids=["gap", "dash", "vertex in a gap", "vertex on a dash", "ends in a gap", "ends on a dash"],
+)
+def test_dashes_and_a_cut(cut):
+    line = dieline(OUTLINE, (CREASE, dashes(10, 4.0, 3.0)), (CUT, edges(*pairwise(cut))))
+    verdict = judged(line)
+    assert verdict.accepted, verdict.findings[:2]
+
+
+def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch):
+    cut = edges(((200, 130), (200, 150)), ((200, 150), (210, 170)))
+    line = dieline(OUTLINE, (CREASE, edges(((150, 150), (300, 150)))), (CUT, cut))
+    assert judged(line).accepted
+    right = planning.split_at_cuts
+    monkeypatch.setattr(
+        planning, "split_at_cuts", lambda paths, *_: right(paths, cut[:0], cut[:0, 0, 0])
+    )
+    assert not judged(line).accepted

@@ -11,6 +11,7 @@ from knifetip.compensation import radius
 from knifetip.library import load
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
+from knifetip.model.tool import Cutter
 from shapes import closed, dieline, edges
 
 ROUTER = load.machine("router-table")
@@ -54,7 +55,7 @@ def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch):
         return right(paths, distance, -side, **more)
 
     monkeypatch.setattr(radius, "equidistant", wrong)
-    monkeypatch.setattr(radius, "_with_leads", lambda _operation, _cutter, way: _bare(way))
+    monkeypatch.setattr(radius, "_with_leads", lambda _operation, _cutter, way, _held: _bare(way))
     assert not verdict().accepted
 
 
@@ -69,3 +70,69 @@ def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is
     right = radius.deflected
     monkeypatch.setattr(radius, "deflected", lambda paths, side, x, y: right(paths, -side, x, y))
     assert not verdict(soft).accepted
+
+
+def judged(line, board=BOARD, dialect="linuxcnc", machine=ROUTER):
+    work = [compensate(operation) for operation in plan(line, machine, board)]
+    text = process(sequence(work, machine), machine, dialect).text
+    return verify(text, line, (0.0, 0.0), machine, board)
+
+
+CUT = LineType.CUT
+HELD = replace(BOARD, bridge_width=0.8, bridge_spacing=160.0)
+OUTLINE = (CUT, closed((100, 100), (400, 100), (400, 300), (100, 300)))
+ROUND = (CUT, edges(((100, 200), (300, 200)), ((300, 200), (100, 200))))
+NOTCHED = (CUT, closed((100, 100), (400, 100), (400, 300), (270, 300), (250, 220), (230, 300),
+                       (100, 300)))  # fmt: skip
+
+
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+@pytest.mark.parametrize("step", [0.0, 1.2])
+@pytest.mark.parametrize(
+    ("outline", "bulge"),
+    [(OUTLINE, {}), (OUTLINE, {1: 0.2, 3: -0.2}), (ROUND, {0: 1.0, 1: 1.0}), (NOTCHED, {})],
+    ids=["blank", "with arcs", "disc", "notched"],
+)
+def test_a_blank_held_by_bridges_is_accepted(dialect, step, outline, bulge):
+    stations = [
+        replace(held, tool=replace(held.tool, step=step)) if isinstance(held.tool, Cutter) else held
+        for held in ROUTER.stations
+    ]
+    machine = replace(ROUTER, stations=tuple(stations))
+    slit = edges(((200, 150), (200, 250)))
+    result = judged(dieline(outline, (CUT, slit), bulge=bulge), HELD, dialect, machine)
+    assert result.accepted, result.findings[:3]
+
+
+@pytest.mark.parametrize("wrong", [-0.05, 0.05])
+def test_bridges_that_are_too_narrow_or_too_wide_are_refused(monkeypatch, wrong):
+    right = radius.interrupted
+
+    def gapped(paths, path, middle, gap):
+        return right(paths, path, middle, gap + wrong)
+
+    monkeypatch.setattr(radius, "interrupted", gapped)
+    result = judged(dieline(OUTLINE), HELD)
+    kind = "uncut" if wrong > 0 else "overcut"
+    found = next(finding for finding in result.findings if finding.kind == kind)
+    assert found.measure == pytest.approx(0.05, abs=1e-3)
+
+
+def test_a_part_that_nothing_holds_is_refused_where_the_board_wants_bridges(monkeypatch):
+    line = dieline(OUTLINE)
+    monkeypatch.setattr(radius, "_bridged", lambda _operation, _cutter, way: (way, _none(way)))
+    assert "0 bridges hold the part" in judged(line, HELD).findings[0].text
+    assert judged(line).accepted
+
+
+def _none(way):
+    return way.paths.closed & False
+
+
+def test_blanks_and_holes_that_touch_in_a_point_are_accepted():
+    one, other = (
+        closed((150, 150), (200, 150), (200, 200), (150, 200)),
+        closed((200, 200), (240, 200), (240, 240), (200, 240)),
+    )
+    assert judged(dieline((CUT, one), (CUT, other))).accepted
+    assert judged(dieline(OUTLINE, (CUT, one), (CUT, other))).accepted

@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 from knifetip.compensation.vgroove import sideways
 from knifetip.errors import CompensationError
+from knifetip.geometry.leaving import run_out
 from knifetip.model.tool import VCutter
 from knifetip.sequencing.turning import (
     TipCircle,
@@ -22,25 +23,24 @@ from knifetip.sequencing.turning import (
     interference,
     interpolated,
     lifted,
-    run_out,
     tip_circle,
 )
 
 
 def test_1_a_track_square_to_the_edge_needs_no_more_way():
     # Both corners cross together.
-    assert run_out(np.array([[1.0, 0.0]]), np.array([[1.0, 0.0]]), np.array([6.0]))[0] == 0.0
+    assert run_out(np.array([[1.0, 0.0]]), np.array([[1.0, 0.0]]), np.array([6.0])).max() == 0.0
 
 
 def test_1_at_45_degrees_the_later_corner_is_half_the_width_behind():
     # W = 6, n · m = sin 45°, u · m = cos 45°: 3 mm.
     u = np.array([[sqrt(0.5), sqrt(0.5)]])
-    assert run_out(u, np.array([[1.0, 0.0]]), np.array([6.0]))[0] == pytest.approx(3.0)
+    assert run_out(u, np.array([[1.0, 0.0]]), np.array([6.0])).max() == pytest.approx(3.0)
 
 
 def test_1_at_60_degrees_from_square_it_is_tan_60_times_half_the_width():
     u = np.array([[0.5, -sqrt(0.75)]])
-    assert run_out(u, np.array([[1.0, 0.0]]), np.array([2.0]))[0] == pytest.approx(1.7320508)
+    assert run_out(u, np.array([[1.0, 0.0]]), np.array([2.0])).max() == pytest.approx(1.7320508)
 
 
 def test_1_along_the_edge_there_is_no_answer():
@@ -54,7 +54,7 @@ def test_1_then_both_corners_are_out_and_a_little_earlier_one_is_not(off, edge, 
     m = np.array([cos(radians(edge)), sin(radians(edge))])
     u = np.array([cos(radians(edge + off)), sin(radians(edge + off))])
     n = np.array([-u[1], u[0]])
-    extra = run_out(u[None], m[None], np.array([width]))[0]
+    extra = run_out(u[None], m[None], np.array([width])).max()
     # The edge runs through the origin, where the middle of the tool crosses it.
     corners = [(extra * u + side * width / 2.0 * n) @ m for side in (-1, 1)]
     assert min(corners) == pytest.approx(0.0, abs=1e-9)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
+import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.drawings import overridden
 from knifetip.api.schemas import (
-    FindingOut,
     JobEvent,
     JobIn,
     JobOut,
@@ -60,6 +60,7 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
         edges = here.store.drawing_column(drawing.id, "edges")
         overrides = overridden(edges, overrides, order.overrides)
     content = here.store.drawing_column(drawing.id, "content")
+    corners = None if order.corners is None else order.corners.model_dump()
     questions = here.crew.run(
         tasks.ask,
         content,
@@ -67,6 +68,7 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
         profile,
         overrides,
         order.machine,
+        corners,
         limit=here.settings.limit,
     )
     if questions:
@@ -80,6 +82,7 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
         copies=order.copies,
         priority=order.priority,
         release=order.release,
+        corners=corners,
         key=key,
         fingerprint=request,
     )
@@ -138,15 +141,43 @@ def get_program(here: Here, request: Request, id: str) -> Response:
     return bytes_answer(request, text, row.program_sha256, "text/plain; charset=utf-8", name)
 
 
-@router.get("/{id}/verdict")
-def get_verdict(here: Here, id: str) -> VerdictOut:
-    """Return the judge's answer, edge by edge."""
-    columns, meta = unpacked(here.store.job_column(id, "verdict"))
-    return VerdictOut(
-        **{name: meta[name] for name in VerdictSummary.model_fields},
-        findings=[FindingOut.model_validate(finding) for finding in meta["findings"]],
-        **{f"edge_{name}": column.tolist() for name, column in columns.items()},
+@router.get("/{id}/verdict", response_model=VerdictOut, responses={200: BINARY})
+def get_verdict(
+    here: Here,
+    request: Request,
+    id: str,
+    format: Annotated[Literal["json", "columns"], Query()] = "json",
+) -> Response:
+    """Return the judge's answer, edge by edge, as JSON or binary columns (``format=columns``)."""
+    row = here.store.job(id)
+    block = here.store.job_column(id, "verdict")
+    if format == "columns":
+        return bytes_answer(request, block, row.program_sha256, "application/octet-stream")
+    return Response(verdict_out(block).model_dump_json(), media_type="application/json")
+
+
+def verdict_out(block: bytes) -> VerdictOut:
+    """Return a verdict as the API shows it; what one of an older version does not have is empty."""
+    columns, meta = unpacked(block)
+    figures = {
+        f"edge_{name}": columns[name].tolist() if name in columns else []
+        for name in tasks.EDGE_COLUMNS
+    }
+    summary = {name: meta[name] for name in VerdictSummary.model_fields if name in meta}
+    return VerdictOut.model_validate(
+        {**summary, **figures, "findings": meta["findings"], "areas": _areas(columns)}
     )
+
+
+def _areas(columns: dict[str, Any]) -> list[dict[str, float]]:
+    if "area_size" not in columns or len(columns["area_size"]) == 0:
+        return []
+    size, first = columns["area_size"], columns["area_first"]
+    middle = np.add.reduceat(columns["area_ends"][:, 0], first[:-1]) / np.diff(first)[:, None]
+    return [
+        {"area": float(size[row]), "x": float(middle[row, 0]), "y": float(middle[row, 1])}
+        for row in np.argsort(-size, kind="stable")
+    ]
 
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})

@@ -6,9 +6,18 @@ from dataclasses import asdict
 
 from fastapi import APIRouter
 
-from knifetip.api.schemas import BoardOut, ProfileOut, RuleOut, StationTool
+from knifetip.api.schemas import (
+    BoardOut,
+    CalibrationIn,
+    CalibrationOut,
+    ProfileOut,
+    RuleOut,
+    StationTool,
+)
 from knifetip.api.service import on_shelf
-from knifetip.library import load
+from knifetip.library import deflection, load
+from knifetip.library.load import cutter_of
+from knifetip.model.board import Deflection
 
 router = APIRouter(tags=["library"])
 
@@ -24,6 +33,35 @@ def get_board(name: str) -> BoardOut:
     """Look at a board."""
     board = asdict(load.board(on_shelf("boards", name)))
     return BoardOut.model_validate({field: board[field] for field in BoardOut.model_fields})
+
+
+@router.post("/boards/{name}/deflection")
+def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
+    """Say how far a cutter gives way in a board, from measured points, by least squares.
+
+    Nothing is kept: the library is a folder of files, and ``toml`` is what belongs into the
+    board's.
+    """
+    on_shelf("boards", name)
+    station = cutter_of(load.machine(on_shelf("machines", order.machine)), order.tool)
+    # Machine code for the engines is of no use to those who only look into the library.
+    from knifetip import pipeline
+
+    made = pipeline.calibrated(
+        [point.azimuth for point in order.points],
+        [(point.dx, point.dy) for point in order.points],
+        1 if order.side == "left" else -1,
+    )
+    kept = Deflection(station.name, made.x, made.y)
+    return CalibrationOut(
+        board=name,
+        machine=order.machine,
+        tool=station.name,
+        x=made.x,
+        y=made.y,
+        residual=made.residual,
+        toml=deflection.table(kept),
+    )
 
 
 @router.get("/profiles")

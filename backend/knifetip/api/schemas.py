@@ -180,6 +180,34 @@ class DrawingPatch(Strict):
     profile: Name | None = None
 
 
+CornerType = Literal["auto", "B", "C", "D"]
+Knob = Annotated[float, Field(gt=0.0, lt=1.0, description="Of the D type: 0 is as B, 1 as C")]
+
+
+class CornerAt(Strict):
+    """One corner, named by its place, that is made otherwise than the rest."""
+
+    x: float = Field(description="mm in the drawing; within 0.5 mm of the corner")
+    y: float
+    type: CornerType
+    k: Knob | None = Field(default=None, description="None for that of the rest")
+
+
+class Corners(Strict):
+    """How a router, or a beam with its kerf, goes round corners that stand out towards it.
+
+    B on an arc, C on straight lines with a stop at each bend, D on line, arc and line; auto takes
+    for each corner what is over soonest on the machine.
+    """
+
+    type: CornerType = "auto"
+    k: Knob = 0.5
+    interference: Literal["trim", "refuse"] = Field(
+        default="trim", description="Where the cutter does not fit: leave that uncut, or refuse"
+    )
+    at: list[CornerAt] = Field(default=[], max_length=1000)
+
+
 class JobIn(Strict):
     """An order: this drawing, on this board, on this machine."""
 
@@ -190,18 +218,26 @@ class JobIn(Strict):
     copies: int = Field(default=1, ge=1, le=1000)
     priority: int = Field(default=0, ge=-100, le=100)
     overrides: list[Override] = Field(default=[], max_length=1000)
+    corners: Corners | None = Field(
+        default=None, description="Only for machines that mill; left to the machine where null"
+    )
     release: bool = Field(default=False, description="Queue it as soon as it is ready")
 
 
 class VerdictSummary(BaseModel):
-    """The verdict in four figures (mm)."""
+    """The verdict in figures (mm, s)."""
 
     accepted: bool
     tolerance: float
     deviation: float
     overcut: float
     uncut: float
+    unreached: float = Field(default=0.0, description="mm² that no cutter gets to")
+    unreached_places: int = Field(default=0, description="In so many places")
     seconds: float
+    seconds_retracted: float | None = Field(
+        default=None, description="What it would take if every turn were a full retract"
+    )
 
 
 class JobOut(BaseModel):
@@ -235,6 +271,7 @@ class JobOut(BaseModel):
     )
     seconds: float = Field(description="Nominal machine time of one copy")
     seconds_left: float | None
+    corners: Corners | None
     program_sha256: str
     verdict: VerdictSummary | None
 
@@ -261,14 +298,34 @@ class FindingOut(BaseModel):
     line: int
 
 
+class UnreachedOut(BaseModel):
+    """A place that no cutter gets to."""
+
+    area: float = Field(description="mm²")
+    x: float = Field(description="mm in the drawing, of its middle")
+    y: float
+
+
 class VerdictOut(VerdictSummary):
-    """The verdict, edge by edge: row i is edge i of the drawing."""
+    """The verdict, edge by edge: row i is edge i of the drawing.
+
+    As columns it has the map of deviations besides (``sample_edge``, ``sample_place`` as a share of
+    the edge's length, ``sample_deviation`` in mm to its left), and the outlines of what is not
+    reached (``area_ends``, ``area_bulge``, ``area_first``, ``area_size``).
+    """
 
     findings: list[FindingOut]
+    areas: list[UnreachedOut] = Field(description="What no cutter gets to, the largest first")
     edge_deviation: list[float]
     edge_overcut: list[float]
     edge_uncut: list[float]
     edge_setback: list[float]
+    edge_width: list[float] = Field(description="Of a V-groove at the top face; 0 for others")
+    edge_web: list[float] = Field(description="Of board left below a V-groove; 0 for others")
+    edge_flank: list[float] = Field(description="The farthest that a groove's flank is off")
+    edge_unreached: list[float] = Field(description="Length that no cutter can touch")
+    edge_bottom_uncut: list[float] = Field(description="Length not cut through the bottom face")
+    edge_top_overcut: list[float] = Field(description="Cut past the edge's ends in the top face")
 
 
 class ToolOut(BaseModel):
@@ -305,6 +362,14 @@ class MachineOut(BaseModel):
     job: str | None
 
 
+class DeflectionOut(BaseModel):
+    """How far a tool gives way in a board (mm)."""
+
+    tool: str
+    x: float
+    y: float
+
+
 class BoardOut(BaseModel):
     """A board of the library."""
 
@@ -316,6 +381,38 @@ class BoardOut(BaseModel):
     crease_along: float
     crease_across: float
     groove_depth: float
+    deflection: list[DeflectionOut]
+
+
+class MeasuredPoint(Strict):
+    """One point of a contour that was cut and measured."""
+
+    azimuth: float = Field(ge=-360.0, le=360.0, description="Degrees, of the cutter's travel there")
+    dx: float = Field(ge=-100.0, le=100.0, description="mm: where it came to lie, less as drawn")
+    dy: float = Field(ge=-100.0, le=100.0)
+
+
+class CalibrationIn(Strict):
+    """Points measured on a contour that a machine's cutter cut in a board."""
+
+    machine: Name
+    tool: Name = Field(description="Name of its station")
+    side: Literal["left", "right"] = Field(
+        default="left", description="Of travel, where the cutter ran; knifetip's programs: left"
+    )
+    points: list[MeasuredPoint] = Field(min_length=1, max_length=10_000)
+
+
+class CalibrationOut(BaseModel):
+    """How far the cutter gives way in the board, and the lines to keep in the board's file."""
+
+    board: str
+    machine: str
+    tool: str
+    x: float = Field(description="mm, where the contour runs along Y")
+    y: float = Field(description="mm, where it runs along X")
+    residual: float = Field(description="mm, the farthest that a point is from what these say")
+    toml: str
 
 
 class RuleOut(BaseModel):

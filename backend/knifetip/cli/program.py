@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import hashlib
+import re
+from dataclasses import asdict
+from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any
 
+import numpy as np
 import typer
 
 from knifetip import pipeline
@@ -30,18 +34,82 @@ from knifetip.cli.terminal import (
     stderr,
     write_bytes,
 )
-from knifetip.errors import ProgramUnreadable
+from knifetip.errors import PlanError, ProgramUnreadable
 from knifetip.library import load
+from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
-from knifetip.model.verdict import Verdict
+from knifetip.model.verdict import Unreached, Verdict
+
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
+_CHOICE = re.compile(
+    rf"\s*(?P<x>{_NUMBER})\s*,\s*(?P<y>{_NUMBER})\s*=\s*(?P<type>\w+)\s*(?::\s*(?P<k>{_NUMBER})\s*)?",
+    re.ASCII,
+)
+
+
+class CornerType(Enum):
+    """How a cutter goes round corners: the machine's choice, or a type of the radius paper."""
+
+    AUTO = "auto"
+    B = "B"
+    C = "C"
+    D = "D"
+
+
+class Interference(Enum):
+    """What is done where a cutter does not fit: it leaves that uncut, or the job is refused."""
+
+    TRIM = "trim"
+    REFUSE = "refuse"
+
+
+def choice(text: str) -> CornerAt:
+    """Return the choice for one corner, as the command line writes it: ``X,Y=C`` or ``X,Y=D:0.3``.
+
+    Raises
+    ------
+    PlanError
+        It is written otherwise.
+    """
+    found = _CHOICE.fullmatch(text)
+    if found is None:
+        raise PlanError(
+            f"--corner-at {text!r} is not X,Y=TYPE or X,Y=TYPE:K.",
+            "Write --corner-at 300,100=C, or 300,100=D:0.3.",
+        )
+    k = None if found["k"] is None else float(found["k"])
+    return CornerAt(float(found["x"]), float(found["y"]), found["type"], k)
+
+
+def _plain(corners: Corners) -> dict[str, Any]:
+    plain = asdict(corners)
+    del plain["placement"]
+    return plain
+
 
 MachineName = Annotated[str, typer.Option(help="Machine of the library, or a TOML file.")]
 BoardName = Annotated[str, typer.Option(help="Board of the library, or a TOML file.")]
 
 
+#: Of the verdict, with a figure for every edge (mm).
+_COLUMNS = (
+    "deviation",
+    "overcut",
+    "uncut",
+    "setback",
+    "width",
+    "web",
+    "flank",
+    "unreached",
+    "bottom_uncut",
+    "top_overcut",
+)
+
+
 def judged(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
     """Return a verdict as plain data, its findings with the handles of their edges."""
     handles = drawing.handles
+    columns = {name: getattr(verdict, name) for name in _COLUMNS}
     return {
         "accepted": verdict.accepted,
         "tolerance": verdict.tolerance,
@@ -49,6 +117,8 @@ def judged(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
         "overcut": float(verdict.overcut.max(initial=0.0)),
         "uncut": float(verdict.uncut.sum()),
         "setback": float(verdict.setback.sum()),
+        "unreached": float(verdict.areas.area.sum()),
+        "areas": unreached(verdict.areas),
         "seconds": verdict.seconds,
         "findings": [
             {
@@ -62,16 +132,24 @@ def judged(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
             for finding in verdict.findings
         ],
         "edges": [
-            {
-                "handle": handle,
-                "deviation": float(verdict.deviation[row]),
-                "overcut": float(verdict.overcut[row]),
-                "uncut": float(verdict.uncut[row]),
-                "setback": float(verdict.setback[row]),
-            }
+            {"handle": handle, **{name: float(column[row]) for name, column in columns.items()}}
             for row, handle in enumerate(handles)
         ],
     }
+
+
+def unreached(areas: Unreached) -> list[dict[str, Any]]:
+    """Return what no cutter gets to as plain data: mm², and outlines of [start, end, bulge]."""
+    ends, bulge = areas.ends.tolist(), areas.bulge.tolist()
+    return [
+        {
+            "area": float(areas.area[row]),
+            "outline": [
+                [*ends[at], bulge[at]] for at in range(areas.first[row], areas.first[row + 1])
+            ],
+        }
+        for row in range(len(areas))
+    ]
 
 
 def tell(verdict: Verdict) -> None:
@@ -84,6 +162,12 @@ def tell(verdict: Verdict) -> None:
         markup=False,
         style="bold green" if verdict.accepted else "bold red",
     )
+    if len(verdict.areas):
+        stderr.print(
+            f"  the cutter does not get to {verdict.areas.area.sum():.2f} mm² in "
+            f"{len(verdict.areas)} places, which stay uncut",
+            markup=False,
+        )
     for finding in verdict.findings[:20]:
         stderr.print(f"  {finding.text}", markup=False)
     if len(verdict.findings) > 20:
@@ -105,10 +189,34 @@ def register(app: typer.Typer) -> None:
         dialect: Annotated[
             str | None, typer.Option(help="linuxcnc or grblhal; else the machine's own.")
         ] = None,
+        corner: Annotated[
+            CornerType | None, typer.Option(help="How a cutter goes round corners.")
+        ] = None,
+        k: Annotated[
+            float | None, typer.Option(help="Knob of D corners: near 0 as B, near 1 as C.")
+        ] = None,
+        interference: Annotated[
+            Interference | None, typer.Option(help="Where a cutter does not fit.")
+        ] = None,
+        corner_at: Annotated[
+            list[str] | None,
+            typer.Option(
+                metavar="X,Y=TYPE[:K]", help="One corner, in the drawing's mm; repeatable."
+            ),
+        ] = None,
         report: Annotated[Path | None, typer.Option(help="Write the verdict as JSON.")] = None,
     ) -> None:
         """Write the program that makes a drawing, once the judge has accepted it."""
         table, sheet = load.machine(machine), load.board(board)
+        choices = None
+        if not (corner is None and k is None and interference is None and not corner_at):
+            choices = Corners(
+                type=(corner or CornerType.AUTO).value,
+                k=0.5 if k is None else k,
+                interference=(interference or Interference.TRIM).value,
+                at=tuple(choice(text) for text in corner_at or []),
+            )
+            pipeline.check_corners(choices, table)
         with progress(file.name) as told:
             drawn = load_drawing(file, unit, profile, layer)
             asked = drawn.questions(table)
@@ -116,7 +224,13 @@ def register(app: typer.Typer) -> None:
                 ask(asked)
                 raise typer.Exit(QUESTIONS)
             result = pipeline.compiled(
-                drawn.drawing, drawn.dieline, table, sheet, dialect=dialect, progress=told
+                drawn.drawing,
+                drawn.dieline,
+                table,
+                sheet,
+                corners=choices,
+                dialect=dialect,
+                progress=told,
             )
         text = result.program.text
         if report is not None:
@@ -126,16 +240,30 @@ def register(app: typer.Typer) -> None:
                 "board": sheet.name,
                 "profile": profile,
                 "placement": list(result.placement),
+                "corners": None if choices is None else _plain(choices),
+                "seconds": result.seconds,
+                "seconds_retracted": result.seconds_retracted,
                 "program": {
                     "dialect": result.program.dialect,
                     "lines": len(result.program),
                     "sha256": hashlib.sha256(text).hexdigest(),
                 },
                 "verdict": judged(result.verdict, drawn.drawing),
+                "samples": {
+                    name: np.round(getattr(result.verdict.samples, name), 6).tolist()
+                    for name in ("edge", "place", "deviation")
+                },
                 "ledger": ledger(drawn.drawing),
             }
             write_bytes(report, dumped(data))
         tell(result.verdict)
+        full = result.seconds_retracted
+        if full > result.seconds:
+            stderr.print(
+                f"  {result.seconds:.1f} s on the machine, {1.0 - result.seconds / full:.0%} less "
+                f"than the {full:.1f} s with full retracts",
+                markup=False,
+            )
         if not result.verdict.accepted:
             raise typer.Exit(REFUSED)
         write_bytes(output, text)

@@ -21,6 +21,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, U8
 from knifetip.geometry.path import Paths
 from knifetip.geometry.transition import Corner
+from knifetip.model.corners import AS_OTHERS, TYPES
 from knifetip.model.operation import Operation
 from knifetip.model.tool import Cutter
 
@@ -28,6 +29,7 @@ from knifetip.model.tool import Cutter
 _SQUARE: Final = np.pi / 2.0
 #: A knob below this would be a B type in all but name.
 _LEAST: Final = 0.05
+_AUTO: Final = TYPES.index("auto")
 #: A corner that turns less than this is none (radians).
 _STRAIGHT: Final = 1e-9
 
@@ -174,13 +176,18 @@ def corners(operation: Operation) -> tuple[U8, F64]:
             "Give a k from 0 (as B) to 1 (as C).",
             [str(operation.source[bad])],
         )
-    if operation.corner in Corner.__members__:
-        return np.full(count, Corner[operation.corner], np.uint8), k
-    if operation.corner != "auto":
+    if operation.corner not in TYPES:
         raise CompensationError(
             f"There is no corner type {operation.corner!r}.", "There are B, C, D and auto."
         )
+    kind = np.where(
+        operation.corner_at == AS_OTHERS, TYPES.index(operation.corner), operation.corner_at
+    ).astype(np.uint8)
+    auto = kind == _AUTO
+    if not auto.any():
+        return kind, k
     feed, acceleration = operation.feed / 60.0, operation.acceleration
+    asked = k
     spare = feed**2 / (acceleration * cutter.radius)
     if 1.0 - spare > _LEAST:
         k = np.where(np.isnan(operation.k_at), np.minimum(k, 1.0 - spare), operation.k_at)
@@ -192,4 +199,4 @@ def corners(operation: Operation) -> tuple[U8, F64]:
         burns = touch(turn[rows], cutter.radius, feed, acceleration) > cutter.dwell
         took[burns, Corner.B] = np.inf
     chosen[rows] = np.argmin(took, axis=1).astype(np.uint8)
-    return chosen, k
+    return np.where(auto, chosen, kind), np.where(auto, k, asked)

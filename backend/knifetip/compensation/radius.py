@@ -27,8 +27,8 @@ from knifetip.geometry.azimuth import left, unit
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.grid import touching
 from knifetip.geometry.offset import equidistant
-from knifetip.geometry.path import Paths, begun_in_middle, reversed_where
-from knifetip.geometry.tolerance import POINT
+from knifetip.geometry.path import Paths, begun_in_middle, interrupted, reversed_where
+from knifetip.geometry.tolerance import JOIN, POINT
 from knifetip.model.operation import Operation
 from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion, Toolpath
@@ -154,8 +154,8 @@ def radius(operation: Operation) -> Toolpath:
             f"{cutter.radius:g} mm.",
             "Give the cutter a lead longer than its radius.",
         )
-    way = centres(operation)
-    paths, rows, motion = _with_leads(operation, cutter, way)
+    way, held = _bridged(operation, cutter, centres(operation))
+    paths, rows, motion = _with_leads(operation, cutter, way, held)
     loose = paths.end[paths.first[1:] - 1] - paths.start[paths.first[:-1]]
     again = np.hypot(*loose.T) < POINT
     back, mirror = reversed_where(paths, ~again & (operation.side == 0))
@@ -192,8 +192,58 @@ def radius(operation: Operation) -> Toolpath:
     ).laid(operation)
 
 
-def _with_leads(operation: Operation, cutter: Cutter, way: Centres) -> tuple[Paths, I32, U8]:
-    """Return the centre's paths with their ways in and out, segments, and what each is for."""
+def _bridged(operation: Operation, cutter: Cutter, way: Centres) -> tuple[Centres, Bool]:
+    """Return the ways of the centre with gaps for the bridges, and which of them are held by some.
+
+    The gap is a bridge wide and 2r more, so that between the two discs the bridge is left.
+    """
+    if len(operation.bridges) == 0:
+        return way, np.zeros(len(way.paths), np.bool_)
+    paths, line = way.paths, operation.paths
+    segment, at = operation.bridges[:, 0].astype(np.int32), operation.bridges[:, 1]
+    whole = line.start[segment], line.end[segment], line.bulge[segment]
+    place = arc.point_at(*whole, at / arc.length(*whole))
+    # Every piece of the centre's way beside the same segment; the nearest is the bridge's own.
+    order = np.argsort(way.segment, kind="stable")
+    low = np.searchsorted(way.segment[order], segment)
+    many = np.searchsorted(way.segment[order], segment, side="right") - low
+    bridge = np.repeat(np.arange(len(segment)), many)
+    step = np.arange(len(bridge)) - np.repeat(np.cumsum(many) - many, many)
+    row = order[low[bridge] + step]
+    piece = paths.start[row], paths.end[row], paths.bulge[row]
+    share = arc.nearest(*piece, place[bridge])
+    away = np.hypot(*(arc.point_at(*piece, share) - place[bridge]).T)
+    ranked = np.lexsort((away, bridge))
+    ranked = ranked[np.append(True, np.diff(bridge[ranked]) > 0)[: len(ranked)]]
+    ranked = ranked[away[ranked] <= cutter.radius + JOIN]
+    lost = np.setdiff1d(np.arange(len(segment)), bridge[ranked])
+    if len(lost):
+        edge = operation.source[segment[lost[0]]]
+        raise CompensationError(
+            f"The cutter does not come to the contour at edge {edge} where a bridge is due, "
+            f"{at[lost[0]]:.1f} mm along it.",
+            "Take a thinner cutter, another spacing of bridges, or a board without them.",
+            [str(operation.source[segment[bad]]) for bad in lost[:10]],
+        )
+    size = arc.length(paths.start, paths.end, paths.bulge)
+    begin = np.cumsum(size) - size
+    path = paths.path_of[row[ranked]]
+    along = begin[row[ranked]] + share[ranked] * size[row[ranked]]
+    along -= begin[paths.first[:-1][path]]
+    ordered = np.lexsort((along, path))
+    gap = operation.bridge_width + 2.0 * cutter.radius
+    pieces, owner, rows = interrupted(paths, path[ordered], along[ordered], gap)
+    held = np.bincount(path, minlength=len(paths))[owner] > 0
+    return Centres(pieces, way.segment[rows], way.unreached), held
+
+
+def _with_leads(
+    operation: Operation, cutter: Cutter, way: Centres, held: Bool
+) -> tuple[Paths, I32, U8]:
+    """Return the centre's paths with their ways in and out, segments, and what each is for.
+
+    At a bridge the tool goes down and comes up on its way: a way in would cut the bridge thinner.
+    """
     paths = way.paths
     fed = np.full(len(paths.bulge), Motion.FEED, np.uint8)
     if operation.side == 0:
@@ -218,7 +268,8 @@ def _with_leads(operation: Operation, cutter: Cutter, way: Centres) -> tuple[Pat
     start, end, bulge, rows, owner, motion = (
         np.concatenate(columns) for columns in zip(*parts, strict=True)
     )
-    some: Bool = (motion == Motion.FEED) | (np.hypot(*(end - start).T) > POINT)
+    leads = ~held[owner] & (np.hypot(*(end - start).T) > POINT)
+    some: Bool = (motion == Motion.FEED) | leads
     kept = np.flatnonzero(some)
     order = kept[np.argsort(owner[kept], kind="stable")]
     size = np.bincount(owner[order], minlength=len(paths))

@@ -72,6 +72,28 @@ def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
     return result
 
 
+def tangent_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
+    """Return the direction of travel at a fraction of the length, (n, 2), as long as the chord."""
+    return _turned(end - start, sweep(bulge) * (fraction - 0.5))
+
+
+def nearest(start: F64, end: F64, bulge: F64, point: F64) -> F64:
+    """Return which fraction of each segment's length is nearest to a point (n, 2) mm, (n,)."""
+    chord = end - start
+    along: F64 = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)
+    straight = np.abs(bulge) < BULGE
+    if not straight.all():
+        middle, theta = centre(start, end, bulge), sweep(bulge)
+        spoke, first = point - middle, start - middle
+        turned = np.arctan2(
+            first[:, 0] * spoke[:, 1] - first[:, 1] * spoke[:, 0], (first * spoke).sum(axis=1)
+        )
+        # Measured from the arc's middle, so that a point beside either end is nearest to that end.
+        turned = (turned - theta / 2.0 + np.pi) % (2.0 * np.pi) - np.pi
+        along = np.where(straight, along, 0.5 + turned / np.where(straight, 1.0, theta))
+    return np.clip(along, 0.0, 1.0)
+
+
 def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
     """Return points at equal distances along each segment, both ends among them, (n, count, 2)."""
     share = np.tile(np.linspace(0.0, 1.0, count), len(bulge))

@@ -16,7 +16,7 @@ from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit
-from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN
 
@@ -59,7 +59,9 @@ def nodes(points: F64, gap: float = JOIN) -> I32:
     return np.unique(labels, return_inverse=True)[1].astype(np.int32)
 
 
-def chain(ends: F64, bulge: F64, kink: float = 180.0, gap: float = JOIN) -> Chains:
+def chain(
+    ends: F64, bulge: F64, kink: float = 180.0, gap: float = JOIN, group: I64 | None = None
+) -> Chains:
     """Join edges into paths.
 
     Parameters
@@ -69,6 +71,8 @@ def chain(ends: F64, bulge: F64, kink: float = 180.0, gap: float = JOIN) -> Chai
         Edges that meet in a sharper corner are not joined: 180 joins all, ``ANGLE`` the smooth.
     gap : mm
         Ends nearer than this are joined.
+    group : (n,)
+        Edges of different groups are not joined, wherever they meet; None for one group.
 
     Returns
     -------
@@ -84,6 +88,9 @@ def chain(ends: F64, bulge: F64, kink: float = 180.0, gap: float = JOIN) -> Chai
     if count == 0:
         return Chains(np.zeros(0, np.int32), np.zeros(0, np.bool_), np.zeros(1, np.int32))
     node = nodes(ends.reshape(-1, 2), gap)
+    if group is not None:
+        own = np.column_stack([node, np.repeat(group, 2)])
+        node = np.unique(own, axis=0, return_inverse=True)[1].astype(np.int32).ravel()
     by_node = np.argsort(node, kind="stable")
     bounds = np.searchsorted(node[by_node], np.arange(node.max() + 2))
     link = _linked(

@@ -109,6 +109,48 @@ def taken(paths: Paths, which: I32) -> tuple[Paths, I32]:
     )
 
 
+def interrupted(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths, I32, I32]:
+    """Return the paths, closed ones with gaps: each is then as many open ones as it has gaps.
+
+    Parameters
+    ----------
+    path, middle : (k,) and (k,) mm
+        Which paths have a gap, and where its middle is from their start; by path, ascending.
+    gap : mm
+
+    Returns
+    -------
+    Paths, and for each the old path (q,), and for each segment the old one (m,)
+    """
+    many = np.bincount(path, minlength=len(paths))
+    owner = np.repeat(np.arange(len(paths), dtype=np.int32), np.maximum(many, 1))
+    gapped = many[owner] > 0
+    length = paths.lengths
+    begin, end = np.zeros(len(owner)), length[owner]
+    first = np.append(True, path[1:] != path[:-1])[: len(path)]
+    following = np.append(middle[1:], 0.0)[: len(path)]
+    # The last piece goes on over the path's start.
+    last = np.flatnonzero(np.roll(first, -1))
+    following[last] = middle[first] + length[path[last]]
+    begin[gapped], end[gapped] = middle + gap / 2.0, following - gap / 2.0
+    twice, rows = _twice_round(paths, many > 0)
+    repeated, again = taken(twice, owner)
+    pieces, order = trimmed(repeated, begin, np.maximum(repeated.lengths - end, 0.0))
+    return pieces, owner, rows[again[order]]
+
+
+def _twice_round(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+    """Return the paths, those among ``which`` followed twice, and the segment of each new one."""
+    count = np.diff(paths.first)
+    times = np.where(which, 2, 1)
+    first = np.concatenate([[0], np.cumsum(count * times)])
+    owner = np.repeat(np.arange(len(paths)), count * times)
+    rows = paths.first[owner] + (np.arange(first[-1]) - first[owner]) % count[owner]
+    return Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], first), rows.astype(
+        np.int32
+    )
+
+
 def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
     """Return the point at a distance along each path, (p, 2), its azimuth and its segment, (p,).
 

@@ -28,6 +28,7 @@ class Drawings(Moves):
         summary: dict[str, Any],
         edges: bytes,
         ledger: bytes,
+        rules: str = "",
         key: str | None = None,
         fingerprint: str = "",
     ) -> Drawing:
@@ -45,6 +46,7 @@ class Drawings(Moves):
             sha256=sha256,
             unit_given=unit_given,
             profile=profile,
+            rules=rules,
             version=1,
             summary=summary,
             key=key,

@@ -112,8 +112,8 @@ def stale(id: str, state: str, current: int, epoch: int) -> StaleEpoch:
     )
 
 
-def rows(session: Session, statement: sa.Update) -> int:
-    """Return how many rows an update changed."""
+def rows(session: Session, statement: sa.Update | sa.Delete) -> int:
+    """Return how many rows a statement changed."""
     return cast("sa.CursorResult[Any]", session.execute(statement)).rowcount
 
 

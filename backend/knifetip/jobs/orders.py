@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
@@ -27,6 +28,8 @@ class Orders(Moves):
         copies: int = 1,
         priority: int = 0,
         release: bool = False,
+        corners: dict[str, Any] | None = None,
+        rules: str = "",
         key: str | None = None,
         fingerprint: str = "",
     ) -> Job:
@@ -46,6 +49,7 @@ class Orders(Moves):
             machine=machine,
             board=board,
             profile=profile,
+            rules=rules,
             unit_given=drawing.unit_given,
             copies=copies,
             priority=priority,
@@ -75,6 +79,7 @@ class Orders(Moves):
             judged=None,
             key=key,
             fingerprint=fingerprint,
+            corners=corners,
             overrides=overrides,
             program=None,
             toolpath=None,

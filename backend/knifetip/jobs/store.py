@@ -1,4 +1,4 @@
-"""store: the database of drawings, jobs, events and gateways, in SQLite or PostgreSQL.
+"""store: the database of drawings, profiles, jobs and their events, in SQLite or PostgreSQL.
 
 "sqlite:///knifetip.sqlite" -> Store
 
@@ -13,10 +13,11 @@ from knifetip.jobs.compiles import ATTEMPTS, Compiles, Result
 from knifetip.jobs.database import dialect_url
 from knifetip.jobs.drawings import Drawings
 from knifetip.jobs.moves import LEASE
+from knifetip.jobs.profiles import Profiles
 from knifetip.jobs.tableside import Tableside
 
 __all__ = ["ATTEMPTS", "LEASE", "Result", "Store", "dialect_url"]
 
 
-class Store(Drawings, Compiles, Tableside):
+class Store(Drawings, Profiles, Compiles, Tableside):
     """The database; safe to use from many threads and from many processes."""

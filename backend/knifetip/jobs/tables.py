@@ -1,7 +1,7 @@
 """tables: the rows that the store keeps, in SQLite or PostgreSQL.
 
-Drawing ← Job, each with its Events; and the Gateways that ask for work.  What is large is deferred:
-it is read only where it is asked for by name.
+Drawing ← Job, each with its Events; the customers' Profiles; and the Gateways that ask for work.
+What is large is deferred: it is read only where it is asked for by name.
 """
 
 from __future__ import annotations
@@ -18,6 +18,19 @@ class Base(DeclarativeBase):
     """All tables of knifetip; those of DBOS stand beside them."""
 
 
+class Profile(Base):
+    """A classification profile that a customer keeps, beside those that are shipped."""
+
+    __tablename__ = "profile"
+
+    name: Mapped[str] = mapped_column(sa.String(64), primary_key=True)
+    title: Mapped[str] = mapped_column(sa.String(200))
+    text: Mapped[str] = mapped_column(sa.Text)  #: TOML, as it came or as the page wrote it
+    version: Mapped[int]  #: counts the changes, so that none is lost between two users
+    created: Mapped[float] = mapped_column(sa.Double)
+    updated: Mapped[float] = mapped_column(sa.Double)
+
+
 class Drawing(Base):
     """A file that was read and classified."""
 
@@ -31,6 +44,8 @@ class Drawing(Base):
     unit_given: Mapped[str] = mapped_column(sa.String(2))  #: by the user; empty: the file's own
     profile: Mapped[str] = mapped_column(sa.String(200))
     version: Mapped[int]  #: counts the changes, so that none is lost between two users
+    #: TOML of the profile as it was when it classified this; empty where that is shipped
+    rules: Mapped[str] = mapped_column(sa.Text, default="")
     #: what the page shows: unit, evidence, bounds, counts, layers, questions
     summary: Mapped[dict[str, Any]] = mapped_column(sa.JSON)
     key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)  #: Idempotency-Key
@@ -64,6 +79,8 @@ class Job(Base):
     machine: Mapped[str] = mapped_column(sa.String(200))
     board: Mapped[str] = mapped_column(sa.String(200))
     profile: Mapped[str] = mapped_column(sa.String(200))
+    #: TOML of the profile as it was when this was ordered; empty where that is shipped
+    rules: Mapped[str] = mapped_column(sa.Text, default="")
     unit_given: Mapped[str] = mapped_column(sa.String(2))
     copies: Mapped[int]
     priority: Mapped[int]
@@ -93,6 +110,8 @@ class Job(Base):
     judged: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)
     fingerprint: Mapped[str] = mapped_column(sa.String(64))
+    #: how a cutter goes round corners; None leaves it to the machine
+    corners: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
     toolpath: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)

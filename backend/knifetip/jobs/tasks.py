@@ -22,16 +22,31 @@ from knifetip.geometry.columns import F64, U8
 from knifetip.jobs.columns import packed
 from knifetip.jobs.crew import Progress
 from knifetip.jobs.store import Result
-from knifetip.library import load
+from knifetip.library import load, own
+from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.machine import Machine
+from knifetip.model.profile import LineRules
 from knifetip.model.question import Question
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
 
 NONE = 255  #: no override
+#: Columns of a verdict with a row to every edge.
+EDGE_COLUMNS = (
+    "deviation",
+    "overcut",
+    "uncut",
+    "setback",
+    "width",
+    "web",
+    "flank",
+    "unreached",
+    "bottom_uncut",
+    "top_overcut",
+)
 _FAR = 1e9  # stands for a measure that is infinite or not a number, which JSON cannot say
 
 
@@ -55,14 +70,25 @@ class Carried:
 
 # The same drawing is read again for each override and each order: keep the last few.
 @lru_cache(maxsize=4)
-def _drawing(content: bytes, unit: str) -> Drawing:
+def drawing_of(content: bytes, unit: str) -> Drawing:
+    """Return the drawing in a file; ``unit`` as the user gave it, empty for the file's own."""
     from knifetip import pipeline
 
     return pipeline.read_drawing(content, unit or None)
 
 
+def rules_of(profile: str, rules: str) -> LineRules:
+    """Return a profile: of the library, or, where there is a text, a customer's own."""
+    return own.parsed(profile, rules) if rules else load.profile(profile, files=False)
+
+
 def read(
-    progress: Progress, content: bytes, unit: str, profile: str, carried: Carried | None = None
+    progress: Progress,
+    content: bytes,
+    unit: str,
+    profile: str,
+    carried: Carried | None = None,
+    rules: str = "",
 ) -> Reading:
     """Return what the page shows of a drawing.
 
@@ -73,17 +99,19 @@ def read(
     carried
         Overrides to keep: row by row where the reading has the same rows, and else by handle
         where all rows of the handle agreed.
+    rules
+        TOML of the profile, where it is a customer's own.
     """
     from knifetip import pipeline
 
     progress("read", 0.0)
-    drawing = _drawing(content, unit)
+    drawing = drawing_of(content, unit)
     handles = [_said(handle) for handle in drawing.handles]
     overrides = np.full(len(drawing), NONE, np.uint8)
     if carried is not None:
         overrides = _carry(carried, handles)
     progress("classify", 0.6)
-    dieline = pipeline.dieline(drawing, load.profile(profile), overrides)
+    dieline = pipeline.dieline(drawing, rules_of(profile, rules), overrides)
     questions = pipeline.questions(drawing, dieline)
     progress("keep", 0.9)
     layers = [_said(layer) for layer in drawing.layers]
@@ -180,14 +208,31 @@ def _layers(drawing: Drawing, dieline: Dieline, layers: Sequence[str]) -> list[d
 
 
 def ask(
-    progress: Progress, content: bytes, unit: str, profile: str, overrides: bytes, machine: str
+    progress: Progress,
+    content: bytes,
+    unit: str,
+    profile: str,
+    overrides: bytes,
+    machine: str,
+    corners: dict[str, Any] | None = None,
+    rules: str = "",
 ) -> list[dict[str, Any]]:
-    """Return what must be decided before the drawing can be made on this machine."""
+    """Return what must be decided before the drawing can be made on this machine.
+
+    Raises
+    ------
+    PlanError
+        Types of corners were chosen for a machine that does not mill.
+    """
     from knifetip import pipeline
 
     progress("read", 0.0)
-    drawing = _drawing(content, unit)
-    dieline = pipeline.dieline(drawing, load.profile(profile), np.frombuffer(overrides, np.uint8))
+    if corners is not None:
+        pipeline.check_corners(corners_of(corners), load.machine(machine))
+    drawing = drawing_of(content, unit)
+    dieline = pipeline.dieline(
+        drawing, rules_of(profile, rules), np.frombuffer(overrides, np.uint8)
+    )
     questions = pipeline.questions(drawing, dieline, load.machine(machine))
     return [_question(question) for question in questions]
 
@@ -201,8 +246,15 @@ def compile(
     machine: str,
     board: str,
     notes: Sequence[str],
+    corners: dict[str, Any] | None = None,
+    rules: str = "",
 ) -> Result:
     """Return the program of a drawing on a board and a machine, with its verdict.
+
+    Parameters
+    ----------
+    corners
+        How a cutter goes round corners, as the store keeps it; None leaves it to the machine.
 
     Raises
     ------
@@ -212,16 +264,24 @@ def compile(
     from knifetip import pipeline
 
     progress("read", 0.0)
-    drawing = _drawing(content, unit)
+    drawing = drawing_of(content, unit)
     if not drawing.unit:
         raise UnitUnknown(
             f"The drawing does not say its unit ({drawing.evidence}).",
             "Set it with PATCH /api/drawings/{id}, or on the page.",
         )
-    dieline = pipeline.dieline(drawing, load.profile(profile), np.frombuffer(overrides, np.uint8))
+    dieline = pipeline.dieline(
+        drawing, rules_of(profile, rules), np.frombuffer(overrides, np.uint8)
+    )
     table = load.machine(machine)
     made = pipeline.compiled(
-        drawing, dieline, table, load.board(board), notes=notes, progress=progress
+        drawing,
+        dieline,
+        table,
+        load.board(board),
+        corners=None if corners is None else corners_of(corners),
+        notes=notes,
+        progress=progress,
     )
     verdict = made.verdict
     handles = [_said(handle) for handle in drawing.handles]
@@ -242,7 +302,10 @@ def compile(
         "deviation": _greatest(verdict.deviation),
         "overcut": _greatest(verdict.overcut),
         "uncut": _greatest(verdict.uncut),
+        "unreached": float(verdict.areas.area.sum()),
+        "unreached_places": len(verdict.areas),
         "seconds": _finite(made.seconds),
+        "seconds_retracted": _finite(made.seconds_retracted),
     }
     text = made.program.text
     reason = ""
@@ -259,15 +322,29 @@ def compile(
         toolpath=_toolpath(made, table),
         verdict=packed(
             {
-                "deviation": _clipped(verdict.deviation),
-                "overcut": _clipped(verdict.overcut),
-                "uncut": _clipped(verdict.uncut),
-                "setback": _clipped(verdict.setback),
+                **{name: _clipped(getattr(verdict, name)) for name in EDGE_COLUMNS},
+                "sample_edge": verdict.samples.edge,
+                "sample_place": verdict.samples.place,
+                "sample_deviation": _clipped(verdict.samples.deviation),
+                "area_ends": verdict.areas.ends,
+                "area_bulge": verdict.areas.bulge,
+                "area_first": verdict.areas.first,
+                "area_size": verdict.areas.area,
             },
             {"findings": findings, **judged},
         ),
         judged=judged,
         source=sorted({str(finding["handle"]) for finding in findings if finding["handle"]})[:200],
+    )
+
+
+def corners_of(plain: dict[str, Any]) -> Corners:
+    """Return the choices for corners that an order holds as plain data."""
+    return Corners(
+        plain["type"],
+        plain["k"],
+        plain["interference"],
+        tuple(CornerAt(one["x"], one["y"], one["type"], one["k"]) for one in plain["at"]),
     )
 
 

@@ -148,6 +148,8 @@ class Workshop:
                 job.machine,
                 job.board,
                 (f"knifetip {_version()}", f"drawing {drawing.sha256[:40]}"),
+                job.corners,
+                job.rules,
                 limit=self.limit,
                 watch=watch,
             )

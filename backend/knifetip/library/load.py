@@ -5,7 +5,9 @@
 
 from __future__ import annotations
 
+import json
 import math
+import re
 import tomllib
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -42,73 +44,147 @@ def kind_of(tool: Tool) -> str:
 
 def names(shelf: str) -> list[str]:
     """Return the names on a shelf: ``machines``, ``boards`` or ``profiles``."""
-    folder = resources.files(__package__) / shelf
-    return sorted(
-        entry.name.removesuffix(".toml")
-        for entry in folder.iterdir()
-        if entry.name.endswith(".toml")
-    )
+    return list(_names(shelf))
 
 
 @cache
-def machine(name: str) -> Machine:
-    """Return a machine of the library, or of a TOML file.
+def _names(shelf: str) -> tuple[str, ...]:
+    folder = resources.files(__package__) / shelf
+    found = (entry.name for entry in folder.iterdir())
+    return tuple(sorted(name.removesuffix(".toml") for name in found if name.endswith(".toml")))
+
+
+def machine(name: str, files: bool = True) -> Machine:
+    """Return a machine of the library, or of a TOML file; see ``profile`` for ``files``.
 
     Raises
     ------
     LibraryError
         There is no such machine, or its file is wrong.
     """
-    return _made("machines", "machine", name, parse_machine)
+    return (
+        _machine(name)
+        if name in names("machines")
+        else _own("machines", name, files, parse_machine)
+    )
 
 
-@cache
-def board(name: str) -> Board:
-    """Return a board of the library, or of a TOML file.
+def board(name: str, files: bool = True) -> Board:
+    """Return a board of the library, or of a TOML file; see ``profile`` for ``files``.
 
     Raises
     ------
     LibraryError
         There is no such board, or its file is wrong.
     """
-    return _made("boards", "board", name, parse_board)
+    return _board(name) if name in names("boards") else _own("boards", name, files, parse_board)
 
 
-@cache
-def profile(name: str) -> LineRules:
+def profile(name: str, files: bool = True) -> LineRules:
     """Return a classification profile of the library, or of a TOML file.
+
+    What is shipped is read once.  A file of the user's own is read each time: it may be edited.
+
+    Parameters
+    ----------
+    files
+        Whether ``name`` may be the path of a TOML file; never say so for a name that comes from
+        another machine.
 
     Raises
     ------
     LibraryError, ProfileError
         There is no such profile, or its file is wrong.
     """
-    return _made("profiles", "profile", name, parse_profile)
+    if name in names("profiles"):
+        return _profile(name)
+    return _own("profiles", name, files, parse_profile)
+
+
+@cache
+def _machine(name: str) -> Machine:
+    return _made("machines", _shipped("machines", name), name, parse_machine)
+
+
+@cache
+def _board(name: str) -> Board:
+    return _made("boards", _shipped("boards", name), name, parse_board)
+
+
+@cache
+def _profile(name: str) -> LineRules:
+    return _made("profiles", _shipped("profiles", name), name, parse_profile)
+
+
+def _shipped(shelf: str, name: str) -> Traversable:
+    return resources.files(__package__) / shelf / f"{name}.toml"
+
+
+def _own(
+    shelf: str, name: str, files: bool, parse: Callable[[str, Mapping[str, Any]], Made]
+) -> Made:
+    """Return what a file of the user's own says."""
+    if files and name.endswith(".toml"):
+        return _made(shelf, Path(name), name, parse)
+    raise LibraryError(
+        f"There is no {shelf.removesuffix('s')} {name[:200]!r}.",
+        f"There are {', '.join(names(shelf))}.",
+    )
 
 
 def _made(
-    shelf: str, word: str, name: str, parse: Callable[[str, Mapping[str, Any]], Made]
+    shelf: str,
+    file: Path | Traversable,
+    name: str,
+    parse: Callable[[str, Mapping[str, Any]], Made],
 ) -> Made:
-    known = names(shelf)
-    file: Path | Traversable
-    if name in known:
-        file = resources.files(__package__) / shelf / f"{name}.toml"
-    elif name.endswith(".toml"):
-        file = Path(name)
-    else:
-        raise LibraryError(f"There is no {word} {name!r}.", f"There are {', '.join(known)}.")
+    word = shelf.removesuffix("s")
     failure = ProfileError if shelf == "profiles" else LibraryError
     try:
         return parse(file.name.removesuffix(".toml"), tomllib.loads(file.read_text("utf-8")))
     except OSError as reason:
         raise LibraryError(
-            f"There is no {word} {name!r}: {reason.strerror}.", f"There are {', '.join(known)}."
+            f"There is no {word} {name!r}: {reason.strerror}.",
+            f"There are {', '.join(names(shelf))}.",
         ) from reason
     except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as reason:
         detail = f"{reason.args[0]!r} is missing" if isinstance(reason, KeyError) else str(reason)
         raise failure(
             f"The {word} {name!r} cannot be read: {detail}.", "Mend its TOML."
         ) from reason
+
+
+def cutter_of(machine: Machine, tool: str) -> Station:
+    """Return the station of a machine's cutter, by its name.
+
+    Raises
+    ------
+    LibraryError
+        The machine has no such station, or it holds another kind of tool.
+    """
+    cutters = [station for station in machine.stations if isinstance(station.tool, Cutter)]
+    for station in cutters:
+        if station.name == tool:
+            return station
+    known = ", ".join(station.name for station in cutters)
+    raise LibraryError(
+        f"{machine.title} has no cutter {tool[:80]!r}.",
+        f"It has {known}." if known else "Only a cutter, of a router or a beam, gives way.",
+    )
+
+
+def text_of_board(name: str) -> str:
+    """Return the TOML of a board of the library, or of a file.
+
+    Raises
+    ------
+    LibraryError
+        There is no such board, or its file is wrong.
+    """
+    board(name)
+    if name in names("boards"):
+        return (resources.files(__package__) / "boards" / f"{name}.toml").read_text("utf-8")
+    return Path(name).read_text("utf-8")
 
 
 def _number(value: Any, name: str) -> float:
@@ -259,33 +335,62 @@ def parse_profile(name: str, fields: Mapping[str, Any]) -> LineRules:
     """Return the profile of a TOML document: a title and a list of ``[[rule]]``.
 
     With ``extends`` the rules of that profile of the library come first: a layer's name says more
-    than the colour that most of these profiles add.
+    than the colour that most of these profiles add.  With ``overrules = true`` they come last:
+    so do profiles that somebody's corrections made.
+
+    A colour is an index, ``5``, or a true colour, ``"#00aeef"``.
     """
+    unknown = set(fields) - {"title", "extends", "overrules", "rule"}
+    if unknown:
+        raise ValueError(f"{', '.join(sorted(map(repr, unknown)))} means nothing in a profile")
     base = fields.get("extends")
     if base is not None and base not in names("profiles"):
         raise ValueError(f"it extends {base!r}, which is no profile of the library")
-    rules = list(profile(base).rules) if base is not None else []
-    for number, row in enumerate(fields["rule"], 1):
-        unknown = set(row) - {"type", "layer", "colour", "linetype", "entity"}
-        if unknown:
-            raise ValueError(
-                f"rule {number} has {', '.join(sorted(unknown))}, which is no condition"
-            )
-        if "type" not in row:
-            raise ValueError(f"rule {number} has no type")
-        colours = _listed(row.get("colour", []), int, f"rule {number}: colour")
-        if not all(0 < colour < 256 for colour in colours):
-            raise ValueError(f"rule {number}: colours {list(colours)} must lie in 1 … 255")
-        rules.append(
-            LineRule(
-                line_type=LineType.of(row["type"]),
-                layer=_listed(row.get("layer", []), str, f"rule {number}: layer"),
-                colour=colours,
-                linetype=_listed(row.get("linetype", []), str, f"rule {number}: linetype"),
-                entity=_listed(row.get("entity", []), str, f"rule {number}: entity"),
-            )
-        )
-    return LineRules(name, str(fields["title"]), tuple(rules))
+    inherited = profile(base, files=False).rules if base is not None else ()
+    own = tuple(_rule(number, row) for number, row in enumerate(fields["rule"], 1))
+    overrules = fields.get("overrules", False)
+    if not isinstance(overrules, bool):
+        raise ValueError(f"overrules is {overrules!r}: it is true or false")  # noqa: TRY004
+    return LineRules(name, str(fields["title"]), own + inherited if overrules else inherited + own)
+
+
+_CONDITIONS = ("layer", "colour", "linetype", "entity", "block")
+
+
+def _rule(number: int, row: Mapping[str, Any]) -> LineRule:
+    unknown = set(row) - {"type", *_CONDITIONS}
+    if unknown:
+        raise ValueError(f"rule {number} has {', '.join(sorted(unknown))}, which is no condition")
+    if "type" not in row:
+        raise ValueError(f"rule {number} has no type")
+    given = row.get("colour", [])
+    listed = given if isinstance(given, list) else [given]
+    true_colours = tuple(_true_colour(number, it) for it in listed if isinstance(it, str))
+    numbers = [it for it in listed if not isinstance(it, str)] if true_colours else given
+    indices = _listed(numbers, int, f"rule {number}: colour")
+    if not all(0 < colour < 256 for colour in indices):
+        raise ValueError(f"rule {number}: colours {list(indices)} must lie in 1 … 255")
+    texts = {
+        key: _listed(row.get(key, []), str, f"rule {number}: {key}")
+        for key in _CONDITIONS
+        if key != "colour"
+    }
+    try:
+        kind = LineType.of(str(row["type"]))
+    except ValueError as reason:
+        raise ValueError(f"rule {number}: type {reason}") from reason
+    return LineRule(
+        line_type=kind,
+        colour=indices,
+        true_colour=true_colours,
+        **texts,
+    )
+
+
+def _true_colour(number: int, text: str) -> int:
+    if not re.fullmatch("#[0-9a-fA-F]{6}", text):
+        raise ValueError(f'rule {number}: colour is {text!r}, not a whole number or "#rrggbb"')
+    return int(text[1:], 16)
 
 
 def _listed(value: Any, kind: type[Made], name: str) -> tuple[Made, ...]:
@@ -295,3 +400,58 @@ def _listed(value: Any, kind: type[Made], name: str) -> tuple[Made, ...]:
         word = {int: "a whole number", str: "text"}[kind]
         raise ValueError(f"{name} is {value!r}, not {word}")
     return tuple(values)
+
+
+def profile_toml(rules: LineRules, extends: str | None = None) -> str:
+    """Return a profile as TOML, which ``parse_profile`` reads back as the same rules.
+
+    Parameters
+    ----------
+    extends
+        A profile of the library that these rules begin or end with, so that only the others are
+        written; None writes all of them.
+
+    Raises
+    ------
+    LibraryError
+        There is no such profile on the shelf.
+    ProfileError
+        The rules neither begin nor end with those that they are said to extend.
+    """
+    own = rules.rules
+    lines = [f"title = {_quoted(rules.title)}"]
+    if extends is not None:
+        base = profile(extends, files=False).rules
+        rest = len(own) - len(base)
+        if rest >= 0 and own[rest:] == base:
+            own = own[:rest]
+            lines += [f"extends = {_quoted(extends)}", "overrules = true"]
+        elif own[: len(base)] == base:
+            own = own[len(base) :]
+            lines.append(f"extends = {_quoted(extends)}")
+        else:
+            raise ProfileError(
+                f"The rules of {rules.name!r} are not those of {extends!r} and some more.",
+                "Write it out without extends.",
+            )
+    if not own:
+        lines.append("rule = []")
+    for rule in own:
+        lines += ["", "[[rule]]", f"type = {_quoted(rule.line_type.word)}"]
+        colours = [str(colour) for colour in rule.colour]
+        colours += [f'"#{colour:06x}"' for colour in rule.true_colour]
+        values = {
+            "layer": [_quoted(name) for name in rule.layer],
+            "colour": colours,
+            "linetype": [_quoted(name) for name in rule.linetype],
+            "entity": [_quoted(name) for name in rule.entity],
+            "block": [_quoted(name) for name in rule.block],
+        }
+        lines += [f"{key} = [{', '.join(those)}]" for key, those in values.items() if those]
+    return "\n".join(lines) + "\n"
+
+
+def _quoted(text: str) -> str:
+    # Half a surrogate pair cannot be written as UTF-8: ? stands for any one sign in a pattern.
+    clean = text.encode("utf-8", "replace").decode("utf-8")
+    return json.dumps(clean, ensure_ascii=False).replace("\x7f", "\\u007f")

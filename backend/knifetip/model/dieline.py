@@ -54,6 +54,8 @@ class Dieline:
     rule: I32  #: (n,) index into ``rules``
     confidence: F64  #: (n,) 0 … 1
     rules: tuple[str, ...]  #: what decided, in words: ``layer "FOLDS"``, ``override`` …
+    #: what else an edge that a rule decided could be, the likeliest first; as long as ``rules``
+    alternatives: tuple[tuple[LineType, ...], ...] = ()
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -64,6 +66,10 @@ class Dieline:
         put(self, "source", frozen(self.source, np.int32, rows))
         put(self, "rule", frozen(self.rule, np.int32, rows))
         put(self, "confidence", frozen(self.confidence, np.float64, rows))
+        spare = len(self.rules) - len(self.alternatives)
+        if spare < 0:
+            raise ValueError("more alternatives than rules")
+        put(self, "alternatives", self.alternatives + ((),) * spare)
 
     def __len__(self) -> int:
         return len(self.ends)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 
 import numpy as np
@@ -33,16 +33,41 @@ class Ledger:
     fate: U8  #: (m,) Fate
     reason: tuple[str, ...]  #: (m,) why it was kept, merged or dropped, in the user's words
     length: F64  #: (m,) length of its segments (mm; file units while the unit is unknown)
+    block: tuple[str, ...] = ()  #: (m,) the block that holds it, "" for none; or () where unknown
 
     def __post_init__(self) -> None:
         rows = len(self.handle)
         object.__setattr__(self, "fate", frozen(self.fate, np.uint8, rows))
         object.__setattr__(self, "length", frozen(self.length, np.float64, rows))
-        if not len(self.kind) == len(self.layer) == len(self.reason) == rows:
+        same = len(self.kind) == len(self.layer) == len(self.reason) == rows
+        if not same or len(self.block) not in (0, rows):
             raise ValueError("ledger columns differ in length")
 
     def __len__(self) -> int:
         return len(self.handle)
+
+
+@dataclass(frozen=True, slots=True)
+class Inscription:
+    """Words on the sheet: what the drawing says of itself.  They are never cut."""
+
+    text: str  #: without codes of fonts and colours; of a dimension what stands for its measure
+    x: float  #: where the words stand (mm; file units while the unit is unknown)
+    y: float
+    height: float  #: of the letters, 0 where the file is silent
+    measure: float  #: the length that a dimension measures; NaN of all else, and of angles
+    kind: str  #: TEXT, MTEXT, ATTRIB, DIMENSION …
+    layer: str
+
+    def scaled(self, divisor: float, factor: float) -> Inscription:
+        """Return the same words in another unit: every length divided, then multiplied."""
+        return replace(
+            self,
+            x=self.x / divisor * factor,
+            y=self.y / divisor * factor,
+            height=self.height / divisor * factor,
+            measure=self.measure / divisor * factor,
+        )
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -61,6 +86,8 @@ class Drawing:
     ledger: Ledger
     unit: str  #: "mm", "cm", "m", "in", "ft"; empty while nobody has said it
     evidence: str  #: how the unit is known: "$INSUNITS = 4", "given", or why it is not
+    stated: str = ""  #: the unit that the file's header states, whatever was decided
+    inscriptions: tuple[Inscription, ...] = ()  #: those of the sheet itself, in file order
 
     def __post_init__(self) -> None:
         put = object.__setattr__

@@ -10,6 +10,7 @@ import numpy as np
 
 from knifetip.geometry.columns import F64, I32, U8, frozen
 from knifetip.geometry.path import Paths
+from knifetip.model.corners import AS_OTHERS
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Tool
 
@@ -51,9 +52,14 @@ class Operation:
     k: float = 0.5  #: knob of the D type
     #: (n,) knob at the corner where each segment begins; NaN for ``k``; all NaN unless given
     k_at: F64 = field(default_factory=lambda: np.zeros(0))
+    #: (n,) the corner where each segment begins: index into ``corners.TYPES``, or ``AS_OTHERS``
+    corner_at: U8 = field(default_factory=lambda: np.zeros(0, np.uint8))
     acceleration: float = math.inf  #: of the slower of X and Y (mm/s²), for corners "auto"
     interference: str = "trim"  #: leave uncut what a cutter cannot reach, or "refuse"
     deflection: tuple[float, float] = (0.0, 0.0)  #: δx, δy of a cutter under load (mm)
+    #: (k, 2) segment, and mm along it, of the middle of each bridge that a cutter leaves
+    bridges: F64 = field(default_factory=lambda: np.zeros((0, 2)))
+    bridge_width: float = 0.0  #: of each of them (mm)
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -63,5 +69,8 @@ class Operation:
         out = self.run_out if len(self.run_out) else np.zeros((len(self.paths), 2))
         knobs = self.k_at if len(self.k_at) else np.full(len(self.paths.bulge), np.nan)
         put(self, "k_at", frozen(knobs, np.float64, len(self.paths.bulge)))
+        types = self.corner_at if len(self.corner_at) else np.full(len(knobs), AS_OTHERS, np.uint8)
+        put(self, "corner_at", frozen(types, np.uint8, len(self.paths.bulge)))
         put(self, "run_out", frozen(out, np.float64, len(self.paths), 2))
+        put(self, "bridges", frozen(self.bridges, np.float64, -1, 2))
         put(self, "source", frozen(self.source, np.int32, len(self.paths.bulge)))

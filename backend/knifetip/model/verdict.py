@@ -41,6 +41,26 @@ class Samples:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class Unreached:
+    """Areas in the waste beside the parts that no cutter gets to: m lines and arcs in q loops."""
+
+    ends: F64 = field(default_factory=lambda: np.zeros((0, 2, 2)))  #: (m, 2, 2) mm, in the drawing
+    bulge: F64 = field(default_factory=_none)  #: (m,) tan(sweep / 4)
+    first: I32 = field(default_factory=lambda: np.zeros(1, np.int32))  #: (q + 1,) of each loop
+    area: F64 = field(default_factory=_none)  #: (q,) mm²
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        put(self, "bulge", frozen(self.bulge, np.float64, -1))
+        put(self, "ends", frozen(self.ends, np.float64, len(self.bulge), 2, 2))
+        put(self, "area", frozen(self.area, np.float64, -1))
+        put(self, "first", frozen(self.first, np.int32, len(self.area) + 1))
+
+    def __len__(self) -> int:
+        return len(self.area)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class Verdict:
     """The judge's answer, edge by edge."""
 
@@ -59,6 +79,7 @@ class Verdict:
     bottom_uncut: F64 = field(default_factory=_none)  #: (n,) length not cut in the bottom face (mm)
     top_overcut: F64 = field(default_factory=_none)  #: (n,) cut past the ends in the top face (mm)
     samples: Samples = field(default_factory=lambda: Samples())
+    areas: Unreached = field(default_factory=lambda: Unreached())  #: where no cutter gets to
 
     def __post_init__(self) -> None:
         put = object.__setattr__

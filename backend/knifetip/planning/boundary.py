@@ -6,7 +6,9 @@ A tool of width W has its corners at ± W/2 beside the line.  It has left the bo
 outside: past a straight edge with the outward normal m after (W/2) |n·m| / (u·m), u the direction
 in which the groove leaves and n square to it.  Where the edge is round, its sagitta comes on top.
 At an outer corner of the outline it is enough to be past one neighbour.  In a notch, an inner
-corner, one half of the groove meets board: such an end lies inside, and nothing is run out.
+corner, each half must be past both, and leaves if the groove points into the notch.  Where it goes
+on into the board, or within 5° along it, it stops: such an end lies inside, its blade's overcut is
+reported as one, and limited by the board.
 
 Source: the turning paper, section 1 (run-out and back-up); the corner and the arc are ours.
 """
@@ -19,10 +21,12 @@ from math import radians, sin
 import numpy as np
 
 from knifetip.errors import FlankOutside
-from knifetip.geometry import arc
+from knifetip.geometry import arc, leaving
 from knifetip.geometry.azimuth import left, unit
 from knifetip.geometry.columns import F64, I8, I32, I64, Bool
-from knifetip.geometry.tolerance import BULGE, GAP
+from knifetip.geometry.path import Paths
+from knifetip.geometry.tolerance import GAP
+from knifetip.planning.creases import crossings
 from knifetip.planning.near import near
 
 #: A groove that meets the edge at a smaller angle runs along it (sine).
@@ -52,6 +56,7 @@ class _Meetings:
     """Every outer cut that an end lies on."""
 
     end: I64  #: (k,) the end
+    cut: I64  #: (k,) the outer cut
     normal: F64  #: (k, 2) outward, where they meet
     tangent: F64  #: (k, 2) of the cut there, the waste on its left
     gap: F64  #: (k, 2) mm from the end to the cut
@@ -82,28 +87,60 @@ def run_out(
     met = _meetings(points, outline)
     u, m = ahead[met.end], met.normal
     square = (u * m).sum(axis=1)
-    leaving = square > _ALONG
+    leaves = np.flatnonzero(square > _ALONG)
     _refuse_along(met, square, source)
-    safe = np.where(leaving, square, 1.0)
-    sagitta = np.minimum(width / 2.0 / safe, met.radius) ** 2 / (2.0 * met.radius)
-    short = np.maximum((met.gap * m).sum(axis=1), 0.0)
-    beside = width / 2.0 * (left(u) * m).sum(axis=1)
+    end, u, m, radius = met.end[leaves], u[leaves], m[leaves], met.radius[leaves]
+    sagitta = np.minimum(width / 2.0 / square[leaves], radius) ** 2 / (2.0 * radius)
+    short = np.maximum((met.gap[leaves] * m).sum(axis=1), 0.0)
+    further = leaving.run_out(u, m, width, sagitta + short)
 
     count = len(points)
     many = np.bincount(met.end, minlength=count)
-    out = np.bincount(met.end[leaving], minlength=count)
-    # Round an outer corner it is enough to leave by one side; in a notch half of it never leaves.
-    turn = _corners(met, count)
-    corner = turn < -1e-6
-    on_edge: Bool = (many > 0) & (out >= np.where(corner, 1, many)) & (turn < 1e-6)
-    size = np.zeros(count)
-    for flank in (beside, -beside):
-        extra = (sagitta + short - flank) / safe
-        farthest, nearest = np.zeros(count), np.full(count, np.inf)
-        np.maximum.at(farthest, met.end[leaving], extra[leaving])
-        np.minimum.at(nearest, met.end[leaving], extra[leaving])
-        size = np.maximum(size, np.where(corner, nearest, farthest))
-    return np.where(on_edge, size, 0.0), on_edge
+    out = np.bincount(end, minlength=count)
+    # Round an outer corner it is enough to leave by one side; in a notch it takes both.
+    corner = _corners(met, count) < -1e-6
+    on_edge: Bool = (many > 0) & (out >= np.where(corner, 1, many))
+    farthest, nearest = np.zeros((count, 2)), np.full((count, 2), np.inf)
+    np.maximum.at(farthest, end, further)
+    np.minimum.at(nearest, end, further)
+    either = np.where(corner[:, None], nearest, farthest).max(axis=1)
+    size = np.where(on_edge, np.maximum(either, 0.0), 0.0)
+    _refuse_beyond(points, ahead, size, width, met, outline, source)
+    return size, on_edge
+
+
+def _refuse_beyond(
+    points: F64,
+    ahead: F64,
+    size: F64,
+    width: float,
+    met: _Meetings,
+    outline: Outline,
+    source: I32,
+) -> None:
+    """Refuse grooves that would run out into board again: over a slot, or into a neighbour."""
+    rows = np.flatnonzero(size > GAP)
+    start, end = points[rows], points[rows] + size[rows, None] * ahead[rows]
+    # Where the tool stops, a hair within its corners: the later one stands on the edge it has left.
+    half = 0.499 * width * left(ahead[rows])
+    ways = Paths(
+        np.concatenate([start, end + half]),
+        np.concatenate([end, end - half]),
+        np.zeros(2 * len(rows)),
+        np.arange(2 * len(rows) + 1, dtype=np.int32),
+    )
+    way, cut, _ = crossings(ways, np.stack([outline.start, outline.end], axis=1), outline.bulge)
+    row = np.tile(rows, 2)[way]
+    count = len(outline.bulge)
+    again = np.flatnonzero(~np.isin(row * count + cut, met.end * count + met.cut))
+    if len(again):
+        edge = int(source[row[again[0]]])
+        raise FlankOutside(
+            f"The V-groove at edge {edge} would run out {size[row[again[0]]]:.2f} mm over the "
+            "board's edge, and cut into board beyond.",
+            "Let it end before the edge, meet it more squarely, or move the blanks apart.",
+            [str(edge)],
+        )
 
 
 def _refuse_along(met: _Meetings, square: F64, source: I32) -> None:
@@ -124,37 +161,21 @@ def _meetings(points: F64, outline: Outline) -> _Meetings:
     boxes = arc.bounds(outline.start, outline.end, outline.bulge)
     end, cut = near(np.hstack([points, points]), boxes, GAP)
     start, finish, bulge = outline.start[cut], outline.end[cut], outline.bulge[cut]
-    straight = np.abs(bulge) < BULGE
     point = points[end]
-    chord = finish - start
-    along = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)
-    theta = arc.sweep(bulge)
-    radius = arc.radius(start, finish, bulge)
-    if not straight.all():
-        middle = arc.centre(start, finish, bulge)
-        spoke, first = point - middle, start - middle
-        turned = np.arctan2(
-            first[:, 0] * spoke[:, 1] - first[:, 1] * spoke[:, 0], (first * spoke).sum(axis=1)
-        )
-        # Measured from the arc's middle, so that a point beside either end is nearest to that end.
-        turned = (turned - theta / 2.0 + np.pi) % (2.0 * np.pi) - np.pi
-        share = 0.5 + turned / np.where(straight, 1.0, theta)
-        along = np.where(straight, along, share)
-    along = np.clip(along, 0.0, 1.0)
+    along = arc.nearest(start, finish, bulge, point)
     place = arc.point_at(start, finish, bulge, along)
     gap = place - point
     touch = np.hypot(gap[:, 0], gap[:, 1]) <= GAP
-    half = theta * (along - 0.5)
-    cos, sine = np.cos(half)[:, None], np.sin(half)[:, None]
-    tangent = unit(chord * cos + left(chord) * sine)
+    tangent = unit(arc.tangent_at(start, finish, bulge, along))
     near_end = np.hypot(*(finish - point).T) <= GAP
     near_start = np.hypot(*(start - point).T) <= GAP
     return _Meetings(
         end[touch],
+        cut[touch],
         left(tangent)[touch],
         tangent[touch],
         gap[touch],
-        radius[touch],
+        arc.radius(start, finish, bulge)[touch],
         near_end[touch],
         near_start[touch],
     )

@@ -1,10 +1,11 @@
 """Bridges: the nicks that hold a part in its sheet until it is broken out.
 
-    closed Paths -> open Paths between the bridges
+    closed Paths -> the places of bridges on them
 
 Bridges stand at equal distances round the contour, each moved to the nearest place where it may
 be: on a straight piece, 5 mm clear of a sharp corner, or in the middle of a piece too short for
-that; on an arc only where the straight pieces leave no other way.
+that; on an arc only where the straight pieces leave no other way.  Where a slit opens into the
+contour, or a crease ends on it, it is weak, and bridges stay 5 mm clear of it too if they can.
 """
 
 from __future__ import annotations
@@ -18,8 +19,10 @@ from knifetip.errors import NoRoomForBridges
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.path import Paths, taken, trimmed
-from knifetip.geometry.tolerance import ANGLE, BULGE, POINT
+from knifetip.geometry.path import Paths
+from knifetip.geometry.tolerance import ANGLE, BULGE, GAP, POINT
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.planning.near import near
 
 #: A bridge stays this far from a sharp corner (mm).
 _CLEAR = 5.0
@@ -30,59 +33,67 @@ _MORE = 4
 _TRIES = 16
 
 
-def bridged(
-    paths: Paths, which: Bool, width: float, spacing: float, source: I32
-) -> tuple[Paths, I32, I32]:
-    """Return the paths, the closed ones among ``which`` interrupted by bridges.
+def places(
+    paths: Paths,
+    which: Bool,
+    gap: float,
+    spacing: float,
+    source: I32,
+    avoid: F64,
+    radius: float = 0.0,
+) -> tuple[I32, F64]:
+    """Return the path of each bridge, (k,), and how far along it its middle is, (k,) mm.
 
     Parameters
     ----------
     which : (p,)
         The paths to interrupt; they must be closed.
-    width, spacing : mm
-        Of a bridge, and the longest way from the middle of one to that of the next.
+    gap, spacing : mm
+        What a bridge takes of its path, and the longest way from the middle of one to that of the
+        next.
     source : (n,)
         The edge of each segment, for the error.
-
-    Returns
-    -------
-    Paths, and for each the old path (q,), and for each segment the old one (m,)
+    avoid : (m, 2) mm
+        Where other work ends: on the paths, bridges stay clear of it where they can.
+    radius : mm
+        Of a cutter, which stands left of the paths: it does not reach into their inner corners.
 
     Raises
     ------
     NoRoomForBridges
         A contour has no places for two bridges, or none near enough to each other.
     """
-    low, high, owner = [], [], []
-    length = paths.lengths
-    for path in range(len(paths)):
-        if which[path]:
-            middle = _places(paths, path, width, spacing, source)
-            low.append(middle + width / 2.0)
-            # The last piece goes on over the contour's start.
-            high.append(np.append(middle[1:], middle[0] + length[path]) - width / 2.0)
-        else:
-            low.append(np.zeros(1))
-            high.append(length[path : path + 1])
-        owner.append(np.full(len(low[-1]), path))
-    kept = np.concatenate(owner).astype(np.int32)
-    twice, rows = _twice_round(paths, which)
-    repeated, again = taken(twice, kept)
-    begin, end = np.concatenate(low), np.concatenate(high)
-    pieces, order = trimmed(repeated, begin, np.maximum(repeated.lengths - end, 0.0))
-    return pieces, kept, rows[again[order]]
+    on, at = _along(paths, which, avoid)
+    found = [
+        _places(paths, int(path), gap, spacing, source, at[on == path], radius)
+        for path in np.flatnonzero(which)
+    ]
+    size = [len(middle) for middle in found]
+    path = np.repeat(np.flatnonzero(which), size).astype(np.int32)
+    return path, np.concatenate([*found, np.zeros(0)])
 
 
-def _twice_round(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, those among ``which`` followed twice, and the segment of each new one."""
-    count = np.diff(paths.first)
-    times = np.where(which, 2, 1)
-    first = np.concatenate([[0], np.cumsum(count * times)])
-    owner = np.repeat(np.arange(len(paths)), count * times)
-    rows = paths.first[owner] + (np.arange(first[-1]) - first[owner]) % count[owner]
-    return Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], first), rows.astype(
-        np.int32
-    )
+def ends_of_others(dieline: Dieline, rows: I32) -> F64:
+    """Return the ends, (m, 2) mm, of all edges that are worked, but for some rows."""
+    worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
+    worked[rows] = False
+    ends: F64 = dieline.ends[worked].reshape(-1, 2)
+    return ends
+
+
+def _along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
+    """Return for points on some of the paths which, and how far along it they are (mm)."""
+    rows = np.flatnonzero(which[paths.path_of])
+    start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
+    point, row = near(np.hstack([points, points]), arc.bounds(start, end, bulge), GAP)
+    whole = start[row], end[row], bulge[row]
+    share = arc.nearest(*whole, points[point])
+    on = np.hypot(*(arc.point_at(*whole, share) - points[point]).T) <= GAP
+    row, share = rows[row[on]], share[on]
+    size = arc.length(paths.start, paths.end, paths.bulge)
+    reached = np.cumsum(size) - size
+    path = paths.path_of[row]
+    return path, reached[row] - reached[paths.first[:-1][path]] + share * size[row]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -91,6 +102,17 @@ class _Room:
 
     low: F64  #: mm
     high: F64  #: mm
+
+    def without(self, at: F64, clear: float, length: float) -> _Room:
+        """Return what is left ``clear`` mm from places on a contour that is ``length`` mm round."""
+        low, high = self.low, self.high
+        for place in np.concatenate([at - length, at, at + length]):
+            before, after = np.minimum(high, place - clear), np.maximum(low, place + clear)
+            begin, end = np.concatenate([low, after]), np.concatenate([before, high])
+            order = np.argsort(begin, kind="stable")
+            some = order[(end >= begin)[order]]
+            low, high = begin[some], end[some]
+        return _Room(low, high)
 
     def nearest(self, wanted: F64) -> F64:
         """Return the place nearest to each wanted one (mm)."""
@@ -101,43 +123,61 @@ class _Room:
         return chosen
 
 
-def _places(paths: Paths, path: int, width: float, spacing: float, source: I32) -> F64:
+def _places(
+    paths: Paths, path: int, gap: float, spacing: float, source: I32, at: F64, radius: float
+) -> F64:
     """Return where along a closed path the middles of its bridges are, ascending (mm)."""
     length = float(paths.lengths[path])
     fewest = max(_FEWEST, math.ceil(length / spacing - 1e-9))
-    for arcs_too in (False, True):
-        room = _room(paths, path, width, arcs_too)
+    for kept_clear, arcs_too in ((at, False), (at, True), (at[:0], False), (at[:0], True)):
+        room = _room(paths, path, gap, radius, arcs_too)
+        room = room.without(kept_clear, _CLEAR + gap / 2.0, length)
         counts = np.unique(np.linspace(fewest, _MORE * fewest, _TRIES).astype(np.int64))
         for count in counts if len(room.low) else ():
             middle = np.unique(room.nearest((np.arange(count) + 0.5) * length / count))
             apart = np.diff(np.append(middle, middle[0] + length))
-            if (
-                len(middle) >= fewest
-                and apart.min() > 2.0 * width
-                and apart.max() <= spacing + POINT
-            ):
-                return middle
+            if len(middle) >= fewest and apart.min() > 2.0 * gap and apart.max() <= spacing + POINT:
+                return _needed(middle, length, spacing)
     edge = int(source[paths.first[path]])
     raise NoRoomForBridges(
         f"The contour at edge {edge} is {length:.1f} mm round and has no places for {fewest} "
-        f"bridges of {width:.2f} mm, at most {spacing:.1f} mm apart and clear of its corners.",
+        f"bridges that take {gap:.2f} mm of it each, at most {spacing:.1f} mm apart and clear of "
+        "its corners.",
         "Ask for narrower bridges or a longer spacing, or cut this board without bridges.",
         [str(edge)],
     )
 
 
-def _room(paths: Paths, path: int, width: float, arcs_too: bool) -> _Room:
+def _needed(middle: F64, length: float, spacing: float) -> F64:
+    """Return the middles of bridges without those between two that are near enough already."""
+    while len(middle) > _FEWEST:
+        around = np.concatenate([middle[-1:] - length, middle, middle[:1] + length])
+        without = around[2:] - around[:-2]
+        spare = int(without.argmin())
+        if without[spare] > spacing + POINT:
+            break
+        middle = np.delete(middle, spare)
+    return middle
+
+
+def _room(paths: Paths, path: int, gap: float, radius: float, arcs_too: bool) -> _Room:
     rows = slice(paths.first[path], paths.first[path + 1])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     size = arc.length(start, end, bulge)
     begin = np.cumsum(size) - size
     ahead, last = (unit(vectors) for vectors in arc.tangents(start, end, bulge))
-    sharp = (np.roll(last, 1, axis=0) * ahead).sum(axis=1) < math.cos(math.radians(ANGLE))
-    clear = np.minimum(_CLEAR + width / 2.0, size / 2.0)
+    before = np.roll(last, 1, axis=0)
+    straight_on = (before * ahead).sum(axis=1)
+    sharp = straight_on < math.cos(math.radians(ANGLE))
+    # In an inner corner that turns by τ a disc is r tan τ/2 from the corner.
+    turn = np.arctan2(before[:, 0] * ahead[:, 1] - before[:, 1] * ahead[:, 0], straight_on)
+    short = radius * np.tan(np.clip(turn, 0.0, math.radians(179.0)) / 2.0)
+    clear = np.maximum(_CLEAR, np.stack([short, np.roll(short, -1)])) + gap / 2.0
+    clear = np.minimum(clear, size / 2.0)
     # Beside a smooth joint a bridge stays on its own piece too: half of it on an arc is on an arc.
-    low = np.where(sharp, clear, width / 2.0)
-    high = size - np.where(np.roll(sharp, -1), clear, width / 2.0)
-    room = (size >= 2.0 * width) & (high >= low - 1e-9)
+    low = np.where(sharp, clear[0], gap / 2.0)
+    high = size - np.where(np.roll(sharp, -1), clear[1], gap / 2.0)
+    room = (size >= 2.0 * gap) & (high >= low - 1e-9)
     if not arcs_too:
         room &= np.abs(bulge) < BULGE
     return _Room((begin + low)[room], (begin + np.maximum(low, high))[room])

@@ -7,16 +7,21 @@ Either side of the cut keeps its own clearance; the lines of a double crease are
 
 from __future__ import annotations
 
+from math import radians, sin
+
 import numpy as np
 
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left, unit
+from knifetip.geometry.chain import outward
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths, taken
-from knifetip.geometry.tolerance import BULGE, GAP
+from knifetip.geometry.tolerance import ANGLE, BULGE, GAP
 from knifetip.planning.near import near
 
+#: A cut that leaves a crease at less than this runs along it (sine of 1°).
+_ACROSS = sin(radians(ANGLE))
 #: Chords by which an arc is looked at.
 _CHORDS = 128
 
@@ -24,7 +29,7 @@ _CHORDS = 128
 def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool]:
     """Return the paths split where cuts run through them.
 
-    A cut that only touches a path, or that a path ends on, splits nothing.
+    A cut that only touches a path from one side, or that a path ends on, splits nothing.
 
     Parameters
     ----------
@@ -40,7 +45,7 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     split : (q, 2)
         Whether each new path begins, and ends, where it was split.
     """
-    segment, share = crossings(paths, ends, bulge)
+    segment, share = run_through(paths, ends, bulge)
     count = len(paths.bulge)
     row = np.concatenate([np.arange(count), segment])
     low = np.concatenate([np.zeros(count), share])
@@ -69,8 +74,55 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     return result, row.astype(np.int32), split
 
 
-def crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return the segments that cuts run through, and where, as a share of their length."""
+def run_through(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
+    """Return the segments that cuts run through, and where, as a share of their length.
+
+    A cut runs through in its own middle, or goes on as another where it ends on the segment.
+    """
+    if len(paths) == 0 or len(bulge) == 0:
+        return np.zeros(0, np.int64), np.zeros(0)
+    segment, _, share = crossings(paths, ends, bulge)
+    at_vertex, on = _vertices(paths, ends, bulge)
+    return np.concatenate([segment, at_vertex]), np.concatenate([share, on])
+
+
+def _vertices(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
+    """Return the segments on which cuts end that leave on both sides, and where."""
+    points = ends.reshape(-1, 2)
+    boxes = arc.bounds(paths.start, paths.end, paths.bulge)
+    end, row = near(np.hstack([points, points]), boxes, GAP)
+    if len(end) == 0:
+        return np.zeros(0, np.int64), np.zeros(0)
+    whole = paths.start[row], paths.end[row], paths.bulge[row]
+    share = arc.nearest(*whole, points[end])
+    place = arc.point_at(*whole, share)
+    stops = np.stack([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]], axis=1)
+    path = paths.path_of[row]
+    on = np.hypot(*(place - points[end]).T) <= GAP
+    for stop in (stops[path, 0], stops[path, 1]):
+        on &= np.hypot(*(place - stop).T) > GAP
+    # Of a joint the segment after it.
+    on &= share < 1.0 - 1e-9
+    end, row, share = end[on], row[on], share[on]
+    ahead = unit(arc.tangent_at(paths.start[row], paths.end[row], paths.bulge[row], share))
+    side = (left(ahead) * outward(ends, bulge).reshape(-1, 2)[end]).sum(axis=1)
+    # What hardly leaves the crease before it ends has only been drawn a little too long.
+    size = arc.length(ends[:, 0], ends[:, 1], bulge)[end // 2]
+    side[np.abs(side) * size <= GAP] = 0.0
+    order = np.lexsort((share, row))
+    row, share, side = row[order], share[order], side[order]
+    along = share * arc.length(paths.start, paths.end, paths.bulge)[row]
+    new = np.append(True, (row[1:] != row[:-1]) | (np.diff(along) > GAP))[: len(row)]
+    group = np.cumsum(new) - 1
+    both = np.zeros((int(new.sum()), 2), np.bool_)
+    both[group[side > _ACROSS], 0] = True
+    both[group[side < -_ACROSS], 1] = True
+    met = np.flatnonzero(new)[both.all(axis=1)]
+    return row[met], share[met]
+
+
+def crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
+    """Return the segments that cuts run through, which cuts, and where, as a share of length."""
     mine, owner, low, size = _chords(paths.start, paths.end, paths.bulge)
     cuts, cut, _, _ = _chords(ends[:, 0], ends[:, 1], bulge)
     i, j = near(_boxes(mine), _boxes(cuts), 0.0)
@@ -90,7 +142,7 @@ def crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
         crossing &= np.hypot(*(place - touched).T) > GAP
     hit = np.flatnonzero(crossing)
     at = i[hit]
-    return owner[at], low[at] + along[hit] * size[at]
+    return owner[at], cut[j[hit]], low[at] + along[hit] * size[at]
 
 
 def _chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:

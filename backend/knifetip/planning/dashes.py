@@ -20,7 +20,7 @@ from knifetip.geometry.columns import F64, I32, I64
 from knifetip.geometry.grid import touching
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import BULGE, COLLINEAR, GAP, JOIN
-from knifetip.planning.creases import crossings
+from knifetip.planning.creases import run_through
 
 #: Dashes are no farther apart than this (mm), nor than so many of their mean lengths.
 _GAP = 12.0
@@ -67,7 +67,7 @@ def once(ends: F64, bulge: F64, cuts: tuple[F64, F64] | None = None) -> tuple[F6
         apart = np.flatnonzero((line[1:] == line[:-1]) & (low[1:] > high[:-1] + JOIN))
         each = np.arange(len(apart) + 1, dtype=np.int32)
         gaps = Paths(far[apart], near[apart + 1], np.zeros(len(apart)), each)
-        barred[0, apart[crossings(gaps, cut_ends, cut_bulge)[0]] + 1] = True
+        barred[0, apart[run_through(gaps, cut_ends, cut_bulge)[0]] + 1] = True
     begin, kept, first, last = _swept(line, low, high, barred[0], barred[1])
 
     def on_line(piece: I64, along: F64) -> F64:

@@ -4,12 +4,14 @@
 
 A cutter removes a disc, so its centre runs beside the line, in the waste: outside a blank, inside a
 hole.  It stands left of travel (a blank is travelled clockwise, a hole counter-clockwise): with a
-spindle that turns clockwise that is climb cutting.  A cut with no waste on either side, such as
-a slit, or an edge that two blanks share, is cut on the line, and each side loses r.
+spindle that turns clockwise that is climb cutting.  A slit, with one blank on both its sides, is
+cut on the line, and each side loses r.  An edge that two blanks share is refused: there is no place
+for the disc that spares both, and none that is as good as another.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -17,57 +19,58 @@ import numpy as np
 from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.chain import chain
-from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths, reversed_where, taken
 from knifetip.geometry.tolerance import JOIN
 from knifetip.model.board import Board
+from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Cutter
-from knifetip.planning.outer import outside
+from knifetip.planning.bridges import ends_of_others, places
+from knifetip.planning.corners import bends, chosen, found
+from knifetip.planning.outer import faces, noded
 
 #: More passes than this are a mistake in the tool's ``step``.
 _MOST: Final = 200
 
 
 def milled(
-    dieline: Dieline, rows: I32, machine: Machine, board: Board, station: Station
+    dieline: Dieline,
+    rows: I32,
+    machine: Machine,
+    board: Board,
+    station: Station,
+    corners: Corners,
 ) -> list[Operation]:
     """Return the operations that mill some cuts, all inner ones or all that bound a blank.
 
-    Contours of three or more edges at one place are left open by chaining; which side of them is
-    waste is known all the same, if they bound a blank.
+    Every contour is chained by itself, so that two may touch in one point.
 
     Parameters
     ----------
     rows : (m,)
         Rows of the cuts in the dieline.
+    corners
+        For all corners alike; ``chosen_at`` gives single ones their own.
 
     Raises
     ------
     PlanError
-        Two blanks touch in one point.
+        Two blanks share an edge, or a contour has no places for the bridges that the board wants.
     """
     cutter = station.tool
     assert isinstance(cutter, Cutter)
     ends, bulge = dieline.ends[rows], dieline.bulge[rows]
-    chains = chain(ends, bulge)
+    sides, face, shared = _beside(dieline)
+    _refuse_shared(rows[shared[rows]], cutter)
+    chains = chain(ends, bulge, group=face[rows])
     paths = _snapped(chains.paths(ends, bulge))
     source = rows[chains.order]
-    waste = np.where(chains.flipped, -1, 1) * _waste(dieline)[source]
-    first = paths.first[:-1]
-    mixed = np.flatnonzero(waste != waste[first][paths.path_of])
-    if len(mixed):
-        place = paths.start[mixed[0]]
-        raise PlanError(
-            f"Two blanks touch near ({place[0]:.2f}, {place[1]:.2f}) in one point, and a cutter "
-            "cannot go between them.",
-            "Move them apart by the cutter's diameter.",
-            [str(row) for row in source[mixed[:10]]],
-        )
-    inside = paths.closed & (waste[first] == 0)
-    side = np.where(inside, np.where(_area(paths) > 0.0, 1, -1), waste[first])
+    waste = (np.where(chains.flipped, -1, 1) * sides[source])[paths.first[:-1]]
+    inside = paths.closed & (waste == 0)
+    side = np.where(inside, np.where(_area(paths) > 0.0, 1, -1), waste)
     # Left of travel, all of them.
     paths, order = reversed_where(paths, side < 0)
     source = source[order]
@@ -81,6 +84,8 @@ def milled(
             continue
         some, kept = taken(paths, which)
         end = np.where(some.closed, End.CLOSED, End.FREE).astype(np.uint8)
+        held = some.closed & (waste[which] != 0)
+        bridges = _bridges(some, held, board, cutter, source[kept], dieline, rows)
         operations.append(
             Operation(
                 paths=some,
@@ -100,7 +105,11 @@ def milled(
                 finish=end,
                 source=source[kept],
                 side=stands,
-                corner="auto",
+                bridges=bridges,
+                bridge_width=board.bridge_width,
+                corner=corners.type,
+                k=corners.k,
+                interference=corners.interference,
                 acceleration=min(machine.x.acceleration, machine.y.acceleration),
                 deflection=next(
                     ((d.x, d.y) for d in board.deflection if d.tool == station.name), (0.0, 0.0)
@@ -110,12 +119,78 @@ def milled(
     return operations
 
 
-def _waste(dieline: Dieline) -> I32:
-    """Return on which side of each edge the waste round a blank is: +1 left, -1 right, 0 none."""
+def _bridges(
+    paths: Paths,
+    held: Bool,
+    board: Board,
+    cutter: Cutter,
+    source: I32,
+    dieline: Dieline,
+    rows: I32,
+) -> F64:
+    """Return the segment of each bridge, and how far along it its middle is (mm), (k, 2).
+
+    The disc reaches r past where its centre stops, on either side of a bridge.
+    """
+    if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
+        return np.zeros((0, 2))
+    gap = board.bridge_width + 2.0 * cutter.radius
+    avoid = ends_of_others(dieline, rows)
+    path, at = places(paths, held, gap, board.bridge_spacing, source, avoid, cutter.radius)
+    reached = np.cumsum(arc.length(paths.start, paths.end, paths.bulge))
+    before = np.concatenate([[0.0], reached])
+    at = before[paths.first[:-1][path]] + at
+    segment = np.clip(np.searchsorted(reached, at), paths.first[path], paths.first[path + 1] - 1)
+    return np.column_stack([segment, at - before[segment]])
+
+
+def chosen_at(operations: list[Operation], corners: Corners) -> list[Operation]:
+    """Return the operations with the choices for single corners in those that mill.
+
+    Raises
+    ------
+    PlanError
+        A choice names no corner of theirs, or makes no sense.
+    """
+    milling = [isinstance(one.tool, Cutter) and one.side != 0 for one in operations]
+    contours = [
+        bends(one.paths, one.side) for one, mills in zip(operations, milling, strict=True) if mills
+    ]
+    nearest = found(corners, contours)
+    if len(nearest) == 0:
+        return operations
+    result, bend = [], iter(contours)
+    for one, mills in zip(operations, milling, strict=True):
+        if mills:
+            kind, k = chosen(corners, nearest, next(bend))
+            one = replace(one, corner_at=kind, k_at=k)
+        result.append(one)
+    return result
+
+
+def _beside(dieline: Dieline) -> tuple[I8, I64, Bool]:
+    """Return for every edge what ``outer.faces`` says of it, if it is a cut."""
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
-    side = np.zeros(len(dieline.bulge), np.int32)
-    side[cuts] = outside(dieline.ends[cuts], dieline.bulge[cuts])
-    return side
+    # A line from edge to edge parts a blank, also where those have no corner.
+    ends, bulge, row = noded(dieline.ends[cuts], dieline.bulge[cuts])
+    lies = faces(ends, bulge)
+    count = len(dieline.bulge)
+    side, face = np.zeros(count, np.int8), np.full(count, -1, np.int64)
+    shared = np.zeros(count, np.bool_)
+    side[cuts[row]], face[cuts[row]] = lies.side, lies.face
+    shared[cuts[row[lies.shared]]] = True
+    return side, face, shared
+
+
+def _refuse_shared(rows: I32, cutter: Cutter) -> None:
+    if len(rows):
+        raise PlanError(
+            f"Two blanks share edge {rows[0]}, and the cutter takes {2.0 * cutter.radius:g} mm "
+            "off one or the other.",
+            f"Move them at least {2.0 * cutter.radius:g} mm apart, each with an edge of its own, "
+            "or choose a machine with a knife.",
+            [str(row) for row in rows[:10]],
+        )
 
 
 def _snapped(paths: Paths) -> Paths:

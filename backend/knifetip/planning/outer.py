@@ -8,6 +8,7 @@ unless the whole component lies inside another.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,8 @@ from numba import njit
 from knifetip.geometry import arc
 from knifetip.geometry.chain import nodes, outward
 from knifetip.geometry.columns import F64, I8, I64, Bool
+from knifetip.geometry.tolerance import JOIN
+from knifetip.planning.near import near
 
 _CHORDS = 16
 
@@ -44,9 +47,29 @@ def outside(ends: F64, bulge: F64) -> I8:
     -------
     (n,) +1 left of the way from start to end, -1 right, 0 where the edge bounds no blank
     """
+    return faces(ends, bulge).side
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Faces:
+    """What lies on the two sides of n cuts."""
+
+    side: I8  #: (n,) of the waste round a blank: +1 left, -1 right, 0 where it bounds none
+    face: I64  #: (n,) the blank or the hole that the cut goes round, -1 for what closes nothing
+    shared: Bool  #: (n,) a blank lies on either side, and not the same
+
+
+def faces(ends: F64, bulge: F64) -> Faces:
+    """Return what lies on the two sides of each cut.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        Cut edges of any order and direction.
+    """
     count = len(ends)
     if count == 0:
-        return np.zeros(0, np.int8)
+        return Faces(np.zeros(0, np.int8), np.zeros(0, np.int64), np.zeros(0, np.bool_))
     node = nodes(ends.reshape(-1, 2)).astype(np.int64)
     direction = outward(ends, bulge).reshape(-1, 2)
     # Arcs that leave a place in one direction are told apart by the side to which they bend.
@@ -67,14 +90,75 @@ def outside(ends: F64, bulge: F64) -> I8:
     bent = np.stack([bulge, -bulge], axis=1).ravel()
     area = np.bincount(face, _area(start, end, bent), minlength=2 * count)
     # A tree of slits encloses nothing: its one face has no area.
-    faces = (area < 1e-6)[face].reshape(-1, 2)
-    bounding: Bool = faces[:, 0] != faces[:, 1]
-    rows = np.flatnonzero(bounding)
-    component = np.where(faces[rows, 0], face[2 * rows], face[2 * rows + 1])
-    inside = _enclosed(ends[rows], bulge[rows], np.unique(component, return_inverse=True)[1])
-    bounding[rows] = ~inside
-    # The walk round a blank from outside has the waste on its left.
-    return np.where(bounding, np.where(faces[:, 0], 1, -1), 0).astype(np.int8)
+    empty = (area < 1e-6)[face].reshape(-1, 2)
+    face = face.reshape(-1, 2)
+    closing: Bool = empty[:, 0] != empty[:, 1]
+    rows = np.flatnonzero(closing)
+    component = _components(node.reshape(-1, 2))
+    within = np.zeros(count, np.bool_)
+    name = np.unique(component[rows], return_inverse=True)[1]
+    within[component[rows]] = _enclosed(ends[rows], bulge[rows], name)
+    inside = within[component]
+    return Faces(
+        # The walk round a blank from outside has the waste on its left.
+        np.where(closing & ~inside, np.where(empty[:, 0], 1, -1), 0).astype(np.int8),
+        np.where(closing, np.where(empty[:, 0], face[:, 1], face[:, 0]), -1),
+        ~empty.any(axis=1) & (face[:, 0] != face[:, 1]) & ~inside,
+    )
+
+
+def noded(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
+    """Return cuts parted where others end on them, and the row of each part.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+    """
+    points = ends.reshape(-1, 2)
+    end, row = near(np.hstack([points, points]), arc.bounds(ends[:, 0], ends[:, 1], bulge), JOIN)
+    whole = ends[row, 0], ends[row, 1], bulge[row]
+    share = arc.nearest(*whole, points[end])
+    on = np.hypot(*(arc.point_at(*whole, share) - points[end]).T) <= JOIN
+    for side in range(2):
+        on &= np.hypot(*(points[end] - ends[row, side]).T) > JOIN
+    end, row, share = end[on], row[on], share[on]
+    rows = np.concatenate([np.arange(len(ends)), row])
+    low = np.concatenate([np.zeros(len(ends)), share])
+    begin = np.concatenate([ends[:, 0], points[end]])
+    order = np.lexsort((low, rows))
+    rows, low, begin = rows[order], low[order], begin[order]
+    last = np.append(rows[1:] != rows[:-1], True)
+    high = np.where(last, 1.0, np.roll(low, -1))
+    finish = np.where(last[:, None], ends[rows, 1], np.roll(begin, -1, axis=0))
+    some = np.hypot(*(finish - begin).T) > JOIN
+    # A whole edge stays as it is drawn, however short.
+    some |= (low == 0.0) & (high == 1.0)
+    bent = np.tan(np.arctan(bulge[rows]) * (high - low))
+    return np.stack([begin, finish], axis=1)[some], bent[some], rows[some]
+
+
+@njit(cache=True)
+def _components(node: Any) -> Any:
+    """Return for edges between nodes, (n, 2), the least edge that each hangs together with."""
+    parent = np.arange(len(node))
+    seen = np.full(2 * len(node), -1)
+    for edge in range(len(node)):
+        for end in range(2):
+            other = seen[node[edge, end]]
+            if other < 0:
+                seen[node[edge, end]] = edge
+                continue
+            one = edge
+            while parent[one] != one:
+                parent[one] = parent[parent[one]]
+                one = parent[one]
+            while parent[other] != other:
+                parent[other] = parent[parent[other]]
+                other = parent[other]
+            parent[max(one, other)] = min(one, other)
+    for edge in range(len(node)):
+        parent[edge] = parent[parent[edge]]
+    return parent
 
 
 def _cycles(onward: I64) -> I64:

@@ -14,25 +14,34 @@ from functools import partial
 
 import numpy as np
 
-from knifetip.errors import NoToolForLineType
+from knifetip.errors import NoToolForLineType, PlanError
 from knifetip.geometry.azimuth import azimuth
 from knifetip.geometry.chain import chain, outward, run_on
 from knifetip.geometry.columns import F64, I8, I32, U8, Bool
 from knifetip.geometry.grid import touching
-from knifetip.geometry.path import Paths, begun_in_middle, reversed_where, taken, trimmed
+from knifetip.geometry.path import (
+    Paths,
+    begun_in_middle,
+    interrupted,
+    reversed_where,
+    taken,
+    trimmed,
+)
 from knifetip.geometry.tolerance import ANGLE, COLLINEAR, GAP, POINT
 from knifetip.model.board import Board
+from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
 from knifetip.planning.boundary import Outline, run_out
-from knifetip.planning.bridges import bridged
+from knifetip.planning.bridges import ends_of_others, places
 from knifetip.planning.chords import chorded
+from knifetip.planning.corners import check
 from knifetip.planning.creases import doubled, split_at_cuts
 from knifetip.planning.dashes import distinct, once
 from knifetip.planning.flank import check_flanks
-from knifetip.planning.milling import milled
+from knifetip.planning.milling import chosen_at, milled
 from knifetip.planning.outer import outside
 
 #: The tools that each line type needs.
@@ -51,6 +60,22 @@ def missing(line_type: LineType, machine: Machine) -> bool:
     return any(_station(machine, kind) is None for kind in _needs(line_type, machine))
 
 
+def check_corners(corners: Corners, machine: Machine) -> None:
+    """Refuse choices for corners that make no sense, or for a machine that does not mill.
+
+    Raises
+    ------
+    PlanError
+        As it says.
+    """
+    if _needs(LineType.CUT, machine) != (Cutter,):
+        raise PlanError(
+            f"Corner types were chosen, and {machine.title} does not cut with a cutter.",
+            "Leave the corners out, or choose a machine that mills.",
+        )
+    check(corners)
+
+
 def _needs(line_type: LineType, machine: Machine) -> tuple[type[Tool], ...]:
     """Return the tools for a line type; a machine without a knife cuts with what it has."""
     needs = NEEDS.get(line_type, ())
@@ -59,7 +84,9 @@ def _needs(line_type: LineType, machine: Machine) -> tuple[type[Tool], ...]:
     return needs
 
 
-def plan(dieline: Dieline, machine: Machine, board: Board) -> list[Operation]:
+def plan(
+    dieline: Dieline, machine: Machine, board: Board, corners: Corners | None = None
+) -> list[Operation]:
     """Return the operations that make a dieline, in working order.
 
     Parameters
@@ -67,9 +94,13 @@ def plan(dieline: Dieline, machine: Machine, board: Board) -> list[Operation]:
     dieline
         Edges in sheet coordinates.  Ignored and unclassified ones are left alone: whoever calls
         has asked about the latter.
+    corners
+        How a cutter goes round corners; as the machine is fastest where nobody chose.
 
     Raises
     ------
+    PlanError
+        A corner was chosen where there is none, or there is no cutter.
     NoToolForLineType
         No station of the machine makes one of the line types.
     FlankOutside
@@ -78,6 +109,8 @@ def plan(dieline: Dieline, machine: Machine, board: Board) -> list[Operation]:
     NoRoomForBridges
         A contour has no places for the bridges that the board asks for.
     """
+    if corners is not None:
+        check_corners(corners, machine)
     line_type = dieline.line_type
     cuts = np.flatnonzero(line_type == LineType.CUT).astype(np.int32)
     cuts = cuts[distinct(dieline.ends[cuts], dieline.bulge[cuts])]
@@ -108,10 +141,10 @@ def plan(dieline: Dieline, machine: Machine, board: Board) -> list[Operation]:
                     [str(row) for row in listed[:10]],
                 )
             if isinstance(station.tool, Cutter):
-                operations += milled(dieline, listed, machine, board, station)
+                operations += milled(dieline, listed, machine, board, station, corners or Corners())
             else:
                 operations.append(make(dieline, listed, machine, board, station))
-    return operations
+    return operations if corners is None else chosen_at(operations, corners)
 
 
 def _station(machine: Machine, kind: type[Tool], board: Board | None = None) -> Station | None:
@@ -306,9 +339,9 @@ def _knifed(
     side = 0
     if waste is not None and board.bridge_width > 0.0 and board.bridge_spacing > 0.0:
         round_ = paths.closed
-        paths, owner, order = bridged(
-            paths, round_, board.bridge_width, board.bridge_spacing, source
-        )
+        avoid = ends_of_others(dieline, rows)
+        at = places(paths, round_, board.bridge_width, board.bridge_spacing, source, avoid)
+        paths, owner, order = interrupted(paths, *at, board.bridge_width)
         held, source = round_[owner], source[order]
     elif waste is not None and isinstance(station.tool, Knife) and station.tool.led:
         paths, source = _waste_on_left(paths, source, dieline, rows, waste)

@@ -25,7 +25,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
 from knifetip.model.toolpath import Motion, Toolpath
 
-#: A tool that leans or an edge that is crossed nearly along itself has no answer (degrees).
+#: A tool that leans further is not lifted by moving along its axis (degrees).
 _FLATTEST: Final = 89.0
 
 
@@ -51,45 +51,6 @@ def tip_circle(tool: Tool, depth: float) -> TipCircle:
         return TipCircle(math.hypot(tool.contact(max(depth, 0.0)), tool.width / 2.0), 0.0, 0.0)
     assert isinstance(tool, Cutter)
     return TipCircle(tool.radius, 0.0, 0.0)
-
-
-def run_out(travel: F64, outward: F64, width: F64) -> F64:
-    """Return how much further a track goes until both corners of its tool are off the board.
-
-    With u the direction of travel, n its left normal, m the outward normal of the edge, the
-    corners P1, P2 stand at c ± (W/2) n, and the later one leaves after::
-
-        (W/2) |n · m| / (u · m)                                   section 1, on a straight edge
-
-    Parameters
-    ----------
-    travel, outward : (n, 2) unit vectors
-        u and m; for a start, give -u.
-    width : (n,) mm
-        W, across the travel.
-
-    Returns
-    -------
-    (n,) mm
-
-    Raises
-    ------
-    CompensationError
-        A track that runs along the edge, or inwards, never leaves the board.
-    """
-    leaves = np.sum(travel * outward, axis=1)
-    across = np.abs(travel[:, 0] * outward[:, 1] - travel[:, 1] * outward[:, 0])
-    never = np.flatnonzero(~(leaves > math.cos(math.radians(_FLATTEST))))
-    if len(never):
-        # n · m for the left normal n of u is u × m.
-        angle = math.degrees(math.acos(min(max(float(leaves[never[0]]), -1.0), 1.0)))
-        raise CompensationError(
-            f"Track {never[0]} leaves the board at {angle:.2f}° from square, so its tool is "
-            f"never off it (limit {_FLATTEST:g}°).",
-            "End the line inside the board, or draw it across the edge.",
-        )
-    extra: F64 = width / 2.0 * across / leaves
-    return extra
 
 
 def axis(c: F64, circle: TipCircle) -> F64:

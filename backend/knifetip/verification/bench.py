@@ -12,6 +12,7 @@ import numpy as np
 
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
+from knifetip.model.verdict import Unreached
 from knifetip.verification.columns import F64, I32
 from knifetip.verification.findings import Findings
 from knifetip.verification.intent import Edges
@@ -64,3 +65,4 @@ class Bench:
     found: Findings
     #: rows of the dieline, places (share of the edge) and how far left of it the work is (mm)
     samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
+    unreached: list[Unreached] = field(default_factory=list)  #: of every cutter, on the sheet

@@ -9,14 +9,21 @@ again, tip and top face begin in one place.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 
+from knifetip.model.board import Board
 from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.findings import MOST
 from knifetip.verification.intent import STRAIGHT, Chains, Edges, apart
-from knifetip.verification.overlap import BRIEF, Rows
-from knifetip.verification.removal import gaps
+from knifetip.verification.stretches import BRIEF, Rows, gaps
+
+#: A bridge stays this far from a sharp corner (mm), and no part hangs by fewer.
+CLEAR: Final = 5.0
+FEWEST: Final = 2
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -27,7 +34,9 @@ class Bridges:
     middle: F64  #: (k,) mm along the path
     width: F64  #: (k,) mm in the top face
     bare: F64  #: (k,) mm that the tip has left
+    need: F64  #: (k,) mm that must be clear of corners
     apart: F64  #: (k,) mm from its middle to that of the next one of its path
+    gap_without: F64  #: (k,) mm from the one before it to the one after it
 
 
 def bridges(rows: Rows, paths: Chains, held: Bool, edges: Edges, lead: float) -> Bridges:
@@ -62,23 +71,38 @@ def bridges(rows: Rows, paths: Chains, held: Bool, edges: Edges, lead: float) ->
         if len(other):
             end[other[0]] += end[k]
             which[k] = -1
-    kept = which >= 0
+    # Between two ways that meet no bridge is left, however they are printed.
+    kept = (which >= 0) & (end - begin > BRIEF)
     which, begin, end, length = which[kept], begin[kept], end[kept], length[kept]
 
     ahead = _arrived(path[forward], high[forward], which, begin, length)
     back = _arrived(path[~forward], low[~forward], which, end, length)
     top_begin, top_end = begin + lead * ahead, end - lead * back
     middle = (top_begin + top_end) / 2.0 % np.where(length > 0.0, length, 1.0)
-    order = np.lexsort((middle, which))
-    which, middle = which[order], middle[order]
-    width, bare, length = (top_end - top_begin)[order], (end - begin)[order], length[order]
-    new = np.ones(len(which), np.bool_)
-    new[1:] = which[1:] != which[:-1]
+    width = top_end - top_begin
+    return strung(which, middle, width, end - begin, width, paths.length)
+
+
+def strung(path: I64, middle: F64, width: F64, bare: F64, need: F64, length: F64) -> Bridges:
+    """Return bridges in order, from those in any order.
+
+    Parameters
+    ----------
+    length : (c,) mm
+        Of every path.
+    """
+    order = np.lexsort((middle, path))
+    path, middle = path[order], middle[order]
+    new = np.ones(len(path), np.bool_)
+    new[1:] = path[1:] != path[:-1]
     start = np.flatnonzero(new)
-    following = np.append(middle[1:], 0.0)
-    closing = np.append(start[1:], len(which)) - 1 if len(which) else start
-    following[closing] = middle[start] + length[closing]
-    return Bridges(which, middle, width, bare, following - middle)
+    following = np.append(middle[1:], 0.0)[: len(path)]
+    closing = np.append(start[1:], len(path))[: len(start)] - 1
+    following[closing] = middle[start] + length[path[start]]
+    away = following - middle
+    before = np.roll(away, 1)
+    before[start] = away[closing]
+    return Bridges(path, middle, width[order], bare[order], need[order], away, away + before)
 
 
 def _arrived(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
@@ -90,11 +114,63 @@ def _arrived(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
     return result
 
 
-def near_corner(found: Bridges, paths: Chains, edges: Edges, clear: float) -> tuple[I64, F64]:
+def judged(
+    found: Bridges, paths: Chains, edges: Edges, held: Bool, board: Board, slack: float
+) -> Iterator[tuple[str, int, str, float]]:
+    """Yield what is wrong with bridges: the kind of finding, the edge, words, the measure (mm).
+
+    Parameters
+    ----------
+    edges
+        Those on the paths.
+    held : (c,)
+        The paths that must hang by bridges.
+    slack : mm
+        Less is not wrong.
+    """
+    edge, short = _near_corner(found, paths, edges)
+    wide = found.width - board.bridge_width
+    many = np.bincount(found.path, minlength=len(held))
+    # Without a spare one the next two would still be near enough to each other.
+    spare = many[found.path] > FEWEST
+    spare &= found.gap_without <= board.bridge_spacing - slack
+    bad = (np.abs(wide) > slack) | (short > slack) | spare
+    bad |= found.apart > board.bridge_spacing + slack
+    for k in np.flatnonzero(bad)[:MOST]:
+        at, e = f"bridge at {found.middle[k]:.3f} mm round the contour", int(edge[k])
+        if abs(wide[k]) > slack:
+            text = (
+                f"the {at} is {found.width[k]:.3f} mm wide in the top face; the board wants "
+                f"{board.bridge_width:g} mm."
+            )
+            yield "uncut" if wide[k] > 0.0 else "overcut", e, text, float(abs(wide[k]))
+        if short[k] > slack:
+            text = f"the {at} is {short[k]:.3f} mm too near a sharp corner."
+            yield "deviation", e, text, float(short[k])
+        past = float(found.apart[k] - board.bridge_spacing)
+        if past > slack:
+            text = (
+                f"from the {at} it is {found.apart[k]:.3f} mm to the next; the board wants at most "
+                f"{board.bridge_spacing:g} mm."
+            )
+            yield "overcut", e, text, past
+        if spare[k]:
+            text = (
+                f"the {at} is one too many: without it there are {found.gap_without[k]:.3f} mm "
+                "from one to the next."
+            )
+            yield "uncut", e, text, float(found.width[k])
+    for path in np.flatnonzero(held & (many < FEWEST))[:MOST]:
+        e = int(np.flatnonzero(paths.path == path)[0])
+        text = f"{many[path]} bridges hold the part; the board wants {FEWEST} at least."
+        yield "overcut", e, text, 0.0
+
+
+def _near_corner(found: Bridges, paths: Chains, edges: Edges) -> tuple[I64, F64]:
     """Return for bridges the edge that each is on, and how much too near a sharp corner (mm)."""
     size = edges.curve[:, 5]
     edge, place = paths.find(found.path, found.middle, edges.curve)
-    least = np.minimum(clear + found.width / 2.0, size[edge] / 2.0)
+    least = np.minimum(CLEAR + found.need / 2.0, size[edge] / 2.0)
     sharp = _sharp(paths, edges)
     short = np.zeros(len(edge))
     for side, away in ((0, place), (1, size[edge] - place)):

@@ -9,6 +9,7 @@ a double crease has two lines for each that is drawn, half of their distance to 
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Final
 
@@ -30,12 +31,7 @@ THROUGH: Final = 0.01
 
 def parted(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
     """Return creases parted where cuts run through them, and the places, (k, 2) mm."""
-    rows = overlaps(edges.curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON)
-    at, place = rows.along.mean(axis=1), rows.place.mean(axis=1)
-    size = cuts.curve[rows.edge, 5]
-    runs = (place > TOUCHING) & (place < size - TOUCHING)
-    runs &= np.diff(rows.along)[:, 0] < THROUGH
-    crease, at = rows.curve[runs].astype(np.int64), at[runs]
+    crease, at = _through(edges.curve, cuts)
     places = point_at(edges.curve[crease], at)
     within = (at > TOUCHING) & (at < edges.curve[crease, 5] - TOUCHING)
     crease, at = crease[within], at[within]
@@ -48,6 +44,38 @@ def parted(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
     high = np.where(last, edges.curve[row, 5], np.append(low[1:], 0.0))
     some = high - low > 1e-6
     return _pieces(edges, row[some], low[some], high[some]), places
+
+
+def _through(curve: F64, cuts: Edges) -> tuple[I64, F64]:
+    """Return which curves cuts run through, and where (mm along them).
+
+    A cut runs through in its own middle, or goes on as another where it ends on the curve: some
+    leave that place on either side of it.
+    """
+    rows = overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON)
+    at, place = rows.along.mean(axis=1), rows.place.mean(axis=1)
+    runs = (place > TOUCHING) & (place < cuts.curve[rows.edge, 5] - TOUCHING)
+    runs &= np.diff(rows.along)[:, 0] < THROUGH
+    touch = overlaps(
+        lines(cuts.ends, cuts.ends), curve, np.zeros(len(curve)), curve[:, 5], TOUCHING
+    )
+    row, on = touch.edge.astype(np.int64), touch.place[:, 0]
+    side = np.sin(np.radians(cuts.outward[touch.curve] + 180.0 - azimuth_at(curve[row], on)))
+    side[np.abs(side) * cuts.curve[touch.curve // 2, 5] <= TOUCHING] = 0.0
+    order = np.lexsort((on, row))
+    row, on, side = row[order], on[order], side[order]
+    new = np.ones(len(row), np.bool_)
+    new[1:] = (row[1:] != row[:-1]) | (np.diff(on) > TOUCHING)
+    group = np.cumsum(new) - 1
+    across = math.sin(math.radians(STRAIGHT))
+    both = np.zeros((int(new.sum()), 2), np.bool_)
+    both[group[side > across], 0] = True
+    both[group[side < -across], 1] = True
+    met = np.flatnonzero(new)[both.all(axis=1)]
+    return (
+        np.concatenate([rows.curve[runs].astype(np.int64), row[met]]),
+        np.concatenate([at[runs], on[met]]),
+    )
 
 
 def _pieces(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
@@ -71,12 +99,15 @@ def _pieces(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
 
 
 def rolled_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
-    """Return the gaps between dashes that were rolled through, as creases of the dash before.
+    """Return the gaps between dashes that were rolled as one, as creases of the dash before.
+
+    They were if the wheel has been in one of their gaps, or on only one of them.
 
     Parameters
     ----------
     cuts
-        What begins or ends on one of them is no dash there: the gap is a slot.
+        What begins or ends on one of them is no dash there: the gap is a slot.  Where one runs
+        through a gap, the dashes on either side are not of one crease.
     ways : (n, 6)
         Where the wheel went.
     limit : mm
@@ -90,6 +121,9 @@ def rolled_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
     slots = overlaps(points, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], TOUCHING)
     touched[slots.curve] = True
     near, far = near[~(touched[near] | touched[far])], far[~(touched[near] | touched[far])]
+    unparted = np.ones(len(near), np.bool_)
+    unparted[_through(lines(dash.ends[near], dash.ends[far]), cuts)[0]] = False
+    near, far = near[unparted], far[unparted]
     if len(near) == 0:
         return edges.taken(np.zeros(0, np.int64))
     gap = np.hypot(*(dash.ends[near] - dash.ends[far]).T)
@@ -112,10 +146,13 @@ def rolled_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
     near, far = near[good], far[good]
     curve = lines(dash.ends[near], dash.ends[far])
     rows = overlaps(ways, curve, np.zeros(len(curve)), curve[:, 5], limit)
-    done = np.zeros(len(curve))
-    np.add.at(done, rows.edge, np.abs(np.diff(rows.place)[:, 0]))
-    rolled = done > 0.9 * curve[:, 5]
-    near, far, curve = near[rolled], far[rolled], curve[rolled]
+    some = np.abs(np.diff(rows.place)[:, 0]) > JOINED
+    run = name[near // 2]
+    rolled = np.zeros(len(dash), np.bool_)
+    rolled[run[rows.edge[some]]] = True
+    met = overlaps(ways, dash.curve, np.zeros(len(dash)), dash.curve[:, 5], limit).edge
+    rolled |= np.bincount(name[np.unique(met)], minlength=len(dash)) == 1
+    near, far, curve = near[rolled[run]], far[rolled[run]], curve[rolled[run]]
     heading = azimuth_at(curve, np.zeros(len(curve)))
     return Edges(
         dash.row[near // 2],

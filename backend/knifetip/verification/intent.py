@@ -187,11 +187,12 @@ def apart(one: F64, other: F64, turn: float = 360.0) -> F64:
     return result
 
 
-def _links(edges: Edges, kink: float) -> tuple[I64, Bool]:
+def _links(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64, Bool]:
     """Return which end each end is joined to, -1 for none, and whether another goes straight on.
 
     Two ends that are alone are joined where they turn by no more than ``kink`` degrees; where
     more meet, those that run straight through each other are, if neither has a second candidate.
+    Where two edges of a ``ring``, (n,), meet they go on as each other, whatever else ends there.
     """
     count = len(edges.ends)
     a, b = pairs_within(edges.ends, edges.ends, TOUCHING)
@@ -204,6 +205,14 @@ def _links(edges: Edges, kink: float) -> tuple[I64, Bool]:
     # One drawn over the other does not come back along it.
     joined &= ~((turn >= 180.0 - STRAIGHT) & _over(edges, a, b))
     a, b, turn = a[joined], b[joined], turn[joined]
+    if ring is not None:
+        both = ring[a // 2] & ring[b // 2]
+        rung = np.bincount(a[both], minlength=count) == 1
+        both &= rung[a] & rung[b]
+        taken = np.zeros(count, np.bool_)
+        taken[a[both]] = True
+        keep = both | ~(taken[a] | taken[b])
+        a, b, turn = a[keep], b[keep], np.where(both, 0.0, turn)[keep]
     crowd = np.bincount(a, minlength=count)
     fits = np.where((crowd[a] == 1) & (crowd[b] == 1), turn <= kink + 1e-9, turn <= STRAIGHT)
     a, b = a[fits], b[fits]
@@ -402,7 +411,9 @@ class KnifeEnds:
     paths: Chains
 
 
-def knife_ends(edges: Edges, cuts: Edges, lead: float, overrun: float) -> KnifeEnds:
+def knife_ends(
+    edges: Edges, cuts: Edges, lead: float, overrun: float, ring: Bool | None = None
+) -> KnifeEnds:
     """Return where the tip stops at each end of edges that a knife works.
 
     Parameters
@@ -415,9 +426,11 @@ def knife_ends(edges: Edges, cuts: Edges, lead: float, overrun: float) -> KnifeE
         How far the top face is cut ahead of the tip: an end inside a panel is cut short by it.
     overrun : mm
         How far the tip runs past an end that meets a cut.
+    ring : (n,)
+        Edges that are cut all round, past what else ends on them.
     """
     count = len(edges)
-    link, _ = _links(edges, 180.0)
+    link, _ = _links(edges, 180.0, ring)
     paths = chains(edges, link)
     rows = overlaps(
         lines(edges.ends, edges.ends), cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], TOUCHING

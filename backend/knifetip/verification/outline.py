@@ -270,11 +270,11 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
         go = np.where(leaves, _round(curve[edge], grooves.ends[end], u, sign * half * n, go), go)
         np.minimum.at(need[:, side], end[leaves], go[leaves])
         np.maximum.at(most[:, side], end[leaves], go[leaves])
-    # Past an outward corner's one edge a place has left; in a notch part of the groove meets board.
-    inward, outward = _corners(bounds, outer, end, edge, count)
+    # Past an outward corner's one edge a place has left; in a notch it must be past both.
+    outward = _corners(bounds, outer, end, edge, count)
     many = np.bincount(end, minlength=count)
     out_by = np.bincount(end[leaves], minlength=count)
-    boundary[:] = (many > 0) & (out_by >= np.where(outward, 1, many)) & ~inward
+    boundary[:] = (many > 0) & (out_by >= np.where(outward, 1, many))
     reach = np.where(outward[:, None], need, most)
     least[boundary] = np.maximum(reach[boundary].max(axis=1), 0.0)
     return RunOuts(boundary, least)
@@ -292,9 +292,9 @@ def _round(curve: F64, end: F64, u: F64, aside: F64, straight: F64) -> F64:
     return result
 
 
-def _corners(bounds: Outline, outer: I64, end: I64, edge: I64, count: int) -> tuple[Bool, Bool]:
-    """Return which of ``count`` ends lie in a notch of the outline, and which on a corner of it."""
-    inward, outward = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
+def _corners(bounds: Outline, outer: I64, end: I64, edge: I64, count: int) -> Bool:
+    """Return which of ``count`` ends lie on a corner of the outline that stands out."""
+    outward = np.zeros(count, np.bool_)
     order = np.argsort(end, kind="stable")
     end, edge = end[order], edge[order]
     pair = np.flatnonzero(end[1:] == end[:-1])
@@ -312,6 +312,5 @@ def _corners(bounds: Outline, outer: I64, end: I64, edge: I64, count: int) -> tu
             heading.append(place)
         meets = np.hypot(*(heading[1] - heading[3]).T) <= TOUCHING
         turn = np.sin(heading[2] - heading[0])
-        inward[end[first[meets & (turn < -1e-6)]]] = True
         outward[end[first[meets & (turn > 1e-6)]]] = True
-    return inward, outward
+    return outward

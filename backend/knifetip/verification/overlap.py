@@ -9,29 +9,13 @@ distance has a closed form, so nothing is sampled; a grid over the edges finds w
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numba import njit
 
-from knifetip.verification.columns import F64, I32, Bool
-
-#: A stretch that adds less than this belongs to the edge before it: paths may have gaps of
-#: 0.002 mm, and programs are printed to 0.0001 mm.
-BRIEF: Final = 0.005
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Rows:
-    """k stretches, ordered by curve and then by how far they are from the edge."""
-
-    curve: I32  #: (k,)
-    edge: I32  #: (k,)
-    along: F64  #: (k, 2) mm along the curve, ascending
-    place: F64  #: (k, 2) mm along the edge at those two
-    distance: F64  #: (k,) mm, the farthest within the stretch
-    best: Bool  #: (k,) some of the stretch is on no nearer edge
+from knifetip.verification.columns import F64
+from knifetip.verification.stretches import Rows, in_order
 
 
 def overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) -> Rows:
@@ -62,32 +46,7 @@ def overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) -> Rows
             shape[1],
         )
         pairs, spans = pairs[:rows], spans[:rows]
-    order = np.lexsort((spans[:, 4], pairs[:, 0]))
-    pairs, spans = pairs[order], spans[order]
-    curve, edge = pairs[:, 0].copy(), pairs[:, 1].copy()
-    length = curves[:, 5].copy()
-    best = _best(curve, spans, length, length)
-    return Rows(curve, edge, spans[:, :2].copy(), spans[:, 2:4], spans[:, 4], best)
-
-
-def nearest_until(rows: Rows, curves: F64, until: F64) -> Rows:
-    """Return the rows with ``best`` for the first ``until`` mm, (n,), of each curve only."""
-    spans = np.column_stack([rows.along, rows.place, rows.distance])
-    return replace(rows, best=_best(rows.curve, spans, curves[:, 5].copy(), until))
-
-
-def narrowed(rows: Rows, limit: F64, curves: F64) -> Rows:
-    """Return the rows that stay within the limit, (m,) mm, of their own edge."""
-    keep = rows.distance <= limit[rows.edge]
-    kept = Rows(
-        rows.curve[keep],
-        rows.edge[keep],
-        rows.along[keep],
-        rows.place[keep],
-        rows.distance[keep],
-        rows.best[keep],
-    )
-    return nearest_until(kept, curves, curves[:, 5].copy())
+    return in_order(pairs, spans, curves)
 
 
 def _laid_out(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
@@ -105,15 +64,6 @@ def _laid_out(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
     )
     shape = (int(extent[0] / size) + 1, int(extent[1] / size) + 1)
     return corner, size, shape
-
-
-def leftover(rows: Rows, curves: F64) -> tuple[I32, F64]:
-    """Return the stretches of curves on no edge: the curve (k,) and from where to where (k, 2) mm.
-
-    A point on no edge is a stretch without length.
-    """
-    which, spans, count = _left(rows.curve, rows.along, curves[:, 5].copy())
-    return which[:count], spans[:count]
 
 
 @njit(cache=True)
@@ -189,30 +139,30 @@ def _found(
     count = np.zeros(wide * tall + 1, np.int64)
     seen = np.full(wide * tall, -1, np.int64)
     cells = np.empty(1024, np.int64)
-    for edge in range(len(edges)):
-        if high[edge] < low[edge]:
-            continue
-        cells, many = _cells(edges[edge], 0.0, corner, size, wide, tall, cells)
-        for k in range(many):
-            if seen[cells[k]] != edge:
-                seen[cells[k]] = edge
-                count[cells[k] + 1] += 1
     filled = np.empty(wide * tall, np.int64)
-    for cell in range(wide * tall):
-        filled[cell] = count[cell]
-        count[cell + 1] += count[cell]
-    listed = np.empty(count[wide * tall], np.int32)
-    for cell in range(len(seen)):
-        seen[cell] = -1
-    for edge in range(len(edges)):
-        if high[edge] < low[edge]:
-            continue
-        cells, many = _cells(edges[edge], 0.0, corner, size, wide, tall, cells)
-        for k in range(many):
-            if seen[cells[k]] != edge:
-                seen[cells[k]] = edge
-                listed[filled[cells[k]]] = edge
-                filled[cells[k]] += 1
+    listed = np.empty(0, np.int32)
+    # Counted first, and then written where the counts say.
+    for writes in range(2):
+        for edge in range(len(edges)):
+            if high[edge] < low[edge]:
+                continue
+            cells, many = _cells(edges[edge], 0.0, corner, size, wide, tall, cells)
+            for k in range(many):
+                cell = cells[k]
+                if seen[cell] == edge:
+                    continue
+                seen[cell] = edge
+                if writes:
+                    listed[filled[cell]] = edge
+                    filled[cell] += 1
+                else:
+                    count[cell + 1] += 1
+        if not writes:
+            for cell in range(wide * tall):
+                filled[cell] = count[cell]
+                count[cell + 1] += count[cell]
+                seen[cell] = -1
+            listed = np.empty(count[wide * tall], np.int32)
 
     pairs = np.empty((max(256, 2 * len(curves)), 2), np.int32)
     spans = np.empty((len(pairs), 5))
@@ -281,14 +231,13 @@ def _shared(curve: Any, edge: Any, low: float, high: float, limit: float, hits: 
         whole = 0.0
         if edge[0] != 0.0:
             # Round the circle: take the end that a way of this length leads to, and try the edge
-            # one turn earlier and later too.
+            # one turn earlier and later too.  Seen from outside a circle nothing goes half round.
             whole = 2.0 * math.pi * edge[3]
-            if curve[0] != 0.0:
+            ahead = 0.0
+            if curve[0] != 0.0 and math.hypot(curve[1] - edge[1], curve[2] - edge[2]) < curve[3]:
                 ahead = curve[0] * edge[0] * (end - begin) * edge[3] / curve[3]
-                last += whole * round((first + ahead - last) / whole)
-                turns = 3
-            else:
-                last += whole * round((first - last) / whole)
+            last += whole * round((first + ahead - last) / whole)
+            turns = 3
         for turn in range(turns):
             shift = 0.0 if turn == 0 else (whole if turn == 1 else -whole)
             a = first + shift
@@ -413,93 +362,3 @@ def _turned(curve: Any, begin: float, end: float, near: Any, pieces: int) -> int
         at = a + 2.0 * math.pi * turn
         pieces = _kept(at * curve[3], (at + span) * curve[3], curve[5], near, pieces)
     return pieces
-
-
-@njit(cache=True)
-def _best(curve_of: Any, spans: Any, length: Any, until: Any) -> Any:
-    """A stretch counts where no nearer one of its curve has been: rows come nearest first."""
-    best = np.zeros(len(curve_of), np.bool_)
-    begin = 0
-    while begin < len(curve_of):
-        end = begin
-        while end < len(curve_of) and curve_of[end] == curve_of[begin]:
-            end += 1
-        covered = np.empty((end - begin + 1, 2))
-        many = 0
-        curve = curve_of[begin]
-        short = length[curve] <= BRIEF
-        for row in range(begin, end):
-            right = min(spans[row, 1], until[curve])
-            left = min(spans[row, 0], right)
-            many, gained = _added(covered, many, left, right)
-            # An edge drawn twice is worked twice by one way.
-            twin = spans[row, 4] <= spans[begin, 4] + 1e-6
-            whole = right - left > BRIEF or (short and spans[row, 1] <= until[curve])
-            best[row] = gained > BRIEF or (twin and whole)
-        begin = end
-    return best
-
-
-@njit(cache=True)
-def _added(covered: Any, many: int, left: float, right: float) -> Any:
-    """Put a stretch into a sorted list of disjoint ones; return their number and what was new."""
-    first = 0
-    while first < many and covered[first, 1] < left:
-        first += 1
-    last = first
-    old = 0.0
-    low = left
-    high = right
-    while last < many and covered[last, 0] <= right:
-        old += min(covered[last, 1], right) - max(covered[last, 0], left)
-        low = min(low, covered[last, 0])
-        high = max(high, covered[last, 1])
-        last += 1
-    merged = last - first
-    if merged == 0:
-        for k in range(many, first, -1):
-            covered[k, 0] = covered[k - 1, 0]
-            covered[k, 1] = covered[k - 1, 1]
-        many += 1
-    elif merged > 1:
-        for k in range(last, many):
-            covered[k - merged + 1, 0] = covered[k, 0]
-            covered[k - merged + 1, 1] = covered[k, 1]
-        many -= merged - 1
-    covered[first, 0] = low
-    covered[first, 1] = high
-    return many, (right - left) - old
-
-
-@njit(cache=True)
-def _left(curve_of: Any, along: Any, length: Any) -> Any:
-    which = np.empty(len(curve_of) + len(length), np.int32)
-    spans = np.empty((len(which), 2))
-    count = 0
-    row = 0
-    for curve in range(len(length)):
-        begin = row
-        while row < len(curve_of) and curve_of[row] == curve:
-            row += 1
-        covered = np.empty((row - begin + 1, 2))
-        many = 0
-        for k in range(begin, row):
-            many, _ = _added(covered, many, along[k, 0], along[k, 1])
-        if length[curve] < 1e-9:
-            if row == begin:
-                which[count] = curve
-                spans[count, 0] = 0.0
-                spans[count, 1] = 0.0
-                count += 1
-            continue
-        at = 0.0
-        for k in range(many + 1):
-            until = covered[k, 0] if k < many else length[curve]
-            if until - at > 1e-7:
-                which[count] = curve
-                spans[count, 0] = at
-                spans[count, 1] = until
-                count += 1
-            if k < many:
-                at = covered[k, 1]
-    return which, spans, count

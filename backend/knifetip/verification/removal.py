@@ -15,7 +15,6 @@ Source: the radius paper, equations 1-9; the corner's reach is our derivation.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
@@ -23,18 +22,21 @@ import numpy as np
 
 from knifetip.model.machine import Station
 from knifetip.model.tool import Cutter
+from knifetip.verification import disc
 from knifetip.verification.bench import CATCH, DEPTH, Bench
+from knifetip.verification.bridges import judged, strung
 from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.disc import within
+from knifetip.verification.equidistants import Equidistants, equidistants
 from knifetip.verification.findings import MOST
-from knifetip.verification.intent import Edges
+from knifetip.verification.intent import Edges, knife_ends
 from knifetip.verification.kinematics import lines, off_line, point_at
 from knifetip.verification.outline import Outline, inside, outline
-from knifetip.verification.overlap import leftover, overlaps
+from knifetip.verification.overlap import overlaps
+from knifetip.verification.passes import unprepared
+from knifetip.verification.stretches import SAME, gaps, leftover
+from knifetip.verification.unreached import areas
 
-#: Chords of an equidistant that is no circle stay within this of it (mm).
-_CHORD: Final = 1e-4
-#: Numbers that differ by less are one number (mm).
-_SAME: Final = 1e-9
 #: Programs print to half of this (mm).
 PRINT: Final = 1e-4
 
@@ -54,22 +56,6 @@ class Ways:
         return Ways(
             self.curve[rows], self.z[rows], self.track[rows], self.line[rows], self.blend[rows]
         )
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Equidistants:
-    """Where the centre should run: k pieces, each beside a stretch of one edge."""
-
-    curve: F64  #: (k, 6)
-    edge: I64  #: (k,)
-    place: F64  #: (k, 2) mm along the edge at both ends of the piece
-
-    def on_edge(self, piece: I32, place: F64) -> tuple[F64, F64]:
-        """Return from where to where along its edge (mm) a stretch, (n, 2) mm, of a piece is."""
-        share = place / np.maximum(self.curve[piece, 5], _SAME)[:, None]
-        first, last = self.place[piece, 0], self.place[piece, 1]
-        at = first[:, None] + (last - first)[:, None] * share
-        return at.min(axis=1), at.max(axis=1)
 
 
 def judge_removal(bench: Bench, edges: Edges, ways: Ways, station: Station, slack: float) -> None:
@@ -116,12 +102,31 @@ class _Removal:
                 float(wrong[row]),
                 row,
             )
+        self._stepped(deep)
         through = deep >= planned - DEPTH
-        pieces = self._equidistants()
+        pieces = equidistants(self.bounds, self.reach)
         gap_edge, begin, end = self._untouched(pieces, through)
         self._uncut(pieces, gap_edge, begin, end)
         self._too_near()
+        self._past_open_ends()
         self._astray()
+
+    def _stepped(self, deep: F64) -> None:
+        """Judge whether no pass goes deeper at once than the cutter bears."""
+        if self.tool.step == 0.0:
+            return
+        which, spans = unprepared(self.ways.curve, deep, self.tool.step, self.tolerance)
+        size = np.diff(spans)[:, 0]
+        for k in np.flatnonzero(size > self.slack)[:MOST]:
+            row = int(which[k])
+            self._finding(
+                "depth",
+                -1,
+                f"the cutter goes {deep[row]:.3f} mm deep on {size[k]:.3f} mm that no pass before "
+                f"has made ready; it takes {self.tool.step:g} mm at once.",
+                float(deep[row] - self.tool.step),
+                row,
+            )
 
     def _finding(self, kind: str, edge: int, text: str, measure: float, row: int = -1) -> None:
         where = int(self.edges.row[edge]) if edge >= 0 else -1
@@ -131,53 +136,6 @@ class _Removal:
         self.bench.found.add(kind, place + text + told, measure, edge=where, line=line)
 
     # -- the edges -------------------------------------------------------------------------------
-
-    def _equidistants(self) -> Equidistants:
-        """Return the way of the centre beside every edge; an open cut is followed on its line."""
-        curve = self.edges.curve
-        waste = np.where(self.bounds.board_left, -1.0, 1.0) * self.bounds.closing
-        straight = np.flatnonzero(curve[:, 0] == 0.0)
-        moved = curve.copy()
-        u = curve[straight, 3:5]
-        n = np.stack([-u[:, 1], u[:, 0]], axis=1) * waste[straight, None]
-        moved[straight, 1:3] += n * self.reach
-        edge = np.arange(len(curve))
-        place = np.stack([np.zeros(len(curve)), self.size], axis=1)
-        bent = np.flatnonzero(curve[:, 0] != 0.0)
-        # To its left an arc to the left has its centre.
-        grows = -curve[bent, 0] * waste[bent]
-        if self.reach[0] == self.reach[1]:
-            radius = curve[bent, 3] + grows * self.reach[0]
-            moved[bent, 3] = radius
-            moved[bent, 5] *= radius / curve[bent, 3]
-            fits = np.ones(len(curve), np.bool_)
-            # No disc fits into an arc that is tighter than itself.
-            fits[bent[radius <= _SAME]] = False
-            return Equidistants(moved[fits], edge[fits], place[fits])
-        pieces = [Equidistants(moved[straight], edge[straight], place[straight])]
-        for row, sign in zip(bent, grows, strict=True):
-            pieces.append(self._elliptic(int(row), float(sign)))
-        return Equidistants(
-            np.concatenate([piece.curve for piece in pieces]),
-            np.concatenate([piece.edge for piece in pieces]),
-            np.concatenate([piece.place for piece in pieces]),
-        )
-
-    def _elliptic(self, row: int, grows: float) -> Equidistants:
-        """Return chords of the ellipse that runs beside an arc where δx and δy differ."""
-        curve = self.edges.curve[row]
-        axes = curve[3] + grows * self.reach
-        sweep = curve[5] / curve[3]
-        count = max(1, int(np.ceil(sweep * np.sqrt(max(axes.max(), 1.0) / (8.0 * _CHORD)))))
-        at = np.linspace(0.0, curve[5], count + 1)
-        angle = curve[4] + curve[0] * at / curve[3]
-        points = curve[1:3] + axes * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        fits = slice(0, count if (axes > _SAME).all() else 0)
-        return Equidistants(
-            lines(points[:-1], points[1:])[fits],
-            np.full(count, row)[fits],
-            np.stack([at[:-1], at[1:]], axis=1)[fits],
-        )
 
     def _untouched(self, pieces: Equidistants, through: Bool) -> tuple[I64, F64, F64]:
         """Return the stretches of edges beside which no centre has run: edge, from, to (mm)."""
@@ -209,15 +167,7 @@ class _Removal:
                 edge=int(self.edges.row[edge[row]]),
                 line=int(ways.line[rows.curve[row]]),
             )
-        # An open cut may begin and end its disc at the ends of the line.
-        short = np.where(self.bounds.closing, 0.0, self.tool.radius)
-        every = np.arange(len(self.edges))
-        return gaps(
-            np.concatenate([edge, every, every]),
-            np.concatenate([low, np.zeros(len(every)), self.size - short]),
-            np.concatenate([high, np.minimum(short, self.size), self.size]),
-            self.size,
-        )
+        return gaps(edge, low, high, self.size)
 
     def _uncut(self, pieces: Equidistants, edge: I64, begin: F64, end: F64) -> None:
         """Judge what is not touched: either nothing could touch it, or it is left uncut."""
@@ -235,6 +185,18 @@ class _Removal:
         np.add.at(figures.unreached, row[edge], end - begin)
         np.subtract.at(figures.unreached, row[left_edge], missed)
         bare = missed > self.slack
+        # Standing so far before a stretch that is blocked, the disc still reaches up to it.
+        beside = float(np.sqrt(2.0 * self.reach.max() * self.tolerance))
+        for k in np.flatnonzero(bare & (missed <= beside)):
+            mine = blocked_edge == left_edge[k]
+            before = (np.abs(high[mine] - left_begin[k]) < SAME).any()
+            after = (np.abs(low[mine] - left_end[k]) < SAME).any()
+            bare[k] = before == after
+        reached = ~np.isin(edge, left_edge[bare])
+        self.bench.unreached.append(
+            areas(self.bounds, edge[reached], begin[reached], end[reached], self.reach)
+        )
+        bare &= ~self._bridges(left_edge, left_begin, left_end)
         np.add.at(figures.uncut, row[left_edge[bare]], missed[bare])
         for k in np.flatnonzero(bare)[:MOST]:
             self._finding(
@@ -244,6 +206,36 @@ class _Removal:
                 "start.",
                 float(missed[k]),
             )
+
+    def _bridges(self, edge: I64, begin: F64, end: F64) -> Bool:
+        """Judge the bridges among stretches that are not touched, and return which they are.
+
+        Between the discs on either side a bridge is 2r narrower than the centre's way is open.
+        """
+        board = self.bench.board
+        if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
+            return np.zeros(len(edge), np.bool_)
+        curve = self.edges.curve[edge]
+        bent = curve[:, 0] != 0.0
+        waste = np.where(self.bounds.board_left[edge], -1.0, 1.0)
+        # Beside an arc the centre's way is longer or shorter than the edge.
+        grows = np.where(bent, -curve[:, 0] * waste, 0.0) * self.tool.radius
+        scale = 1.0 + grows / np.where(bent, curve[:, 3], 1.0)
+        width = (end - begin) * scale - 2.0 * self.tool.radius
+        paths = knife_ends(self.edges, self.edges, 0.0, 0.0, self.bounds.outer).paths
+        rounds = paths.first < 0
+        rounds[paths.path[~self.bounds.outer]] = False
+        is_bridge = rounds[paths.path[edge]] & (width > 0.0)
+        edge, width = edge[is_bridge], width[is_bridge]
+        begin, end = begin[is_bridge], end[is_bridge]
+
+        path, place, bare = paths.path[edge], 0.5 * (begin + end), end - begin
+        middle = paths.begin[edge] + np.where(paths.flipped[edge], self.size[edge] - place, place)
+        np.add.at(self.bench.figures.setback, self.edges.row[edge], bare)
+        found = strung(path, middle, width, bare, bare, paths.length)
+        for kind, at, text, measure in judged(found, paths, self.edges, rounds, board, self.slack):
+            self._finding(kind, at, text, measure)
+        return is_bridge
 
     def _blocked(self, pieces: Equidistants) -> tuple[I64, F64, F64]:
         """Return the stretches of edges beside which the disc would cut another: edge, from, to."""
@@ -292,8 +284,16 @@ class _Removal:
         # Beside an open cut both sides lose half of the disc, at the outline too.
         along = self._on_open_cuts()
         into = np.zeros(len(way))
-        for at in _nearest(self.ways.curve[way], rows.along, curve[edge], self._round):
-            into = np.maximum(into, self._into(point_at(self.ways.curve[way], at), curve[edge]))
+        sides = np.zeros((2, len(way)))
+        for at in disc.nearest(self.ways.curve[way], rows.along, curve[edge], self._round):
+            into = np.maximum(
+                into, disc.into(point_at(self.ways.curve[way], at), curve[edge], self.reach)
+            )
+            off = off_line(self.ways.curve[way], at, curve[edge])
+            sides = np.stack([np.minimum(sides[0], off), np.maximum(sides[1], off)])
+        # What comes out on the other side of an edge has gone through it.
+        crosses = (sides[0] < -SAME) & (sides[1] > SAME)
+        into = np.where(crosses, np.maximum(into, self.reach.min()), into)
         self._overcut(closing[edge], way, np.where(along[way], 0.0, into))
 
         corner = self.edges.ends[np.repeat(self.bounds.closing, 2)]
@@ -309,7 +309,7 @@ class _Removal:
         for share in np.linspace(0.0, 1.0, 2 if self._round else 33):
             off = point_at(self.ways.curve[touched], share * self.ways.curve[touched, 5])
             near = np.minimum(near, np.hypot(*((off - corner[met.curve]) / self.reach).T))
-        foot = self._foot(self.ways.curve[touched], corner[met.curve])
+        foot = disc.foot(self.ways.curve[touched], corner[met.curve], self.reach)
         off = point_at(self.ways.curve[touched], foot)
         near = np.minimum(near, np.hypot(*((off - corner[met.curve]) / self.reach).T))
         into = np.where(along[touched], 0.0, (1.0 - near) * float(self.reach.min()))
@@ -325,47 +325,29 @@ class _Removal:
         result[rows.curve[size]] = True
         return result
 
+    def _past_open_ends(self) -> None:
+        """Judge whether what follows an open cut stops where that ends."""
+        rows = np.flatnonzero(self._on_open_cuts())
+        own = self.edges.curve[~self.bounds.closing]
+        curve = self.ways.curve[rows]
+        near = overlaps(curve, own, np.zeros(len(own)), own[:, 5], self.tolerance)
+        which, spans = leftover(near, curve)
+        size = np.diff(spans)[:, 0]
+        for k in np.flatnonzero(size > self.slack)[:MOST]:
+            self._finding(
+                "overcut",
+                -1,
+                f"the cutter goes {size[k]:.3f} mm past an open cut.",
+                float(size[k]),
+                int(rows[which[k]]),
+            )
+
     @property
     def _round(self) -> bool:
         return bool(self.reach[0] == self.reach[1])
 
-    def _foot(self, curve: F64, point: F64) -> F64:
-        """Return where on curves they come nearest to points, told in half-axes (mm along)."""
-        weight = 1.0 / self.reach**2
-        to = point - curve[:, 1:3]
-        straight = curve[:, 0] == 0.0
-        u = curve[:, 3:5]
-        line = (weight * to * u).sum(axis=1) / np.where(
-            straight, np.maximum((weight * u * u).sum(axis=1), _SAME), 1.0
-        )
-        turned = curve[:, 0] * (np.arctan2(to[:, 1], to[:, 0]) - curve[:, 4])
-        middle = 0.5 * curve[:, 5] / np.where(straight, 1.0, curve[:, 3])
-        turned = (turned - middle + np.pi) % (2.0 * np.pi) - np.pi + middle
-        at = np.where(straight, line, turned * curve[:, 3])
-        result: F64 = np.clip(at, 0.0, curve[:, 5])
-        return result
-
-    def _into(self, points: F64, edge: F64) -> F64:
-        """Return how far a disc at points reaches past edges (mm), as far as it gives way."""
-        to = points - edge[:, 1:3]
-        straight = edge[:, 0] == 0.0
-        normal = np.where(straight[:, None], edge[:, [4, 3]] * (-1.0, 1.0), 0.0)
-        off = np.abs((normal * to).sum(axis=1))
-        flat = (normal**2 * self.reach).sum(axis=1) - off
-        # Beside an arc the centre's way is an ellipse with these half-axes.
-        away = np.hypot(*to.T)
-        outer = away >= edge[:, 3]
-        axes = edge[:, 3, None] + np.where(outer, 1.0, -1.0)[:, None] * self.reach
-        scaled = np.hypot(*(to / np.where(np.abs(axes) > _SAME, axes, _SAME)).T)
-        size = np.abs(axes).min(axis=1)
-        bent = np.where(outer, 1.0 - scaled, scaled - 1.0) * size
-        # A disc wider than the arc that it is in.
-        bent = np.where(~outer & (axes <= _SAME).any(axis=1), self.reach.max(), bent)
-        result: F64 = np.where(straight, flat, bent)
-        return result
-
     def _overcut(self, edge: I64, way: I32 | I64, into: F64) -> None:
-        into = np.where(into > _SAME, into, 0.0)
+        into = np.where(into > SAME, into, 0.0)
         figure = into + np.where(into > 0.0, self.rounds[way], 0.0)
         row = self.edges.row[edge]
         np.maximum.at(self.bench.figures.overcut, row, np.where(into > PRINT, into, 0.0))
@@ -408,83 +390,21 @@ class _Removal:
             ways.curve[:, 5],
             far,
         )
-        near_corner = np.zeros(len(ways.z), np.bool_)
-        near_corner[ends.edge] = True
-        which, spans = leftover(near, ways.curve)
-        lost = (np.diff(spans)[:, 0] > self.slack) & ~near_corner[which]
+        low, high = within(ways.curve[ends.edge], self.edges.ends[ends.curve], far)
+        some = high > low
+        which, begin, end = gaps(
+            np.concatenate([near.curve, ends.edge[some]]).astype(np.int64),
+            np.concatenate([near.along[:, 0], low[some]]),
+            np.concatenate([near.along[:, 1], high[some]]),
+            ways.curve[:, 5],
+        )
+        lost = end - begin > self.slack
         for k in np.flatnonzero(lost)[:MOST]:
-            x, y = point_at(ways.curve[which[k : k + 1]], spans[k, :1])[0]
+            x, y = point_at(ways.curve[which[k : k + 1]], begin[k : k + 1])[0]
             self._finding(
                 "stray",
                 -1,
                 f"the cutter works at X{x:.3f} Y{y:.3f} of the sheet, where no edge asks for it.",
-                float(spans[k, 1] - spans[k, 0]),
+                float(end[k] - begin[k]),
                 int(which[k]),
             )
-
-
-def gaps(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64, F64]:
-    """Return what stretches leave bare of edges: edge, from, to (mm).
-
-    Parameters
-    ----------
-    edge, low, high : (n,) index and mm
-        Stretches in any order.
-    size : (m,) mm
-        Length of every edge.
-    """
-    every = np.arange(len(size))
-    edge = np.concatenate([edge, every])
-    low, high = np.concatenate([low, size]), np.concatenate([high, size])
-    order = np.lexsort((high, low, edge))
-    edge, low, high = edge[order], np.maximum(low[order], 0.0), high[order]
-    # One running maximum for all edges: each stands on its own step.
-    step = edge * (2.0 * float(size.max(initial=0.0)) + 1.0)
-    reached = np.maximum.accumulate(np.minimum(high, size[edge]) + step) - step
-    before = np.concatenate([[0.0], reached[:-1]])
-    new = np.ones(len(edge), np.bool_)
-    new[1:] = edge[1:] != edge[:-1]
-    before[new] = 0.0
-    bare = low - before > _SAME
-    return edge[bare].astype(np.int64), before[bare], low[bare]
-
-
-def within(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
-    """Return from where to where (mm) curves are within a distance of points; to < from if never.
-
-    One stretch is told: an arc of more than half a turn may have another one round its back.
-    """
-    to = point - curve[:, 1:3]
-    straight = curve[:, 0] == 0.0
-    radius = np.where(straight, 1.0, curve[:, 3])
-    foot = (to * curve[:, 3:5]).sum(axis=1)
-    square = limit**2 - np.where(straight, (to**2).sum(axis=1) - foot**2, 0.0)
-    away = np.maximum(np.hypot(*to.T), _SAME)
-    cosine = (radius**2 + away**2 - limit**2) / (2.0 * radius * away)
-    turn = np.arccos(np.clip(cosine, -1.0, 1.0)) * radius
-    turned = curve[:, 0] * (np.arctan2(to[:, 1], to[:, 0]) - curve[:, 4])
-    middle = 0.5 * curve[:, 5] / radius
-    turned = ((turned - middle + np.pi) % (2.0 * np.pi) - np.pi + middle) * radius
-    at = np.where(straight, foot, turned)
-    half = np.where(straight, np.sqrt(np.maximum(square, 0.0)), turn)
-    half = np.where(np.where(straight, square <= 0.0, cosine >= 1.0), -1.0, half)
-    low = np.where(half < 0.0, 1.0, np.maximum(at - half, 0.0))
-    return low, np.where(half < 0.0, 0.0, np.minimum(at + half, curve[:, 5]))
-
-
-def _nearest(curve: F64, along: F64, edge: F64, round_: bool) -> Iterator[F64]:
-    """Yield places along curves (mm), within stretches, where they may be nearest to edges."""
-    low, high = along.T
-    yield low
-    yield high
-    straight, flat = curve[:, 0] == 0.0, edge[:, 0] == 0.0
-    to = edge[:, 1:3] - curve[:, 1:3]
-    foot = np.where(straight, (to * curve[:, 3:5]).sum(axis=1), 0.0)
-    square = np.arctan2(edge[:, 3], -edge[:, 4])
-    towards = np.where(flat, square, np.arctan2(to[:, 1], to[:, 0]))
-    for half in (0.0, np.pi):
-        turned = curve[:, 0] * (towards + half - curve[:, 4]) % (2.0 * np.pi)
-        yield np.clip(np.where(straight, foot, turned * curve[:, 3]), low, high)
-    if not round_:
-        for share in np.linspace(0.0, 1.0, 9)[1:-1]:
-            yield low + (high - low) * share

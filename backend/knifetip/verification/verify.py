@@ -27,6 +27,7 @@ from knifetip.verification.intent import on_sheet
 from knifetip.verification.kinematics import Tips, Work, tips, work
 from knifetip.verification.modal import Moves, interpret
 from knifetip.verification.parse import obeyed, parse, placement_of
+from knifetip.verification.unreached import drawn
 
 #: The map of a verdict has no more rows.
 SAMPLES: Final = 200_000
@@ -98,6 +99,7 @@ def verify(
         bottom_uncut=figures.bottom_uncut,
         top_overcut=figures.top_overcut,
         samples=_samples(bench),
+        areas=drawn(bench.unreached, placement),
         findings=found.sorted(),
         seconds=conduct.seconds(moves, machine),
     )

@@ -34,7 +34,7 @@ describe("what goes wrong", () => {
     const question = { kind: "unit", text: "?", choices: ["mm"], edges: [], layer: "", colour: 0 };
     answers(JSON.stringify({ detail: "1 question", questions: [question] }), { status: 409 });
     await expect(
-      service.compile({ drawing: "d", machine: "m", board: "b", copies: 1 }),
+      service.compile({ drawing: "d", machine: "m", board: "b", copies: 1, corners: null }),
     ).rejects.toMatchObject({ problem: { questions: [question] } });
   });
 

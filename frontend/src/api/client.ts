@@ -4,17 +4,22 @@
  * Everything that goes wrong is a `ServiceError` with the service's own words: what, and the mend.
  */
 
-import type { Edges, Toolpath } from "../geometry/records";
-import { edgesOf, toolpathOf } from "./columns";
+import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
+import { edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
 import type { components } from "./openapi.gen";
 
 type Schemas = components["schemas"];
 export type Board = Schemas["BoardOut"];
+export type CornerAt = Schemas["CornerAt"];
+export type Corners = Schemas["Corners"];
 export type Drawing = Schemas["DrawingOut"];
 export type DrawingSummary = Schemas["DrawingSummary"];
 export type Finding = Schemas["FindingOut"];
 export type Job = Schemas["JobOut"];
-export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> & { copies: number };
+export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> & {
+  copies: number;
+  corners: Corners | null;
+};
 export type JobState = Job["state"];
 export type LedgerRow = Schemas["LedgerRow"];
 export type Machine = Schemas["MachineOut"];
@@ -176,6 +181,8 @@ export const service = {
   compile: (order: JobOrder) => send<Job>("POST", "/api/jobs", order),
   command: (id: string, command: JobCommand) => send<Job>("POST", at("jobs", id, `/${command}`)),
   verdict: (id: string, signal?: AbortSignal) => get<Verdict>(at("jobs", id, "/verdict"), signal),
+  verdictColumns: async (id: string, signal?: AbortSignal): Promise<VerdictColumns> =>
+    verdictColumnsOf(await bytes(at("jobs", id, "/verdict?format=columns"), signal)),
   toolpath: async (id: string, signal?: AbortSignal): Promise<Toolpath> =>
     toolpathOf(await bytes(at("jobs", id, "/toolpath"), signal)),
   programUrl: (id: string) => at("jobs", id, "/program"),

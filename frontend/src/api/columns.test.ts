@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { ColumnsError, decodeColumns, edgesOf, toolpathOf } from "./columns";
+import { ColumnsError, decodeColumns, edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
 
 type Values = Float64Array | Int32Array | Uint8Array;
 const DTYPES = new Map<unknown, string>([
@@ -117,4 +117,25 @@ describe("columns", () => {
     const { length: _, ...others } = EDGES;
     expect(() => edgesOf(packed(others))).toThrow(/no column length/);
   });
+});
+
+test("a verdict's areas and samples are read by their names", () => {
+  const { areas, samples } = verdictColumnsOf(
+    packed({
+      area_ends: Float64Array.of(0, 3, 0, 0, 0, 0, 3, 0, 3, 0, 0, 3),
+      area_bulge: Float64Array.of(0, 0, -0.4),
+      area_first: Int32Array.of(0, 3),
+      area_size: Float64Array.of(1.93),
+      sample_edge: Int32Array.of(0, 0),
+      sample_place: Float64Array.of(0, 1),
+      sample_deviation: Float64Array.of(0.001, -0.002),
+    }),
+  );
+  expect([...areas.first]).toEqual([0, 3]);
+  expect(areas.ends[1]).toBe(3);
+  expect([...samples.deviation]).toEqual([0.001, -0.002]);
+});
+
+test("a verdict of a service without areas is an error that says so", () => {
+  expect(() => verdictColumnsOf(packed({ deviation: Float64Array.of(0) }))).toThrow(/area_ends/);
 });

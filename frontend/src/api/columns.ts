@@ -7,7 +7,7 @@
  * where the data begins.
  */
 
-import type { Edges, Toolpath } from "../geometry/records";
+import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
 
 type Column = Float64Array | Int32Array | Uint8Array;
 
@@ -91,6 +91,23 @@ export function edgesOf(bytes: ArrayBuffer): Edges {
     layers: words(from.meta.layers),
     rules: words(from.meta.rules),
     linetypes: words(from.meta.linetypes),
+  };
+}
+
+export function verdictColumnsOf(bytes: ArrayBuffer): VerdictColumns {
+  const from = decodeColumns(bytes);
+  return {
+    areas: {
+      ends: column(from, "area_ends", Float64Array),
+      bulge: column(from, "area_bulge", Float64Array),
+      first: column(from, "area_first", Int32Array),
+      size: column(from, "area_size", Float64Array),
+    },
+    samples: {
+      edge: column(from, "sample_edge", Int32Array),
+      place: column(from, "sample_place", Float64Array),
+      deviation: column(from, "sample_deviation", Float64Array),
+    },
   };
 }
 

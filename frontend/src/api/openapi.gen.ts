@@ -213,7 +213,7 @@ export interface paths {
         };
         /**
          * Get Verdict
-         * @description Return the judge's answer, edge by edge.
+         * @description Return the judge's answer, edge by edge, as JSON or binary columns (``format=columns``).
          */
         get: operations["get_verdict"];
         put?: never;
@@ -464,6 +464,29 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/boards/{name}/deflection": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Calibrate
+         * @description Say how far a cutter gives way in a board, from measured points, by least squares.
+         *
+         *     Nothing is kept: the library is a folder of files, and ``toml`` is what belongs into the
+         *     board's.
+         */
+        post: operations["calibrate"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/profiles": {
         parameters: {
             query?: never;
@@ -669,6 +692,8 @@ export interface components {
             crease_across: number;
             /** Groove Depth */
             groove_depth: number;
+            /** Deflection */
+            deflection: components["schemas"]["DeflectionOut"][];
         };
         /** Body_upload_drawing */
         Body_upload_drawing: {
@@ -681,6 +706,57 @@ export interface components {
              * @default default
              */
             profile: string;
+        };
+        /**
+         * CalibrationIn
+         * @description Points measured on a contour that a machine's cutter cut in a board.
+         */
+        CalibrationIn: {
+            /** Machine */
+            machine: string;
+            /**
+             * Tool
+             * @description Name of its station
+             */
+            tool: string;
+            /**
+             * Side
+             * @description Of travel, where the cutter ran; knifetip's programs: left
+             * @default left
+             * @enum {string}
+             */
+            side: "left" | "right";
+            /** Points */
+            points: components["schemas"]["MeasuredPoint"][];
+        };
+        /**
+         * CalibrationOut
+         * @description How far the cutter gives way in the board, and the lines to keep in the board's file.
+         */
+        CalibrationOut: {
+            /** Board */
+            board: string;
+            /** Machine */
+            machine: string;
+            /** Tool */
+            tool: string;
+            /**
+             * X
+             * @description mm, where the contour runs along Y
+             */
+            x: number;
+            /**
+             * Y
+             * @description mm, where it runs along X
+             */
+            y: number;
+            /**
+             * Residual
+             * @description mm, the farthest that a point is from what these say
+             */
+            residual: number;
+            /** Toml */
+            toml: string;
         };
         /**
          * Claim
@@ -722,6 +798,74 @@ export interface components {
              * @default 20
              */
             wait: number;
+        };
+        /**
+         * CornerAt
+         * @description One corner, named by its place, that is made otherwise than the rest.
+         */
+        CornerAt: {
+            /**
+             * X
+             * @description mm in the drawing; within 0.5 mm of the corner
+             */
+            x: number;
+            /** Y */
+            y: number;
+            /**
+             * Type
+             * @enum {string}
+             */
+            type: "auto" | "B" | "C" | "D";
+            /**
+             * K
+             * @description None for that of the rest
+             */
+            k?: number | null;
+        };
+        /**
+         * Corners
+         * @description How a router, or a beam with its kerf, goes round corners that stand out towards it.
+         *
+         *     B on an arc, C on straight lines with a stop at each bend, D on line, arc and line; auto takes
+         *     for each corner what is over soonest on the machine.
+         */
+        Corners: {
+            /**
+             * Type
+             * @default auto
+             * @enum {string}
+             */
+            type: "auto" | "B" | "C" | "D";
+            /**
+             * K
+             * @description Of the D type: 0 is as B, 1 as C
+             * @default 0.5
+             */
+            k: number;
+            /**
+             * Interference
+             * @description Where the cutter does not fit: leave that uncut, or refuse
+             * @default trim
+             * @enum {string}
+             */
+            interference: "trim" | "refuse";
+            /**
+             * At
+             * @default []
+             */
+            at: components["schemas"]["CornerAt"][];
+        };
+        /**
+         * DeflectionOut
+         * @description How far a tool gives way in a board (mm).
+         */
+        DeflectionOut: {
+            /** Tool */
+            tool: string;
+            /** X */
+            x: number;
+            /** Y */
+            y: number;
         };
         /**
          * DrawingOut
@@ -1006,6 +1150,8 @@ export interface components {
              * @default []
              */
             overrides: components["schemas"]["Override"][];
+            /** @description Only for machines that mill; left to the machine where null */
+            corners?: components["schemas"]["Corners"] | null;
             /**
              * Release
              * @description Queue it as soon as it is ready
@@ -1094,6 +1240,7 @@ export interface components {
             seconds: number;
             /** Seconds Left */
             seconds_left: number | null;
+            corners: components["schemas"]["Corners"] | null;
             /** Program Sha256 */
             program_sha256: string;
             verdict: components["schemas"]["VerdictSummary"] | null;
@@ -1206,6 +1353,24 @@ export interface components {
             gateway: "connected" | "absent";
             /** Job */
             job: string | null;
+        };
+        /**
+         * MeasuredPoint
+         * @description One point of a contour that was cut and measured.
+         */
+        MeasuredPoint: {
+            /**
+             * Azimuth
+             * @description Degrees, of the cutter's travel there
+             */
+            azimuth: number;
+            /**
+             * Dx
+             * @description mm: where it came to lie, less as drawn
+             */
+            dx: number;
+            /** Dy */
+            dy: number;
         };
         /**
          * Override
@@ -1325,8 +1490,30 @@ export interface components {
             };
         };
         /**
+         * UnreachedOut
+         * @description A place that no cutter gets to.
+         */
+        UnreachedOut: {
+            /**
+             * Area
+             * @description mm²
+             */
+            area: number;
+            /**
+             * X
+             * @description mm in the drawing, of its middle
+             */
+            x: number;
+            /** Y */
+            y: number;
+        };
+        /**
          * VerdictOut
          * @description The verdict, edge by edge: row i is edge i of the drawing.
+         *
+         *     As columns it has the map of deviations besides (``sample_edge``, ``sample_place`` as a share of
+         *     the edge's length, ``sample_deviation`` in mm to its left), and the outlines of what is not
+         *     reached (``area_ends``, ``area_bulge``, ``area_first``, ``area_size``).
          */
         VerdictOut: {
             /** Accepted */
@@ -1339,10 +1526,32 @@ export interface components {
             overcut: number;
             /** Uncut */
             uncut: number;
+            /**
+             * Unreached
+             * @description mm² that no cutter gets to
+             * @default 0
+             */
+            unreached: number;
+            /**
+             * Unreached Places
+             * @description In so many places
+             * @default 0
+             */
+            unreached_places: number;
             /** Seconds */
             seconds: number;
+            /**
+             * Seconds Retracted
+             * @description What it would take if every turn were a full retract
+             */
+            seconds_retracted?: number | null;
             /** Findings */
             findings: components["schemas"]["FindingOut"][];
+            /**
+             * Areas
+             * @description What no cutter gets to, the largest first
+             */
+            areas: components["schemas"]["UnreachedOut"][];
             /** Edge Deviation */
             edge_deviation: number[];
             /** Edge Overcut */
@@ -1351,10 +1560,40 @@ export interface components {
             edge_uncut: number[];
             /** Edge Setback */
             edge_setback: number[];
+            /**
+             * Edge Width
+             * @description Of a V-groove at the top face; 0 for others
+             */
+            edge_width: number[];
+            /**
+             * Edge Web
+             * @description Of board left below a V-groove; 0 for others
+             */
+            edge_web: number[];
+            /**
+             * Edge Flank
+             * @description The farthest that a groove's flank is off
+             */
+            edge_flank: number[];
+            /**
+             * Edge Unreached
+             * @description Length that no cutter can touch
+             */
+            edge_unreached: number[];
+            /**
+             * Edge Bottom Uncut
+             * @description Length not cut through the bottom face
+             */
+            edge_bottom_uncut: number[];
+            /**
+             * Edge Top Overcut
+             * @description Cut past the edge's ends in the top face
+             */
+            edge_top_overcut: number[];
         };
         /**
          * VerdictSummary
-         * @description The verdict in four figures (mm).
+         * @description The verdict in figures (mm, s).
          */
         VerdictSummary: {
             /** Accepted */
@@ -1367,8 +1606,25 @@ export interface components {
             overcut: number;
             /** Uncut */
             uncut: number;
+            /**
+             * Unreached
+             * @description mm² that no cutter gets to
+             * @default 0
+             */
+            unreached: number;
+            /**
+             * Unreached Places
+             * @description In so many places
+             * @default 0
+             */
+            unreached_places: number;
             /** Seconds */
             seconds: number;
+            /**
+             * Seconds Retracted
+             * @description What it would take if every turn were a full retract
+             */
+            seconds_retracted?: number | null;
         };
         /**
          * Problem
@@ -1871,7 +2127,9 @@ export interface operations {
     };
     get_verdict: {
         parameters: {
-            query?: never;
+            query?: {
+                format?: "json" | "columns";
+            };
             header?: never;
             path: {
                 id: string;
@@ -1887,6 +2145,7 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["VerdictOut"];
+                    "application/octet-stream": string;
                 };
             };
             /** @description What went wrong, and what to do about it */
@@ -2257,6 +2516,41 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["BoardOut"];
+                };
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    calibrate: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CalibrationIn"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CalibrationOut"];
                 };
             };
             /** @description What went wrong, and what to do about it */

@@ -15,11 +15,14 @@ import panels from "../panels/panels.module.css";
 import { Scrubber } from "../panels/Scrubber";
 import { SelectionBar } from "../panels/SelectionBar";
 import { ViewBar } from "../panels/ViewBar";
-import { mapColours } from "../scene/map";
+import { alongColours, mapColours } from "../scene/map";
 import type { Tools } from "../scene/swept";
+import { cornerNear, mills, withCorner } from "../state/corners";
 import { isOnTable } from "../state/jobs";
 import { mapOf } from "../state/maps";
 import {
+  keys,
+  queries,
   useBoards,
   useDrawing,
   useEdges,
@@ -27,6 +30,7 @@ import {
   useMachines,
   useTimeline,
   useVerdict,
+  useVerdictColumns,
 } from "../state/queries";
 import { layerKey, layerOf } from "../state/rows";
 import { usePage } from "../state/store";
@@ -56,7 +60,7 @@ export function Picture({ onReady }: Props) {
       made = new Viewer(host.current, canvas.current, VIEWER_COLOURS, {
         onHover: (row, moves, at) =>
           page.point(row === null && moves.length === 0 ? null : { row, moves, ...at }),
-        onChoose: (rows, add) => page.choose(rows, add),
+        onChoose: (rows, add, at) => chooseAt(rows, add, at),
         onCursor: setCursor,
         onView: setScale,
         onBox: setBox,
@@ -116,6 +120,20 @@ export function Picture({ onReady }: Props) {
       <Status scale={scale} cursor={cursor} />
     </>
   );
+}
+
+/** A click or a box in the picture: edges as a rule, a corner while one is wanted. */
+function chooseAt(rows: readonly number[], add: boolean, at: Point | null): void {
+  const { picking, drawing, corners, choose, set } = usePage.getState();
+  if (!picking) {
+    choose(rows, add);
+    return;
+  }
+  const edges = drawing === null ? undefined : queries.getQueryData(keys.edges(drawing).queryKey);
+  const [row] = rows;
+  if (edges === undefined || row === undefined || at === null) return;
+  const place = cornerNear(edges, row, at);
+  if (place !== null) set({ corners: withCorner(corners, place) });
 }
 
 function ZoomButton(props: { label: string; act: () => void; children: React.ReactNode }) {
@@ -194,6 +212,8 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   const { data: machines } = useMachines();
   const { data: boards } = useBoards();
   const { data: verdict } = useVerdict();
+  const { data: along } = useVerdictColumns();
+  const corners = usePage((page) => page.corners);
   const colourMode = usePage((page) => page.colourMode);
   const hiddenTypes = usePage((page) => page.hiddenTypes);
   const hiddenLayers = usePage((page) => page.hiddenLayers);
@@ -225,6 +245,12 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
     const map = shown === null ? null : mapOf(colourMode, verdict, shown.bulge.length);
     return shown === null || map === null ? null : mapColours(shown, map, MAP_SCALE);
   }, [shown, colourMode, verdict]);
+  const samples = along?.samples;
+  const stretches = useMemo(() => {
+    if (shown === null || samples === undefined || colourMode !== "deviation") return null;
+    const map = mapOf(colourMode, verdict, shown.bulge.length);
+    return map === null ? null : alongColours(shown, map, samples, MAP_SCALE);
+  }, [shown, samples, colourMode, verdict]);
   const toolpath = line?.toolpath;
   const worked = useMemo(
     () =>
@@ -238,8 +264,8 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
       if (shown === null || hiddenTypes.has(lineTypeOf(shown.lineType[row]))) return false;
       return !hiddenLayers.has(layerKey(layerOf(shown, row), shown.colour[row] ?? 0));
     };
-    viewer?.showEdges(shown, isShown, { colours, worked });
-  }, [viewer, shown, hiddenTypes, hiddenLayers, colours, worked]);
+    viewer?.showEdges(shown, isShown, { colours, worked, along: stretches });
+  }, [viewer, shown, hiddenTypes, hiddenLayers, colours, worked, stretches]);
 
   // A drawing that is opened, or whose unit is settled, is brought into view; a new type is not.
   const unit = drawing?.unit;
@@ -262,6 +288,11 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
 
   useEffect(() => viewer?.showTravel(line ?? null, tools), [viewer, line, tools]);
   useEffect(() => viewer?.showLayers(layers), [viewer, layers]);
+  const areas = open === null || job === undefined ? null : (along?.areas ?? null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: laid about the middle of these edges
+  useEffect(() => viewer?.showAreas(areas), [viewer, areas, shown]);
+  const milled = mills(machines?.find(({ name }) => name === chosenMachine));
+  useEffect(() => viewer?.showCorners(milled ? corners.at : []), [viewer, corners, milled]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the rows are those of these edges
   useEffect(() => viewer?.showChosen(selection), [viewer, selection, shown]);
   useEffect(
@@ -269,7 +300,9 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
     [viewer, hovered, hoveredMoves],
   );
   useEffect(() => {
-    if (focus.count > 0) viewer?.fitRows(focus.rows);
+    if (focus.count === 0) return;
+    if (focus.box === null) viewer?.fitRows(focus.rows);
+    else viewer?.fit(focus.box);
   }, [viewer, focus]);
 
   const before = useRef(0);

@@ -4,7 +4,7 @@ import { LINE_TYPES, type LineType } from "../geometry/records";
 import type { Palette } from "../scene/dieline";
 import { rgba } from "../scene/lines";
 import type { Scale } from "../scene/map";
-import { CANVAS, LINE_LOOKS, MARKS, SCALE, SWEPT, TRAVEL } from "../state/palette";
+import { CANVAS, LINE_LOOKS, MARKS, SCALE, SWEPT, TRAVEL, UNCUT } from "../state/palette";
 import type { ViewerColours } from "../viewer/viewer";
 
 const lineLook = (type: LineType) =>
@@ -20,6 +20,9 @@ export const VIEWER_COLOURS: ViewerColours = {
     contact: rgba(SWEPT.crease, 0.95),
   },
   marks: { plunge: rgba(MARKS.plunge), lift: rgba(MARKS.lift), swivel: rgba(MARKS.swivel) },
+  uncut: rgba(UNCUT, 0.5),
+  uncutRim: rgba(UNCUT),
+  corner: rgba(CANVAS.blade),
   head: rgba(TRAVEL.head),
   lead: rgba(TRAVEL.lead),
   tip: rgba(TRAVEL.tip, 0.9),

@@ -51,6 +51,30 @@ export interface Edges extends Segments {
   readonly linetypes: readonly string[];
 }
 
+/** Areas that no cutter gets to: q loops of lines and arcs. */
+export interface Areas extends Segments {
+  /** (q + 1,) where each loop begins, and the last one ends */
+  readonly first: Int32Array;
+  /** (q,) mm² */
+  readonly size: Float64Array;
+}
+
+/** Where the work was found along the edges, and how far beside them. */
+export interface Samples {
+  /** (m,) row of the edge, ascending */
+  readonly edge: Int32Array;
+  /** (m,) share of its length, ascending on each edge */
+  readonly place: Float64Array;
+  /** (m,) mm to the left */
+  readonly deviation: Float64Array;
+}
+
+/** What a verdict says along the lines. */
+export interface VerdictColumns {
+  readonly areas: Areas;
+  readonly samples: Samples;
+}
+
 /** What a move is for: the index is the code in the column. */
 export const MOTIONS = [
   "rapid",

@@ -1,5 +1,7 @@
 /** What the edge under the cursor is, and why; what the tools do there. */
 
+import { Fragment } from "react";
+import type { Verdict } from "../api/client";
 import { type Edges, lineTypeOf, MOTIONS, type Toolpath } from "../geometry/records";
 import { LINE_LOOKS, TRAVEL } from "../state/palette";
 import { useEdges, useJob, useMachines, useToolpath, useVerdict } from "../state/queries";
@@ -13,6 +15,8 @@ const WIDTH = 320;
 const HEAD = 100;
 const LINE = 20;
 const FIGURES = 4;
+/** Less than this is nothing (mm). */
+const SEEN = 0.005;
 /** More moves than these at one place are counted only. */
 const MOVES = 4;
 
@@ -26,7 +30,8 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
   const row = edges !== undefined && (hover.row ?? -1) < edges.bulge.length ? hover.row : null;
   const moves = hover.moves.filter((move) => move < (toolpath?.motion.length ?? 0));
   if (row === null && moves.length === 0) return null;
-  const lines = (verdict === undefined ? 0 : FIGURES) + Math.min(moves.length, MOVES + 1);
+  const more = verdict === undefined || row === null ? 0 : special(verdict, row).length;
+  const lines = (verdict === undefined ? 0 : FIGURES + more) + Math.min(moves.length, MOVES + 1);
   const tall = HEAD + lines * LINE;
   const side = x + WIDTH + 24 > width ? { right: width - x + 14 } : { left: x + 16 };
   const level = y + tall + 24 > height ? { bottom: height - y + 12 } : { top: y + 16 };
@@ -74,11 +79,43 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
             <dd>{fine(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
             <dt>Setback</dt>
             <dd>{fine(verdict.edge_setback[row] ?? Number.NaN)}</dd>
+            {special(verdict, row).map(({ title, value }) => (
+              <Fragment key={title}>
+                <dt>{title}</dt>
+                <dd>{value}</dd>
+              </Fragment>
+            ))}
           </>
         )}
       </dl>
     </>
   );
+}
+
+interface Figure {
+  readonly title: string;
+  readonly value: string;
+}
+
+/** What only some edges have: the section of a groove, both faces of a cut, what is not reached. */
+function special(verdict: Verdict, row: number): Figure[] {
+  const figure = (column: readonly number[]) => column[row] ?? 0;
+  const listed: Figure[] = [];
+  const width = figure(verdict.edge_width);
+  if (width > 0) {
+    listed.push(
+      { title: "V, top face", value: `${fine(width)} wide` },
+      { title: "Web left", value: fine(figure(verdict.edge_web)) },
+      { title: "Flank", value: `${deviation(figure(verdict.edge_flank))} off` },
+    );
+  }
+  const top = figure(verdict.edge_top_overcut);
+  const bottom = figure(verdict.edge_bottom_uncut);
+  if (top >= SEEN) listed.push({ title: "Top face", value: `${fine(top)} past the ends` });
+  if (bottom >= SEEN) listed.push({ title: "Bottom face", value: `${fine(bottom)} uncut` });
+  const left = figure(verdict.edge_unreached);
+  if (left >= SEEN) listed.push({ title: "Out of reach", value: fine(left) });
+  return listed;
 }
 
 /** Each move of the head that passes here: which tool, what it does, how high, and by which line. */

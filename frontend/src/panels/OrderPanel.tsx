@@ -4,10 +4,12 @@ import { Button, NumberInput, Select } from "@mantine/core";
 import { IconBolt } from "@tabler/icons-react";
 import { useEffect } from "react";
 import { compile } from "../state/actions";
+import { LEFT_TO_THE_MACHINE, mills } from "../state/corners";
 import { isCompiling } from "../state/jobs";
 import { useBoards, useDrawing, useJob, useMachines } from "../state/queries";
 import { usePage } from "../state/store";
 import { count } from "../state/words";
+import { CornersForm } from "./CornersForm";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 
@@ -30,7 +32,9 @@ export function OrderPanel() {
   // Looking at a job is the first step to making it once more.
   // biome-ignore lint/correctness/useExhaustiveDependencies: once to a job, not to each of its news
   useEffect(() => {
-    if (job !== undefined) set({ machine: job.machine, board: job.board });
+    if (job !== undefined) {
+      set({ machine: job.machine, board: job.board, corners: job.corners ?? LEFT_TO_THE_MACHINE });
+    }
   }, [job?.id, set]);
 
   if (drawing === undefined) return null;
@@ -55,6 +59,7 @@ export function OrderPanel() {
           onChange={(value) => set({ machine: value })}
           data-testid="machine-select"
         />
+        {mills(machines?.find(({ name }) => name === machine)) && <CornersForm />}
         <Select
           label="Board"
           placeholder="Choose a board"

@@ -4,14 +4,20 @@ import {
   IconAlertOctagonFilled,
   IconMapPin,
   IconRosetteDiscountCheckFilled,
+  IconStopwatch,
 } from "@tabler/icons-react";
+import { useState } from "react";
 import type { Finding, Job, VerdictSummary } from "../api/client";
+import { UNCUT } from "../state/palette";
 import { useVerdict } from "../state/queries";
 import { usePage } from "../state/store";
-import { count, deviation, duration, length } from "../state/words";
+import { area, count, deviation, duration, length } from "../state/words";
 import css from "./panels.module.css";
 
 const SHOWN = 100;
+/** Half the side of what is shown about a small place (mm), and of a large one, to its size. */
+const LEAST_VIEW = 8;
+const VIEW = 2;
 
 export function VerdictCard({ job }: { job: Job }) {
   const { data: whole } = useVerdict();
@@ -52,6 +58,10 @@ export function VerdictCard({ job }: { job: Job }) {
           <dd>{duration(verdict.seconds)}</dd>
         </div>
       </dl>
+      <div className={css.told}>
+        <Unreached verdict={verdict} />
+        <Saved verdict={verdict} />
+      </div>
       {findings.length > 0 && (
         <div className={css.findings} data-testid="findings">
           {findings.slice(0, SHOWN).map((finding, at) => (
@@ -66,6 +76,47 @@ export function VerdictCard({ job }: { job: Job }) {
         </div>
       )}
     </article>
+  );
+}
+
+/** What the cutter does not get to; each click goes to another place, from the largest on. */
+function Unreached({ verdict }: { verdict: VerdictSummary }) {
+  const { data: whole } = useVerdict();
+  const [next, setNext] = useState(0);
+  const lookAt = usePage((page) => page.lookAt);
+  if (verdict.unreached_places === 0) return null;
+  const goThere = () => {
+    const there = whole?.areas[next % whole.areas.length];
+    if (there === undefined) return;
+    const reach = Math.max(LEAST_VIEW, VIEW * Math.sqrt(there.area));
+    lookAt([there.x - reach, there.y - reach, there.x + reach, there.y + reach]);
+    setNext(next + 1);
+  };
+  return (
+    <button type="button" className={css.toldRow} onClick={goThere} data-testid="unreached">
+      <span className={css.toldArea} style={{ color: UNCUT, background: `${UNCUT}66` }} />
+      <span>
+        {area(verdict.unreached)} in {count(verdict.unreached_places, "place")} stay uncut: the
+        cutter does not get there.
+      </span>
+    </button>
+  );
+}
+
+/** What the short lifts are worth. */
+function Saved({ verdict }: { verdict: VerdictSummary }) {
+  const full = verdict.seconds_retracted ?? 0;
+  const share = full <= 0 ? 0 : Math.round((1 - verdict.seconds / full) * 100);
+  if (share < 1) return null;
+  return (
+    <div className={css.toldRow} data-testid="saved">
+      <IconStopwatch size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
+      <span>
+        Saves {share}
+        {"\u202f"}% against full retracts: {(full - verdict.seconds).toFixed(1)}
+        {"\u202f"}s.
+      </span>
+    </div>
   );
 }
 

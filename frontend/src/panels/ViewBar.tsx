@@ -1,7 +1,7 @@
 /** Which lines the picture shows. */
 
-import { MARKS, SWEPT, TRAVEL } from "../state/palette";
-import { useToolpath } from "../state/queries";
+import { MARKS, SWEPT, TRAVEL, UNCUT } from "../state/palette";
+import { useToolpath, useVerdictColumns } from "../state/queries";
 import { type Layer, usePage } from "../state/store";
 import css from "./panels.module.css";
 
@@ -19,39 +19,45 @@ const LAYERS: readonly {
   { layer: "rapids", title: "Rapids", colour: "#8b97a6", dashed: true },
   { layer: "swept", title: "Swept", colour: `${SWEPT.groove}99`, thick: true },
   { layer: "moves", title: "Plunges", colour: MARKS.plunge, dot: true },
+  { layer: "uncut", title: "Uncut", colour: `${UNCUT}aa`, thick: true },
 ];
 
 export function ViewBar() {
   const layers = usePage((page) => page.layers);
   const toggle = usePage((page) => page.toggleLayer);
   const { data: toolpath } = useToolpath();
+  const { data: along } = useVerdictColumns();
+  // Most jobs leave nothing: then there is nothing to show or to hide.
+  const some = (along?.areas.size.length ?? 0) > 0;
   return (
     <div className={`${css.float} ${css.chips}`} role="toolbar" aria-label="Lines shown">
-      {LAYERS.map(({ layer, title, colour, dashed, thick, dot }) => {
-        const needsPath = layer !== "nominal";
-        return (
-          <button
-            key={layer}
-            type="button"
-            className={css.chip}
-            aria-pressed={layers[layer] && (!needsPath || toolpath !== undefined)}
-            disabled={needsPath && toolpath === undefined}
-            title={needsPath && toolpath === undefined ? "Compile to see it" : undefined}
-            onClick={() => toggle(layer)}
-            data-testid={`layer-${layer}`}
-          >
-            <span
-              className={dot ? css.chipDot : css.chipLine}
-              style={{
-                color: colour,
-                borderTopStyle: dashed ? "dashed" : "solid",
-                borderTopWidth: thick ? 7 : 2,
-              }}
-            />
-            {title}
-          </button>
-        );
-      })}
+      {LAYERS.filter(({ layer }) => layer !== "uncut" || some).map(
+        ({ layer, title, colour, dashed, thick, dot }) => {
+          const needsPath = layer !== "nominal";
+          return (
+            <button
+              key={layer}
+              type="button"
+              className={css.chip}
+              aria-pressed={layers[layer] && (!needsPath || toolpath !== undefined)}
+              disabled={needsPath && toolpath === undefined}
+              title={needsPath && toolpath === undefined ? "Compile to see it" : undefined}
+              onClick={() => toggle(layer)}
+              data-testid={`layer-${layer}`}
+            >
+              <span
+                className={dot ? css.chipDot : css.chipLine}
+                style={{
+                  color: colour,
+                  borderTopStyle: dashed ? "dashed" : "solid",
+                  borderTopWidth: thick ? 7 : 2,
+                }}
+              />
+              {title}
+            </button>
+          );
+        },
+      )}
     </div>
   );
 }

@@ -20,6 +20,16 @@ export type Palette = Readonly<Record<LineType, { colour: Rgba; dash: Dash }>>;
 /** What is not worked is this much fainter. */
 const LEFT = 0.3;
 
+/** Colours along the edges: the stretches of edge i begin at first[i] and end before first[i + 1]. */
+export interface Along {
+  /** (n + 1,) */
+  readonly first: Int32Array;
+  /** (m,) where each stretch begins, as a share of the edge's length */
+  readonly place: Float64Array;
+  /** (m, 4) */
+  readonly colour: Uint8Array;
+}
+
 export interface DielineLooks {
   /** Which edges are drawn; all, if it is not said. */
   readonly shown?: (row: number) => boolean;
@@ -27,6 +37,8 @@ export interface DielineLooks {
   readonly colours?: Uint8Array | null;
   /** (n, 2) the part of each edge that is worked, as fractions of its length */
   readonly worked?: Float64Array | null;
+  /** Colours that change along the edges, above `colours` where there are any */
+  readonly along?: Along | null;
 }
 
 /** The nominal lines, coloured by line type or as they are told to be. */
@@ -34,7 +46,7 @@ export function dielineLines(
   edges: Edges,
   origin: Point,
   palette: Palette,
-  { shown = () => true, colours = null, worked = null }: DielineLooks = {},
+  { shown = () => true, colours = null, worked = null, along = null }: DielineLooks = {},
 ): Lines {
   const lines = new LinesUnderWay(origin);
   for (let row = 0; row < edges.bulge.length; row++) {
@@ -47,10 +59,35 @@ export function dielineLines(
     const to = worked?.[row * 2 + 1] ?? 1;
     const faint: Rgba = [colour[0], colour[1], colour[2], Math.round(colour[3] * LEFT)];
     if (from > 0) addEdge(lines, edges, row, faint, dash, 0, from);
-    if (to > from) addEdge(lines, edges, row, colour, dash, from, to);
+    if (to > from && !addStretches(lines, edges, row, along, from, to)) {
+      addEdge(lines, edges, row, colour, dash, from, to);
+    }
     if (to < 1) addEdge(lines, edges, row, faint, dash, to, 1);
   }
   return lines.done();
+}
+
+/** Lay an edge from stretch to stretch; false where none are known of it. */
+function addStretches(
+  lines: LinesUnderWay,
+  edges: Edges,
+  row: number,
+  along: Along | null,
+  from: number,
+  to: number,
+): boolean {
+  const begin = along?.first[row] ?? 0;
+  const end = along?.first[row + 1] ?? 0;
+  if (along === null || end - begin < 2) return false;
+  let before = from;
+  for (let at = begin; at < end && before < to; at++) {
+    // The last one that is known holds to the end.
+    const next = at + 1 === end ? to : Math.min(to, along.place[at + 1] ?? to);
+    if (next <= before) continue;
+    addEdge(lines, edges, row, rgbaAt(along.colour, at), 0, before, next);
+    before = next;
+  }
+  return true;
 }
 
 const rgbaAt = (colours: Uint8Array, row: number): Rgba => [

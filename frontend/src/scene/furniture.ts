@@ -55,7 +55,33 @@ export function datumLines(at: Point, origin: Point, arm: number, x: Rgba, y: Rg
   return lines.done();
 }
 
+/** Rings that keep their size on the screen, about places of the drawing. */
+export function ringLines(
+  places: readonly Point[],
+  origin: Point,
+  radius: number,
+  colour: Rgba,
+): Lines {
+  const lines = new LinesUnderWay(origin);
+  for (const { x, y } of places) addRing(lines, x, y, radius, colour);
+  return lines.done();
+}
+
 const RING = 40;
+
+function addRing(lines: LinesUnderWay, x: number, y: number, radius: number, colour: Rgba) {
+  for (let step = 0; step < RING; step++) {
+    const a = (2 * Math.PI * step) / RING;
+    const b = (2 * Math.PI * (step + 1)) / RING;
+    lines.add(
+      x + radius * Math.cos(a),
+      y + radius * Math.sin(a),
+      x + radius * Math.cos(b),
+      y + radius * Math.sin(b),
+      colour,
+    );
+  }
+}
 
 /**
  * The mark of the head: a ring about its axis, an arrow along C, and where the tip is.
@@ -74,18 +100,7 @@ export function headLines(
   const c = radians(degree(pose.c));
   const ahead = { x: Math.cos(c), y: Math.sin(c) };
   const left = { x: -ahead.y, y: ahead.x };
-  const radius = 10 * mmPerPixel;
-  for (let step = 0; step < RING; step++) {
-    const a = (2 * Math.PI * step) / RING;
-    const b = (2 * Math.PI * (step + 1)) / RING;
-    lines.add(
-      pose.x + radius * Math.cos(a),
-      pose.y + radius * Math.sin(a),
-      pose.x + radius * Math.cos(b),
-      pose.y + radius * Math.sin(b),
-      colour,
-    );
-  }
+  addRing(lines, pose.x, pose.y, 10 * mmPerPixel, colour);
   const point = (forward: number, sideways: number): [number, number] => [
     pose.x + (ahead.x * forward + left.x * sideways) * mmPerPixel,
     pose.y + (ahead.y * forward + left.y * sideways) * mmPerPixel,

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { type Edges, LINE_TYPES } from "../geometry/records";
 import { dielineLines, type Palette } from "./dieline";
 import type { Rgba } from "./lines";
-import { type FigureMap, isWorked, mapColours, onScale, type Scale } from "./map";
+import { alongColours, type FigureMap, isWorked, mapColours, onScale, type Scale } from "./map";
 
 const SCALE: Scale = {
   stops: [
@@ -123,4 +123,35 @@ test("a part of an arc is that part of the same circle", () => {
   const last = ((full.at(-1) ?? 0) - 3) / 4;
   expect(lines.ends[last * 4 + 2]).toBeCloseTo(5, 5);
   expect(lines.ends[last * 4 + 3]).toBeCloseTo(-5, 5);
+});
+
+describe("a deviation that changes along an edge", () => {
+  const samples = {
+    edge: Int32Array.of(1, 1, 1, 3, 3),
+    place: Float64Array.of(0, 0.5, 1, 0, 1),
+    deviation: Float64Array.of(0, 0, -0.003, 0, 0),
+  };
+  const along = alongColours(EDGES, MAP, samples, SCALE);
+  const lines = dielineLines(EDGES, { x: 0, y: 0 }, {} as Palette, {
+    shown: (row) => row === 1,
+    colours: mapColours(EDGES, MAP, SCALE),
+    along,
+  });
+
+  test("is told stretch by stretch, the worst as the edge itself", () => {
+    // 0.005 for the edge, 0.003 of it found at its end: 0.002 are the controller's everywhere.
+    expect([...along.first]).toEqual([0, 0, 3, 3, 5]);
+    expect([...along.colour.slice(0, 4)]).toEqual([...onScale(0.002, 0.01, SCALE)]);
+    expect([...along.colour.slice(4, 8)]).toEqual([...onScale(0.005, 0.01, SCALE)]);
+  });
+
+  test("leaves an edge that nobody works as it is", () => {
+    expect([...along.colour.slice(12, 16)]).toEqual([...SCALE.unworked]);
+  });
+
+  test("is drawn from stretch to stretch over the whole edge", () => {
+    expect(lines.count).toBe(2);
+    expect([...lines.ends]).toEqual([10, 0, 10, 5, 10, 5, 10, 10]);
+    expect([...lines.colour.slice(4, 8)]).toEqual([...onScale(0.005, 0.01, SCALE)]);
+  });
 });

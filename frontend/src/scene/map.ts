@@ -1,6 +1,7 @@
 /** The verdict's figures → a colour to each edge: from nothing to a limit, and beyond. */
 
-import { type Edges, lineTypeOf } from "../geometry/records";
+import { type Edges, lineTypeOf, type Samples } from "../geometry/records";
+import type { Along } from "./dieline";
 import type { Rgba } from "./lines";
 
 export interface Scale {
@@ -57,4 +58,39 @@ export function mapColours(edges: Edges, map: FigureMap, scale: Scale): Uint8Arr
     colours.set(colour, row * 4);
   }
   return colours;
+}
+
+/**
+ * The colours of deviations along the edges, from where they were found.
+ *
+ * What a controller may round counts in an edge's figure and not in what was found: it is added
+ * everywhere, so that the worst place of an edge has the edge's own colour.
+ */
+export function alongColours(
+  edges: Edges,
+  map: FigureMap,
+  { edge, place, deviation }: Samples,
+  scale: Scale,
+): Along {
+  const count = edges.bulge.length;
+  const first = new Int32Array(count + 1);
+  const worst = new Float64Array(count);
+  edge.forEach((row, at) => {
+    first[row + 1] = (first[row + 1] ?? 0) + 1;
+    worst[row] = Math.max(worst[row] ?? 0, Math.abs(deviation[at] ?? 0));
+  });
+  for (let row = 0; row < count; row++) first[row + 1] = (first[row + 1] ?? 0) + (first[row] ?? 0);
+  const colour = new Uint8Array(edge.length * 4);
+  edge.forEach((row, at) => {
+    const rounded = Math.max(0, (map.figure[row] ?? 0) - (worst[row] ?? 0));
+    // A stretch is as bad as the worse of its ends.
+    const next = edge[at + 1] === row ? Math.abs(deviation[at + 1] ?? 0) : 0;
+    // Two passes have two ends in one place.
+    const there = edge[at - 1] === row && place[at - 1] === place[at];
+    const other = there ? Math.abs(deviation[at - 1] ?? 0) : 0;
+    const figure = Math.max(Math.abs(deviation[at] ?? 0), next, other) + rounded;
+    const shown = isWorked(edges, map, row) ? onScale(figure, map.limit, scale) : scale.unworked;
+    colour.set(shown, at * 4);
+  });
+  return { first, place, colour };
 }

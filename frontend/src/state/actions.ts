@@ -2,6 +2,7 @@
 
 import { type JobCommand, ServiceError, service, type Unit } from "../api/client";
 import type { LineType } from "../geometry/records";
+import { mills } from "./corners";
 import { backwards, changeOf, forwards } from "./history";
 import { heardJob, keys, queries } from "./queries";
 import { report } from "./reports";
@@ -108,8 +109,12 @@ export function compile(machine: string, board: string): Promise<void> {
   return inTurn(async () => {
     const { drawing, copies } = usePage.getState();
     if (drawing === null) return;
+    usePage.getState().set({ picking: false });
+    const machines = queries.getQueryData(keys.machines().queryKey);
+    const milled = mills(machines?.find(({ name }) => name === machine));
+    const corners = milled ? usePage.getState().corners : null;
     try {
-      const job = await service.compile({ drawing, machine, board, copies });
+      const job = await service.compile({ drawing, machine, board, copies, corners });
       heardJob(job);
       usePage.getState().openJob(job.id);
     } catch (cause) {

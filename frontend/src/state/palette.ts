@@ -73,6 +73,9 @@ export const SWEPT = {
   crease: "#3ddc97",
 } as const;
 
+/** Where no cutter gets to. */
+export const UNCUT = "#ff4fa3";
+
 /** The moves that go nowhere on the plane. */
 export const MARKS = {
   plunge: "#ff9446",

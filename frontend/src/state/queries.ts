@@ -55,6 +55,15 @@ const ask = {
       queryFn: ({ signal }) => service.verdict(id, signal),
       staleTime: Number.POSITIVE_INFINITY,
     }),
+  verdictColumns: (id: string) =>
+    queryOptions({
+      queryKey: ["verdict columns", id],
+      queryFn: ({ signal }) => service.verdictColumns(id, signal),
+      staleTime: Number.POSITIVE_INFINITY,
+      structuralSharing: false,
+      // A verdict of an older service has none, and will not get any.
+      retry: false,
+    }),
   toolpath: (id: string) =>
     queryOptions({
       queryKey: ["toolpath", id],
@@ -112,6 +121,15 @@ export function useVerdict() {
   const { data: job } = useJob();
   return useQuery({
     ...ask.verdict(job?.id ?? ""),
+    enabled: job !== undefined && job.verdict !== null,
+  });
+}
+
+/** What the verdict of the job says along the lines, and where no cutter gets to. */
+export function useVerdictColumns() {
+  const { data: job } = useJob();
+  return useQuery({
+    ...ask.verdictColumns(job?.id ?? ""),
     enabled: job !== undefined && job.verdict !== null,
   });
 }

@@ -6,11 +6,13 @@
  */
 
 import { create } from "zustand";
-import type { Question } from "../api/client";
+import type { Corners, Question } from "../api/client";
 import type { LineState } from "../api/events";
+import type { Box } from "../geometry/records";
+import { LEFT_TO_THE_MACHINE } from "./corners";
 import type { Change } from "./history";
 
-export type Layer = "nominal" | "head" | "tip" | "rapids" | "swept" | "moves";
+export type Layer = "nominal" | "head" | "tip" | "rapids" | "swept" | "moves" | "uncut";
 
 /** What the colour of a nominal line says. */
 export const COLOUR_MODES = ["types", "deviation", "overcut"] as const;
@@ -29,6 +31,8 @@ export interface Hover {
 /** Somebody wants to see these edges: the picture goes there. */
 export interface Focus {
   readonly rows: readonly number[];
+  /** Or this part of the drawing. */
+  readonly box: Box | null;
   readonly count: number;
 }
 
@@ -60,6 +64,10 @@ export interface PageState {
   readonly machine: string | null;
   readonly board: string | null;
   readonly copies: number;
+  /** How a cutter goes round corners, where the machine has one. */
+  readonly corners: Corners;
+  /** A click means a corner now, and not an edge. */
+  readonly picking: boolean;
   /** What the service asked when it was told to compile. */
   readonly asked: readonly Question[];
 
@@ -71,6 +79,8 @@ export interface PageState {
   toggleLayerOfDrawing(layer: string): void;
   toggleLayer(layer: Layer): void;
   look(rows: readonly number[]): void;
+  /** Bring a part of the drawing into view. */
+  lookAt(box: Box): void;
   /** A change was made: it can be undone, and what was undone is forgotten. */
   made(change: Change): void;
   /** The last change was undone (or done again). */
@@ -91,6 +101,8 @@ type PageValues = Pick<
   | "machine"
   | "board"
   | "copies"
+  | "corners"
+  | "picking"
   | "asked"
   | "colourMode"
 >;
@@ -120,9 +132,10 @@ export const usePage = create<PageState>()((put) => ({
     rapids: false,
     swept: false,
     moves: false,
+    uncut: true,
   },
   colourMode: "types",
-  focus: { rows: [], count: 0 },
+  focus: { rows: [], box: null, count: 0 },
   past: [],
   future: [],
   busy: false,
@@ -135,6 +148,8 @@ export const usePage = create<PageState>()((put) => ({
   machine: null,
   board: null,
   copies: 1,
+  corners: LEFT_TO_THE_MACHINE,
+  picking: false,
   asked: [],
 
   open: (drawing, job = null) =>
@@ -152,6 +167,9 @@ export const usePage = create<PageState>()((put) => ({
             future: [],
             scrub: null,
             asked: [],
+            picking: false,
+            // Single corners are places of the drawing that was open.
+            corners: { ...page.corners, at: [] },
           },
     ),
   openJob: (job) => put({ job, scrub: null }),
@@ -179,7 +197,11 @@ export const usePage = create<PageState>()((put) => ({
     put(({ hiddenLayers }) => ({ hiddenLayers: toggled(hiddenLayers, layer) })),
   toggleLayer: (layer) => put(({ layers }) => ({ layers: { ...layers, [layer]: !layers[layer] } })),
   look: (rows) =>
-    put(({ focus }) => ({ selection: new Set(rows), focus: { rows, count: focus.count + 1 } })),
+    put(({ focus }) => ({
+      selection: new Set(rows),
+      focus: { rows, box: null, count: focus.count + 1 },
+    })),
+  lookAt: (box) => put(({ focus }) => ({ focus: { rows: [], box, count: focus.count + 1 } })),
   made: (change) => put(({ past }) => ({ past: [...past, change], future: [] })),
   undone: () =>
     put(({ past, future }) => {

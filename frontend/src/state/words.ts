@@ -22,6 +22,13 @@ export function deviation(value: number): string {
   return value < 0.0001 ? `<${THIN}0.0001${THIN}mm` : `${value.toFixed(4)}${THIN}mm`;
 }
 
+/** An area in mm², or in cm² from ten of those up. */
+export function area(value: number): string {
+  if (!Number.isFinite(value)) return "–";
+  if (value >= 1000) return `${(value / 100).toFixed(1)}${THIN}cm²`;
+  return `${value.toFixed(value >= 100 ? 0 : value >= 10 ? 1 : 2)}${THIN}mm²`;
+}
+
 export function duration(seconds: number): string {
   if (!Number.isFinite(seconds)) return "–";
   const whole = Math.max(0, Math.round(seconds));

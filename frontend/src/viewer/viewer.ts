@@ -10,6 +10,7 @@ import { boundsOf, joined } from "../geometry/bounds";
 import { movesOf } from "../geometry/moves";
 import { type PickIndex, pickIndex } from "../geometry/pick";
 import {
+  type Areas,
   type Box,
   type Edges,
   MOTIONS,
@@ -19,8 +20,9 @@ import {
 } from "../geometry/records";
 import { poseAt, rowAt, type Timeline } from "../geometry/timeline";
 import { UNDER_THE_HEAD } from "../geometry/tip";
+import { areaShapes } from "../scene/areas";
 import { type DielineLooks, dielineLines, highlightLines, type Palette } from "../scene/dieline";
-import { datumLines, frameLines, gridLines, headLines } from "../scene/furniture";
+import { datumLines, frameLines, gridLines, headLines, ringLines } from "../scene/furniture";
 import type { Rgba } from "../scene/lines";
 import { MARKED, type Marked, motionMarks } from "../scene/marks";
 import { type SweptColours, sweptShapes, type Tools } from "../scene/swept";
@@ -48,12 +50,17 @@ export interface ViewerColours extends TravelColours {
   readonly done: Rgba;
   readonly mark: Rgba;
   readonly blade: Rgba;
+  readonly uncut: Rgba;
+  readonly uncutRim: Rgba;
+  /** Of the ring about a corner that was chosen. */
+  readonly corner: Rgba;
 }
 
 export interface ViewerEvents {
   /** An edge, and the moves of the head that are there: both may be none. */
   onHover(row: number | null, moves: readonly number[], at: Point): void;
-  onChoose(rows: readonly number[], add: boolean): void;
+  /** Edges, and where in the drawing it was clicked; nowhere for a box. */
+  onChoose(rows: readonly number[], add: boolean, at: Point | null): void;
   onCursor(at: Point | null): void;
   onView(pixelsPerMm: number): void;
   onBox(box: { from: Point; to: Point } | null): void;
@@ -66,12 +73,15 @@ export interface Shown {
   readonly rapids: boolean;
   readonly swept: boolean;
   readonly moves: boolean;
+  readonly uncut: boolean;
 }
 
 /** How near the cursor must come to an edge (pixels). */
 const REACH = 7;
 /** Moves this much farther than the nearest one are pointed at with it (pixels). */
 const TOGETHER = 1.5;
+/** About a corner that was chosen (pixels). */
+const CORNER_RING = 9;
 const GLIDE = 260;
 const NOMINAL_ORDER = 5;
 /** Above the paths, under what is pointed at. */
@@ -101,6 +111,9 @@ export class Viewer {
   private readonly chosen = new LineLayer(10, 4);
   private readonly bands = new BandLayer(4.5);
   private readonly rims = new LineLayer(1.25, 4.6);
+  private readonly uncut = new BandLayer(5.4);
+  private readonly uncutRims = new LineLayer(1.5, 5.5);
+  private readonly corners = new LineLayer(2, 9.5);
   private readonly nominal = new LineLayer(1.75, NOMINAL_ORDER);
   private readonly rapids = new LineLayer(1, 6);
   private readonly head = new LineLayer(1.6, 7);
@@ -121,6 +134,8 @@ export class Viewer {
     this.datum,
     this.chosen,
     this.rims,
+    this.uncutRims,
+    this.corners,
     this.nominal,
     this.rapids,
     this.head,
@@ -151,7 +166,10 @@ export class Viewer {
     rapids: false,
     swept: false,
     moves: false,
+    uncut: true,
   };
+  private areas: Areas | null = null;
+  private cornerPlaces: readonly Point[] = [];
   private seconds: number | null = null;
   private run: { from: number; to: number; began: number; lasts: number } | null = null;
   private glide: {
@@ -183,7 +201,7 @@ export class Viewer {
     this.table.visible = false;
     this.table.frustumCulled = false;
     this.scene.add(this.table);
-    for (const layer of [this.bands, ...this.layers]) this.scene.add(layer.mesh);
+    for (const layer of [this.bands, this.uncut, ...this.layers]) this.scene.add(layer.mesh);
 
     this.watch = new ResizeObserver(() => this.resize());
     this.watch.observe(host);
@@ -202,7 +220,7 @@ export class Viewer {
       point: (at) => this.point(at),
       choose: (at, add) => {
         const row = this.pick(at);
-        events.onChoose(row === null ? [] : [row], add);
+        events.onChoose(row === null ? [] : [row], add, this.camera.toPlane(at));
       },
       box: (from, to, final) => {
         events.onBox(final ? null : { from, to });
@@ -215,7 +233,7 @@ export class Viewer {
           Math.max(a.x, b.x),
           Math.max(a.y, b.y),
         ]);
-        events.onChoose(inside.filter(this.visible), true);
+        events.onChoose(inside.filter(this.visible), true, null);
       },
     });
     this.resize();
@@ -239,6 +257,7 @@ export class Viewer {
       this.hovered.show(null);
       this.placeTable();
       this.layTravel();
+      this.layAreas();
     }
     this.nominal.show(
       edges === null
@@ -259,6 +278,19 @@ export class Viewer {
     this.timeline = timeline;
     this.tools = tools;
     this.layTravel();
+    this.draw();
+  }
+
+  /** Where no cutter gets to. */
+  showAreas(areas: Areas | null): void {
+    this.areas = areas;
+    this.layAreas();
+    this.draw();
+  }
+
+  /** Corners that were chosen. */
+  showCorners(places: readonly Point[]): void {
+    this.cornerPlaces = places;
     this.draw();
   }
 
@@ -364,7 +396,7 @@ export class Viewer {
     cancelAnimationFrame(this.asked);
     this.watch.disconnect();
     this.stopListening();
-    for (const layer of [this.bands, ...this.layers]) layer.dispose();
+    for (const layer of [this.bands, this.uncut, ...this.layers]) layer.dispose();
     this.table.geometry.dispose();
     this.table.material.dispose();
     this.renderer.dispose();
@@ -448,6 +480,14 @@ export class Viewer {
     this.motions.swivel.show(dots?.swivel ?? null);
     this.sweptLaid = false;
     this.laySwept();
+  }
+
+  private layAreas(): void {
+    const { areas, origin, colours } = this;
+    const shapes =
+      areas === null ? null : areaShapes(areas, origin, colours.uncut, colours.uncutRim);
+    this.uncut.show(shapes?.bands ?? null);
+    this.uncutRims.show(shapes?.rims ?? null);
   }
 
   private laySwept(): void {
@@ -542,6 +582,11 @@ export class Viewer {
     this.tip.mesh.visible = shown.tip && has;
     this.rapids.mesh.visible = shown.rapids && has;
     this.bands.mesh.visible = shown.swept && has;
+    this.uncut.mesh.visible = shown.uncut && this.areas !== null;
+    this.uncutRims.mesh.visible = shown.uncut && this.areas !== null;
+    this.corners.show(
+      ringLines(this.cornerPlaces, origin, CORNER_RING / camera.scale, this.colours.corner),
+    );
     this.rims.mesh.visible = shown.swept && has;
     const near = Math.min(1, Math.max(LEAST_MARKS, camera.scale / FULL_MARKS));
     for (const word of MARKED) {

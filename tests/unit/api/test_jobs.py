@@ -1,8 +1,12 @@
 from __future__ import annotations
 
 import hashlib
+import math
+import re
+from itertools import pairwise
 
 import httpx
+import numpy as np
 import pytest
 
 import dxf_text as text
@@ -145,3 +149,154 @@ def test_what_is_not_in_the_library_is_named(
     assert answer.status_code == 422
     assert words in answer.json()["detail"]
     assert answer.json()["mend"].startswith("There are ")
+
+
+def milled(client: httpx.Client, **fields: object) -> dict:
+    """Order a frame of 200 mm with a window of 50 mm on the table that mills."""
+    window = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(WINDOW)]
+    drawing = uploaded(client, square(side=200.0, extra=tuple(window)))
+    answer = client.post("/api/jobs", json={"drawing": drawing["id"], **MILLS, **fields})
+    assert answer.status_code == 201, answer.text
+    return until(client, answer.json()["id"], "ready", "refused")
+
+
+MILLS = {"machine": "router-table", "board": "greyboard-3.0"}
+WINDOW = ((50.0, 50.0), (100.0, 50.0), (100.0, 100.0), (50.0, 100.0), (50.0, 50.0))
+#: What a disc of 3 mm leaves in four right-angled corners: 4 r² (1 - π/4).
+LEFT = 4 * 9 * (1 - math.pi / 4)
+
+
+@pytest.fixture(scope="module")
+def window(client: httpx.Client) -> dict:
+    """A milled job that is ready."""
+    return milled(client)
+
+
+def test_an_order_without_corners_leaves_them_to_the_machine(window: dict):
+    assert window["state"] == "ready"
+    assert window["corners"] is None
+
+
+def test_corners_are_kept_with_the_job_and_change_its_program(client: httpx.Client, window: dict):
+    at = [{"x": 0.0, "y": 200.1, "type": "C", "k": None}]
+    chosen = {"type": "D", "k": 0.4, "interference": "trim", "at": at}
+    job = milled(client, corners=chosen)
+    assert (job["state"], job["corners"]) == ("ready", chosen)
+    assert job["program_sha256"] != window["program_sha256"]
+    # D goes l = k r = 1.2 mm straight on and round an arc of r' = 1.8, C 3 mm on to a sharp bend;
+    # 3.3 mm take two passes, and the window's corners are sharp anyway.
+    program = client.get(f"/api/jobs/{job['id']}/program").text
+    arcs = re.findall(r"^G2 .*$", program, re.MULTILINE)
+    assert len(arcs) == 2 * 3
+    assert all(re.search(r"[IJ]-?1\.8000", arc) for arc in arcs)
+    assert program.count("Y223.0000\nG1 X") == 2, program
+
+
+def test_a_corner_that_is_not_there_refuses_the_job_with_its_place(client: httpx.Client):
+    job = milled(client, corners={"at": [{"x": 3.0, "y": 0.0, "type": "C"}]})
+    assert job["state"] == "refused"
+    assert job["reason"].startswith("No corner of a milled contour is within 0.5 mm of (3, 0)")
+    assert "3.00 mm away" in job["reason"]
+    assert "(0.00, 0.00)" in job["mend"]
+
+
+def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.Client):
+    drawing = uploaded(client, square())["id"]
+    order = {"drawing": drawing, "board": "e-flute", "corners": {"type": "D"}}
+    answer = client.post("/api/jobs", json=order)
+    assert answer.status_code == 422
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert "does not cut with a cutter" in answer.json()["detail"]
+    assert answer.json()["mend"] == "Leave the corners out, or choose a machine that mills."
+
+
+@pytest.mark.parametrize(
+    ("corners", "place"),
+    [
+        ('{"type": "E"}', "body.corners.type"),
+        ('{"k": 0}', "body.corners.k"),
+        ('{"k": 1}', "body.corners.k"),
+        ('{"k": NaN}', "body.corners.k"),
+        ('{"interference": "ignore"}', "body.corners.interference"),
+        ('{"at": [{"x": 1e999, "y": 0, "type": "C"}]}', "body.corners.at.0.x"),
+        ('{"at": [{"x": 0, "y": 0, "type": "C", "k": 1.5}]}', "body.corners.at.0.k"),
+        ('{"at": [{"x": 0, "y": 0}]}', "body.corners.at.0.type"),
+        ('{"radius": 3}', "body.corners.radius"),
+    ],
+)
+def test_corners_that_are_none_are_named(client: httpx.Client, corners: str, place: str):
+    body = f'{{"drawing": "a", "board": "e-flute", "corners": {corners}}}'
+    answer = client.post("/api/jobs", content=body, headers={"Content-Type": "application/json"})
+    assert answer.status_code == 422
+    assert place in answer.json()["source"]
+
+
+def test_more_than_a_thousand_corners_are_refused(client: httpx.Client):
+    at = [{"x": 0.0, "y": 0.0, "type": "C"}] * 1001
+    order = {"drawing": "a", "board": "e-flute", "corners": {"at": at}}
+    answer = client.post("/api/jobs", json=order)
+    assert (answer.status_code, answer.json()["source"]) == (422, ["body.corners.at"])
+
+
+def test_interference_refuse_refuses_what_trim_leaves_uncut(client: httpx.Client):
+    # A slot of 4 mm from the edge, and a cutter of 6.
+    notch = ((0.0, 0.0), (98.0, 0.0), (98.0, 60.0), (102.0, 60.0), (102.0, 0.0), (200.0, 0.0),
+             (200.0, 200.0), (0.0, 200.0), (0.0, 0.0))  # fmt: skip
+    lines = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(notch)]
+    drawing = uploaded(client, text.dxf(*lines, units=4))["id"]
+    states = {}
+    for word in ("trim", "refuse"):
+        order = {"drawing": drawing, **MILLS, "corners": {"interference": word}}
+        job = client.post("/api/jobs", json=order).json()
+        states[word] = until(client, job["id"], "ready", "refused")
+    assert states["trim"]["state"] == "ready"
+    # 4 × 60 less the segment of the disc that reaches into the mouth.
+    half = math.asin(2 / 3)
+    segment = 9 * (half - math.sin(half) * math.cos(half))
+    assert states["trim"]["verdict"]["unreached"] == pytest.approx(240 - segment, rel=2e-3)
+    assert states["trim"]["verdict"]["unreached_places"] == 1
+    assert states["refuse"]["state"] == "refused"
+    assert "mm" in states["refuse"]["reason"]
+
+
+def test_what_no_cutter_gets_to_is_told_with_its_places(client: httpx.Client, window: dict):
+    assert window["verdict"]["unreached"] == pytest.approx(LEFT, abs=0.05)
+    assert window["verdict"]["unreached_places"] == 4
+    verdict = client.get(f"/api/jobs/{window['id']}/verdict").json()
+    places = {(round(area["x"]), round(area["y"])) for area in verdict["areas"]}
+    assert places == {(51, 51), (99, 51), (99, 99), (51, 99)}
+    assert sum(area["area"] for area in verdict["areas"]) == pytest.approx(LEFT, abs=0.05)
+    # Beside a window's side 3 mm at either end.
+    assert sorted(verdict["edge_unreached"])[4:] == pytest.approx([6.0] * 4, abs=0.05)
+
+
+def test_the_verdict_as_columns_has_the_map_and_the_outlines(client: httpx.Client, window: dict):
+    answer = client.get(f"/api/jobs/{window['id']}/verdict", params={"format": "columns"})
+    columns, meta = unpacked(answer.content)
+    assert meta["accepted"] is True
+    assert set(columns["sample_edge"].tolist()) == set(range(8))
+    assert np.abs(columns["sample_deviation"]).max() <= 0.01
+    assert (columns["sample_place"] >= 0.0).all()
+    assert (columns["sample_place"] <= 1.0).all()
+    assert columns["area_first"].tolist() == [0, 3, 6, 9, 12]
+    assert columns["area_ends"].shape == (12, 2, 2)
+    # In the drawing's millimetres: within the window.
+    assert columns["area_ends"].min() == pytest.approx(50.0)
+    assert columns["area_ends"].max() == pytest.approx(100.0)
+
+
+def test_the_verdict_has_the_figures_of_grooves_and_knives(client: httpx.Client):
+    lines = (text.line(0.0, 50.0, 100.0, 50.0, (8, "V-GROOVE")),)
+    drawing = uploaded(client, square(extra=lines))["id"]
+    job = until(client, ordered(client, drawing, board="greyboard-2.0")["id"], "ready", "refused")
+    verdict = client.get(f"/api/jobs/{job['id']}/verdict").json()
+    # 1.3 mm deep at 45° in 2.0 mm: 2.6 mm wide, and 0.7 mm of board below.
+    assert verdict["edge_width"] == pytest.approx([0, 0, 0, 0, 2.6], abs=1e-3)
+    assert verdict["edge_web"] == pytest.approx([0, 0, 0, 0, 0.7], abs=1e-3)
+    assert len(verdict["edge_flank"]) == len(verdict["edge_bottom_uncut"]) == 5
+    assert max(verdict["edge_top_overcut"]) > 0.0
+
+
+def test_the_time_against_full_retracts_is_told(ready: dict, window: dict):
+    for job in (ready, window):
+        assert job["verdict"]["seconds"] < job["verdict"]["seconds_retracted"]

@@ -30,3 +30,52 @@ def test_tools_say_where_they_are_mounted(client: httpx.Client):
     tools = client.get("/api/tools").json()
     mounted = {(tool["station"], tool["kind"]) for tool in tools if tool["machine"] == "demo-table"}
     assert mounted == {(1, "knife"), (2, "crease-wheel"), (3, "v-cutter")}
+
+
+POINTS = [
+    {"azimuth": 0.0, "dx": 0.0, "dy": 0.05},
+    {"azimuth": 90.0, "dx": -0.08, "dy": 0.0},
+]
+MEASURED = {"machine": "router-table", "tool": "Router", "points": POINTS}
+
+
+def test_a_cutter_is_calibrated_from_measured_points(client: httpx.Client):
+    answer = client.post("/api/boards/greyboard-3.0/deflection", json=MEASURED)
+    assert answer.status_code == 200, answer.text
+    made = answer.json()
+    # σ = 1: ΔX = -δx sin a, ΔY = δy cos a.
+    assert (made["x"], made["y"]) == pytest.approx((0.08, 0.05))
+    assert made["residual"] == pytest.approx(0.0, abs=1e-12)
+    assert made["toml"] == "[deflection.Router]\nx = 0.0800\ny = 0.0500\n"
+
+
+def test_directions_that_say_too_little_are_answered_with_what_to_measure(client: httpx.Client):
+    order = {**MEASURED, "points": POINTS[:1]}
+    answer = client.post("/api/boards/greyboard-3.0/deflection", json=order)
+    assert answer.status_code == 422
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert "runs along X at every measured point" in answer.json()["detail"]
+    assert answer.json()["mend"].startswith("Measure one more point where the contour runs along Y")
+
+
+def test_the_wrong_side_is_noticed(client: httpx.Client):
+    order = {**MEASURED, "side": "right"}
+    answer = client.post("/api/boards/greyboard-3.0/deflection", json=order)
+    assert answer.status_code == 422
+    assert "drawn into the board" in answer.json()["detail"]
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"tool": "V-cutter"}, "has no cutter 'V-cutter'"),
+        ({"machine": "demo-table"}, "has no cutter 'Router'"),
+        ({"machine": "no-table"}, "There is no machine 'no-table'"),
+        ({"points": []}, "body.points"),
+        ({"points": [{"azimuth": 0, "dx": "far", "dy": 0}]}, "body.points.0.dx"),
+    ],
+)
+def test_a_calibration_about_nothing_is_refused(client: httpx.Client, change: dict, words: str):
+    answer = client.post("/api/boards/greyboard-3.0/deflection", json={**MEASURED, **change})
+    assert answer.status_code == 422
+    assert words in answer.json()["detail"]

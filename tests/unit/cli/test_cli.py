@@ -9,6 +9,7 @@ import pytest
 
 from knifetip.cli import main
 from knifetip.dxf.samples import samples
+from knifetip.library import load
 
 
 @pytest.fixture
@@ -155,3 +156,114 @@ def test_samples_are_written(knifetip, tmp_path):
     code, _, _ = knifetip("samples", tmp_path / "new")
     assert code == 0
     assert len(list((tmp_path / "new").glob("*.dxf"))) == 3
+
+
+ROUTED = ("--machine", "router-table", "--board", "greyboard-3.0")
+
+
+def test_corners_are_chosen_and_reported(knifetip, folder):
+    drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
+    code, _, err = knifetip(
+        "program", drawing, *ROUTED, "-o", out, "--report", report, "--corner", "D", "--k", "0.4",
+        "--corner-at", "50,0=C", "--corner-at", "270,0=D:0.3",
+    )  # fmt: skip
+    assert code == 0, err
+    data = json.loads(report.read_text())
+    assert data["corners"] == {
+        "type": "D",
+        "k": 0.4,
+        "interference": "trim",
+        "at": [
+            {"x": 50.0, "y": 0.0, "type": "C", "k": None},
+            {"x": 270.0, "y": 0.0, "type": "D", "k": 0.3},
+        ],
+    }
+    plain = folder / "q.ngc"
+    knifetip("program", drawing, *ROUTED, "-o", plain)
+    assert out.read_bytes() != plain.read_bytes()
+
+
+def test_the_report_has_the_verdicts_figures(knifetip, folder):
+    drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
+    code, _, err = knifetip("program", drawing, *ROUTED, "-o", out, "--report", report)
+    assert code == 0, err
+    data = json.loads(report.read_text())
+    verdict = data["verdict"]
+    # Eight corners that turn the cutter by 45°: r² (tan 22.5° - π/8) = 0.1936 mm² each.
+    assert [area["area"] for area in verdict["areas"]] == pytest.approx([0.1936] * 8, rel=0.01)
+    assert verdict["unreached"] == pytest.approx(8 * 0.1936, rel=0.01)
+    assert len(verdict["areas"][0]["outline"]) == 3
+    assert "does not get to 1.55 mm² in 8 places" in err
+    grooved = [edge for edge in verdict["edges"] if edge["width"] > 0.0]
+    assert len(grooved) == 4
+    # 2 mm deep at 45° in 3 mm.
+    assert grooved[0]["width"] == pytest.approx(2.0 * GROOVE, abs=1e-3)
+    assert grooved[0]["web"] == pytest.approx(3.0 - GROOVE, abs=1e-3)
+    assert {"flank", "unreached", "bottom_uncut", "top_overcut"} <= set(grooved[0])
+    assert len(data["samples"]["edge"]) == len(data["samples"]["deviation"]) > 0
+    assert data["seconds"] < data["seconds_retracted"]
+    saved = 1.0 - data["seconds"] / data["seconds_retracted"]
+    assert f"{saved:.0%} less than the {data['seconds_retracted']:.1f} s with full retracts" in err
+
+
+#: Depth of a groove in the board of these tests (mm).
+GROOVE = load.board("greyboard-3.0").groove_depth
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--corner-at", "3,3=C"), "No corner of a milled contour is within 0.5 mm of (3, 3)"),
+        (("--corner-at", "50,0"), "is not X,Y=TYPE"),
+        (("--corner-at", "nan,0=C"), "is not X,Y=TYPE"),
+        (("--corner-at", "50,0=E"), "no corner type 'E' at (50, 0)"),
+        (("--corner-at", "50,0=D:1"), "knob k at (50, 0) is 1"),
+        (("--k", "nan"), "knob k is nan"),
+        (("--k", "1.5"), "knob k is 1.5"),
+    ],
+)
+def test_corners_that_are_none_are_said_with_exit_code_3(knifetip, folder, words, said):
+    drawing = folder / "rigid-box-blank.dxf"
+    code, _, err = knifetip("program", drawing, *ROUTED, "-o", folder / "p.ngc", *words)
+    assert code == 3
+    assert said in err
+    assert not (folder / "p.ngc").exists()
+
+
+def test_corners_are_not_for_a_knife(knifetip, folder):
+    drawing = folder / "rigid-box-blank.dxf"
+    code, _, err = knifetip("program", drawing, *RIGID, "-o", folder / "p.ngc", "--corner", "D")
+    assert code == 3
+    assert "does not cut with a cutter" in err
+
+
+def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(knifetip, folder):
+    points, board = folder / "points.csv", folder / "mine.toml"
+    # 45°: ΔX = -δx sin 45°, ΔY = δy cos 45°.
+    points.write_text("azimuth,dx,dy\n45,-0.056569,0.035355\n")
+    code, out, err = knifetip("calibrate", points, *ROUTED, "--store", board)
+    assert (code, out) == (0, "[deflection.Router]\nx = 0.0800\ny = 0.0500\n"), err
+    stored = ("--machine", "router-table", "--board", board)
+    drawing = folder / "rigid-box-blank.dxf"
+    given, rest = folder / "given.ngc", folder / "rest.ngc"
+    assert knifetip("program", drawing, *stored, "-o", given)[0] == 0
+    assert knifetip("program", drawing, *ROUTED, "-o", rest)[0] == 0
+    assert given.read_bytes() != rest.read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ("azimuth,dx,dy\n0,0,0.05\n", "Measure one more point where the contour runs along Y"),
+        ("azimuth,dx,dy\n", "0 measured points"),
+        ("azimuth,dx\n0,0.05\n", "line 2: there is no dy"),
+        ("azimuth,dx,dy\n0,near,0.05\n", "line 2: could not convert"),
+        ("azimuth,dx,dy\n45,nan,0.05\n", "not a number"),
+    ],
+)
+def test_a_calibration_that_says_too_little_is_refused(knifetip, folder, content, said):
+    points = folder / "points.csv"
+    points.write_text(content)
+    code, out, err = knifetip("calibrate", points, *ROUTED)
+    assert (code, out) == (3, "")
+    assert said in err

@@ -145,3 +145,17 @@ def test_a_wrong_policy_or_knob_is_refused_with_its_place():
         corners(operation(corner="D", k_at=[0.5, 0.5, 1.5, 0.5]))
     with pytest.raises(CompensationError, match="is nan"):
         corners(operation(corner="D", k=np.nan))
+
+
+def test_a_corner_may_be_of_another_type_than_the_rest():
+    kind, _ = corners(operation(corner="D", corner_at=np.array([255, 0, 1, 3], np.uint8)))
+    assert list(kind[:3]) == [Corner.D, Corner.B, Corner.C]
+    # 3 leaves the corner to the machine: as the same corner where all are.
+    assert kind[3] == corners(operation(corner="auto"))[0][3]
+
+
+def test_a_chosen_d_keeps_its_knob_beside_corners_that_are_left_to_the_machine():
+    types = np.array([2, 255, 255, 255], np.uint8)
+    # At 50 mm/s auto goes no further than k = 1 - 50² / (8000 · 2) = 0.844.
+    _, k = corners(operation(corner="auto", k=0.9, corner_at=types, feed=3000.0))
+    np.testing.assert_allclose(k, [0.9, 0.84375, 0.84375, 0.84375])

@@ -54,7 +54,8 @@ def open_cut(*points, side=1, r=3.0, depth=(2.3,), **changes) -> Operation:
     return replace(
         whole, paths=Paths(xy[:-1], xy[1:], np.zeros(count), np.array([0, count])),
         depth=np.tile(depth, (count, 1)), start=[End.FREE], finish=[End.FREE],
-        source=np.arange(count), k_at=np.zeros(0), run_out=np.zeros((0, 2)), **changes,
+        source=np.arange(count), k_at=np.zeros(0), corner_at=np.zeros(0, np.uint8),
+        run_out=np.zeros((0, 2)), **changes,
     )  # fmt: skip
 
 
@@ -361,3 +362,33 @@ def test_a_planned_blank_with_a_hole_and_a_slit():
     inner, outer = sampled(hole), sampled(blank)
     np.testing.assert_allclose([inner.min(), inner.max()], [23.0, 57.0])
     np.testing.assert_allclose([outer[:, 0].min(), outer[:, 0].max()], [-3.0, 203.0])
+
+
+@pytest.mark.parametrize("corner", ["B", "C", "D"])
+@pytest.mark.parametrize("passes", [1, 3])
+def test_between_the_discs_on_either_side_a_bridge_is_as_wide_as_asked(corner, passes):
+    square = contour(
+        (0, 0), (0, 100), (100, 100), (100, 0), side=1, corner=corner,
+        bridges=[[1, 30.0], [3, 60.0]], bridge_width=0.8,
+        depth=np.tile(np.linspace(2.3 / passes, 2.3, passes), (4, 1)),
+    )  # fmt: skip
+    path = radius(square)
+    # Nothing leads in or out: the tool goes down on its way, once for each piece and pass.
+    assert not np.isin(path.motion, (Motion.LEAD_IN, Motion.LEAD_OUT)).any()
+    assert (path.motion == Motion.PLUNGE).sum() == 2 * passes
+    points = sampled(path)
+    # 30 along the upper side from (0, 100), and 60 along the lower one from (100, 0).
+    for middle in ([30.0, 103.0], [40.0, -3.0]):
+        apart = np.hypot(*(points - middle).T)
+        assert apart.min() == pytest.approx(3.0 + 0.4, abs=1e-9)
+    np.testing.assert_allclose(distance(points, square.paths).min(), 3.0)
+
+
+def test_a_bridge_where_the_cutter_does_not_come_to_the_contour_is_refused():
+    # A slot 4 wide and 40 deep: a disc of 6 does not go in.
+    slotted = contour(
+        (0, 0), (0, 100), (48, 100), (48, 60), (52, 60), (52, 100), (100, 100), (100, 0),
+        side=1, bridges=[[1, 20.0], [2, 35.0]], bridge_width=0.8,
+    )  # fmt: skip
+    with pytest.raises(CompensationError, match=r"edge 2 where a bridge is due, 35\.0 mm along"):
+        radius(slotted)

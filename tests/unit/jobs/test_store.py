@@ -8,12 +8,15 @@ from pathlib import Path
 
 import pytest
 import sqlalchemy as sa
+from alembic import command
 from alembic.autogenerate import compare_metadata
+from alembic.config import Config
 from alembic.migration import MigrationContext
 from sqlalchemy.dialects import postgresql
 from sqlalchemy.schema import CreateIndex
 
 from knifetip.errors import KeyReused, MachineBusy, NoSuchJob, StaleEpoch, StoreError, WrongState
+from knifetip.jobs import migrations
 from knifetip.jobs.store import ATTEMPTS, LEASE, Result, Store
 from knifetip.jobs.tables import Base, Drawing, Job
 
@@ -39,6 +42,9 @@ REFUSED = Result(
     judged={"seconds": 0.0, "accepted": False},
     source=["2F4"],
 )
+
+
+MIGRATIONS = Path(migrations.__file__).parent
 
 
 class Clock:
@@ -491,6 +497,21 @@ def test_to_migrate_twice_changes_nothing(store: Store):
     job = queued(store)
     store.migrate()
     assert store.job(job.id).state == "queued"
+
+
+def test_a_database_of_before_corners_could_be_chosen_keeps_its_jobs(store: Store):
+    job = queued(store)
+    settings = Config()
+    settings.set_main_option("script_location", str(MIGRATIONS))
+    engine = sa.create_engine(store.url)
+    with engine.begin() as connection:
+        settings.attributes["connection"] = connection
+        command.downgrade(settings, "0001")
+        assert "corners" not in {row["name"] for row in sa.inspect(connection).get_columns("job")}
+    engine.dispose()
+    store.migrate()
+    kept = store.job(job.id)
+    assert (kept.state, kept.corners) == ("queued", None)
 
 
 @pytest.mark.parametrize("url", ["nonsense", "sqlite://", "sqlite:///:memory:", "mysql://h/d", ""])

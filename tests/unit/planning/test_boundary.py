@@ -62,13 +62,59 @@ def test_out_of_an_outer_corner_each_flank_needs_only_its_nearer_edge():
     assert size == pytest.approx(0.0, abs=1e-12)
 
 
-def test_in_a_notch_half_of_the_groove_meets_board_so_nothing_is_run_out():
-    # A plus: the groove along y = 100 ends in the inner corner (200, 100).
-    plus = closed(
-        (100, 0), (200, 0), (200, 100), (300, 100), (300, 200), (200, 200),
-        (200, 300), (100, 300), (100, 200), (0, 200), (0, 100), (100, 100),
-    )  # fmt: skip
-    assert out((200, 100), (1, 0), plus) == (0.0, False)
+#: The square with a notch 20 wide and 20 deep in its top edge: each side leans by tan⁻¹ ½.
+NOTCHED = closed((0, 0), (100, 0), (100, 100), (60, 100), (50, 80), (40, 100), (0, 100))
+#: A plus, whose inner corners are square.
+PLUS = closed(
+    (100, 0), (200, 0), (200, 100), (300, 100), (300, 200), (200, 200),
+    (200, 300), (100, 300), (100, 200), (0, 200), (0, 100), (100, 100),
+)  # fmt: skip
+
+
+def test_into_a_notch_both_halves_go_on_until_they_are_past_its_sides():
+    # 1 mm beside the middle a side of the notch is 2 mm above its bottom.
+    assert out((50, 80), (0, 1), NOTCHED) == (pytest.approx(2.0), True)
+    # At tan⁻¹ ¼ off the middle the left side is nearer in angle, and later to leave.
+    size, on_edge = out((50, 80), (-1, 4), NOTCHED)
+    ahead, beside = np.array([-1.0, 4.0]) / 17**0.5, np.array([-4.0, -1.0]) / 17**0.5
+    left_corner = np.array([50.0, 80.0]) + size * ahead + beside
+    assert on_edge
+    # The left side runs from (50, 80) to (40, 100): 2 x + y = 180.
+    assert 2.0 * left_corner[0] + left_corner[1] == pytest.approx(180.0)
+
+
+def test_into_an_inner_corner_along_its_diagonal_both_halves_leave_together():
+    assert out((200, 100), (1, -1), PLUS) == (pytest.approx(1.0), True)
+
+
+def test_where_an_inner_corner_has_board_ahead_the_groove_stops():
+    # Along y = 100 the upper half of the groove would cut into the right arm for ever.
+    assert out((200, 100), (1, 0), PLUS) == (0.0, False)
+    # So it would 4° below it; at 6° it leaves, after 1 / tan 6°.
+    low = np.radians(4.0)
+    assert out((200, 100), (np.cos(low), -np.sin(low)), PLUS) == (0.0, False)
+    low = np.radians(6.0)
+    assert out((200, 100), (np.cos(low), -np.sin(low)), PLUS) == (pytest.approx(9.51436), True)
+    # And into the arm there is no leaving.
+    assert out((200, 100), (1, 1), PLUS) == (0.0, False)
+
+
+def test_a_run_out_that_would_reach_board_beyond_a_slot_is_refused():
+    # Over the left wall of a slot 1.5 wide at 30°: √3 to go, and 1.5 / sin 30° = 3 to the far wall.
+    slot = closed(
+        (0, 0), (100, 0), (100, 100), (51.5, 100), (51.5, 20), (50, 20), (50, 100), (0, 100)
+    )
+    towards = (0.5, 3**0.5 / 2.0)
+    assert out((50, 60), towards, slot, width=1.0) == (pytest.approx(3**0.5 / 2.0), True)
+    with pytest.raises(FlankOutside, match=r"edge 7 would run out 3\.46 mm over .* board beyond"):
+        out((50, 60), towards, slot, width=4.0)
+
+
+def test_a_run_out_into_the_neighbouring_blank_is_refused():
+    two = np.concatenate([SQUARE, SQUARE + np.array([101.0, 0.0])])
+    assert out((100, 50), (1, 0), two) == (pytest.approx(0.0, abs=1e-12), True)
+    with pytest.raises(FlankOutside, match="board beyond"):
+        out((100, 50), (1, 1), two, width=3.0)
 
 
 def test_a_round_edge_adds_its_sagitta():

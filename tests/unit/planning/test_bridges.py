@@ -116,3 +116,32 @@ def test_at_least_two_never_too_far_apart_and_clear_of_corners(
     assert to_corner.min() >= 5.0 + bridge / 2.0 - 1e-6
     whole = np.hypot(*(ends[:, 1] - ends[:, 0]).T).sum()
     assert operation.paths.lengths.sum() == pytest.approx(whole - len(middle) * bridge)
+
+
+def test_bridges_stay_clear_of_slit_mouths_and_ends_of_creases():
+    # By themselves they would stand at 75 of the lower side and at 125 of the upper one.
+    slit, crease = edges(((75, 0), (75, 30))), edges(((125, 60), (125, 100)))
+    line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, slit), (LineType.CREASE, crease))
+    middle, width = gaps(plan(line, MACHINE, replace(HELD, bridge_spacing=160.0))[-1])
+    np.testing.assert_allclose(width, 0.5)
+    lower, upper = middle[middle[:, 1] == 0.0, 0], middle[middle[:, 1] == 100.0, 0]
+    assert np.abs(lower - 75.0).min() == pytest.approx(5.25)
+    assert np.abs(upper - 125.0).min() == pytest.approx(5.25)
+
+
+def test_where_creases_end_all_along_a_contour_it_is_held_all_the_same():
+    creases = edges(*[((x, 0), (x, 100)) for x in range(8, 200, 8)],
+                    *[((0, y), (200, y)) for y in range(8, 100, 8)])  # fmt: skip
+    operation = plan(dieline((LineType.CUT, OUTLINE), (LineType.CREASE, creases)), MACHINE, HELD)[
+        -1
+    ]
+    assert len(operation.paths) == 4
+
+
+def test_no_bridge_is_one_too_many():
+    # At 160 mm six would do by their number, but not all where they are due.
+    long = closed((0, 0), (400, 0), (400, 8), (0, 8))
+    middle, _ = gaps(cut(long, replace(HELD, bridge_spacing=170.0)))
+    round_ = np.sort(np.where(middle[:, 1] == 0.0, middle[:, 0], 816.0 - middle[:, 0]))
+    away = np.diff(np.append(round_, round_[0] + 816.0))
+    assert (away + np.roll(away, 1)).min() > 170.0

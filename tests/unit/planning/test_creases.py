@@ -43,6 +43,43 @@ def test_a_cut_that_does_not_cross_splits_nothing(cut):
     assert len(rolled(ACROSS, edges(cut)).paths) == 1
 
 
+@pytest.mark.parametrize(
+    "cuts",
+    [
+        (((40, -10), (40, 0)), ((40, 0), (40, 10))),
+        (((40, 0), (30, -10)), ((50, 10), (40, 0))),
+        (((40, -10), (40.0, -0.03)), ((40, 10), (40, 0.03)), ((40, 10), (60, 10))),
+    ],
+    ids=["straight", "slanted", "within the gap"],
+)
+@pytest.mark.parametrize("pieces", [1, 2])
+def test_a_crease_is_split_where_a_cut_goes_through_it_at_a_vertex(cuts, pieces):
+    crease = (
+        edges(((0, 0), (100, 0))) if pieces == 1 else edges(((0, 0), (40, 0)), ((100, 0), (40, 0)))
+    )
+    operation = rolled(crease, edges(*cuts))
+    assert len(operation.paths) == 2
+    np.testing.assert_allclose(np.sort(operation.paths.start[:, 0] % 100.0), [0, 40], atol=1e-9)
+    assert operation.start.tolist() == operation.finish.tolist() == [End.FREE, End.FREE]
+
+
+def test_cuts_that_end_on_a_crease_from_one_side_split_nothing():
+    vee = edges(((30, 10), (40, 0)), ((40, 0), (50, 10)))
+    assert len(rolled(ACROSS, vee).paths) == 1
+    # Nor does one that is drawn a hundredth too long, in two pieces.
+    assert len(rolled(ACROSS, edges(((40, 10), (40, 0)), ((40, 0), (40, -0.01)))).paths) == 1
+    # Nor do those that come from both sides at different places.
+    assert len(rolled(ACROSS, edges(((40, 0), (40, 10)), ((41, 0), (41, -10)))).paths) == 1
+
+
+def test_a_curved_crease_is_split_where_a_cut_goes_through_it_at_a_vertex():
+    # The lowest point of half a circle; the crease runs due east there.
+    cuts = edges(((50, -80), (50, -50)), ((50, -50), (60, 0)))
+    operation = rolled(ACROSS, cuts, bulge={0: 1.0})
+    np.testing.assert_allclose(operation.paths.end[0], [50, -50], atol=1e-9)
+    assert len(operation.paths) == 2
+
+
 def test_a_crease_of_two_pieces_is_split_at_its_joint_once():
     pieces = edges(((0, 0), (40, 0)), ((40, 0), (100, 0)))
     operation = rolled(pieces, edges(((40, -10), (40, 10))))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from knifetip.errors import NoToolForLineType, PlanError
+from knifetip.geometry.path import taken
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Station
@@ -23,8 +24,8 @@ BLANK = closed((0, 0), (200, 0), (200, 100), (0, 100))
 HOLE = closed((20, 20), (40, 20), (40, 40), (20, 40))
 
 
-def area(operation):
-    a, b = operation.paths.start, operation.paths.end
+def area(paths):
+    a, b = paths.start, paths.end
     return float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2)
 
 
@@ -35,8 +36,8 @@ def test_the_tool_is_left_of_travel_in_the_waste_however_it_was_drawn(blank, hol
     inner, outer = plan(line, ROUTED, BOARD)
     assert (inner.side, outer.side) == (1, 1)
     # A hole counter-clockwise, the blank clockwise.
-    assert area(inner) == pytest.approx(400.0)
-    assert area(outer) == pytest.approx(-20000.0)
+    assert area(inner.paths) == pytest.approx(400.0)
+    assert area(outer.paths) == pytest.approx(-20000.0)
     assert (inner.start[0], outer.finish[0]) == (End.CLOSED, End.CLOSED)
 
 
@@ -48,14 +49,52 @@ def test_the_side_is_right_whichever_edges_were_drawn_the_other_way(turned):
             mixed[edge] = mixed[edge, ::-1].copy()
     (operation,) = plan(dieline((LineType.CUT, mixed)), ROUTED, BOARD)
     assert operation.side == 1
-    assert area(operation) == pytest.approx(-20000.0)
+    assert area(operation.paths) == pytest.approx(-20000.0)
 
 
-def test_two_blanks_that_touch_in_a_point_are_refused():
-    one = closed((0, 0), (50, 0), (50, 50), (0, 50))
-    other = closed((50, 50), (90, 50), (90, 90), (50, 90))
-    with pytest.raises(PlanError, match=r"touch near \(50\.00, 50\.00\)"):
-        plan(dieline((LineType.CUT, one), (LineType.CUT, other)), ROUTED, BOARD)
+@pytest.mark.parametrize("turned", range(16))
+def test_the_side_is_right_where_a_contour_is_left_open_and_begins_with_any_of_its_edges(turned):
+    # A slit begins half-way between two ends 0.003 apart, which only together with it are one.
+    loose = BLANK.copy()
+    loose[3, 1] = (-0.003, 0.0)
+    for edge in range(4):
+        if turned >> edge & 1:
+            loose[edge] = loose[edge, ::-1].copy()
+    slit = edges(((-0.0015, 0.0), (50.0, 50.0)))
+    operations = plan(dieline((LineType.CUT, loose), (LineType.CUT, slit)), ROUTED, BOARD)
+    round_it = operations[-1]
+    assert (round_it.side, len(round_it.paths), len(round_it.source)) == (1, 1, 4)
+    assert area(round_it.paths) == pytest.approx(-20000.0, rel=1e-4)
+
+
+TOUCHING = (
+    closed((0, 0), (50, 0), (50, 50), (0, 50)),
+    closed((50, 50), (90, 50), (90, 90), (50, 90)),
+)
+
+
+@pytest.mark.parametrize("turned", range(4))
+def test_blanks_that_touch_in_a_point_are_each_milled_from_outside(turned):
+    # Their sides run straight through each other where they touch.
+    one, other = (
+        blank[::-1, ::-1] if turned >> place & 1 else blank for place, blank in enumerate(TOUCHING)
+    )
+    (operation,) = plan(dieline((LineType.CUT, one), (LineType.CUT, other)), ROUTED, BOARD)
+    assert (len(operation.paths), operation.paths.closed.all(), operation.side) == (2, True, 1)
+    # Clockwise, both of them: 50² and 40².
+    assert [area(taken(operation.paths, np.array([path]))[0]) for path in range(2)] == [
+        -2500,
+        -1600,
+    ]
+
+
+def test_holes_that_touch_in_a_point_are_each_milled_from_inside():
+    sheet = closed((-50, -50), (150, -50), (150, 150), (-50, 150))
+    line = dieline(*((LineType.CUT, ends) for ends in (sheet, *TOUCHING)))
+    inner, outer = plan(line, ROUTED, BOARD)
+    assert (len(inner.paths), inner.paths.closed.all(), inner.side) == (2, True, 1)
+    assert area(inner.paths) == pytest.approx(2500.0 + 1600.0)
+    assert area(outer.paths) == pytest.approx(-40000.0)
 
 
 def test_a_slit_has_no_side_and_comes_before_the_holes():
@@ -68,12 +107,26 @@ def test_a_slit_has_no_side_and_comes_before_the_holes():
     assert sorted(blank.source.tolist()) == [0, 1, 2, 3]
 
 
-def test_an_edge_that_two_blanks_share_is_cut_on_the_line():
-    one = edges(((100, 0), (100, 100)))
-    line = dieline((LineType.CUT, BLANK), (LineType.CUT, one))
-    shared, round_both = plan(line, ROUTED, BOARD)
-    assert (shared.side, round_both.side) == (0, 1)
-    assert shared.source.tolist() == [4]
+def test_an_edge_that_two_blanks_share_is_refused_and_with_a_gap_between_them_each_has_its_own():
+    shared = dieline((LineType.CUT, BLANK), (LineType.CUT, edges(((100, 0), (100, 100)))))
+    with pytest.raises(PlanError, match=r"share edge 4, and the cutter takes 6 mm") as refused:
+        plan(shared, ROUTED, BOARD)
+    assert "6 mm apart" in refused.value.mend
+    apart = dieline(
+        (LineType.CUT, closed((0, 0), (97, 0), (97, 100), (0, 100))),
+        (LineType.CUT, closed((103, 0), (200, 0), (200, 100), (103, 100))),
+    )
+    (operation,) = plan(apart, ROUTED, BOARD)
+    assert (len(operation.paths), operation.side) == (2, 1)
+
+
+def test_a_slit_from_the_outline_is_no_shared_edge():
+    line = dieline((LineType.CUT, BLANK), (LineType.CUT, edges(((200, 50), (150, 50)))))
+    # The outline has no vertex where the slit begins; then it has one.
+    assert [one.side for one in plan(line, ROUTED, BOARD)] == [0, 1]
+    broken = closed((0, 0), (200, 0), (200, 50), (200, 100), (0, 100))
+    line = dieline((LineType.CUT, broken), (LineType.CUT, edges(((200, 50), (150, 50)))))
+    assert [one.side for one in plan(line, ROUTED, BOARD)] == [0, 1]
 
 
 def test_a_contour_drawn_with_gaps_within_the_joining_is_closed_to_the_bit():
@@ -119,3 +172,29 @@ def test_a_cutter_makes_cuts_and_nothing_else_of_a_knifes_work():
         assert missing(kind, ROUTED)
     with pytest.raises(NoToolForLineType, match="half-cut"):
         plan(dieline((LineType.HALF_CUT, edges(((0, 0), (50, 0))))), ROUTED, BOARD)
+
+
+def test_a_cutter_leaves_bridges_on_blanks_and_none_on_holes():
+    held = replace(BOARD, bridge_width=0.8, bridge_spacing=150.0)
+    hole, blank = plan(dieline((LineType.CUT, BLANK), (LineType.CUT, HOLE)), ROUTED, held)
+    assert (len(hole.bridges), len(blank.bridges), blank.bridge_width) == (0, 4, 0.8)
+    segment, along = blank.bridges[:, 0].astype(int), blank.bridges[:, 1]
+    length = np.hypot(*(blank.paths.end - blank.paths.start).T)[segment]
+    # The disc of 3 mm stops 3.4 mm before the middle, and keeps 5 mm off the corner.
+    assert np.minimum(along, length - along).min() >= 5.0 + 3.4
+    assert plan(dieline((LineType.CUT, BLANK)), ROUTED, BOARD)[0].bridges.shape == (0, 2)
+
+
+def test_a_bridge_is_not_due_where_the_disc_does_not_come_into_an_inner_corner():
+    # Into a corner of 30° a disc of 3 mm does not come nearer than 3 / tan 15° = 11.2 mm.
+    deep = 30.0 / np.tan(np.radians(15.0))
+    notched = closed(
+        (0, 0), (200, 0), (200, 150), (130, 150), (100, 150 - deep), (70, 150), (0, 150)
+    )
+    for spacing in np.linspace(60.0, 200.0, 15):
+        held = replace(BOARD, bridge_width=0.8, bridge_spacing=float(spacing))
+        (blank,) = plan(dieline((LineType.CUT, notched)), ROUTED, held)
+        segment, along = blank.bridges[:, 0].astype(int), blank.bridges[:, 1]
+        ahead = blank.paths.end[segment] - blank.paths.start[segment]
+        place = blank.paths.start[segment] + along[:, None] * ahead / np.hypot(*ahead.T)[:, None]
+        assert np.hypot(*(place - [100, 150 - deep]).T).min() >= 11.19 + 3.4

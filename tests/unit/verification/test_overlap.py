@@ -6,7 +6,8 @@ from hypothesis import strategies as st
 
 from knifetip.verification.columns import F64
 from knifetip.verification.kinematics import arcs, lines, point_at
-from knifetip.verification.overlap import leftover, overlaps
+from knifetip.verification.overlap import overlaps
+from knifetip.verification.stretches import leftover
 
 
 def line(x1: float, y1: float, x2: float, y2: float) -> F64:

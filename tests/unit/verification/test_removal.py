@@ -13,8 +13,9 @@ from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Cutter
 from knifetip.model.verdict import Verdict
 from knifetip.verification.columns import F64
+from knifetip.verification.disc import within
 from knifetip.verification.kinematics import lines
-from knifetip.verification.removal import gaps, within
+from knifetip.verification.stretches import gaps
 from knifetip.verification.verify import verify
 
 #: A router of 3 mm radius on output 0, and nothing else.
@@ -221,12 +222,19 @@ def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not
     np.testing.assert_allclose(wide.uncut[[3, 4, 5]], [17, 2, 17], atol=0.05)
 
 
-def test_an_open_cut_is_followed_on_its_line():
+def test_an_open_cut_is_followed_on_its_line_from_end_to_end():
     drawn = dieline((CUT, 10, 10, 60, 10, 0.0))
-    cut = ("G0 Z4", "G1 Z-0.3 F1200", "G1 X57 F6000", "G1 Z4 F1200")
-    assert judged(program("G0 X13 Y10 Z20", *cut), drawn).findings == ()
-    found = judged(program("G0 X13 Y13 Z20", *cut), drawn).findings
-    assert {finding.kind for finding in found} == {"uncut"}
+
+    def kinds(x: float, y: float, until: float) -> set[str]:
+        cut = ("G0 Z4", "G1 Z-0.3 F1200", f"G1 X{until:.4f} F6000", "G1 Z4 F1200")
+        verdict = judged(program(f"G0 X{x:.4f} Y{y:.4f} Z20", *cut), drawn)
+        return {finding.kind for finding in verdict.findings}
+
+    assert kinds(10, 10, 60) == set()
+    assert kinds(10, 13, 60) == {"uncut"}
+    assert kinds(10, 10, 59.98) == {"uncut"}
+    assert kinds(9.98, 10, 60) == {"overcut"}
+    assert kinds(10, 10, 80) == {"overcut", "stray"}
 
 
 def test_a_cutter_that_gives_way_is_led_nearer_and_round_its_corners_on_an_ellipse():

@@ -1,0 +1,109 @@
+"""beside: every segment of a path moved to its side by the radius.
+
+    segments of one path -> a table of tangents, radii and moved ends
+
+Neighbours still overlap or stand apart at corners: ``shortened`` and ``whole`` make rows of them.
+
+Source: "Tool radius compensation", equations 3 to 5, P_e = P + σ r n with σ = +1 left of travel.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+from numba import njit
+
+from knifetip.geometry.tolerance import BULGE, POINT
+
+# What a kernel says of a path.
+FINE: Final = 0
+NOT_A_NUMBER: Final = 1
+NO_LENGTH: Final = 2
+NO_ROOM: Final = 3
+TORN: Final = 4
+
+# Joints at the start of a segment; one that is smooth but for rounding moves the ends a little.
+OPEN: Final = 0
+SMOOTH: Final = 1
+CONVEX: Final = 2
+CONCAVE: Final = 3
+SLID: Final = 4
+
+# Columns of the table, one row a segment: tangents at both ends, chord, signed radius (0 a line),
+# ends of the moved segment, and its signed radius (0 a line, NaN nothing).
+U1X, U1Y, U2X, U2Y, CHORD, RADIUS, SX, SY, EX, EY, MOVED = range(11)
+COLUMNS: Final = 11
+
+#: Ends that move by less than this leave an arc's bulge as it is (mm).
+STILL: Final = 1e-10
+
+
+@njit(cache=True, error_model="numpy")
+def is_closed(start: Any, end: Any, low: int, high: int) -> bool:
+    """Whether segments low … high - 1 end where they begin."""
+    return math.hypot(start[low, 0] - end[high - 1, 0], start[low, 1] - end[high - 1, 1]) < POINT
+
+
+@njit(cache=True, error_model="numpy")
+def moved(
+    start: Any, end: Any, bulge: Any, low: int, high: int, signed: float, table: Any, at: int
+) -> tuple[int, int]:
+    """Fill the table for segments low … high - 1; return a failure and its segment."""
+    for i in range(low, high):
+        here = at + i - low
+        x0, y0, x1, y1, b = start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i]
+        dx = x1 - x0
+        dy = y1 - y0
+        length = math.sqrt(dx * dx + dy * dy)
+        if not math.isfinite(length + b + x0 + y0):
+            return NOT_A_NUMBER, i
+        if length < POINT:
+            return NO_LENGTH, i
+        ux = dx / length
+        uy = dy / length
+        u1x, u1y, u2x, u2y = ux, uy, ux, uy
+        radius = 0.0
+        beside = 0.0
+        if abs(b) >= BULGE:
+            # Half the sweep, 2 atan b, without its angle.
+            whole = 1.0 + b * b
+            cos = (1.0 - b * b) / whole
+            sin = 2.0 * b / whole
+            u1x = ux * cos + uy * sin
+            u1y = uy * cos - ux * sin
+            u2x = ux * cos - uy * sin
+            u2y = uy * cos + ux * sin
+            radius = length * whole / (4.0 * b)
+            size = abs(radius) - math.copysign(signed, signed * b)
+            beside = math.copysign(size, b) if size >= POINT else math.nan
+        table[here, U1X] = u1x
+        table[here, U1Y] = u1y
+        table[here, U2X] = u2x
+        table[here, U2Y] = u2y
+        table[here, CHORD] = length
+        table[here, RADIUS] = radius
+        table[here, SX] = x0 - signed * u1y
+        table[here, SY] = y0 + signed * u1x
+        table[here, EX] = x1 - signed * u2y
+        table[here, EY] = y1 + signed * u2x
+        table[here, MOVED] = beside
+    return FINE, low
+
+
+@njit(cache=True, error_model="numpy")
+def part(table: Any, here: int, dx: float, dy: float, bulge: float, x: float, y: float) -> float:
+    """The bulge of what is kept of a moved arc whose own began in (x, y); 0 if nothing is.
+
+    (dx, dy) is the chord of what is kept, from the start that now stands in the table.
+    """
+    beside = table[here, MOVED]
+    # The ray from the centre to its start, square to the tangent there.
+    rx = table[here, SX] - x + table[here, RADIUS] * table[here, U1Y]
+    ry = table[here, SY] - y - table[here, RADIUS] * table[here, U1X]
+    sine = (rx * dx + ry * dy) / beside
+    cosine = (rx * dy - ry * dx) / beside
+    bent: float = -sine / (math.sqrt(dx * dx + dy * dy) + cosine)
+    if bent * bulge <= 0.0 or abs(bent) > 1.5 * abs(bulge):
+        return 0.0
+    return bent

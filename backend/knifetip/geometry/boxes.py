@@ -1,0 +1,346 @@
+"""boxes: which segments are near each other, without looking at every pair.
+
+    boxes of segments -> those whose boxes meet
+
+A tree of boxes, eight to a node, over the segments in the order of their path, or along a curve
+through the plane where there are many paths: n log n altogether.  Short paths are compared with
+themselves moved on by two, three, … rows: that is few instructions for many pairs.
+
+numba keeps what it has compiled beside each module and looks at that module alone: who changes a
+kernel here deletes ``__pycache__`` or runs the modules that call it anew.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.geometry.intersect import TOUCH, crossing
+
+#: Children of a node in the tree of boxes.
+FAN: Final = 8
+#: Up to this many rows every pair of boxes is looked at; beyond it a tree finds those that meet.
+FEW: Final = 256
+#: Rows in a block, where there are few.
+BLOCK: Final = 4
+#: Room on the stack for every level of a tree.
+STACK: Final = 16 * FAN
+
+
+@njit(cache=True, error_model="numpy")
+def tree_size(count: int) -> int:
+    """How many boxes a tree over so many rows has."""
+    total = count
+    while count > 1:
+        count = (count + FAN - 1) // FAN
+        total += count
+    return total
+
+
+@njit(cache=True, error_model="numpy")
+def tree(boxes: Any, count: int, level: Any) -> int:
+    """Over the first ``count`` boxes, boxes of eight each; level[h] is where height h begins."""
+    level[0] = 0
+    height = 0
+    begin = 0
+    while count > 1:
+        above = begin + count
+        level[height + 1] = above
+        height += 1
+        full = (count + FAN - 1) // FAN
+        for i in range(full):
+            low = begin + i * FAN
+            x0, y0, x1, y1 = boxes[low, 0], boxes[low, 1], boxes[low, 2], boxes[low, 3]
+            for j in range(low + 1, min(low + FAN, above)):
+                x0 = min(x0, boxes[j, 0])
+                y0 = min(y0, boxes[j, 1])
+                x1 = max(x1, boxes[j, 2])
+                y1 = max(y1, boxes[j, 3])
+            boxes[above + i, 0] = x0
+            boxes[above + i, 1] = y0
+            boxes[above + i, 2] = x1
+            boxes[above + i, 3] = y1
+        begin = above
+        count = full
+    level[height + 1] = begin + count
+    return height
+
+
+@njit(cache=True, error_model="numpy")
+def next_near(
+    boxes: Any,
+    level: Any,
+    stack: Any,
+    depth: int,
+    x0: float,
+    y0: float,
+    x1: float,
+    y1: float,
+    after: int,
+) -> tuple[int, int]:
+    """The next leaf beyond ``after`` whose box meets this one, and the depth of the stack; or -1.
+
+    The stack has rows of (height, number at that height); start it with the root.
+    """
+    while depth > 0:
+        depth -= 1
+        height = stack[depth, 0]
+        number = stack[depth, 1]
+        at = level[height] + number
+        if boxes[at, 0] > x1 or boxes[at, 2] < x0 or boxes[at, 1] > y1 or boxes[at, 3] < y0:
+            continue
+        if height == 0:
+            if number > after:
+                return number, depth
+            continue
+        below = level[height] - level[height - 1]
+        width = 1
+        for _ in range(height - 1):
+            width *= FAN
+        for child in range(min((number + 1) * FAN, below) - 1, number * FAN - 1, -1):
+            if (child + 1) * width - 1 > after:
+                stack[depth, 0] = height - 1
+                stack[depth, 1] = child
+                depth += 1
+    return -1, 0
+
+
+@njit(cache=True, error_model="numpy")
+def _meeting(x0: Any, y0: Any, x1: Any, y1: Any, count: int, step: int) -> int:
+    """How many of the first ``count`` boxes meet the one ``step`` further on."""
+    ahead_x0 = x0[step : step + count]
+    ahead_y0 = y0[step : step + count]
+    ahead_x1 = x1[step : step + count]
+    ahead_y1 = y1[step : step + count]
+    hits = 0
+    for i in range(count):
+        hits += (
+            (ahead_x0[i] <= x1[i])
+            & (x0[i] <= ahead_x1[i])
+            & (ahead_y0[i] <= y1[i])
+            & (y0[i] <= ahead_y1[i])
+        )
+    return hits
+
+
+@njit(cache=True, error_model="numpy")
+def _apart(
+    x0: float,
+    y0: float,
+    dx: float,
+    dy: float,
+    b: float,
+    ox: float,
+    oy: float,
+    ex: float,
+    ey: float,
+    other: float,
+) -> bool:
+    """Whether the rectangles of a segment and another's lie apart across the first one's chord.
+
+    That of an arc of up to half a turn has its chord and its height as sides.
+    """
+    rise = -0.5 * b * (dx * dx + dy * dy)
+    fx = ex - ox
+    fy = ey - oy
+    near = dx * (oy - y0) - dy * (ox - x0)
+    far = dx * (ey - y0) - dy * (ex - x0)
+    lift = -0.5 * other * (dx * fx + dy * fy)
+    low = min(near, far) + min(lift, 0.0)
+    high = max(near, far) + max(lift, 0.0)
+    slack = TOUCH * (abs(dx) + abs(dy))
+    return low > max(rise, 0.0) + slack or high < min(rise, 0.0) - slack
+
+
+@njit(cache=True, error_model="numpy")
+def _meet(
+    start: Any, end: Any, bulge: Any, i: int, j: int, round_corner: bool, pair: Any, found: Any
+) -> bool:
+    """Whether segments i and j, whose boxes meet, have a point in common."""
+    b, other = bulge[i], bulge[j]
+    if round_corner and b == 0.0 and other == 0.0:
+        # Two lines on either side of a convex corner run away from each other.
+        return False
+    x0, y0, x1, y1 = start[i, 0], start[i, 1], end[i, 0], end[i, 1]
+    ox, oy, ex, ey = start[j, 0], start[j, 1], end[j, 0], end[j, 1]
+    if abs(b) <= 1.0 and abs(other) <= 1.0:
+        if _apart(x0, y0, x1 - x0, y1 - y0, b, ox, oy, ex, ey, other):
+            return False
+        if _apart(ox, oy, ex - ox, ey - oy, other, x0, y0, x1, y1, b):
+            return False
+    pair[0, 0], pair[0, 1], pair[0, 2], pair[0, 3], pair[0, 4] = x0, y0, x1, y1, b
+    pair[1, 0], pair[1, 1], pair[1, 2], pair[1, 3], pair[1, 4] = ox, oy, ex, ey, other
+    return bool(crossing(pair, 0, pair, 1, TOUCH, found) > 0)
+
+
+@njit(cache=True, error_model="numpy")
+def boxed(
+    start: Any, end: Any, bulge: Any, low: int, high: int, x0: Any, y0: Any, x1: Any, y1: Any
+) -> None:
+    """Write boxes of segments low … high - 1 that hold them with TOUCH to spare, by columns."""
+    for i in range(low, high):
+        sx, sy, ex, ey, b = start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i]
+        at = i - low
+        if abs(b) <= 1.0:
+            # Up to half a turn, an arc lies in the rectangle of its chord and its height.
+            rise_x = 0.5 * b * (ey - sy)
+            rise_y = 0.5 * b * (sx - ex)
+            x0[at] = min(sx, ex) + min(rise_x, 0.0) - TOUCH
+            y0[at] = min(sy, ey) + min(rise_y, 0.0) - TOUCH
+            x1[at] = max(sx, ex) + max(rise_x, 0.0) + TOUCH
+            y1[at] = max(sy, ey) + max(rise_y, 0.0) + TOUCH
+        else:
+            lean = (1.0 - b * b) / (4.0 * b)
+            cx = 0.5 * (sx + ex) - lean * (ey - sy)
+            cy = 0.5 * (sy + ey) + lean * (ex - sx)
+            radius = np.hypot(sx - cx, sy - cy) * (1.0 + 1e-12) + TOUCH
+            x0[at] = cx - radius
+            y0[at] = cy - radius
+            x1[at] = cx + radius
+            y1[at] = cy + radius
+
+
+@njit(cache=True, error_model="numpy")
+def meets_itself(
+    start: Any,
+    end: Any,
+    bulge: Any,
+    inserted: Any,
+    low: int,
+    high: int,
+    boxes: Any,
+    pair: Any,
+    found: Any,
+) -> bool:
+    """Whether segments of a closed path have a point in common that are no neighbours.
+
+    The path has the segments low … high - 1; boxes (4, m) are room for half as many again.
+    """
+    count = high - low
+    x0, y0, x1, y1 = boxes[0], boxes[1], boxes[2], boxes[3]
+    if count < 4:
+        return False
+    boxed(start, end, bulge, low, high, x0, y0, x1, y1)
+    if count > FEW:
+        first, _ = _meets_in_tree(start, end, bulge, inserted, low, high, 2, boxes, pair, found)
+        return bool(first >= 0)
+    half = count // 2
+    near = min(half, 2 * BLOCK - 1)
+    for i in range(near):
+        x0[count + i] = x0[i]
+        y0[count + i] = y0[i]
+        x1[count + i] = x1[i]
+        y1[count + i] = y1[i]
+    for step in range(2, near + 1):
+        if _meeting(x0, y0, x1, y1, count, step) == 0:
+            continue
+        for i in range(count):
+            at = i + step
+            if x0[at] <= x1[i] and x0[i] <= x1[at] and y0[at] <= y1[i] and y0[i] <= y1[at]:
+                j = at if at < count else at - count
+                middle = low + (i + 1 if i + 1 < count else 0)
+                round_corner = step == 2 and inserted[middle]
+                if _meet(start, end, bulge, low + i, low + j, round_corner, pair, found):
+                    return True
+    if near == half:
+        return False
+    # What is further apart, block against block; the blocks' boxes stand behind those of the rows.
+    blocks = (count + BLOCK - 1) // BLOCK
+    for a in range(blocks):
+        at = count + a
+        begin = a * BLOCK
+        x0[at], y0[at], x1[at], y1[at] = x0[begin], y0[begin], x1[begin], y1[begin]
+        for i in range(begin + 1, min(begin + BLOCK, count)):
+            x0[at] = min(x0[at], x0[i])
+            y0[at] = min(y0[at], y0[i])
+            x1[at] = max(x1[at], x1[i])
+            y1[at] = max(y1[at], y1[i])
+    for a in range(count, count + blocks - 2):
+        for c in range(a + 2, count + blocks - (a == count)):
+            if x0[c] > x1[a] or x0[a] > x1[c] or y0[c] > y1[a] or y0[a] > y1[c]:
+                continue
+            one = (a - count) * BLOCK
+            two = (c - count) * BLOCK
+            for i in range(one, one + BLOCK):
+                for j in range(two, min(two + BLOCK, count)):
+                    if x0[j] > x1[i] or x0[i] > x1[j] or y0[j] > y1[i] or y0[i] > y1[j]:
+                        continue
+                    if _meet(start, end, bulge, low + i, low + j, False, pair, found):
+                        return True
+    return False
+
+
+@njit(cache=True, error_model="numpy")
+def any_meet(start: Any, end: Any, bulge: Any, pair: Any, found: Any) -> bool:
+    """Whether two of some segments have a point in common."""
+    count = len(bulge)
+    boxes = np.empty((4, count))
+    boxed(start, end, bulge, 0, count, boxes[0], boxes[1], boxes[2], boxes[3])
+    inserted = np.zeros(count, np.bool_)
+    first, _ = _meets_in_tree(start, end, bulge, inserted, 0, count, 1, boxes, pair, found)
+    return bool(first >= 0)
+
+
+@njit(cache=True, error_model="numpy")
+def where_met(
+    start: Any, end: Any, bulge: Any, low: int, high: int
+) -> tuple[int, int, float, float]:
+    """Two segments of a closed path that meet and are no neighbours, or -1, and a point of both."""
+    boxes = np.empty((4, high - low))
+    boxed(start, end, bulge, low, high, boxes[0], boxes[1], boxes[2], boxes[3])
+    inserted = np.zeros(high, np.bool_)
+    found = np.empty((4, 4))
+    one, two = _meets_in_tree(
+        start, end, bulge, inserted, low, high, 2, boxes, np.empty((2, 5)), found
+    )
+    return low + one if one >= 0 else -1, low + two, found[0, 0], found[0, 1]
+
+
+@njit(cache=True, error_model="numpy")
+def _meets_in_tree(
+    start: Any,
+    end: Any,
+    bulge: Any,
+    inserted: Any,
+    low: int,
+    high: int,
+    step: int,
+    columns: Any,
+    pair: Any,
+    found: Any,
+) -> tuple[int, int]:
+    """Two segments that meet ``step`` apart, or more, or -1; with 2 the path is closed."""
+    count = high - low
+    boxes = np.empty((tree_size(count), 4))
+    for i in range(count):
+        for side in range(4):
+            boxes[i, side] = columns[side, i]
+    level = np.empty(24, np.int64)
+    height = tree(boxes, count, level)
+    stack = np.empty((STACK, 2), np.int64)
+    for i in range(count - step):
+        stack[0, 0] = height
+        stack[0, 1] = 0
+        depth = 1
+        while True:
+            j, depth = next_near(
+                boxes,
+                level,
+                stack,
+                depth,
+                boxes[i, 0],
+                boxes[i, 1],
+                boxes[i, 2],
+                boxes[i, 3],
+                i + step - 1,
+            )
+            if j < 0:
+                break
+            if step == 2 and i == 0 and j == count - 1:
+                continue
+            round_corner = step == 2 and j == i + 2 and inserted[low + i + 1]
+            if _meet(start, end, bulge, low + i, low + j, round_corner, pair, found):
+                return i, j
+    return -1, -1

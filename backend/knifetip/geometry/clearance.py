@@ -1,0 +1,166 @@
+"""clearance: whether a place of the tool is clear of the contour.
+
+    a point, the segments of the contours and a tree over them -> how near, and near to what
+
+A result does not run through the transition of another corner either.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+from numba import njit
+
+from knifetip.geometry.beside import CONVEX, U1X, U1Y, U2X, U2Y
+from knifetip.geometry.boxes import next_near
+from knifetip.geometry.intersect import circle
+from knifetip.geometry.tolerance import BULGE, POINT
+from knifetip.geometry.transition import reach
+
+#: A piece may come nearer to the contour than the radius by this (mm): rounding, no more.
+NEARER: Final = 1e-9
+
+
+@njit(cache=True, error_model="numpy")
+def distance(rows: Any, i: int, x: float, y: float) -> float:
+    """Distance from a point to row i (mm)."""
+    x0 = rows[i, 0]
+    y0 = rows[i, 1]
+    dx = rows[i, 2] - x0
+    dy = rows[i, 3] - y0
+    b = rows[i, 4]
+    px = x - x0
+    py = y - y0
+    if abs(b) < BULGE:
+        share = (px * dx + py * dy) / (dx * dx + dy * dy)
+        share = min(max(share, 0.0), 1.0)
+        px -= share * dx
+        py -= share * dy
+        return math.sqrt(px * px + py * py)
+    cx, cy, radius = circle(rows, i)
+    qx = x - cx
+    qy = y - cy
+    away = math.sqrt(qx * qx + qy * qy)
+    if away > 0.0:
+        # Where the ray from the centre through the point meets the circle: on the arc or not?
+        side = dx * (cy + qy * radius / away - y0) - dy * (cx + qx * radius / away - x0)
+        if (side <= 0.0) == (b > 0.0):
+            return abs(away - radius)
+    qx = x - rows[i, 2]
+    qy = y - rows[i, 3]
+    return math.sqrt(min(px * px + py * py, qx * qx + qy * qy))
+
+
+@njit(cache=True, error_model="numpy")
+def _in_transition(
+    kind: int, k: float, table: Any, before: int, here: int, vx: float, vy: float, signed: float
+) -> bool:
+    """Whether a point, seen from the vertex, lies inside a transition of type C or D."""
+    u1x = table[before, U2X]
+    u1y = table[before, U2Y]
+    u2x = table[here, U1X]
+    u2y = table[here, U1Y]
+    size = abs(signed)
+    turn = math.copysign(1.0, signed)
+    n1 = turn * (vy * u1x - vx * u1y)
+    n2 = turn * (vy * u2x - vx * u2y)
+    if n1 >= size - NEARER or n2 >= size - NEARER:
+        return False
+    ahead = vx * u1x + vy * u1y
+    back = -(vx * u2x + vy * u2y)
+    if ahead <= 0.0 or back <= 0.0:
+        return False
+    cross = u1x * u2y - u1y * u2x
+    dot = u1x * u2x + u1y * u2y
+    straight, small = reach(kind, cross, dot, size, k)
+    if straight < POINT:
+        return False
+    # The ends of both straight parts, seen from the vertex, and the chord between them.
+    cx = straight * u1x - signed * u1y
+    cy = straight * u1y + signed * u1x
+    dx = -straight * u2x - signed * u2y
+    dy = -straight * u2y + signed * u2x
+    gap = math.hypot(dx - cx, dy - cy)
+    if gap < POINT:
+        return True
+    beyond = turn * ((dx - cx) * (vy - cy) - (dy - cy) * (vx - cx)) / gap
+    if beyond <= -NEARER:
+        return True
+    if kind == 1:
+        return False
+    ox = cx + math.copysign(small, signed) * u1y
+    oy = cy - math.copysign(small, signed) * u1x
+    return math.hypot(vx - ox, vy - oy) < small - NEARER
+
+
+@njit(cache=True, error_model="numpy")
+def clear(
+    x: float,
+    y: float,
+    origin: Any,
+    boxes: Any,
+    level: Any,
+    height: int,
+    stack: Any,
+    signed: float,
+    limit: float,
+    table: Any,
+    prior: Any,
+    joint: Any,
+    kinds: Any,
+    k: Any,
+    capped: bool,
+) -> bool:
+    """Whether a point is no nearer than ``limit`` to the contour, and in no transition."""
+    size = abs(signed)
+    around = size * 1.4142135623731 if capped else limit
+    stack[0, 0] = height
+    stack[0, 1] = 0
+    depth = 1
+    while True:
+        i, depth = next_near(
+            boxes, level, stack, depth, x - around, y - around, x + around, y + around, -1
+        )
+        if i < 0:
+            return True
+        if distance(origin, i, x, y) < limit:
+            return False
+        if (
+            capped
+            and joint[i] == CONVEX
+            and kinds[i] > 0
+            and _in_transition(
+                kinds[i], k[i], table, prior[i], i, x - origin[i, 0], y - origin[i, 1], signed
+            )
+        ):
+            return False
+
+
+@njit(cache=True, error_model="numpy")
+def nearest(
+    x: float,
+    y: float,
+    origin: Any,
+    boxes: Any,
+    level: Any,
+    height: int,
+    stack: Any,
+    around: float,
+    skip: int,
+) -> tuple[int, float]:
+    """The segment other than ``skip`` that is nearest to a point, and how near, if < ``around``."""
+    best = around
+    which = skip
+    stack[0, 0] = height
+    stack[0, 1] = 0
+    depth = 1
+    while True:
+        i, depth = next_near(boxes, level, stack, depth, x - best, y - best, x + best, y + best, -1)
+        if i < 0:
+            return which, best
+        if i != skip:
+            away = distance(origin, i, x, y)
+            if away < best:
+                best = away
+                which = i

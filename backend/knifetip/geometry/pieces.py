@@ -1,0 +1,301 @@
+"""pieces: rows cut where they cross, and what is good of them joined again.
+
+    rows, their followers and a tree over them -> pieces -> chains
+
+Source: our own.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.geometry.boxes import next_near
+from knifetip.geometry.intersect import TOUCH, crossing
+from knifetip.geometry.tolerance import BULGE, POINT
+
+#: Pieces shorter than this are crossings that rounding has pulled apart (mm).
+SPECK: Final = 1e-7
+
+
+@njit(cache=True, error_model="numpy")
+def _meet_at_ends(rows: Any, i: int, j: int) -> bool:
+    dx = abs(rows[i, 2] - rows[j, 0])
+    dy = abs(rows[i, 3] - rows[j, 1])
+    return bool(dx <= TOUCH and dy <= TOUCH)
+
+
+@njit(cache=True, error_model="numpy")
+def cut(
+    rows: Any,
+    follow: Any,
+    count: int,
+    real: int,
+    boxes: Any,
+    level: Any,
+    height: int,
+    stack: Any,
+    found: Any,
+) -> tuple[Any, Any, int]:
+    """The places where rows cross: row numbers, and (share, x, y); and how many.
+
+    Rows from ``real`` on only cut others.
+    """
+    room = 2 * count + 16
+    which = np.empty(room, np.int64)
+    place = np.empty((room, 3))
+    done = 0
+    for i in range(real):
+        stack[0, 0] = height
+        stack[0, 1] = 0
+        depth = 1
+        while True:
+            j, depth = next_near(
+                boxes,
+                level,
+                stack,
+                depth,
+                boxes[i, 0] - TOUCH,
+                boxes[i, 1] - TOUCH,
+                boxes[i, 2] + TOUCH,
+                boxes[i, 3] + TOUCH,
+                i,
+            )
+            if j < 0:
+                break
+            if (follow[i] == j and _meet_at_ends(rows, i, j)) or (
+                j < real and follow[j] == i and _meet_at_ends(rows, j, i)
+            ):
+                # Neighbours that run on into each other have no second point in common.
+                continue
+            hits = crossing(rows, i, rows, j, TOUCH, found)
+            if done + 2 * hits > room:
+                room *= 2
+                more = np.empty(room, np.int64)
+                more[:done] = which[:done]
+                which = more
+                further = np.empty((room, 3))
+                further[:done] = place[:done]
+                place = further
+            for h in range(hits):
+                for side in range(2 if j < real else 1):
+                    which[done] = j if side else i
+                    place[done, 0] = found[h, 2 + side]
+                    place[done, 1] = found[h, 0]
+                    place[done, 2] = found[h, 1]
+                    done += 1
+    return which, place, done
+
+
+@njit(cache=True, error_model="numpy")
+def pieces(rows: Any, real: int, which: Any, place: Any, cuts: int) -> tuple[Any, Any, Any, int]:
+    """The rows between their cuts: (x0, y0, x1, y1, low, high), their row, the first of each."""
+    bound = np.zeros(real + 1, np.int64)
+    for c in range(cuts):
+        bound[which[c] + 1] += 1
+    for i in range(real):
+        bound[i + 1] += bound[i]
+    order = np.empty(cuts, np.int64)
+    filled = bound[:-1].copy()
+    for c in range(cuts):
+        i = which[c]
+        at = filled[i]
+        filled[i] += 1
+        # Insertion keeps the few cuts of a row in order.
+        while at > bound[i] and place[order[at - 1], 0] > place[c, 0]:
+            order[at] = order[at - 1]
+            at -= 1
+        order[at] = c
+    piece = np.empty((real + cuts, 6))
+    owner = np.empty(real + cuts, np.int64)
+    done = 0
+    for i in range(real):
+        dx = rows[i, 2] - rows[i, 0]
+        dy = rows[i, 3] - rows[i, 1]
+        b = abs(rows[i, 4])
+        length = math.sqrt(dx * dx + dy * dy)
+        if b >= BULGE:
+            length = length * (1.0 + b * b) * math.atan(b) / b
+        speck = SPECK / length
+        bound_first = done
+        x, y, share = rows[i, 0], rows[i, 1], 0.0
+        for o in range(bound[i], bound[i + 1]):
+            c = order[o]
+            if place[c, 0] - share < speck or 1.0 - place[c, 0] < speck:
+                continue
+            piece[done, 0] = x
+            piece[done, 1] = y
+            x = place[c, 1]
+            y = place[c, 2]
+            piece[done, 2] = x
+            piece[done, 3] = y
+            piece[done, 4] = share
+            share = place[c, 0]
+            piece[done, 5] = share
+            owner[done] = i
+            done += 1
+        piece[done, 0] = x
+        piece[done, 1] = y
+        piece[done, 2] = rows[i, 2]
+        piece[done, 3] = rows[i, 3]
+        piece[done, 4] = share
+        piece[done, 5] = 1.0
+        owner[done] = i
+        done += 1
+        filled[i] = bound_first
+    return piece, owner, filled, done
+
+
+@njit(cache=True, error_model="numpy")
+def joined(
+    piece: Any, owner: Any, opening: Any, follow: Any, good: Any, count: int, after: Any, prior: Any
+) -> None:
+    """Which piece comes after which: the next one of the same line or arc, else the nearest."""
+    near = 10.0 * SPECK
+    for q in range(count):
+        after[q] = -1
+        prior[q] = -1
+    for q in range(count):
+        if not good[q]:
+            continue
+        if q + 1 < count and owner[q + 1] == owner[q]:
+            n = q + 1
+        elif follow[owner[q]] >= 0:
+            n = opening[follow[owner[q]]]
+        else:
+            continue
+        if (
+            good[n]
+            and abs(piece[n, 0] - piece[q, 2]) <= near
+            and abs(piece[n, 1] - piece[q, 3]) <= near
+        ):
+            after[q] = n
+            prior[n] = q
+    loose = 0
+    for q in range(count):
+        if good[q] and prior[q] < 0:
+            loose += 1
+    if loose == 0:
+        return
+    begins = np.empty(loose, np.int64)
+    at = np.empty(loose)
+    loose = 0
+    for q in range(count):
+        if good[q] and prior[q] < 0:
+            begins[loose] = q
+            at[loose] = piece[q, 0]
+            loose += 1
+    order = np.argsort(at)
+    at = at[order]
+    for q in range(count):
+        if not good[q] or after[q] >= 0:
+            continue
+        best = near
+        chosen = -1
+        place = np.searchsorted(at, piece[q, 2] - near)
+        while place < loose and at[place] <= piece[q, 2] + near:
+            n = begins[order[place]]
+            if prior[n] < 0:
+                away = math.hypot(piece[n, 0] - piece[q, 2], piece[n, 1] - piece[q, 3])
+                if away <= best:
+                    best = away
+                    chosen = n
+            place += 1
+        if chosen >= 0:
+            after[q] = chosen
+            prior[chosen] = q
+
+
+@njit(cache=True, error_model="numpy")
+def strung(
+    rows: Any,
+    info: Any,
+    piece: Any,
+    owner: Any,
+    good: Any,
+    after: Any,
+    prior: Any,
+    count: int,
+    line: Any,
+    tag: Any,
+    first: Any,
+    ring: Any,
+) -> int:
+    """Follow the pieces into chains: rows, tags, bounds, whether closed; return how many."""
+    done = 0
+    chains = 0
+    used = np.zeros(count, np.bool_)
+    for round_ in range(2):
+        for begin in range(count):
+            if not good[begin] or used[begin] or (round_ == 0 and prior[begin] >= 0):
+                continue
+            first[chains] = done
+            q = begin
+            last = -1
+            while q >= 0 and not used[q]:
+                used[q] = True
+                i = owner[q]
+                if last >= 0 and owner[last] == i and q == last + 1:
+                    # A cut that was none: the piece goes on.
+                    line[done - 1, 2] = piece[q, 2]
+                    line[done - 1, 3] = piece[q, 3]
+                    line[done - 1, 4] += piece[q, 5] - piece[q, 4]
+                else:
+                    for c in range(4):
+                        line[done, c] = piece[q, c]
+                    line[done, 4] = piece[q, 5] - piece[q, 4]
+                    tag[done, 0] = info[i, 0]
+                    tag[done, 1] = info[i, 1]
+                    tag[done, 2] = info[i, 3]
+                    tag[done, 3] = i
+                    done += 1
+                last = q
+                q = after[q]
+            closed = q == begin
+            low = first[chains]
+            if (
+                closed
+                and done - low > 1
+                and tag[low, 3] == tag[done - 1, 3]
+                and piece[begin, 4] > 0.0
+                and begin == last + 1
+            ):
+                line[low, 0] = line[done - 1, 0]
+                line[low, 1] = line[done - 1, 1]
+                line[low, 4] += line[done - 1, 4]
+                done -= 1
+            done = _tidied(rows, line, tag, low, done, closed)
+            if done > low:
+                ring[chains] = closed
+                chains += 1
+    first[chains] = done
+    return chains
+
+
+@njit(cache=True, error_model="numpy")
+def _tidied(rows: Any, line: Any, tag: Any, low: int, high: int, closed: bool) -> int:
+    """Give the rows their bulges, leave out specks, and let each begin where the last one ends."""
+    done = low
+    for r in range(low, high):
+        b = rows[tag[r, 3], 4]
+        if line[r, 4] < 1.0 - 1e-15 and b != 0.0:
+            b = math.tan(math.atan(b) * line[r, 4])
+        if abs(b) < 1.0 and math.hypot(line[r, 2] - line[r, 0], line[r, 3] - line[r, 1]) < POINT:
+            continue
+        for c in range(4):
+            line[done, c] = line[r, c]
+            tag[done, c] = tag[r, c]
+        line[done, 4] = b
+        if done > low:
+            line[done, 0] = line[done - 1, 2]
+            line[done, 1] = line[done - 1, 3]
+        done += 1
+    if done > low and closed:
+        if done - low == 1:
+            return low
+        line[low, 0] = line[done - 1, 2]
+        line[low, 1] = line[done - 1, 3]
+    return done

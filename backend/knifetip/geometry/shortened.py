@@ -1,0 +1,391 @@
+"""shortened: the equidistant of a path whose neighbours are shortened to where they meet.
+
+    one path -> rows, and the area that the disc cannot reach in its corners; or why not
+
+Most contours are done with this.  Beside a line or an arc the moved one is cut where its neighbour
+crosses it once; a segment that nothing is left of, two crossings or none mean that more than
+neighbours meet, and ``region`` takes over.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from numba import njit
+
+from knifetip.geometry.beside import (
+    CONCAVE,
+    CONVEX,
+    EX,
+    EY,
+    FINE,
+    MOVED,
+    NO_ROOM,
+    OPEN,
+    RADIUS,
+    SLID,
+    SMOOTH,
+    STILL,
+    SX,
+    SY,
+    U1X,
+    U1Y,
+    U2X,
+    U2Y,
+    is_closed,
+    moved,
+    part,
+)
+from knifetip.geometry.boxes import meets_itself
+from knifetip.geometry.intersect import TOUCH
+from knifetip.geometry.tolerance import POINT
+from knifetip.geometry.transition import MOST, quarter_tangent, transition
+
+
+@njit(cache=True, error_model="numpy")
+def _sliver(x: float, y: float, radius: float) -> float:
+    """Twice the area between a chord (x, y) and its arc of less than half a turn."""
+    if radius == 0.0:
+        return 0.0
+    square = min(0.25 * (x * x + y * y) / (radius * radius), 1.0)
+    half = math.sqrt(square)
+    if square < 0.01:
+        # The series of asin h - h √(1 - h²), which has few digits left where h is small.
+        more = 0.0378605769230769 + square * (0.030078125 + square * 0.0246438419117647)
+        more = 0.0694444444444444 + square * (0.0497159090909091 + square * more)
+        more = 0.2 + square * (0.107142857142857 + square * more)
+        area = 2.0 * half * square * (0.666666666666667 + square * more)
+    else:
+        area = 2.0 * (math.asin(half) - half * math.sqrt(1.0 - square))
+    return math.copysign(radius * radius * area, radius)
+
+
+@njit(cache=True, error_model="numpy")
+def _holds(
+    table: Any, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
+) -> bool:
+    """Whether a moved segment from s to e, whose line or circle has (x, y), has it as well."""
+    dx, dy = ex - sx, ey - sy
+    slack = TOUCH * (abs(dx) + abs(dy))
+    radius = table[at, RADIUS]
+    if radius == 0.0:
+        share = (x - sx) * dx + (y - sy) * dy
+        return -slack <= share <= dx * dx + dy * dy + slack
+    side = dx * (y - sy) - dy * (x - sx)
+    return (side if radius > 0.0 else -side) <= slack
+
+
+@njit(cache=True, error_model="numpy")
+def met(
+    start: Any, end: Any, last: int, next_: int, table: Any, before: int, here: int, signed: float
+) -> tuple[int, float, float, float, float, float]:
+    """Where the moved neighbours of a concave corner cross, at least one of them an arc.
+
+    Returns how often, the point, and of what a disc there cannot reach: cosine and sine of the
+    angle between its feet, and twice the area without that of the disc.
+    """
+    x, y = start[next_, 0], start[next_, 1]
+    u1x, u1y = table[before, U2X], table[before, U2Y]
+    u2x, u2y = table[here, U1X], table[here, U1Y]
+    radius1, radius2 = table[before, RADIUS], table[here, RADIUS]
+    moved1, moved2 = table[before, MOVED], table[here, MOVED]
+    # All as seen from the corner, and the segments whole: a is the end of one, b the other's start.
+    ax, ay = -signed * u1y, signed * u1x
+    bx, by = -signed * u2y, signed * u2x
+    sx = start[last, 0] - signed * table[before, U1Y] - x
+    sy = start[last, 1] + signed * table[before, U1X] - y
+    ex = end[next_, 0] - signed * table[here, U2Y] - x
+    ey = end[next_, 1] + signed * table[here, U2X] - y
+    c1x, c1y = -radius1 * u1y, radius1 * u1x
+    c2x, c2y = -radius2 * u2y, radius2 * u2x
+    if radius1 == 0.0 or radius2 == 0.0:
+        if radius1 == 0.0:
+            ux, uy, off, size = u1x, u1y, u1x * (c2y - ay) - u1y * (c2x - ax), moved2
+            fx, fy = c2x + off * uy, c2y - off * ux
+        else:
+            ux, uy, off, size = u2x, u2y, u2x * (c1y - by) - u2y * (c1x - bx), moved1
+            fx, fy = c1x + off * uy, c1y - off * ux
+        square = (size - off) * (size + off)
+        rise = math.sqrt(max(square, 0.0))
+        rx, ry = rise * ux, rise * uy
+    else:
+        dx, dy = c2x - c1x, c2y - c1y
+        apart = dx * dx + dy * dy
+        foot = 0.5 + 0.5 * (moved1 - moved2) * (moved1 + moved2) / apart
+        square = moved1 * moved1 / apart - foot * foot
+        rise = math.sqrt(max(square, 0.0))
+        fx, fy = c1x + foot * dx, c1y + foot * dy
+        rx, ry = -rise * dy, rise * dx
+    if not square > 0.0:
+        return 0, x, y, 1.0, 0.0, 0.0
+    gx, gy = fx + rx, fy + ry
+    hits = int(
+        _holds(table, before, sx, sy, ax, ay, gx, gy)
+        and _holds(table, here, bx, by, ex, ey, gx, gy)
+    )
+    ox, oy = fx - rx, fy - ry
+    if _holds(table, before, sx, sy, ax, ay, ox, oy) and _holds(
+        table, here, bx, by, ex, ey, ox, oy
+    ):
+        hits += 1
+        gx, gy = ox, oy
+    # The feet of the disc about g on both segments.
+    if radius1 == 0.0:
+        share = gx * u1x + gy * u1y
+        f1x, f1y = share * u1x, share * u1y
+    else:
+        scale = radius1 / moved1
+        f1x, f1y = c1x + (gx - c1x) * scale, c1y + (gy - c1y) * scale
+    if radius2 == 0.0:
+        share = gx * u2x + gy * u2y
+        f2x, f2y = share * u2x, share * u2y
+    else:
+        scale = radius2 / moved2
+        f2x, f2y = c2x + (gx - c2x) * scale, c2y + (gy - c2y) * scale
+    twice = f2x * f1y - f2y * f1x + _sliver(f1x, f1y, radius1) + _sliver(f2x, f2y, radius2)
+    ax, ay, bx, by = f1x - gx, f1y - gy, f2x - gx, f2y - gy
+    sine = ax * by - ay * bx
+    if signed < 0.0:
+        sine, twice = -sine, -twice
+    scale = 1.0 / (signed * signed)
+    return hits, x + gx, y + gy, (ax * bx + ay * by) * scale, sine * scale, twice + sine
+
+
+@njit(cache=True, error_model="numpy")
+def shortened(
+    start: Any,
+    end: Any,
+    bulge: Any,
+    low: int,
+    high: int,
+    closed: bool,
+    signed: float,
+    corner: Any,
+    k: Any,
+    step: int,
+    table: Any,
+    at: int,
+    joint: Any,
+    out_start: Any,
+    out_end: Any,
+    out_bulge: Any,
+    source: Any,
+    inserted: Any,
+    put: int,
+    round_: Any,
+) -> tuple[int, int, int, float]:
+    """Write a path's equidistant, made of what ``beside.moved`` has put into the table.
+
+    Returns the next free row, a failure, its segment, and the area lost at concave corners.
+    """
+    count = high - low
+    size = abs(signed)
+    twice = 0.0
+    # The sum of all angles, as the product of complex numbers and how often that came round.
+    re, im, turns = 1.0, 0.0, 0
+    for i in range(count):
+        here = at + i
+        joint[here] = OPEN
+        if math.isnan(table[here, MOVED]):
+            return put, NO_ROOM, low + i, 0.0
+        if i == 0 and not closed:
+            continue
+        before = here - 1 if i > 0 else at + count - 1
+        last = low + i - 1 if i > 0 else high - 1
+        u1x, u1y = table[before, U2X], table[before, U2Y]
+        u2x, u2y = table[here, U1X], table[here, U1Y]
+        cross = u1x * u2y - u1y * u2x
+        dot = u1x * u2x + u1y * u2y
+        smooth = dot > 0.0 and size * abs(cross) < POINT
+        if not smooth and (cross * signed < 0.0 or dot < -1.0 + 1e-12):
+            joint[here] = CONVEX
+            if dot < -1.0 + 1e-12:
+                return put, NO_ROOM, low + i, 0.0
+            continue
+        if smooth or (table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0):
+            # A smooth joint, but for rounding, meets in one point as two lines do.
+            if dot < -1.0 + 1e-9:
+                return put, NO_ROOM, low + i, 0.0
+            share = signed / (1.0 + dot)
+            gx = start[low + i, 0] - share * (u1y + u2y)
+            gy = start[low + i, 1] + share * (u1x + u2x)
+            joint[here] = CONCAVE
+            sine = abs(cross)
+            if smooth:
+                off = abs(gx - table[here, SX]) + abs(gy - table[here, SY])
+                joint[here] = SLID if off > STILL else SMOOTH
+                dot, sine = 1.0, 0.0
+            else:
+                twice += 2.0 * abs(share) * size * sine
+        else:
+            if math.isnan(table[before, MOVED]):
+                return put, NO_ROOM, last, 0.0
+            hits, gx, gy, dot, sine, more = met(
+                start, end, last, low + i, table, before, here, signed
+            )
+            if hits != 1 or sine < 0.0:
+                return put, NO_ROOM, low + i, 0.0
+            joint[here] = CONCAVE
+            twice += more
+        table[before, EX] = gx
+        table[before, EY] = gy
+        table[here, SX] = gx
+        table[here, SY] = gy
+        if sine > 0.0:
+            was, up = re, im
+            re = was * dot - up * sine
+            im = was * sine + up * dot
+            if up >= 0.0 > im and min(was, re) < 0.0:
+                turns += 1
+    for i in range(count):
+        here = at + i
+        follows = here + 1 if i < count - 1 else at
+        dx = table[here, EX] - table[here, SX]
+        dy = table[here, EY] - table[here, SY]
+        bent = 0.0
+        if table[here, RADIUS] == 0.0:
+            if dx * table[here, U1X] + dy * table[here, U1Y] < POINT:
+                return put, NO_ROOM, low + i, 0.0
+        else:
+            bent = bulge[low + i]
+            if abs(bent) <= 1.0 and dx * dx + dy * dy < POINT * POINT:
+                return put, NO_ROOM, low + i, 0.0
+            begins = joint[here] >= CONCAVE
+            ends = joint[follows] >= CONCAVE and (closed or i < count - 1)
+            if begins and ends and abs(bent) > 1.0:
+                # Of more than half a turn the kept part and its opposite look alike.
+                return put, NO_ROOM, low + i, 0.0
+            if begins or ends:
+                bent = part(table, here, dx, dy, bent, start[low + i, 0], start[low + i, 1])
+                if bent == 0.0:
+                    return put, NO_ROOM, low + i, 0.0
+        if joint[here] == CONVEX:
+            before = here - 1 if i > 0 else at + count - 1
+            u1x, u1y = table[before, U2X], table[before, U2Y]
+            u2x, u2y = table[here, U1X], table[here, U1Y]
+            if corner[step * (low + i)] == 0:
+                turn = quarter_tangent(u1x * u2y - u1y * u2x, u1x * u2x + u1y * u2y)
+                out_start[put, 0] = table[before, EX]
+                out_start[put, 1] = table[before, EY]
+                out_end[put, 0] = table[here, SX]
+                out_end[put, 1] = table[here, SY]
+                out_bulge[put] = -math.copysign(turn, signed)
+                source[put] = low + i
+                inserted[put] = True
+                put += 1
+            else:
+                more_rows = transition(
+                    corner[step * (low + i)],
+                    start[low + i, 0],
+                    start[low + i, 1],
+                    u1x,
+                    u1y,
+                    u2x,
+                    u2y,
+                    signed,
+                    k[step * (low + i)],
+                    round_,
+                    0,
+                )
+                for r in range(more_rows):
+                    out_start[put, 0] = round_[r, 0]
+                    out_start[put, 1] = round_[r, 1]
+                    out_end[put, 0] = round_[r, 2]
+                    out_end[put, 1] = round_[r, 3]
+                    out_bulge[put] = round_[r, 4]
+                    source[put] = low + i
+                    inserted[put] = True
+                    put += 1
+        out_start[put, 0] = table[here, SX]
+        out_start[put, 1] = table[here, SY]
+        out_end[put, 0] = table[here, EX]
+        out_end[put, 1] = table[here, EY]
+        out_bulge[put] = bent
+        source[put] = low + i
+        inserted[put] = False
+        put += 1
+    angle = math.atan2(im, re) + 2.0 * math.pi * turns
+    return put, FINE, low, max(0.5 * (twice - size * size * angle), 0.0)
+
+
+@njit(cache=True, error_model="numpy")
+def alone(
+    start: Any,
+    end: Any,
+    bulge: Any,
+    first: Any,
+    member: Any,
+    members: Any,
+    group: int,
+    signed: Any,
+    corner: Any,
+    k: Any,
+    step: int,
+    table: Any,
+    joint: Any,
+    boxes: Any,
+    pair: Any,
+    found: Any,
+    out_start: Any,
+    out_end: Any,
+    out_bulge: Any,
+    source: Any,
+    inserted: Any,
+    done: int,
+    out_first: Any,
+    owner: Any,
+    chains: int,
+    unreached: Any,
+) -> tuple[int, int, int]:
+    """Do groups of one closed path each, from ``group`` on, until one needs more than shortening.
+
+    Returns that group, and how many rows and paths are done; it stops, too, where rows run out.
+    """
+    while group < len(members) - 1:
+        path = member[members[group]]
+        low, high = first[path], first[path + 1]
+        if (
+            members[group + 1] - members[group] > 1
+            or low == high
+            or signed[path] == 0.0
+            or done + (MOST + 1) * (high - low) > len(out_bulge)
+            or not is_closed(start, end, low, high)
+        ):
+            break
+        code, _ = moved(start, end, bulge, low, high, signed[path], table, 0)
+        if code != FINE:
+            break
+        put, code, _, lost = shortened(
+            start,
+            end,
+            bulge,
+            low,
+            high,
+            True,
+            signed[path],
+            corner,
+            k,
+            step,
+            table,
+            0,
+            joint,
+            out_start,
+            out_end,
+            out_bulge,
+            source,
+            inserted,
+            done,
+            pair,
+        )
+        if code != FINE or meets_itself(
+            out_start, out_end, out_bulge, inserted, done, put, boxes, pair, found
+        ):
+            break
+        out_first[chains] = done
+        owner[chains] = path
+        unreached[path] = lost
+        chains += 1
+        done = put
+        group += 1
+    return group, done, chains

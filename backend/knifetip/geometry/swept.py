@@ -1,0 +1,122 @@
+"""swept: the areas under a path, and under the edge that a tool leaves beside its own path.
+
+rows -> twice the area under them
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from numba import njit
+
+from knifetip.geometry.tolerance import BULGE, POINT
+
+
+@njit(cache=True, error_model="numpy")
+def _cap_area(chord: float, b: float) -> float:
+    """The area between a chord and its arc, positive for a left turn."""
+    if abs(b) < BULGE:
+        return 0.0
+    whole = 1.0 + b * b
+    radius = chord * whole / (4.0 * b)
+    # Sine of the sweep, 4 atan b, by doubling twice.
+    return 0.5 * radius * radius * (4.0 * math.atan(b) - 4.0 * b * (1.0 - b * b) / (whole * whole))
+
+
+@njit(cache=True, error_model="numpy")
+def _turn_area(
+    x: float, y: float, ax: float, ay: float, bx: float, by: float, signed: float
+) -> float:
+    """Twice the signed area between the tool's arc about (x, y) from a to b and its chord."""
+    ax -= x
+    ay -= y
+    bx -= x
+    by -= y
+    angle = math.atan2(ax * by - ay * bx, ax * bx + ay * by)
+    if signed < 0.0:
+        angle = -angle
+    if angle < -1e-7:
+        angle += 2.0 * math.pi
+    return math.copysign(signed * signed * (angle - math.sin(angle)), signed)
+
+
+@njit(cache=True, error_model="numpy")
+def swept_under(
+    line: Any,
+    tag: Any,
+    low: int,
+    high: int,
+    ring: bool,
+    start: Any,
+    signed: float,
+    from_x: float,
+    from_y: float,
+    hops: Any,
+    hop: int,
+) -> tuple[float, float, float, int]:
+    """Twice the area under the edge that a tool leaves beside a chain; where that edge ends.
+
+    The edge of an open chain begins at (from_x, from_y).  Arcs of the edge about the chain's
+    corners are written into hops from ``hop`` on.
+    """
+    twice = 0.0
+    x, y = from_x, from_y
+    size = abs(signed)
+    begun = not ring
+    for r in range(low, high + (1 if ring else 0)):
+        again = r == high
+        at = low if again else r
+        x0, y0, x1, y1, b = line[at, 0], line[at, 1], line[at, 2], line[at, 3], line[at, 4]
+        if tag[at, 1]:
+            ax, ay = start[tag[at, 0], 0], start[tag[at, 0], 1]
+            bx, by = ax, ay
+            bent = 0.0
+        else:
+            dx = x1 - x0
+            dy = y1 - y0
+            scale = signed / math.sqrt(dx * dx + dy * dy)
+            whole = 1.0 + b * b
+            cos = (1.0 - b * b) / whole * scale
+            sin = 2.0 * b / whole * scale
+            ax = x0 + dy * cos - dx * sin
+            ay = y0 - dx * cos - dy * sin
+            bx = x1 + dy * cos + dx * sin
+            by = y1 - dx * cos + dy * sin
+            bent = b
+        if begun:
+            twice += x * ay - y * ax
+            gap = math.hypot(ax - x, ay - y)
+            if (
+                gap > POINT
+                and abs(math.hypot(x - x0, y - y0) - size) < 1e-6
+                and abs(math.hypot(ax - x0, ay - y0) - size) < 1e-6
+            ):
+                twice += _turn_area(x0, y0, x, y, ax, ay, signed)
+                half = min(gap / (2.0 * size), 1.0)
+                hops[hop, 0] = x
+                hops[hop, 1] = y
+                hops[hop, 2] = ax
+                hops[hop, 3] = ay
+                hops[hop, 4] = math.copysign(half / (1.0 + math.sqrt(1.0 - half * half)), signed)
+                hop += 1
+        begun = True
+        if again:
+            break
+        twice += ax * by - ay * bx
+        if bent != 0.0:
+            twice += 2.0 * math.copysign(_cap_area(math.hypot(bx - ax, by - ay), bent), bent)
+        x, y = bx, by
+    return twice, x, y, hop
+
+
+@njit(cache=True, error_model="numpy")
+def area_under(start: Any, end: Any, bulge: Any, low: int, high: int) -> float:
+    """Twice the area under a path, its closing chord left out."""
+    twice = 0.0
+    for i in range(low, high):
+        twice += start[i, 0] * end[i, 1] - start[i, 1] * end[i, 0]
+        if bulge[i] != 0.0:
+            chord = math.hypot(end[i, 0] - start[i, 0], end[i, 1] - start[i, 1])
+            twice += 2.0 * _cap_area(chord, bulge[i])
+    return twice

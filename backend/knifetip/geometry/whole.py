@@ -1,0 +1,177 @@
+"""whole: the moved segments of a path as they are, where shortening is not enough.
+
+    one path -> rows that ``region`` cuts where they cross
+
+Neighbours are shortened to where they meet if both keep half their length; all else is left whole.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from numba import njit
+
+from knifetip.geometry.beside import (
+    CHORD,
+    CONCAVE,
+    CONVEX,
+    EX,
+    EY,
+    MOVED,
+    OPEN,
+    RADIUS,
+    SLID,
+    SMOOTH,
+    STILL,
+    SX,
+    SY,
+    U1X,
+    U1Y,
+    U2X,
+    U2Y,
+    part,
+)
+from knifetip.geometry.shortened import met
+from knifetip.geometry.tolerance import POINT
+from knifetip.geometry.transition import transition
+
+
+@njit(cache=True, error_model="numpy")
+def _meeting(
+    start: Any, end: Any, last: int, next_: int, table: Any, before: int, here: int, signed: float
+) -> tuple[float, float]:
+    """Where two neighbours at a concave corner are to be shortened to, or NaN."""
+    if table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0:
+        u1x, u1y = table[before, U2X], table[before, U2Y]
+        u2x, u2y = table[here, U1X], table[here, U1Y]
+        share = signed / (1.0 + u1x * u2x + u1y * u2y)
+        if abs(share * (u1x * u2y - u1y * u2x)) > 0.49 * min(
+            table[before, CHORD], table[here, CHORD]
+        ):
+            return math.nan, math.nan
+        return start[next_, 0] - share * (u1y + u2y), start[next_, 1] + share * (u1x + u2x)
+    if math.isnan(table[before, MOVED]) or math.isnan(table[here, MOVED]):
+        return math.nan, math.nan
+    hits, gx, gy, _, sine, _ = met(start, end, last, next_, table, before, here, signed)
+    if hits != 1 or sine < 0.0:
+        return math.nan, math.nan
+    for at, x, y in (
+        (before, table[before, EX], table[before, EY]),
+        (here, table[here, SX], table[here, SY]),
+    ):
+        length = table[at, CHORD]
+        if table[at, RADIUS] != 0.0:
+            length *= table[at, MOVED] / table[at, RADIUS]
+        if math.hypot(gx - x, gy - y) > 0.4 * length:
+            return math.nan, math.nan
+    return gx, gy
+
+
+@njit(cache=True, error_model="numpy")
+def as_moved(
+    start: Any,
+    end: Any,
+    bulge: Any,
+    low: int,
+    high: int,
+    closed: bool,
+    signed: float,
+    corner: Any,
+    k: Any,
+    step: int,
+    table: Any,
+    at: int,
+    joint: Any,
+    rows: Any,
+    info: Any,
+    put: int,
+    member: int,
+) -> int:
+    """Write the moved segments and transitions of a path whole into rows and info from ``put`` on.
+
+    info has rows of (input segment, whether inserted, whether the next row continues this one,
+    path).  An arc that is none any more is left out.  Returns the next free row.
+    """
+    count = high - low
+    size = abs(signed)
+    for i in range(count):
+        here = at + i
+        joint[here] = OPEN
+        if i == 0 and not closed:
+            continue
+        before = at + (i - 1 if i > 0 else count - 1)
+        u1x, u1y = table[before, U2X], table[before, U2Y]
+        u2x, u2y = table[here, U1X], table[here, U1Y]
+        cross = u1x * u2y - u1y * u2x
+        dot = u1x * u2x + u1y * u2y
+        last = low + (i - 1 if i > 0 else count - 1)
+        if dot > 0.0 and size * abs(cross) < POINT:
+            share = signed / (1.0 + dot)
+            gx = start[low + i, 0] - share * (u1y + u2y)
+            gy = start[low + i, 1] + share * (u1x + u2x)
+            off = abs(gx - table[here, SX]) + abs(gy - table[here, SY])
+            joint[here] = SLID if off > STILL else SMOOTH
+        elif cross * signed < 0.0 or dot < -1.0 + 1e-12:
+            joint[here] = CONVEX
+            continue
+        else:
+            # What lies beyond the crossing of two neighbours is too near to one of them, but in a
+            # very flat corner by less than NEARER: it has to go before anyone measures that.
+            joint[here] = CONCAVE
+            gx, gy = _meeting(start, end, last, low + i, table, before, here, signed)
+            if math.isnan(gx):
+                continue
+            joint[here] = SLID
+        table[before, EX] = gx
+        table[before, EY] = gy
+        table[here, SX] = gx
+        table[here, SY] = gy
+    for i in range(count):
+        here = at + i
+        none = math.isnan(table[here, MOVED])
+        if none and put > 0 and info[put - 1, 3] == member:
+            info[put - 1, 2] = 0
+        if joint[here] == CONVEX:
+            before = at + (i - 1 if i > 0 else count - 1)
+            begun = put
+            put = transition(
+                corner[step * (low + i)],
+                start[low + i, 0],
+                start[low + i, 1],
+                table[before, U2X],
+                table[before, U2Y],
+                table[here, U1X],
+                table[here, U1Y],
+                signed,
+                k[step * (low + i)],
+                rows,
+                put,
+            )
+            for j in range(begun, put):
+                info[j, 0] = low + i
+                info[j, 1] = 1
+                info[j, 2] = 1
+                info[j, 3] = member
+            if none:
+                info[put - 1, 2] = 0
+        if none:
+            continue
+        for column in range(4):
+            rows[put, column] = table[here, SX + column]
+        follows = at + (i + 1 if i < count - 1 else 0)
+        bent = 0.0
+        if table[here, RADIUS] != 0.0:
+            bent = bulge[low + i]
+            if joint[here] == SLID or joint[follows] == SLID:
+                dx = table[here, EX] - table[here, SX]
+                dy = table[here, EY] - table[here, SY]
+                kept = part(table, here, dx, dy, bent, start[low + i, 0], start[low + i, 1])
+                bent = kept if kept != 0.0 else bent
+        rows[put, 4] = bent
+        info[put, 0] = low + i
+        info[put, 1] = 0
+        info[put, 2] = joint[follows] != CONCAVE and (closed or i < count - 1)
+        info[put, 3] = member
+        put += 1
+    return put

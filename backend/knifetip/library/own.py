@@ -1,0 +1,149 @@
+"""own: profiles that customers keep, as the TOML text that they wrote or the page wrote for them.
+
+    name, TOML text -> LineRules                 fields of a form -> TOML text
+
+The text comes from anywhere: it is short, names nothing outside the library, and is read whole or
+refused with the rule and the field that are wrong.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from functools import lru_cache
+from importlib import resources
+from typing import Any
+
+from knifetip.errors import ProfileError
+from knifetip.library import load
+from knifetip.model.profile import LineRules
+
+LONGEST = 256 << 10  #: bytes of a profile's text
+MOST_RULES = 500
+MOST_PATTERNS = 500  #: of one condition
+LONGEST_PATTERN = 255  #: what a layer's name may have
+LONGEST_TITLE = 200
+
+#: No dots: a name that ends in .toml is a file's, on the command line and in an address.
+_NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}")
+_PLACE = re.compile(r"rule (\d+)\b:?\s*(?:has no )?(type|layer|colour|linetype|entity|block)?")
+
+
+def checked_name(name: str) -> str:
+    """Return a name that a profile may have.
+
+    Raises
+    ------
+    ProfileError
+        It is none.
+    """
+    if not _NAME.fullmatch(name):
+        raise ProfileError(
+            f"{name[:80]!r} is no name for a profile.",
+            "Take up to 64 small letters, digits, - and _; what people read is the title.",
+            ("name",),
+        )
+    return name
+
+
+def parsed(name: str, text: str) -> LineRules:
+    """Return the profile that a TOML text says.
+
+    Raises
+    ------
+    ProfileError
+        It says none; ``source`` names the rule and its field.
+    """
+    # Measured before it is kept in mind, so that what is huge is not.
+    if len(text) > LONGEST or len(text.encode("utf-8", "replace")) > LONGEST:
+        raise ProfileError(
+            f"The profile {name!r} is {len(text) >> 10} kB long, and may have {LONGEST >> 10} kB.",
+            "A rule takes many layers at once, and * stands for any letters.",
+        )
+    return _parsed(name, text)
+
+
+@lru_cache(maxsize=64)
+def _parsed(name: str, text: str) -> LineRules:
+    try:
+        return _made(name, tomllib.loads(text))
+    except tomllib.TOMLDecodeError as reason:
+        raise ProfileError(
+            f"The profile {name!r} is not TOML: {reason}.", "Mend that line."
+        ) from reason
+    except RecursionError as reason:
+        raise ProfileError(
+            f"The profile {name!r} is nested too deeply to be one.",
+            "A profile is a title and a list of [[rule]].",
+        ) from reason
+
+
+def written(name: str, fields: Mapping[str, Any]) -> str:
+    """Return the TOML text of a profile that was given as plain data.
+
+    Parameters
+    ----------
+    fields
+        ``title``, ``extends`` (a shipped profile or None), ``overrules``, and ``rule``: a list of
+        tables, each with ``type`` and its conditions.
+
+    Raises
+    ------
+    ProfileError
+        It is no profile; ``source`` names the rule and its field.
+    """
+    return load.profile_toml(_made(name, fields), fields.get("extends"))
+
+
+def text_of(name: str) -> str:
+    """Return the TOML text of a profile that is shipped."""
+    return (resources.files(__package__) / "profiles" / f"{name}.toml").read_text("utf-8")
+
+
+def parts(text: str) -> dict[str, Any]:
+    """Return the fields of a profile's text as ``written`` takes them."""
+    return tomllib.loads(text)
+
+
+def _made(name: str, fields: Mapping[str, Any]) -> LineRules:
+    try:
+        _within_limits(fields)
+        return load.parse_profile(name, fields)
+    except (KeyError, TypeError, ValueError, AttributeError) as reason:
+        detail = f"{reason.args[0]!r} is missing" if isinstance(reason, KeyError) else str(reason)
+        raise ProfileError(
+            f"The profile {name!r} cannot be used: {detail[:400]}.",
+            "Mend what is named, and send it again.",
+            _places(detail),
+        ) from reason
+
+
+def _places(detail: str) -> tuple[str, ...]:
+    """Return the rule, and the field of it, that an error names."""
+    found = _PLACE.match(detail)
+    if found is None:
+        return ()
+    return (f"rule {found[1]}", *([found[2]] if found[2] else []))
+
+
+def _within_limits(fields: Mapping[str, Any]) -> None:
+    title, rules = fields["title"], fields["rule"]
+    if not isinstance(title, str) or not 0 < len(title.strip()) <= LONGEST_TITLE:
+        raise ValueError(f"its title must be text of 1 … {LONGEST_TITLE} signs")
+    if not isinstance(rules, list) or not all(isinstance(rule, Mapping) for rule in rules):
+        raise ValueError("its rules must be tables that begin with [[rule]]")
+    if len(rules) > MOST_RULES:
+        raise ValueError(f"it has {len(rules)} rules, and may have {MOST_RULES}")
+    for number, rule in enumerate(rules, 1):
+        for field, value in rule.items():
+            values = value if isinstance(value, list) else [value]
+            if len(values) > MOST_PATTERNS:
+                raise ValueError(
+                    f"rule {number}: {field} has {len(values)} values, "
+                    f"and may have {MOST_PATTERNS}"
+                )
+            if any(isinstance(one, str) and len(one) > LONGEST_PATTERN for one in values):
+                raise ValueError(
+                    f"rule {number}: {field} has a value of more than {LONGEST_PATTERN} signs"
+                )

@@ -1,0 +1,163 @@
+"""nearest: what lies near, by a grid: the next track each time, and the neighbours of every one.
+
+where tracks begin and end (mm) -> an order that always takes the nearest; lists of neighbours
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from knifetip.geometry.columns import F64, I32
+
+
+def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
+    """Return the order of tracks, (t,), beginning with the one nearest to ``origin``.
+
+    Parameters
+    ----------
+    start, end : (t, 2) mm
+        Where the head begins and ends each track.
+    origin : (2,) mm
+    """
+    order: I32 = walk(start, end, origin, len(start))
+    return order
+
+
+def walk(start: F64, end: F64, origin: F64, count: int) -> Any:
+    """Return the nearest candidate each time; candidates ``count`` apart are one track."""
+    if count == 0:
+        return np.zeros(0, np.int32)
+    low = start.min(axis=0)
+    extent = np.maximum(start.max(axis=0) - low, 1e-3)
+    side = max(1, math.isqrt(len(start) // 2))
+    size = extent / side
+    cell = np.minimum(((start - low) / size).astype(np.int64), side - 1)
+    key = cell[:, 0] * side + cell[:, 1]
+    listed = np.argsort(key, kind="stable")
+    first = np.searchsorted(key[listed], np.arange(side * side + 1))
+    return _walked(start, end, origin, low, size, side, listed, first, key, count)
+
+
+@njit(cache=True)
+def _walked(
+    start: Any,
+    end: Any,
+    origin: Any,
+    low: Any,
+    size: Any,
+    side: int,
+    listed: Any,
+    first: Any,
+    key: Any,
+    count: int,
+) -> Any:
+    """Search the grid in growing rings; a found track is struck from its cells."""
+    left = first[1:] - first[:-1]
+    order = np.empty(count, np.int32)
+    x = origin[0]
+    y = origin[1]
+    least = min(size[0], size[1])
+    for step in range(count):
+        column = min(max(int((x - low[0]) / size[0]), 0), side - 1)
+        row = min(max(int((y - low[1]) / size[1]), 0), side - 1)
+        best = -1
+        reach = np.inf
+        ring = 0
+        while ring < side and (best < 0 or (ring - 1) * least <= reach):
+            for i in range(max(column - ring, 0), min(column + ring, side - 1) + 1):
+                edge = abs(i - column) == ring
+                j = row - ring
+                while j <= row + ring:
+                    if 0 <= j < side:
+                        cell = i * side + j
+                        for place in range(first[cell], first[cell] + left[cell]):
+                            track = listed[place]
+                            distance = math.hypot(start[track, 0] - x, start[track, 1] - y)
+                            if distance < reach or (distance == reach and track < best):
+                                reach = distance
+                                best = track
+                    j += 1 if edge or ring == 0 else 2 * ring
+            ring += 1
+        order[step] = best
+        for twin in range(best % count, len(start), count):
+            cell = key[twin]
+            for place in range(first[cell], first[cell] + left[cell]):
+                if listed[place] == twin:
+                    left[cell] -= 1
+                    listed[place] = listed[first[cell] + left[cell]]
+                    break
+        x = end[best, 0]
+        y = end[best, 1]
+    return order
+
+
+@njit(cache=True)
+def neighbours(start: Any, end: Any, wanted: int) -> Any:
+    """Return the tracks with the ends nearest to either end of each, and how near, (t, wanted)."""
+    count = len(start)
+    point = np.concatenate((start, end))
+    low_x, low_y = point[:, 0].min(), point[:, 1].min()
+    side = max(1, int(math.sqrt(count)))
+    wide = max((point[:, 0].max() - low_x) / side, 1e-3)
+    high = max((point[:, 1].max() - low_y) / side, 1e-3)
+    column = np.minimum(((point[:, 0] - low_x) / wide).astype(np.int64), side - 1)
+    row = np.minimum(((point[:, 1] - low_y) / high).astype(np.int64), side - 1)
+    key = column * side + row
+    listed = np.argsort(key, kind="mergesort")
+    first = np.searchsorted(key[listed], np.arange(side * side + 1))
+    near = np.empty((count, wanted), np.int32)
+    far = np.empty((count, wanted))
+    for track in range(count):
+        best = far[track]
+        found = 0
+        for own in (track, track + count):
+            x, y = point[own, 0], point[own, 1]
+            ring = 0
+            while ring < side:
+                if found == wanted and (ring - 1) * min(wide, high) > best[wanted - 1]:
+                    break
+                for i in range(max(column[own] - ring, 0), min(column[own] + ring, side - 1) + 1):
+                    edge = abs(i - column[own]) == ring
+                    j = row[own] - ring
+                    while j <= row[own] + ring:
+                        if 0 <= j < side:
+                            cell = i * side + j
+                            for place in range(first[cell], first[cell + 1]):
+                                other = listed[place] % count
+                                if other == track:
+                                    continue
+                                distance = math.hypot(
+                                    point[listed[place], 0] - x, point[listed[place], 1] - y
+                                )
+                                found = _listed(near[track], best, found, other, distance)
+                        j += 1 if edge or ring == 0 else 2 * ring
+                ring += 1
+    return near, far
+
+
+@njit(cache=True)
+def _listed(near: Any, best: Any, found: int, other: int, distance: float) -> int:
+    """Put a track into a list of the nearest, once, and return how long the list is."""
+    at = found
+    for place in range(found):
+        if near[place] == other:
+            if best[place] <= distance:
+                return found
+            at = place
+            break
+    if at == found:
+        if found == len(near):
+            if distance >= best[found - 1]:
+                return found
+            at = found - 1
+        else:
+            found += 1
+    while at > 0 and best[at - 1] > distance:
+        best[at], near[at] = best[at - 1], near[at - 1]
+        at -= 1
+    best[at], near[at] = distance, other
+    return found

@@ -1,0 +1,180 @@
+"""Grooving: V-grooves against the board's depth, their flanks, passes and run-outs.
+
+Trial of a V-cutter -> deviation, overcut, uncut, width, web and flank of every groove
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from knifetip.model.dieline import LineType
+from knifetip.model.tool import VCutter
+from knifetip.verification.astray import judge_astray
+from knifetip.verification.bench import DEPTH
+from knifetip.verification.columns import F64, Bool
+from knifetip.verification.findings import MOST
+from knifetip.verification.intent import run_on
+from knifetip.verification.kinematics import off_line
+from knifetip.verification.outline import run_outs
+from knifetip.verification.overlap import overlaps
+from knifetip.verification.passes import unprepared
+from knifetip.verification.stretches import BRIEF, Rows, narrowed
+from knifetip.verification.trial import Trial
+
+
+class Grooving(Trial):
+    """The work of a V-cutter, in one pass or more each way."""
+
+    def judge(self) -> None:
+        self.depth[:] = self.bench.board.groove_depth
+        blade = self.tool(VCutter)
+        leaves = self.bench.board.groove_curve
+        curved = self.edges.curve[:, 0] != 0.0
+        for edge in np.flatnonzero(curved)[:MOST] if leaves <= 0.0 else ():
+            self.finding("deviation", edge, "is an arc, which no leaning blade can follow.", 0.0)
+        boundary = self._run_out(blade) if blade else np.zeros((len(self.edges), 2), np.bool_)
+        rows = self.matched()
+        wide = np.full(len(self.edges), self.tolerance)
+        if leaves > 0.0 and curved.any():
+            # A groove of chords leaves its arc by as much as the board allows.
+            wide[curved] = leaves + self.tolerance
+            wider = overlaps(self.curve, self.edges.curve, self.low, self.high, leaves)
+            rows = narrowed(wider, wide, self.curve)
+        final = self._passes(rows)
+        self._stepped()
+        self.placed(rows, final, wide)
+        off_board = 0.0
+        if blade and curved.any():
+            # Chords leave the board in their own direction.
+            off_board = 2.0 * (blade.half_width + self.bench.board.groove_depth * blade.slope)
+        judge_astray(self, rows, self.curve[:, 5], off_board)
+        # What it may run out further is not asked for.
+        self.low, self.high = self.low + self.spare[:, 0], self.high - self.spare[:, 1]
+        for forward in (True, False):
+            way = rows.place[:, 1] > rows.place[:, 0]
+            self.uncut(rows, np.arange(len(self.edges)), (way == forward) & final, forward)
+        if blade is None:
+            return
+        self.headed(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
+        self._flanks(rows, final, blade, wide)
+        worked = np.zeros(len(self.edges), np.bool_)
+        worked[rows.edge[rows.best]] = True
+        inside = ~(boundary | run_on(self.edges).reshape(-1, 2)).all(axis=1)
+        past: F64 = np.where(worked & inside, 2.0 * blade.half_width, 0.0)
+        self.overcut(np.arange(len(self.edges)), past)
+        limit = self.bench.board.groove_overcut
+        for edge in np.flatnonzero(past > limit + self.tolerance)[:MOST]:
+            self.finding(
+                "overcut",
+                edge,
+                f"the blade runs {past[edge]:.2f} mm past its ends, and the board allows "
+                f"{limit:.2f} mm.",
+                past[edge],
+            )
+
+    def _run_out(self, blade: VCutter) -> Bool:
+        """Lengthen grooves that leave the board; return which ends do, (n, 2).
+
+        The tip goes no farther than it must: there is no board, but who knows what is.
+        """
+        half = self.bench.board.groove_depth * blade.slope
+        asked = run_outs(self.edges, self.bench.edges.of(LineType.CUT), half)
+        boundary = asked.boundary.reshape(-1, 2)
+        least = asked.least.reshape(-1, 2)
+        # Chords leave the board in their own direction, and their last one says how far.
+        straight_on = self.edges.curve[:, 0] == 0.0
+        boundary &= straight_on[:, None]
+        self.spare = np.where(boundary, self.tolerance, 0.0)
+        more = least + self.spare
+        curve = self.edges.curve.copy()
+        # Of a straight edge the row is its start, its direction and its length.
+        straight = curve[:, 0] == 0.0
+        curve[straight, 1:3] -= more[straight, :1] * curve[straight, 3:5]
+        curve[straight, 5] += more[straight].sum(axis=1)
+        self.edges = replace(self.edges, curve=curve)
+        self.size = curve[:, 5]
+        self.high = self.size.copy()
+        self.before = more[:, 0]
+        return boundary
+
+    def _passes(self, rows: Rows) -> Bool:
+        """Return which stretches are of the deepest pass over their edge in their direction.
+
+        Those before it may be shallower, each no deeper than the next.
+        """
+        deep = (self.bench.board.caliper - self.z)[rows.curve]
+        way = 2 * rows.edge.astype(np.int64) + (rows.place[:, 1] > rows.place[:, 0])
+        deepest = np.zeros(2 * len(self.edges))
+        np.maximum.at(deepest, way[rows.best], deep[rows.best])
+        final: Bool = deep >= deepest[way] - DEPTH
+        order = np.flatnonzero(rows.best & (np.abs(np.diff(rows.place)[:, 0]) > BRIEF))
+        order = order[np.lexsort((rows.curve[order], way[order]))]
+        same = way[order[1:]] == way[order[:-1]]
+        back = same & (deep[order[1:]] < deep[order[:-1]] - DEPTH)
+        for k in np.flatnonzero(back)[:MOST]:
+            row = order[k + 1]
+            self.finding(
+                "depth",
+                int(rows.edge[row]),
+                f"the V-cutter goes {deep[row]:.3f} mm deep after it has been "
+                f"{deep[order[k]]:.3f} mm deep.",
+                float(deep[order[k]] - deep[row]),
+                int(rows.curve[row]),
+            )
+        return final
+
+    def _stepped(self) -> None:
+        """Judge whether no pass goes deeper at once than the board allows."""
+        step = self.bench.board.groove_pass
+        if step <= 0.0:
+            return
+        deep = self.bench.board.caliper - self.z
+        which, spans = unprepared(self.curve, deep, step, self.tolerance, one_way=True)
+        size = np.diff(spans)[:, 0]
+        for k in np.flatnonzero(size > self.slack)[:MOST]:
+            row = int(which[k])
+            self.finding(
+                "depth",
+                -1,
+                f"the V-cutter goes {deep[row]:.3f} mm deep on {size[k]:.3f} mm that no pass "
+                f"before has made ready; the board allows {step:g} mm at once.",
+                float(deep[row] - step),
+                row,
+            )
+
+    def _flanks(self, rows: Rows, final: Bool, blade: VCutter, limit: F64) -> None:
+        """Judge where the flanks come out at the top face, h tan θ beside the line.
+
+        On each pass the blade leans to the right of travel, and cuts the flank on that side.
+        """
+        size = np.abs(np.diff(rows.place)[:, 0])
+        which = np.flatnonzero(rows.best & final & (size > BRIEF))
+        work, edge = rows.curve[which], rows.edge[which]
+        forward = rows.place[which, 1] > rows.place[which, 0]
+        deep = self.bench.board.caliper - self.z[work]
+        lean = (deep - self.depth[edge]) * blade.slope
+        error = np.zeros(len(which))
+        for side in range(2):
+            left = off_line(self.curve[work], rows.along[which, side], self.edges.curve[edge])
+            right = np.where(forward, -left, left) + lean
+            error = np.where(np.abs(right) > np.abs(error), right, error)
+        row = self.edges.row[edge]
+        np.maximum.at(self.figures.flank, row, np.abs(error))
+        wide = np.zeros((len(self.figures.width), 2))
+        np.maximum.at(wide, (row, forward.astype(np.int64)), self.depth[edge] * blade.slope + error)
+        np.maximum(self.figures.width, wide.sum(axis=1), out=self.figures.width)
+        web = np.full(len(self.figures.web), np.inf)
+        np.minimum.at(web, row, self.bench.board.caliper - deep)
+        self.figures.web[np.isfinite(web)] = web[np.isfinite(web)]
+        for k in np.flatnonzero(np.abs(error) > limit[edge] + 1e-9)[:MOST]:
+            hand = "outside" if error[k] > 0.0 else "inside"
+            self.finding(
+                "deviation",
+                int(edge[k]),
+                f"a flank comes out {abs(error[k]):.4f} mm {hand} "
+                f"its place on the top face; the tolerance is {limit[edge[k]]:g} mm.",
+                float(abs(error[k])),
+                int(work[k]),
+            )

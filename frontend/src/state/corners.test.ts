@@ -1,0 +1,38 @@
+import { expect, test } from "vitest";
+import type { Machine } from "../api/client";
+import type { Edges } from "../geometry/records";
+import { cornerNear, LEFT_TO_THE_MACHINE, mills, withCorner, withKnob, withType } from "./corners";
+
+const machine = (...kinds: string[]) =>
+  ({ stations: kinds.map((kind) => ({ tool: { kind } })) }) as unknown as Machine;
+
+test("a machine mills that has a cutter and no knife", () => {
+  expect(mills(machine("crease-wheel", "cutter"))).toBe(true);
+  expect(mills(machine("knife", "cutter"))).toBe(false);
+  expect(mills(machine("knife"))).toBe(false);
+  expect(mills(undefined)).toBe(false);
+});
+
+test("a click on a cut means its nearer end, and a crease has no corner", () => {
+  const edges = {
+    ends: Float64Array.of(0, 0, 100, 0, 0, 50, 100, 50),
+    lineType: Uint8Array.of(1, 2),
+  } as unknown as Edges;
+  expect(cornerNear(edges, 0, { x: 70, y: 3 })).toEqual({ x: 100, y: 0 });
+  expect(cornerNear(edges, 0, { x: 20, y: -3 })).toEqual({ x: 0, y: 0 });
+  expect(cornerNear(edges, 1, { x: 20, y: 50 })).toBeNull();
+});
+
+test("a corner is chosen once, changed and taken back", () => {
+  const one = withCorner(LEFT_TO_THE_MACHINE, { x: 100, y: 0 });
+  expect(one.at).toEqual([{ x: 100, y: 0, type: "C", k: null }]);
+  expect(withCorner(one, { x: 100.2, y: 0 })).toBe(one);
+  const d = withKnob(withType(one, 0, "D"), 0, 0.3);
+  expect(d.at).toEqual([{ x: 100, y: 0, type: "D", k: 0.3 }]);
+  expect(withType(d, 0, null).at).toEqual([]);
+});
+
+test("a corner that is clicked differs from the rest", () => {
+  const rest = { ...LEFT_TO_THE_MACHINE, type: "C" } as const;
+  expect(withCorner(rest, { x: 0, y: 0 }).at[0]?.type).toBe("B");
+});

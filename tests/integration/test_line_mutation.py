@@ -1,0 +1,43 @@
+"""Lines of programs dropped, doubled, swapped and rewritten: what moves the product is refused.
+
+What the judge lets pass must leave the product as it is, within 0.01 mm; ``HARMLESS`` names what
+else may be let pass, and why.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from engines import ENGINES
+from line_mutation import moved, mutants
+from mutation import FELT
+
+#: Of each engine so many mutants are judged, chosen by the seed.
+COUNT, SEED = 110, 3
+#: (engine, kind): in the waste only, where the knife may also stop at the contour's end.
+HARMLESS = {("led knife", "line dropped"), ("led knife", "lines swapped")}
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name):
+    engine = ENGINES[name]
+    right = engine.judged(engine.text)
+    assert right.accepted, right.findings[:3]
+    every = list(mutants(engine.text))
+    refused, let_pass, missed = 0, Counter(), []
+    for k in np.random.default_rng(SEED).choice(len(every), COUNT, replace=False):
+        kind, row, mutant = every[k]
+        if not engine.judged(mutant).accepted:
+            refused += 1
+            continue
+        let_pass[kind] += 1
+        far = moved(engine.text, mutant, engine.machine, engine.board, engine.line)
+        if far > FELT + 1e-6 and (name, kind) not in HARMLESS:
+            missed.append((kind, row + 1, far, mutant.splitlines()[row]))
+    print(name, f"{refused}/{COUNT} refused, harmless:", dict(let_pass))
+    assert not missed
+    # More than half of all changes matter.
+    assert refused > 0.5 * COUNT

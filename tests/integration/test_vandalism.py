@@ -1,0 +1,293 @@
+"""Programs made on purpose with one thing wrong, each refused; and what may differ, and is not.
+
+The wrong thing is in what the program is made from (a board, a tool, a datum, a rule), and the
+judge has the right one.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from engines import DEMO, ENGINES, Engine
+from knifetip.compensation import vgroove
+from knifetip.model.board import Deflection
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine
+from knifetip.model.operation import End, Operation
+from shapes import dieline, edges
+
+V, PASSES, CREASE, DOUBLE = (
+    ENGINES[name] for name in ("V-groove", "V-groove in passes", "crease", "double crease")
+)
+KNIFE, TEARS, NICKS, DRAG, LED = (
+    ENGINES[name] for name in ("knife", "torn lines", "bridges", "drag knife", "led knife")
+)
+B, C, SOFT, AUTO = (ENGINES[name] for name in ENGINES if name.startswith("router"))
+ROUTERS = [B, C, SOFT, AUTO]
+
+
+def tooled(machine: Machine, number: int, **dimensions: float) -> Machine:
+    """Return the machine with another tool in a station."""
+    return replace(
+        machine,
+        stations=tuple(
+            replace(held, tool=replace(held.tool, **dimensions)) if held.number == number else held
+            for held in machine.stations
+        ),
+    )
+
+
+def moved_datum(machine: Machine, number: int, **datum: float) -> Machine:
+    """Return the machine with a station that stands elsewhere."""
+    return replace(
+        machine,
+        stations=tuple(
+            replace(held, **{axis: getattr(held, axis) + by for axis, by in datum.items()})
+            if held.number == number
+            else held
+            for held in machine.stations
+        ),
+    )
+
+
+def board(engine: Engine, **asked: object) -> Engine:
+    return replace(engine, board=replace(engine.board, **asked))
+
+
+def tool(engine: Engine, number: int, **dimensions: float) -> Engine:
+    return replace(engine, machine=tooled(engine.machine, number, **dimensions))
+
+
+def datum(engine: Engine, number: int, **by: float) -> Engine:
+    # On controllers without a tool table the datum stands in the program.
+    return replace(engine, dialect="grblhal", machine=moved_datum(engine.machine, number, **by))
+
+
+def drawn(engine: Engine, kind: LineType, *lines: tuple[tuple[float, float], ...]) -> Engine:
+    """Return the engine with more lines than the judge knows of."""
+    more = dieline((kind, edges(*lines)))
+    line = engine.line
+    both = Dieline(
+        np.concatenate([line.ends, more.ends]),
+        np.concatenate([line.bulge, more.bulge]),
+        np.concatenate([line.line_type, more.line_type]),
+        np.arange(len(line) + len(more)),
+        np.zeros(len(line) + len(more)),
+        np.ones(len(line) + len(more)),
+        ("by hand",),
+    )
+    return replace(engine, line=both)
+
+
+def moved(engine: Engine, x: float = 0.0, y: float = 0.0, turn: float = 0.0) -> Engine:
+    """Return the engine with everything drawn elsewhere."""
+    cos, sin = np.cos(np.radians(turn)), np.sin(np.radians(turn))
+    ends = engine.line.ends @ np.array([[cos, sin], [-sin, cos]]) + (x, y)
+    return replace(engine, line=replace(engine.line, ends=ends))
+
+
+def mirrored(engine: Engine) -> Engine:
+    line = engine.line
+    ends = line.ends * (-1.0, 1.0) + (320.0, 0.0)
+    return replace(engine, line=replace(line, ends=ends, bulge=-line.bulge))
+
+
+ROUND_HOLE = (((50.0, 120.0), (58.0, 120.0)), ((58.0, 120.0), (58.0, 128.0)),
+              ((58.0, 128.0), (50.0, 128.0)), ((50.0, 128.0), (50.0, 120.0)))  # fmt: skip
+
+#: (what is wrong, the engine of the judge, the one of the program)
+WRONG: list[tuple[str, Engine, Engine]] = [
+    ("groove 0.05 too deep", V, board(V, groove_depth=1.35)),
+    ("groove 0.05 too shallow", PASSES, board(PASSES, groove_depth=1.25)),
+    ("groove in one pass", PASSES, board(PASSES, groove_pass=0.0)),
+    ("V-cutter's tilt off by 0.5°", V, tool(V, 3, tilt=45.5)),
+    ("V-cutter's d off by 0.05", V, tool(V, 3, back=6.05)),
+    ("V-cutter's r off by 0.05", V, tool(V, 3, half_width=1.45)),
+    ("V-cutter's datum off in X", V, datum(V, 3, x=0.05)),
+    ("V-cutter's datum off in Z", V, datum(V, 3, z=-0.05)),
+    ("V-cutter's datum off by 1° in C", V, datum(V, 3, c=1.0)),
+    ("wheel pressed 0.05 too deep", CREASE, board(CREASE, crease_along=0.65, crease_across=0.7)),
+    ("wheel pressed 0.05 too little", CREASE, board(CREASE, crease_along=0.55, crease_across=0.6)),
+    ("grain turned by 90°", CREASE, board(CREASE, grain=0.0)),
+    ("wheel of 14 for one of 15", CREASE, tool(CREASE, 2, radius=14.0)),
+    ("ends 0.05 less clear", CREASE, board(CREASE, end_clearance=0.15)),
+    ("wheel's datum off in Y", CREASE, datum(CREASE, 2, y=0.05)),
+    ("wheel's datum off in Z", CREASE, datum(CREASE, 2, z=0.05)),
+    ("double crease 0.05 too wide", DOUBLE, board(DOUBLE, double_crease=3.05)),
+    ("single for double crease", DOUBLE, board(DOUBLE, double_crease=0.0)),
+    ("double for single crease", CREASE, board(CREASE, double_crease=3.0)),
+    ("blade at 12° for one at 10°", KNIFE, tool(KNIFE, 1, blade_angle=12.0)),
+    ("0.05 less into the mat", KNIFE, replace(KNIFE, machine=replace(DEMO, into_mat=0.25))),
+    ("0.05 more into the mat", KNIFE, replace(KNIFE, machine=replace(DEMO, into_mat=0.35))),
+    ("board of 1.95 for one of 2.0", KNIFE, board(KNIFE, caliper=1.95)),
+    ("knife's datum off in X", KNIFE, datum(KNIFE, 1, x=0.02)),
+    ("knife's datum off by 1° in C", KNIFE, datum(KNIFE, 1, c=1.0)),
+    ("half-cut 0.05 too deep", TEARS, board(TEARS, half_cut_depth=1.05)),
+    ("half-cut nearly through", TEARS, board(TEARS, half_cut_depth=1.9)),
+    ("perforation 0.05 longer", TEARS, board(TEARS, perforation=(3.05, 2.0))),
+    ("perforation's gaps 0.2 wider", TEARS, board(TEARS, perforation=(3.0, 2.2))),
+    ("trail of 3.9 for 4", DRAG, tool(DRAG, 1, trail=3.9)),
+    ("no trail", DRAG, tool(DRAG, 1, trail=0.0)),
+    ("no bridges", NICKS, board(NICKS, bridge_width=0.0)),
+    ("bridges 0.05 too narrow", NICKS, board(NICKS, bridge_width=0.75)),
+    ("bridges 0.05 too wide", NICKS, board(NICKS, bridge_width=0.85)),
+    ("bridges too many", NICKS, board(NICKS, bridge_spacing=60.0)),
+    ("bridges too few", NICKS, board(NICKS, bridge_spacing=250.0)),
+    ("bridges that nobody wants", KNIFE, board(KNIFE, bridge_width=0.8, bridge_spacing=150.0)),
+    ("router's radius off by 0.02", B, tool(B, 4, radius=3.02)),
+    ("router's radius off by -0.02", C, tool(C, 4, radius=2.98)),
+    ("router in one pass", B, tool(B, 4, step=0.0)),
+    ("router's datum off in X", C, datum(C, 4, x=0.02)),
+    ("deflection left out", SOFT, board(SOFT, deflection=())),
+    ("deflection of X for Y", SOFT, board(SOFT, deflection=(Deflection("Router", 0.05, 0.08),))),
+    ("deflection that is none", B, board(B, deflection=(Deflection("Router", 0.08, 0.05),))),
+    ("cut across the panel", V, drawn(V, LineType.CUT, ((160, 110), (200, 130)))),
+    ("crease for nothing", V, drawn(V, LineType.CREASE, ((150, 110), (150, 130)))),
+    ("groove for nothing", CREASE, drawn(CREASE, LineType.V_GROOVE, ((150, 110), (150, 130)))),
+    ("slit in the waste", KNIFE, drawn(KNIFE, LineType.CUT, ((60, 120), (80, 120)))),
+    ("slot milled across a part", B, drawn(B, LineType.CUT, ((120, 145), (190, 120)))),
+    ("hole milled far off in the waste", C, drawn(C, LineType.CUT, *ROUND_HOLE)),
+    *(
+        (f"all {name}", engine, change(engine))
+        for engine in (V, CREASE, KNIFE, NICKS, DRAG, LED, B, SOFT)
+        for name, change in (
+            ("moved by 0.02", lambda engine: moved(engine, x=0.02)),
+            ("turned by 0.05°", lambda engine: moved(engine, turn=0.05)),
+            ("mirrored", mirrored),
+        )
+        # A rectangle with two bridges is its own mirror image.
+        if (engine.name, name) != ("bridges", "mirrored")
+    ),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"), [row[1:] for row in WRONG], ids=[f"{row[1]}: {row[0]}" for row in WRONG]
+)
+def test_what_is_made_from_one_wrong_thing_is_refused(right, wrong):
+    assert wrong.judged(wrong.text).accepted, wrong.judged(wrong.text).findings[:2]
+    assert not right.judged(wrong.text).accepted
+
+
+# -- the rules of planning
+
+
+def with_ends(old: End, new: End) -> Callable[[list[Operation]], list[Operation]]:
+    """Return what takes one kind of path's end for another."""
+
+    def change(operations: list[Operation]) -> list[Operation]:
+        return [
+            replace(
+                each,
+                start=np.where(each.start == old, new, each.start),
+                finish=np.where(each.finish == old, new, each.finish),
+            )
+            for each in operations
+        ]
+
+    return change
+
+
+def fields(**new: object) -> Callable[[list[Operation]], list[Operation]]:
+    return lambda operations: [replace(each, **new) for each in operations]
+
+
+def other_side(operations: list[Operation]) -> list[Operation]:
+    return [replace(each, side=-each.side) for each in operations]
+
+
+def without(kind: LineType) -> Callable[[list[Operation]], list[Operation]]:
+    return lambda operations: [each for each in operations if each.line_type != kind]
+
+
+@pytest.mark.parametrize(
+    ("engine", "change"),
+    [
+        (V, fields(run_out=np.zeros((0, 2)))),
+        (V, without(LineType.V_GROOVE)),
+        (CREASE, with_ends(End.FREE, End.CONTINUED)),
+        (CREASE, without(LineType.CREASE)),
+        (KNIFE, with_ends(End.CLOSED, End.FREE)),
+        (KNIFE, with_ends(End.FREE, End.MEETS)),
+        (TEARS, with_ends(End.MEETS, End.FREE)),
+        (TEARS, without(LineType.PERFORATION)),
+        (NICKS, with_ends(End.BRIDGE, End.MEETS)),
+        (B, other_side),
+        (SOFT, other_side),
+        (AUTO, lambda operations: operations[:-1]),
+        (AUTO, lambda operations: operations[1:]),
+    ],
+    ids=lambda value: str(value) if isinstance(value, Engine) else "",
+)
+def test_what_is_planned_by_a_wrong_rule_is_refused(engine, change):
+    text = engine.made(change)
+    assert text != engine.text
+    assert not engine.judged(text).accepted
+
+
+def test_a_v_cutter_that_plunges_straight_down_is_refused(monkeypatch):
+    right = vgroove.sideways
+    monkeypatch.setattr(vgroove, "sideways", lambda *args: 0.0 * right(*args))
+    assert not V.judged(V.made()).accepted
+
+
+# -- all of one word
+
+
+def rewritten(text: bytes, letter: str, change: Callable[[float], float]) -> bytes:
+    """Return the program with every number of a letter changed, in the head's lines too."""
+    pattern = re.compile(rf"\b{letter}(-?[\d.]+)".encode())
+    lines = [
+        line
+        if line.startswith(b"(")
+        else pattern.sub(lambda found: f"{letter}{change(float(found[1])):.4f}".encode(), line)
+        for line in text.splitlines()
+    ]
+    return b"\n".join(lines) + b"\n"
+
+
+def test_only_a_wheel_works_the_same_from_both_sides():
+    for engine in (V, PASSES, KNIFE, DRAG):
+        assert not engine.judged(rewritten(engine.text, "C", lambda c: c + 180.0)).accepted
+    # In the crease's program the knife of the outline is turned too.
+    lone = replace(CREASE, line=dieline((LineType.CREASE, edges(((120, 100), (120, 180))))))
+    assert lone.judged(rewritten(lone.text, "C", lambda c: c + 180.0)).accepted
+    assert not lone.judged(rewritten(lone.text, "C", lambda c: c + 90.0)).accepted
+
+
+@pytest.mark.parametrize("engine", [V, CREASE, KNIFE, DRAG, NICKS, B, AUTO], ids=str)
+def test_a_program_in_other_units_or_mirrored_by_its_words_is_refused(engine):
+    for letter, change in (
+        ("Z", lambda z: z / 25.4),
+        ("Z", lambda z: -z),
+        ("X", lambda x: 320.0 - x),
+        ("C", lambda c: -c),
+        ("F", lambda f: f / 60.0),
+    ):
+        mutant = rewritten(engine.text, letter, change)
+        if mutant != engine.text and not (letter == "C" and engine in ROUTERS):
+            assert not engine.judged(mutant).accepted, letter
+    assert not engine.judged(engine.text.replace(b"G21", b"G20")).accepted
+    assert not engine.judged(engine.text.replace(b"G2 ", b"G5 ").replace(b"G1 ", b"G5 ")).accepted
+
+
+def test_a_cutter_round_as_it_is_may_be_turned_as_it_likes():
+    assert AUTO.judged(rewritten(AUTO.text, "C", lambda c: c + 33.0)).accepted
+
+
+def test_a_hole_milled_beside_a_part_in_its_waste_is_harmless():
+    # 5 mm of waste between its slot and the part; farther off than 10.5 mm it is a stray.
+    hole = drawn(C, LineType.CUT, ((92.0, 120.0), (92.0, 128.0)))
+    assert C.judged(hole.text).accepted
+
+
+def test_the_placement_that_a_program_states_must_be_the_job_s():
+    head = b"(placement X0.0000 Y0.0000)\n"
+    first, rest = KNIFE.text.split(b"\n", 1)
+    assert KNIFE.judged(first + b"\n" + head + rest).accepted
+    assert not KNIFE.judged(first + b"\n" + head.replace(b"X0.0", b"X0.5") + rest).accepted

@@ -1,0 +1,246 @@
+"""Line mutation: programs with whole lines or words changed, and what that does to the product.
+
+    text -> (kind, row, mutant)          text, mutant -> how far the product is moved (mm)
+
+The interpreter is the one of ``mutation``; here the tip's ways in the board are compared as sets
+whatever their order, with the heading as two more coordinates, so that lines may come and go.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+
+from knifetip.model.board import Board
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
+from mutation import Move, followed, sunk
+
+_WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
+
+
+def mutants(text: bytes) -> Iterator[tuple[str, int, bytes]]:
+    """Yield every line mutation of a program: its kind, the row it begins at, and the text."""
+    lines = text.decode("ascii").splitlines()
+
+    def put(row: int, *new: str, over: int = 1) -> bytes:
+        return ("\n".join([*lines[:row], *new, *lines[row + over :]]) + "\n").encode()
+
+    for row, line in enumerate(lines):
+        if not line or line.startswith(("(", ";", "%")):
+            continue
+        yield "line dropped", row, put(row)
+        yield "line said twice", row, put(row, line, line)
+        if row + 1 < len(lines) and lines[row + 1] != line:
+            yield "lines swapped", row, put(row, lines[row + 1], line, over=2)
+        for kind, new in _words(line):
+            if new != line:
+                yield kind, row, put(row, new)
+    switches = [
+        (row, other)
+        for row, line in enumerate(lines)
+        for other in range(row + 1, min(row + 12, len(lines)))
+        if line.startswith("M65") and lines[other].startswith("M64")
+    ]
+    for row, other in switches:
+        swapped = [lines[other], *lines[row + 1 : other], lines[row]]
+        yield "lifted after the next is lowered", row, put(row, *swapped, over=other - row + 1)
+
+
+def _words(line: str) -> Iterator[tuple[str, str]]:
+    """Yield the changes to single words of a line."""
+    words = _WORD.findall(line)
+
+    def changed(letter: str, number: str, new: str) -> str:
+        return line.replace(letter + number, new, 1)
+
+    for letter, number in words:
+        value = float(number)
+        if letter == "G" and value in (2.0, 3.0):
+            yield "G2 for G3", changed("G", number, f"G{5 - int(value)}")
+        elif letter == "G" and value == 1.0:
+            yield "rapid for feed", re.sub(r" F[\d.]+", "", changed("G", number, "G0"))
+        elif letter == "G" and value > 3.0:
+            yield "modal word dropped", changed("G", number, "").strip()
+            if value == 21.0:
+                yield "inches for millimetres", changed("G", number, "G20")
+            if value == 90.0:
+                yield "steps for places", changed("G", number, "G91")
+        elif letter in "IJ":
+            yield f"sign of {letter}", changed(letter, number, f"{letter}{-value:.4f}")
+        elif letter == "C":
+            yield "C turned by 180", changed("C", number, f"C{value + 180.0:.4f}")
+            yield "C turned by 90", changed("C", number, f"C{value - 90.0:.4f}")
+            yield "C turned by 2", changed("C", number, f"C{value + 2.0:.4f}")
+        elif letter == "Z":
+            yield "Z in inches", changed("Z", number, f"Z{value / 25.4:.4f}")
+            yield "Z deeper by 0.05", changed("Z", number, f"Z{value - 0.05:.4f}")
+            yield "Z higher by 0.05", changed("Z", number, f"Z{value + 0.05:.4f}")
+        elif letter in "XY":
+            yield "place off by 0.02", changed(letter, number, f"{letter}{value + 0.02:.4f}")
+            yield "sign of a place", changed(letter, number, f"{letter}{-value:.4f}")
+        elif letter == "F":
+            yield "feed zero", changed("F", number, "F0")
+            yield "feed doubled", changed("F", number, f"F{2.0 * value:g}")
+        elif letter == "T":
+            yield "another station", changed("T", number, f"T{int(value) % 4 + 1}")
+        elif letter == "M" and value in (64.0, 65.0):
+            yield "M64 for M65", changed("M", number, f"M{129 - int(value)}")
+        elif letter == "S":
+            yield "speed halved", changed("S", number, f"S{value / 2.0:g}")
+
+
+def moved(text: bytes, mutant: bytes, machine: Machine, board: Board, dieline: Dieline) -> float:
+    """Return how far the product is moved (mm): inf where a rapid is in the board, or no program.
+
+    Both ways of the tip, below the top of the board, are compared as sets: each point of one has
+    one of the other so near, of the same station, as deep, and at the same heading.  Of a cutter
+    only what it leaves of the parts counts.
+    """
+    before, after = followed(text, machine), followed(mutant, machine)
+    if before is None or after is None:
+        return math.inf
+    old = _pieces(before, machine, board)
+    new = _pieces(after, machine, board)
+    if new is None or old is None:
+        return math.inf
+    mills = [1e3 * k for k, held in enumerate(machine.stations) if isinstance(held.tool, Cutter)]
+    farthest = 0.0
+    if mills:
+        milled = [[way for way in ways if way[0, 0] in mills] for ways in (old, new)]
+        old, new = ([way for way in ways if way[0, 0] not in mills] for ways in (old, new))
+        tool = machine.stations[int(mills[0] / 1e3)].tool
+        assert isinstance(tool, Cutter)
+        farthest = _eaten(*milled, tool.radius, -machine.into_mat, dieline)
+    return max(farthest, _beyond(new, old), _beyond(old, new))
+
+
+def _eaten(
+    before: list[np.ndarray], after: list[np.ndarray], radius: float, low: float, dieline: Dieline
+) -> float:
+    """Return how far a cutter's way comes nearer to, or stays farther from, places of the parts.
+
+    Through the board that counts on the edges, both ways; at any depth inside the parts, nearer.
+    """
+    cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
+    rings = [
+        chords(dieline.ends[row, 0], dieline.ends[row, 1], float(dieline.bulge[row]))
+        for row in cuts
+    ]
+    edge = np.vstack(rings)
+    x, y = (np.arange(a, b, 2.0) for a, b in zip(edge.min(axis=0), edge.max(axis=0), strict=True))
+    grid = np.stack(np.meshgrid(x + 0.7, y + 0.3), axis=-1).reshape(-1, 2)
+    crossings = np.zeros(len(grid), np.int64)
+    for ring in rings:
+        for (ax, ay), (bx, by) in pairwise(ring):
+            if ay != by:
+                share = (grid[:, 1] - ay) / (by - ay)
+                crossings += ((ay > grid[:, 1]) != (by > grid[:, 1])) & (
+                    ax + share * (bx - ax) > grid[:, 0]
+                )
+    places = np.vstack([edge, grid[crossings % 2 == 1]])
+    through = [[way for way in ways if way[:, 3].max() <= low + 0.005] for ways in (before, after)]
+    deep = [np.minimum(_nearest(edge, ways), radius + 0.5) for ways in through]
+    shallow = [_nearest(places, ways) for ways in (before, after)]
+    nearer = np.where(shallow[1] < radius + 0.05, shallow[0] - shallow[1], 0.0)
+    return max(float(np.abs(deep[1] - deep[0]).max()), float(nearer.max()))
+
+
+def _nearest(points: np.ndarray, ways: list[np.ndarray]) -> np.ndarray:
+    """Return how near ways come to points, (n,) mm."""
+    nearest = np.full(len(points), 1e3)
+    if not ways:
+        return nearest
+    start = np.vstack([way[:-1, 1:3] for way in ways])
+    step = np.vstack([np.diff(way[:, 1:3], axis=0) for way in ways])
+    size = np.maximum((step**2).sum(axis=1), 1e-18)
+    for rows in np.array_split(np.arange(len(start)), len(start) // 50 + 1):
+        x, y = (points[:, None] - start[rows]).transpose(2, 0, 1)
+        along = np.clip((x * step[rows, 0] + y * step[rows, 1]) / size[rows], 0.0, 1.0)
+        x, y = x - along * step[rows, 0], y - along * step[rows, 1]
+        nearest = np.minimum(nearest, (x * x + y * y).min(axis=1) ** 0.5)
+    return nearest
+
+
+def chords(start: np.ndarray, end: np.ndarray, bulge: float) -> np.ndarray:
+    """Return points along an edge, about every half millimetre."""
+    size = float(np.hypot(*(end - start)))
+    share = np.linspace(0.0, 1.0, 2 + int(2.0 * size))[:, None]
+    way = start + (end - start) * share
+    if bulge == 0.0:
+        return way
+    left = np.array([start[1] - end[1], end[0] - start[0]])
+    centre = (start + end) / 2.0 + left * (1.0 - bulge**2) / (4.0 * bulge)
+    out = start - centre
+    angle = 4.0 * math.atan(bulge) * share
+    turned = np.hstack([-out[1] * np.sin(angle), out[0] * np.sin(angle)])
+    return centre + out * np.cos(angle) + turned
+
+
+def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[np.ndarray] | None:
+    """Return the ways in the board, (k, 6): station, x, y, z, and where the blade's far end is."""
+    result = []
+    for move in moves:
+        way = sunk(move, board.caliper)
+        if not len(way):
+            continue
+        if move.rapid or np.isnan(way).any():
+            return None
+        tool = machine.stations[move.station].tool
+        reach, turns = 0.0, 1.0
+        if isinstance(tool, Knife):
+            reach = tool.blade_width
+        elif isinstance(tool, VCutter):
+            reach = 2.0 * tool.half_width
+        elif isinstance(tool, CreaseWheel):
+            # The same from both sides; half the contact, at twice the angle.
+            depth = board.caliper - way[:, 2].min()
+            reach, turns = 0.5 * math.sqrt(max(depth * (2.0 * tool.radius - depth), 0.0)), 2.0
+        else:
+            assert isinstance(tool, Cutter)
+        angle = np.radians(turns * way[:, 3])
+        far = reach * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        station = np.full((len(way), 1), 1e3 * move.station)
+        result.append(np.hstack([station, way[:, :3], far]))
+    return result
+
+
+def _beyond(ways: list[np.ndarray], others: list[np.ndarray]) -> float:
+    """Return the farthest that a point of some ways is from all the others (mm).
+
+    What is above a deeper place has gone with it.
+    """
+    known = {other.tobytes() for other in others}
+    own = [way for way in ways if way.tobytes() not in known]
+    if not own:
+        return 0.0
+    if not others:
+        return math.inf
+    start = np.vstack([other[:-1] for other in others])
+    step = np.vstack([np.diff(other, axis=0) for other in others])
+    flat = np.array([1.0, 1.0, 1.0, 0.0, 1.0, 1.0])
+    size = ((step * flat) ** 2).sum(axis=1)
+    # A tool that goes straight down or up works where it is lowest.
+    upright = size < 1e-18
+    start[upright] += np.where(step[upright, 3:4] < 0.0, step[upright], 0.0)
+    step[upright], size[upright] = 0.0, 1.0
+    low, high = np.minimum(start, start + step) - 1.0, np.maximum(start, start + step) + 1.0
+    farthest = 0.0
+    for way in own:
+        pieces = [a + (b - a) * np.linspace(0.0, 1.0, 9)[:, None] for a, b in pairwise(way)]
+        points = np.vstack(pieces) if len(pieces) < 9 else way
+        inside = (high >= points.min(axis=0)) & (low <= points.max(axis=0))
+        near = np.flatnonzero((inside | (flat == 0.0)).all(axis=1))
+        if not len(near):
+            return math.inf
+        to = points[:, None] - start[near]
+        along = np.clip((to * flat * step[near]).sum(axis=2) / size[near], 0.0, 1.0)
+        to -= along[..., None] * step[near]
+        to[..., 3] = np.minimum(to[..., 3], 0.0)
+        farthest = max(farthest, float(np.linalg.norm(to, axis=2).min(axis=1).max()))
+    return farthest

@@ -1,0 +1,145 @@
+"""The equidistant of drawings as they are: rounded, nearly touching, crossing by micrometres."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+import shapely
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from knifetip.errors import CompensationError
+from knifetip.geometry import arc
+from knifetip.geometry.offset import equidistant
+from knifetip.geometry.path import Paths
+from knifetip.geometry.transition import Corner
+
+
+def ring(corners):
+    xy = np.array(corners, float)
+    return Paths(xy, np.roll(xy, -1, axis=0), np.zeros(len(xy)), [0, len(xy)])
+
+
+def points(made):
+    paths = made.paths
+    along = arc.points_along(paths.start, paths.end, paths.bulge, 9)
+    return shapely.points(along.reshape(-1, 2))
+
+
+@settings(max_examples=100, deadline=None)
+@given(
+    seed=st.integers(0, 10_000),
+    jitter=st.sampled_from([1e-3, 1e-4, 1e-5, 1e-6]),
+    radius=st.floats(0.3, 8.0),
+    side=st.sampled_from([1, -1]),
+)
+def test_edges_drawn_in_pieces_and_rounded_make_the_same_path(seed, jitter, radius, side):
+    random = np.random.default_rng(seed)
+    angle = 2.0 * np.pi * (np.arange(9) + random.uniform(-0.3, 0.3, 9)) / 9
+    corners = np.stack([np.cos(angle), np.sin(angle)], axis=1) * random.uniform(15, 50, (9, 1))
+    share = np.arange(5)[None, :, None] / 5.0
+    after = np.roll(corners, -1, axis=0)
+    pieces = (corners[:, None] + share * (after - corners)[:, None]).reshape(-1, 2)
+    pieces += random.uniform(-jitter, jitter, pieces.shape)
+    made = equidistant(ring(pieces), radius, side)
+    want = shapely.Polygon(pieces).buffer(-side * radius, quad_segs=90)
+    under = made.paths.start[:, 0] * made.paths.end[:, 1]
+    under -= made.paths.start[:, 1] * made.paths.end[:, 0]
+    sweep = arc.sweep(made.paths.bulge)
+    bent = made.paths.bulge != 0.0
+    size = np.where(bent, arc.radius(made.paths.start, made.paths.end, made.paths.bulge), 0.0)
+    area = 0.5 * (under + size**2 * (sweep - np.sin(sweep))).sum()
+    assert area == pytest.approx(want.area, abs=1e-4 * radius * (radius + want.length) + 1e-3)
+    if len(made.paths):
+        away = shapely.distance(shapely.LinearRing(pieces), points(made))
+        assert away.min() >= radius - 1e-9
+
+
+@pytest.mark.parametrize("over", [1e-4, 1e-5, 2e-6])
+def test_walls_that_cross_by_micrometres_are_named_with_their_place(over):
+    # A notch in the upper edge whose walls cross on their way down.
+    contour = [(0, 0), (100, 0), (100, 60), (50 + over, 60), (50 - over, 30), (50 + over, 30),
+               (50 - over, 60), (0, 60)]  # fmt: skip
+    with pytest.raises(CompensationError, match="meets itself at") as caught:
+        equidistant(ring(contour), 3.0, 1)
+    assert list(caught.value.source) == ["3", "5"]
+    x, y = map(float, re.findall(r"\((-?[\d.]+), (-?[\d.]+)\)", str(caught.value))[0])
+    assert (x, y) == pytest.approx((50.0, 45.0), abs=1e-3)
+
+
+@pytest.mark.parametrize("apart", [1e-4, 1e-5, 2e-6])
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_slit_of_micrometres_is_gone_round_or_over(apart, side):
+    contour = [(0, 0), (100, 0), (100, 60), (50 + apart, 60), (50, 30), (50 - apart, 60), (0, 60)]
+    made = equidistant(ring(contour), 3.0, side)
+    assert shapely.distance(shapely.LinearRing(contour), points(made)).min() >= 3.0 - 1e-9
+    assert made.paths.closed.all()
+    # Round the slit's end inside; outside the tool does not see it.
+    assert made.paths.lengths.sum() == pytest.approx(
+        296.0 + 60.0 - 6.0 + 3.0 * np.pi - 6.0 if side == 1 else 320.0 + 6.0 * np.pi, abs=0.01
+    )
+
+
+@pytest.mark.parametrize("radius", [1.0, 4.0, 9.0])
+def test_two_islands_of_a_pocket_may_touch_in_a_point(radius):
+    outline = [(0, 0), (100, 0), (100, 60), (0, 60)]
+    left = [(40, 20), (30, 30), (40, 40), (50, 30)]
+    right = [(60, 20), (50, 30), (60, 40), (70, 30)]
+    xy = np.concatenate([outline, left, right]).astype(float)
+    ends = np.concatenate([np.roll(np.array(c, float), -1, axis=0) for c in (outline, left, right)])
+    paths = Paths(xy, ends, np.zeros(12), [0, 4, 8, 12])
+    made = equidistant(paths, radius, 1, group=[0, 0, 0])
+    shape = shapely.Polygon(outline).difference(
+        shapely.union(shapely.Polygon(left), shapely.Polygon(right))
+    )
+    assert shapely.distance(shape.boundary, points(made)).min() >= radius - 1e-9
+    under = made.paths.start[:, 0] * made.paths.end[:, 1]
+    under -= made.paths.start[:, 1] * made.paths.end[:, 0]
+    sweep = arc.sweep(made.paths.bulge)
+    bent = made.paths.bulge != 0.0
+    size = np.where(bent, arc.radius(made.paths.start, made.paths.end, made.paths.bulge), 0.0)
+    area = 0.5 * (under + size**2 * (sweep - np.sin(sweep))).sum()
+    assert area == pytest.approx(shape.buffer(-radius, quad_segs=90).area, rel=1e-4)
+
+
+@settings(max_examples=100, deadline=None)
+@given(
+    seed=st.integers(0, 10_000),
+    kind=st.sampled_from([Corner.C, Corner.D]),
+    k=st.floats(0.0, 1.0),
+    radius=st.floats(0.3, 12.0),
+    side=st.sampled_from([1, -1]),
+)
+def test_open_paths_with_c_and_d_corners_keep_clear_and_start_square(seed, kind, k, radius, side):
+    random = np.random.default_rng(seed)
+    xy = np.stack([np.arange(8) * 15.0, random.uniform(-20.0, 20.0, 8)], axis=1)
+    made = equidistant(Paths(xy[:-1], xy[1:], np.zeros(7), [0, 7]), radius, side, corner=kind, k=k)
+    assert not made.paths.closed.any()
+    line = shapely.LineString(xy)
+    assert shapely.distance(line, points(made)).min() >= radius - 1e-9
+    # An end that is reached is the contour's, square to its side.
+    for at, chord, mine in (
+        (xy[0], xy[1] - xy[0], made.paths.start[0]),
+        (xy[-1], xy[-1] - xy[-2], made.paths.end[-1]),
+    ):
+        normal = side * radius * np.array([-chord[1], chord[0]]) / np.hypot(*chord)
+        square = at + normal
+        if shapely.distance(line, shapely.Point(square)) >= radius - 1e-9:
+            np.testing.assert_allclose(mine, square, atol=1e-6)
+
+
+@settings(max_examples=40, deadline=None)
+@given(kind=st.sampled_from([Corner.C, Corner.D]), k=st.floats(0, 1), radius=st.floats(0.5, 12.0))
+def test_islands_with_c_and_d_corners_stay_within_what_b_leaves(kind, k, radius):
+    outline = [(0, 0), (100, 0), (100, 60), (0, 60)]
+    hole = [(40, 20), (30, 30), (60, 42), (70, 25)]
+    xy = np.concatenate([outline, hole]).astype(float)
+    ends = np.concatenate([np.roll(np.array(c, float), -1, axis=0) for c in (outline, hole)])
+    paths = Paths(xy, ends, np.zeros(8), [0, 4, 8])
+    made = equidistant(paths, radius, 1, corner=kind, k=k, group=[0, 0])
+    shape = shapely.Polygon(outline, [hole])
+    assert made.paths.closed.all()
+    allowed = shape.buffer(-radius, quad_segs=200).buffer(1e-3 * radius)
+    assert shapely.covers(allowed, points(made)).all()

@@ -1,0 +1,97 @@
+"""Which corner is which of those that somebody chose a type for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from knifetip.errors import PlanError
+from knifetip.library import load
+from knifetip.model.corners import AS_OTHERS, CornerAt, Corners
+from knifetip.model.dieline import LineType
+from knifetip.planning.plan import plan
+from shapes import closed, dieline
+
+ROUTER = load.machine("router-table")
+BOARD = load.board("greyboard-3.0")
+#: An L whose inside corner is at (200, 200), with a hole in it.
+BLANK = closed((100, 100), (300, 100), (300, 200), (200, 200), (200, 250), (100, 250))
+HOLE = closed((120, 120), (170, 120), (170, 160), (120, 160))
+LINE = dieline((LineType.CUT, BLANK), (LineType.CUT, HOLE))
+
+
+def outer(corners: Corners):
+    return plan(LINE, ROUTER, BOARD, corners)[-1]
+
+
+def at(operation, x, y):
+    """Return type and knob at a corner."""
+    (row,) = np.flatnonzero((operation.paths.start == (x, y)).all(axis=1))
+    return int(operation.corner_at[row]), float(operation.k_at[row])
+
+
+def test_without_a_choice_corners_are_left_to_the_machine():
+    operation = plan(LINE, ROUTER, BOARD)[-1]
+    assert (operation.corner, operation.k, operation.interference) == ("auto", 0.5, "trim")
+    assert (operation.corner_at == AS_OTHERS).all()
+
+
+def test_type_knob_and_interference_are_those_of_every_operation_that_mills():
+    operations = plan(LINE, ROUTER, BOARD, Corners("D", 0.3, "refuse"))
+    said = {(one.corner, one.k, one.interference) for one in operations}
+    assert said == {("D", 0.3, "refuse")}
+
+
+def test_a_choice_finds_its_corner_and_no_other():
+    operation = outer(Corners("D", at=(CornerAt(300.2, 99.8, "C", 0.25), CornerAt(100, 250, "B"))))
+    assert at(operation, 300, 100) == (1, 0.25)
+    kind, k = at(operation, 100, 250)
+    assert (kind, np.isnan(k)) == (0, True)
+    assert (operation.corner_at == AS_OTHERS).sum() == 4
+
+
+def test_a_place_is_the_drawings_and_not_the_sheets():
+    moved = replace(LINE, ends=LINE.ends + np.array([20.0, 30.0]))
+    corners = Corners(at=(CornerAt(300, 100, "C"),), placement=(20.0, 30.0))
+    operation = plan(moved, ROUTER, BOARD, corners)[-1]
+    assert at(operation, 320, 130)[0] == 1
+
+
+def test_a_place_with_no_corner_is_refused_with_the_nearest_ones():
+    with pytest.raises(PlanError, match=r"within 0\.5 mm of \(299, 100\).* 1\.00 mm away") as said:
+        outer(Corners(at=(CornerAt(299, 100, "C"),)))
+    assert "(300.00, 100.00)" in said.value.mend
+
+
+def test_an_inside_corner_has_nothing_to_choose():
+    with pytest.raises(PlanError, match=r"\(200, 200\) is an inside corner"):
+        outer(Corners(at=(CornerAt(200, 200, "C"),)))
+
+
+def test_every_corner_of_a_hole_is_an_inside_corner():
+    with pytest.raises(PlanError, match="inside corner"):
+        outer(Corners(at=(CornerAt(120, 120, "D"),)))
+
+
+@pytest.mark.parametrize(
+    ("corners", "words"),
+    [
+        (Corners("E"), "no corner type 'E'"),
+        (Corners("D", k=1.0), "knob k is 1"),
+        (Corners("D", k=float("nan")), "knob k is nan"),
+        (Corners(interference="ignore"), "'ignore' is nothing to do"),
+        (Corners(at=(CornerAt(100, 100, "X"),)), r"no corner type 'X' at \(100, 100\)"),
+        (Corners(at=(CornerAt(100, 100, "D", 0.0),)), r"knob k at \(100, 100\) is 0"),
+        (Corners(at=(CornerAt(float("inf"), 100, "D"),)), "no place"),
+    ],
+)
+def test_a_choice_that_is_none_is_refused(corners, words):
+    with pytest.raises(PlanError, match=words):
+        outer(corners)
+
+
+def test_a_table_with_a_knife_has_no_corner_types():
+    with pytest.raises(PlanError, match="does not cut with a cutter"):
+        plan(LINE, load.machine("demo-table"), BOARD, Corners("D"))
