@@ -7,95 +7,116 @@ A layer that the file uses but does not define is colour 7, Continuous, on and t
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from ezdxf.document import Drawing as Document
 from ezdxf.entities.dxfgfx import DXFGraphic
 
-from knifetip.dxf.census import spelled
+from knifetip.dxf.encoding import spelled
+from knifetip.intake.columns import Style
 
+#: What an entity that is silent says of its linetype.
+BYLAYER: Final = "BYLAYER"
 _BYBLOCK = 0
 _BYLAYER = 256
 
 
-class Style(NamedTuple):
-    """What an entity is drawn with."""
+class Layer(NamedTuple):
+    """What a layer gives to those who are BYLAYER, and what is to be said of all on it."""
 
-    layer: str
-    colour: int  #: AutoCAD colour index 1 … 255
-    true_colour: int  #: 0xRRGGBB, -1 where there is none
-    linetype: str
-
-
-class _Layer(NamedTuple):
     colour: int
     true_colour: int
     linetype: str
     notes: tuple[str, ...]
 
 
-_SILENT = _Layer(7, -1, "Continuous", ())
+#: A layer that the table does not have.
+_SILENT = Layer(7, -1, "Continuous", ())
 #: What BYBLOCK means outside of any block.
 _SHEET = Style("0", 7, -1, "Continuous")
 
 
-class Styles:
-    """The layer table of one file."""
+def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, plot: int) -> Layer:
+    """Return a layer from what the table says of it; ``colour`` and ``flags`` as written."""
+    # A negative colour is the format's way to say that the layer is off; 0 says nothing.
+    notes = [
+        text
+        for text, holds in (
+            ("its layer is off", colour < 0),
+            ("its layer is frozen", bool(flags & 1)),
+            ("its layer is not plotted", plot == 0),
+        )
+        if holds
+    ]
+    return Layer(_index(abs(colour)), _rgb(true_colour), linetype, tuple(notes))
 
-    def __init__(self, document: Document) -> None:
-        self._layers: dict[str, _Layer] = {}
-        for layer in document.layers:
-            name = spelled(str(layer.dxf.get("name", ""))).lower()
-            # A negative colour is the format's way to say that the layer is off; 0 says nothing.
-            signed = int(layer.dxf.get("color", 7))
-            notes = [
-                text
-                for text, holds in (
-                    ("its layer is off", signed < 0),
-                    ("its layer is frozen", bool(int(layer.dxf.get("flags", 0)) & 1)),
-                    ("its layer is not plotted", layer.dxf.get("plot", 1) == 0),
-                )
-                if holds
-            ]
-            self._layers[name] = _Layer(
-                _index(abs(signed)),
-                _rgb(layer.dxf.get("true_color")),
-                spelled(str(layer.dxf.get("linetype", "Continuous"))),
-                tuple(notes),
-            )
+
+def layers_of(document: Document) -> dict[str, Layer]:
+    """Return the layer table of a document, by names in lower case."""
+    return {
+        spelled(str(layer.dxf.get("name", ""))).lower(): layer_of(
+            int(layer.dxf.get("color", 7)),
+            layer.dxf.get("true_color"),
+            spelled(str(layer.dxf.get("linetype", "Continuous"))),
+            int(layer.dxf.get("flags", 0)),
+            int(layer.dxf.get("plot", 1)),
+        )
+        for layer in document.layers
+    }
+
+
+class Styles:
+    """What the entities of one file are drawn with."""
+
+    def __init__(self, layers: dict[str, Layer]) -> None:
+        self._layers = layers
 
     def notes(self, layer: str) -> tuple[str, ...]:
         """Return what is to be said of everything on a layer: that it is off, frozen …"""
         return self._layers.get(layer.lower(), _SILENT).notes
 
     def of(self, entity: DXFGraphic, around: Style | None = None) -> Style:
-        """Return the style of an entity.
+        """Return the style of an entity that ezdxf read."""
+        dxf = entity.dxf
+        return self.style(
+            spelled(str(dxf.get("layer", "0"))),
+            dxf.get("color", _BYLAYER),
+            dxf.true_color if dxf.hasattr("true_color") else None,
+            spelled(str(dxf.get("linetype", BYLAYER))),
+            around,
+        )
+
+    def style(
+        self,
+        name: str,
+        written: int,
+        true: int | None,
+        linetype: str,
+        around: Style | None = None,
+    ) -> Style:
+        """Return the style of an entity from what it says of itself.
 
         Parameters
         ----------
-        entity
-            Any graphical entity.
+        name, written, true, linetype
+            Layer, colour index, true colour and linetype; 256, None and BYLAYER where it is silent.
         around
             Style of the INSERT that it is placed by: what it takes for BYBLOCK, and for layer
             where it lies on layer 0.
         """
-        dxf = entity.dxf
-        name = spelled(str(dxf.get("layer", "0")))
         block = around or _SHEET
         if around is not None and name == "0":
             name = around.layer
         layer = self._layers.get(name.lower(), _SILENT)
-        written = dxf.get("color", _BYLAYER)
         if written == _BYLAYER:
             colour, true_colour = layer.colour, layer.true_colour
         elif written == _BYBLOCK:
             colour, true_colour = block.colour, block.true_colour
         else:
             colour, true_colour = _index(written), -1
-        if dxf.hasattr("true_color"):
-            true_colour = _rgb(dxf.true_color)
-        linetype = spelled(str(dxf.get("linetype", "BYLAYER")))
-        if linetype.upper() == "BYLAYER":
+        if true is not None:
+            true_colour = _rgb(true)
+        if linetype.upper() == BYLAYER:
             linetype = layer.linetype
         elif linetype.upper() == "BYBLOCK":
             linetype = block.linetype

@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
-from ezdxf.lldxf.encoding import decode_dxf_unicode, has_dxf_unicode
 from ezdxf.lldxf.tagger import binary_tags_loader
-from ezdxf.tools.codepage import toencoding
+
+from knifetip.dxf.encoding import encoding_of, spelled
+from knifetip.dxf.inscriptions import WORDS, of_tags
+from knifetip.model.drawing import Inscription
 
 #: The first bytes of a binary DXF.
 BINARY: Final = b"AutoCAD Binary DXF\r\n\x1a\x00"
@@ -31,6 +33,7 @@ class Counted:
     handle: str  #: empty where the file gives none
     layer: str
     paper: bool  #: it stands in paper space
+    words: Inscription | None = None
 
 
 @dataclass(slots=True)
@@ -62,10 +65,10 @@ class Census:
         """How many entities there are, those of blocks included."""
         return len(self.entities) + sum(len(block.entities) for block in self.blocks.values())
 
-
-def spelled(name: str) -> str:
-    """Return a name with the format's own way to write foreign letters, ``\\U+5200``, undone."""
-    return decode_dxf_unicode(name) if has_dxf_unicode(name) else name
+    @property
+    def inscriptions(self) -> tuple[Inscription, ...]:
+        """The words that stand on the sheet."""
+        return tuple(one.words for one in self.entities if one.words and not one.paper)
 
 
 def census(data: bytes) -> Census:
@@ -74,7 +77,7 @@ def census(data: bytes) -> Census:
     codes, values = _binary_tags(data) if data.startswith(BINARY) else _ascii_tags(data, result)
     starts = [row for row, code in enumerate(codes) if code == 0]
     _header(codes, values, starts, result)
-    result.encoding = _encoding(data, result.variables)
+    result.encoding = encoding_of(data, result.variables)
 
     def text(value: Any) -> str:
         if isinstance(value, bytes):
@@ -110,8 +113,13 @@ def census(data: bytes) -> Census:
                     paper = text(values[tag]) == "1"
                 elif code == 100:
                     result.markers = True
+            words = None
+            if kind in WORDS:
+                tags = zip(codes[row + 1 : after], values[row + 1 : after], strict=True)
+                words = of_tags(kind, layer, tags, result.encoding)
+            counted = Counted(kind, handle, layer, paper, words)
             if section == "ENTITIES":
-                result.entities.append(Counted(kind, handle, layer, paper))
+                result.entities.append(counted)
             elif kind == "BLOCK":
                 # Of two blocks of one name the last one counts, as it does for ezdxf.
                 block = CountedBlock(name, handle, layer)
@@ -119,7 +127,7 @@ def census(data: bytes) -> Census:
             elif kind == "ENDBLK":
                 block = None
             elif block is not None:
-                block.entities.append(Counted(kind, handle, layer, paper))
+                block.entities.append(counted)
     result.open_section = section
     _unpack_layouts(result)
     return result
@@ -132,9 +140,7 @@ def _unpack_layouts(found: Census) -> None:
     ]:
         paper = name.startswith("*paper")
         for counted in found.blocks.pop(name).entities:
-            found.entities.append(
-                Counted(counted.kind, counted.handle, counted.layer, paper or counted.paper)
-            )
+            found.entities.append(replace(counted, paper=paper or counted.paper))
 
 
 def _ascii_tags(data: bytes, found: Census) -> tuple[list[int], list[bytes]]:
@@ -182,24 +188,16 @@ def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], foun
                 found.variables.setdefault(_plain(values[tag]), _plain(values[tag + 1]))
 
 
+def header_of(section: bytes) -> dict[str, str]:
+    """Return the variables of a section HEADER, from its text; of one said twice, the first."""
+    lines = section.split(b"\n")
+    found: dict[str, str] = {}
+    for row in range(0, len(lines) - 3, 2):
+        if lines[row].strip() == b"9":
+            found.setdefault(_plain(lines[row + 1]), _plain(lines[row + 3]))
+    return found
+
+
 def _plain(value: Any) -> str:
     text = value.decode("ascii", "replace") if isinstance(value, bytes) else str(value)
     return text.strip().upper()
-
-
-def _encoding(data: bytes, variables: dict[str, str]) -> str:
-    """Return the encoding of the file's texts.
-
-    From R2007 on it is UTF-8.  Before, the header names a code page, but many programs write
-    UTF-8 under a header that says ANSI_1252, or says nothing: what is valid UTF-8 is taken as such.
-    """
-    if variables.get("$ACADVER", "") >= "AC1021" or data.isascii():
-        return "utf-8"
-    page = variables.get("$DWGCODEPAGE", "ANSI_1252")
-    if page == "ANSI_1252":
-        try:
-            data.decode("utf-8")
-        except UnicodeDecodeError:
-            return "cp1252"
-        return "utf-8"
-    return toencoding(page)

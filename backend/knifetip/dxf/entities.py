@@ -17,10 +17,17 @@ from typing import Any, Final, TypeAlias
 import numpy as np
 from ezdxf.entities.dxfgfx import DXFGraphic
 
-from knifetip.dxf.limits import REACH
-from knifetip.geometry import arc
+from knifetip.dxf.shapes import (
+    chain_count,
+    chain_rows,
+    mirror_rows,
+    round_count,
+    round_rows,
+    swept,
+)
 from knifetip.geometry.columns import F64
 from knifetip.geometry.curve import Ellipse, Spline
+from knifetip.intake.limits import REACH
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -163,13 +170,6 @@ def _number(entity: DXFGraphic, name: str, word: str) -> Any:
     return entity.dxf.get(name)
 
 
-def _turned(ends: F64, bulge: F64, mirror: bool) -> Lines:
-    if mirror:
-        ends = ends * (-1.0, 1.0)
-        bulge = -bulge
-    return Lines(ends, bulge)
-
-
 def _line(entity: DXFGraphic) -> Drawn:
     a = _number(entity, "start", "first end")
     b = _number(entity, "end", "second end")
@@ -181,13 +181,12 @@ def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool)
     """Return an arc in rows of at most half a turn; angles in degrees."""
     if not radius > 0.0:
         raise Undrawable(f"its radius is {radius:g}")
-    rows = 1 if sweep <= 180.0 + 1e-9 else 2
-    angles = np.radians(first + sweep * np.linspace(0.0, 1.0, rows + 1))
-    corners = np.stack([np.cos(angles), np.sin(angles)], axis=1) * radius + (centre.x, centre.y)
-    if sweep >= 360.0:
-        corners[-1] = corners[0]
-    bulge = np.full(rows, min(math.tan(math.radians(sweep) / rows / 4.0), 1.0))
-    return _turned(np.stack([corners[:-1], corners[1:]], axis=1), bulge, mirror)
+    rows = round_count(sweep)
+    ends, bulge = np.empty((rows, 2, 2)), np.empty(rows)
+    round_rows(float(centre.x), float(centre.y), float(radius), first, sweep, ends, bulge, 0)
+    if mirror:
+        mirror_rows(ends, bulge, 0, rows)
+    return Lines(ends, bulge)
 
 
 def _arc(entity: DXFGraphic) -> Drawn:
@@ -197,13 +196,11 @@ def _arc(entity: DXFGraphic) -> Drawn:
     last = _number(entity, "end_angle", "end angle")
     if not (math.isfinite(first) and math.isfinite(last)):
         raise Undrawable("its angles are not numbers")
-    sweep = (last - first) % 360.0
-    if sweep == 0.0:
-        if last == first:
-            raise Undrawable(f"it has no length: it starts and ends at {first:g}°")
-        sweep = 360.0
+    if last == first:
+        raise Undrawable(f"it has no length: it starts and ends at {first:g}°")
+    sweep = swept(float(first), float(last))
     notes = flat((centre.z,))
-    return Drawn(_round(centre, radius, first, sweep, mirrored(entity)), notes)
+    return Drawn(_round(centre, radius, float(first), sweep, mirrored(entity)), notes)
 
 
 def _circle(entity: DXFGraphic) -> Drawn:
@@ -217,21 +214,13 @@ def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
     """Return the segments between vertices (n, 2); arcs of more than half a turn as two rows."""
     if len(xy) < 2:
         raise Undrawable(f"it has {len(xy)} vertices: no line between them")
-    start, end = xy, np.roll(xy, -1, axis=0)
-    if not closed:
-        start, end, bulge = start[:-1], end[:-1], bulge[:-1]
-    ends = np.stack([start, end], axis=1)
-    long = np.abs(bulge) > 1.0
-    if long.any():
-        half = np.full(int(long.sum()), 0.5)
-        middle = arc.point_at(start[long], end[long], bulge[long], half)
-        rows = np.repeat(np.arange(len(bulge)), np.where(long, 2, 1))
-        first = np.flatnonzero(np.diff(rows, prepend=-1) > 0)[long]
-        ends, bulge = ends[rows], bulge[rows]
-        ends[first, 1] = middle
-        ends[first + 1, 0] = middle
-        bulge[first] = bulge[first + 1] = np.tan(np.arctan(bulge[first]) / 2.0)
-    return _turned(ends, bulge, mirror)
+    vertex = np.column_stack([xy, bulge])
+    rows = chain_count(vertex, 0, len(vertex), closed)
+    ends, turns = np.empty((rows, 2, 2)), np.empty(rows)
+    chain_rows(vertex, 0, len(vertex), closed, ends, turns, 0)
+    if mirror:
+        mirror_rows(ends, turns, 0, rows)
+    return Lines(ends, turns)
 
 
 def _lwpolyline(entity: Any) -> Drawn:

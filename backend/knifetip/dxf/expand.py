@@ -12,19 +12,21 @@ from __future__ import annotations
 import time
 from collections import defaultdict, deque
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from typing import Any, Final, NamedTuple
 
 import numpy as np
 from ezdxf.document import Drawing as Document
 from ezdxf.entities.dxfentity import DXFEntity
 
-from knifetip.dxf.attributes import Style, Styles
+from knifetip.dxf.attributes import Styles, layers_of
 from knifetip.dxf.census import Census, Counted
 from knifetip.dxf.entities import READ, REASONS, Shape, Undrawable, drawn, flat, mirrored
-from knifetip.dxf.limits import Limits
+from knifetip.dxf.shapes import moved, turning
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.geometry.columns import F64, frozen
+from knifetip.intake.columns import Style
+from knifetip.intake.limits import Limits
+from knifetip.intake.sheet import Sheet
 
 #: The linear part of what no INSERT moves: most of a drawing, and nothing to be done.
 ON_SHEET: Final[F64] = frozen(np.eye(2)[None], np.float64, 1, 2, 2)
@@ -40,27 +42,28 @@ class Placed(NamedTuple):
     style: Style
 
 
-@dataclass(slots=True)
-class Sheet:
-    """The ledger while it is being written, and what is drawn."""
+#: Why an entity is left out that the plotter sees and the knife does not.
+IN_PAPER_SPACE: Final = "it stands in paper space"
 
-    handle: list[str] = field(default_factory=list)
-    kind: list[str] = field(default_factory=list)
-    layer: list[str] = field(default_factory=list)
-    dropped: list[str] = field(default_factory=list)  #: the reason, empty for what is kept
-    notes: list[list[str]] = field(default_factory=list)
-    placed: list[Placed] = field(default_factory=list)
 
-    def row(
-        self, handle: str, kind: str, layer: str, dropped: str = "", notes: Iterable[str] = ()
-    ) -> int:
-        """Add a row to the ledger and return its number."""
-        self.handle.append(handle)
-        self.kind.append(kind)
-        self.layer.append(layer)
-        self.dropped.append(dropped)
-        self.notes.append(list(notes))
-        return len(self.handle) - 1
+def not_read(kind: str) -> str:
+    """Return why entities of a kind are left out that is no line."""
+    return REASONS.get(kind, f"{kind} is not a kind of line that is read")
+
+
+def places(name: str) -> str:
+    """Return what an INSERT does."""
+    return f"places the block {name}"
+
+
+def idle(name: str, number: int) -> str:
+    """Return why a block of so many entities is left out."""
+    why = (
+        "it pictures a dimension or a hatch"
+        if name.startswith("*")
+        else "no INSERT places it on the sheet"
+    )
+    return f"the block {name} of {number} entit{'y' if number == 1 else 'ies'}: {why}"
 
 
 class _Entry(NamedTuple):
@@ -78,7 +81,7 @@ class _Block(NamedTuple):
     entries: list[_Entry]
 
 
-def expand(document: Document, census: Census, limits: Limits) -> Sheet:
+def expand(document: Document, census: Census, limits: Limits) -> tuple[Sheet, list[Placed]]:
     """Return the ledger's rows and the placed shapes of a document.
 
     Raises
@@ -89,13 +92,14 @@ def expand(document: Document, census: Census, limits: Limits) -> Sheet:
     walk = _Walk(document, census, limits)
     walk.sheet_entities()
     walk.idle_blocks()
-    return walk.sheet
+    return walk.sheet, walk.placed
 
 
 class _Walk:
     def __init__(self, document: Document, census: Census, limits: Limits) -> None:
         self.sheet = Sheet()
-        self.styles = Styles(document)
+        self.placed: list[Placed] = []
+        self.styles = Styles(layers_of(document))
         self.census = census
         self.limits = limits
         self.until = time.monotonic() + limits.seconds
@@ -183,14 +187,8 @@ class _Walk:
         for key, block in self.census.blocks.items():
             if key in self.used or not block.entities:
                 continue
-            why = (
-                "it pictures a dimension or a hatch"
-                if block.name.startswith("*")
-                else "no INSERT places it on the sheet"
-            )
-            number = len(block.entities)
-            what = f"the block {block.name} of {number} entit{'y' if number == 1 else 'ies'}"
-            self.sheet.row(block.handle or block.name, "BLOCK", block.layer, f"{what}: {why}")
+            why = idle(block.name, len(block.entities))
+            self.sheet.row(block.handle or block.name, "BLOCK", block.layer, why)
 
     def _entry(self, entry: _Entry, path: str, here: tuple[F64, F64], around: Style | None) -> None:
         if time.monotonic() > self.until:
@@ -201,11 +199,10 @@ class _Walk:
         counted = entry.counted
         handle = path + entry.handle
         if counted.paper:
-            self.sheet.row(handle, counted.kind, counted.layer, "it stands in paper space")
+            self.sheet.row(handle, counted.kind, counted.layer, IN_PAPER_SPACE)
             return
         if counted.kind not in READ and counted.kind != "INSERT":
-            why = REASONS.get(counted.kind, f"{counted.kind} is not a kind of line that is read")
-            self.sheet.row(handle, counted.kind, counted.layer, why)
+            self.sheet.row(handle, counted.kind, counted.layer, not_read(counted.kind))
             return
         if entry.entity is not None and entry.entity.dxf.get("invisible", 0):
             self.sheet.row(handle, counted.kind, counted.layer, "it is marked as invisible")
@@ -233,7 +230,7 @@ class _Walk:
         if len(here[0]) > 1:
             notes.append(f"drawn {len(here[0])} times")
         row = self.sheet.row(handle, counted.kind, style.layer, "", notes)
-        self.sheet.placed.append(Placed(row, what.shape, *here, style))
+        self.placed.append(Placed(row, what.shape, *here, style))
 
     def _insert(self, entry: _Entry, handle: str, here: tuple[F64, F64], style: Style) -> None:
         dxf = entry.entity.dxf
@@ -249,12 +246,12 @@ class _Walk:
         at = dxf.get("insert", (0.0, 0.0, 0.0))
         notes = flat((at[2],))
         scale = np.array([float(dxf.get("xscale", 1.0)), float(dxf.get("yscale", 1.0))])
-        turn = np.radians(float(dxf.get("rotation", 0.0)))
+        rotation = float(dxf.get("rotation", 0.0))
         columns, rows = _columns(entry.entity), _rows(entry.entity)
         spacing = np.array(
             [float(dxf.get("column_spacing", 0.0)), float(dxf.get("row_spacing", 0.0))]
         )
-        numbers = np.concatenate([scale, [turn], spacing, [at[0], at[1]], block.base])
+        numbers = np.concatenate([scale, [rotation], spacing, [at[0], at[1]], block.base])
         if not np.isfinite(numbers).all() or np.abs(numbers).max() > 1e100:
             raise Undrawable("its place, scale or rotation is not a number")
         if (scale == 0.0).any():
@@ -267,28 +264,35 @@ class _Walk:
             notes.append(f"{columns} columns × {rows} rows")
         if len(here[0]) > 1:
             notes.append(f"drawn {len(here[0])} times")
-        what = f"places the block {block.name}"
         self.sheet.row(
             handle,
             "INSERT",
             style.layer,
             "",
-            [what, *self.styles.notes(style.layer), *notes],
+            [places(block.name), *self.styles.notes(style.layer), *notes],
         )
-        turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+        cos, sin = turning(rotation)
+        turned = np.array([[cos, -sin], [sin, cos]])
         side = np.diag([-1.0 if mirror else 1.0, 1.0])
         linear = side @ turned * scale
         steps = np.stack(
             [np.tile(np.arange(columns), rows), np.repeat(np.arange(rows), columns)], axis=1
         )
-        shift = (steps * spacing @ turned.T + (at[0], at[1])) @ side.T - linear @ block.base
+        corner = moved(turned, np.array([at[0], at[1]]), steps * spacing) @ side.T
+        shift = corner - moved(linear, np.zeros(2), block.base)
         outer_linear, outer_shift = here
         there = (
-            np.repeat(outer_linear @ linear, cells, axis=0),
-            ((outer_linear @ shift.T).transpose(0, 2, 1) + outer_shift[:, None]).reshape(-1, 2),
+            np.repeat(_product(outer_linear, linear), cells, axis=0),
+            moved(outer_linear[:, None], outer_shift[:, None], shift[None]).reshape(-1, 2),
         )
         for child in block.entries:
             self._entry(child, f"{handle}/", there, style)
+
+
+def _product(outer: F64, inner: F64) -> F64:
+    """Return the linear maps (k, 2, 2) that do the inner one first."""
+    columns = moved(outer[:, None], np.zeros(2), inner.T[None])
+    return columns.transpose(0, 2, 1)
 
 
 def _block_name(insert: Any) -> str:

@@ -1,21 +1,5 @@
-"""limits: how much of a file is read before it is refused."""
+"""Moved to knifetip.intake.limits, where the other readers find it too."""
 
-from __future__ import annotations
+from knifetip.intake.limits import REACH, Limits
 
-from dataclasses import dataclass
-from typing import Final
-
-#: Coordinates beyond this are a mistake, or an attack (mm; file units while the unit is unknown).
-REACH: Final = 1e7
-
-
-@dataclass(frozen=True, slots=True)
-class Limits:
-    """The most that one drawing may ask for; beyond it is DrawingTooLarge."""
-
-    bytes: int = 64 * 2**20  #: of the file
-    entities: int = 500_000  #: in the file, those of its blocks included
-    expanded: int = 1_000_000  #: entities that the INSERTs stand for
-    insert_depth: int = 16  #: blocks inside blocks
-    segments: int = 1_000_000  #: lines and arcs of the drawing
-    seconds: float = 120.0  #: for expanding and fitting
+__all__ = ["REACH", "Limits"]

@@ -14,40 +14,37 @@ is smaller than 2.5 m.
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
 from knifetip.dxf.entities import Lines, Shape
-from knifetip.dxf.expand import ON_SHEET, Placed, Sheet
-from knifetip.dxf.limits import REACH, Limits
+from knifetip.dxf.expand import ON_SHEET, Placed
+from knifetip.dxf.shapes import moved
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.columns import F64
 from knifetip.geometry.curve import Ellipse, Segments, Spline
 from knifetip.geometry.tolerance import BULGE, CURVE
+from knifetip.intake.columns import Columns
+from knifetip.intake.limits import REACH, Limits
+from knifetip.intake.sheet import Sheet
 
 _SHARE: Final = 1.0 / 250_000.0
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Columns:
-    """n segments in file units."""
-
-    ends: F64  #: (n, 2, 2)
-    bulge: F64  #: (n,)
-    row: I32  #: (n,) of the ledger
-    style: I32  #: (n,) which of ``Sheet.placed``
-
-
-def columns(sheet: Sheet, scale: float, limits: Limits) -> Columns:
+def columns(sheet: Sheet, shapes: list[Placed], scale: float, limits: Limits) -> Columns:
     """Return all placed shapes as segments; entities that cannot be placed get their reason.
 
     Parameters
     ----------
     scale
         Millimetres to a file unit, 0 while it is unknown.
+
+    Returns
+    -------
+    Columns
+        Their ``style`` is the number of the placed shape.
 
     Raises
     ------
@@ -56,12 +53,12 @@ def columns(sheet: Sheet, scale: float, limits: Limits) -> Columns:
     """
     until = time.monotonic() + limits.seconds
     reach = REACH / (scale or 1.0)
-    near = [_reach(placed) for placed in sheet.placed]
+    near = [_reach(placed) for placed in shapes]
     tolerance = CURVE / scale if scale else _relative(near, reach)
     parts: list[tuple[F64, F64]] = []
-    count = np.zeros(len(sheet.placed), dtype=np.int64)
+    count = np.zeros(len(shapes), dtype=np.int64)
     total = 0
-    for number, (placed, (low, high)) in enumerate(zip(sheet.placed, near, strict=True)):
+    for number, (placed, (low, high)) in enumerate(zip(shapes, near, strict=True)):
         if time.monotonic() > until:
             raise DrawingTooLarge(
                 f"The drawing takes longer than {limits.seconds:g} s to read.",
@@ -83,7 +80,7 @@ def columns(sheet: Sheet, scale: float, limits: Limits) -> Columns:
             continue
         if curved:
             share = "" if scale else " (1/250,000 of the drawing)"
-            sheet.notes[placed.row].append(
+            sheet.notes.setdefault(placed.row, []).append(
                 f"fitted with {len(bulge)} lines and arcs within {tolerance:.2g} file units{share}"
             )
         if not isinstance(placed.shape, Lines):
@@ -92,7 +89,7 @@ def columns(sheet: Sheet, scale: float, limits: Limits) -> Columns:
         parts.append((ends, bulge))
         count[number] = len(bulge)
     which = np.repeat(np.arange(len(count), dtype=np.int32), count)
-    rows_of = np.array([placed.row for placed in sheet.placed], dtype=np.int32)
+    rows_of = np.array([placed.row for placed in shapes], dtype=np.int32)
     if not parts:
         return Columns(np.zeros((0, 2, 2)), np.zeros(0), which, which)
     return Columns(
@@ -155,7 +152,7 @@ def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64, bool]:
     ) <= 1e-9 * (linear**2).sum(axis=(1, 2))
     if isinstance(shape, Lines) and (straight or even.all()):
         side = np.sign(linear[:, 0, 0] * linear[:, 1, 1] - linear[:, 0, 1] * linear[:, 1, 0])
-        ends = np.einsum("kij,nej->knei", linear, shape.ends) + shift[:, None, None]
+        ends = moved(linear[:, None, None], shift[:, None, None], shape.ends[None])
         return ends.reshape(-1, 2, 2), (side[:, None] * shape.bulge).reshape(-1), False
     ends_of: list[F64] = []
     bulge_of: list[F64] = []

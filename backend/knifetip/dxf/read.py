@@ -12,8 +12,7 @@ from __future__ import annotations
 
 import io
 import logging
-from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Final
 
 import numpy as np
@@ -22,15 +21,14 @@ from ezdxf.document import Drawing as Document
 from ezdxf.lldxf.tagger import binary_tags_loader
 
 from knifetip.dxf.census import BINARY, Census, census
-from knifetip.dxf.expand import Sheet, expand
-from knifetip.dxf.limits import Limits
-from knifetip.dxf.place import Columns, columns
+from knifetip.dxf.expand import expand
+from knifetip.dxf.place import columns
+from knifetip.dxf.plain import plain
 from knifetip.dxf.units import factor, stated
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
-from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.tolerance import POINT
-from knifetip.model.drawing import Drawing, Fate, Ledger
+from knifetip.intake.assemble import Known, assemble
+from knifetip.intake.limits import REACH, Limits
+from knifetip.model.drawing import Drawing
 
 __all__ = ["Limits", "read"]
 
@@ -99,15 +97,28 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
 
 
 def _read(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
+    quick = plain(data, limits)
+    if quick is not None:
+        known = _known(unit, given, quick.variables)
+        # An arc reaches no farther beyond its ends than half their distance.
+        farthest = 3.0 * float(np.abs(quick.columns.ends).max(initial=0.0))
+        if farthest <= REACH / (known.scale or 1.0):
+            return assemble(quick.sheet, quick.columns, quick.styles, quick.inscriptions, known)
     counted = census(data)
     _check(data, counted, limits)
+    known = _known(unit, given, counted.variables)
+    sheet, shapes = expand(_document(data, counted), counted, limits)
+    found = columns(sheet, shapes, known.scale, limits)
+    styles = [shape.style for shape in shapes]
+    return assemble(sheet, found, styles, counted.inscriptions, known)
+
+
+def _known(unit: str, given: float, variables: Mapping[str, str]) -> Known:
+    """Return the unit that the caller gives, else the one that the file states."""
+    written, evidence = stated(variables)
     if unit:
-        scale, evidence = given, "given"
-    else:
-        unit, evidence = stated(counted.variables)
-        scale = factor(unit) if unit else 0.0
-    sheet = expand(_document(data, counted), counted, limits)
-    return _drawing(sheet, columns(sheet, scale, limits), scale, unit, evidence)
+        return Known(given, unit, "given", written)
+    return Known(factor(written) if written else 0.0, written, evidence, written)
 
 
 def _stripped(data: bytes) -> bytes:
@@ -181,127 +192,3 @@ def _recovered(data: bytes) -> Document:
 def _short(error: Exception) -> str:
     text = str(error).removeprefix("DXFStructureError: ").strip().rstrip(".")
     return (text or type(error).__name__)[:200]
-
-
-def _drawing(sheet: Sheet, found: Columns, scale: float, unit: str, evidence: str) -> Drawing:
-    """Put columns and ledger together: without specks, each line once."""
-    point = POINT / scale if scale else POINT / 1000.0
-    length = arc.length(found.ends[:, 0], found.ends[:, 1], found.bulge)
-    speck = ~(length >= point)
-    layers, linetypes, attributes = _attributes(sheet)
-    of_segment = attributes[found.style] if len(found.style) else np.zeros((0, 5), dtype=np.int64)
-    first = np.arange(len(found.row))
-    solid = np.flatnonzero(~speck)
-    first[solid] = solid[
-        _survivors(found.ends[solid], found.bulge[solid], of_segment[solid], point)
-    ]
-    twice = first != np.arange(len(first))
-    keep = ~(speck | twice)
-    fate, reason = _fates(sheet, found, length, speck, twice, first)
-    kept_length = np.zeros(len(sheet.handle))
-    np.add.at(kept_length, found.row[keep], length[keep])
-    size = scale or 1.0
-    return Drawing(
-        ends=found.ends[keep] * size,
-        bulge=found.bulge[keep],
-        entity=found.row[keep],
-        layer=of_segment[keep, 0],
-        colour=of_segment[keep, 2],
-        true_colour=of_segment[keep, 3],
-        linetype=of_segment[keep, 4],
-        layers=layers,
-        linetypes=linetypes,
-        ledger=Ledger(
-            tuple(sheet.handle),
-            tuple(sheet.kind),
-            tuple(sheet.layer),
-            np.array(fate, dtype=np.uint8),
-            tuple(reason),
-            kept_length * size,
-        ),
-        unit=unit,
-        evidence=evidence,
-    )
-
-
-def _attributes(sheet: Sheet) -> tuple[tuple[str, ...], tuple[str, ...], I64]:
-    """Return layer names, linetype names, and (placed, 5): layer, layer regardless of case,
-    colour, true colour, linetype of each placed shape."""
-    layers: dict[str, int] = {}
-    folded: dict[str, int] = {}
-    linetypes: dict[str, int] = {}
-    rows = np.zeros((len(sheet.placed), 5), dtype=np.int64)
-    for number, placed in enumerate(sheet.placed):
-        style = placed.style
-        rows[number] = (
-            layers.setdefault(style.layer, len(layers)),
-            folded.setdefault(style.layer.lower(), len(folded)),
-            style.colour,
-            style.true_colour,
-            linetypes.setdefault(style.linetype, len(linetypes)),
-        )
-    return tuple(layers), tuple(linetypes), rows
-
-
-def _survivors(ends: F64, bulge: F64, attributes: I64, point: float) -> I64:
-    """Return for each segment the first one that is the same line, in either direction."""
-    grid = np.round(ends / point).astype(np.int64)
-    round_ = np.round(bulge * 1e9).astype(np.int64)
-    a, b = grid[:, 0], grid[:, 1]
-    back = (a[:, 0] > b[:, 0]) | ((a[:, 0] == b[:, 0]) & (a[:, 1] > b[:, 1]))
-    low = np.where(back[:, None], b, a)
-    high = np.where(back[:, None], a, b)
-    turn = np.where(back, -round_, round_)
-    key = np.column_stack([low, high, turn, attributes[:, 1:]])
-    # lexsort is stable: within a group of equals the file's order stays.
-    order = np.lexsort(key.T)
-    alike = np.concatenate([[False], (key[order][1:] == key[order][:-1]).all(axis=1)])
-    head = np.maximum.accumulate(np.where(alike, 0, np.arange(len(order))))
-    first = np.empty(len(order), dtype=np.int64)
-    first[order] = order[head]
-    return first
-
-
-def _fates(
-    sheet: Sheet, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
-) -> tuple[list[int], list[str]]:
-    """Return fate and reason of each row of the ledger."""
-    rows = len(sheet.handle)
-    total = np.bincount(found.row, minlength=rows)
-    specks = np.bincount(found.row[speck], minlength=rows)
-    doubles = np.bincount(found.row[twice], minlength=rows)
-    longest = np.zeros(rows)
-    np.maximum.at(longest, found.row, length)
-    survivors: dict[int, Counter[int]] = {}
-    for row, survivor in zip(
-        found.row[twice].tolist(), found.row[first[twice]].tolist(), strict=True
-    ):
-        survivors.setdefault(row, Counter())[survivor] += 1
-    fate: list[int] = []
-    reason: list[str] = []
-    for row in range(rows):
-        notes = list(sheet.notes[row])
-        if sheet.dropped[row]:
-            fate.append(Fate.DROPPED)
-            reason.append(sheet.dropped[row])
-            continue
-        if total[row] and specks[row] == total[row]:
-            fate.append(Fate.DROPPED)
-            reason.append(f"it has no length: {longest[row]:g}")
-            continue
-        if specks[row]:
-            notes.append(f"{specks[row]} of {total[row]} pieces have no length")
-        if doubles[row]:
-            same = survivors[row]
-            names = [
-                "itself" if other == row else sheet.handle[other] for other, _ in same.most_common()
-            ]
-            listed = ", ".join(names[:5]) + (f" and {len(names) - 5} more" if names[5:] else "")
-            if doubles[row] + specks[row] == total[row]:
-                fate.append(Fate.MERGED)
-                reason.append(f"it is drawn twice: the same as {listed}")
-                continue
-            notes.append(f"{doubles[row]} of {total[row]} pieces are drawn twice, with {listed}")
-        fate.append(Fate.KEPT)
-        reason.append("kept" + (": " + "; ".join(notes) if notes else ""))
-    return fate, reason

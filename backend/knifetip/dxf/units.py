@@ -111,6 +111,7 @@ def rescaled(drawing: Drawing, unit: str) -> Drawing:
         # Divided first: what is in mm loses no bit on the way to file units and back.
         ends=drawing.ends / old * new,
         ledger=ledger,
+        inscriptions=tuple(words.scaled(old, new) for words in drawing.inscriptions),
         unit=unit,
         evidence="given" if unit else "nobody has said the unit",
     )

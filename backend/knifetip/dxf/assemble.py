@@ -1,0 +1,5 @@
+"""Moved to knifetip.intake.assemble, where the other readers find it too."""
+
+from knifetip.intake.assemble import Known, assemble
+
+__all__ = ["Known", "assemble"]

@@ -1,0 +1,120 @@
+"""inscriptions: the words on the sheet, as the file has them.
+
+    group codes and values of a TEXT, MTEXT, ATTRIB or DIMENSION -> Inscription in file units
+
+Both readers of the room take them from the bytes, not from ezdxf: what a program wrote of its
+drawing is evidence, and nothing of it may be repaired.  Words in blocks are left out, also where
+an INSERT places them.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable
+from typing import Any, Final
+
+from knifetip.dxf.encoding import spelled
+from knifetip.model.drawing import Inscription
+
+#: Kinds of entities that are words, or have some.
+WORDS: Final = frozenset({"TEXT", "MTEXT", "ATTRIB", "DIMENSION"})
+#: Group codes of the lengths that are read of them; of each the first counts.
+LENGTHS: Final = (10, 20, 11, 21, 40, 42)
+
+#: The lower bits of a dimension's type, and those that measure an angle.
+_TYPES: Final = 7
+_ANGULAR: Final = frozenset({2, 5})
+#: Nobody reads more than this on a carton (letters, codes included).
+_LONGEST: Final = 2000
+
+_SIGNS: Final = {"d": "°", "c": "⌀", "p": "±", "%": "%"}
+_SIGN: Final = re.compile(r"%%([dcpkou%])", re.IGNORECASE)
+#: A code of MTEXT: an escaped sign, a break, a stacked fraction, and what only changes its looks.
+_CODE: Final = re.compile(
+    r"\\(?P<sign>[\\{}])|(?P<gap>\\[PN~]|\^[IJM])|\\S(?P<stack>[^;\\]{0,60});"
+    r"|\\[LlOoKkX]|\\[A-Za-z][^;\\]{0,60};|[{}]"
+)
+
+
+def inscription(
+    kind: str, layer: str, text: str, lengths: Iterable[float], type_: int
+) -> Inscription:
+    """Return the words of an entity.
+
+    Parameters
+    ----------
+    text
+        As written, with its codes.
+    lengths
+        Those of ``LENGTHS``, NaN where the file is silent.
+    type_
+        Group 70.
+    """
+    x, y, x_text, y_text, height, measure = lengths
+    written = text[:_LONGEST]
+    if kind != "DIMENSION":
+        measure = math.nan
+    else:
+        # Group 40 is the length of a leader, and 11 is where the words stand.
+        height = 0.0
+        x, y = (x, y) if math.isnan(x_text) else (x_text, y_text)
+        if type_ & _TYPES in _ANGULAR:
+            measure = math.nan
+        written = "" if written.strip() == "<>" else written
+    if kind in ("MTEXT", "DIMENSION"):
+        written = _CODE.sub(_decoded, written)
+    words = spelled(_SIGN.sub(lambda found: _SIGNS.get(found[1].lower(), ""), written)).strip()
+    return Inscription(words, _or_zero(x), _or_zero(y), _or_zero(height), measure, kind, layer)
+
+
+def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str) -> Inscription:
+    """Return the words of an entity from its group codes and values."""
+    text: list[str] = []
+    numbers = dict.fromkeys(LENGTHS, math.nan)
+    type_ = 0
+    seen: set[int] = set()
+    in_group = False
+    for code, value in tags:
+        if code == 101:
+            # Text in columns repeats its own from here on.
+            break
+        if code == 102:
+            in_group = _text(value, encoding).startswith("{")
+        elif in_group or (code in seen and code != 3):
+            continue
+        elif code == 1 or (code == 3 and kind == "MTEXT"):
+            text.append(_text(value, encoding))
+        elif code in numbers:
+            numbers[code] = _number(value)
+        elif code == 70:
+            number = _number(value)
+            type_ = int(number) if math.isfinite(number) else 0
+        seen.add(code)
+    return inscription(kind, layer, "".join(text), numbers.values(), type_)
+
+
+def _decoded(found: re.Match[str]) -> str:
+    if found["gap"]:
+        return " "
+    if found["stack"]:
+        return re.sub(r"[\^#]", "/", found["stack"])
+    return found["sign"] or ""
+
+
+def _text(value: Any, encoding: str) -> str:
+    return (value.decode(encoding, "replace") if isinstance(value, bytes) else str(value)).strip(
+        "\r\n"
+    )
+
+
+def _number(value: Any) -> float:
+    try:
+        number = float(value)
+    except (ValueError, OverflowError, TypeError):
+        return math.nan
+    return number if math.isfinite(number) else math.nan
+
+
+def _or_zero(value: float) -> float:
+    return 0.0 if math.isnan(value) else value

@@ -1,0 +1,128 @@
+"""shapes: lines and arcs from the numbers of an entity, one at a time or all of a file at once.
+
+    centre, radius, angles -> one or two rows      vertices, bulges -> the rows between them
+    block coordinates      -> the sheet's, through an INSERT
+
+Both readers of the room draw with these, so that what they draw is the same to the last bit; that
+is also why they are compiled code: a library may round a column in another way than a number.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.geometry.columns import F64
+
+#: Radians to a degree.
+_DEGREE: Final = math.pi / 180.0
+
+
+@njit(cache=True, error_model="numpy")
+def swept(first: float, last: float) -> float:
+    """Return how far an arc turns (degrees), 0 … 360: 360 for ends a whole turn apart."""
+    sweep = (last - first) % 360.0
+    return 360.0 if sweep == 0.0 and last != first else sweep
+
+
+@njit(cache=True, error_model="numpy")
+def round_count(sweep: float) -> int:
+    """Return how many rows an arc takes: none turns by more than half a turn."""
+    return 1 if sweep <= 180.0 + 1e-9 else 2
+
+
+@njit(cache=True, error_model="numpy")
+def round_rows(
+    x: float, y: float, radius: float, first: float, sweep: float, ends: Any, bulge: Any, at: int
+) -> int:
+    """Write the rows of an arc from row ``at`` on, angles in degrees; return the row after."""
+    rows = round_count(sweep)
+    turn = min(math.tan(sweep * _DEGREE / rows / 4.0), 1.0)
+    angle = first * _DEGREE
+    from_x, from_y = math.cos(angle) * radius + x, math.sin(angle) * radius + y
+    home_x, home_y = from_x, from_y
+    for row in range(rows):
+        angle = (first + sweep * (row + 1) / rows) * _DEGREE
+        to_x, to_y = math.cos(angle) * radius + x, math.sin(angle) * radius + y
+        if row == rows - 1 and sweep >= 360.0:
+            to_x, to_y = home_x, home_y
+        ends[at, 0, 0], ends[at, 0, 1] = from_x, from_y
+        ends[at, 1, 0], ends[at, 1, 1] = to_x, to_y
+        bulge[at] = turn
+        from_x, from_y = to_x, to_y
+        at += 1
+    return at
+
+
+@njit(cache=True, error_model="numpy")
+def chain_count(vertex: Any, low: int, high: int, closed: bool) -> int:
+    """Return how many rows a polyline takes: an arc of more than half a turn takes two."""
+    rows = 0
+    for i in range(low, high if closed else high - 1):
+        rows += 2 if abs(vertex[i, 2]) > 1.0 else 1
+    return rows
+
+
+@njit(cache=True, error_model="numpy")
+def chain_rows(
+    vertex: Any, low: int, high: int, closed: bool, ends: Any, bulge: Any, at: int
+) -> int:
+    """Write the rows between vertices (x, y, bulge) from row ``at`` on; return the row after."""
+    for i in range(low, high if closed else high - 1):
+        j = i + 1 if i + 1 < high else low
+        x, y, turn = vertex[i, 0], vertex[i, 1], vertex[i, 2]
+        to_x, to_y = vertex[j, 0], vertex[j, 1]
+        if abs(turn) > 1.0:
+            # The middle of the arc: half a chord times the bulge to the right of the chord.
+            half = math.tan(math.atan(turn) / 2.0)
+            mid_x = (x + to_x) / 2.0 + (to_y - y) * turn / 2.0
+            mid_y = (y + to_y) / 2.0 - (to_x - x) * turn / 2.0
+            ends[at, 0, 0], ends[at, 0, 1] = x, y
+            ends[at, 1, 0], ends[at, 1, 1] = mid_x, mid_y
+            bulge[at] = half
+            at += 1
+            x, y, turn = mid_x, mid_y, half
+        ends[at, 0, 0], ends[at, 0, 1] = x, y
+        ends[at, 1, 0], ends[at, 1, 1] = to_x, to_y
+        bulge[at] = turn
+        at += 1
+    return at
+
+
+@njit(cache=True, error_model="numpy")
+def mirror_rows(ends: Any, bulge: Any, low: int, high: int) -> None:
+    """Turn rows over, as an extrusion of -Z does: x counts to the left."""
+    for i in range(low, high):
+        ends[i, 0, 0] = -ends[i, 0, 0]
+        ends[i, 1, 0] = -ends[i, 1, 0]
+        bulge[i] = -bulge[i]
+
+
+@njit(cache=True, error_model="numpy")
+def turning(rotation: float) -> tuple[float, float]:
+    """Return cosine and sine of an angle in degrees."""
+    return math.cos(rotation * _DEGREE), math.sin(rotation * _DEGREE)
+
+
+def moved(linear: F64, shift: F64, points: F64) -> F64:
+    """Return points through placements: each p at ``linear @ p + shift``.
+
+    Parameters
+    ----------
+    linear : (..., 2, 2)
+    shift : (..., 2)
+    points : (..., 2)
+        Written out, because the product of matrices is rounded as the processor pleases.
+    """
+    x, y = points[..., 0], points[..., 1]
+    result: F64 = np.stack(
+        [
+            linear[..., 0, 0] * x + linear[..., 0, 1] * y + shift[..., 0],
+            linear[..., 1, 0] * x + linear[..., 1, 1] * y + shift[..., 1],
+        ],
+        axis=-1,
+    )
+    return result
