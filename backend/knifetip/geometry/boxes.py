@@ -20,7 +20,8 @@ from numba import njit
 from knifetip.geometry.intersect import TOUCH, crossing
 
 #: Children of a node in the tree of boxes.
-FAN: Final = 8
+FAN_BITS: Final = 3
+FAN: Final = 1 << FAN_BITS
 #: Up to this many rows every pair of boxes is looked at; beyond it a tree finds those that meet.
 FEW: Final = 256
 #: Rows in a block, where there are few.
@@ -88,22 +89,23 @@ def next_near(
         depth -= 1
         height = stack[depth, 0]
         number = stack[depth, 1]
-        at = level[height] + number
-        if boxes[at, 0] > x1 or boxes[at, 2] < x0 or boxes[at, 1] > y1 or boxes[at, 3] < y0:
-            continue
         if height == 0:
             if number > after:
                 return number, depth
             continue
-        below = level[height] - level[height - 1]
-        width = 1
-        for _ in range(height - 1):
-            width *= FAN
-        for child in range(min((number + 1) * FAN, below) - 1, number * FAN - 1, -1):
-            if (child + 1) * width - 1 > after:
-                stack[depth, 0] = height - 1
-                stack[depth, 1] = child
-                depth += 1
+        # A row of the height below is over this many leaves.
+        width = 1 << (FAN_BITS * (height - 1))
+        low = level[height - 1]
+        first = number * FAN
+        for child in range(min(first + FAN, level[height] - low) - 1, first - 1, -1):
+            if (child + 1) * width - 1 <= after:
+                break
+            at = low + child
+            if boxes[at, 0] > x1 or boxes[at, 2] < x0 or boxes[at, 1] > y1 or boxes[at, 3] < y0:
+                continue
+            stack[depth, 0] = height - 1
+            stack[depth, 1] = child
+            depth += 1
     return -1, 0
 
 
@@ -155,6 +157,27 @@ def _apart(
 
 
 @njit(cache=True, error_model="numpy")
+def apart(
+    x0: float,
+    y0: float,
+    x1: float,
+    y1: float,
+    b: float,
+    ox: float,
+    oy: float,
+    ex: float,
+    ey: float,
+    other: float,
+) -> bool:
+    """Whether two segments cannot meet, as far as the rectangles around them tell."""
+    if abs(b) > 1.0 or abs(other) > 1.0:
+        return False
+    return _apart(x0, y0, x1 - x0, y1 - y0, b, ox, oy, ex, ey, other) or _apart(
+        ox, oy, ex - ox, ey - oy, other, x0, y0, x1, y1, b
+    )
+
+
+@njit(cache=True, error_model="numpy")
 def _meet(
     start: Any, end: Any, bulge: Any, i: int, j: int, round_corner: bool, pair: Any, found: Any
 ) -> bool:
@@ -165,11 +188,8 @@ def _meet(
         return False
     x0, y0, x1, y1 = start[i, 0], start[i, 1], end[i, 0], end[i, 1]
     ox, oy, ex, ey = start[j, 0], start[j, 1], end[j, 0], end[j, 1]
-    if abs(b) <= 1.0 and abs(other) <= 1.0:
-        if _apart(x0, y0, x1 - x0, y1 - y0, b, ox, oy, ex, ey, other):
-            return False
-        if _apart(ox, oy, ex - ox, ey - oy, other, x0, y0, x1, y1, b):
-            return False
+    if apart(x0, y0, x1, y1, b, ox, oy, ex, ey, other):
+        return False
     pair[0, 0], pair[0, 1], pair[0, 2], pair[0, 3], pair[0, 4] = x0, y0, x1, y1, b
     pair[1, 0], pair[1, 1], pair[1, 2], pair[1, 3], pair[1, 4] = ox, oy, ex, ey, other
     return bool(crossing(pair, 0, pair, 1, TOUCH, found) > 0)

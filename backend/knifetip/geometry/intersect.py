@@ -20,6 +20,8 @@ from knifetip.geometry.tolerance import BULGE
 
 #: Two segments share at most this many points: two arcs of one circle may overlap twice.
 MOST: Final = 4
+#: What rounding alone leaves of a length, as a share of it.
+ROUNDING: Final = 1e-15
 #: Within this of each other is touching (mm).
 TOUCH: Final = 1e-9
 
@@ -223,6 +225,9 @@ def crossing(one: Any, i: int, two: Any, j: int, touch: float, found: Any) -> in
         return 0
     foot = (apart * apart + (ar - br) * (ar + br)) / (2.0 * apart)
     rise = math.sqrt(max(0.0, (ar - foot) * (ar + foot)))
+    if min(abs(apart - (ar + br)), abs(apart - abs(ar - br))) <= ROUNDING * (apart + ar + br):
+        # They touch: the root would make a tenth of a micrometre of the last bit.
+        rise = 0.0
     ux = dx / apart
     uy = dy / apart
     x = ax + foot * ux
@@ -288,6 +293,8 @@ def _line_arc(one: Any, i: int, two: Any, j: int, flat: bool, touch: float, foun
     if abs(off) > radius + touch:
         return 0
     reach = math.sqrt(max(0.0, (radius - off) * (radius + off)))
+    if abs(radius - abs(off)) <= ROUNDING * (radius + abs(cx - x0) + abs(cy - y0)):
+        reach = 0.0
     fx = cx + off * uy
     fy = cy - off * ux
     count = _keep(one, i, two, j, fx - reach * ux, fy - reach * uy, touch, found, 0)

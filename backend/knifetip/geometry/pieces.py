@@ -13,7 +13,7 @@ from typing import Any, Final
 import numpy as np
 from numba import njit
 
-from knifetip.geometry.boxes import next_near
+from knifetip.geometry.boxes import apart, next_near
 from knifetip.geometry.intersect import TOUCH, crossing
 from knifetip.geometry.tolerance import BULGE, POINT
 
@@ -71,6 +71,11 @@ def cut(
             ):
                 # Neighbours that run on into each other have no second point in common.
                 continue
+            if apart(
+                rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4],
+                rows[j, 0], rows[j, 1], rows[j, 2], rows[j, 3], rows[j, 4],
+            ):  # fmt: skip
+                continue
             hits = crossing(rows, i, rows, j, TOUCH, found)
             if done + 2 * hits > room:
                 room *= 2
@@ -91,8 +96,12 @@ def cut(
 
 
 @njit(cache=True, error_model="numpy")
-def pieces(rows: Any, real: int, which: Any, place: Any, cuts: int) -> tuple[Any, Any, Any, int]:
-    """The rows between their cuts: (x0, y0, x1, y1, low, high), their row, the first of each."""
+def pieces(
+    rows: Any, real: int, which: Any, place: Any, cuts: int
+) -> tuple[Any, Any, Any, Any, int]:
+    """The rows between their cuts: (x0, y0, x1, y1, low, high), their row, the first of each row,
+    and whether a row has cuts at its very start or end."""
+    touched = np.zeros((real, 2), np.bool_)
     bound = np.zeros(real + 1, np.int64)
     for c in range(cuts):
         bound[which[c] + 1] += 1
@@ -125,6 +134,8 @@ def pieces(rows: Any, real: int, which: Any, place: Any, cuts: int) -> tuple[Any
         for o in range(bound[i], bound[i + 1]):
             c = order[o]
             if place[c, 0] - share < speck or 1.0 - place[c, 0] < speck:
+                touched[i, 0] |= place[c, 0] < 2.0 * speck
+                touched[i, 1] |= 1.0 - place[c, 0] < 2.0 * speck
                 continue
             piece[done, 0] = x
             piece[done, 1] = y
@@ -146,7 +157,7 @@ def pieces(rows: Any, real: int, which: Any, place: Any, cuts: int) -> tuple[Any
         owner[done] = i
         done += 1
         filled[i] = bound_first
-    return piece, owner, filled, done
+    return piece, owner, filled, touched, done
 
 
 @njit(cache=True, error_model="numpy")

@@ -13,6 +13,9 @@ ANGLE: Final = 1.0
 JOIN: Final = 0.002
 #: Ends of edges nearer than this were meant to touch (mm).
 GAP: Final = 0.05
+#: Edges nearer than this to each other all along are one edge drawn twice (mm): no farther than
+#: the tip may be from its line.
+SAME: Final = 0.01
 #: Lines nearer in direction than this are one line to a leaning blade (degrees): its tip moves by
 #: less than a thousandth of a millimetre.
 COLLINEAR: Final = 0.005

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from knifetip.geometry import arc
@@ -85,6 +85,8 @@ bulges = st.one_of(st.just(0.0), st.floats(-2.0, 2.0).filter(lambda b: abs(b) > 
 
 @settings(max_examples=1000, deadline=None)
 @given(st.tuples(*[places] * 8), bulges, bulges)
+# Two arcs that end where they touch.
+@example((-4.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0), 0.1875, 0.1875)
 def test_points_lie_on_both_where_they_are_said_to_and_none_is_missed(places, b1, b2):
     ends = np.array(places).reshape(4, 1, 2)
     if min(np.hypot(*(ends[1] - ends[0])[0]), np.hypot(*(ends[3] - ends[2])[0])) < 1.0:
