@@ -6,6 +6,11 @@ import os
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
+
+# A busy machine is no finding: what takes long is shown by `make bench`.
+settings.register_profile("knifetip", deadline=None)
+settings.load_profile("knifetip")
 
 ROOT = Path(__file__).resolve().parents[1]
 CORPUS = Path(os.environ.get("KNIFETIP_CORPUS", ROOT.parent / "shared" / "corpus"))
