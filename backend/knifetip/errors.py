@@ -34,6 +34,7 @@
         ├── StaleEpoch            a gateway that no longer owns the job
         ├── StoreError            the database cannot be used
         ├── KeyReused             an Idempotency-Key that came with another request before
+        ├── StaleVersion          somebody else changed it since it was looked at
         └── MachineBusy           another job is on this machine's table
 
 Everything that a user can cause is one of these. The API sends the same words as problem+json.
@@ -238,6 +239,10 @@ class StoreError(JobError):
 
 class KeyReused(JobError):
     """An Idempotency-Key that came with another request before."""
+
+
+class StaleVersion(JobError):
+    """Somebody else changed it since it was looked at."""
 
 
 class MachineBusy(JobError):

@@ -1,21 +1,28 @@
 """The one place that knows the order of the stages.
 
-bytes → Drawing → Dieline → Operations → Toolpaths → Toolpath → Program → Verdict
-    read    classify    plan    compensate   sequence  process    verify
+bytes → Drawing → Dieline → Cleaned → Operations → Toolpaths → Toolpath → Program → Verdict
+    read    classify    clean    plan     compensate   sequence  process    verify
+
+Whoever calls knows the rows of the drawing; what is planned and judged are the cleaned edges.  All
+that goes out of here is told of the drawing's rows again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 
+from knifetip.cf2 import read as cf2
 from knifetip.classification import classify
+from knifetip.classification import rules as matching
+from knifetip.cleaning.back import on_drawn
+from knifetip.cleaning.clean import clean
 from knifetip.compensation import deflection
 from knifetip.compensation.compensate import compensate
-from knifetip.dxf import units
-from knifetip.dxf.read import read
+from knifetip.dxf import read as dxf
 from knifetip.dxf.samples import samples
 from knifetip.errors import (
     CompensationError,
@@ -24,24 +31,33 @@ from knifetip.errors import (
     PlanError,
     TravelExceeded,
 )
-from knifetip.geometry.columns import U8
+from knifetip.geometry.columns import I32, U8
+from knifetip.intake.kind import kind_of
 from knifetip.library import load
 from knifetip.model.board import Board
+from knifetip.model.cleaned import Cleaned
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
 from knifetip.model.machine import Machine
-from knifetip.model.profile import LineRules
+from knifetip.model.profile import LineRules, ProposedRule
 from knifetip.model.program import Program
 from knifetip.model.question import Question
 from knifetip.model.toolpath import Toolpath
+from knifetip.model.unit import NAMES, UnitFinding
 from knifetip.model.verdict import Verdict
 from knifetip.planning.plan import check_corners, missing, plan
 from knifetip.post.process import process
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
 from knifetip.sequencing.turning import retracted
-from knifetip.verification.verify import placement_of, verify
+from knifetip.svg import read as svg
+from knifetip.units.evidence import judge
+from knifetip.units.question import question as unit_question
+from knifetip.units.rescale import rescaled
+from knifetip.verification import verify as judging
+from knifetip.verification.tidied import tidied
+from knifetip.verification.verify import placement_of
 
 __all__ = [
     "NO_OVERRIDE",
@@ -50,17 +66,27 @@ __all__ = [
     "Compiled",
     "calibrated",
     "check_corners",
+    "clean",
     "compiled",
     "dieline",
+    "learned",
     "placement",
     "placement_of",
     "questions",
     "read_drawing",
+    "taken",
+    "unit_finding",
     "verify",
     "warm",
     "with_unit",
 ]
 
+#: What reads a file of each kind.
+_READERS: Final[Mapping[str, Callable[[bytes, str | None], Drawing]]] = {
+    "dxf": dxf.read,
+    "cf2": cf2.read,
+    "svg": svg.read,
+}
 #: How far the tip may be from the line (mm).
 TOLERANCE = 0.01
 #: In a column of overrides: this edge has none.
@@ -89,19 +115,43 @@ class Calibration:
 
 
 def read_drawing(data: bytes, unit: str | None = None) -> Drawing:
-    """Return the drawing in the bytes of a file; ``unit`` overrules what the file says.
+    """Return the drawing in the bytes of a file: DXF, CF2 or SVG, told apart by their content.
+
+    ``unit`` overrules what the file says.  Where nobody gives one, the file's word is weighed
+    against what is drawn: it stands, or another unit is so much likelier that it is taken, or the
+    drawing stays in file units and asks.
 
     Raises
     ------
     ReadError
         The bytes are not a drawing that can be used.
     """
-    return read(data, unit)
+    reader = _READERS[kind_of(data)]
+    drawing = reader(data, unit)
+    if unit:
+        return drawing
+    found = judge(drawing)
+    if found.unit == drawing.unit:
+        return drawing
+    if drawing.unit and not drawing.evidence.startswith("$INSUNITS"):
+        # Only a DXF states a unit that nobody has chosen: that of the template.
+        return drawing
+    # Curves are fitted to a tolerance in mm, so they are read again.
+    better = reader(data, found.unit) if found.unit else rescaled(drawing, "")
+    return replace(better, evidence=f"{drawing.evidence}; {_outcome(found, drawing.stated)}")
+
+
+def _outcome(found: UnitFinding, stated: str) -> str:
+    best = found.ranking[0]
+    if best == stated:
+        return f"what is drawn says too little for {NAMES[best]}"
+    reason = next(one.text for one in found.evidence if one.unit == best)
+    return f"what is drawn speaks for {NAMES[best]}: {reason}"
 
 
 def with_unit(drawing: Drawing, unit: str) -> Drawing:
-    """Return the drawing with its unit given: "mm", "cm", "m", "in" or "ft"."""
-    return units.rescaled(drawing, unit)
+    """Return the drawing with its unit given: "mm", "cm", "m", "in", "ft", "pt" or "px"."""
+    return rescaled(drawing, unit)
 
 
 def dieline(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) -> Dieline:
@@ -111,13 +161,33 @@ def dieline(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) -> 
     ----------
     overrides : (n,) LineType, or ``NO_OVERRIDE``
     """
-    classified = classify.classify(drawing, rules)
+    classified = classify.classify(drawing, rules, load.conventions())
     return classified if overrides is None else classify.overridden(classified, overrides)
+
+
+def taken(drawing: Drawing, rules: LineRules) -> I32:
+    """Return which rule of a profile takes each edge, (n,): -1 where none does."""
+    styles = matching.styles(drawing)
+    return matching.match(styles, rules).rule[styles.of]
+
+
+def learned(drawing: Drawing, rules: LineRules, overrides: U8) -> list[ProposedRule]:
+    """Return rules that would have said what somebody corrected, those that explain most first."""
+    from knifetip.classification import learn
+
+    return learn.learned(
+        drawing, classify.classify(drawing, rules, load.conventions()), overrides, rules
+    )
+
+
+def unit_finding(drawing: Drawing) -> UnitFinding:
+    """Return what speaks for the unit of a drawing's file, whatever was decided."""
+    return judge(drawing)
 
 
 def questions(drawing: Drawing, dieline: Dieline, machine: Machine | None = None) -> list[Question]:
     """Return what somebody must decide before the drawing can be made (on that machine)."""
-    unit = units.question(drawing)
+    unit = None if drawing.unit else unit_question(drawing, judge(drawing))
     asked = ([unit] if unit else []) + classify.questions(drawing, dieline)
     if machine is not None:
         asked += _without_tool(dieline, machine)
@@ -167,9 +237,9 @@ def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
     return round(x - float(low_x), 4), round(y - float(low_y), 4)
 
 
-def _placed(error: KnifetipError, drawing: Drawing) -> KnifetipError:
+def _placed(error: KnifetipError, drawing: Drawing, source: I32) -> KnifetipError:
     """Return the error of a stage, which knows rows of edges, in the words of the drawing."""
-    rows = [int(row) for row in error.source]
+    rows = [int(source[int(row)]) for row in error.source]
     if rows:
         layer, handles = drawing.layers[drawing.layer[rows[0]]], drawing.handles
         error.message = f'{error.message.rstrip(".")} (handle {handles[rows[0]]}, layer "{layer}").'
@@ -211,8 +281,10 @@ def compiled(
     asked = questions(drawing, dieline, machine)
     if asked:
         raise OpenQuestions([question.as_json() for question in asked])
-    where = placement(dieline, machine)
-    placed = replace(dieline, ends=dieline.ends + np.array(where))
+    progress("clean", 0.02)
+    tidy = clean(dieline)
+    where = placement(tidy.dieline, machine)
+    placed = replace(tidy.dieline, ends=tidy.dieline.ends + np.array(where))
     try:
         progress("plan", 0.05)
         chosen = None if corners is None else replace(corners, placement=where)
@@ -222,7 +294,8 @@ def compiled(
         progress("sequence", 0.4)
         toolpath = sequence(toolpaths, machine)
     except (PlanError, CompensationError) as error:
-        raise _placed(error, drawing) from None
+        raise _placed(error, drawing, tidy.dieline.source) from None
+    toolpath = _shown(toolpath, tidy)
     progress("process", 0.5)
     head = (
         f"machine {machine.name}",
@@ -234,10 +307,53 @@ def compiled(
         toolpath, machine, dialect or machine.dialect, tolerance=TOLERANCE, notes=head
     )
     progress("verify", 0.7)
-    verdict = verify(program.text, dieline, where, machine, board, tolerance=TOLERANCE)
+    verdict = _judged(program.text, dieline, tidy, where, machine, board)
     progress("done", 1.0)
     full = duration(retracted(toolpath, machine), machine)
     return Compiled(toolpath, program, verdict, where, duration(toolpath, machine), full)
+
+
+def verify(
+    text: bytes,
+    dieline: Dieline,
+    placement: tuple[float, float],
+    machine: Machine,
+    board: Board,
+    *,
+    tolerance: float = TOLERANCE,
+) -> Verdict:
+    """Return the verdict on a program that somebody brings, of the edges as they were drawn.
+
+    Raises
+    ------
+    ProgramUnreadable, ProgramError, GeometryError
+        As ``verification.verify`` says.
+    """
+    return _judged(text, dieline, clean(dieline), placement, machine, board, tolerance)
+
+
+def _judged(
+    text: bytes,
+    dieline: Dieline,
+    tidy: Cleaned,
+    where: tuple[float, float],
+    machine: Machine,
+    board: Board,
+    tolerance: float = TOLERANCE,
+) -> Verdict:
+    """Return whether a program makes the cleaned edges, and whether those are what was drawn."""
+    verdict = judging.verify(text, tidy.dieline, where, machine, board, tolerance=tolerance)
+    told = on_drawn(verdict, tidy, dieline)
+    lost = tidied(dieline, tidy)
+    if not lost:
+        return told
+    return replace(told, accepted=False, findings=(*lost, *told.findings))
+
+
+def _shown(toolpath: Toolpath, tidy: Cleaned) -> Toolpath:
+    """Return the head's path with the rows of the drawing that it is about."""
+    source = tidy.dieline.source[np.maximum(toolpath.source, 0)]
+    return replace(toolpath, source=np.where(toolpath.source < 0, -1, source))
 
 
 def calibrated(
@@ -272,6 +388,8 @@ def warm() -> None:
 
     The kernels are kept beside the code: the first call takes a minute, the next a few seconds.
     """
+    # Path data has a kernel of its own.
+    read_drawing(b'<svg width="9mm" viewBox="0 0 9 9"><path stroke="red" d="M0 0h9"/></svg>')
     for name, board, machine in (
         ("tuck-end-carton.dxf", "fbb-0.4", "demo-table"),
         ("rigid-box-blank.dxf", "greyboard-2.0", "demo-table"),
@@ -281,3 +399,11 @@ def warm() -> None:
         line = dieline(drawing, load.profile("default"))
         for dialect in ("linuxcnc", "grblhal"):
             compiled(drawing, line, load.machine(machine), load.board(board), dialect=dialect)
+    # The samples are clean: a lap, a gap and a speck, for the kernels that mend them.
+    untidy = ((0, 0, 100, 0), (50, 0, 150, 0), (150.02, 0, 150.02, 50), (70, 70, 70.01, 70))
+    few = {
+        name: getattr(line, name)[: len(untidy)]
+        for name in ("bulge", "line_type", "source", "rule", "confidence")
+    }
+    few["line_type"] = np.full(len(untidy), LineType.CUT, np.uint8)
+    clean(replace(line, ends=np.array(untidy, np.float64).reshape(-1, 2, 2), **few))

@@ -11,10 +11,12 @@ from typing import TypeAlias
 import ezdxf
 import numpy as np
 from tests.benchmarks.offset import offset_arcs, offset_lines, offset_million, offset_one
+from tests.benchmarks.reading import classify_sheet, read_sheet
 from tests.benchmarks.turning import order_shortest
 
 from knifetip import pipeline
 from knifetip.classification.classify import classify
+from knifetip.cleaning.clean import clean
 from knifetip.compensation.compensate import compensate
 from knifetip.dxf.read import read
 from knifetip.library import load
@@ -105,6 +107,47 @@ def knife_edges() -> Bench:
     return "knife, free ends", 100_000, _engine(LineType.CUT, 100_000), {}, 7
 
 
+def clean_sheet() -> Bench:
+    """Clean a sheet on which there is nothing to do."""
+    return "20,000 panels, nothing to mend", 100_000, _cleaned(0.0, False), {}, 7
+
+
+def clean_damaged() -> Bench:
+    """Clean a sheet on which half of the edges are drawn again, on a part of themselves."""
+    return "laps on every edge", 100_000, _cleaned(0.0, True), {}, 7
+
+
+def clean_gapped() -> Bench:
+    """Clean a sheet with every end up to 0.008 mm off."""
+    return "a gap at every corner", 100_000, _cleaned(0.008, False), {}, 7
+
+
+def _cleaned(noise: float, lapped: bool) -> Callable[[], object]:
+    count = 50_000 if lapped else 100_000
+    panel = np.array(
+        [
+            ((0, 0), (10, 0)),
+            ((10, 0), (10, 10)),
+            ((10, 10), (0, 10)),
+            ((0, 10), (0, 0)),
+            ((5, 0), (5, 10)),
+        ],
+        float,
+    )
+    number = np.arange(count // 5)
+    corner = np.column_stack([number % 200 * 12.0, number // 200 * 12.0])
+    ends = (corner[:, None, None] + panel).reshape(-1, 2, 2)
+    kind = np.tile([LineType.CUT] * 4 + [LineType.CREASE], count // 5)
+    if lapped:
+        ends = np.concatenate([ends, 0.7 * ends + 0.3 * ends[:, ::-1]])
+        kind = np.tile(kind, 2)
+    ends = ends + np.random.default_rng(1).uniform(-noise, noise, ends.shape)
+    rows = np.arange(len(ends))
+    zeros = np.zeros(len(ends))
+    line = Dieline(ends, zeros, kind, rows, zeros, zeros + 1.0, ("bench",))
+    return lambda: clean(line)
+
+
 def plan_sheet() -> Bench:
     """Chain and plan a sheet of panels."""
     drawing = read(_drawing_bytes(10_000))
@@ -181,7 +224,12 @@ def compile_sheet() -> Bench:
 
 BENCHES: tuple[Callable[[], Bench], ...] = (
     read_lines,
+    read_sheet,
+    classify_sheet,
     classify_layers,
+    clean_sheet,
+    clean_damaged,
+    clean_gapped,
     plan_sheet,
     vgroove_edges,
     crease_edges,

@@ -9,6 +9,7 @@ positions with 4 decimals and without the tool's offset, which it reads as inche
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -129,6 +130,8 @@ def read_program(program: bytes, tools: Mapping[int, TipTool] | None = None) -> 
         done = subprocess.run(
             [RS274, "-g", "-v", "fresh.var", "-t", "tool.tbl", "-i", "rs274.ini", "program.ngc"],
             cwd=room,
+            # Its tools are in a file in HOME: two interpreters would write the same one.
+            env=os.environ | {"HOME": folder},
             capture_output=True,
             text=True,
             timeout=120,

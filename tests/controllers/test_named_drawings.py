@@ -45,11 +45,13 @@ def judged(named: Named, corpus: Path | None) -> tuple[Report, float]:
     )
     assert made.verdict.accepted, made.verdict.findings[:3]
     deepest = max(board.crease_along, board.crease_across)
+    # A crease that is drawn under a cut is not worked; ``verification.tidied`` answers for that.
+    worked = pipeline.clean(dieline).dieline
     report = judge(
         made.program.text,
-        dieline.ends,
-        dieline.bulge,
-        dieline.line_type,
+        worked.ends,
+        worked.bulge,
+        worked.line_type,
         made.placement,
         tools(board.caliper, deepest, board.groove_depth),
     )

@@ -9,10 +9,14 @@ from pathlib import Path
 import httpx
 import pytest
 
+import cf2_text
+import svg_text
 from named import NAMED, SAMPLES, Named
 from serving import Running, ordered, square, until, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
+
+MAILER = Named("generated__kyholdings__diecut_generator", "mailer_200x150x60_t3.svg", "e-flute")
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +29,11 @@ def shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
 def runs_to_its_end(shop: httpx.Client, named: Named, corpus: Path | None) -> None:
     asked = {"profile": named.profile} | ({"unit": named.unit} if named.unit else {})
     drawing = uploaded(shop, named.data(corpus), **asked)
-    assert drawing["questions"] == []
+    assert bool(drawing["questions"]) == bool(named.answer)
+    if named.answer:
+        said = [{"type": named.answer, "edges": one["edges"]} for one in drawing["questions"]]
+        answer = shop.patch(f"/api/drawings/{drawing['id']}/edges", json={"overrides": said})
+        assert answer.json()["questions"] == []
     job = ordered(shop, drawing["id"], board=named.board, release=True)["id"]
     done = until(shop, job, "done")
     assert done["verdict"]["accepted"]
@@ -41,6 +49,27 @@ def test_a_sample_runs_to_its_end(shop: httpx.Client, named: Named):
 @pytest.mark.parametrize("named", NAMED, ids=str)
 def test_a_drawing_by_other_hands_runs_to_its_end(shop: httpx.Client, named: Named, corpus: Path):
     runs_to_its_end(shop, named, corpus)
+
+
+@pytest.mark.corpus
+def test_an_svg_by_other_hands_runs_to_its_end(shop: httpx.Client, corpus: Path):
+    runs_to_its_end(shop, MAILER, corpus)
+
+
+@pytest.mark.parametrize("data", [svg_text.carton(), cf2_text.carton()], ids=["svg", "cf2"])
+def test_a_carton_in_another_format_runs_to_its_end(shop: httpx.Client, data: bytes):
+    drawing = uploaded(shop, data)
+    assert (drawing["unit"], drawing["questions"]) == ("mm", [])
+    rows = drawing["ledger"]["rows"]
+    edges = shop.get(f"/api/drawings/{drawing['id']}/edges").json()["edges"]
+    drawn = sum(edge["length"] for edge in edges)
+    assert sum(row["length"] for row in rows) == pytest.approx(drawn, abs=1e-3)
+    assert {edge["type"] for edge in edges} == {"cut", "crease"}
+    assert shop.get(f"/api/drawings/{drawing['id']}/file").content == data
+    job = ordered(shop, drawing["id"], release=True)["id"]
+    done = until(shop, job, "done")
+    assert done["verdict"]["accepted"]
+    assert (done["line"], done["progress"]) == (done["lines"], 1.0)
 
 
 def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client):

@@ -35,7 +35,7 @@ def course(client: httpx.Client, job: str) -> list[str]:
 
 def test_killed_while_it_compiles_it_compiles_again(database: Path):
     first = Running(database, simulator=False)
-    drawing = uploaded(first.client, SLITS)["id"]
+    drawing = uploaded(first.client, SLITS, unit="mm")["id"]
     job = ordered(first.client, drawing)["id"]
     until(first.client, job, "compiling")
     first.kill()

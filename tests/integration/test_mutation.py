@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from knifetip import pipeline, verify
+from knifetip import pipeline
 from knifetip.library import load
 from mutation import shares, told
 from named import NAMED, SAMPLES, Named
@@ -19,7 +19,7 @@ def every_moving_mutant_is_refused(named: Named, corpus: Path | None, dialect: s
     made = pipeline.compiled(drawing, dieline, MACHINE, board, dialect=dialect)
 
     def refused(text: bytes) -> bool:
-        return not verify(text, dieline, made.placement, MACHINE, board).accepted
+        return not pipeline.verify(text, dieline, made.placement, MACHINE, board).accepted
 
     assert not refused(made.program.text)
     everything, caught, missed = shares(

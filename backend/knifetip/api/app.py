@@ -23,7 +23,7 @@ from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 
 from knifetip import errors
-from knifetip.api import drawings, events, gateway, jobs, library, machines
+from knifetip.api import drawings, events, gateway, jobs, library, machines, profiles
 from knifetip.api.limits import Limits
 from knifetip.api.schemas import Health, Problem, QuestionOut
 from knifetip.api.service import Here, Service, Settings
@@ -43,6 +43,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
     errors.JobError: 409,
     errors.NoSuchJob: 404,
     errors.KeyReused: 422,
+    errors.StaleVersion: 412,
     errors.StoreError: 503,
     errors.ControllerError: 502,
 }
@@ -93,7 +94,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         redoc_url=None,
         generate_unique_id_function=_operation_id,
     )
-    for module in (drawings, jobs, events, machines, library, gateway):
+    for module in (drawings, jobs, events, machines, library, profiles, gateway):
         app.include_router(module.router, prefix="/api")
     app.add_api_route("/healthz", _health, response_model=Health, tags=["health"])
     app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])

@@ -14,6 +14,7 @@ from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
 from fastapi.responses import JSONResponse
 
 from knifetip.api.schemas import (
+    CleaningOut,
     DrawingOut,
     DrawingPatch,
     DrawingSummary,
@@ -33,10 +34,11 @@ from knifetip.api.service import (
     bytes_answer,
     fingerprint,
     next_page,
-    on_shelf,
+    rules_named,
 )
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing, RequestError
 from knifetip.geometry.columns import U8
+from knifetip.intake.kind import kind_of
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
 from knifetip.jobs.crew import Fault
@@ -45,6 +47,8 @@ from knifetip.model.dieline import LineType
 
 router = APIRouter(prefix="/drawings", tags=["drawings"])
 
+# An SVG may hold scripts: it is never sent as something that a browser would run.
+_MEDIA_TYPES = {"dxf": "image/vnd.dxf", "cf2": "text/plain", "svg": "application/octet-stream"}
 _LISTED = 2000  # ledger rows in a drawing's own answer
 
 
@@ -57,8 +61,8 @@ def upload_drawing(
     profile: Annotated[str, Form(max_length=200)] = "default",
     key: Key = None,
 ) -> DrawingOut:
-    """Read and classify a drawing (DXF, text or binary)."""
-    on_shelf("profiles", profile)
+    """Read and classify a drawing: DXF (text or binary), CF2 or SVG, told by its content."""
+    rules_named(here, profile)
     content = file.file.read(here.settings.upload + 1)
     name = drawing_name(file.filename or "")
     return added(here, response, name, content, unit or "", profile, key)
@@ -78,17 +82,19 @@ def added(
         raise DrawingTooLarge(
             f"{name} is larger than {here.settings.upload >> 20} MB.", "Send a smaller drawing."
         )
+    rules = rules_named(here, profile)
     sha256 = hashlib.sha256(content).hexdigest()
     request = fingerprint(name, sha256, unit, profile)
     row = here.store.drawing_of(key, request) if key else None
     if row is None:
-        reading = read(here, name, content, unit, profile)
+        reading = read(here, name, content, unit, profile, rules)
         row = here.store.add_drawing(
             name=name,
             content=content,
             sha256=sha256,
             unit_given=unit,
             profile=profile,
+            rules=rules,
             overrides=reading.overrides,
             summary=reading.summary,
             edges=reading.edges,
@@ -122,12 +128,17 @@ def get_drawing(here: Here, id: str) -> DrawingOut:
 def change_drawing(here: Here, id: str, patch: DrawingPatch) -> DrawingOut:
     """Say a drawing's unit, or classify it by another profile."""
     row = here.store.drawing(id)
-    unit = row.unit_given if patch.unit is None else patch.unit
-    profile = row.profile if patch.profile is None else on_shelf("profiles", patch.profile)
+    unit = row.unit_given
+    if patch.unit is not None:
+        unit = "" if patch.unit == "file" else patch.unit
+    profile, rules = row.profile, row.rules
+    if patch.profile is not None:
+        profile, rules = patch.profile, rules_named(here, patch.profile)
     overrides = here.store.drawing_column(id, "overrides")
     _, meta = unpacked(here.store.drawing_column(id, "edges"))
     carried = tasks.Carried(overrides, meta["handles"])
-    return _kept(here, row, unit, profile, carried, f"unit {unit or 'open'}, profile {profile}")
+    chosen = (profile, rules)
+    return _kept(here, row, unit, chosen, carried, f"unit {unit or 'open'}, profile {profile}")
 
 
 @router.delete("/{id}", status_code=204)
@@ -161,7 +172,7 @@ def override_edges(here: Here, id: str, patch: EdgesPatch) -> DrawingOut:
     _, meta = unpacked(block)
     carried = tasks.Carried(after, meta["handles"])
     why = f"{len(patch.overrides)} override{'s' * (len(patch.overrides) != 1)}"
-    return _kept(here, row, row.unit_given, row.profile, carried, why)
+    return _kept(here, row, row.unit_given, (row.profile, row.rules), carried, why)
 
 
 @router.get("/{id}/ledger")
@@ -171,12 +182,25 @@ def get_ledger(here: Here, id: str) -> LedgerOut:
     return LedgerOut.model_validate({**row.summary["ledger"], "rows": _ledger(here, id)})
 
 
+@router.get("/{id}/cleaning")
+def get_cleaning(here: Here, id: str) -> CleaningOut:
+    """List what cleaning makes of the edges before they are planned: joined, moved, dropped."""
+    edges = here.store.drawing_column(id, "edges")
+    return CleaningOut.model_validate(
+        here.crew.run(tasks.cleaned, edges, limit=here.settings.limit)
+    )
+
+
 @router.get("/{id}/file", response_class=Response, responses={200: BINARY})
 def get_file(here: Here, request: Request, id: str) -> Response:
     """Return the file as it came."""
     row = here.store.drawing(id)
     content = here.store.drawing_column(id, "content")
-    return bytes_answer(request, content, row.sha256, "image/vnd.dxf", row.name)
+    return bytes_answer(request, content, row.sha256, _media_type(content), row.name)
+
+
+def _media_type(content: bytes) -> str:
+    return _MEDIA_TYPES[kind_of(content)]
 
 
 def read(
@@ -185,9 +209,10 @@ def read(
     content: bytes,
     unit: str,
     profile: str,
+    rules: str = "",
     carried: tasks.Carried | None = None,
 ) -> tasks.Reading:
-    """Read a drawing in a process of the crew.
+    """Read a drawing in a process of the crew; ``rules`` as in ``rules_named``.
 
     Raises
     ------
@@ -195,11 +220,13 @@ def read(
         It cannot be read; the message begins with the drawing's name.
     """
     try:
-        return here.crew.run(tasks.read, content, unit, profile, carried, limit=here.settings.limit)
+        return here.crew.run(
+            tasks.read, content, unit, profile, carried, rules, limit=here.settings.limit
+        )
     except Fault as reason:
         raise NotADrawing(
             f"{name}: the file is damaged in a way that reading stumbles over ({reason}).",
-            "Export it again as DXF, from another program if need be.",
+            "Export it again as DXF, CF2 or SVG, from another program if need be.",
         ) from reason
     except KnifetipError as reason:
         if not reason.message.startswith(name):
@@ -208,16 +235,23 @@ def read(
 
 
 def _kept(
-    here: Service, row: Drawing, unit: str, profile: str, carried: tasks.Carried, why: str
+    here: Service,
+    row: Drawing,
+    unit: str,
+    chosen: tuple[str, str],
+    carried: tasks.Carried,
+    why: str,
 ) -> DrawingOut:
+    profile, rules = chosen
     content = here.store.drawing_column(row.id, "content")
-    reading = read(here, row.name, content, unit, profile, carried)
+    reading = read(here, row.name, content, unit, profile, rules, carried)
     changed = here.store.change_drawing(
         row.id,
         row.version,
         why,
         unit_given=unit,
         profile=profile,
+        rules=rules,
         overrides=reading.overrides,
         summary=reading.summary,
         edges=reading.edges,
@@ -313,6 +347,11 @@ def edges_out(block: bytes) -> list[dict[str, Any]]:
     """Return edges as plain data (``EdgeOut``)."""
     columns, meta = unpacked(block)
     ends = columns["ends"].tolist()
+    alternatives = meta.get("alternatives", [])
+    # A block of an older knifetip does not say what became of the edges.
+    fates, reasons = meta.get("fates", ["kept"]), meta.get("reasons", [""])
+    unsaid = np.zeros(len(ends), np.int32)
+    columns = {"fate": unsaid, "reason": unsaid, **columns}
     listed = {name: columns[name].tolist() for name in columns if name != "ends"}
     return [
         {
@@ -324,6 +363,9 @@ def edges_out(block: bytes) -> list[dict[str, Any]]:
             "type": meta["types"][listed["line_type"][row]],
             "rule": meta["rules"][listed["rule"][row]],
             "confidence": listed["confidence"][row],
+            "alternatives": alternatives[listed["rule"][row]] if alternatives else [],
+            "fate": fates[listed["fate"][row]],
+            "reason": reasons[listed["reason"][row]],
             "length": listed["length"][row],
             "start": start,
             "end": end,
@@ -352,9 +394,19 @@ def drawing_out(here: Service, row: Drawing) -> DrawingOut:
             "created": row.created,
             "sha256": row.sha256,
             "profile": row.profile,
+            "profile_state": _state_of(here, row),
+            "unit_given": row.unit_given or None,
             "ledger": {**ledger, "rows": _ledger(here, row.id)[:_LISTED]},
         }
     )
+
+
+def _state_of(here: Service, row: Drawing) -> str:
+    """Return whether the profile still says what it said when the drawing was classified by it."""
+    kept = here.store.profile(row.profile)
+    if kept is None:
+        return "deleted" if row.rules else "current"
+    return "current" if kept.text == row.rules else "changed"
 
 
 def summary_out(row: Drawing) -> DrawingSummary:

@@ -27,6 +27,7 @@ from knifetip.api.service import (
     fingerprint,
     next_page,
     on_shelf,
+    rules_named,
 )
 from knifetip.errors import OpenQuestions
 from knifetip.jobs import tasks
@@ -52,9 +53,10 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
     on_shelf("machines", order.machine)
     on_shelf("boards", order.board)
     drawing = here.store.drawing(order.drawing)
-    profile = drawing.profile
+    # What was looked at is what is made, whatever became of the profile since.
+    profile, rules = drawing.profile, drawing.rules
     if order.profile is not None:
-        profile = on_shelf("profiles", order.profile)
+        profile, rules = order.profile, rules_named(here, order.profile)
     overrides = here.store.drawing_column(drawing.id, "overrides")
     if order.overrides:
         edges = here.store.drawing_column(drawing.id, "edges")
@@ -69,6 +71,7 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
         overrides,
         order.machine,
         corners,
+        rules,
         limit=here.settings.limit,
     )
     if questions:
@@ -83,6 +86,7 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
         priority=order.priority,
         release=order.release,
         corners=corners,
+        rules=rules,
         key=key,
         fingerprint=request,
     )

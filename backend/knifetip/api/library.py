@@ -1,4 +1,4 @@
-"""library: the boards, profiles and tools that orders may name."""
+"""library: the boards and tools that orders may name."""
 
 from __future__ import annotations
 
@@ -10,8 +10,6 @@ from knifetip.api.schemas import (
     BoardOut,
     CalibrationIn,
     CalibrationOut,
-    ProfileOut,
-    RuleOut,
     StationTool,
 )
 from knifetip.api.service import on_shelf
@@ -62,23 +60,6 @@ def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
         residual=made.residual,
         toml=deflection.table(kept),
     )
-
-
-@router.get("/profiles")
-def list_profiles() -> list[ProfileOut]:
-    """List the classification profiles."""
-    return [get_profile(name) for name in load.names("profiles")]
-
-
-@router.get("/profiles/{name}")
-def get_profile(name: str) -> ProfileOut:
-    """Look at a classification profile: its rules, of which the first that matches decides."""
-    profile = load.profile(on_shelf("profiles", name))
-    rules = [
-        RuleOut.model_validate({"type": rule.line_type.word, "words": rule.words})
-        for rule in profile.rules
-    ]
-    return ProfileOut(name=profile.name, title=profile.title, rules=rules)
 
 
 @router.get("/tools")

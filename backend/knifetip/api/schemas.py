@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, StrictInt, StrictStr
 
 LineTypeWord = Literal[
     "unclassified", "cut", "crease", "v-groove", "perforation", "half-cut", "ignored", "combi"
 ]
-Unit = Literal["mm", "cm", "m", "in", "ft"]
+Unit = Literal["mm", "cm", "m", "in", "ft", "pt", "px"]
 JobState = Literal[
     "received",
     "compiling",
@@ -67,6 +67,7 @@ class LedgerRow(BaseModel):
     layer: str
     fate: Literal["kept", "merged", "dropped"]
     reason: str
+    theme: str = Field(default="", description="The reason without names and numbers")
     length: float
 
 
@@ -97,6 +98,93 @@ class LedgerOut(BaseModel):
     rows: list[LedgerRow] = Field(description="The first 2,000; all of them under …/ledger")
 
 
+class CleaningLengths(BaseModel):
+    """Lengths over all edges (mm): drawn = kept + merged + dropped, worked = kept + added."""
+
+    drawn: float
+    kept: float
+    merged: float
+    dropped: float
+    added: float
+    worked: float
+    no_work: float
+
+
+class CleaningCounts(BaseModel):
+    """How many edges have each fate."""
+
+    kept: int
+    merged: int
+    dropped: int
+
+
+class CleaningRow(BaseModel):
+    """What became of one edge that is not worked exactly as it was drawn."""
+
+    row: int
+    handle: str
+    fate: Literal["kept", "merged", "dropped"]
+    why: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"]
+    into: int = Field(description="Row of the edge that stands for its work, -1 for none")
+    kept: float
+    merged: float
+    dropped: float
+    added: float
+    moved: float
+    off: float
+    text: str
+
+
+class CleaningOut(BaseModel):
+    """The ledger of cleaning."""
+
+    lengths: CleaningLengths
+    edges: CleaningCounts
+    moved: float
+    off: float
+    rows: list[CleaningRow]
+
+
+class UnitEvidenceOut(BaseModel):
+    """Something that speaks for a unit."""
+
+    unit: Unit
+    text: str
+    weight: float = Field(description="Logarithm of how much likelier than in the worst unit")
+
+
+class UnitFindingOut(BaseModel):
+    """What the file says and shows of its unit."""
+
+    stated: Unit | Literal[""] = Field(description="By the file's header")
+    ranking: list[Unit] = Field(description="The likeliest first")
+    evidence: list[UnitEvidenceOut] = Field(description="The heaviest first")
+    warnings: list[str] = Field(description="What somebody should look at, whatever the unit")
+
+
+class ReportGroup(BaseModel):
+    """What became of edges or entities for one reason."""
+
+    fate: Literal["kept", "merged", "dropped"]
+    reason: str
+    what: Literal["edges", "entities"] = Field(
+        description="Edges have a place in the drawing; entities that are no lines have none"
+    )
+    kinds: list[str] = Field(description="Kinds of the entities, the most frequent first")
+    count: int
+    length: float
+
+
+class ReportOut(BaseModel):
+    """What became of all that was drawn: kept + merged + dropped = drawn (mm)."""
+
+    drawn: float
+    kept: float
+    merged: float
+    dropped: float
+    groups: list[ReportGroup]
+
+
 class DrawingOut(BaseModel):
     """A drawing that was read and classified."""
 
@@ -105,8 +193,13 @@ class DrawingOut(BaseModel):
     created: float
     sha256: str
     unit: Unit | None
+    unit_given: Unit | None = Field(description="By somebody; null for what the file says")
     evidence: str
+    unit_finding: UnitFindingOut | None = Field(default=None, description="As for report")
     profile: str
+    profile_state: Literal["current", "changed", "deleted"] = Field(
+        description="Whether the profile is still as it was when this was classified"
+    )
     segments: int
     bounds: tuple[float, float, float, float]
     width: float
@@ -116,6 +209,7 @@ class DrawingOut(BaseModel):
     questions: list[QuestionOut]
     overrides: int
     ledger: LedgerOut
+    report: ReportOut | None = Field(default=None, description="None of an older knifetip")
 
 
 class DrawingSummary(BaseModel):
@@ -142,6 +236,9 @@ class EdgeOut(BaseModel):
     type: LineTypeWord
     rule: str
     confidence: float
+    alternatives: list[LineTypeWord] = Field(description="What else it could be, likeliest first")
+    fate: Literal["kept", "merged", "dropped"]
+    reason: str = Field(description="Why it was merged or dropped")
     length: float
     start: tuple[float, float]
     end: tuple[float, float]
@@ -176,8 +273,12 @@ class EdgesPatch(Strict):
 class DrawingPatch(Strict):
     """What somebody decided about a drawing."""
 
-    unit: Unit | None = None
-    profile: Name | None = None
+    unit: Unit | Literal["file"] | None = Field(
+        default=None, description='"file" takes back what somebody said: as the file has it'
+    )
+    profile: Name | None = Field(
+        default=None, description="The same one again brings it up to date where it has changed"
+    )
 
 
 CornerType = Literal["auto", "B", "C", "D"]
@@ -415,11 +516,47 @@ class CalibrationOut(BaseModel):
     toml: str
 
 
+Patterns = Annotated[list[str], Field(max_length=500)]
+Colours = Annotated[
+    list[StrictInt | StrictStr], Field(max_length=500, description='AutoCAD indices, or "#rrggbb"')
+]
+
+
+class RuleIn(Strict):
+    """One rule: an edge that meets every condition has the type.
+
+    Patterns are shell globs, compared without regard to case; an empty list is no condition.
+    """
+
+    type: LineTypeWord
+    layer: Patterns = []
+    colour: Colours = []
+    linetype: Patterns = []
+    entity: Patterns = []
+    block: Patterns = []
+
+
+class ProfileIn(Strict):
+    """A customer's profile: the first rule that an edge meets decides."""
+
+    title: Name
+    extends: Name | None = Field(default=None, description="A shipped profile, whose rules are met")
+    overrules: bool = Field(default=True, description="These rules before those that it extends")
+    rules: list[RuleIn] = Field(max_length=500)
+    version: Count | None = Field(default=None, description="That was looked at; or send If-Match")
+
+
 class RuleOut(BaseModel):
     """One rule of a profile."""
 
     type: LineTypeWord
     words: str
+    layer: list[str] = []
+    colour: list[int | str] = []
+    linetype: list[str] = []
+    entity: list[str] = []
+    block: list[str] = []
+    inherited: bool = Field(default=False, description="From the profile that this one extends")
 
 
 class ProfileOut(BaseModel):
@@ -427,7 +564,45 @@ class ProfileOut(BaseModel):
 
     name: str
     title: str
+    shipped: bool = Field(default=False, description="With knifetip: read it, do not change it")
+    extends: str | None = None
+    overrules: bool = False
+    version: int = Field(default=0, description="Counts the changes; 0 of those that are shipped")
+    updated: float = 0.0
     rules: list[RuleOut]
+    fault: str = Field(default="", description="Why it cannot be used any more")
+
+
+class ChangeOut(BaseModel):
+    """Edges that would be something else."""
+
+    before: LineTypeWord
+    after: LineTypeWord
+    edges: list[int]
+
+
+class PreviewRule(RuleOut):
+    """One rule, and what it takes of a drawing."""
+
+    edges: int
+    length: float
+
+
+class PreviewOut(BaseModel):
+    """What a profile would do to a drawing."""
+
+    rules: list[PreviewRule]
+    open: int = Field(description="Edges that no rule takes")
+    changes: list[ChangeOut]
+
+
+class ProposalOut(BaseModel):
+    """A rule that would have said what somebody corrected."""
+
+    rule: RuleOut
+    explains: list[int] = Field(description="Corrected edges that it covers")
+    sure: bool = Field(description="It changes no edge that was decided")
+    changes: list[ChangeOut] = Field(description="What else would become something else")
 
 
 class StationTool(ToolOut):

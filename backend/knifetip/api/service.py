@@ -92,6 +92,26 @@ def on_shelf(shelf: str, name: str) -> str:
     return name
 
 
+def rules_named(here: Service, name: str) -> str:
+    """Return the TOML of a customer's profile; empty for one that is shipped.
+
+    Raises
+    ------
+    LibraryError
+        There is none of that name.
+    """
+    row = here.store.profile(name)
+    if row is not None:
+        return row.text
+    known = load.names("profiles")
+    if name not in known:
+        known = [*(row.name for row in here.store.profiles()), *known]
+        raise LibraryError(
+            f"There is no profile {name[:80]!r}.", f"There are {', '.join(known[:40])}."
+        )
+    return ""
+
+
 def next_page(response: Response, path: str, cursor: int | None, limit: int) -> None:
     """Name the next page of a list in its Link header, if there is one."""
     if cursor is not None:

@@ -1,23 +1,32 @@
-"""classify: what is to be done along each edge, and which rule of the profile says so.
+"""classify: what is to be done along each edge, and what says so.
 
-    Drawing, LineRules -> Dieline            the first rule that matches decides
+    Drawing, LineRules -> Dieline            rules first, then shape, then what they say together
     Dieline, overrides -> Dieline            what somebody said comes last
     Drawing, Dieline   -> list[Question]     what nobody has said yet
 
-A drawing of 100,000 edges has a few dozen combinations of layer, colour, linetype and kind of
-entity: the rules look at those, and the edges take what their combination got.  What no rule
-matches stays unclassified and becomes a question; nothing is cut by default.
+The profile's rules, the shape of the net, the words in layers' names and the colour conventions of
+other houses are weighed in ``fusion``.  What is not sure stays unclassified and becomes a question;
+nothing is cut by default.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from knifetip.classification import rules as matching
-from knifetip.geometry.columns import F64, I32, I64, U8
+from knifetip.classification.apart import parting
+from knifetip.classification.conventions import fitting
+from knifetip.classification.evidence import Role, Shape, shape
+from knifetip.classification.fusion import Judge, Verdict
+from knifetip.classification.mirror import contradicted
+from knifetip.classification.rules import BY_LAYER, Matches, Styles
+from knifetip.classification.words import hint
+from knifetip.geometry.columns import F64, I64, U8
+from knifetip.geometry.distinct import distinct
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
 from knifetip.model.profile import LineRules
@@ -26,66 +35,14 @@ from knifetip.model.question import Question
 #: In a column of overrides: leave this edge as the profile has it.
 KEEP = 255
 
-#: True colours that are colours of AutoCAD's index.  Any other has no index: a rule that says
-#: "colour 1" does not mean an edge that looks orange, whatever index was written beside it.
-_INDEX_OF = {
-    0xFF0000: 1,
-    0xFFFF00: 2,
-    0x00FF00: 3,
-    0x00FFFF: 4,
-    0x0000FF: 5,
-    0xFF00FF: 6,
-    0xFFFFFF: 7,
-    0x000000: 7,
-}
-
-#: Parts of layer names that make an answer plausible.  They only order the choices of a question.
-_HINTS: tuple[tuple[LineType, tuple[str, ...]], ...] = (
-    (
-        LineType.IGNORED,
-        ("dim", "text", "note", "label", "info", "mark", "frame", "title", "grav", "etch", "axis"),
-    ),
-    (LineType.HALF_CUT, ("half", "kiss", "partial")),
-    (LineType.COMBI, ("comb", "perfo-r")),
-    (LineType.PERFORATION, ("perf",)),
-    (LineType.V_GROOVE, ("groove", "v-cut", "vcut", "v_cut", "v-nut")),
-    (LineType.CREASE, ("creas", "fold", "score", "bend", "ril", "rain", "pilyaj", "hinge", "falt")),
-    (LineType.CUT, ("cut", "outline", "contour", "kontur", "knife", "schnitt", "stanz", "outer")),
-)
 _BROKEN = ("dash", "hidden", "dot", "strich")
 _AXES = ("center", "centre", "phantom", "mitte")
+#: Flags of a cell beside its style and role.
+_MIXED, _TEXT, _FLAGS = 1, 2, 4
 
 
-def _coded(*columns: I32) -> tuple[I64, I64, I64]:
-    """Return the first row of each distinct combination, each row's combination, and the counts."""
-    code = np.zeros(len(columns[0]), np.int64)
-    for column in columns:
-        # Numbered anew after each column, so that the product never outgrows 64 bits.
-        values, number = np.unique(column, return_inverse=True)
-        _, code = np.unique(code * len(values) + number, return_inverse=True)
-    _, first, combination, count = np.unique(
-        code, return_index=True, return_inverse=True, return_counts=True
-    )
-    return first, combination, count
-
-
-def _indices(drawing: Drawing) -> I32:
-    """Return the colour index that rules compare, (n,): 0 for a true colour that has none."""
-    true = drawing.true_colour
-    values, number = np.unique(true, return_inverse=True)
-    index = np.array([_INDEX_OF.get(value, 0) for value in values.tolist()], np.int32)
-    return np.where(true < 0, drawing.colour, index[number])
-
-
-def _kinds(drawing: Drawing) -> tuple[list[str], I32]:
-    """Return the kinds of entity and, for each edge, which it came from, (n,)."""
-    number: dict[str, int] = {}
-    codes = [number.setdefault(kind, len(number)) for kind in drawing.ledger.kind]
-    return list(number), np.array(codes, np.int32)[drawing.entity]
-
-
-def classify(drawing: Drawing, rules: LineRules) -> Dieline:
-    """Return the dieline: every edge of the drawing with the line type of the first rule it meets.
+def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules] = ()) -> Dieline:
+    """Return the dieline: every edge of the drawing with its line type, and why.
 
     Parameters
     ----------
@@ -93,50 +50,115 @@ def classify(drawing: Drawing, rules: LineRules) -> Dieline:
         n edges.
     rules
         The customer's profile.
+    conventions
+        Colours of other houses, to be tried where the profile says nothing.
 
     Returns
     -------
     Dieline
-        n edges, row i that of the drawing.  ``rules`` holds the words of each rule that decided,
-        with only the pattern that matched: ``profile default: layer "FOLDS"``.  Confidence is 1
-        for a rule on layer and colour, 0.95 on a layer, 0.8 on colour or linetype, 0 for none.
+        n edges, row i that of the drawing.  ``rules`` holds the words of what decided, with only
+        the pattern that matched: ``profile default: layer "FOLDS"``.  Confidence is 1 for a rule
+        on layer and colour, 0.95 on a layer, 0.8 on colour or linetype, what the evidence is worth
+        where no rule speaks, 0 for nothing at all.  An edge that is asked is unclassified; its
+        confidence is that of the first of its rule's ``alternatives``, the best guess.
     """
-    index = _indices(drawing)
-    kinds, kind = _kinds(drawing)
-    first, combination, _ = _coded(drawing.layer, index, drawing.linetype, kind)
-    layer, colour = drawing.layer[first], index[first]
-    linetype, entity = drawing.linetype[first], kind[first]
-
-    words: dict[str, int] = {f"no rule of profile {rules.name}": 0}
+    styles = matching.styles(drawing)
+    matches = matching.match(styles, rules)
+    seen = _evidence(drawing, styles, matches)
+    roles = len(Role)
+    cell = styles.of * roles + seen.role
+    size = len(styles) * roles
+    lengths = drawing.lengths
+    length = _summed(cell, lengths, size).reshape(-1, roles)
+    count = np.bincount(cell, minlength=size).reshape(-1, roles)
+    fits = fitting(styles, matches.rule < 0, length, count, conventions)
+    divides = np.where(seen.role == Role.DIVIDER, lengths, 0.0)
+    dashes = _summed(styles.of, divides * seen.dashed, len(styles))
+    pairs = _summed(styles.of, divides * seen.paired, len(styles))
+    judge = Judge.of(styles, rules, matches, length, fits, dashes, pairs)
+    cell = cell * _FLAGS
+    # Two thirds of an edge in one role leave a third in another.
+    cell += _MIXED * ((seen.sure < 0.7) & (seen.role != Role.UNKNOWN))
+    cell += _TEXT * (seen.annotated & (seen.role == Role.STRAY))
+    first, number = distinct(cell)
+    verdicts = [_verdict(judge, key) for key in cell[first].tolist()]
+    words: dict[tuple[str, tuple[LineType, ...]], int] = {}
     line_type = np.full(len(first), LineType.UNCLASSIFIED, np.uint8)
     word = np.zeros(len(first), np.int32)
-    trust = np.zeros(len(first))
-    open_ = np.ones(len(first), bool)
-    for rule in rules.rules:
-        by_layer = matching.matched(rule.layer, drawing.layers)[layer]
-        by_linetype = matching.matched(rule.linetype, drawing.linetypes)[linetype]
-        by_entity = matching.matched(rule.entity, kinds)[entity]
-        hit = open_ & (by_layer >= 0) & (by_linetype >= 0) & (by_entity >= 0)
-        if rule.colour:
-            hit &= np.isin(colour, rule.colour)
-        for row in np.flatnonzero(hit):
-            told = matching.narrowed(
-                rule, by_layer[row], int(colour[row]), by_linetype[row], by_entity[row]
-            )
-            text = f"profile {rules.name}: {told.words}"
-            word[row] = words.setdefault(text, len(words))
-        line_type[hit] = rule.line_type
-        trust[hit] = 0.0 if rule.line_type == LineType.UNCLASSIFIED else matching.confidence(rule)
-        open_ &= ~hit
+    for row, verdict in enumerate(verdicts):
+        others = verdict.others
+        if verdict.asked and verdict.kind != LineType.UNCLASSIFIED:
+            others = (verdict.kind, *others)
+        elif not verdict.asked:
+            line_type[row] = verdict.kind
+        word[row] = words.setdefault((verdict.words, others), len(words))
+    texts = [text for text, _ in words]
+    others_of = [others for _, others in words]
+    kinds, rule = line_type[number], word[number]
+    sure = np.array([verdict.sure for verdict in verdicts])[number]
+    against = contradicted(drawing.ends, seen, kinds, lengths)
+    off = parting(seen, kinds)
+    for row in np.flatnonzero(against | off).tolist():
+        kind, before = LineType(int(kinds[row])), int(rule[row])
+        if off[row]:
+            why, other = "it would cut a panel off its blank", LineType.CREASE
+        elif kind == LineType.CUT:
+            why, other = "its mirror image is folded", LineType.CREASE
+        else:
+            why, other = "its mirror image is cut", LineType.CUT
+        key = (f"{texts[before]}; but {why}", (kind, other))
+        if key not in words:
+            words[key] = len(words)
+            texts.append(key[0])
+            others_of.append(key[1])
+        kinds[row], rule[row], sure[row] = LineType.UNCLASSIFIED, words[key], 0.5
     return Dieline(
         drawing.ends,
         drawing.bulge,
-        line_type[combination],
+        kinds,
         np.arange(len(drawing), dtype=np.int32),
-        word[combination],
-        trust[combination],
-        tuple(words),
+        rule,
+        sure,
+        tuple(texts),
+        tuple(others_of),
     )
+
+
+def _summed(number: I64, length: F64, size: int) -> F64:
+    return np.asarray(np.bincount(number, length, size), np.float64)
+
+
+def _evidence(drawing: Drawing, styles: Styles, matches: Matches) -> Shape:
+    """Return what shape tells of the edges that are not said to be something beside the carton."""
+    aside = (matches.line_type == LineType.IGNORED) & (matches.confidence >= BY_LAYER)
+    rows = np.flatnonzero(~aside[styles.of])
+    seen = shape(drawing.ends[rows], drawing.bulge[rows], drawing.inscriptions, bool(drawing.unit))
+    if len(rows) == len(drawing):
+        return seen
+    columns: list[Any] = []
+    own = (seen.role, seen.sure, seen.paired, seen.dashed, seen.annotated, seen.part, seen.sides)
+    for column in own:
+        form = (len(drawing), *column.shape[1:])
+        whole = np.full(form, -1 if column is seen.part else 0, column.dtype)
+        whole[rows] = column
+        columns.append(whole)
+    columns.append(seen.area)
+    return Shape(seen.tangled, *columns)
+
+
+def _verdict(judge: Judge, cell: int) -> Verdict:
+    key, flags = divmod(cell, _FLAGS)
+    style, role = divmod(key, len(Role))
+    verdict = judge.verdict(style, Role(role))
+    if judge.matches.rule[style] >= 0:
+        return verdict
+    if flags & _TEXT and verdict.kind == LineType.IGNORED:
+        text = f"{verdict.words}, with a text beside it"
+        verdict = replace(verdict, sure=1.0 - 0.4 * (1.0 - verdict.sure), words=text)
+    if flags & _MIXED:
+        text = f"{verdict.words}, with the greater part of its length"
+        verdict = replace(verdict, sure=min(verdict.sure, 0.7), words=text)
+    return verdict
 
 
 def overridden(dieline: Dieline, line_type: U8) -> Dieline:
@@ -174,7 +196,7 @@ def overridden(dieline: Dieline, line_type: U8) -> Dieline:
 
 
 def questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
-    """Return one question for each layer, colour and linetype that nobody has classified.
+    """Return one question for each layer, colour, linetype and role that is not decided.
 
     Parameters
     ----------
@@ -190,15 +212,18 @@ def questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
     if len(rows) == 0:
         return []
-    columns = (drawing.layer, drawing.colour, drawing.true_colour, drawing.linetype)
-    first, combination, count = _coded(*(column[rows] for column in columns))
+    columns = (drawing.layer, drawing.colour, drawing.true_colour, drawing.linetype, dieline.rule)
+    first, combination = distinct(*(column[rows] for column in columns))
+    count = np.bincount(combination)
     groups = np.split(rows[np.argsort(combination, kind="stable")], np.cumsum(count)[:-1])
     lengths = drawing.lengths
     whole = drawing.bounds
-    return [_question(drawing, groups[number], lengths, whole) for number in np.argsort(first)]
+    return [
+        _question(drawing, dieline, groups[number], lengths, whole) for number in range(len(first))
+    ]
 
 
-def _question(drawing: Drawing, rows: I64, lengths: F64, whole: F64) -> Question:
+def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, whole: F64) -> Question:
     example = rows[0]
     layer = drawing.layers[drawing.layer[example]]
     linetype = drawing.linetypes[drawing.linetype[example]]
@@ -214,8 +239,16 @@ def _question(drawing: Drawing, rows: I64, lengths: F64, whole: F64) -> Question
         f"{width:,.1f} × {height:,.1f} {unit} at ({box[0]:,.1f}, {box[1]:,.1f}): "
         f"what {'are they' if len(rows) != 1 else 'is it'}?"
     )
+    rule = int(dieline.rule[example])
+    guesses = dieline.alternatives[rule]
+    if not guesses and "; shape: " in dieline.rules[rule]:
+        text += f" By its {dieline.rules[rule].partition('; ')[2]}."
+    if guesses:
+        sure = round(100.0 * float(dieline.confidence[example]))
+        text += f" Most likely {guesses[0].word} ({sure} %): {dieline.rules[rule]}."
     reach = box[2:] - box[:2] >= 0.99 * (whole[2:] - whole[:2])
-    likely = _likely(layer, linetype, bool(reach.all()), bool((drawing.bulge[rows] == 0).all()))
+    straight = bool((drawing.bulge[rows] == 0).all())
+    likely = dict.fromkeys((*guesses, *_likely(layer, linetype, bool(reach.all()), straight)))
     others = [kind for kind in LineType if kind not in (LineType.UNCLASSIFIED, *likely)]
     choices = tuple(kind.word for kind in (*likely, *others))
     return Question("line-type", text, choices, tuple(rows.tolist()), layer, colour)
@@ -228,13 +261,14 @@ def _shown(name: str) -> str:
 
 
 def _likely(layer: str, linetype: str, reaches: bool, straight: bool) -> Sequence[LineType]:
-    """Return plausible answers, best first, without repeats.
+    """Return plausible answers, best first, without repeats, where shape gives none.
 
-    A name says more than a line style, and that more than the shape: what spans the whole drawing
+    A name says more than a line style, and that more than the place: what spans the whole drawing
     is its outline, straight lines inside it are folds, arcs inside it are holes.
     """
-    name, style = matching.folded(layer), matching.folded(linetype)
-    guesses = [kind for kind, parts in _HINTS if any(part in name for part in parts)]
+    style = matching.folded(linetype)
+    named = hint(layer).kind
+    guesses = [] if named is None else [named]
     if any(part in style for part in _AXES):
         guesses.append(LineType.IGNORED)
     elif any(part in style for part in _BROKEN):

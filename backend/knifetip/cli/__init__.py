@@ -1,6 +1,6 @@
 """knifetip on the command line.
 
-    knifetip read | classify | program | verify | machine | calibrate | samples
+    knifetip read | classify | program | verify | profile | machine | calibrate | samples
     knifetip serve | worker | gateway | simulator
 
 Exit codes: 0 done; 1 the program was refused; 2 questions are open, or the command line is wrong;

@@ -1,4 +1,4 @@
-"""knifetip read, classify and samples: what is in a drawing."""
+"""knifetip read, classify, clean and samples: what is in a drawing."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ import numpy as np
 import typer
 
 from knifetip import pipeline
-from knifetip.cli.terminal import ask, read_bytes, show, write_bytes
+from knifetip.cli.rules import named
+from knifetip.cli.terminal import QUESTIONS, ask, read_bytes, show, write_bytes
 from knifetip.dxf.samples import samples
 from knifetip.errors import LibraryError
-from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
 
-DrawingFile = Annotated[Path, typer.Argument(metavar="FILE", help="A DXF drawing.")]
+DrawingFile = Annotated[Path, typer.Argument(metavar="FILE", help="A drawing: DXF, CF2 or SVG.")]
 Unit = Annotated[
-    str | None, typer.Option(help="mm, cm, m, in or ft, whatever the file says of it.")
+    str | None, typer.Option(help="mm, cm, m, in, ft, pt or px, whatever the file says of it.")
 ]
 Profile = Annotated[str, typer.Option(help="Classification profile, or a TOML file of one.")]
 Layers = Annotated[
@@ -70,16 +70,23 @@ def load_drawing(file: Path, unit: str | None, profile: str, layers: list[str] |
                 f"There are {', '.join(repr(layer) for layer in drawing.layers)}.",
             )
         overrides[np.isin(drawing.layer, rows)] = kind
-    return Read(data, drawing, pipeline.dieline(drawing, load.profile(profile), overrides))
+    return Read(data, drawing, pipeline.dieline(drawing, named(profile), overrides))
 
 
 def described(name: str, drawing: Drawing) -> dict[str, Any]:
     """Return a drawing's unit, size and layers as plain data."""
     low_x, low_y, high_x, high_y = (float(value) for value in drawing.bounds)
+    found = pipeline.unit_finding(drawing)
     return {
         "name": name,
         "unit": drawing.unit or None,
+        "stated": drawing.stated or None,
         "evidence": drawing.evidence,
+        "unit_evidence": [
+            {"unit": one.unit, "text": one.text, "weight": one.weight} for one in found.evidence
+        ],
+        "unit_ranking": list(found.ranking),
+        "warnings": list(found.warnings),
         "size": [high_x - low_x, high_y - low_y],
         "bounds": [low_x, low_y, high_x, high_y],
         "segments": len(drawing),
@@ -139,6 +146,10 @@ def register(app: typer.Typer) -> None:
             show({"drawing": about, "ledger": rows})
             return
         typer.echo(f"{file.name}: {_size(about)}, {len(drawing)} segments; {drawing.evidence}")
+        for text in about["warnings"]:
+            typer.echo(f"  ! {text}")
+        for text in _spoken(about):
+            typer.echo(f"  {text}")
         for row in rows:
             typer.echo(
                 f"  {row['fate']:8} {row['kind']:12} {row['handle']:>8} "
@@ -176,6 +187,38 @@ def register(app: typer.Typer) -> None:
                 typer.echo(f"  {kind.word:12} {int(chosen.sum()):6} edges {length:12.1f} mm")
         ask(asked)
 
+    @app.command()
+    def clean(
+        file: DrawingFile,
+        profile: Profile = "default",
+        layer: Layers = None,
+        unit: Unit = None,
+        json: Json = False,
+    ) -> None:
+        """Say what is put in order before a drawing is made: of each edge, what became of it."""
+        result = load_drawing(file, unit, profile, layer)
+        if not result.drawing.unit:
+            ask(result.questions())
+            raise typer.Exit(QUESTIONS)
+        tidy = pipeline.clean(result.dieline)
+        about = described(file.name, result.drawing)
+        if json:
+            show({"drawing": about, "cleaning": tidy.as_json(result.drawing.handles)})
+            return
+        lengths = tidy.lengths
+        typer.echo(f"{file.name}: {_size(about)}, {len(result.drawing)} edges")
+        typer.echo(
+            f"  drawn {lengths['drawn']:.3f} mm = kept {lengths['kept']:.3f} "
+            f"+ merged {lengths['merged']:.3f} + dropped {lengths['dropped']:.3f}"
+        )
+        typer.echo(
+            f"  worked {lengths['worked']:.3f} mm = kept {lengths['kept']:.3f} "
+            f"+ added by closing gaps {lengths['added']:.3f}"
+        )
+        handles = result.drawing.handles
+        for row in np.flatnonzero(tidy.changed).tolist():
+            typer.echo(f"  {handles[row]:>8} edge {row}: {tidy.words(row)}")
+
     @app.command("samples")
     def write_samples(
         folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where to write them.")],
@@ -184,6 +227,16 @@ def register(app: typer.Typer) -> None:
         for name, data in samples().items():
             write_bytes(folder / name, data)
             typer.echo(str(folder / name))
+
+
+def _spoken(about: dict[str, Any]) -> list[str]:
+    """Return the evidence for the two likeliest units, the heaviest first."""
+    return [
+        f"{one['unit']:3} {one['weight']:5.1f}  {one['text']}"
+        for unit in about["unit_ranking"][:2]
+        for one in about["unit_evidence"]
+        if one["unit"] == unit
+    ]
 
 
 def _size(about: dict[str, Any]) -> str:

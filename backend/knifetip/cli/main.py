@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from knifetip.cli import calibrate, drawing, machine, program, service
+from knifetip.cli import calibrate, drawing, machine, profile, program, service
 from knifetip.cli.terminal import UNUSABLE, say
 from knifetip.errors import KnifetipError
 
@@ -18,7 +18,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for _commands in (drawing, program, machine, calibrate, service):
+for _commands in (drawing, program, profile, machine, calibrate, service):
     _commands.register(app)
 
 

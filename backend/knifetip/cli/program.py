@@ -103,6 +103,7 @@ _COLUMNS = (
     "unreached",
     "bottom_uncut",
     "top_overcut",
+    "tidied",
 )
 
 

@@ -56,6 +56,7 @@ class Census:
     blocks: dict[str, CountedBlock] = field(default_factory=dict)  #: by name in lower case
     encoding: str = "cp1252"
     markers: bool = False  #: entities have subclass markers, which R12 does not know
+    unmarked: bool = False  #: an entity has none
     open_section: str = ""  #: the section that the file stops in, empty if all are closed
     ended: bool = False  #: the file has its end mark, EOF
     broken: int = 0  #: the line at which the file stops being a DXF, 0 if it does not
@@ -101,6 +102,7 @@ def census(data: bytes) -> Census:
             break
         elif section in ("ENTITIES", "BLOCKS") and kind not in _PARTS:
             handle, layer, name, paper = "", "0", "", False
+            marked = False
             for tag in range(row + 1, after):
                 code = codes[tag]
                 if code == 5 and not handle:
@@ -112,7 +114,9 @@ def census(data: bytes) -> Census:
                 elif code == 67:
                     paper = text(values[tag]) == "1"
                 elif code == 100:
-                    result.markers = True
+                    marked = True
+            result.markers |= marked
+            result.unmarked |= not marked
             words = None
             if kind in WORDS:
                 tags = zip(codes[row + 1 : after], values[row + 1 : after], strict=True)

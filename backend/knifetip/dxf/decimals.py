@@ -5,7 +5,7 @@
 A decimal of up to 19 digits is w · 10^q with w < 2^64.  Where w < 2^53 and |q| ≤ 22 both factors
 are exact, and one multiplication or division rounds once.  Otherwise w is multiplied by a 128-bit
 approximation of 10^q, which decides the rounding unless the product lies on the edge between two
-doubles: those, and numbers of more digits, are left to ``float``.
+doubles: those are left to ``float``, and numbers of more digits whose first 19 do not decide.
 
 Source: Clinger, "How to read floating point numbers accurately" (1990), for the exact case;
 Lemire, "Number parsing at a gigabyte per second" (2021), for the other.
@@ -25,6 +25,8 @@ EXACT: Final = 0
 UNSURE: Final = 1
 WRONG: Final = 2
 
+#: As many digits as a word of 64 bits holds.
+_DIGITS: Final = 19
 #: Powers of ten that a double holds exactly.
 _EXACT_POWERS: Final[F64] = np.array([10.0**power for power in range(23)])
 _LEAST: Final = -290
@@ -137,10 +139,14 @@ def number(data: Any, at: int, last: int) -> tuple[float, int, int]:
     ten = np.uint64(10)
     digits = 0
     any_ = False
+    more = False  # digits behind the nineteenth that are not 0
     q = 0
     while at < last and 48 <= data[at] <= 57:
         any_ = True
-        if digits > 0 or data[at] != 48:
+        if digits == _DIGITS:
+            more = more or data[at] != 48
+            q += 1
+        elif digits > 0 or data[at] != 48:
             digits += 1
             w = w * ten + np.uint64(data[at] - 48)
         at += 1
@@ -148,10 +154,13 @@ def number(data: Any, at: int, last: int) -> tuple[float, int, int]:
         at += 1
         while at < last and 48 <= data[at] <= 57:
             any_ = True
-            if digits > 0 or data[at] != 48:
-                digits += 1
-                w = w * ten + np.uint64(data[at] - 48)
-            q -= 1
+            if digits == _DIGITS:
+                more = more or data[at] != 48
+            else:
+                if digits > 0 or data[at] != 48:
+                    digits += 1
+                    w = w * ten + np.uint64(data[at] - 48)
+                q -= 1
             at += 1
     if not any_:
         return 0.0, at, WRONG
@@ -174,11 +183,19 @@ def number(data: Any, at: int, last: int) -> tuple[float, int, int]:
         at += 1
     if at < last and data[at] != 10 and data[at] != 13:
         return 0.0, at, WRONG
-    if digits > 19:
-        return 0.0, at, UNSURE
     sign = -1.0 if negative else 1.0
     if w == 0:
         return 0.0 * sign, at, EXACT
+    if more:
+        # The number lies between w and w + 1: where both round to one double, so does it.
+        value, sure = _rounded(w, q)
+        other, also = _rounded(w + np.uint64(1), q)
+        if sure != EXACT or also != EXACT or value != other:
+            return 0.0, at, UNSURE
+        return sign * value, at, EXACT
+    while (w >> np.uint64(53)) > 0 and w % ten == 0:
+        w //= ten
+        q += 1
     if (w >> np.uint64(53)) == 0 and -22 <= q <= 22:
         value = float(np.int64(w))
         value = value / _EXACT_POWERS[-q] if q < 0 else value * _EXACT_POWERS[q]

@@ -275,7 +275,16 @@ def _ellipse(entity: DXFGraphic) -> Drawn:
     return Drawn(Ellipse(np.array([centre.x, centre.y]), u, v, first, first + sweep), notes)
 
 
+#: A curve through points solves equations for all of them at once: time and memory of its square.
+_MOST_FIT_POINTS: Final = 1000
+
+
 def _spline(entity: Any) -> Drawn:
+    if not entity.control_point_count() and entity.fit_point_count() > _MOST_FIT_POINTS:
+        raise Undrawable(
+            f"it goes through {entity.fit_point_count():,} points; the limit is "
+            f"{_MOST_FIT_POINTS:,}"
+        )
     curve = entity.construction_tool()
     control = curve.control_points
     notes = flat(point.z for point in control)

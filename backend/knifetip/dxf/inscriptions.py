@@ -64,8 +64,12 @@ def inscription(
         written = "" if written.strip() == "<>" else written
     if kind in ("MTEXT", "DIMENSION"):
         written = _CODE.sub(_decoded, written)
-    words = spelled(_SIGN.sub(lambda found: _SIGNS.get(found[1].lower(), ""), written)).strip()
-    return Inscription(words, _or_zero(x), _or_zero(y), _or_zero(height), measure, kind, layer)
+    if "%%" in written:
+        written = _SIGN.sub(lambda found: _SIGNS.get(found[1].lower(), ""), written)
+    words = spelled(written) if "\\" in written else written
+    return Inscription(
+        words.strip(), _or_zero(x), _or_zero(y), _or_zero(height), measure, kind, layer
+    )
 
 
 def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str) -> Inscription:
@@ -92,6 +96,13 @@ def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: st
             type_ = int(number) if math.isfinite(number) else 0
         seen.add(code)
     return inscription(kind, layer, "".join(text), numbers.values(), type_)
+
+
+def of_lines(kind: str, layer: str, data: bytes, encoding: str) -> Inscription:
+    """Return the words of an entity from its lines."""
+    lines = data.split(b"\n")
+    codes = map(int, lines[0:-1:2])
+    return of_tags(kind, layer, zip(codes, lines[1::2], strict=True), encoding)
 
 
 def _decoded(found: re.Match[str]) -> str:

@@ -7,39 +7,49 @@ becomes a piece of an ellipse.  Ellipses and splines are fitted here, once for a
 differ only by a shift.
 
 The tolerance of the fit is ``tolerance.CURVE`` mm.  While the unit is unknown it is a share of the
-drawing's diagonal: 1 / 250,000 of it, which is 0.01 mm or less in every unit in which the drawing
-is smaller than 2.5 m.
+drawing's diagonal, that of its ends and curves: 1 / 250,000 of it, which is 0.01 mm or less in
+every unit in which the drawing is smaller than 2.5 m.
 """
 
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
 
 from knifetip.dxf.entities import Lines, Shape
-from knifetip.dxf.expand import ON_SHEET, Placed
 from knifetip.dxf.shapes import moved
+from knifetip.dxf.walk import ON_SHEET, Placed
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.curve import Ellipse, Segments, Spline
+from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE, CURVE
-from knifetip.intake.columns import Columns
+from knifetip.intake.columns import Columns, Style
 from knifetip.intake.limits import REACH, Limits
 from knifetip.intake.sheet import Sheet
 
 _SHARE: Final = 1.0 / 250_000.0
 
 
-def columns(sheet: Sheet, shapes: list[Placed], scale: float, limits: Limits) -> Columns:
+def columns(
+    sheet: Sheet,
+    shapes: list[Placed],
+    scale: float,
+    limits: Limits,
+    others: F64 | None = None,
+) -> Columns:
     """Return all placed shapes as segments; entities that cannot be placed get their reason.
 
     Parameters
     ----------
     scale
         Millimetres to a file unit, 0 while it is unknown.
+    others : (m, 2, 2), optional
+        Ends of segments that are placed already, file units.
 
     Returns
     -------
@@ -54,53 +64,76 @@ def columns(sheet: Sheet, shapes: list[Placed], scale: float, limits: Limits) ->
     until = time.monotonic() + limits.seconds
     reach = REACH / (scale or 1.0)
     near = [_reach(placed) for placed in shapes]
-    tolerance = CURVE / scale if scale else _relative(near, reach)
-    parts: list[tuple[F64, F64]] = []
-    count = np.zeros(len(shapes), dtype=np.int64)
-    total = 0
+    parts: dict[int, tuple[F64, F64]] = {}
+    curved: list[int] = []
+    total = 0 if others is None else len(others)
+    boxes = [] if others is None or not len(others) else [_box(others)]
     for number, (placed, (low, high)) in enumerate(zip(shapes, near, strict=True)):
-        if time.monotonic() > until:
-            raise DrawingTooLarge(
-                f"The drawing takes longer than {limits.seconds:g} s to read.",
-                "Export a single carton, and curves as lines and arcs.",
-            )
         farthest = float(np.abs([low, high]).max())
         if not farthest <= reach:
             where = f"{farthest:g}" if np.isfinite(farthest) else "not a number"
             sheet.dropped[placed.row] = f"a coordinate is {where}; the limit is {reach:g}"
             continue
-        rows = len(placed.linear)
         if isinstance(placed.shape, Lines):
-            total += rows * len(placed.shape.bulge)
-            _refuse_beyond(total, limits)
+            total += len(placed.linear) * len(placed.shape.bulge)
+            refuse_beyond(total, limits)
+        if (done := _moved(placed)) is None:
+            curved.append(number)
+            boxes.append((low, high))
+        else:
+            parts[number] = done
+            boxes.append(_box(done[0]))
+    tolerance = CURVE / scale if scale else _relative(boxes)
+    share = "" if scale else " (1/250,000 of the drawing)"
+    for number in curved:
+        placed = shapes[number]
+        refuse_after(until, limits)
         try:
-            ends, bulge, curved = _realised(placed, tolerance)
+            ends, bulge = _realised(placed, tolerance)
         except GeometryError as reason:
             sheet.dropped[placed.row] = reason.message
             continue
-        if curved:
-            share = "" if scale else " (1/250,000 of the drawing)"
-            sheet.notes.setdefault(placed.row, []).append(
-                f"fitted with {len(bulge)} lines and arcs within {tolerance:.2g} file units{share}"
-            )
+        sheet.notes.setdefault(placed.row, []).append(
+            f"fitted with {len(bulge)} lines and arcs within {tolerance:.2g} file units{share}"
+        )
         if not isinstance(placed.shape, Lines):
             total += len(bulge)
-            _refuse_beyond(total, limits)
-        parts.append((ends, bulge))
+            refuse_beyond(total, limits)
+        parts[number] = ends, bulge
+    count = np.zeros(len(shapes), dtype=np.int64)
+    for number, (_, bulge) in parts.items():
         count[number] = len(bulge)
     which = np.repeat(np.arange(len(count), dtype=np.int32), count)
     rows_of = np.array([placed.row for placed in shapes], dtype=np.int32)
     if not parts:
         return Columns(np.zeros((0, 2, 2)), np.zeros(0), which, which)
+    order = sorted(parts)
     return Columns(
-        np.concatenate([ends for ends, _ in parts]),
-        np.concatenate([bulge for _, bulge in parts]),
+        np.concatenate([parts[number][0] for number in order]),
+        np.concatenate([parts[number][1] for number in order]),
         rows_of[which],
         which,
     )
 
 
-def _refuse_beyond(total: int, limits: Limits) -> None:
+def styled(found: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
+    """Return columns with the styles that they have, in the order in which they have them."""
+    first, number = distinct(found.style)
+    used = [styles[style] for style in found.style[first].tolist()]
+    return replace(found, style=number.astype(np.int32)), used
+
+
+def refuse_after(until: float, limits: Limits) -> None:
+    """Raise DrawingTooLarge when the time is up."""
+    if time.monotonic() > until:
+        raise DrawingTooLarge(
+            f"The drawing takes longer than {limits.seconds:g} s to read.",
+            "Export a single carton, and curves as lines and arcs.",
+        )
+
+
+def refuse_beyond(total: int, limits: Limits) -> None:
+    """Raise DrawingTooLarge for more segments than the limits allow."""
     if total > limits.segments:
         raise DrawingTooLarge(
             f"The drawing has more than {limits.segments:,} lines and arcs.",
@@ -108,9 +141,12 @@ def _refuse_beyond(total: int, limits: Limits) -> None:
         )
 
 
-def _relative(near: list[tuple[F64, F64]], reach: float) -> float:
+def _box(ends: F64) -> tuple[F64, F64]:
+    return ends.min(axis=(0, 1)), ends.max(axis=(0, 1))
+
+
+def _relative(boxes: list[tuple[F64, F64]]) -> float:
     """Return the tolerance while the unit is unknown."""
-    boxes = [box for box in near if float(np.abs(box).max()) <= reach]
     if not boxes:
         return CURVE
     low = np.min([box[0] for box in boxes], axis=0)
@@ -140,20 +176,28 @@ def _reach(placed: Placed) -> tuple[F64, F64]:
     return (at - around).min(axis=0), (at + around).max(axis=0)
 
 
-def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64, bool]:
-    """Return ends (n, 2, 2), bulge (n,) of all placements, and whether anything was fitted."""
+def _moved(placed: Placed) -> tuple[F64, F64] | None:
+    """Return ends (n, 2, 2) and bulge (n,) of all placements, None where these must be fitted."""
     shape, linear, shift = placed.shape, placed.linear, placed.shift
-    if isinstance(shape, Lines) and linear is ON_SHEET:
-        return shape.ends, shape.bulge, False
-    straight = isinstance(shape, Lines) and bool((np.abs(shape.bulge) < BULGE).all())
+    if not isinstance(shape, Lines):
+        return None
+    if linear is ON_SHEET:
+        return shape.ends, shape.bulge
+    straight = bool((np.abs(shape.bulge) < BULGE).all())
     even = np.hypot(
         linear[:, 0, 0] * linear[:, 0, 1] + linear[:, 1, 0] * linear[:, 1, 1],
         (linear[:, :, 0] ** 2).sum(axis=1) - (linear[:, :, 1] ** 2).sum(axis=1),
     ) <= 1e-9 * (linear**2).sum(axis=(1, 2))
-    if isinstance(shape, Lines) and (straight or even.all()):
-        side = np.sign(linear[:, 0, 0] * linear[:, 1, 1] - linear[:, 0, 1] * linear[:, 1, 0])
-        ends = moved(linear[:, None, None], shift[:, None, None], shape.ends[None])
-        return ends.reshape(-1, 2, 2), (side[:, None] * shape.bulge).reshape(-1), False
+    if not (straight or even.all()):
+        return None
+    side = np.sign(linear[:, 0, 0] * linear[:, 1, 1] - linear[:, 0, 1] * linear[:, 1, 0])
+    ends = moved(linear[:, None, None], shift[:, None, None], shape.ends[None])
+    return ends.reshape(-1, 2, 2), (side[:, None] * shape.bulge).reshape(-1)
+
+
+def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64]:
+    """Return ends (n, 2, 2) and bulge (n,) of all placements of a shape that must be fitted."""
+    shape, linear, shift = placed.shape, placed.linear, placed.shift
     ends_of: list[F64] = []
     bulge_of: list[F64] = []
     different, kind = np.unique(linear.reshape(-1, 4), axis=0, return_inverse=True)
@@ -162,7 +206,7 @@ def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64, bool]:
         start, end, bulge = fits[number]
         ends_of.append(np.stack([start, end], axis=1) + move)
         bulge_of.append(bulge)
-    return np.concatenate(ends_of), np.concatenate(bulge_of), True
+    return np.concatenate(ends_of), np.concatenate(bulge_of)
 
 
 def _fitted(shape: Shape, linear: F64, tolerance: float) -> Segments:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import io
 import logging
+import time
 from collections.abc import Callable, Mapping
 from typing import Final
 
@@ -22,13 +23,16 @@ from ezdxf.lldxf.tagger import binary_tags_loader
 
 from knifetip.dxf.census import BINARY, Census, census
 from knifetip.dxf.expand import expand
-from knifetip.dxf.place import columns
-from knifetip.dxf.plain import plain
-from knifetip.dxf.units import factor, stated
+from knifetip.dxf.markers import with_markers
+from knifetip.dxf.place import columns, refuse_after, styled
+from knifetip.dxf.plain import PlainReader
+from knifetip.dxf.tables import NotPlainError
+from knifetip.dxf.units import hints, stated
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.intake.assemble import Known, assemble
-from knifetip.intake.limits import REACH, Limits
+from knifetip.intake.limits import Limits
 from knifetip.model.drawing import Drawing
+from knifetip.model.unit import factor
 
 __all__ = ["Limits", "read"]
 
@@ -86,7 +90,10 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
     data = _stripped(data)
     try:
         with np.errstate(all="ignore"):
-            return _read(data, unit or "", given, limits)
+            found = quickly(data, unit or "", given, limits)
+            if found is None:
+                found = by_ezdxf(data, unit or "", given, limits)
+            return found
     except KnifetipError:
         raise
     except Exception as error:
@@ -96,20 +103,34 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
         ) from error
 
 
-def _read(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
-    quick = plain(data, limits)
-    if quick is not None:
-        known = _known(unit, given, quick.variables)
-        # An arc reaches no farther beyond its ends than half their distance.
-        farthest = 3.0 * float(np.abs(quick.columns.ends).max(initial=0.0))
-        if farthest <= REACH / (known.scale or 1.0):
-            return assemble(quick.sheet, quick.columns, quick.styles, quick.inscriptions, known)
+def quickly(data: bytes, unit: str, given: float, limits: Limits) -> Drawing | None:
+    """Read by our own reader; None where it does not promise what ezdxf would say."""
+    try:
+        reader = PlainReader(data, limits)
+        known = _known(unit, given, reader.tables.variables)
+        found = reader.read(known.scale)
+    except NotPlainError:
+        return None
+    # What it was read from takes more memory than the drawing.
+    del reader
+    return assemble(found.sheet, found.columns, found.styles, found.inscriptions, known)
+
+
+def by_ezdxf(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
+    """Read by way of ezdxf, or say why not."""
+    _check_strangers(data)
+    if len(data) > limits.slow_bytes:
+        raise DrawingTooLarge(
+            f"The DXF has {len(data) / 2**20:.1f} MB, and something in it is unusual; "
+            f"the limit for such a file is {limits.slow_bytes / 2**20:.1f} MB.",
+            "Export a single carton, or save it as DXF R2000.",
+        )
     counted = census(data)
     _check(data, counted, limits)
     known = _known(unit, given, counted.variables)
-    sheet, shapes = expand(_document(data, counted), counted, limits)
+    sheet, shapes = expand(_document(data, counted, limits), counted, limits)
     found = columns(sheet, shapes, known.scale, limits)
-    styles = [shape.style for shape in shapes]
+    found, styles = styled(found, [shape.style for shape in shapes])
     return assemble(sheet, found, styles, counted.inscriptions, known)
 
 
@@ -117,8 +138,9 @@ def _known(unit: str, given: float, variables: Mapping[str, str]) -> Known:
     """Return the unit that the caller gives, else the one that the file states."""
     written, evidence = stated(variables)
     if unit:
-        return Known(given, unit, "given", written)
-    return Known(factor(written) if written else 0.0, written, evidence, written)
+        return Known(given, unit, "given", written, hints(variables))
+    scale = factor(written) if written else 0.0
+    return Known(scale, written, evidence, written, hints(variables))
 
 
 def _stripped(data: bytes) -> bytes:
@@ -128,13 +150,17 @@ def _stripped(data: bytes) -> bytes:
     return data.removeprefix(b"\xef\xbb\xbf").lstrip()
 
 
-def _check(data: bytes, counted: Census, limits: Limits) -> None:
-    """Refuse what is no DXF, has too much in it, or stops in the middle."""
+def _check_strangers(data: bytes) -> None:
+    """Refuse what is no DXF at first sight."""
     if not data:
         raise NotADrawing("The file is empty.", _EXPORT)
     for start, what in _STRANGERS:
         if data.startswith(start):
             raise NotADrawing(f"The file is {what}, not a DXF.", _EXPORT)
+
+
+def _check(data: bytes, counted: Census, limits: Limits) -> None:
+    """Refuse what is no DXF, has too much in it, or stops in the middle."""
     if not counted.sections:
         if counted.broken:
             line = data.split(b"\n")[counted.broken - 1][:40].decode("ascii", "replace").strip()
@@ -159,19 +185,24 @@ def _check(data: bytes, counted: Census, limits: Limits) -> None:
         )
 
 
-def _document(data: bytes, counted: Census) -> Document:
+def _document(data: bytes, counted: Census, limits: Limits) -> Document:
     """Return what ezdxf makes of the bytes: read as they are, else mended."""
     attempts: list[Callable[[], Document]]
     if data.startswith(BINARY):
         attempts = [lambda: Document.load(binary_tags_loader(data, errors="replace"))]
     else:
         attempts = [lambda: _plain(data, counted.encoding), lambda: _recovered(data)]
+        if counted.unmarked:
+            attempts.append(lambda: _plain(with_markers(data), counted.encoding))
+            attempts.append(lambda: _recovered(with_markers(data)))
         if counted.markers and "$ACADVER" not in counted.variables:
             # Without a version ezdxf takes the file for R12, which its entities contradict.
             head = b"0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n0\nENDSEC\n"
             attempts.append(lambda: _recovered(head + data))
     reasons: list[str] = []
+    until = time.monotonic() + limits.seconds
     for attempt in attempts:
+        refuse_after(until, limits)
         try:
             return attempt()
         except Exception as error:

@@ -1,24 +1,16 @@
-"""units: what a file says of its unit, and a drawing in another one.
+"""units: what the header of a DXF says of its unit.
 
-    $INSUNITS -> unit and evidence        Drawing, unit -> Drawing in mm
+    header variables -> the unit that is stated, and hints of the others
 
-Nothing is guessed: a drawing whose file is silent stays in file units and asks.
+Nothing is judged here: whether it is true is for the room ``units``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Final
 
-from knifetip.errors import UnitUnknown
-from knifetip.model.drawing import Drawing
-from knifetip.model.question import Question
-
-#: Millimetres to one unit.
-MILLIMETRES: Final[dict[str, float]] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
-
-_NAMES: Final = {"mm": "mm", "cm": "cm", "m": "metres", "in": "inches", "ft": "feet"}
+from knifetip.model.unit import Hint
 
 #: $INSUNITS of the units that are read.
 _CODES: Final = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
@@ -46,27 +38,12 @@ _OTHERS: Final = {
     24: "US survey miles",
 }
 
-#: A drawing whose longer side is within this could be a carton (mm).
-_PLAUSIBLE: Final = (20.0, 5000.0)
 
+#: $LUNITS that write lengths as feet and inches.
+_INCHES: Final = {"3": "feet and decimal inches", "4": "feet and fractions of inches"}
 
-def factor(unit: str) -> float:
-    """Return the millimetres to one unit; 1 for the empty unit, that of the file.
-
-    Raises
-    ------
-    UnitUnknown
-        There is no such unit.
-    """
-    if unit == "":
-        return 1.0
-    try:
-        return MILLIMETRES[unit]
-    except KeyError:
-        raise UnitUnknown(
-            f"{unit!r} is not a unit of length that is read.",
-            f"Say one of {', '.join(MILLIMETRES)}.",
-        ) from None
+#: What dimensions are multiplied by to be shown.
+_SHOWN: Final = ((25.4, "25.4"), (1.0 / 25.4, "0.03937"), (10.0, "10"), (1000.0, "1000"))
 
 
 def stated(variables: Mapping[str, str]) -> tuple[str, str]:
@@ -87,60 +64,23 @@ def stated(variables: Mapping[str, str]) -> tuple[str, str]:
     return "", f"$INSUNITS = {code} has no meaning"
 
 
-def rescaled(drawing: Drawing, unit: str) -> Drawing:
-    """Return a drawing whose file units are these: the first time, or corrected.
-
-    Bulges, layers and the ledger's rows stay as they are.  Ellipses and splines were fitted when
-    the drawing was read and are scaled with all the rest: from mm to a larger unit their deviation
-    grows too, and reading the bytes again with ``unit`` fits them anew.
-
-    Parameters
-    ----------
-    unit
-        "mm", "cm", "m", "in" or "ft"; "" takes the unit away, back to file units.
-
-    Raises
-    ------
-    UnitUnknown
-        There is no such unit.
-    """
-    old, new = factor(drawing.unit), factor(unit)
-    ledger = replace(drawing.ledger, length=drawing.ledger.length / old * new)
-    return replace(
-        drawing,
-        # Divided first: what is in mm loses no bit on the way to file units and back.
-        ends=drawing.ends / old * new,
-        ledger=ledger,
-        inscriptions=tuple(words.scaled(old, new) for words in drawing.inscriptions),
-        unit=unit,
-        evidence="given" if unit else "nobody has said the unit",
-    )
-
-
-def question(drawing: Drawing) -> Question | None:
-    """Return what must be asked about the unit, None where it is known."""
-    if drawing.unit:
-        return None
-    low_x, low_y, high_x, high_y = drawing.bounds
-    width, height = high_x - low_x, high_y - low_y
-    longer = max(width, height)
-    likely = [
-        unit
-        for unit, scale in MILLIMETRES.items()
-        if _PLAUSIBLE[0] <= longer * scale <= _PLAUSIBLE[1]
-    ]
-    sizes = [
-        f"as {_NAMES[unit]} {'the drawing is ' * (place == 0)}"
-        f"{_measure(width * MILLIMETRES[unit])} × {_measure(height * MILLIMETRES[unit])} mm"
-        for place, unit in enumerate(likely or MILLIMETRES)
-    ]
-    text = ", ".join(sizes)
-    if drawing.evidence.startswith("$INSUNITS = 0") or "no $INSUNITS" in drawing.evidence:
-        why = "The file does not say its unit."
-    else:
-        why = f"The file does not say a unit that is read ({drawing.evidence})."
-    return Question("unit", f"{why} {text[0].upper()}{text[1:]}.", tuple(MILLIMETRES))
-
-
-def _measure(size: float) -> str:
-    return f"{size:.1f}" if abs(size) < 1000.0 else f"{size:.0f}"
+def hints(variables: Mapping[str, str]) -> tuple[Hint, ...]:
+    """Return what other header variables have to do with the unit."""
+    found = []
+    measurement = variables.get("$MEASUREMENT", "")
+    if measurement in ("0", "1"):
+        says = "metric" if measurement == "1" else "imperial"
+        found.append(Hint(says, f"$MEASUREMENT = {measurement}"))
+    notation = _INCHES.get(variables.get("$LUNITS", ""))
+    if notation:
+        found.append(Hint("inches", f"$LUNITS = {variables['$LUNITS']}: {notation}"))
+    shown = ["$DIMLFAC"] + ["$DIMALTF"] * (variables.get("$DIMALT", "") == "1")
+    for name in shown:
+        try:
+            times = float(variables.get(name, "1"))
+        except ValueError:
+            continue
+        for factor, said in _SHOWN:
+            if abs(times - factor) < 1e-3 * factor:
+                found.append(Hint(f"shown × {said}", f"{name} = {times:g}"))
+    return tuple(found)

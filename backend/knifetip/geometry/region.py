@@ -211,11 +211,11 @@ def fitting(
         worst = size - abs(_radius_of(start, end, bulge, lost_row))
     for q in range(many):
         i = owner[q]
-        if not refuse and q > 0 and q == opening[i] and follow[i - 1] == i:
+        runs_on = not refuse and q > 0 and q == opening[i] and follow[i - 1] == i
+        if runs_on and not touched[i, 0] and not touched[i - 1, 1]:
             # Only where lines cross does a way become too near, or clear again.
-            if not touched[i, 0] and not touched[i - 1, 1]:
-                good[q] = good[q - 1]
-                continue
+            good[q] = good[q - 1]
+            continue
         m = info[i, 3]
         mine = begin[m] + info[i, 0] - first[member[m]]
         x, y = point_on(rows, i, 0.5 * (piece[q, 4] + piece[q, 5]))

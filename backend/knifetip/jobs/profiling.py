@@ -6,16 +6,21 @@ learn     drawing, its profile, corrections -> rules that explain them, and what
 
 from __future__ import annotations
 
+import glob
 from typing import Any
 
 import numpy as np
 
 from knifetip.geometry.columns import U8
 from knifetip.jobs.crew import Progress
-from knifetip.jobs.tasks import drawing_of, rules_of
+from knifetip.jobs.tasks import NONE, drawing_of, rules_of
 from knifetip.library import own
 from knifetip.model.dieline import LineType
+from knifetip.model.drawing import Drawing
 from knifetip.model.profile import LineRule, LineRules
+
+#: Rules that are proposed at once: each is tried on the whole drawing.
+_MOST = 12
 
 
 def preview(
@@ -49,7 +54,7 @@ def preview(
     decided = taken >= 0
     edges = np.bincount(taken[decided], minlength=len(other.rules))
     length = np.bincount(taken[decided], weights=lengths[decided], minlength=len(other.rules))
-    inherited = _inherited(text, other)
+    inherited = own.inherited(own.parts(text), other)
     return {
         "rules": [
             {
@@ -68,13 +73,17 @@ def preview(
 def learn(
     progress: Progress, content: bytes, unit: str, profile: str, rules: str, overrides: bytes
 ) -> list[dict[str, Any]]:
-    """Return rules that would have said what somebody corrected, the smallest first.
+    """Return rules that would have said what somebody corrected, the surest first.
+
+    Those come first that contradict nothing.  For corrections that none of them explains follows
+    what attributes say all the same, with what it would change: ten red lines of a layer were made
+    creases, and the eleventh may have been forgotten.
 
     Returns
     -------
     list of dict
-        ``rule``, ``words``; ``explains``: corrected edges that it covers; ``changes``: what else
-        it would change, as in ``preview``.
+        ``rule``; ``explains``: corrected edges that it covers; ``sure``: whether it changes
+        nothing that was decided; ``changes``: what else it would change, as in ``preview``.
     """
     from knifetip import pipeline
 
@@ -84,18 +93,52 @@ def learn(
     given = np.frombuffer(overrides, np.uint8)
     progress("classify", 0.6)
     before = pipeline.dieline(drawing, mine, given)
+    # A kind of line alone is no habit of a customer: it would take half of any other drawing.
+    sure = [
+        one
+        for one in pipeline.learned(drawing, mine, given)
+        if one.rule.layer or one.rule.block or one.rule.colour or one.rule.true_colour
+    ]
+    explained = {row for one in sure for row in one.explains}
+    left = np.flatnonzero((given != NONE) & (pipeline.dieline(drawing, mine).line_type != given))
+    rest = _by_attributes(drawing, given, [row for row in left.tolist() if row not in explained])
     proposed = []
-    for one in pipeline.learned(drawing, mine, given):
-        longer = LineRules(mine.name, mine.title, (one.rule, *mine.rules))
+    for rule in [*(one.rule for one in sure), *rest][:_MOST]:
+        longer = LineRules(mine.name, mine.title, (rule, *mine.rules))
         after = pipeline.dieline(drawing, longer, given)
+        met = pipeline.taken(drawing, LineRules("", "", (rule,))) == 0
+        changes = _changes(before.line_type, after.line_type)
         proposed.append(
             {
-                "rule": plain(one.rule),
-                "explains": list(one.explains),
-                "changes": _changes(before.line_type, after.line_type),
+                "rule": plain(rule),
+                "explains": np.flatnonzero(met & (given == rule.line_type)).tolist(),
+                "sure": all(one["before"] == "unclassified" for one in changes),
+                "changes": changes,
             }
         )
-    return proposed
+    return sorted(proposed, key=lambda one: not one["sure"])
+
+
+def _by_attributes(drawing: Drawing, given: U8, rows: list[int]) -> list[LineRule]:
+    """Return a rule of layer and colour for each such pair that all went the same way."""
+    wanted: dict[tuple[str, int, int], set[int]] = {}
+    for row in rows:
+        key = (
+            drawing.layers[drawing.layer[row]],
+            int(drawing.colour[row]),
+            int(drawing.true_colour[row]),
+        )
+        wanted.setdefault(key, set()).add(int(given[row]))
+    return [
+        LineRule(
+            LineType(kinds.pop()),
+            layer=(glob.escape(layer),),
+            colour=(index,) if true < 0 else (),
+            true_colour=(true,) if true >= 0 else (),
+        )
+        for (layer, index, true), kinds in wanted.items()
+        if len(kinds) == 1 and 0 not in kinds
+    ]
 
 
 def plain(rule: LineRule) -> dict[str, Any]:
@@ -110,15 +153,6 @@ def plain(rule: LineRule) -> dict[str, Any]:
         "block": list(rule.block),
         "words": rule.words,
     }
-
-
-def _inherited(text: str, rules: LineRules) -> list[bool]:
-    fields = own.parts(text)
-    mine = len(fields["rule"])
-    others = len(rules.rules) - mine
-    if fields.get("overrules", False):
-        return [False] * mine + [True] * others
-    return [True] * others + [False] * mine
 
 
 def _changes(before: U8, after: U8) -> list[dict[str, Any]]:

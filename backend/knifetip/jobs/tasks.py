@@ -3,6 +3,7 @@
 read      DXF bytes, unit, profile -> Reading     what the page shows of a drawing
 ask       … and a machine -> questions            what must be decided before it is compiled
 compile   … and a board -> Result                 program, head path and verdict
+cleaned   edges of a Reading -> plain data        what cleaning makes of each edge
 """
 
 from __future__ import annotations
@@ -19,8 +20,9 @@ import numpy as np
 
 from knifetip.errors import UnitUnknown
 from knifetip.geometry.columns import F64, U8
-from knifetip.jobs.columns import packed
+from knifetip.jobs.columns import packed, unpacked
 from knifetip.jobs.crew import Progress
+from knifetip.jobs.report import reported, said, theme, unit_of
 from knifetip.jobs.store import Result
 from knifetip.library import load, own
 from knifetip.model.corners import CornerAt, Corners
@@ -46,6 +48,7 @@ EDGE_COLUMNS = (
     "unreached",
     "bottom_uncut",
     "top_overcut",
+    "tidied",
 )
 _FAR = 1e9  # stands for a measure that is infinite or not a number, which JSON cannot say
 
@@ -106,15 +109,16 @@ def read(
 
     progress("read", 0.0)
     drawing = drawing_of(content, unit)
-    handles = [_said(handle) for handle in drawing.handles]
+    handles = [said(handle) for handle in drawing.handles]
     overrides = np.full(len(drawing), NONE, np.uint8)
     if carried is not None:
         overrides = _carry(carried, handles)
     progress("classify", 0.6)
     dieline = pipeline.dieline(drawing, rules_of(profile, rules), overrides)
     questions = pipeline.questions(drawing, dieline)
+    report = reported(drawing, dieline)
     progress("keep", 0.9)
-    layers = [_said(layer) for layer in drawing.layers]
+    layers = [said(layer) for layer in drawing.layers]
     edges = packed(
         {
             "ends": dieline.ends,
@@ -126,12 +130,17 @@ def read(
             "rule": dieline.rule,
             "confidence": dieline.confidence,
             "length": drawing.lengths,
+            "fate": report.fate,
+            "reason": report.reason,
         },
         {
             "handles": handles,
             "layers": layers,
-            "linetypes": [_said(name) for name in drawing.linetypes],
-            "rules": [_said(rule) for rule in dieline.rules],
+            "linetypes": [said(name) for name in drawing.linetypes],
+            "rules": [said(rule) for rule in dieline.rules],
+            "alternatives": [[kind.word for kind in one] for one in dieline.alternatives],
+            "fates": [fate.name.lower() for fate in Fate],
+            "reasons": [said(reason) for reason in report.reasons],
             "types": [kind.word for kind in LineType],
             "unit": drawing.unit,
         },
@@ -139,11 +148,12 @@ def read(
     ledger = drawing.ledger
     rows = [
         {
-            "handle": _said(ledger.handle[row]),
-            "kind": _said(ledger.kind[row]),
-            "layer": _said(ledger.layer[row]),
+            "handle": said(ledger.handle[row]),
+            "kind": said(ledger.kind[row]),
+            "layer": said(ledger.layer[row]),
             "fate": Fate(int(ledger.fate[row])).name.lower(),
-            "reason": _said(ledger.reason[row]),
+            "reason": said(ledger.reason[row]),
+            "theme": said(theme(ledger.reason[row])),
             "length": round(float(ledger.length[row]), 6),
         }
         for row in range(len(ledger))
@@ -151,7 +161,8 @@ def read(
     low_x, low_y, high_x, high_y = (float(side) for side in drawing.bounds)
     summary = {
         "unit": drawing.unit,
-        "evidence": _said(drawing.evidence),
+        "evidence": said(drawing.evidence),
+        "unit_finding": unit_of(drawing),
         "segments": len(drawing),
         "bounds": [low_x, low_y, high_x, high_y],
         "width": high_x - low_x,
@@ -161,6 +172,7 @@ def read(
         "questions": [_question(question) for question in questions],
         "overrides": int((overrides != NONE).sum()),
         "ledger": {fate.name.lower(): int((ledger.fate == fate).sum()) for fate in Fate},
+        "report": report.summary,
     }
     return Reading(summary, edges, zlib.compress(json.dumps(rows).encode(), 6), overrides.tobytes())
 
@@ -205,6 +217,36 @@ def _layers(drawing: Drawing, dieline: Dieline, layers: Sequence[str]) -> list[d
         }
         for row, (layer, colour) in enumerate(pairs)
     ]
+
+
+def cleaned(progress: Progress, edges: bytes) -> dict[str, Any]:
+    """Return what cleaning makes of a drawing's edges, as its Reading holds them.
+
+    Raises
+    ------
+    UnitUnknown
+        Specks and gaps are measured in millimetres, and nobody has said what the numbers are.
+    """
+    from knifetip import pipeline
+
+    progress("clean", 0.0)
+    columns, meta = unpacked(edges)
+    if not meta["unit"]:
+        raise UnitUnknown(
+            "The drawing does not say its unit, so nobody knows how long a speck is.",
+            "Set it with PATCH /api/drawings/{id}, or on the page.",
+        )
+    count = len(columns["bulge"])
+    line = Dieline(
+        columns["ends"],
+        columns["bulge"],
+        columns["line_type"],
+        np.arange(count, dtype=np.int32),
+        columns["rule"],
+        columns["confidence"],
+        tuple(meta["rules"]),
+    )
+    return pipeline.clean(line).as_json(meta["handles"])
 
 
 def ask(
@@ -284,11 +326,11 @@ def compile(
         progress=progress,
     )
     verdict = made.verdict
-    handles = [_said(handle) for handle in drawing.handles]
+    handles = [said(handle) for handle in drawing.handles]
     findings = [
         {
             "kind": finding.kind,
-            "text": _said(finding.text),
+            "text": said(finding.text),
             "measure": _finite(finding.measure),
             "edge": finding.edge,
             "handle": handles[finding.edge] if 0 <= finding.edge < len(handles) else "",
@@ -390,19 +432,13 @@ def _toolpath(made: Compiled, machine: Machine) -> bytes:
 
 
 def _question(question: Question) -> dict[str, Any]:
-    said = question.as_json()
     return {
-        **said,
-        "text": _said(question.text),
-        "layer": _said(question.layer),
+        **question.as_json(),
+        "text": said(question.text),
+        "layer": said(question.layer),
         "edges": [int(edge) for edge in question.edges],
         "colour": int(question.colour),
     }
-
-
-def _said(text: str) -> str:
-    """Return text of a file as UTF-8 can say it: bytes that were no text become ``?``."""
-    return text.encode("utf-8", "replace").decode("utf-8").replace("\0", "")
 
 
 def _finite(measure: float) -> float:

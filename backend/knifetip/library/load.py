@@ -116,6 +116,22 @@ def _profile(name: str) -> LineRules:
     return _made("profiles", _shipped("profiles", name), name, parse_profile)
 
 
+@cache
+def conventions() -> tuple[LineRules, ...]:
+    """Return what makes each profile of the library differ from the default: its house's colours.
+
+    Classification tries them where the chosen profile says nothing.
+    """
+    common = set(profile("default", files=False).rules)
+    own = []
+    for name in _names("profiles"):
+        one = profile(name, files=False)
+        rest = tuple(rule for rule in one.rules if rule not in common)
+        if rest:
+            own.append(LineRules(name, one.title, rest))
+    return tuple(own)
+
+
 def _shipped(shelf: str, name: str) -> Traversable:
     return resources.files(__package__) / shelf / f"{name}.toml"
 

@@ -106,6 +106,13 @@ def parts(text: str) -> dict[str, Any]:
     return tomllib.loads(text)
 
 
+def inherited(fields: Mapping[str, Any], rules: LineRules) -> list[bool]:
+    """Return which of a profile's rules are those of the profile that it extends."""
+    mine = len(fields["rule"])
+    theirs = [True] * (len(rules.rules) - mine)
+    return [False] * mine + theirs if fields.get("overrules") else theirs + [False] * mine
+
+
 def _made(name: str, fields: Mapping[str, Any]) -> LineRules:
     try:
         _within_limits(fields)
@@ -140,8 +147,7 @@ def _within_limits(fields: Mapping[str, Any]) -> None:
             values = value if isinstance(value, list) else [value]
             if len(values) > MOST_PATTERNS:
                 raise ValueError(
-                    f"rule {number}: {field} has {len(values)} values, "
-                    f"and may have {MOST_PATTERNS}"
+                    f"rule {number}: {field} has {len(values)} values, and may have {MOST_PATTERNS}"
                 )
             if any(isinstance(one, str) and len(one) > LONGEST_PATTERN for one in values):
                 raise ValueError(

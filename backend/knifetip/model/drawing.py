@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import IntEnum
 
 import numpy as np
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, U8, frozen
+from knifetip.model.unit import Hint
 
 
 class Fate(IntEnum):
@@ -61,12 +62,16 @@ class Inscription:
 
     def scaled(self, divisor: float, factor: float) -> Inscription:
         """Return the same words in another unit: every length divided, then multiplied."""
-        return replace(
-            self,
-            x=self.x / divisor * factor,
-            y=self.y / divisor * factor,
-            height=self.height / divisor * factor,
-            measure=self.measure / divisor * factor,
+        if divisor == factor == 1.0:
+            return self
+        return Inscription(
+            self.text,
+            self.x / divisor * factor,
+            self.y / divisor * factor,
+            self.height / divisor * factor,
+            self.measure / divisor * factor,
+            self.kind,
+            self.layer,
         )
 
 
@@ -88,6 +93,7 @@ class Drawing:
     evidence: str  #: how the unit is known: "$INSUNITS = 4", "given", or why it is not
     stated: str = ""  #: the unit that the file's header states, whatever was decided
     inscriptions: tuple[Inscription, ...] = ()  #: those of the sheet itself, in file order
+    hints: tuple[Hint, ...] = ()  #: what else the header says that has to do with the unit
 
     def __post_init__(self) -> None:
         put = object.__setattr__

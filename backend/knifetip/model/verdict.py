@@ -78,6 +78,8 @@ class Verdict:
     unreached: F64 = field(default_factory=_none)  #: (n,) length that no cutter can touch (mm)
     bottom_uncut: F64 = field(default_factory=_none)  #: (n,) length not cut in the bottom face (mm)
     top_overcut: F64 = field(default_factory=_none)  #: (n,) cut past the ends in the top face (mm)
+    #: (n,) how far cleaning took the edge from where it was drawn, before it was judged (mm)
+    tidied: F64 = field(default_factory=_none)
     samples: Samples = field(default_factory=lambda: Samples())
     areas: Unreached = field(default_factory=lambda: Unreached())  #: where no cutter gets to
 
@@ -87,6 +89,7 @@ class Verdict:
         rows = len(self.deviation)
         for name in ("overcut", "uncut", "setback"):
             put(self, name, frozen(getattr(self, name), np.float64, rows))
-        for name in ("width", "web", "flank", "unreached", "bottom_uncut", "top_overcut"):
+        optional = ("width", "web", "flank", "unreached", "bottom_uncut", "top_overcut", "tidied")
+        for name in optional:
             column = getattr(self, name) if len(getattr(self, name)) else np.zeros(rows)
             put(self, name, frozen(column, np.float64, rows))

@@ -11,6 +11,7 @@ where; whether that is so is measured here, with no arithmetic of the cleaning's
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -18,7 +19,7 @@ import numpy as np
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.verdict import Finding
-from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.columns import F64, I64
 
 #: What is drawn so near to another edge, or fits a flattened curve so well, is the same (mm).
 SAME: Final = 0.01
@@ -63,19 +64,19 @@ def tidied(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
 
     def tell(edge: int, measure: float, text: str) -> None:
         if len(found) < _MOST:
-            found.append(Finding("uncut", f"Cleaning, edge {edge}: {text}", measure, edge=edge))
+            found.append(Finding("uncut", f"Cleaning, edge {edge}: {text}", measure, edge))
 
     # All of every edge that is to be worked is accounted for.
     told = np.bincount(parts.row, (parts.end - parts.begin) * length[parts.row], len(drawn))
-    for edge in np.flatnonzero(np.abs(np.where(worked, length, 0.0) - told) > _HAIR):
+    for edge in np.flatnonzero(np.abs(np.where(worked, length, 0.0) - told) > _HAIR).tolist():
         tell(edge, float(length[edge] - told[edge]), "its stretches do not add up to it.")
     lost = parts.cleaned < 0
     gone = np.bincount(parts.row[lost], ((parts.end - parts.begin) * length[parts.row])[lost],
                        len(drawn))  # fmt: skip
-    for edge in np.flatnonzero(gone > GAP + _HAIR):
+    for edge in np.flatnonzero(gone > GAP + _HAIR).tolist():
         tell(edge, float(gone[edge]), f"{gone[edge]:.3f} mm of it were dropped.")
     there = np.flatnonzero(~lost)
-    row, target = parts.row[there], parts.cleaned[there]
+    row, target = parts.row[there].astype(np.int64), parts.cleaned[there].astype(np.int64)
     first, second = after.line_type[target], drawn.line_type[row]
     table = np.zeros((len(LineType), len(LineType)), np.bool_)
     for one, others in _STANDS_FOR.items():
@@ -83,13 +84,13 @@ def tidied(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     right = (first == second) | (parts.given[there] & table[first, second])
     for at in np.flatnonzero(~right):
         what, was = LineType(first[at]).word, LineType(second[at]).word
-        tell(row[at], float(length[row[at]]), f"it is {was}, and is worked as {what}.")
+        tell(int(row[at]), float(length[row[at]]), f"it is {was}, and is worked as {what}.")
     limit = np.where(cleaned.moved[row] > 0.0, GAP, SAME) + np.where(
         cleaned.moved[after.source[target]] > 0.0, GAP, 0.0
     )
     far, along = _measured(drawn, after, row, target, parts.begin[there], parts.end[there])
     for at in np.flatnonzero(far > limit + _HAIR):
-        tell(row[at], float(far[at]), f"it was moved by {far[at]:.4f} mm.")
+        tell(int(row[at]), float(far[at]), f"it was moved by {far[at]:.4f} mm.")
     own = ~parts.given[there]
     _invented(after, target[own], along[own], tell)
     return found
@@ -99,7 +100,8 @@ def _lengths(ends: F64, bulge: F64) -> F64:
     chord = np.hypot(*(ends[:, 1] - ends[:, 0]).T)
     half = 2.0 * np.arctan(np.abs(bulge))
     bent = half > 2.0 * _BULGE
-    return np.where(bent, chord * half / np.sin(np.where(bent, half, 1.0)), chord)
+    length: F64 = np.where(bent, chord * half / np.sin(np.where(bent, half, 1.0)), chord)
+    return length
 
 
 def _on(ends: F64, bulge: F64, share: F64) -> F64:
@@ -111,13 +113,14 @@ def _on(ends: F64, bulge: F64, share: F64) -> F64:
     way = chord[:, 0] + 1j * chord[:, 1]
     size = np.where(bent, np.sin(share * half) / np.sin(np.where(bent, half, 1.0)), share)
     point = way * size * np.exp(1j * (share - 1.0) * half)
-    return start + np.column_stack([point.real, point.imag])
+    placed: F64 = start + np.column_stack([point.real, point.imag])
+    return placed
 
 
 def _measured(
     drawn: Dieline, after: Dieline, row: I64, target: I64, begin: F64, end: F64
 ) -> tuple[F64, F64]:
-    """Return how far stretches are from their cleaned edges, and where on those they lie, (q, 2)."""
+    """Return how far stretches are from their cleaned edges, and where on those, (q, 2)."""
     far = np.zeros(len(row))
     along = np.zeros((len(row), 2))
     if len(row) == 0:
@@ -135,7 +138,6 @@ def _measured(
     safe = np.where(bent, bow, 1.0)
     left = np.column_stack([-chord[:, 1], chord[:, 0]])
     centre = on.mean(axis=1) + left * ((1.0 - safe * safe) / (4.0 * safe))[:, None]
-    radius = np.hypot(*(on[:, 0] - centre).T)
     first = np.arctan2(*(on[:, 0] - centre).T[::-1])
     sweep = 4.0 * np.arctan(safe)
     for probe in _PROBES:
@@ -150,11 +152,12 @@ def _measured(
         far[some] = np.maximum(far[some], gap)
         if probe in (0.0, 1.0):
             along[some, int(probe)] = place
-    del radius
     return far, along
 
 
-def _invented(after: Dieline, target: I64, along: F64, tell) -> None:  # type: ignore[no-untyped-def]
+def _invented(
+    after: Dieline, target: I64, along: F64, tell: Callable[[int, float, str], None]
+) -> None:
     """Tell of cleaned edges that reach farther than what was drawn and a gap."""
     length = _lengths(after.ends, after.bulge)
     worked = np.flatnonzero(~np.isin(after.line_type, _NO_WORK))

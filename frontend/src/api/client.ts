@@ -28,6 +28,12 @@ export type Override = { [K in keyof Schemas["Override"]]?: Schemas["Override"][
 };
 export type Problem = Schemas["Problem"];
 export type Profile = Schemas["ProfileOut"];
+export type ProfileDraft = Schemas["ProfileIn"];
+export type Preview = Schemas["PreviewOut"];
+export type Proposal = Schemas["ProposalOut"];
+export type ReportGroup = Schemas["ReportGroup"];
+export type Retyped = Schemas["ChangeOut"];
+export type Rule = Schemas["RuleOut"];
 export type Question = Schemas["QuestionOut"];
 export type Unit = NonNullable<Drawing["unit"]>;
 export type Verdict = Schemas["VerdictOut"];
@@ -132,6 +138,24 @@ const send = async <T>(method: string, path: string, body?: unknown): Promise<T>
   return answer.json() as Promise<T>;
 };
 
+/** Send a profile as the text or the data that it is; `version` is the one that was looked at. */
+const keep = async (
+  name: string,
+  body: string | ProfileDraft,
+  version: number | null,
+): Promise<Profile> => {
+  const text = typeof body === "string";
+  const answer = await request(at("profiles", name), {
+    method: "PUT",
+    headers: {
+      "Content-Type": text ? "application/toml" : "application/json",
+      ...(version === null ? {} : { "If-Match": `"${version}"` }),
+    },
+    body: text ? body : JSON.stringify(body),
+  });
+  return answer.json() as Promise<Profile>;
+};
+
 const bytes = async (path: string, signal?: AbortSignal): Promise<ArrayBuffer> =>
   (await request(path, signal ? { signal } : {})).arrayBuffer();
 
@@ -171,7 +195,7 @@ export const service = {
   ledger: (id: string, signal?: AbortSignal) =>
     get<Schemas["LedgerOut"]>(at("drawings", id, "/ledger"), signal),
   upload,
-  settle: (id: string, change: { unit?: Unit; profile?: string }) =>
+  settle: (id: string, change: { unit?: Unit | "file"; profile?: string }) =>
     send<Drawing>("PATCH", at("drawings", id), change),
   override: (id: string, overrides: readonly Override[]) =>
     send<Drawing>("PATCH", at("drawings", id, "/edges"), { overrides }),
@@ -190,4 +214,20 @@ export const service = {
   machines: (signal?: AbortSignal) => get<Machine[]>("/api/machines", signal),
   boards: (signal?: AbortSignal) => get<Board[]>("/api/boards", signal),
   profiles: (signal?: AbortSignal) => get<Profile[]>("/api/profiles", signal),
+  profile: (name: string, signal?: AbortSignal) => get<Profile>(at("profiles", name), signal),
+  profileText: async (name: string): Promise<string> =>
+    (await request(at("profiles", name, ".toml"))).text(),
+  profileUrl: (name: string) => at("profiles", name, ".toml"),
+  keepProfile: keep,
+  deleteProfile: async (name: string, version: number): Promise<void> => {
+    const headers = { "If-Match": `"${version}"` };
+    await request(at("profiles", name), { method: "DELETE", headers });
+  },
+  preview: (id: string, profile: ProfileDraft) =>
+    send<Preview>("POST", at("drawings", id, "/preview"), profile),
+  learned: (id: string, signal?: AbortSignal) =>
+    request(at("drawings", id, "/learned"), {
+      method: "POST",
+      ...(signal ? { signal } : {}),
+    }).then((answer) => answer.json() as Promise<Proposal[]>),
 };

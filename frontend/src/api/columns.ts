@@ -7,7 +7,13 @@
  * where the data begins.
  */
 
-import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
+import {
+  type Edges,
+  LINE_TYPES,
+  type LineType,
+  type Toolpath,
+  type VerdictColumns,
+} from "../geometry/records";
 
 type Column = Float64Array | Int32Array | Uint8Array;
 
@@ -75,11 +81,17 @@ function column<T extends Column>(from: Columns, name: string, kind: new (n: num
 
 const words = (value: unknown): string[] => (Array.isArray(value) ? value.map(String) : []);
 
+const isLineType = (word: string): word is LineType => LINE_TYPES.some((type) => type === word);
+
+const wordLists = (value: unknown): LineType[][] =>
+  (Array.isArray(value) ? value : []).map((list) => words(list).filter(isLineType));
+
 export function edgesOf(bytes: ArrayBuffer): Edges {
   const from = decodeColumns(bytes);
+  const bulge = column(from, "bulge", Float64Array);
   return {
     ends: column(from, "ends", Float64Array),
-    bulge: column(from, "bulge", Float64Array),
+    bulge,
     lineType: column(from, "line_type", Uint8Array),
     layer: column(from, "layer", Int32Array),
     colour: column(from, "colour", Int32Array),
@@ -91,6 +103,15 @@ export function edgesOf(bytes: ArrayBuffer): Edges {
     layers: words(from.meta.layers),
     rules: words(from.meta.rules),
     linetypes: words(from.meta.linetypes),
+    alternatives: wordLists(from.meta.alternatives),
+    // A drawing that an older service read says nothing of these: all was kept.
+    fate: from.columns.has("fate")
+      ? column(from, "fate", Uint8Array)
+      : new Uint8Array(bulge.length),
+    reason: from.columns.has("reason")
+      ? column(from, "reason", Int32Array)
+      : new Int32Array(bulge.length),
+    reasons: words(from.meta.reasons),
   };
 }
 

@@ -19,7 +19,7 @@ export interface paths {
         put?: never;
         /**
          * Upload Drawing
-         * @description Read and classify a drawing (DXF, text or binary).
+         * @description Read and classify a drawing: DXF (text or binary), CF2 or SVG, told by its content.
          */
         post: operations["upload_drawing"];
         delete?: never;
@@ -92,6 +92,26 @@ export interface paths {
          * @description List what became of every entity of the file.
          */
         get: operations["get_ledger"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/drawings/{id}/cleaning": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Cleaning
+         * @description List what cleaning makes of the edges before they are planned: joined, moved, dropped.
+         */
+        get: operations["get_cleaning"];
         put?: never;
         post?: never;
         delete?: never;
@@ -487,6 +507,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/tools": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Tools
+         * @description List the tools on all machines.
+         */
+        get: operations["list_tools"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/profiles": {
         parameters: {
             query?: never;
@@ -496,9 +536,29 @@ export interface paths {
         };
         /**
          * List Profiles
-         * @description List the classification profiles.
+         * @description List the classification profiles: the customers' own, then those that are shipped.
          */
         get: operations["list_profiles"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/profiles/{name}.toml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Export Profile
+         * @description Return a profile as TOML, to be kept, edited and sent back.
+         */
+        get: operations["export_profile"];
         put?: never;
         post?: never;
         delete?: never;
@@ -519,28 +579,58 @@ export interface paths {
          * @description Look at a classification profile: its rules, of which the first that matches decides.
          */
         get: operations["get_profile"];
-        put?: never;
+        /**
+         * Keep Profile
+         * @description Keep a customer's profile, as TOML or as JSON.
+         *
+         *     A new one needs no If-Match; to change one, say which version it was made from.
+         */
+        put: operations["keep_profile"];
         post?: never;
-        delete?: never;
+        /**
+         * Delete Profile
+         * @description Forget a customer's profile; drawings and jobs keep the rules that they were made with.
+         */
+        delete: operations["delete_profile"];
         options?: never;
         head?: never;
         patch?: never;
         trace?: never;
     };
-    "/api/tools": {
+    "/api/drawings/{id}/preview": {
         parameters: {
             query?: never;
             header?: never;
             path?: never;
             cookie?: never;
         };
-        /**
-         * List Tools
-         * @description List the tools on all machines.
-         */
-        get: operations["list_tools"];
+        get?: never;
         put?: never;
-        post?: never;
+        /**
+         * Preview Profile
+         * @description Say what a profile would do to a drawing; nothing is kept.
+         */
+        post: operations["preview_profile"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/drawings/{id}/learned": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Learn From Corrections
+         * @description Propose rules that would have said what somebody corrected by hand; nothing is kept.
+         */
+        post: operations["learn_from_corrections"];
         delete?: never;
         options?: never;
         head?: never;
@@ -700,7 +790,7 @@ export interface components {
             /** File */
             file: string;
             /** Unit */
-            unit?: ("mm" | "cm" | "m" | "in" | "ft") | null;
+            unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /**
              * Profile
              * @default default
@@ -759,6 +849,24 @@ export interface components {
             toml: string;
         };
         /**
+         * ChangeOut
+         * @description Edges that would be something else.
+         */
+        ChangeOut: {
+            /**
+             * Before
+             * @enum {string}
+             */
+            before: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
+            /**
+             * After
+             * @enum {string}
+             */
+            after: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
+            /** Edges */
+            edges: number[];
+        };
+        /**
          * Claim
          * @description A job for this gateway alone, until the lease runs out.
          */
@@ -798,6 +906,91 @@ export interface components {
              * @default 20
              */
             wait: number;
+        };
+        /**
+         * CleaningCounts
+         * @description How many edges have each fate.
+         */
+        CleaningCounts: {
+            /** Kept */
+            kept: number;
+            /** Merged */
+            merged: number;
+            /** Dropped */
+            dropped: number;
+        };
+        /**
+         * CleaningLengths
+         * @description Lengths over all edges (mm): drawn = kept + merged + dropped, worked = kept + added.
+         */
+        CleaningLengths: {
+            /** Drawn */
+            drawn: number;
+            /** Kept */
+            kept: number;
+            /** Merged */
+            merged: number;
+            /** Dropped */
+            dropped: number;
+            /** Added */
+            added: number;
+            /** Worked */
+            worked: number;
+            /** No Work */
+            no_work: number;
+        };
+        /**
+         * CleaningOut
+         * @description The ledger of cleaning.
+         */
+        CleaningOut: {
+            lengths: components["schemas"]["CleaningLengths"];
+            edges: components["schemas"]["CleaningCounts"];
+            /** Moved */
+            moved: number;
+            /** Off */
+            off: number;
+            /** Rows */
+            rows: components["schemas"]["CleaningRow"][];
+        };
+        /**
+         * CleaningRow
+         * @description What became of one edge that is not worked exactly as it was drawn.
+         */
+        CleaningRow: {
+            /** Row */
+            row: number;
+            /** Handle */
+            handle: string;
+            /**
+             * Fate
+             * @enum {string}
+             */
+            fate: "kept" | "merged" | "dropped";
+            /**
+             * Why
+             * @enum {string}
+             */
+            why: "moved" | "shortened" | "longer" | "joined" | "fitted" | "twice" | "speck";
+            /**
+             * Into
+             * @description Row of the edge that stands for its work, -1 for none
+             */
+            into: number;
+            /** Kept */
+            kept: number;
+            /** Merged */
+            merged: number;
+            /** Dropped */
+            dropped: number;
+            /** Added */
+            added: number;
+            /** Moved */
+            moved: number;
+            /** Off */
+            off: number;
+            /** Text */
+            text: string;
         };
         /**
          * CornerAt
@@ -881,11 +1074,24 @@ export interface components {
             /** Sha256 */
             sha256: string;
             /** Unit */
-            unit: ("mm" | "cm" | "m" | "in" | "ft") | null;
+            unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
+            /**
+             * Unit Given
+             * @description By somebody; null for what the file says
+             */
+            unit_given: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /** Evidence */
             evidence: string;
+            /** @description As for report */
+            unit_finding?: components["schemas"]["UnitFindingOut"] | null;
             /** Profile */
             profile: string;
+            /**
+             * Profile State
+             * @description Whether the profile is still as it was when this was classified
+             * @enum {string}
+             */
+            profile_state: "current" | "changed" | "deleted";
             /** Segments */
             segments: number;
             /** Bounds */
@@ -908,15 +1114,23 @@ export interface components {
             /** Overrides */
             overrides: number;
             ledger: components["schemas"]["LedgerOut"];
+            /** @description None of an older knifetip */
+            report?: components["schemas"]["ReportOut"] | null;
         };
         /**
          * DrawingPatch
          * @description What somebody decided about a drawing.
          */
         DrawingPatch: {
-            /** Unit */
-            unit?: ("mm" | "cm" | "m" | "in" | "ft") | null;
-            /** Profile */
+            /**
+             * Unit
+             * @description "file" takes back what somebody said: as the file has it
+             */
+            unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | "file" | null;
+            /**
+             * Profile
+             * @description The same one again brings it up to date where it has changed
+             */
             profile?: string | null;
         };
         /**
@@ -931,7 +1145,7 @@ export interface components {
             /** Created */
             created: number;
             /** Unit */
-            unit: ("mm" | "cm" | "m" | "in" | "ft") | null;
+            unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /** Width */
             width: number;
             /** Height */
@@ -965,6 +1179,21 @@ export interface components {
             rule: string;
             /** Confidence */
             confidence: number;
+            /**
+             * Alternatives
+             * @description What else it could be, likeliest first
+             */
+            alternatives: ("unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi")[];
+            /**
+             * Fate
+             * @enum {string}
+             */
+            fate: "kept" | "merged" | "dropped";
+            /**
+             * Reason
+             * @description Why it was merged or dropped
+             */
+            reason: string;
             /** Length */
             length: number;
             /** Start */
@@ -1296,6 +1525,12 @@ export interface components {
             fate: "kept" | "merged" | "dropped";
             /** Reason */
             reason: string;
+            /**
+             * Theme
+             * @description The reason without names and numbers
+             * @default
+             */
+            theme: string;
             /** Length */
             length: number;
         };
@@ -1391,6 +1626,95 @@ export interface components {
             colour?: number | null;
         };
         /**
+         * PreviewOut
+         * @description What a profile would do to a drawing.
+         */
+        PreviewOut: {
+            /** Rules */
+            rules: components["schemas"]["PreviewRule"][];
+            /**
+             * Open
+             * @description Edges that no rule takes
+             */
+            open: number;
+            /** Changes */
+            changes: components["schemas"]["ChangeOut"][];
+        };
+        /**
+         * PreviewRule
+         * @description One rule, and what it takes of a drawing.
+         */
+        PreviewRule: {
+            /**
+             * Type
+             * @enum {string}
+             */
+            type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
+            /** Words */
+            words: string;
+            /**
+             * Layer
+             * @default []
+             */
+            layer: string[];
+            /**
+             * Colour
+             * @default []
+             */
+            colour: (number | string)[];
+            /**
+             * Linetype
+             * @default []
+             */
+            linetype: string[];
+            /**
+             * Entity
+             * @default []
+             */
+            entity: string[];
+            /**
+             * Block
+             * @default []
+             */
+            block: string[];
+            /**
+             * Inherited
+             * @description From the profile that this one extends
+             * @default false
+             */
+            inherited: boolean;
+            /** Edges */
+            edges: number;
+            /** Length */
+            length: number;
+        };
+        /**
+         * ProfileIn
+         * @description A customer's profile: the first rule that an edge meets decides.
+         */
+        ProfileIn: {
+            /** Title */
+            title: string;
+            /**
+             * Extends
+             * @description A shipped profile, whose rules are met
+             */
+            extends?: string | null;
+            /**
+             * Overrules
+             * @description These rules before those that it extends
+             * @default true
+             */
+            overrules: boolean;
+            /** Rules */
+            rules: components["schemas"]["RuleIn"][];
+            /**
+             * Version
+             * @description That was looked at; or send If-Match
+             */
+            version?: number | null;
+        };
+        /**
          * ProfileOut
          * @description A classification profile.
          */
@@ -1399,8 +1723,60 @@ export interface components {
             name: string;
             /** Title */
             title: string;
+            /**
+             * Shipped
+             * @description With knifetip: read it, do not change it
+             * @default false
+             */
+            shipped: boolean;
+            /** Extends */
+            extends?: string | null;
+            /**
+             * Overrules
+             * @default false
+             */
+            overrules: boolean;
+            /**
+             * Version
+             * @description Counts the changes; 0 of those that are shipped
+             * @default 0
+             */
+            version: number;
+            /**
+             * Updated
+             * @default 0
+             */
+            updated: number;
             /** Rules */
             rules: components["schemas"]["RuleOut"][];
+            /**
+             * Fault
+             * @description Why it cannot be used any more
+             * @default
+             */
+            fault: string;
+        };
+        /**
+         * ProposalOut
+         * @description A rule that would have said what somebody corrected.
+         */
+        ProposalOut: {
+            rule: components["schemas"]["RuleOut"];
+            /**
+             * Explains
+             * @description Corrected edges that it covers
+             */
+            explains: number[];
+            /**
+             * Sure
+             * @description It changes no edge that was decided
+             */
+            sure: boolean;
+            /**
+             * Changes
+             * @description What else would become something else
+             */
+            changes: components["schemas"]["ChangeOut"][];
         };
         /**
          * QuestionOut
@@ -1424,6 +1800,89 @@ export interface components {
             colour: number;
         };
         /**
+         * ReportGroup
+         * @description What became of edges or entities for one reason.
+         */
+        ReportGroup: {
+            /**
+             * Fate
+             * @enum {string}
+             */
+            fate: "kept" | "merged" | "dropped";
+            /** Reason */
+            reason: string;
+            /**
+             * What
+             * @description Edges have a place in the drawing; entities that are no lines have none
+             * @enum {string}
+             */
+            what: "edges" | "entities";
+            /**
+             * Kinds
+             * @description Kinds of the entities, the most frequent first
+             */
+            kinds: string[];
+            /** Count */
+            count: number;
+            /** Length */
+            length: number;
+        };
+        /**
+         * ReportOut
+         * @description What became of all that was drawn: kept + merged + dropped = drawn (mm).
+         */
+        ReportOut: {
+            /** Drawn */
+            drawn: number;
+            /** Kept */
+            kept: number;
+            /** Merged */
+            merged: number;
+            /** Dropped */
+            dropped: number;
+            /** Groups */
+            groups: components["schemas"]["ReportGroup"][];
+        };
+        /**
+         * RuleIn
+         * @description One rule: an edge that meets every condition has the type.
+         *
+         *     Patterns are shell globs, compared without regard to case; an empty list is no condition.
+         */
+        RuleIn: {
+            /**
+             * Type
+             * @enum {string}
+             */
+            type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
+            /**
+             * Layer
+             * @default []
+             */
+            layer: string[];
+            /**
+             * Colour
+             * @description AutoCAD indices, or "#rrggbb"
+             * @default []
+             */
+            colour: (number | string)[];
+            /**
+             * Linetype
+             * @default []
+             */
+            linetype: string[];
+            /**
+             * Entity
+             * @default []
+             */
+            entity: string[];
+            /**
+             * Block
+             * @default []
+             */
+            block: string[];
+        };
+        /**
          * RuleOut
          * @description One rule of a profile.
          */
@@ -1435,6 +1894,37 @@ export interface components {
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
             /** Words */
             words: string;
+            /**
+             * Layer
+             * @default []
+             */
+            layer: string[];
+            /**
+             * Colour
+             * @default []
+             */
+            colour: (number | string)[];
+            /**
+             * Linetype
+             * @default []
+             */
+            linetype: string[];
+            /**
+             * Entity
+             * @default []
+             */
+            entity: string[];
+            /**
+             * Block
+             * @default []
+             */
+            block: string[];
+            /**
+             * Inherited
+             * @description From the profile that this one extends
+             * @default false
+             */
+            inherited: boolean;
         };
         /**
          * StationOut
@@ -1488,6 +1978,50 @@ export interface components {
             dimensions: {
                 [key: string]: number | boolean;
             };
+        };
+        /**
+         * UnitEvidenceOut
+         * @description Something that speaks for a unit.
+         */
+        UnitEvidenceOut: {
+            /**
+             * Unit
+             * @enum {string}
+             */
+            unit: "mm" | "cm" | "m" | "in" | "ft" | "pt" | "px";
+            /** Text */
+            text: string;
+            /**
+             * Weight
+             * @description Logarithm of how much likelier than in the worst unit
+             */
+            weight: number;
+        };
+        /**
+         * UnitFindingOut
+         * @description What the file says and shows of its unit.
+         */
+        UnitFindingOut: {
+            /**
+             * Stated
+             * @description By the file's header
+             */
+            stated: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | "";
+            /**
+             * Ranking
+             * @description The likeliest first
+             */
+            ranking: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px")[];
+            /**
+             * Evidence
+             * @description The heaviest first
+             */
+            evidence: components["schemas"]["UnitEvidenceOut"][];
+            /**
+             * Warnings
+             * @description What somebody should look at, whatever the unit
+             */
+            warnings: string[];
         };
         /**
          * UnreachedOut
@@ -1918,6 +2452,37 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["LedgerOut"];
+                };
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_cleaning: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CleaningOut"];
                 };
             };
             /** @description What went wrong, and what to do about it */
@@ -2564,6 +3129,35 @@ export interface operations {
             };
         };
     };
+    list_tools: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StationTool"][];
+                };
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     list_profiles: {
         parameters: {
             query?: never;
@@ -2580,6 +3174,37 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ProfileOut"][];
+                };
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    export_profile: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/toml": string;
                 };
             };
             /** @description What went wrong, and what to do about it */
@@ -2624,11 +3249,119 @@ export interface operations {
             };
         };
     };
-    list_tools: {
+    keep_profile: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The version that was looked at, as its ETag; * for whatever there is */
+                "If-Match"?: string | null;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ProfileIn"];
+                "application/toml": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProfileOut"];
+                };
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_profile: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The version that was looked at, as its ETag; * for whatever there is */
+                "If-Match"?: string | null;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    preview_profile: {
         parameters: {
             query?: never;
             header?: never;
-            path?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ProfileIn"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PreviewOut"];
+                };
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    learn_from_corrections: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
             cookie?: never;
         };
         requestBody?: never;
@@ -2639,7 +3372,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["StationTool"][];
+                    "application/json": components["schemas"]["ProposalOut"][];
                 };
             };
             /** @description What went wrong, and what to do about it */

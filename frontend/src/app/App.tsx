@@ -3,16 +3,20 @@
 import { useEffect, useRef } from "react";
 import { DocumentPanel } from "../panels/DocumentPanel";
 import { DrawingsPanel } from "../panels/DrawingsPanel";
+import { ImportPanel } from "../panels/ImportPanel";
+import { InspectorPanel } from "../panels/InspectorPanel";
 import { JobPanel } from "../panels/JobPanel";
 import { LayersPanel } from "../panels/LayersPanel";
-import { LedgerPanel } from "../panels/LedgerPanel";
+import { LearnedPanel } from "../panels/LearnedPanel";
 import { LineTypesPanel } from "../panels/LineTypesPanel";
 import { MachinePanel } from "../panels/MachinePanel";
 import { OrderPanel } from "../panels/OrderPanel";
+import { ProfileEditor } from "../panels/ProfileEditor";
 import { QuestionsPanel } from "../panels/QuestionsPanel";
 import { QueuePanel } from "../panels/QueuePanel";
 import { ReportsList } from "../panels/ReportsList";
 import { ShortcutsDialog } from "../panels/ShortcutsDialog";
+import { UnitPanel } from "../panels/UnitPanel";
 import { follow, useDrawing } from "../state/queries";
 import { usePage } from "../state/store";
 import css from "./app.module.css";
@@ -27,6 +31,7 @@ import { Welcome } from "./Welcome";
 export function App() {
   const picture = useRef<PictureKeys | null>(null);
   const drawing = usePage((page) => page.drawing);
+  const editing = usePage((page) => page.editing);
   const leftOpen = usePage((page) => page.leftOpen);
   const rightOpen = usePage((page) => page.rightOpen);
   const { error } = useDrawing();
@@ -45,16 +50,24 @@ export function App() {
   return (
     <div className={css.page}>
       <TopBar />
-      <aside className={css.side} hidden={!leftOpen} aria-label="Drawing">
+      <aside
+        className={`${css.side} ${drawing !== null && editing !== null ? css.wide : ""}`}
+        hidden={!leftOpen}
+        aria-label="Drawing"
+      >
         {drawing === null ? (
           <DrawingsPanel />
+        ) : editing !== null ? (
+          <ProfileEditor name={editing} />
         ) : (
           <>
             <DocumentPanel />
             <QuestionsPanel />
+            <LearnedPanel />
             <LineTypesPanel />
             <LayersPanel />
-            <LedgerPanel />
+            <UnitPanel />
+            <ImportPanel />
           </>
         )}
       </aside>
@@ -74,6 +87,7 @@ export function App() {
       >
         {drawing !== null && (
           <>
+            <InspectorPanel />
             <OrderPanel />
             <JobPanel />
           </>

@@ -41,7 +41,7 @@ export function DropAnywhere() {
   if (!over) return null;
   return (
     <div className={css.drop} data-testid="drop-zone">
-      <div className={css.dropCard}>Drop the DXF to open it</div>
+      <div className={css.dropCard}>Drop drawings to open them</div>
     </div>
   );
 }

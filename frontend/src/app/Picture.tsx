@@ -3,6 +3,7 @@
 import { ActionIcon, Button, Tooltip } from "@mantine/core";
 import { IconFocusCentered, IconMinus, IconPlus } from "@tabler/icons-react";
 import { useEffect, useMemo, useRef, useState } from "react";
+import { boundsOf } from "../geometry/bounds";
 import { type Edges, lineTypeOf, type Point } from "../geometry/records";
 import { type Sweep, sweepOf } from "../geometry/sweep";
 import { duration, timeOf } from "../geometry/timeline";
@@ -32,6 +33,7 @@ import {
   useVerdict,
   useVerdictColumns,
 } from "../state/queries";
+import { isGone } from "../state/report";
 import { layerKey, layerOf } from "../state/rows";
 import { usePage } from "../state/store";
 import { NoWebGL, Viewer } from "../viewer/viewer";
@@ -222,6 +224,7 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   const hovered = usePage((page) => page.hover?.row ?? null);
   const hoveredMoves = usePage((page) => page.hover?.moves);
   const focus = usePage((page) => page.focus);
+  const proposed = usePage((page) => page.proposed);
   const scrub = usePage((page) => page.scrub);
   const chosenMachine = usePage((page) => page.machine);
   const open = usePage((page) => page.drawing);
@@ -264,16 +267,16 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
       if (shown === null || hiddenTypes.has(lineTypeOf(shown.lineType[row]))) return false;
       return !hiddenLayers.has(layerKey(layerOf(shown, row), shown.colour[row] ?? 0));
     };
-    viewer?.showEdges(shown, isShown, { colours, worked, along: stretches });
+    const gone = (row: number) => shown !== null && isGone(shown, row);
+    viewer?.showEdges(shown, isShown, { colours, worked, along: stretches, gone });
   }, [viewer, shown, hiddenTypes, hiddenLayers, colours, worked, stretches]);
 
-  // A drawing that is opened, or whose unit is settled, is brought into view; a new type is not.
-  const unit = drawing?.unit;
-  const ready = shown !== null;
+  // A drawing that is opened, or has another size now, is brought into view; a new type is not.
+  const extent = useMemo(() => (shown === null ? "" : String(boundsOf(shown))), [shown]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: these are when, not what
   useEffect(() => {
-    if (ready) viewer?.fit(null, false);
-  }, [viewer, ready, open, unit]);
+    if (extent !== "") viewer?.fit(null, false);
+  }, [viewer, open, extent]);
 
   const placement = line?.toolpath.placement;
   useEffect(() => {
@@ -295,6 +298,8 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   useEffect(() => viewer?.showCorners(milled ? corners.at : []), [viewer, corners, milled]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the rows are those of these edges
   useEffect(() => viewer?.showChosen(selection), [viewer, selection, shown]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the rows are those of these edges
+  useEffect(() => viewer?.showProposed(proposed), [viewer, proposed, shown]);
   useEffect(
     () => viewer?.showHovered(hovered, hoveredMoves ?? []),
     [viewer, hovered, hoveredMoves],

@@ -11,13 +11,13 @@ export function Welcome() {
         <Logo size={44} />
         <h1>Drop a dieline here</h1>
         <p>
-          A DXF from your carton CAD. knifetip finds out what is cut, creased and grooved, puts the
-          tip of each tool on its line, and proves it before the table moves.
+          DXF, SVG or CF2, from any program. knifetip finds out what is cut, creased and grooved,
+          puts the tip of each tool on its line, and proves it before the table moves.
         </p>
         <ChooseFile large />
         <ol className={css.steps}>
           <li>
-            <b>1 Drop</b>a DXF, or open one of the drawings at the left
+            <b>1 Drop</b>a drawing, or open one of the drawings at the left
           </li>
           <li>
             <b>2 Compile</b>for your board and machine, and read the verdict

@@ -55,6 +55,7 @@ export function listenToKeys(picture: () => PictureKeys | null): () => void {
     else if (key === "[") page.set({ leftOpen: !page.leftOpen });
     else if (key === "]") page.set({ rightOpen: !page.rightOpen });
     else if (key === "?") page.set({ helpOpen: !page.helpOpen });
+    else if (key === "Escape" && page.editing !== null) page.set({ editing: null, proposed: [] });
     else if (key === "Escape" && !page.helpOpen) page.choose([]);
     else if (key === "c") {
       const next = (COLOUR_MODES.indexOf(page.colourMode) + 1) % COLOUR_MODES.length;

@@ -49,7 +49,20 @@ export interface Edges extends Segments {
   readonly layers: readonly string[];
   readonly rules: readonly string[];
   readonly linetypes: readonly string[];
+  /** What else an edge could be that a rule decided, by rule, the likeliest first. */
+  readonly alternatives: readonly (readonly LineType[])[];
+  /** (n,) index into FATES */
+  readonly fate: Uint8Array;
+  /** (n,) index into `reasons` */
+  readonly reason: Int32Array;
+  readonly reasons: readonly string[];
 }
+
+/** What became of an edge when the drawing was cleaned: the index is the code in the column. */
+export const FATES = ["kept", "merged", "dropped"] as const;
+export type Fate = (typeof FATES)[number];
+
+export const fateOf = (code: number | undefined): Fate => FATES[code ?? 0] ?? "kept";
 
 /** Areas that no cutter gets to: q loops of lines and arcs. */
 export interface Areas extends Segments {

@@ -54,6 +54,10 @@ const EDGES = {
   layers: ["0"],
   rules: [""],
   linetypes: ["Continuous"],
+  alternatives: [],
+  fate: new Uint8Array(3),
+  reason: new Int32Array(3),
+  reasons: [""],
 };
 
 test("an edge that is set back is worked as far as its tool goes, all others wholly", () => {

@@ -1,18 +1,20 @@
 /** The drawing that is open: its name, its size, and what decided how it was read. */
 
 import { ActionIcon, Select, Tooltip } from "@mantine/core";
-import { IconArrowLeft } from "@tabler/icons-react";
-import { settle } from "../state/actions";
+import { IconAdjustments, IconArrowLeft } from "@tabler/icons-react";
+import type { Drawing, Profile } from "../api/client";
+import { bringUpToDate, settle } from "../state/actions";
 import { useDrawing, useProfiles } from "../state/queries";
+import { inches } from "../state/sizes";
 import { usePage } from "../state/store";
 import { count, size } from "../state/words";
+import imported from "./import.module.css";
 import css from "./panels.module.css";
 
 export function DocumentPanel() {
   const { data: drawing } = useDrawing();
   const { data: profiles } = useProfiles();
   const open = usePage((page) => page.open);
-  const busy = usePage((page) => page.busy);
   if (drawing === undefined) return null;
   return (
     <section className={css.section} style={{ padding: "12px 16px 16px" }}>
@@ -35,22 +37,51 @@ export function DocumentPanel() {
       <dl className={css.facts}>
         <dt>Size</dt>
         <dd data-testid="drawing-size">
-          {drawing.unit === null ? "unit not known" : size(drawing.width, drawing.height)}
+          {drawing.unit === null
+            ? `${figure(drawing.width)} × ${figure(drawing.height)}, unit not known`
+            : size(drawing.width, drawing.height)}
         </dd>
-        <dt>Unit of the file</dt>
-        <dd title={drawing.evidence}>{drawing.unit ?? "?"}</dd>
+        {drawing.unit !== null && (
+          <>
+            <dt>In inches</dt>
+            <dd data-testid="drawing-inches">{inches(drawing.width, drawing.height)}</dd>
+          </>
+        )}
         <dt>Edges</dt>
         <dd>
           {drawing.segments.toLocaleString("en")}
           {drawing.overrides > 0 && ` · ${count(drawing.overrides, "override")}`}
         </dd>
       </dl>
-      {profiles && profiles.length > 1 && (
+      {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
+    </section>
+  );
+}
+
+const figure = (value: number) => value.toLocaleString("en", { maximumFractionDigits: 3 });
+
+/** By whose rules the drawing is read; the customers' own stand above those that are shipped. */
+function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: readonly Profile[] }) {
+  const busy = usePage((page) => page.busy);
+  const set = usePage((page) => page.set);
+  const option = ({ name, title }: Profile) => ({ value: name, label: title || name });
+  const own = profiles.filter(({ shipped }) => !shipped);
+  const shipped = profiles.filter((profile) => profile.shipped);
+  const gone = !profiles.some(({ name }) => name === drawing.profile);
+  return (
+    <div style={{ marginTop: 12 }}>
+      <div style={{ display: "flex", alignItems: "end", gap: 6 }}>
         <Select
-          mt={12}
           size="xs"
+          style={{ flex: 1 }}
           label="Line type profile"
-          data={profiles.map(({ name, title }) => ({ value: name, label: title || name }))}
+          data={[
+            ...(gone
+              ? [{ group: "Deleted", items: [{ value: drawing.profile, label: drawing.profile }] }]
+              : []),
+            ...(own.length > 0 ? [{ group: "Customers", items: own.map(option) }] : []),
+            { group: "Shipped", items: shipped.map(option) },
+          ]}
           value={drawing.profile}
           allowDeselect={false}
           disabled={busy}
@@ -59,7 +90,37 @@ export function DocumentPanel() {
             if (profile !== null && profile !== drawing.profile) void settle({ profile });
           }}
         />
+        <Tooltip label={gone ? "It is deleted" : "Rules of this profile"}>
+          <ActionIcon
+            variant="default"
+            size={30}
+            disabled={gone}
+            aria-label="Edit the profile"
+            data-testid="edit-profile"
+            onClick={() => set({ editing: drawing.profile })}
+          >
+            <IconAdjustments size={16} />
+          </ActionIcon>
+        </Tooltip>
+      </div>
+      {drawing.profile_state !== "current" && (
+        <p className={imported.warning} style={{ margin: "8px 0 0" }} data-testid="profile-state">
+          {drawing.profile_state === "changed"
+            ? "The profile has changed since this drawing was read by it. "
+            : "This profile is deleted; the drawing keeps its rules. "}
+          {drawing.profile_state === "changed" && (
+            <button
+              type="button"
+              className={imported.link}
+              disabled={busy}
+              data-testid="bring-up-to-date"
+              onClick={() => void bringUpToDate()}
+            >
+              Read it anew
+            </button>
+          )}
+        </p>
       )}
-    </section>
+    </div>
   );
 }

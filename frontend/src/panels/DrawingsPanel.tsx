@@ -35,7 +35,7 @@ export function DrawingsPanel() {
       {error && <p className={css.note}>{error.message}</p>}
       {drawings?.length === 0 && (
         <p className={css.note} style={{ padding: "0 8px" }}>
-          No drawings yet. Drop a DXF anywhere on this page.
+          No drawings yet. Drop a DXF, SVG or CF2 anywhere on this page.
         </p>
       )}
       {drawings?.map((drawing) => (
@@ -86,7 +86,7 @@ export function ChooseFile({ large = false }: { large?: boolean }) {
       <input
         ref={input}
         type="file"
-        accept=".dxf"
+        accept=".dxf,.svg,.svgz,.cf2,.cff2"
         multiple
         hidden
         data-testid={large ? "file-input-large" : "file-input"}
@@ -104,7 +104,7 @@ export function ChooseFile({ large = false }: { large?: boolean }) {
         onClick={() => input.current?.click()}
         data-testid={large ? "choose-file-large" : "choose-file"}
       >
-        Choose a DXF
+        Choose drawings
       </Button>
       {upload && !large && (
         <div style={{ marginTop: 10 }} role="status" data-testid="upload">

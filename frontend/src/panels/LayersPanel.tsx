@@ -24,9 +24,11 @@ export function LayersPanel() {
       flush
       aside={<span className={css.rowFigure}>{drawing.layers.length}</span>}
     >
-      {drawing.layers.map((layer) => (
-        <Row key={layerKey(layer.name, layer.colour)} layer={layer} />
-      ))}
+      <div className={css.long}>
+        {drawing.layers.map((layer) => (
+          <Row key={layerKey(layer.name, layer.colour)} layer={layer} />
+        ))}
+      </div>
     </Section>
   );
 }

@@ -20,6 +20,9 @@ export type Palette = Readonly<Record<LineType, { colour: Rgba; dash: Dash }>>;
 /** What is not worked is this much fainter. */
 const LEFT = 0.3;
 
+/** What is not made at all. */
+const GHOST: Rgba = [139, 151, 166, 130];
+
 /** Colours along the edges: the stretches of edge i begin at first[i] and end before first[i + 1]. */
 export interface Along {
   /** (n + 1,) */
@@ -37,6 +40,8 @@ export interface DielineLooks {
   readonly colours?: Uint8Array | null;
   /** (n, 2) the part of each edge that is worked, as fractions of its length */
   readonly worked?: Float64Array | null;
+  /** Which edges are not made, since the drawing has them twice or by mistake: they stand back. */
+  readonly gone?: (row: number) => boolean;
   /** Colours that change along the edges, above `colours` where there are any */
   readonly along?: Along | null;
 }
@@ -46,11 +51,21 @@ export function dielineLines(
   edges: Edges,
   origin: Point,
   palette: Palette,
-  { shown = () => true, colours = null, worked = null, along = null }: DielineLooks = {},
+  {
+    shown = () => true,
+    colours = null,
+    worked = null,
+    along = null,
+    gone = () => false,
+  }: DielineLooks = {},
 ): Lines {
   const lines = new LinesUnderWay(origin);
   for (let row = 0; row < edges.bulge.length; row++) {
     if (!shown(row)) continue;
+    if (gone(row)) {
+      addEdge(lines, edges, row, GHOST, DASHES.indexOf("dotted"));
+      continue;
+    }
     const look = palette[lineTypeOf(edges.lineType[row])];
     const colour = colours === null ? look.colour : rgbaAt(colours, row);
     // In a gap of a line there would be nothing to read a colour from.
@@ -107,6 +122,23 @@ export function highlightLines(
   const lines = new LinesUnderWay(origin);
   for (const row of rows) {
     if (row >= 0 && row < edges.bulge.length) addEdge(lines, edges, row, colour, 0);
+  }
+  return lines.done();
+}
+
+/** Edges in the colours of what they would become, to lie under them. */
+export function proposedLines(
+  edges: Segments,
+  origin: Point,
+  proposed: readonly { readonly rows: readonly number[]; readonly type: LineType }[],
+  palette: Palette,
+): Lines {
+  const lines = new LinesUnderWay(origin);
+  for (const { rows, type } of proposed) {
+    const [red, green, blue] = palette[type].colour;
+    for (const row of rows) {
+      if (row < edges.bulge.length) addEdge(lines, edges, row, [red, green, blue, 150], 0);
+    }
   }
   return lines.done();
 }

@@ -29,6 +29,10 @@ const EDGES: Edges = {
   layers: ["0"],
   rules: [""],
   linetypes: ["Continuous"],
+  alternatives: [],
+  fate: new Uint8Array(4),
+  reason: new Int32Array(4),
+  reasons: [""],
 };
 const MAP: FigureMap = {
   figure: [0, 0.005, 0.02, 0],

@@ -33,6 +33,10 @@ const EDGES: Edges = {
   layers: ["0"],
   rules: [""],
   linetypes: ["Continuous"],
+  alternatives: [],
+  fate: new Uint8Array(2),
+  reason: new Int32Array(2),
+  reasons: [""],
 };
 const ORIGIN = { x: 50, y: 0 };
 

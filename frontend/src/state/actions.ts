@@ -1,9 +1,25 @@
 /** What the user does, from the page to the service and back into what is shown. */
 
-import { type JobCommand, ServiceError, service, type Unit } from "../api/client";
+import {
+  type Drawing,
+  type JobCommand,
+  type Profile,
+  ServiceError,
+  service,
+  type Unit,
+} from "../api/client";
 import type { LineType } from "../geometry/records";
 import { mills } from "./corners";
-import { backwards, changeOf, forwards } from "./history";
+import {
+  backwards,
+  type Change,
+  changeOf,
+  forwards,
+  type Keeping,
+  reversed,
+  type Said,
+  saidOf,
+} from "./history";
 import { heardJob, keys, queries } from "./queries";
 import { report } from "./reports";
 import { usePage } from "./store";
@@ -12,7 +28,7 @@ let last: Promise<void> = Promise.resolve();
 let waiting = 0;
 
 /** Run one thing after the other, in the order in which they were asked; what fails is told. */
-function inTurn(act: () => Promise<void>): Promise<void> {
+export function inTurn(act: () => Promise<void>): Promise<void> {
   waiting++;
   usePage.getState().set({ busy: true });
   last = last
@@ -30,11 +46,16 @@ export function uploadFiles(files: readonly File[]): Promise<void> {
     try {
       for (const file of files) {
         usePage.getState().set({ upload: { name: file.name, fraction: 0 } });
-        const drawing = await service.upload(file, (fraction) =>
-          usePage.getState().set({ upload: { name: file.name, fraction } }),
-        );
-        queries.setQueryData(keys.drawing(drawing.id).queryKey, drawing);
-        usePage.getState().open(drawing.id);
+        try {
+          const drawing = await service.upload(file, (fraction) =>
+            usePage.getState().set({ upload: { name: file.name, fraction } }),
+          );
+          queries.setQueryData(keys.drawing(drawing.id).queryKey, drawing);
+          usePage.getState().open(drawing.id);
+        } catch (cause) {
+          // One that cannot be read does not keep the others out.
+          report(cause);
+        }
       }
     } finally {
       usePage.getState().set({ upload: null });
@@ -43,33 +64,41 @@ export function uploadFiles(files: readonly File[]): Promise<void> {
   });
 }
 
-/** Ask again for what belongs to a drawing. */
-const refresh = (drawing: string) =>
-  Promise.all([
-    queries.invalidateQueries({ queryKey: keys.edges(drawing).queryKey }),
-    queries.invalidateQueries({ queryKey: keys.ledger(drawing).queryKey }),
+/** Take a drawing as the service answered it, and ask again for what belongs to it. */
+async function changed(drawing: Drawing): Promise<void> {
+  queries.setQueryData(keys.drawing(drawing.id).queryKey, drawing);
+  // A job's path belongs to the drawing as it was: it is no longer that of this one.
+  usePage.getState().openJob(null);
+  usePage.getState().set({ asked: [], proposed: [] });
+  await Promise.all([
+    queries.invalidateQueries({ queryKey: keys.edges(drawing.id).queryKey }),
+    queries.invalidateQueries({ queryKey: keys.ledger(drawing.id).queryKey }),
+    queries.invalidateQueries({ queryKey: keys.learned(drawing.id).queryKey }),
     queries.invalidateQueries({ queryKey: keys.drawings().queryKey }),
   ]);
+}
 
-export function settle(change: { unit?: Unit; profile?: string }): Promise<void> {
+const known = (id: string): Drawing | undefined => queries.getQueryData(keys.drawing(id).queryKey);
+
+/** Say the unit of the drawing, or by which profile it is read. */
+export function settle(part: { unit?: Unit | "file"; profile?: string }): Promise<void> {
   return inTurn(async () => {
     const { drawing } = usePage.getState();
-    if (drawing === null) return;
-    const answer = await service.settle(drawing, change);
-    queries.setQueryData(keys.drawing(drawing).queryKey, answer);
-    usePage.getState().openJob(null);
-    usePage.getState().set({ asked: [] });
-    await refresh(drawing);
+    const before = drawing === null ? undefined : known(drawing);
+    if (drawing === null || before === undefined) return;
+    const said = saidOf(before);
+    await changed(await service.settle(drawing, part));
+    usePage.getState().made({ kind: "settled", before: said, after: { ...said, ...part } });
   });
 }
 
-async function apply(drawing: string, overrides: ReturnType<typeof forwards>): Promise<void> {
-  const answer = await service.override(drawing, overrides);
-  queries.setQueryData(keys.drawing(drawing).queryKey, answer);
-  // A job's path belongs to the drawing as it was: it is no longer that of this one.
-  usePage.getState().openJob(null);
-  usePage.getState().set({ asked: [] });
-  await refresh(drawing);
+/** Classify the drawing anew by its profile, which has changed since. */
+export function bringUpToDate(): Promise<void> {
+  return inTurn(async () => {
+    const { drawing } = usePage.getState();
+    const now = drawing === null ? undefined : known(drawing);
+    if (now !== undefined) await changed(await service.settle(now.id, { profile: now.profile }));
+  });
 }
 
 /** Give these edges a line type; null lets the profile decide again. */
@@ -80,9 +109,65 @@ export function retype(rows: readonly number[], to: LineType | null): Promise<vo
     const edges = queries.getQueryData(keys.edges(drawing).queryKey);
     if (edges === undefined) return;
     const change = changeOf(edges, rows, to);
-    await apply(drawing, forwards(change));
+    await changed(await service.override(drawing, forwards(change)));
     usePage.getState().made(change);
   });
+}
+
+/** A profile as the last change left it; somebody else's words are not overwritten. */
+async function asItWas(name: string, text: string): Promise<Profile> {
+  const now = await service.profile(name);
+  if ((await service.profileText(name)) === text) return now;
+  throw new ServiceError({
+    type: "about:blank",
+    title: "The profile has changed",
+    status: 412,
+    detail: `Somebody else changed the profile ${now.title} since.`,
+    mend: "Look at its rules; nothing was taken back.",
+    source: [],
+    questions: [],
+  });
+}
+
+/**
+ * Keep a profile as a text, or keep none of its name, and read the drawing by another.
+ *
+ * `written` says that the service has the text already.
+ */
+export async function keepAs(drawing: string, change: Keeping, written = false): Promise<void> {
+  const { name, before, after, profileAfter } = change;
+  if (after === null) {
+    const now = await asItWas(name, before ?? "");
+    // A drawing that was read by it is read by another first: it would say that it is gone.
+    const answer = await service.settle(drawing, { profile: profileAfter });
+    await service.deleteProfile(name, now.version);
+    await changed(answer);
+  } else {
+    if (!written) {
+      const version = before === null ? null : (await asItWas(name, before)).version;
+      await service.keepProfile(name, after, version);
+    }
+    await changed(await service.settle(drawing, { profile: profileAfter }));
+  }
+  await queries.invalidateQueries({ queryKey: keys.profiles().queryKey });
+}
+
+async function again(drawing: string, change: Change, back: boolean): Promise<void> {
+  if (change.kind === "types") {
+    const overrides = back ? backwards(change) : forwards(change);
+    await changed(await service.override(drawing, overrides));
+  } else if (change.kind === "settled") {
+    const { before, after } = back ? reversed(change) : change;
+    await changed(await service.settle(drawing, differing(before, after)));
+  } else await keepAs(drawing, back ? reversed(change) : change);
+}
+
+/** What of `after` is not as it was: the profile is read anew only where it is another. */
+function differing(before: Said, after: Said): Partial<Said> {
+  return {
+    ...(before.unit === after.unit ? {} : { unit: after.unit }),
+    ...(before.profile === after.profile ? {} : { profile: after.profile }),
+  };
 }
 
 export function undo(): Promise<void> {
@@ -90,7 +175,7 @@ export function undo(): Promise<void> {
     const { drawing, past } = usePage.getState();
     const change = past.at(-1);
     if (drawing === null || change === undefined) return;
-    await apply(drawing, backwards(change));
+    await again(drawing, change, true);
     usePage.getState().undone();
   });
 }
@@ -100,7 +185,7 @@ export function redo(): Promise<void> {
     const { drawing, future } = usePage.getState();
     const change = future.at(-1);
     if (drawing === null || change === undefined) return;
-    await apply(drawing, forwards(change));
+    await again(drawing, change, false);
     usePage.getState().redone();
   });
 }

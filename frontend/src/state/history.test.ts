@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { type Drawing, service } from "../api/client";
+import { type Drawing, type Profile, service } from "../api/client";
 import { type Edges, LINE_TYPES } from "../geometry/records";
-import { redo, retype, undo } from "./actions";
-import { backwards, changeOf, forwards } from "./history";
+import { redo, retype, settle, undo } from "./actions";
+import { backwards, changeOf, forwards, type Keeping, reversed } from "./history";
 import { keys, queries } from "./queries";
 import { useReports } from "./reports";
 import { usePage } from "./store";
@@ -22,6 +22,10 @@ const EDGES: Edges = {
   layers: ["0"],
   rules: ['profile default: layer "OVERRIDE"', "override"],
   linetypes: ["Continuous"],
+  alternatives: [],
+  fate: new Uint8Array(3),
+  reason: new Int32Array(3),
+  reasons: [""],
 };
 
 describe("a change", () => {
@@ -107,6 +111,85 @@ describe("undo and redo", () => {
     await retype([0], "crease");
     usePage.getState().open("d2");
     expect(usePage.getState().past).toHaveLength(0);
+  });
+});
+
+describe("a unit and a profile", () => {
+  const told = vi.spyOn(service, "settle");
+  const texts = vi.spyOn(service, "keepProfile");
+  const forgotten = vi.spyOn(service, "deleteProfile");
+  const read = vi.spyOn(service, "profile");
+  const text = vi.spyOn(service, "profileText");
+  const drawing = (part: Partial<Drawing>) =>
+    ({ id: "d1", unit: "mm", unit_given: null, profile: "default", ...part }) as Drawing;
+
+  beforeEach(() => {
+    told.mockReset().mockImplementation((_, part) =>
+      Promise.resolve(
+        drawing({
+          unit_given: part.unit === "file" ? null : (part.unit ?? null),
+          profile: part.profile ?? "default",
+        }),
+      ),
+    );
+    texts.mockReset().mockResolvedValue({ version: 2 } as Profile);
+    forgotten.mockReset().mockResolvedValue();
+    read.mockReset().mockResolvedValue({ version: 7, title: "Acme" } as Profile);
+    text.mockReset().mockResolvedValue('title = "Acme"');
+    queries.clear();
+    queries.setQueryData(keys.drawing("d1").queryKey, drawing({}));
+    usePage.getState().open(null);
+    usePage.getState().open("d1");
+  });
+
+  test("that were said are unsaid, and said again", async () => {
+    await settle({ unit: "in" });
+    await undo();
+    await redo();
+    expect(told.mock.calls.map(([, part]) => part)).toEqual([
+      { unit: "in" },
+      { unit: "file" },
+      { unit: "in" },
+    ]);
+  });
+
+  const KEPT: Keeping = {
+    kind: "kept",
+    name: "acme",
+    before: null,
+    after: 'title = "Acme"',
+    profileBefore: "default",
+    profileAfter: "acme",
+  };
+
+  test("a new profile is forgotten, once the drawing is read by the one before", async () => {
+    usePage.getState().made(KEPT);
+    await undo();
+    expect(told).toHaveBeenCalledWith("d1", { profile: "default" });
+    expect(forgotten).toHaveBeenCalledWith("acme", 7);
+    await redo();
+    expect(texts).toHaveBeenCalledWith("acme", 'title = "Acme"', null);
+    expect(told).toHaveBeenLastCalledWith("d1", { profile: "acme" });
+  });
+
+  test("a changed profile gets back the text that it had", async () => {
+    usePage.getState().made({ ...KEPT, before: 'title = "Old"', profileBefore: "acme" });
+    await undo();
+    expect(texts).toHaveBeenCalledWith("acme", 'title = "Old"', 7);
+    expect(forgotten).not.toHaveBeenCalled();
+  });
+
+  test("what somebody else wrote meanwhile is left as it is, and that is told", async () => {
+    text.mockResolvedValue('title = "Theirs"');
+    usePage.getState().made({ ...KEPT, before: 'title = "Old"', profileBefore: "acme" });
+    await undo();
+    expect(texts).not.toHaveBeenCalled();
+    expect(usePage.getState().past).toHaveLength(1);
+    expect(useReports.getState().list.at(-1)?.title).toBe("The profile has changed");
+  });
+
+  test("the way back of the way back is the way", () => {
+    expect(reversed(reversed(KEPT))).toEqual(KEPT);
   });
 });
 

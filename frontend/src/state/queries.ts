@@ -40,6 +40,11 @@ const ask = {
     }),
   ledger: (id: string) =>
     queryOptions({ queryKey: ["ledger", id], queryFn: ({ signal }) => service.ledger(id, signal) }),
+  learned: (id: string) =>
+    queryOptions({
+      queryKey: ["learned", id],
+      queryFn: ({ signal }) => service.learned(id, signal),
+    }),
   jobs: () =>
     infiniteQueryOptions({
       queryKey: ["jobs"],
@@ -109,6 +114,12 @@ export function useEdges() {
 export function useLedger(wanted: boolean) {
   const id = usePage((page) => page.drawing);
   return useQuery({ ...ask.ledger(id ?? ""), enabled: id !== null && wanted });
+}
+
+/** Rules that would have said what somebody corrected in the drawing that is open. */
+export function useLearned(wanted: boolean) {
+  const id = usePage((page) => page.drawing);
+  return useQuery({ ...ask.learned(id ?? ""), enabled: id !== null && wanted });
 }
 
 /** The job that is looked at. */

@@ -8,7 +8,7 @@
 import { create } from "zustand";
 import type { Corners, Question } from "../api/client";
 import type { LineState } from "../api/events";
-import type { Box } from "../geometry/records";
+import type { Box, LineType } from "../geometry/records";
 import { LEFT_TO_THE_MACHINE } from "./corners";
 import type { Change } from "./history";
 
@@ -34,6 +34,12 @@ export interface Focus {
   /** Or this part of the drawing. */
   readonly box: Box | null;
   readonly count: number;
+}
+
+/** Edges that would get another line type, shown before anybody says so. */
+export interface Proposed {
+  readonly rows: readonly number[];
+  readonly type: LineType;
 }
 
 export interface Upload {
@@ -70,6 +76,10 @@ export interface PageState {
   readonly picking: boolean;
   /** What the service asked when it was told to compile. */
   readonly asked: readonly Question[];
+  /** What would become of which edges: shown in the picture, and not said. */
+  readonly proposed: readonly Proposed[];
+  /** The profile that is being edited. */
+  readonly editing: string | null;
 
   open(drawing: string | null, job?: string | null): void;
   openJob(job: string | null): void;
@@ -104,6 +114,8 @@ type PageValues = Pick<
   | "corners"
   | "picking"
   | "asked"
+  | "proposed"
+  | "editing"
   | "colourMode"
 >;
 
@@ -151,6 +163,8 @@ export const usePage = create<PageState>()((put) => ({
   corners: LEFT_TO_THE_MACHINE,
   picking: false,
   asked: [],
+  proposed: [],
+  editing: null,
 
   open: (drawing, job = null) =>
     put((page) =>
@@ -167,6 +181,7 @@ export const usePage = create<PageState>()((put) => ({
             future: [],
             scrub: null,
             asked: [],
+            proposed: [],
             picking: false,
             // Single corners are places of the drawing that was open.
             corners: { ...page.corners, at: [] },

@@ -13,6 +13,7 @@ import {
   type Areas,
   type Box,
   type Edges,
+  type LineType,
   MOTIONS,
   type Point,
   type Pose,
@@ -21,7 +22,13 @@ import {
 import { poseAt, rowAt, type Timeline } from "../geometry/timeline";
 import { UNDER_THE_HEAD } from "../geometry/tip";
 import { areaShapes } from "../scene/areas";
-import { type DielineLooks, dielineLines, highlightLines, type Palette } from "../scene/dieline";
+import {
+  type DielineLooks,
+  dielineLines,
+  highlightLines,
+  type Palette,
+  proposedLines,
+} from "../scene/dieline";
 import { datumLines, frameLines, gridLines, headLines, ringLines } from "../scene/furniture";
 import type { Rgba } from "../scene/lines";
 import { MARKED, type Marked, motionMarks } from "../scene/marks";
@@ -109,6 +116,7 @@ export class Viewer {
   private readonly frame = new LineLayer(1.25, 2);
   private readonly datum = new LineLayer(2, 3);
   private readonly chosen = new LineLayer(10, 4);
+  private readonly proposed = new LineLayer(9, 4.2);
   private readonly bands = new BandLayer(4.5);
   private readonly rims = new LineLayer(1.25, 4.6);
   private readonly uncut = new BandLayer(5.4);
@@ -133,6 +141,7 @@ export class Viewer {
     this.frame,
     this.datum,
     this.chosen,
+    this.proposed,
     this.rims,
     this.uncutRims,
     this.corners,
@@ -312,6 +321,19 @@ export class Viewer {
       this.edges === null
         ? null
         : highlightLines(this.edges, this.origin, rows, this.colours.chosen),
+    );
+    this.draw();
+  }
+
+  /** Lay under edges the colours of what they would become. */
+  showProposed(
+    proposed: readonly { readonly rows: readonly number[]; readonly type: LineType }[],
+  ): void {
+    const { edges, origin, colours } = this;
+    this.proposed.show(
+      edges === null || proposed.length === 0
+        ? null
+        : proposedLines(edges, origin, proposed, colours.palette),
     );
     this.draw();
   }

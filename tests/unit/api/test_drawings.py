@@ -67,6 +67,32 @@ def test_a_unit_that_comes_with_the_file_counts(client: httpx.Client):
     assert uploaded(client, square(units=None, side=4.0), unit="cm")["width"] == pytest.approx(40.0)
 
 
+def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(client: httpx.Client):
+    # Half axes of 4 and 2: in inches the ellipse needs more arcs than in millimetres.
+    ellipse = text.entity(
+        "ELLIPSE", (8, "CUT"), (10, 0), (20, 0), (11, 4), (21, 0), (40, 0.5), (41, 0), (42, 6.28)
+    )
+    data = text.dxf(ellipse, units=None, version="AC1015")
+    silent, given = uploaded(client, data), uploaded(client, data, unit="in")
+    assert silent["unit"] is None
+    coarse = client.patch(f"/api/drawings/{silent['id']}", json={"unit": "mm"}).json()
+    told = client.patch(f"/api/drawings/{silent['id']}", json={"unit": "in"}).json()
+    assert told["segments"] == given["segments"] > coarse["segments"]
+    fine = edges(client, given["id"])
+    assert [edge["start"] for edge in edges(client, told["id"])] == [edge["start"] for edge in fine]
+
+
+def test_a_drawing_says_what_speaks_for_its_unit_and_what_contradicts_it(client: httpx.Client):
+    finding = uploaded(client, square())["unit_finding"]
+    assert (finding["stated"], finding["ranking"][0], finding["warnings"]) == ("mm", "mm", [])
+    assert set(finding["evidence"][0]) == {"unit", "text", "weight"}
+    assert finding["evidence"][0]["weight"] > 1.0
+    id = uploaded(client, square())["id"]
+    told = client.patch(f"/api/drawings/{id}", json={"unit": "in"}).json()
+    assert (told["unit"], told["width"]) == ("in", 2540.0)
+    assert told["unit_finding"]["warnings"][0].startswith("The header states mm, which would make")
+
+
 @pytest.mark.parametrize(
     "who",
     [{"edges": [4]}, {"layer": "MYSTERY"}, {"colour": 30}, {"layer": "MYSTERY", "colour": 30}],

@@ -285,7 +285,7 @@ def test_a_telling_name_or_style_puts_its_answer_first(row: Row, first: str):
     assert question.choices[0] == first
 
 
-def test_what_spans_the_drawing_may_be_its_outline_and_straight_lines_inside_are_folds():
+def test_the_outline_is_cut_and_what_lies_inside_is_asked_with_the_likeliest_first():
     square = [[0, 0], [100, 0], [100, 60], [0, 60]]
     ends = [[square[i], square[(i + 1) % 4]] for i in range(4)]
     ends += [[[30, 0], [30, 60]], [[40, 20], [50, 20]]]
@@ -294,12 +294,11 @@ def test_what_spans_the_drawing_may_be_its_outline_and_straight_lines_inside_are
         ends=ends,
         bulge=[0] * 5 + [1],
     )
-    put = questions(sheet, classify(sheet, RULES))
-    assert [(q.layer, q.choices[0]) for q in put] == [
-        ("a", "cut"),
-        ("b", "crease"),
-        ("c", "cut"),
-    ]
+    dieline = classify(sheet, RULES)
+    assert words(dieline)[:4] == ["cut"] * 4
+    assert dieline.rules[dieline.rule[0]] == "shape: it closes the outline of a blank"
+    put = questions(sheet, dieline)
+    assert [(q.layer, q.choices[0]) for q in put] == [("b", "crease"), ("c", "cut")]
 
 
 # ── the shipped profiles ─────────────────────────────────────────────────────────────────────────
@@ -391,7 +390,7 @@ def test_the_default_knows_pairs_of_layer_and_colour(layer: str, colour: int, ki
 
 def test_the_default_decides_nothing_by_a_bare_colour_or_line_style():
     for rule in load.profile("default").rules:
-        assert rule.layer, rule.words
+        assert rule.layer or all(name.startswith("CF2 ") for name in rule.linetype), rule.words
 
 
 S, D = "CONTINUOUS", "DASHED"

@@ -57,6 +57,29 @@ def test_read_lists_every_entity(knifetip, folder):
     assert len(json.loads(out)["ledger"]) > 5
 
 
+def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip, folder):
+    code, out, _ = knifetip("read", folder / "rigid-box-blank.dxf")
+    head, *rest = out.splitlines()
+    assert code == 0
+    assert "320.00 × 250.00 mm" in head
+    assert any(line.split()[0] == "mm" and "the header states mm" in line for line in rest)
+
+
+def test_read_warns_of_a_header_that_lies(knifetip, folder):
+    text = (folder / "tuck-end-carton.dxf").read_bytes()
+    start = text.index(b"$INSUNITS")
+    lying = text[:start] + text[start:].replace(b" 4\n", b" 6\n", 1).replace(b"\n4\n", b"\n6\n", 1)
+    (folder / "lying.dxf").write_bytes(lying)
+    code, out, _ = knifetip("read", folder / "lying.dxf", "--json")
+    said = json.loads(out)["drawing"]
+    assert code == 0
+    assert said["stated"] == "m"
+    assert said["unit"] != "m"
+    assert said["unit_ranking"][0] == "mm"
+    if said["unit"]:
+        assert said["warnings"][0].startswith("The header states metres")
+
+
 def test_program_writes_what_verify_accepts(knifetip, folder):
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip(

@@ -13,9 +13,9 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from dxf_text import block, dxf, entity, insert, layer, line, tags
-from knifetip.intake.limits import Limits
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
+from knifetip.intake.limits import Limits
 from knifetip.model.drawing import Fate
 
 #: Drawings by other hands that are refused, each with its class.

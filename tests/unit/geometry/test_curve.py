@@ -263,3 +263,51 @@ def test_curve_that_cannot_be_followed_is_refused_in_time():
 
     with pytest.raises(GeometryError):
         curve.fit(noise, lambda t: np.ones((len(t), 2)), [0.0, 1.0])
+
+
+def cubics(control: np.ndarray):
+    """Point and derivative of cubic Bézier curves (n, 4, 2)."""
+
+    def point(k, s):
+        p, t, r = control[k], s[:, None], 1.0 - s[:, None]
+        return r**3 * p[:, 0] + 3 * r * r * t * p[:, 1] + 3 * r * t * t * p[:, 2] + t**3 * p[:, 3]
+
+    def tangent(k, s):
+        d, t, r = np.diff(control[k], axis=1), s[:, None], 1.0 - s[:, None]
+        return r * r * d[:, 0] + 2 * r * t * d[:, 1] + t * t * d[:, 2]
+
+    return point, tangent
+
+
+def test_many_curves_at_once_are_each_followed_and_do_not_touch_each_other():
+    control = np.random.default_rng(4).uniform(-50.0, 50.0, (300, 4, 2))
+    point, tangent = cubics(control)
+    start, end, bulge, which = curve.each(point, tangent, len(control), 0.01)
+    assert np.unique(which).tolist() == list(range(300))
+    for k in range(300):
+        own = which == k
+        a, b, turn = start[own], end[own], bulge[own]
+        assert a[0].tolist() == control[k, 0].tolist()
+        assert b[-1].tolist() == control[k, 3].tolist()
+        assert (a[1:] == b[:-1]).all()
+        true = point(np.full(40, k), np.linspace(0.0, 1.0, 40))
+        off = np.full(40, np.inf)
+        for first, last, one in zip(a, b, turn, strict=True):
+            ends = np.broadcast_to(first, (40, 2)), np.broadcast_to(last, (40, 2))
+            share = arc.nearest(*ends, np.full(40, one), true)
+            near = arc.point_at(*ends, np.full(40, one), share)
+            off = np.minimum(off, np.hypot(*(near - true).T))
+        assert off.max() <= 0.0101
+
+
+def test_a_curve_without_length_among_others_has_no_segment():
+    control = np.array(
+        [[[0, 0], [1, 2], [3, 2], [4, 0]], [[5, 5]] * 4, [[9, 0]] * 2 + [[9, 9]] * 2]
+    )
+    _, _, bulge, which = curve.each(*cubics(control.astype(float)), 3, 0.01)
+    assert set(which.tolist()) == {0, 2}
+    assert (bulge[which == 2] == 0.0).all()
+
+
+def test_no_curves_are_no_segments():
+    assert [len(column) for column in curve.each(*cubics(np.zeros((0, 4, 2))), 0)] == [0] * 4

@@ -15,7 +15,15 @@ from alembic.migration import MigrationContext
 from sqlalchemy.dialects import postgresql
 from sqlalchemy.schema import CreateIndex
 
-from knifetip.errors import KeyReused, MachineBusy, NoSuchJob, StaleEpoch, StoreError, WrongState
+from knifetip.errors import (
+    KeyReused,
+    MachineBusy,
+    NoSuchJob,
+    StaleEpoch,
+    StaleVersion,
+    StoreError,
+    WrongState,
+)
 from knifetip.jobs import migrations
 from knifetip.jobs.store import ATTEMPTS, LEASE, Result, Store
 from knifetip.jobs.tables import Base, Drawing, Job
@@ -519,3 +527,24 @@ def test_a_database_that_cannot_be_used_is_refused_with_a_mend(url: str):
     with pytest.raises(StoreError) as caught:
         Store(url)
     assert "sqlite:///FILE" in caught.value.mend
+
+
+def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Store):
+    first = store.keep_profile("acme", "Acme", "title = 'Acme'", None)
+    assert first.version == 1
+    with pytest.raises(WrongState, match="already, at version 1"):
+        store.keep_profile("acme", "Other", "", None)
+    assert store.keep_profile("acme", "B", "title = 'B'", 1).version == 2
+    with pytest.raises(StaleVersion, match=r"at version 2.*from version 1") as caught:
+        store.keep_profile("acme", "C", "", 1)
+    assert 'If-Match: "2"' in caught.value.mend
+    kept = store.profile("acme")
+    assert kept is not None
+    assert (kept.title, kept.text) == ("B", "title = 'B'")
+    with pytest.raises(StaleVersion):
+        store.delete_profile("acme", 1)
+    store.delete_profile("acme", 2)
+    assert store.profile("acme") is None
+    with pytest.raises(NoSuchJob):
+        store.keep_profile("acme", "C", "", 2)
+    assert store.keep_profile("acme", "D", "", None, anyway=True).version == 1

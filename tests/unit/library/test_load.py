@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ from knifetip.errors import KnifetipError, LibraryError, ProfileError
 from knifetip.library import load
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
+from knifetip.model.profile import LineRule, LineRules
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
 
 BOARD = """
@@ -401,3 +403,77 @@ def test_a_wrong_deflection_says_what_is_wrong(put, given: str, told: str):
     with pytest.raises(LibraryError) as caught:
         load.board(put(BOARD + "\n" + given + "\n"))
     assert told in caught.value.message
+
+
+# ── profiles written out, and read again ─────────────────────────────────────────────────────────
+
+
+def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put):
+    text = PROFILE + '[[rule]]\ntype = "crease"\ncolour = [5, "#00AEEF"]\nblock = "LID*"\n'
+    rule = load.profile(put(text)).rules[-1]
+    assert (rule.colour, rule.true_colour, rule.block) == ((5,), (0x00AEEF,), ("LID*",))
+    assert rule.words == 'colour 5 or #00aeef, block "LID*"'
+
+
+@pytest.mark.parametrize("colour", ['"#00AEE"', '"red"', '["#gggggg"]', '[1, "#12345"]'])
+def test_a_true_colour_that_is_none_is_refused(put, colour: str):
+    with pytest.raises(ProfileError, match="rule 3: colour is"):
+        load.profile(put(PROFILE + f'[[rule]]\ntype = "cut"\ncolour = {colour}\n'))
+
+
+def test_a_profile_that_overrules_has_the_rules_that_it_extends_last(put):
+    own = load.profile(put('extends = "default"\noverrules = true\n' + PROFILE))
+    assert own.rules[2:] == load.profile("default").rules
+    assert own.rules[1].layer == ("RIEFE",)
+    with pytest.raises(ProfileError, match="overrules is 1"):
+        load.profile(put('extends = "default"\noverrules = 1\n' + PROFILE))
+
+
+@pytest.mark.parametrize("name", load.names("profiles"))
+def test_every_shipped_profile_is_the_same_when_it_is_written_out_and_read(name: str):
+    rules = load.profile(name)
+    again = load.parse_profile(name, tomllib.loads(load.profile_toml(rules)))
+    assert again == rules
+
+
+def test_only_what_is_ones_own_is_written_where_a_profile_extends_another():
+    default = load.profile("default")
+    mine = LineRule(LineType.CREASE, layer=('say "x" \\ \x7f ü',), true_colour=(0x0A0B0C,))
+    for rules in ((mine, *default.rules), (*default.rules, mine)):
+        own = LineRules("own", "Ours", rules)
+        text = load.profile_toml(own, "default")
+        assert text.count("[[rule]]") == 1
+        assert load.parse_profile("own", tomllib.loads(text)) == own
+    with pytest.raises(ProfileError, match="are not those of"):
+        load.profile_toml(LineRules("own", "", (mine,)), "default")
+
+
+def test_a_profile_without_rules_of_its_own_can_be_written():
+    own = LineRules("own", "Ours", ())
+    assert load.parse_profile("own", tomllib.loads(load.profile_toml(own))) == own
+
+
+def test_a_name_that_is_not_text_for_utf_8_is_written_as_a_pattern_that_matches_it():
+    text = load.profile_toml(LineRules("own", "", (LineRule(LineType.CUT, layer=("a\udcffb",)),)))
+    assert tomllib.loads(text)["rule"][0]["layer"] == ["a?b"]
+
+
+def test_names_from_elsewhere_open_no_file(put):
+    path = put(PROFILE)
+    assert load.profile(path).rules
+    for shelf in (load.profile, load.machine, load.board):
+        with pytest.raises(LibraryError, match="There is no"):
+            shelf(path, files=False)
+
+
+def test_a_file_of_ones_own_is_read_again_after_it_was_edited(put):
+    assert load.profile(put(PROFILE)).title == "Ours"
+    assert load.profile(put(PROFILE.replace("Ours", "Mine"))).title == "Mine"
+    assert load.profile("default") is load.profile("default")
+
+
+def test_conventions_are_what_profiles_add_to_the_default():
+    found = {one.name: one.rules for one in load.conventions()}
+    assert "default" not in found
+    assert found["lightburn"] == load.profile("lightburn").rules[-2:]
+    assert not any(set(rules) & set(load.profile("default").rules) for rules in found.values())

@@ -1,0 +1,1 @@
+"""Floor 3: CF2 bytes in, Drawing out."""

@@ -1,0 +1,89 @@
+"""back: what was found on cleaned edges, told of the edges that were drawn.
+
+    Verdict on m cleaned edges, Cleaned -> Verdict on the n edges of the drawing
+
+A measure that is the worst along an edge is that of every drawn edge whose work it does.  A length
+is shared out among the drawn edges that are worked there, so that sums stay sums: an edge that lies
+on another one has none.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.geometry import arc
+from knifetip.geometry.columns import Bool
+from knifetip.model.cleaned import Cleaned
+from knifetip.model.dieline import Dieline
+from knifetip.model.verdict import Samples, Verdict
+
+_WORST: Final = ("deviation", "overcut", "width", "web", "flank", "top_overcut")
+_LENGTHS: Final = ("uncut", "setback", "unreached", "bottom_uncut")
+
+
+def on_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
+    """Return the verdict on a cleaned dieline as one on the dieline that was drawn."""
+    count = len(drawn)
+    parts = cleaned.stretches
+    live = parts.cleaned >= 0
+    row, target = parts.row[live], parts.cleaned[live]
+    columns: dict[str, Any] = {}
+    for name in _WORST:
+        worst = np.zeros(count)
+        np.maximum.at(worst, row, getattr(verdict, name)[target])
+        columns[name] = worst
+    own = live & ~parts.given
+    length = arc.length(drawn.ends[:, 0], drawn.ends[:, 1], drawn.bulge)
+    size = ((parts.end - parts.begin) * length[parts.row])[own]
+    whole = np.bincount(parts.cleaned[own], size, len(cleaned.dieline))
+    share = size / whole[parts.cleaned[own]]
+    for name in _LENGTHS:
+        part = share * getattr(verdict, name)[parts.cleaned[own]]
+        columns[name] = np.bincount(parts.row[own], part, count).astype(np.float64)
+    shown = cleaned.dieline.source
+    return replace(
+        verdict,
+        **columns,
+        tidied=np.maximum(cleaned.off, cleaned.moved),
+        samples=_samples(verdict.samples, cleaned, drawn, own),
+        findings=tuple(
+            replace(finding, edge=int(shown[finding.edge])) if finding.edge >= 0 else finding
+            for finding in verdict.findings
+        ),
+    )
+
+
+def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> Samples:
+    """Return the map of deviations with each row on the drawn edge that is worked there."""
+    parts = cleaned.stretches
+    if len(samples.edge) == 0 or not cleaned.changed.any():
+        return samples
+    row, target = parts.row[own], parts.cleaned[own]
+    start, end, bulge = drawn.ends[row, 0], drawn.ends[row, 1], drawn.bulge[row]
+    on = cleaned.dieline.ends[target]
+    to = cleaned.dieline.bulge[target]
+    first, last = (
+        arc.nearest(on[:, 0], on[:, 1], to, arc.point_at(start, end, bulge, share[own]))
+        for share in (parts.begin, parts.end)
+    )
+    low, high = np.minimum(first, last), np.maximum(first, last)
+    order = np.lexsort((low, target))
+    # Each cleaned edge has a whole number to itself.
+    key = target[order] + 0.5 * low[order]
+    at = np.searchsorted(key, samples.edge + 0.5 * np.clip(samples.place, 0.0, 1.0), "right") - 1
+    # What lies before the first part of its edge, by a hair, is on that one.
+    before = target[order][np.maximum(at, 0)] != samples.edge
+    part = order[np.clip(np.where(before, at + 1, at), 0, len(order) - 1)]
+    span = np.where(high > low, high - low, 1.0)[part]
+    share = np.clip((samples.place - low[part]) / span, 0.0, 1.0)
+    back = (last < first)[part]
+    share = np.where(back, 1.0 - share, share)
+    begin, finish = parts.begin[own][part], parts.end[own][part]
+    place = np.clip(begin + share * (finish - begin), 0.0, 1.0)
+    edge = row[part]
+    deviation = np.where(back, -samples.deviation, samples.deviation)
+    tidy = np.lexsort((place, edge))
+    return Samples(edge[tidy], place[tidy], deviation[tidy])

@@ -1,0 +1,365 @@
+"""clean: a dieline with each line once, whole, and meeting what it was meant to meet.
+
+    Dieline -> Cleaned: the dieline that is planned, and what became of every edge that was drawn
+
+In this order: what lies on something else is given up (``overlap``), flattened curves become lines
+and arcs again (``run``), specks are taken out and gaps closed (``gap``), and what goes on in each
+other becomes one (``run``).  Where that brought edges onto each other it is done again, and what
+has moved once stays.
+
+Each step says which edge every part of a drawn edge has come to; nothing else is written down, so
+the ledger cannot disagree with the geometry.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from knifetip.cleaning.gap import closed, specks
+from knifetip.cleaning.meeting import Meetings, meetings
+from knifetip.cleaning.overlap import parted
+from knifetip.cleaning.rank import RANK
+from knifetip.cleaning.run import FINE, joined
+from knifetip.errors import GeometryError
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.tolerance import GAP, POINT
+from knifetip.model.cleaned import Cleaned, Stretches, Why
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Fate
+
+#: Cleaning that brings edges onto each other is done again, so many times at most.
+_ROUNDS: Final = 4
+#: Lengths that differ by less are one length, added up in another order (mm).
+_HAIR: Final = 1e-9
+#: Nothing is made a thousand kilometres away, and numbers have no micrometres there (mm).
+_FAR: Final = 1e9
+
+
+@dataclass(slots=True)
+class _Work:
+    """The edges as they are, and what every part of a drawn edge has come to."""
+
+    ends: F64  #: (k, 2, 2) mm
+    bulge: F64  #: (k,)
+    kind: U8  #: (k,)
+    moved: F64  #: (k,) mm
+    fitted: Bool  #: (k,)
+    row: I64  #: (q,) the drawn edge of each stretch
+    begin: F64  #: (q,)
+    end: F64  #: (q,)
+    edge: I64  #: (q,) what it has come to, -1 a speck
+    given: Bool  #: (q,)
+    met: Meetings | None = None  #: of the ends as they are, once somebody has looked
+
+    def meet(self) -> Meetings:
+        """Return which ends meet."""
+        if self.met is None or self.met.of is not self.ends:
+            self.met = meetings(self.ends, GAP)
+        return self.met
+
+    def part(self, drawn: Dieline) -> bool:
+        """Give up what lies on something else; return whether edges were parted for it."""
+        pieces = parted(self.ends, self.bulge, self.kind)
+        if not pieces.given.any():
+            return False
+        split = len(pieces.edge) > len(self.bulge)
+        by_edge = np.lexsort((pieces.begin, pieces.edge))
+        first = np.searchsorted(pieces.edge[by_edge], np.arange(len(self.bulge) + 1))
+        live, lost = self.edge >= 0, self.edge < 0
+        row, edge = self.row[live], self.edge[live]
+        begin, end = self.begin[live], self.end[live]
+        start, finish, bent = drawn.ends[row, 0], drawn.ends[row, 1], drawn.bulge[row]
+        on, bow = self.ends[edge], self.bulge[edge]
+        from_, to = (
+            arc.nearest(on[:, 0], on[:, 1], bow, arc.point_at(start, finish, bent, share))
+            for share in (begin, end)
+        )
+        # Each stretch once for every part that its edge now has.
+        many = first[edge + 1] - first[edge]
+        old = np.repeat(np.arange(len(edge)), many)
+        offset = np.arange(len(old)) - np.repeat(np.cumsum(many) - many, many)
+        part = by_edge[first[edge[old]] + offset]
+        low, high = np.minimum(from_, to)[old], np.maximum(from_, to)[old]
+        span = np.maximum(high - low, 1e-12)
+        one, two = (
+            np.clip((place[part] - low) / span, 0.0, 1.0) for place in (pieces.begin, pieces.end)
+        )
+        one = np.where(offset == 0, 0.0, one)
+        two = np.where(offset == many[old] - 1, 1.0, two)
+        back = (from_ > to)[old]
+        one, two = np.where(back, 1.0 - two, one), np.where(back, 1.0 - one, two)
+        some = two > one
+        old, part, one, two = old[some], part[some], one[some], two[some]
+        size = end[old] - begin[old]
+        self.row = np.concatenate([row[old], self.row[lost]])
+        self.begin = np.concatenate([begin[old] + one * size, self.begin[lost]])
+        self.end = np.concatenate([begin[old] + two * size, self.end[lost]])
+        self.edge = np.concatenate([pieces.piece[part], self.edge[lost]]).astype(np.int64)
+        given = self.given[live][old] | pieces.given[part]
+        self.given = np.concatenate([given, self.given[lost]])
+        self.ends, self.bulge, self.kind = pieces.ends, pieces.bulge, self.kind[pieces.owner]
+        self.moved, self.fitted = self.moved[pieces.owner], self.fitted[pieces.owner]
+        return split
+
+    def own(self) -> None:
+        """Give every edge a drawn edge that it is: where crowds of specks have left one with
+        nothing but what lies on it, that is it."""
+        live = self.edge >= 0
+        count = len(self.bulge)
+        owned = np.bincount(self.edge[live & ~self.given], minlength=count) > 0
+        if owned.all():
+            return
+        self.given = self.given & np.append(owned, True)[self.edge]
+        keep = np.bincount(self.edge[live], minlength=count) > 0
+        number = np.append(np.where(keep, np.cumsum(keep) - 1, -1), -1)
+        self.edge = number[self.edge]
+        self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
+        self.moved, self.fitted = self.moved[keep], self.fitted[keep]
+
+    def join(self, *, curves_only: bool = False) -> None:
+        """Make one what goes on in each other."""
+        made = joined(self.ends, self.bulge, self.kind, self.meet(), curves_only=curves_only)
+        count = len(made.bulge)
+        if count == len(self.bulge):
+            return
+        moved, fitted = np.zeros(count), made.fitted.copy()
+        np.maximum.at(moved, made.of, self.moved)
+        np.logical_or.at(fitted, made.of, self.fitted)
+        self.ends, self.bulge, self.kind = made.ends, made.bulge, made.kind
+        self.moved, self.fitted = moved, fitted
+        self.edge = np.where(self.edge < 0, -1, made.of[self.edge])
+
+    def tidy(self) -> None:
+        """Take specks out and close gaps."""
+        length = arc.length(self.ends[:, 0], self.ends[:, 1], self.bulge)
+        if (length < GAP).any() and (speck := specks(self.ends, length, self.meet())).any():
+            keep = ~speck
+            number = np.where(keep, np.cumsum(keep) - 1, -1)
+            self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
+            self.moved, self.fitted = self.moved[keep], self.fitted[keep]
+            self.edge = np.where(self.edge < 0, -1, number[self.edge])
+        shut = closed(self.ends, self.bulge, self.kind, self.moved > 0.0, self.meet())
+        self.moved = np.maximum(self.moved, shut.moved)
+        self.ends = shut.ends
+
+
+def clean(dieline: Dieline) -> Cleaned:
+    """Return the dieline in order.
+
+    Parameters
+    ----------
+    dieline
+        n edges with their line types, in the drawing's coordinates.
+
+    Returns
+    -------
+    Cleaned
+        Of an edge with nothing to put in order the ends and the bulge are those that were drawn,
+        bit for bit.
+
+    Raises
+    ------
+    GeometryError
+        An edge has a coordinate that is not a number, or lies absurdly far away.
+    """
+    bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
+    if bad.any():
+        raise GeometryError(
+            f"Edge {int(np.argmax(bad))} has a coordinate that is not a number.", "Draw it again."
+        )
+    far = np.abs(dieline.ends).max(axis=(1, 2), initial=0.0)
+    if (far > _FAR).any():
+        raise GeometryError(
+            f"Edge {int(far.argmax())} lies {far.max():.3g} mm from the drawing's origin.",
+            "Check the drawing's unit, or delete what was drawn out there.",
+        )
+    length = arc.length(dieline.ends[:, 0], dieline.ends[:, 1], dieline.bulge)
+    at_work = RANK[dieline.line_type] > 0
+    solid = np.flatnonzero(at_work & (length >= POINT))
+    empty = np.flatnonzero(at_work & (length < POINT))
+    count, every = len(solid), np.concatenate([solid, empty])
+    work = _Work(
+        dieline.ends[solid],
+        dieline.bulge[solid],
+        dieline.line_type[solid],
+        np.zeros(count),
+        np.zeros(count, np.bool_),
+        every,
+        np.zeros(len(every)),
+        np.ones(len(every)),
+        np.where(np.arange(len(every)) < count, np.arange(len(every)), -1),
+        np.zeros(len(every), np.bool_),
+    )
+    for _ in range(_ROUNDS):
+        parted_ = work.part(dieline)
+        ends = work.ends
+        if (length[solid] < FINE).any():
+            work.join(curves_only=True)
+        work.tidy()
+        work.join()
+        if work.ends is ends and not parted_:
+            break
+    return _told(dieline, length, at_work, work)
+
+
+def _slots(work: _Work, count: int) -> tuple[I64, I64]:
+    """Return for each of the k edges its row in the cleaned dieline, and the drawn row it shows.
+
+    It takes the row of the first drawn edge that it has a part of, or, where that row is taken, of
+    the next; what finds none follows at the end.
+    """
+    own = np.flatnonzero((work.edge >= 0) & ~work.given)
+    order = own[np.lexsort((work.begin[own], work.row[own], work.edge[own]))]
+    edge, row = work.edge[order], work.row[order]
+    head = np.flatnonzero(np.append(True, edge[1:] != edge[:-1])) if len(edge) else edge
+    slot = np.full(len(work.bulge), -1, np.int64)
+    shown = row[head]
+    source = np.empty(len(work.bulge), np.int64)
+    source[edge[head]] = shown
+    taken = np.full(count, -1, np.int64)
+    # Of several pieces of one drawn edge the one nearest to its start has its row.
+    by_row = head[np.lexsort((work.begin[order[head]], row[head]))]
+    first = by_row[np.append(True, row[by_row][1:] != row[by_row][:-1])] if len(by_row) else by_row
+    slot[edge[first]] = row[first]
+    taken[row[first]] = edge[first]
+    free = np.flatnonzero(slot < 0)
+    slot[free] = count + np.arange(len(free))
+    return slot, source
+
+
+def _told(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleaned:
+    count = len(dieline)
+    work.own()
+    slot, source = _slots(work, count)
+    total = count + int((slot >= count).sum())
+    ends = np.zeros((total, 2, 2))
+    bulge = np.zeros(total)
+    kinds = np.full(total, LineType.IGNORED, np.uint8)
+    ends[:count], bulge[:count] = dieline.ends, dieline.bulge
+    kinds[:count] = np.where(at_work, LineType.IGNORED, dieline.line_type)
+    ends[slot], bulge[slot], kinds[slot] = work.ends, work.bulge, work.kind
+    shown = np.arange(total)
+    shown[slot] = source
+    cleaned = replace(
+        dieline,
+        ends=ends,
+        bulge=bulge,
+        line_type=kinds,
+        source=dieline.source[shown],
+        rule=dieline.rule[shown],
+        confidence=dieline.confidence[shown],
+    )
+    order = np.lexsort((work.begin, work.row))
+    row, edge, given = work.row[order], work.edge[order], work.given[order]
+    low, high = work.begin[order], work.end[order]
+    target = np.append(slot, -1)[edge]
+    size = (high - low) * length[row]
+
+    def summed(which: Bool) -> F64:
+        return np.bincount(row[which], size[which], count).astype(np.float64)
+
+    live = edge >= 0
+    kept, merged, dropped = summed(live & ~given), summed(live & given), summed(~live)
+    kept[~at_work] = length[~at_work]
+    added = np.zeros(count)
+    made = arc.length(work.ends[:, 0], work.ends[:, 1], work.bulge)
+    drawn = np.bincount(edge[live & ~given], size[live & ~given], len(made))
+    np.add.at(added, source, np.where(np.abs(made - drawn) < _HAIR, 0.0, made - drawn))
+    moved = np.zeros(count)
+    np.maximum.at(moved, source, work.moved)
+    off = _off(dieline, ends, bulge, row, low, high, target)
+    of = _most(row, size, target, given, count)
+    of[~at_work] = np.flatnonzero(~at_work)
+    fate, why = _fates(work, row, edge, given, slot, source, of, kept, merged, moved, at_work)
+    return Cleaned(
+        cleaned,
+        of,
+        fate,
+        why,
+        kept,
+        merged,
+        dropped,
+        added,
+        moved,
+        off,
+        Stretches(row.astype(np.int32), low, high, target.astype(np.int32), given),
+    )
+
+
+def _most(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
+    """Return the cleaned row that does most of each drawn edge's work, its own before others'."""
+    of = np.full(count, -1, np.int32)
+    live = np.flatnonzero(target >= 0)
+    order = live[np.lexsort((size[live], ~given[live], row[live]))]
+    # The last of each row stands.
+    of[row[order]] = target[order]
+    return of
+
+
+def _fates(
+    work: _Work,
+    row: I64,
+    edge: I64,
+    given: Bool,
+    slot: I64,
+    source: I64,
+    of: I32,
+    kept: F64,
+    merged: F64,
+    moved: F64,
+    at_work: Bool,
+) -> tuple[U8, U8]:
+    count = len(of)
+    home = np.zeros(count, np.bool_)
+    home[slot[slot < count]] = True
+    own = (edge >= 0) & ~given
+    # Edges that parts of other drawn edges belong to as well.
+    several = np.zeros(count, np.bool_)
+    first = source[edge[own]]
+    several[first[first != row[own]]] = True
+    curve = np.zeros(count, np.bool_)
+    curve[row[own]] = work.fitted[edge[own]]
+    why = np.full(count, Why.AS_DRAWN, np.uint8)
+    why[moved > 0.0] = Why.MOVED
+    why[several] = Why.LONGER
+    why[home & (merged > 0.0)] = Why.SHORTENED
+    parted = np.bincount(row[own], minlength=count) > 1
+    why[home & parted] = Why.SHORTENED
+    away = at_work & ~home & (of >= 0)
+    why[away] = np.where(kept[away] > 0.0, np.where(curve[away], Why.FITTED, Why.JOINED), Why.TWICE)
+    lost = at_work & (of < 0)
+    why[lost] = Why.SPECK
+    why[~at_work] = Why.NO_WORK
+    fate = np.full(count, Fate.KEPT, np.uint8)
+    fate[away] = Fate.MERGED
+    fate[lost] = Fate.DROPPED
+    return fate, why
+
+
+def _off(
+    dieline: Dieline, ends: F64, bulge: F64, row: I64, low: F64, high: F64, target: I64
+) -> F64:
+    """Return how far each drawn edge is from the edges that do its work, (n,) mm."""
+    off = np.zeros(len(dieline))
+    live = target >= 0
+    same = (ends[target] == dieline.ends[row]).all(axis=(1, 2)) & (
+        bulge[target] == dieline.bulge[row]
+    )
+    some = np.flatnonzero(live & ~same)
+    start, end, bent = (
+        dieline.ends[row[some], 0],
+        dieline.ends[row[some], 1],
+        dieline.bulge[row[some]],
+    )
+    at, to = ends[target[some]], bulge[target[some]]
+    for share in (0.0, 0.25, 0.5, 0.75, 1.0):
+        place = low[some] + share * (high[some] - low[some])
+        point = arc.point_at(start, end, bent, place)
+        along = arc.nearest(at[:, 0], at[:, 1], to, point)
+        gap = point - arc.point_at(at[:, 0], at[:, 1], to, along)
+        np.maximum.at(off, row[some], np.hypot(*gap.T))
+    return off

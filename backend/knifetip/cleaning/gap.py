@@ -1,0 +1,331 @@
+"""gap: specks taken out, and ends that were meant to meet brought together.
+
+    edges of line types -> which are specks; new ends, and how far each has moved
+
+A speck is shorter than ``GAP`` and holds nothing together: it stands alone, hangs on one end, or,
+shorter than ``SAME``, links two edges that meet as well without it.
+
+Where an end of an edge meets no other of its line type, and one of them ends within ``GAP``, the
+two are brought together: in the point where two lines cross, if both reach it within ``GAP``; else
+in the middle between two ends that are alike; and a loose end goes to a place where several meet,
+which stays.  An end that touches the inside of the other edge is a T-junction, and two edges that
+end side by side are two: both stay as they are.  An arc keeps its bulge.  Nothing moves by more
+than ``GAP``.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.cleaning.meeting import CROWD, Meetings, root
+from knifetip.geometry.chain import outward
+from knifetip.geometry.columns import F64, U8, Bool
+from knifetip.geometry.tolerance import ANGLE, GAP, JOIN, SAME
+
+#: Edges that leave their ends within this of one direction end side by side (degrees).
+_BESIDE: Final = 10.0
+#: Lines that meet at less than this have no corner worth looking for (sine).
+_SLANT: Final = 0.05
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Closed:
+    """k edges, their gaps closed."""
+
+    ends: F64  #: (k, 2, 2) mm
+    moved: F64  #: (k,) how far the end moved that moved farther (mm)
+
+
+def specks(ends: F64, length: F64, met: Meetings) -> Bool:
+    """Return which edges, (k, 2, 2) mm and (k,) mm long, are specks."""
+    found: Bool = _specks(ends.reshape(-1, 2), length, met.place, met.near, GAP, SAME)
+    return found
+
+
+def closed(ends: F64, bulge: F64, kind: U8, settled: Bool, met: Meetings) -> Closed:
+    """Return edges of line types, (k,), with their gaps closed; those that are ``settled``, (k,),
+    stay where they are."""
+    points, place, near = ends.reshape(-1, 2), met.place, met.near
+    if len(near) == 0 or settled[near // 2].all():
+        return Closed(ends, np.zeros(len(bulge)))
+    size = np.hypot(*(points[near[:, 0]] - points[near[:, 1]]).T)
+    order = np.lexsort((near[:, 1], near[:, 0], np.round(size, 6)))
+    moved = _closed(
+        points,
+        bulge,
+        kind.astype(np.int64),
+        outward(ends, bulge).reshape(-1, 2),
+        place,
+        near[order],
+        settled,
+        GAP,
+        JOIN,
+        SAME,
+        math.cos(math.radians(_BESIDE)),
+        math.cos(math.radians(ANGLE)),
+        _SLANT,
+    )
+    off = np.hypot(*(moved - points).T).reshape(-1, 2)
+    if not off.any():
+        return Closed(ends, off[:, 0])
+    return Closed(moved.reshape(-1, 2, 2), off.max(axis=1))
+
+
+@njit(cache=True, error_model="numpy")
+def _specks(points: Any, length: Any, place: Any, near: Any, gap: float, same: float) -> Any:
+    count = len(length)
+    many = np.zeros(len(place), np.int64)
+    short = np.zeros(len(place), np.int64)
+    group = np.arange(len(place))
+    for end in range(len(place)):
+        many[place[end]] += 1
+        if length[end // 2] < gap:
+            short[place[end]] += 1
+    # Figures of short edges alone: their places, put together.
+    for edge in range(count):
+        if length[edge] < gap:
+            a = root(group, place[2 * edge])
+            b = root(group, place[2 * edge + 1])
+            group[max(a, b)] = min(a, b)
+    box = np.empty((len(place), 4))
+    box[:, :2] = np.inf
+    box[:, 2:] = -np.inf
+    whole = np.ones(len(place), np.bool_)
+    for end in range(len(place)):
+        if length[end // 2] < gap:
+            g = root(group, place[end])
+            box[g, 0] = min(box[g, 0], points[end, 0])
+            box[g, 1] = min(box[g, 1], points[end, 1])
+            box[g, 2] = max(box[g, 2], points[end, 0])
+            box[g, 3] = max(box[g, 3], points[end, 1])
+            if many[place[end]] != short[place[end]]:
+                whole[g] = False
+    spot = np.empty((len(place), 4))
+    spot[:, :2] = np.inf
+    spot[:, 2:] = -np.inf
+    for end in range(len(place)):
+        at = place[end]
+        spot[at, 0] = min(spot[at, 0], points[end, 0])
+        spot[at, 1] = min(spot[at, 1], points[end, 1])
+        spot[at, 2] = max(spot[at, 2], points[end, 0])
+        spot[at, 3] = max(spot[at, 3], points[end, 1])
+    speck = np.zeros(count, np.bool_)
+    linked = _links(points, length, place, near, gap)
+    for edge in range(count):
+        if length[edge] >= gap:
+            continue
+        a, b = place[2 * edge], place[2 * edge + 1]
+        if a == b and math.hypot(spot[a, 2] - spot[a, 0], spot[a, 3] - spot[a, 1]) < same:
+            # All in one place, which is no larger than the tolerance.
+            speck[edge] = True
+            continue
+        g = root(group, a)
+        if whole[g]:
+            if math.hypot(box[g, 2] - box[g, 0], box[g, 3] - box[g, 1]) < gap:
+                speck[edge] = not linked[edge]
+            continue
+        if many[a] == 1 or many[b] == 1:
+            speck[edge] = not linked[edge]
+        elif length[edge] < same:
+            speck[edge] = many[a] == 2 and many[b] == 2 and short[a] == 1 and short[b] == 1
+    return speck
+
+
+@njit(cache=True, error_model="numpy")
+def _links(points: Any, length: Any, place: Any, near: Any, gap: float) -> Any:
+    """Which short edges stand between two places, near or at their ends, that are farther apart
+    than a gap: without them the gap stays open."""
+    count = len(length)
+    linked = np.zeros(count, np.bool_)
+    if len(near) == 0:
+        return linked
+    # The farthest that a foreign place at one end is from one at the other.
+    beside = np.full((2 * count, 8), -1, np.int64)
+    many = np.zeros(2 * count, np.int64)
+    for k in range(len(near)):
+        for side in range(2):
+            here, there = near[k, side], near[k, 1 - side]
+            if many[here] < 8 and here // 2 != there // 2:
+                beside[here, many[here]] = there
+                many[here] += 1
+    own = np.zeros(len(place), np.int64)
+    for end in range(len(place)):
+        own[place[end]] += 1
+    for edge in range(count):
+        if length[edge] >= gap:
+            continue
+        for k in range(many[2 * edge] + 1):
+            p = 2 * edge if k == many[2 * edge] else beside[2 * edge, k]
+            if k == many[2 * edge] and own[place[2 * edge]] == 1:
+                continue
+            for q_ in range(many[2 * edge + 1] + 1):
+                last = q_ == many[2 * edge + 1]
+                q = 2 * edge + 1 if last else beside[2 * edge + 1, q_]
+                if last and own[place[2 * edge + 1]] == 1:
+                    continue
+                apart = math.hypot(points[p, 0] - points[q, 0], points[p, 1] - points[q, 1])
+                if apart > gap:
+                    linked[edge] = True
+    return linked
+
+
+@njit(cache=True, error_model="numpy")
+def _closed(
+    points: Any,
+    bulge: Any,
+    kind: Any,
+    out: Any,
+    place: Any,
+    near: Any,
+    fixed: Any,
+    gap: float,
+    join: float,
+    same: float,
+    beside: float,
+    straight: float,
+    slant: float,
+) -> Any:
+    """Return the ends where they are to be; pairs of near ends come the nearest first."""
+    moved = points.copy()
+    by_place = np.argsort(place, kind="mergesort")
+    first = np.searchsorted(place[by_place], np.arange(len(place) + 1))
+    settled = np.zeros(len(place), np.bool_)
+    for end in range(len(place)):
+        settled[place[end]] |= fixed[end // 2]
+    for k in range(len(near)):
+        a, b = place[near[k, 0]], place[near[k, 1]]
+        if settled[a] and settled[b]:
+            continue
+        if max(first[a + 1] - first[a], first[b + 1] - first[b]) > CROWD:
+            continue
+        # The ends of one line type by which the two places belong together.
+        one, other = -1, -1
+        one_many, other_many = 0, 0
+        for p in range(first[a], first[a + 1]):
+            i = by_place[p]
+            alike_a, alike_b, partner = 0, 0, -1
+            for q in range(first[a], first[a + 1]):
+                alike_a += kind[by_place[q] // 2] == kind[i // 2]
+            for q in range(first[b], first[b + 1]):
+                if kind[by_place[q] // 2] == kind[i // 2]:
+                    alike_b += 1
+                    partner = by_place[q]
+            if alike_b and (alike_a == 1 or alike_b == 1):
+                one, other, one_many, other_many = i, partner, alike_a, alike_b
+                break
+        if one < 0 or _held(a, b, place, by_place, first):
+            continue
+        if one_many == 1 and other_many == 1:
+            cosine = out[one, 0] * out[other, 0] + out[one, 1] * out[other, 1]
+            if cosine > beside:
+                continue
+            if cosine > -straight and (
+                _inside(points, bulge, one, other // 2, join, same)
+                or _inside(points, bulge, other, one // 2, join, same)
+            ):
+                continue
+        size_a = first[a + 1] - first[a]
+        size_b = first[b + 1] - first[b]
+        stay_a = settled[a] or (not settled[b] and (one_many > 1 or (size_a > 1 and size_b == 1)))
+        stay_b = settled[b] or (not settled[a] and (other_many > 1 or (size_b > 1 and size_a == 1)))
+        if stay_a and stay_b:
+            continue
+        if stay_a:
+            x, y = moved[one, 0], moved[one, 1]
+        elif stay_b:
+            x, y = moved[other, 0], moved[other, 1]
+        else:
+            x, y = _common(points, bulge, out, one, other, gap, slant)
+        far_a = np.inf if stay_a else gap
+        far_b = np.inf if stay_b else gap
+        if not (
+            _may_move(points, moved, place, by_place, first, a, x, y, far_a, join)
+            and _may_move(points, moved, place, by_place, first, b, x, y, far_b, join)
+        ):
+            continue
+        for at in (a, b):
+            for p in range(first[at], first[at + 1]):
+                moved[by_place[p], 0] = x
+                moved[by_place[p], 1] = y
+        settled[a] = True
+        settled[b] = True
+    return moved
+
+
+@njit(cache=True, error_model="numpy")
+def _held(a: int, b: int, place: Any, by_place: Any, first: Any) -> bool:
+    """Whether an edge stands between two places."""
+    found = False
+    for p in range(first[a], first[a + 1]):
+        found |= place[by_place[p] ^ 1] == b
+    return found
+
+
+@njit(cache=True, error_model="numpy")
+def _may_move(
+    points: Any,
+    moved: Any,
+    place: Any,
+    by_place: Any,
+    first: Any,
+    at: int,
+    x: float,
+    y: float,
+    gap: float,
+    join: float,
+) -> bool:
+    """Whether the ends at a place may move to a point: it is near, and no edge would lose all its
+    length, because its other end is there already or moves as well."""
+    for p in range(first[at], first[at + 1]):
+        i = by_place[p]
+        if place[i ^ 1] == at or math.hypot(points[i, 0] - x, points[i, 1] - y) > gap:
+            return False
+        if math.hypot(moved[i ^ 1, 0] - x, moved[i ^ 1, 1] - y) <= join:
+            return False
+    return True
+
+
+@njit(cache=True, error_model="numpy")
+def _inside(points: Any, bulge: Any, end: int, edge: int, join: float, same: float) -> bool:
+    """Whether an end touches the inside of another edge."""
+    x0, y0 = points[2 * edge, 0], points[2 * edge, 1]
+    x1, y1 = points[2 * edge + 1, 0], points[2 * edge + 1, 1]
+    x, y = points[end, 0], points[end, 1]
+    b = bulge[edge]
+    dx, dy = x1 - x0, y1 - y0
+    square = dx * dx + dy * dy
+    along = ((x - x0) * dx + (y - y0) * dy) / square
+    if along <= 0.0 or along >= 1.0:
+        return False
+    # A hundredth of a millimetre beside the corner is the corner.
+    if math.hypot(x - x0, y - y0) < same or math.hypot(x - x1, y - y1) < same:
+        return False
+    if abs(b) < 1e-7:
+        return bool(abs((x - x0) * dy - (y - y0) * dx) <= join * math.sqrt(square))
+    lean = (1.0 - b * b) / (4.0 * b)
+    cx = 0.5 * (x0 + x1) - lean * dy
+    cy = 0.5 * (y0 + y1) + lean * dx
+    radius = math.sqrt(square) * (1.0 + b * b) / (4.0 * abs(b))
+    return bool(abs(math.hypot(x - cx, y - cy) - radius) <= join)
+
+
+@njit(cache=True, error_model="numpy")
+def _common(
+    points: Any, bulge: Any, out: Any, one: int, other: int, gap: float, slant: float
+) -> tuple[float, float]:
+    """Where two ends are to meet."""
+    x0, y0 = points[one, 0], points[one, 1]
+    x1, y1 = points[other, 0], points[other, 1]
+    sine = out[one, 0] * out[other, 1] - out[one, 1] * out[other, 0]
+    if bulge[one // 2] == 0.0 and bulge[other // 2] == 0.0 and abs(sine) > slant:
+        way = ((x1 - x0) * out[other, 1] - (y1 - y0) * out[other, 0]) / sine
+        x = x0 + way * out[one, 0]
+        y = y0 + way * out[one, 1]
+        if abs(way) <= gap and math.hypot(x - x1, y - y1) <= gap:
+            return x, y
+    return 0.5 * (x0 + x1), 0.5 * (y0 + y1)

@@ -1,0 +1,132 @@
+"""drawing: the entities of a Scan drawn in columns, and blocks placed by INSERTs.
+
+    rows of a Scan -> segments of each entity -> segments on the sheet, in file order
+
+Compiled; the arithmetic is that of ``shapes`` and ``walk``.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from knifetip.dxf import tagging as t
+from knifetip.dxf.shapes import (
+    chain_count,
+    chain_rows,
+    mirror_rows,
+    round_count,
+    round_rows,
+    swept,
+    turning,
+)
+
+
+@njit(cache=True, error_model="numpy")
+def counts(entity: Any, value: Any, vertex: Any) -> Any:
+    """Return the rows that each entity takes, 0 for what is not drawn; what is wrong is odd."""
+    count = np.zeros(len(entity), np.int64)
+    for row in range(len(entity)):
+        kind = entity[row, t.KIND]
+        if entity[row, t.PAPER] != 0 or entity[row, t.ODD] != 0:
+            continue
+        if kind == t.LINE:
+            count[row] = 1
+        elif kind == t.ARC or kind == t.CIRCLE:
+            if not value[row, t.RADIUS] > 0.0:
+                entity[row, t.ODD] = 1
+            elif kind == t.CIRCLE:
+                count[row] = round_count(360.0)
+            elif value[row, t.ANGLE] == value[row, t.ANGLE2]:
+                entity[row, t.ODD] = 1
+            else:
+                count[row] = round_count(swept(value[row, t.ANGLE], value[row, t.ANGLE2]))
+        elif (kind == t.LWPOLYLINE or kind == t.POLYLINE) and entity[row, t.COUNT] >= 2:
+            low = entity[row, t.FIRST]
+            closed = entity[row, t.FLAGS] & 1 == 1
+            count[row] = chain_count(vertex, low, low + entity[row, t.COUNT], closed)
+    return count
+
+
+@njit(cache=True, error_model="numpy")
+def draw(entity: Any, value: Any, vertex: Any, first: Any, ends: Any, bulge: Any) -> None:
+    """Write the rows of every entity, in its own coordinatet."""
+    for row in range(len(entity)):
+        at = first[row]
+        if first[row + 1] == at:
+            continue
+        kind = entity[row, t.KIND]
+        x, y = value[row, t.X], value[row, t.Y]
+        if kind == t.LINE:
+            ends[at, 0, 0], ends[at, 0, 1] = x, y
+            ends[at, 1, 0], ends[at, 1, 1] = value[row, t.X2], value[row, t.Y2]
+            bulge[at] = 0.0
+            continue
+        if kind == t.CIRCLE:
+            round_rows(x, y, value[row, t.RADIUS], 0.0, 360.0, ends, bulge, at)
+        elif kind == t.ARC:
+            start = value[row, t.ANGLE]
+            sweep = swept(start, value[row, t.ANGLE2])
+            round_rows(x, y, value[row, t.RADIUS], start, sweep, ends, bulge, at)
+        else:
+            low = entity[row, t.FIRST]
+            closed = entity[row, t.FLAGS] & 1 == 1
+            chain_rows(vertex, low, low + entity[row, t.COUNT], closed, ends, bulge, at)
+        if entity[row, t.MIRROR] != 0:
+            mirror_rows(ends, bulge, at, first[row + 1])
+
+
+@njit(cache=True, error_model="numpy")
+def inserts(said: Any, base: Any, move: Any) -> None:
+    """Write linear map and shift of INSERTs, (k, 2, 3).
+
+    Parameters
+    ----------
+    said : (k, 5)
+        x, y, scale in x and in y, rotation in degrees.
+    base : (k, 2)
+        Base points of their blocks.
+    """
+    for k in range(len(said)):
+        x, y = said[k, 0], said[k, 1]
+        scale_x, scale_y, rotation = said[k, 2], said[k, 3], said[k, 4]
+        cos, sin = turning(rotation)
+        move[k, 0, 0], move[k, 0, 1] = cos * scale_x, -sin * scale_y
+        move[k, 1, 0], move[k, 1, 1] = sin * scale_x, cos * scale_y
+        move[k, 0, 2] = x - (move[k, 0, 0] * base[k, 0] + move[k, 0, 1] * base[k, 1])
+        move[k, 1, 2] = y - (move[k, 1, 0] * base[k, 0] + move[k, 1, 1] * base[k, 1])
+
+
+@njit(cache=True, error_model="numpy")
+def place(sheet: Any, drawn: Any, inserts: Any, out: Any) -> None:
+    """Write all segments of the sheet, those of its INSERTs where they stand in the file."""
+    rows, ledger, first_out, shown = sheet
+    ends, bulge, first, style_of = drawn
+    spots, source, children, move, styles = inserts
+    out_ends, out_bulge, out_row, out_style = out
+    for number in range(len(rows)):
+        row = rows[number]
+        at = first_out[number]
+        for i in range(first[row], first[row] + shown[number]):
+            out_ends[at] = ends[i]
+            out_bulge[at] = bulge[i]
+            out_row[at] = ledger[number]
+            out_style[at] = style_of[row]
+            at += 1
+    for number in range(len(spots)):
+        at = first_out[spots[number]]
+        low, start, style = source[number]
+        m = move[number]
+        turn = np.sign(m[0, 0] * m[1, 1] - m[0, 1] * m[1, 0])
+        for child in range(children[number]):
+            for i in range(first[low + child], first[low + child + 1]):
+                for end in range(2):
+                    x, y = ends[i, end, 0], ends[i, end, 1]
+                    out_ends[at, end, 0] = m[0, 0] * x + m[0, 1] * y + m[0, 2]
+                    out_ends[at, end, 1] = m[1, 0] * x + m[1, 1] * y + m[1, 2]
+                out_bulge[at] = turn * bulge[i]
+                out_row[at] = ledger[spots[number]] + 1 + child
+                out_style[at] = styles[style + i - start]
+                at += 1

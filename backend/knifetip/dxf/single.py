@@ -1,0 +1,105 @@
+"""single: one entity as ezdxf reads it.
+
+    DXFEntity -> what it says of style, shape and place      bytes of an entity -> DXFEntity
+
+The reader by way of ezdxf asks this of every entity, our own only of those that are not plain.
+"""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+from ezdxf.document import Drawing as Document
+from ezdxf.entities import factory
+from ezdxf.entities.subentity import entity_linker
+from ezdxf.lldxf.extendedtags import ExtendedTags
+from ezdxf.lldxf.tagger import ascii_tags_loader, tag_compiler
+from ezdxf.lldxf.tags import group_tags
+
+from knifetip.dxf.attributes import Styles
+from knifetip.dxf.entities import Drawn, drawn, mirrored
+from knifetip.dxf.markers import with_markers
+from knifetip.dxf.walk import Reference
+from knifetip.intake.columns import Style
+
+
+class ByEzdxf:
+    """An entity that ezdxf has read: a ``walk.Found``."""
+
+    def __init__(self, entity: Any) -> None:
+        self._entity = entity
+
+    @property
+    def hidden(self) -> bool:
+        return bool(self._entity.dxf.get("invisible", 0))
+
+    def style(self, styles: Styles, around: Style | None) -> Style:
+        return styles.of(self._entity, around)
+
+    def drawn(self) -> Drawn:
+        return drawn(self._entity)
+
+    def reference(self) -> Reference:
+        dxf = self._entity.dxf
+        x, y, z = dxf.get("insert", (0.0, 0.0, 0.0))
+        return Reference(
+            _block_name(self._entity),
+            mirrored(self._entity),
+            (float(x), float(y), float(z)),
+            (float(dxf.get("xscale", 1.0)), float(dxf.get("yscale", 1.0))),
+            float(dxf.get("rotation", 0.0)),
+            _cells(self._entity),
+            (float(dxf.get("column_spacing", 0.0)), float(dxf.get("row_spacing", 0.0))),
+            _clipped(self._entity),
+        )
+
+    def repeats(self) -> tuple[str, int]:
+        """Return the block that an INSERT places, in lower case, and how often."""
+        columns, rows = _cells(self._entity)
+        return _block_name(self._entity).lower(), columns * rows
+
+
+def _block_name(insert: Any) -> str:
+    """Return the name of the block that an INSERT places."""
+    return str(insert.dxf.get("name", ""))
+
+
+def _cells(insert: Any) -> tuple[int, int]:
+    """Return the columns and rows in which an INSERT repeats its block."""
+    dxf = insert.dxf
+    return max(int(dxf.get("column_count", 1)), 1), max(int(dxf.get("row_count", 1)), 1)
+
+
+def _clipped(insert: Any) -> bool:
+    return bool(insert.has_extension_dict) and "ACAD_FILTER" in insert.get_extension_dict()
+
+
+class Singles:
+    """Reads entities one by one, as if they stood in a document of this version."""
+
+    def __init__(self, version: str, encoding: str) -> None:
+        self._document = Document()
+        self._document._dxfversion = version
+        self._document.is_loading = True
+        self._encoding = encoding
+
+    def read(self, data: bytes) -> ByEzdxf:
+        """Return the entity that begins the bytes, with the vertices that follow it.
+
+        Raises
+        ------
+        Exception
+            Whatever ezdxf raises at damage.
+        """
+        # A point may be followed by its z: ezdxf looks beyond it, and wants something to be there.
+        ended = io.BytesIO(with_markers(data + b"0\nEOF\n"))
+        stream = io.TextIOWrapper(ended, encoding=self._encoding, errors="replace")
+        linked = entity_linker()
+        entities = [
+            factory.load(ExtendedTags(tags), self._document)
+            for tags in group_tags(tag_compiler(ascii_tags_loader(stream)))
+        ]
+        for entity in entities[:-1]:
+            linked(entity)
+        return ByEzdxf(entities[0])

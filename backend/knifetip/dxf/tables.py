@@ -1,0 +1,181 @@
+"""tables: what the numbers of a Scan stand for: names, layers, handles and blocks.
+
+    Scan -> Tables
+
+Everything in words is done here, once for each name and not for each entity.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.dxf import tagging as t
+from knifetip.dxf.attributes import BYLAYER, Layer, Styles, layer_of
+from knifetip.dxf.census import header_of
+from knifetip.dxf.encoding import encoding_of, spelled
+from knifetip.dxf.scan import Scan
+from knifetip.intake.columns import Style
+
+#: Signs that the format does not allow in names; what ezdxf makes of them is its own affair.
+_NOT_IN_NAMES: Final = frozenset('<>/\\":;?*=`|,\ufffd')
+#: Handles of more digits are no handles.
+_DIGITS: Final = 15
+_VERSIONS: Final = (
+    *("", "AC1002", "AC1003", "AC1004", "AC1006", "AC1009", "AC1012", "AC1014"),
+    *("AC1015", "AC1018", "AC1021", "AC1024", "AC1027", "AC1032"),
+)
+
+
+class NotPlainError(Exception):
+    """The file is ezdxf's.  Never leaves the room."""
+
+
+class Tables:
+    """The words of one file.
+
+    Raises
+    ------
+    NotPlainError
+        A name, a handle or the version is unusual.
+    """
+
+    def __init__(self, found: Scan) -> None:
+        self.found = found
+        low, high = found.header
+        self.variables = header_of(found.data[low:high])
+        version = self.variables.get("$ACADVER", "")
+        if version not in _VERSIONS:
+            raise NotPlainError
+        self.version = version or "AC1009"
+        self.encoding = encoding_of(found.data, self.variables)
+        self.names = [name.decode(self.encoding, "replace") for name in found.names]
+        self.words = self._words()
+        self._check_names()
+        self.styles = Styles(self._layers())
+        self.handles = self._handles()
+        # First row and number of rows of each block; -1 is the sheet.
+        blocks, first, size = np.unique(
+            found.entity[:, t.BLOCK], return_index=True, return_counts=True
+        )
+        self.span: dict[int, tuple[int, int]] = {
+            block: (low, rows)
+            for block, low, rows in zip(blocks.tolist(), first.tolist(), size.tolist(), strict=True)
+        }
+        self.blocks = self._blocks()
+
+    def layer(self, row: int) -> str:
+        """Return the layer of an entity as it is written."""
+        number = self.found.entity[row, t.LAYER]
+        return self.names[number] if number >= 0 else "0"
+
+    def style(self, row: int, around: Style | None = None) -> Style:
+        """Return what an entity is drawn with."""
+        line = self.found.entity[row].tolist()
+        true, linetype = line[t.TRUE_COLOUR], line[t.LINETYPE]
+        return self.styles.style(
+            self.layer(row),
+            line[t.COLOUR],
+            true if true >= 0 else None,
+            self.names[linetype] if linetype >= 0 else BYLAYER,
+            around,
+        )
+
+    def _words(self) -> dict[int, str]:
+        """Return the kinds of entities as they are written, by the numbers of their names."""
+        column = self.found.entity[:, t.WORD]
+        words = {
+            number: self.names[number] for number in np.flatnonzero(np.bincount(column)).tolist()
+        }
+        if any(word != word.upper() or not word.isascii() for word in words.values()):
+            raise NotPlainError
+        return words
+
+    def _check_names(self) -> None:
+        entity, layer = self.found.entity, self.found.layer
+        for column in (
+            entity[:, t.LAYER],
+            entity[:, t.LINETYPE],
+            layer[:, t.LAYER_NAME],
+            layer[:, t.LAYER_LINETYPE],
+            self.found.block[:, t.BLOCK_LAYER],
+        ):
+            for number in np.flatnonzero(np.bincount(column + 1)[1:]).tolist():
+                name = self.names[number]
+                if not name or not _NOT_IN_NAMES.isdisjoint(name) or spelled(name) != name:
+                    raise NotPlainError
+
+    def _layers(self) -> dict[str, Layer]:
+        table: dict[str, Layer] = {}
+        for row in self.found.layer.tolist():
+            name = self.names[row[t.LAYER_NAME]].lower() if row[t.LAYER_NAME] >= 0 else ""
+            if not name or name in table:
+                raise NotPlainError
+            linetype, true = row[t.LAYER_LINETYPE], row[t.LAYER_TRUE]
+            table[name] = layer_of(
+                row[t.LAYER_COLOUR],
+                true if true >= 0 else None,
+                self.names[linetype] if linetype >= 0 else "Continuous",
+                row[t.LAYER_FLAGS],
+                row[t.LAYER_PLOT],
+            )
+        return table
+
+    def _handles(self) -> list[str]:
+        """Return the handle of each entity, empty where it has none; no handle is there twice."""
+        entity = self.found.entity
+        text = np.empty(int(entity[:, t.HANDLE_SIZE].sum()) + len(entity), np.uint8)
+        number = np.zeros(len(entity), np.int64)
+        data = np.frombuffer(self.found.data, np.uint8)
+        if not _upper(data, entity[:, t.HANDLE], entity[:, t.HANDLE_SIZE], text, number):
+            raise NotPlainError
+        number = number[number > 0]
+        if not (number[1:] > number[:-1]).all():
+            number = np.sort(number)
+        if (number[1:] == number[:-1]).any():
+            raise NotPlainError
+        return text.tobytes().decode("ascii").split("\n")[: len(entity)]
+
+    def _blocks(self) -> dict[str, int]:
+        """Return the rows of the blocks by their names in lower case."""
+        blocks: dict[str, int] = {}
+        if self.found.block[:, t.EXTERNAL].any():
+            raise NotPlainError
+        for number, name in enumerate(self.found.block[:, t.NAME].tolist()):
+            key = self.names[name].lower() if name >= 0 else ""
+            if not key or key in blocks or "\\" in key or "\ufffd" in key:
+                raise NotPlainError
+            blocks[key] = number
+            if key.startswith(("*model_space", "*paper_space")) and number in self.span:
+                raise NotPlainError
+        return blocks
+
+
+@njit(cache=True, error_model="numpy")
+def _upper(data: Any, start: Any, size: Any, text: Any, number: Any) -> bool:
+    """Write handles in capitals, one a line, and as numbers; return whether all are such."""
+    at = 0
+    for row in range(len(start)):
+        if size[row] > _DIGITS:
+            return False
+        value = 0
+        for place in range(size[row]):
+            sign = data[start[row] + place]
+            if 97 <= sign <= 102:
+                sign -= 32
+            if 48 <= sign <= 57:
+                value = value * 16 + int(sign) - 48
+            elif 65 <= sign <= 70:
+                value = value * 16 + int(sign) - 55
+            else:
+                return False
+            text[at] = sign
+            at += 1
+        if size[row] > 0 and value == 0:
+            return False
+        text[at] = 10
+        at += 1
+        number[row] = value
+    return True

@@ -1,0 +1,322 @@
+"""walk: entities and, through the INSERTs, those of the blocks, where they stand.
+
+    blocks, entities of the sheet -> ledger rows in file order, and shapes with their placements
+
+Both readers of the room walk here: what an entity is, they ask their own ``Found``.  Nothing is
+expanded before it is counted: a few lines of nested arrays can stand for more lines than there are
+atoms.  An entity that an INSERT repeats (rows and columns) has one ledger row and as many
+placements.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Final, NamedTuple, Protocol
+
+import numpy as np
+
+from knifetip.dxf.attributes import Styles
+from knifetip.dxf.census import Counted
+from knifetip.dxf.entities import READ, REASONS, Drawn, Shape, Undrawable, flat
+from knifetip.dxf.shapes import moved, turning
+from knifetip.errors import DrawingTooLarge, GeometryError
+from knifetip.geometry.columns import F64, frozen
+from knifetip.intake.columns import Style
+from knifetip.intake.limits import Limits
+from knifetip.intake.sheet import Sheet
+
+#: The linear part of what no INSERT moves: most of a drawing, and nothing to be done.
+ON_SHEET: Final[F64] = frozen(np.eye(2)[None], np.float64, 1, 2, 2)
+
+#: Why an entity is left out that the plotter sees and the knife does not.
+IN_PAPER_SPACE: Final = "it stands in paper space"
+
+
+class Placed(NamedTuple):
+    """A shape, drawn k times: each point p at ``linear @ p + shift``."""
+
+    row: int  #: of the ledger
+    shape: Shape
+    linear: F64  #: (k, 2, 2)
+    shift: F64  #: (k, 2) file units
+    style: Style
+
+
+class Reference(NamedTuple):
+    """What an INSERT says of the place of its block."""
+
+    block: str
+    mirror: bool
+    at: tuple[float, float, float]
+    scale: tuple[float, float]
+    rotation: float  #: degrees
+    cells: tuple[int, int]  #: columns, rows
+    spacing: tuple[float, float]
+    clipped: bool
+
+
+class Found(Protocol):
+    """An entity as one of the readers has it."""
+
+    @property
+    def hidden(self) -> bool:
+        """It is marked as invisible."""
+        ...
+
+    def style(self, styles: Styles, around: Style | None) -> Style:
+        """Return what it is drawn with."""
+        ...
+
+    def drawn(self) -> Drawn:
+        """Return its shape; raises Undrawable, or whatever damage raises."""
+        ...
+
+    def reference(self) -> Reference:
+        """Return what it places, if it is an INSERT; raises Undrawable."""
+        ...
+
+    def repeats(self) -> tuple[str, int]:
+        """Return the block that it places, in lower case, and how often."""
+        ...
+
+
+class Entry(NamedTuple):
+    """An entity as counted, and as read, if it was."""
+
+    counted: Counted
+    handle: str
+    found: Found | None
+
+
+@dataclass(eq=False)
+class Block:
+    """A block, whose entities are made when an INSERT needs them."""
+
+    name: str
+    base: F64  #: (2,)
+    external: bool
+    size: int  #: entities
+    inside: list[tuple[str, int]]  #: blocks in lower case that it places, and how often
+    make: Callable[[], list[Entry]]
+
+    @cached_property
+    def entries(self) -> list[Entry]:
+        return self.make()
+
+
+def not_read(kind: str) -> str:
+    """Return why entities of a kind are left out that is no line."""
+    return REASONS.get(kind, f"{kind} is not a kind of line that is read")
+
+
+def places(name: str) -> str:
+    """Return what an INSERT does."""
+    return f"places the block {name}"
+
+
+def idle(name: str, number: int) -> str:
+    """Return why a block of so many entities is left out."""
+    why = (
+        "it pictures a dimension or a hatch"
+        if name.startswith("*")
+        else "no INSERT places it on the sheet"
+    )
+    return f"the block {name} of {number} entit{'y' if number == 1 else 'ies'}: {why}"
+
+
+class Walk:
+    """The walk through one file.
+
+    Parameters
+    ----------
+    blocks
+        By name in lower case.
+    on_sheet
+        Blocks in lower case that the sheet places, and how often.
+
+    Raises
+    ------
+    DrawingTooLarge
+        INSERTs are nested deeper, or stand for more entities, than the limits allow.
+    """
+
+    def __init__(
+        self,
+        blocks: dict[str, Block],
+        on_sheet: Iterable[tuple[str, int]],
+        styles: Styles,
+        limits: Limits,
+    ) -> None:
+        self.sheet = Sheet()
+        self.placed: list[Placed] = []
+        self.used: set[str] = set()
+        self._blocks = blocks
+        self._styles = styles
+        self._limits = limits
+        self._until = time.monotonic() + limits.seconds
+        self._endless = self._count(on_sheet)
+
+    def _count(self, references: Iterable[tuple[str, int]]) -> frozenset[str]:
+        """Count what the INSERTs stand for; return the blocks that contain themselves."""
+        inside = {name: block.inside for name, block in self._blocks.items()}
+        children = {
+            name: {child for child, _ in found if child in inside} for name, found in inside.items()
+        }
+        parents: dict[str, set[str]] = {name: set() for name in children}
+        for name, below in children.items():
+            for child in below:
+                parents[child].add(name)
+        # What is left after all ends are plucked, from below and from above, goes in circles.
+        _, rest = _plucked(children, parents)
+        _, circles = _plucked(
+            {name: parents[name] & rest for name in rest},
+            {name: children[name] & rest for name in rest},
+        )
+        endless = frozenset(circles)
+        straight = {name: children[name] - endless for name in children if name not in endless}
+        above: dict[str, set[str]] = {name: set() for name in straight}
+        for name, below in straight.items():
+            for child in below:
+                above[child].add(name)
+        order, _ = _plucked(straight, above)
+        size: dict[str, int] = {}
+        depth: dict[str, int] = {}
+        for name in order:
+            size[name] = self._blocks[name].size + sum(
+                times * max(size[child], 1) for child, times in inside[name] if child in straight
+            )
+            depth[name] = 1 + max((depth[child] for child in straight[name]), default=0)
+        on_sheet = [(child, n) for child, n in references if child in straight]
+        deepest = max((depth[child] for child, _ in on_sheet), default=0)
+        if deepest > self._limits.insert_depth:
+            raise DrawingTooLarge(
+                f"Blocks are nested {deepest} deep; the limit is {self._limits.insert_depth}.",
+                "Explode the blocks in the CAD program and export again.",
+            )
+        total = sum(times * max(size[child], 1) for child, times in on_sheet)
+        if total > self._limits.expanded:
+            # A number of a thousand digits helps nobody.
+            many = f"{total:,}" if total < 10**15 else f"more than {10**15:,}"
+            raise DrawingTooLarge(
+                f"The blocks of the drawing stand for {many} entities; "
+                f"the limit is {self._limits.expanded:,}.",
+                "Export a single carton, or explode the blocks and delete the copies.",
+            )
+        return endless
+
+    def sheet_entity(self, entry: Entry) -> None:
+        """Walk through an entity of the sheet."""
+        self._entry(entry, "", (ON_SHEET, np.zeros((1, 2))), None)
+
+    def _entry(self, entry: Entry, path: str, here: tuple[F64, F64], around: Style | None) -> None:
+        if time.monotonic() > self._until:
+            raise DrawingTooLarge(
+                f"The drawing takes longer than {self._limits.seconds:g} s to read.",
+                "Export a single carton, or explode its blocks.",
+            )
+        counted, found = entry.counted, entry.found
+        handle = path + entry.handle
+        if counted.paper:
+            self.sheet.row(handle, counted.kind, counted.layer, IN_PAPER_SPACE)
+            return
+        if counted.kind not in READ and counted.kind != "INSERT":
+            self.sheet.row(handle, counted.kind, counted.layer, not_read(counted.kind))
+            return
+        if found is None:
+            self.sheet.row(
+                handle, counted.kind, counted.layer, "it is damaged, or only the frame of a text"
+            )
+            return
+        if found.hidden:
+            self.sheet.row(handle, counted.kind, counted.layer, "it is marked as invisible")
+            return
+        try:
+            style = found.style(self._styles, around)
+            if counted.kind == "INSERT":
+                self._insert(found.reference(), handle, here, style)
+                return
+            what = found.drawn()
+        except (Undrawable, GeometryError) as reason:
+            text = reason.message if isinstance(reason, GeometryError) else str(reason)
+            self.sheet.row(handle, counted.kind, counted.layer, text)
+            return
+        except (ArithmeticError, ValueError, TypeError, LookupError, AttributeError) as reason:
+            # ezdxf's own readers stumble over damaged entities in all of these ways.
+            self.sheet.row(handle, counted.kind, counted.layer, f"it is damaged: {reason}")
+            return
+        notes = [*self._styles.notes(style.layer), *what.notes]
+        if len(here[0]) > 1:
+            notes.append(f"drawn {len(here[0])} times")
+        row = self.sheet.row(handle, counted.kind, style.layer, "", notes)
+        self.placed.append(Placed(row, what.shape, *here, style))
+
+    def _insert(self, insert: Reference, handle: str, here: tuple[F64, F64], style: Style) -> None:
+        name = insert.block
+        block = self._blocks.get(name.lower())
+        if block is None:
+            raise Undrawable(f"its block {name!r} is not in the file")
+        if name.lower() in self._endless:
+            raise Undrawable(f"its block {name!r} contains itself")
+        if block.external:
+            raise Undrawable(f"its block {name!r} is in another file: bind it before exporting")
+        notes = flat((insert.at[2],))
+        at, scale = np.array(insert.at[:2]), np.array(insert.scale)
+        spacing = np.array(insert.spacing)
+        numbers = np.concatenate([scale, [insert.rotation], spacing, at, block.base])
+        if not np.isfinite(numbers).all() or np.abs(numbers).max() > 1e100:
+            raise Undrawable("its place, scale or rotation is not a number")
+        if (scale == 0.0).any():
+            raise Undrawable(f"its scale is {scale[0]:g} × {scale[1]:g}: nothing is left of it")
+        if insert.clipped:
+            notes.append("the clipping around it is not applied")
+        self.used.add(name.lower())
+        columns, rows = insert.cells
+        cells = columns * rows
+        if cells > 1:
+            notes.append(f"{columns} columns × {rows} rows")
+        if len(here[0]) > 1:
+            notes.append(f"drawn {len(here[0])} times")
+        self.sheet.row(
+            handle,
+            "INSERT",
+            style.layer,
+            "",
+            [places(block.name), *self._styles.notes(style.layer), *notes],
+        )
+        cos, sin = turning(insert.rotation)
+        turned = np.array([[cos, -sin], [sin, cos]])
+        side = np.diag([-1.0 if insert.mirror else 1.0, 1.0])
+        linear = side @ turned * scale
+        steps = np.stack(
+            [np.tile(np.arange(columns), rows), np.repeat(np.arange(rows), columns)], axis=1
+        )
+        corner = moved(turned, at, steps * spacing) @ side.T
+        shift = corner - moved(linear, np.zeros(2), block.base)
+        outer_linear, outer_shift = here
+        there = (
+            np.repeat(_product(outer_linear, linear), cells, axis=0),
+            moved(outer_linear[:, None], outer_shift[:, None], shift[None]).reshape(-1, 2),
+        )
+        for child in block.entries:
+            self._entry(child, f"{handle}/", there, style)
+
+
+def _product(outer: F64, inner: F64) -> F64:
+    """Return the linear maps (k, 2, 2) that do the inner one first."""
+    columns = moved(outer[:, None], np.zeros(2), inner.T[None])
+    return columns.transpose(0, 2, 1)
+
+
+def _plucked(below: dict[str, set[str]], above: dict[str, set[str]]) -> tuple[list[str], set[str]]:
+    """Return the names in an order in which each comes after all below it, and those without."""
+    waiting = {name: len(found) for name, found in below.items()}
+    ready = [name for name, number in waiting.items() if number == 0]
+    for name in ready:
+        for upper in above[name]:
+            waiting[upper] -= 1
+            if waiting[upper] == 0:
+                ready.append(upper)
+    return ready, set(waiting) - set(ready)

@@ -1,0 +1,27 @@
+"""columns: segments as a reader leaves them, and what they are drawn with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from knifetip.geometry.columns import F64, I32
+
+
+class Style(NamedTuple):
+    """What an entity is drawn with."""
+
+    layer: str
+    colour: int  #: AutoCAD colour index 1 … 255
+    true_colour: int  #: 0xRRGGBB, -1 where there is none
+    linetype: str
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Columns:
+    """n segments in file units."""
+
+    ends: F64  #: (n, 2, 2)
+    bulge: F64  #: (n,)
+    row: I32  #: (n,) of the ledger
+    style: I32  #: (n,) which of the styles

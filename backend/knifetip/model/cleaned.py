@@ -1,0 +1,195 @@
+"""Cleaned: a dieline put in order, and what became of every edge that was drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I32, U8, Bool, frozen
+from knifetip.model.dieline import Dieline
+from knifetip.model.drawing import Fate
+
+
+class Why(IntEnum):
+    """Why an edge became what it became."""
+
+    AS_DRAWN = 0  #: kept, bit for bit
+    MOVED = 1  #: kept, an end brought to another one
+    SHORTENED = 2  #: kept in part: the rest lies on other edges
+    LONGER = 3  #: kept, and others have become one edge with it
+    JOINED = 4  #: it has become one edge with another that it goes on in
+    FITTED = 5  #: it is a part of a flattened curve that has become a line or an arc
+    TWICE = 6  #: it lies on other edges along its whole length
+    SPECK = 7  #: it is too short to be worked
+    NO_WORK = 8  #: it is ignored or not classified, and left as it is
+
+    @property
+    def words(self) -> str:
+        """The same for a list, without places and measures; "" where there is nothing to tell."""
+        return _WORDS[self]
+
+
+_WORDS = {
+    Why.AS_DRAWN: "",
+    Why.MOVED: "an end was moved to meet another edge",
+    Why.SHORTENED: "a part of it lies on other edges",
+    Why.LONGER: "other edges that go on in it are one with it",
+    Why.JOINED: "it goes on in another edge and is one with it",
+    Why.FITTED: "it is a part of a flattened curve that is one line or arc",
+    Why.TWICE: "it lies on other edges",
+    Why.SPECK: "it is a speck that holds nothing together",
+    Why.NO_WORK: "",
+}
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Stretches:
+    """q parts of drawn edges, which cover all that is to be worked, in the order of the drawing."""
+
+    row: I32  #: (q,) row in the drawn dieline
+    begin: F64  #: (q,) where the part begins, 0 … 1 of the drawn edge's length
+    end: F64  #: (q,) where it ends
+    cleaned: I32  #: (q,) row in the cleaned dieline that does its work, -1 where it was dropped
+    given: Bool  #: (q,) whether it lies on another edge, and so is not worked once more
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        put(self, "row", frozen(self.row, np.int32, -1))
+        rows = len(self.row)
+        put(self, "begin", frozen(self.begin, np.float64, rows))
+        put(self, "end", frozen(self.end, np.float64, rows))
+        put(self, "cleaned", frozen(self.cleaned, np.int32, rows))
+        put(self, "given", frozen(self.given, np.bool_, rows))
+
+    def __len__(self) -> int:
+        return len(self.row)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Cleaned:
+    """What n drawn edges became: m ≥ n edges.
+
+    The first n rows of ``dieline`` are those of the drawing.  An edge that has become a part of
+    another one, or was dropped, stands there as it was drawn and is ignored; what an edge was
+    parted into beyond one piece follows at the end.  ``dieline.source`` says for each of the m
+    rows which row of the drawing to show for it.
+
+    Lengths add up: ``kept + merged + dropped`` is what was drawn, edge by edge; the length of the
+    cleaned edges that are worked is the sum of ``kept`` and of ``added``.
+    """
+
+    dieline: Dieline
+    of: I32  #: (n,) cleaned row that does most of the edge's work, -1 where it was dropped
+    fate: U8  #: (n,) Fate
+    why: U8  #: (n,) Why
+    kept: F64  #: (n,) length that is worked for this edge (mm)
+    merged: F64  #: (n,) length that lies on other edges, which are worked (mm)
+    dropped: F64  #: (n,) length of specks (mm)
+    added: F64  #: (n,) length that closing gaps and fitting curves added to it; < 0: took (mm)
+    moved: F64  #: (n,) the farthest that an end was moved (mm)
+    off: F64  #: (n,) the farthest that the drawn edge is from the edge that does its work (mm)
+    stretches: Stretches
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        put(self, "of", frozen(self.of, np.int32, -1))
+        rows = len(self.of)
+        for name in ("fate", "why"):
+            put(self, name, frozen(getattr(self, name), np.uint8, rows))
+        for name in ("kept", "merged", "dropped", "added", "moved", "off"):
+            put(self, name, frozen(getattr(self, name), np.float64, rows))
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """(n,) Why in words for each drawn edge, "" where there is nothing to tell."""
+        words = [why.words for why in Why]
+        return tuple(words[code] for code in self.why.tolist())
+
+    @property
+    def changed(self) -> Bool:
+        """(n,) Whether the edge is worked otherwise than as it was drawn."""
+        return np.asarray(~np.isin(self.why, (Why.AS_DRAWN, Why.NO_WORK)))
+
+    def into(self, row: int) -> int:
+        """Return the row of the drawing that stands for the edge's work, -1 where there is none."""
+        cleaned = self.of[row]
+        return -1 if cleaned < 0 else int(self.dieline.source[cleaned])
+
+    def words(self, row: int) -> str:
+        """Return what became of a drawn edge, in the user's words."""
+        why = Why(self.why[row])
+        if why is Why.SPECK:
+            return f"dropped: {self.dropped[row]:.4g} mm long and holds nothing together"
+        if why is Why.NO_WORK:
+            return "left as it is: no work"
+        if why is Why.TWICE:
+            return f"merged: it lies on edge {self.into(row)}"
+        if why is Why.JOINED:
+            return f"merged: it goes on in edge {self.into(row)} and is one with it"
+        if why is Why.FITTED:
+            return (
+                f"merged: a flattened curve, one with edge {self.into(row)} "
+                f"within {self.off[row]:.2g} mm"
+            )
+        told = ["kept"]
+        if self.merged[row] > 0.0:
+            told.append(f"{self.merged[row]:.4g} mm of it lie on other edges")
+        if why is Why.LONGER:
+            told.append("others that go on in it are one with it")
+        if self.moved[row] > 0.0:
+            told.append(f"an end moved by {self.moved[row]:.2g} mm to meet another")
+        if self.dropped[row] > 0.0:
+            told.append(f"a speck of {self.dropped[row]:.2g} mm dropped")
+        return told[0] + (": " if told[1:] else "") + "; ".join(told[1:])
+
+    @property
+    def lengths(self) -> dict[str, float]:
+        """Lengths over all (mm): ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``;
+        ``worked`` that of ``kept`` and ``added``; ``no_work`` is ignored or not classified."""
+        at_work = self.why != Why.NO_WORK
+        kept, merged, dropped, added = (
+            float(column[at_work].sum())
+            for column in (self.kept, self.merged, self.dropped, self.added)
+        )
+        return {
+            "drawn": kept + merged + dropped,
+            "kept": kept,
+            "merged": merged,
+            "dropped": dropped,
+            "added": added,
+            "worked": kept + added,
+            "no_work": float(self.kept[~at_work].sum()),
+        }
+
+    def as_json(self, handles: Sequence[str]) -> dict[str, object]:
+        """Return the ledger as plain data: lengths, counts, and each edge that was changed."""
+        return {
+            "lengths": self.lengths,
+            "edges": {fate.name.lower(): self.count(fate) for fate in Fate},
+            "moved": float(self.moved.max(initial=0.0)),
+            "off": float(self.off.max(initial=0.0)),
+            "rows": [
+                {
+                    "row": row,
+                    "handle": handles[row],
+                    "fate": Fate(self.fate[row]).name.lower(),
+                    "why": Why(self.why[row]).name.lower(),
+                    "into": self.into(row),
+                    "kept": float(self.kept[row]),
+                    "merged": float(self.merged[row]),
+                    "dropped": float(self.dropped[row]),
+                    "added": float(self.added[row]),
+                    "moved": float(self.moved[row]),
+                    "off": float(self.off[row]),
+                    "text": self.words(row),
+                }
+                for row in np.flatnonzero(self.changed).tolist()
+            ],
+        }
+
+    def count(self, fate: Fate) -> int:
+        """Return how many edges have this fate."""
+        return int((self.fate == fate).sum())

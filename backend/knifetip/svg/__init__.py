@@ -1,0 +1,1 @@
+"""Floor 3: SVG bytes in, Drawing out."""

@@ -1,0 +1,266 @@
+"""path: path data as a table of lines, cubic curves and elliptic arcs, many paths in one pass.
+
+    "M0 0h10a5 5 0 0 1 5 5z" -> kind (n,), numbers (n, 8), path (n,)
+
+Compiled code reads the bytes.  Relative coordinates, H and V, the mirrored handles of S and T and
+the closing line of Z are made absolute and written out; quadratic curves become cubic ones.
+
+Source: Scalable Vector Graphics (SVG) 1.1, second edition, chapter 8.3; as it demands, a path is
+drawn up to the place where its data is wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.geometry.columns import F64, I64, U8
+
+LINE: Final = 0
+CUBIC: Final = 1
+ARC: Final = 2
+
+#: What ``_scan`` answers where there are more segments than wanted.
+_TOO_MANY: Final = -1
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Table:
+    """n segments of several paths, in the order of the data."""
+
+    kind: U8  #: (n,) LINE, CUBIC or ARC
+    #: (n, 8): x and y of both ends, then of a CUBIC both handles, of an ARC both radii, the turn of
+    #: the first in degrees, and 1 for the large one + 2 for the one of increasing angle
+    numbers: F64
+    path: I64  #: (n,) which path
+    wrong: I64  #: (paths,) the character at which the data is wrong, -1 where none is
+
+
+def scanned(paths: Sequence[str], most: int) -> Table | None:
+    """Return the segments of paths; None if there are more than ``most``."""
+    pieces = [path.encode("ascii", "replace") for path in paths]
+    size = np.array([0, *(len(piece) for piece in pieces)], np.int64)
+    data = np.frombuffer(b"".join(pieces), np.uint8)
+    kind, numbers, path, wrong, count = _scan(data, np.cumsum(size), most)
+    if count == _TOO_MANY:
+        return None
+    return Table(kind[:count], numbers[:count], path[:count], wrong)
+
+
+@njit(cache=True, error_model="numpy")
+def _skipped(data: Any, at: int, last: int) -> int:
+    """Return the place after blanks and commas."""
+    while at < last and (
+        data[at] == 32 or data[at] == 44 or data[at] == 10 or data[at] == 13 or data[at] == 9
+    ):
+        at += 1
+    return at
+
+
+@njit(cache=True, error_model="numpy")
+def _number(data: Any, at: int, last: int) -> tuple[float, int]:
+    """Return a number and the place after it, -1 where there is none."""
+    at = _skipped(data, at, last)
+    negative = False
+    if at < last and (data[at] == 45 or data[at] == 43):
+        negative = data[at] == 45
+        at += 1
+    w: Any = np.int64(0)
+    digits = 0
+    power = 0
+    some = False
+    while at < last and 48 <= data[at] <= 57:
+        some = True
+        if digits < 18:
+            w = w * 10 + np.int64(data[at] - 48)
+            digits += w > 0
+        else:
+            power += 1
+        at += 1
+    if at < last and data[at] == 46:
+        at += 1
+        while at < last and 48 <= data[at] <= 57:
+            some = True
+            if digits < 18:
+                w = w * 10 + np.int64(data[at] - 48)
+                digits += w > 0
+                power -= 1
+            at += 1
+    if not some:
+        return 0.0, -1
+    if at + 1 < last and (data[at] == 69 or data[at] == 101):
+        ahead = at + 1
+        less = False
+        if data[ahead] == 45 or data[ahead] == 43:
+            less = data[ahead] == 45
+            ahead += 1
+        # "1em" is no exponent, and no path data either: the letter is looked at by who called.
+        if ahead < last and 48 <= data[ahead] <= 57:
+            raised = 0
+            while ahead < last and 48 <= data[ahead] <= 57:
+                raised = min(raised * 10 + int(data[ahead] - 48), 100_000)
+                ahead += 1
+            power += -raised if less else raised
+            at = ahead
+    value = float(w)
+    if w > 0 and power != 0:
+        # Two steps, so that 1e-310 · 1e20 does not pass through 0, nor its like through infinity.
+        half = power // 2
+        if -22 <= power <= 22:
+            value = value * 10.0**power if power > 0 else value / 10.0**-power
+        else:
+            value = value * 10.0**half * 10.0 ** (power - half)
+    return -value if negative else value, at
+
+
+@njit(cache=True, error_model="numpy")
+def _flag(data: Any, at: int, last: int) -> tuple[int, int]:
+    """Return a flag of an arc, one digit that may touch what follows, and the place after it."""
+    at = _skipped(data, at, last)
+    if at < last and (data[at] == 48 or data[at] == 49):
+        return int(data[at] - 48), at + 1
+    return 0, -1
+
+
+@njit(cache=True, error_model="numpy")
+def _wanted(command: int) -> int:
+    """Return how many numbers a command in lower case takes, -1 where it is none."""
+    if command == 109 or command == 108 or command == 116:  # m l t
+        return 2
+    if command == 104 or command == 118:  # h v
+        return 1
+    if command == 99:  # c
+        return 6
+    if command == 115 or command == 113:  # s q
+        return 4
+    if command == 97:  # a
+        return 7
+    if command == 122:  # z
+        return 0
+    return -1
+
+
+@njit(cache=True, error_model="numpy")
+def _scan(data: Any, bounds: Any, most: int) -> Any:
+    paths = len(bounds) - 1
+    room = 64
+    kind = np.empty(room, np.uint8)
+    numbers = np.empty((room, 8))
+    of = np.empty(room, np.int64)
+    wrong = np.full(paths, -1, np.int64)
+    given = np.empty(7)
+    count = 0
+    for path in range(paths):
+        first, last = bounds[path], bounds[path + 1]
+        x = y = home_x = home_y = handle_x = handle_y = 0.0
+        # What the last segment was: a handle is mirrored only behind its own kind.
+        before = 0
+        command = 0
+        relative = False
+        at = _skipped(data, first, last)
+        while at < last:
+            letter = data[at] | 32
+            if 97 <= letter <= 122:
+                if _wanted(letter) < 0 or (command == 0 and letter != 109):
+                    wrong[path] = at - first
+                    break
+                command = letter
+                relative = data[at] >= 97
+                at += 1
+            elif command == 0 or command == 122:
+                wrong[path] = at - first
+                break
+            begun = at
+            wanted = _wanted(command)
+            for k in range(wanted):
+                if command == 97 and 3 <= k <= 4:
+                    flag, at = _flag(data, at, last)
+                    given[k] = float(flag)
+                else:
+                    given[k], at = _number(data, at, last)
+                if at < 0:
+                    break
+            if at < 0:
+                wrong[path] = _skipped(data, begun, last) - first
+                break
+            if command == 109:
+                x = given[0] + (x if relative else 0.0)
+                y = given[1] + (y if relative else 0.0)
+                home_x, home_y = x, y
+                before = command
+                command = 108  # what follows without a letter are lines
+                at = _skipped(data, at, last)
+                continue
+            if count == room:
+                if count > most:
+                    return kind, numbers, of, wrong, _TOO_MANY
+                room *= 2
+                more_kind = np.empty(room, np.uint8)
+                more_numbers = np.empty((room, 8))
+                more_of = np.empty(room, np.int64)
+                more_kind[:count] = kind
+                more_numbers[:count] = numbers
+                more_of[:count] = of
+                kind, numbers, of = more_kind, more_numbers, more_of
+            base_x = x if relative else 0.0
+            base_y = y if relative else 0.0
+            row = numbers[count]
+            row[0], row[1] = x, y
+            row[4:] = 0.0
+            kind[count] = LINE
+            of[count] = path
+            to_x, to_y = x, y
+            if command == 108:
+                to_x, to_y = base_x + given[0], base_y + given[1]
+            elif command == 104:
+                to_x = base_x + given[0]
+            elif command == 118:
+                to_y = base_y + given[0]
+            elif command == 122:
+                to_x, to_y = home_x, home_y
+            elif command == 97:
+                to_x, to_y = base_x + given[5], base_y + given[6]
+                if given[0] != 0.0 and given[1] != 0.0:
+                    kind[count] = ARC
+                    row[4], row[5], row[6] = abs(given[0]), abs(given[1]), given[2]
+                    row[7] = given[3] + 2.0 * given[4]
+            else:
+                kind[count] = CUBIC
+                if command == 99 or command == 115:
+                    if command == 99:
+                        row[4], row[5] = base_x + given[0], base_y + given[1]
+                    elif before == 99 or before == 115:
+                        row[4], row[5] = 2.0 * x - handle_x, 2.0 * y - handle_y
+                    else:
+                        row[4], row[5] = x, y
+                    rest = 2 if command == 99 else 0
+                    row[6], row[7] = base_x + given[rest], base_y + given[rest + 1]
+                    to_x, to_y = base_x + given[rest + 2], base_y + given[rest + 3]
+                    handle_x, handle_y = row[6], row[7]
+                else:
+                    if command == 113:
+                        handle_x, handle_y = base_x + given[0], base_y + given[1]
+                        to_x, to_y = base_x + given[2], base_y + given[3]
+                    else:
+                        if before == 113 or before == 116:
+                            handle_x, handle_y = 2.0 * x - handle_x, 2.0 * y - handle_y
+                        else:
+                            handle_x, handle_y = x, y
+                        to_x, to_y = base_x + given[0], base_y + given[1]
+                    row[4], row[5] = x + (handle_x - x) * 2.0 / 3.0, y + (handle_y - y) * 2.0 / 3.0
+                    row[6] = to_x + (handle_x - to_x) * 2.0 / 3.0
+                    row[7] = to_y + (handle_y - to_y) * 2.0 / 3.0
+            row[2], row[3] = to_x, to_y
+            before = command
+            x, y = to_x, to_y
+            # A closing line of no length is not drawn; one without length that is drawn is a speck.
+            if command != 122 or row[0] != row[2] or row[1] != row[3]:
+                count += 1
+            at = _skipped(data, at, last)
+    if count > most:
+        count = _TOO_MANY
+    return kind, numbers, of, wrong, count

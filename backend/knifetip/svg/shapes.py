@@ -1,0 +1,128 @@
+"""shapes: the basic shapes as path data.
+
+    <rect x="0" y="0" width="90" height="45" rx="3"/> -> "M3 0H87A3 3 0 0 1 90 3V42…Z"
+
+One reader of paths then draws them all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from knifetip.svg.document import Node
+from knifetip.svg.lengths import pixels
+
+
+class Undrawable(Exception):
+    """An element that gives no line; the message is the ledger's reason.  Never leaves the room."""
+
+
+#: Width, height and (for radii) diagonal share of the window, which percentages are taken of.
+Window = tuple[float, float, float]
+
+
+def data(node: Node, window: Window) -> str:
+    """Return the path data of an element whose tag is in ``READ``.
+
+    Raises
+    ------
+    Undrawable
+        It gives no line; the message says why.
+    """
+    return READ[node.tag](node, window)
+
+
+def _size(node: Node, name: str, whole: float, silent: float = 0.0) -> float:
+    text = node.attributes.get(name)
+    if text is None:
+        return silent
+    try:
+        return pixels(text, whole)
+    except ValueError as reason:
+        raise Undrawable(f"its {name} cannot be read: {reason}") from None
+
+
+def _path(node: Node, _window: Window) -> str:
+    text = node.attributes.get("d", "")
+    if not text.strip() or text.strip() == "none":
+        raise Undrawable("its path is empty")
+    return text
+
+
+def _line(node: Node, window: Window) -> str:
+    x1, x2 = (_size(node, name, window[0]) for name in ("x1", "x2"))
+    y1, y2 = (_size(node, name, window[1]) for name in ("y1", "y2"))
+    return f"M{x1!r} {y1!r}L{x2!r} {y2!r}"
+
+
+def _polyline(node: Node, _window: Window) -> str:
+    points = node.attributes.get("points", "")
+    if not points.strip():
+        raise Undrawable("it has 0 points: no line between them")
+    if points.lstrip(" \t\r\n,")[:1].isalpha():
+        raise Undrawable(f"its points cannot be read: {points.strip()[:30]!r}")
+    return "M" + points
+
+
+def _polygon(node: Node, window: Window) -> str:
+    return _polyline(node, window) + "Z"
+
+
+def _rect(node: Node, window: Window) -> str:
+    x, y = _size(node, "x", window[0]), _size(node, "y", window[1])
+    wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
+    if not (wide > 0.0 and high > 0.0):
+        raise Undrawable(f"its width and height are {wide:g} and {high:g}")
+    given = node.attributes
+    rx, ry = (
+        None if given.get(name, "auto") == "auto" else _size(node, name, whole)
+        for name, whole in (("rx", window[0]), ("ry", window[1]))
+    )
+    across = min(max((rx if rx is not None else ry) or 0.0, 0.0), wide / 2.0)
+    down = min(max((ry if ry is not None else rx) or 0.0, 0.0), high / 2.0)
+    right, low = x + wide, y + high
+    if not (across > 0.0 and down > 0.0):
+        return f"M{x!r} {y!r}H{right!r}V{low!r}H{x!r}Z"
+    bend = f"A{across!r} {down!r} 0 0 1 "
+    return (
+        f"M{x + across!r} {y!r}H{right - across!r}{bend}{right!r} {y + down!r}V{low - down!r}"
+        f"{bend}{right - across!r} {low!r}H{x + across!r}{bend}{x!r} {low - down!r}"
+        f"V{y + down!r}{bend}{x + across!r} {y!r}"
+    )
+
+
+def _circle(node: Node, window: Window) -> str:
+    radius = _size(node, "r", window[2])
+    return _round(node, window, radius, radius)
+
+
+def _ellipse(node: Node, window: Window) -> str:
+    given = node.attributes
+    rx, ry = (
+        None if given.get(name, "auto") == "auto" else _size(node, name, whole)
+        for name, whole in (("rx", window[0]), ("ry", window[1]))
+    )
+    across = rx if rx is not None else ry
+    down = ry if ry is not None else rx
+    return _round(node, window, across or 0.0, down or 0.0)
+
+
+def _round(node: Node, window: Window, across: float, down: float) -> str:
+    if not (across > 0.0 and down > 0.0):
+        raise Undrawable(f"its radius is {min(across, down):g}")
+    x, y = _size(node, "cx", window[0]), _size(node, "cy", window[1])
+    half = f"A{across!r} {down!r} 0 0 1 "
+    return f"M{x + across!r} {y!r}{half}{x - across!r} {y!r}{half}{x + across!r} {y!r}"
+
+
+#: Elements that are lines, each with its reader.
+READ: Final[dict[str, Callable[[Node, Window], str]]] = {
+    "path": _path,
+    "line": _line,
+    "polyline": _polyline,
+    "polygon": _polygon,
+    "rect": _rect,
+    "circle": _circle,
+    "ellipse": _ellipse,
+}

@@ -1,0 +1,108 @@
+"""transform: the ``transform`` attribute as a matrix.
+
+"translate(3,4) rotate(90)" -> (a, b, c, d, e, f):  x' = a x + c y + e,  y' = b x + d y + f
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Final, TypeAlias
+
+#: a, b, c, d, e, f as SVG counts them.
+Matrix: TypeAlias = tuple[float, float, float, float, float, float]
+
+IDENTITY: Final[Matrix] = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+
+_CALL: Final = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
+_BETWEEN: Final = re.compile(r"[\s,]+")
+_NUMBER: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+
+
+def chained(outer: Matrix, inner: Matrix) -> Matrix:
+    """Return the matrix that does ``inner`` first."""
+    a, b, c, d, e, f = outer
+    g, h, i, j, k, m = inner
+    return (
+        a * g + c * h,
+        b * g + d * h,
+        a * i + c * j,
+        b * i + d * j,
+        a * k + c * m + e,
+        b * k + d * m + f,
+    )
+
+
+def numbers(text: str) -> list[float]:
+    """Return the numbers of a list, parted by blanks, commas or nothing but a sign.
+
+    Raises
+    ------
+    ValueError
+        There is something else between them.
+    """
+    rest = _BETWEEN.sub("", _NUMBER.sub("", text))
+    if rest:
+        raise ValueError(f"{rest[:20]!r} is not a number")
+    return [float(number) for number in _NUMBER.findall(text)]
+
+
+def matrix(text: str) -> Matrix:
+    """Return the matrix of a list of transforms, the last one of which is done first.
+
+    Raises
+    ------
+    ValueError
+        It cannot be read; the message says what is wrong.
+    """
+    found = IDENTITY
+    at = 0
+    while at < len(text):
+        call = _CALL.match(text, at)
+        if call is None:
+            if not text[at:].strip(" \t\r\n,"):
+                break
+            raise ValueError(f"{text[at : at + 30].strip()!r} is not a transform")
+        found = chained(found, _one(call[1], numbers(call[2])))
+        at = call.end()
+    return found
+
+
+def _one(name: str, given: list[float]) -> Matrix:
+    count = len(given)
+    if name == "matrix" and count == 6:
+        a, b, c, d, e, f = given
+        return a, b, c, d, e, f
+    if name == "translate" and count in (1, 2):
+        return 1.0, 0.0, 0.0, 1.0, given[0], given[1] if count == 2 else 0.0
+    if name == "scale" and count in (1, 2):
+        return given[0], 0.0, 0.0, given[-1], 0.0, 0.0
+    if name == "rotate" and count in (1, 3):
+        cosine, sine = turned(given[0])
+        turn = (cosine, sine, -sine, cosine, 0.0, 0.0)
+        if count == 1:
+            return turn
+        _, x, y = given
+        return chained((1.0, 0.0, 0.0, 1.0, x, y), chained(turn, (1.0, 0.0, 0.0, 1.0, -x, -y)))
+    if name == "skewX" and count == 1:
+        return 1.0, 0.0, math.tan(math.radians(given[0])), 1.0, 0.0, 0.0
+    if name == "skewY" and count == 1:
+        return 1.0, math.tan(math.radians(given[0])), 0.0, 1.0, 0.0, 0.0
+    raise ValueError(f"{name}({count} numbers) is not a transform")
+
+
+def turned(degrees: float) -> tuple[float, float]:
+    """Return cosine and sine of an angle; of a quarter turn exactly 0 and 1.
+
+    Raises
+    ------
+    ValueError
+        The angle is not finite.
+    """
+    if not math.isfinite(degrees):
+        raise ValueError(f"an angle of {degrees:g} degrees turns nothing")
+    quarter, rest = divmod(degrees % 360.0, 90.0)
+    if rest == 0.0:
+        return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarter) % 4]
+    angle = math.radians(degrees)
+    return math.cos(angle), math.sin(angle)

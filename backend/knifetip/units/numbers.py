@@ -1,0 +1,148 @@
+"""numbers: the lengths that words on a sheet mention.
+
+    "300 x 200 x 150 mm", '13 3/4"', "L=300", "13,78 in" -> values, each with its unit if it has one
+
+Dates, angles, scales, telephone numbers and parts of names are left alone.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Final
+
+#: Nobody writes a carton's length larger than this, in whatever unit.
+_LARGEST: Final = 20000.0
+
+_UNIT_OF: Final = {
+    "mm": "mm",
+    "millimetre": "mm",
+    "millimetres": "mm",
+    "millimeter": "mm",
+    "millimeters": "mm",
+    "мм": "mm",
+    "毫米": "mm",
+    "cm": "cm",
+    "centimetres": "cm",
+    "centimeters": "cm",
+    "zentimeter": "cm",
+    "см": "cm",
+    "厘米": "cm",
+    "m": "m",
+    "in": "in",
+    "in.": "in",
+    "inch": "in",
+    "inches": "in",
+    "zoll": "in",
+    "pouces": "in",
+    "pulgadas": "in",
+    "英寸": "in",
+    '"': "in",
+    "''": "in",
+    "″": "in",
+    "”": "in",
+    "ft": "ft",
+    "feet": "ft",
+    "'": "ft",
+    "′": "ft",
+}
+_UNIT: Final = "|".join(re.escape(word) for word in sorted(_UNIT_OF, key=len, reverse=True))
+_VULGAR: Final = {
+    "½": " 1/2",
+    "¼": " 1/4",
+    "¾": " 3/4",
+    "⅛": " 1/8",
+    "⅜": " 3/8",
+    "⅝": " 5/8",
+    "⅞": " 7/8",
+}
+#: 1200, 12.5, 12,5, 13 3/4, 13-3/4, 3/4; not inside a word, a date or another number.
+_NUMBER: Final = re.compile(
+    r"(?<![\w.,:/\-Ø⌀°])(?<!\d )"
+    r"(?:(?P<whole>\d{1,5})(?:-|\s+)(?P<up>\d{1,2})/(?P<down>2|4|8|16|32|64)(?!\d)"
+    r"|(?P<alone>\d{1,2})/(?P<under>2|4|8|16|32|64)(?!\d)"
+    r"|(?P<decimal>(?!0\d)\d{1,5}(?:[.,]\d{1,6})?))"
+    rf"(?P<unit>\s?(?:{_UNIT})(?!\w))?"
+    r"(?![\d°%:/])(?![.,\-]\d)(?![^\W\d_])",
+    re.IGNORECASE,
+)
+#: 300x200x150: the signs between are taken for gaps.
+_TIMES: Final = re.compile(r"(?<=[\d\"'″m])\s*[x×*X]\s*(?=[\d.,]*\d)")
+_LABEL: Final = re.compile(r"\b[A-Za-z]{1,9}\s*[=:]\s*(?=\d)")
+_SCALE: Final = re.compile(r"\b(\d{1,4})\s?:\s?(\d{1,4})\b")
+#: "Dimensions in mm", "Alle Maße in mm", "units: inches", "尺寸单位: 毫米".
+_STATEMENT: Final = re.compile(
+    r"(?:\bdim\w*|\bunits?\b|\bmeasure\w*|\bmaße?\b|\bmasse?\b|\bmaßeinheit|\beinheit\w*|\bcotes\b"
+    r"|\bmisure\b|\bmedidas\b|размер\w*|单位|尺寸)[^\d\n]{0,30}?"
+    r"(?<!\w)(?P<unit>mm|cm|inch(?:es)?|millimet(?:er|re)s?|zoll|мм|см|毫米|厘米|英寸)(?!\w)",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Mention:
+    """A length that words mention."""
+
+    text: str  #: as it is written
+    value: float
+    unit: str  #: empty where none is written
+    half: float  #: half of the last place that is written
+
+
+def mentions(text: str) -> list[Mention]:
+    """Return the lengths that a text mentions, in order."""
+    for sign, spelled in _VULGAR.items():
+        text = text.replace(sign, spelled)
+    text = _SCALE.sub(" ", text)
+    rows = _TIMES.sub("|", _LABEL.sub(" ", text))
+    found: list[Mention] = []
+    joined: list[bool] = []
+    for part in rows.split("|"):
+        first = True
+        for match in _NUMBER.finditer(part):
+            one = _mention(match)
+            if one is not None:
+                found.append(one)
+                joined.append(first and len(found) > 1)
+            first = False
+    # 300 x 200 x 150 mm: the unit at the end is that of all.
+    for row in range(len(found) - 1, 0, -1):
+        if joined[row] and found[row].unit and not found[row - 1].unit:
+            before = found[row - 1]
+            found[row - 1] = Mention(before.text, before.value, found[row].unit, before.half)
+    return found
+
+
+def _mention(match: re.Match[str]) -> Mention | None:
+    unit = _UNIT_OF[match["unit"].strip().lower()] if match["unit"] else ""
+    if match["decimal"] is not None:
+        written = match["decimal"].replace(",", ".")
+        places = len(written.partition(".")[2])
+        if match["decimal"].count(",") and places == 3:
+            # 1,200 is either twelve hundred or one and a fifth.
+            return None
+        value, half = float(written), 0.5 * 10.0**-places
+    else:
+        # Fractions are of inches.
+        unit = unit or "in"
+        up, down = match["up"] or match["alone"], match["down"] or match["under"]
+        value = float(match["whole"] or 0) + float(up) / float(down)
+        half = 0.5 / 64.0
+    if not 0.0 < value <= _LARGEST:
+        return None
+    return Mention(match[0].strip(), value, unit, half)
+
+
+def statement(text: str) -> str:
+    """Return the unit in which a text says that all is given, empty if it does not."""
+    match = _STATEMENT.search(text)
+    return _UNIT_OF.get(match["unit"].lower().removesuffix(" "), "in") if match else ""
+
+
+def scales(text: str) -> list[tuple[int, int]]:
+    """Return the scales, such as 1:10, that a text mentions."""
+    return [
+        (int(one), int(other))
+        for one, other in _SCALE.findall(text)
+        if (one == "1") != (other == "1")
+    ]

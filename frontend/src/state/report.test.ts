@@ -1,0 +1,93 @@
+import { describe, expect, test } from "vitest";
+import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
+import type { Edges } from "../geometry/records";
+import { inspected } from "./inspect";
+import { entitiesOf, groupsOf, isGone, rowsOfGroup, shares } from "./report";
+
+type Report = NonNullable<Drawing["report"]>;
+
+const group = (part: Partial<ReportGroup>): ReportGroup => ({
+  fate: "kept",
+  reason: "",
+  what: "edges",
+  kinds: [],
+  count: 1,
+  length: 0,
+  ...part,
+});
+
+const SPECKS = group({ fate: "dropped", reason: "a speck" });
+const TEXTS = group({ fate: "dropped", reason: "text is not cut", what: "entities" });
+const REPORT: Report = {
+  drawn: 200,
+  kept: 150,
+  merged: 40,
+  dropped: 10,
+  groups: [SPECKS, TEXTS, group({})],
+};
+
+/** Edges 0 and 2 are kept, 1 is dropped as a speck; 2 is a crease by shape. */
+const EDGES: Edges = {
+  ends: new Float64Array(12),
+  bulge: new Float64Array(3),
+  lineType: Uint8Array.of(1, 1, 2),
+  layer: Int32Array.of(0, 0, 1),
+  colour: Int32Array.of(1, 1, 5),
+  linetype: new Int32Array(3),
+  rule: Int32Array.of(0, 0, 1),
+  confidence: Float64Array.of(0.95, 0.9, 0.6),
+  length: Float64Array.of(100, 0.01, 50),
+  handles: ["A", "B", "C"],
+  layers: ["CUT", "0"],
+  rules: ['layer "CUT"', "shape: it divides two panels"],
+  linetypes: ["Continuous"],
+  alternatives: [["half-cut"], ["cut", "crease", "perforation"]],
+  fate: Uint8Array.of(0, 2, 0),
+  reason: Int32Array.of(0, 1, 0),
+  reasons: ["", "a speck"],
+};
+
+describe("the import report", () => {
+  test("shares out all that was drawn", () => {
+    expect(shares(REPORT).map(({ share }) => share)).toEqual([0.75, 0.2, 0.05]);
+    expect(shares({ ...REPORT, drawn: 0 }).every(({ share }) => share === 0)).toBe(true);
+  });
+
+  test("is filtered by what became of things", () => {
+    expect(groupsOf(REPORT, "dropped")).toEqual([SPECKS, TEXTS]);
+    expect(groupsOf(REPORT, "merged")).toEqual([]);
+    expect(groupsOf(REPORT, null)).toHaveLength(3);
+  });
+
+  test("leads to the edges of a reason, and to entities that are no lines", () => {
+    expect(rowsOfGroup(EDGES, SPECKS)).toEqual([1]);
+    expect(rowsOfGroup(EDGES, group({}))).toEqual([0, 2]);
+    expect(rowsOfGroup(EDGES, TEXTS)).toEqual([]);
+    const row = { fate: "dropped", reason: "text is not cut: 12", theme: "text is not cut" };
+    expect(entitiesOf([row as LedgerRow], TEXTS)).toHaveLength(1);
+    expect(entitiesOf([row as LedgerRow], SPECKS)).toHaveLength(0);
+    expect([0, 1, 2].map((edge) => isGone(EDGES, edge))).toEqual([false, true, false]);
+  });
+});
+
+describe("edges that are looked at", () => {
+  test("one says its rule, how sure that is and what else it could be", () => {
+    const found = inspected(EDGES, [2]);
+    expect(found.why).toEqual([
+      { type: "crease", rule: "shape: it divides two panels", confidence: 0.6, rows: [2] },
+    ]);
+    expect(found.alternatives).toEqual(["cut", "perforation"]);
+    expect(found.fate).toBe("");
+  });
+
+  test("several are as sure as the least sure of them, and share what all could be", () => {
+    const found = inspected(EDGES, [0, 1, 2]);
+    expect(found.why.map(({ confidence, rows }) => [confidence, rows.length])).toEqual([
+      [0.9, 2],
+      [0.6, 1],
+    ]);
+    expect(found.alternatives).toEqual([]);
+    expect(found.length).toBeCloseTo(150.01);
+    expect(inspected(EDGES, [1]).fate).toBe("dropped: a speck");
+  });
+});

@@ -1,0 +1,159 @@
+"""Reading a whole sheet of cartons: our own reader beside ezdxf's and GDAL's (pyogrio).
+
+100,000 entities on 6 layers: LINE, ARC, CIRCLE, LWPOLYLINE, TEXT and INSERTs of 8 blocks, as
+ezdxf writes a DXF R2010.  ezdxf and pyogrio read from a file, and so does ours.
+"""
+
+from __future__ import annotations
+
+import atexit
+import io
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import TypeAlias
+
+import ezdxf
+from ezdxf.layouts import BaseLayout
+
+from knifetip.classification.classify import classify
+from knifetip.dxf.read import read
+from knifetip.library import load
+
+try:
+    import pyogrio
+except ImportError:
+    pyogrio = None
+
+Bench: TypeAlias = tuple[str, int, Callable[[], object], dict[str, Callable[[], object]], int]
+
+ENTITIES = 100_000
+_LAYERS = ("CUT", "CREASE", "PERF", "HALFCUT", "VGROOVE", "INFO")
+
+
+def _entity(space: BaseLayout, chance: random.Random, x: float, y: float) -> None:
+    layer = {"layer": _LAYERS[chance.randrange(5)]}
+    kind = chance.random()
+    if kind < 0.55:
+        end = (x + chance.uniform(1, 9), y + chance.uniform(1, 9))
+        space.add_line((x, y), end, dxfattribs=layer)
+    elif kind < 0.70:
+        space.add_arc((x, y), chance.uniform(1, 4), chance.uniform(0, 90), 180, dxfattribs=layer)
+    elif kind < 0.85:
+        corners = [(x, y), (x + 8, y, 0, 0, 0.4), (x + 8, y + 5), (x, y + 5)]
+        space.add_lwpolyline(corners, close=True, dxfattribs=layer)
+    else:
+        space.add_circle((x, y), chance.uniform(0.5, 4), dxfattribs=layer)
+
+
+@cache
+def sheet(entities: int = ENTITIES) -> bytes:
+    """Draw the sheet."""
+    chance = random.Random(4)
+    document = ezdxf.new("R2010", units=4)
+    for colour, name in enumerate(_LAYERS, start=1):
+        document.layers.add(name, color=colour)
+    for number in range(8):
+        block = document.blocks.new(f"FLAP{number}")
+        for _ in range(6):
+            _entity(block, chance, chance.uniform(0, 10), chance.uniform(0, 10))
+    space = document.modelspace()
+    for number in range(entities):
+        x, y = number % 316 * 10.0, number // 316 * 10.0
+        kind = chance.random()
+        if kind < 0.05:
+            space.add_text(f"No. {number}", height=3, dxfattribs={"layer": "INFO"}).set_placement(
+                (x, y)
+            )
+        elif kind < 0.15:
+            space.add_blockref(
+                f"FLAP{chance.randrange(8)}",
+                (x, y),
+                dxfattribs={"layer": "CUT", "rotation": chance.choice((0, 90, 33.5))},
+            )
+        else:
+            _entity(space, chance, x, y)
+    text = io.StringIO()
+    document.write(text)
+    return text.getvalue().encode()
+
+
+@cache
+def _file() -> Path:
+    folder = tempfile.mkdtemp()
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    path = Path(folder) / "sheet.dxf"
+    path.write_bytes(sheet())
+    return path
+
+
+def _peers() -> dict[str, Callable[[], object]]:
+    path = _file()
+    peers: dict[str, Callable[[], object]] = {"ezdxf.readfile": lambda: ezdxf.readfile(path)}
+    if pyogrio is not None:
+        peers["pyogrio.raw.read"] = lambda: pyogrio.raw.read(path)
+    return peers
+
+
+def read_sheet() -> Bench:
+    """Read a sheet with layers and blocks."""
+    path = _file()
+    size = path.stat().st_size / 2**20
+    subject = f"DXF R2010, layers and blocks, {size:.0f} MB, {peak():.1f} × the file in memory"
+    if pyogrio is None:
+        subject += "; pyogrio is not installed"
+    return subject, ENTITIES, lambda: read(path.read_bytes()), _peers(), 3
+
+
+def classify_sheet() -> Bench:
+    """From a file to classified edges."""
+    path = _file()
+    profile = load.profile("default")
+    peers = {"ezdxf.readfile": _peers()["ezdxf.readfile"]}
+    return (
+        "the same sheet, read and classified",
+        ENTITIES,
+        lambda: classify(read(path.read_bytes()), profile),
+        peers,
+        3,
+    )
+
+
+#: Linux forgets the peak so far where a process writes 5 to its ``clear_refs``.
+_PEAK = """
+import sys
+from pathlib import Path
+from knifetip.dxf.read import read
+
+
+def memory(what):
+    for line in Path("/proc/self/status").read_text().splitlines():
+        if line.startswith(what):
+            return int(line.split()[1]) * 1024
+
+
+read(Path(sys.argv[2]).read_bytes())
+Path("/proc/self/clear_refs").write_text("5")
+before = memory("VmRSS")
+drawing = read(Path(sys.argv[1]).read_bytes())
+print(memory("VmHWM") - before)
+"""
+
+
+def peak() -> float:
+    """Return the most memory that reading the sheet takes at once, as a multiple of the file."""
+    path = _file()
+    small = path.with_name("small.dxf")
+    small.write_bytes(sheet(100))
+    done = subprocess.run(
+        [sys.executable, "-c", _PEAK, str(path), str(small)],
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    return int(done.stdout) / path.stat().st_size

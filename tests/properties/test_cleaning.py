@@ -1,0 +1,242 @@
+"""Drawings damaged on purpose: cleaning gives back what they were, and the lengths add up."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import shapely
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from knifetip.cleaning.clean import clean
+from knifetip.geometry import arc
+from knifetip.geometry.tolerance import GAP, SAME
+from knifetip.model.cleaned import Cleaned, Why
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Fate
+from shapes import rotation
+
+WORK = [LineType.CUT, LineType.CREASE, LineType.V_GROOVE, LineType.PERFORATION, LineType.HALF_CUT]
+UNDER = {LineType.CUT: LineType.CREASE, LineType.V_GROOVE: LineType.CREASE}
+
+
+def drawn(ends, bulge, kind) -> Dieline:
+    n = len(bulge)
+    return Dieline(ends, bulge, kind, np.arange(n), np.zeros(n), np.ones(n), ("drawn",))
+
+
+def worked(line: Dieline) -> Dieline:
+    """The edges that are worked."""
+    rows = np.flatnonzero(~np.isin(line.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED)))
+    return drawn(line.ends[rows], line.bulge[rows], line.line_type[rows])
+
+
+def taken(line: Dieline, rows) -> Dieline:
+    return drawn(line.ends[rows], line.bulge[rows], line.line_type[rows])
+
+
+@st.composite
+def dielines(draw) -> Dieline:
+    """Edges between the points of a lattice, 10 mm apart and turned: none lies on another one."""
+    count = draw(st.integers(1, 12))
+    steps = [(1, 0), (0, 1), (1, 1), (1, -1)]
+    edges = draw(
+        st.lists(
+            st.tuples(st.integers(0, 3), st.integers(0, 3), st.sampled_from(steps)),
+            min_size=count,
+            max_size=count,
+            unique=True,
+        )
+    )
+    kind = draw(st.lists(st.sampled_from(WORK), min_size=count, max_size=count))
+    bulge = draw(
+        st.lists(st.sampled_from([0.0, 0.0, 0.0, 0.3, -0.7]), min_size=count, max_size=count)
+    )
+    ends = np.array([((x, y), (x + dx, y + dy)) for x, y, (dx, dy) in edges], float) * 10.0
+    turn = rotation(draw(st.sampled_from([0.0, 90.0, 13.3, 44.999, 178.9])))
+    return drawn(ends @ turn.T, np.array(bulge), np.array(kind, np.uint8))
+
+
+def assert_same_edges(one: Dieline, other: Dieline, within: float) -> None:
+    """Every edge of one has its own edge of the other."""
+    one, other = worked(one), worked(other)
+    assert len(one) == len(other)
+    left = list(range(len(other)))
+    for row in range(len(one)):
+        same = [
+            at
+            for at in left
+            if one.line_type[row] == other.line_type[at] and _apart(one, row, other, at) <= within
+        ]
+        assert same, (row, one.ends[row].tolist(), other.ends.tolist())
+        left.remove(same[0])
+
+
+def _apart(one: Dieline, row: int, other: Dieline, at: int) -> float:
+    half = np.array([0.5])
+    ends = other.ends[at]
+    middles = [
+        arc.point_at(line.ends[[i], 0], line.ends[[i], 1], line.bulge[[i]], half)[0]
+        for line, i in ((one, row), (other, at))
+    ]
+    straight = np.hypot(*(one.ends[row] - ends).T).max()
+    turned = np.hypot(*(one.ends[row] - ends[::-1]).T).max()
+    return float(max(min(straight, turned), np.hypot(*(middles[0] - middles[1]))))
+
+
+def assert_adds_up(line: Dieline, made: Cleaned) -> None:
+    """Every millimetre that was drawn is kept, merged or dropped; what is worked is told."""
+    length = arc.length(line.ends[:, 0], line.ends[:, 1], line.bulge)
+    np.testing.assert_allclose(made.kept + made.merged + made.dropped, length, atol=1e-6)
+    after = worked(made.dieline)
+    total = arc.length(after.ends[:, 0], after.ends[:, 1], after.bulge).sum()
+    at_work = made.why != Why.NO_WORK
+    assert abs(made.kept[at_work].sum() + made.added.sum() - total) < 1e-6
+    assert ((made.of < 0) == (made.fate == Fate.DROPPED)).all()
+    assert (made.moved <= GAP + 1e-9).all()
+    assert (made.off <= GAP + SAME).all()
+
+
+def split(line: Dieline, row: int, shares: list[float]) -> Dieline:
+    """The edge parted at shares of its length; the pieces stand at the end, the last ones first."""
+    places = np.array([0.0, *sorted(shares), 1.0])
+    n = len(places) - 1
+    start, end, bulge = (
+        np.repeat(x[[row]], n, axis=0) for x in (line.ends[:, 0], line.ends[:, 1], line.bulge)
+    )
+    a, b, bent = arc.part(start, end, bulge, places[:-1], places[1:])
+    pieces = np.stack([a, b], axis=1)[::-1]
+    keep = np.arange(len(line)) != row
+    return drawn(
+        np.concatenate([line.ends[keep], pieces]),
+        np.concatenate([line.bulge[keep], bent[::-1]]),
+        np.concatenate([line.line_type[keep], np.full(n, line.line_type[row])]),
+    )
+
+
+shares = st.lists(
+    st.sampled_from([0.1, 0.25, 1 / 3, 0.5, 0.61, 0.8]), min_size=1, max_size=3, unique=True
+)
+
+
+@settings(max_examples=60, deadline=None)
+@given(line=dielines(), data=st.data())
+def test_what_was_drawn_twice_split_and_turned_round_is_given_back(line, data):
+    expected = clean(line).dieline
+    row = data.draw(st.integers(0, len(line) - 1))
+    broken = line
+    if data.draw(st.booleans()):
+        broken = split(broken, row, data.draw(shares))
+    twice = data.draw(st.lists(st.integers(0, len(broken) - 1), max_size=6))
+    kinds = broken.line_type[twice].copy()
+    under = data.draw(st.booleans())
+    if under:
+        kinds = np.array([UNDER.get(LineType(kind), LineType(kind)) for kind in kinds], np.uint8)
+    broken = drawn(
+        np.concatenate([broken.ends, broken.ends[twice][:, ::-1]]),
+        np.concatenate([broken.bulge, -broken.bulge[twice]]),
+        np.concatenate([broken.line_type, kinds]),
+    )
+    order = data.draw(st.permutations(range(len(broken))))
+    broken = taken(broken, list(order))
+    made = clean(broken)
+    assert_same_edges(made.dieline, expected, 1e-6)
+    assert_adds_up(broken, made)
+
+
+@settings(max_examples=60, deadline=None)
+@given(line=dielines(), data=st.data())
+def test_gaps_and_specks_are_mended(line, data):
+    line = taken(line, np.flatnonzero(line.bulge == 0.0))
+    assume(len(line))
+    expected = clean(line).dieline
+    ends = line.ends.copy()
+    row, side = data.draw(st.integers(0, len(line) - 1)), data.draw(st.integers(0, 1))
+    ahead = ends[row, 1 - side] - ends[row, side]
+    ends[row, side] += ahead / np.hypot(*ahead) * data.draw(st.sampled_from([0.003, 0.02, 0.045]))
+    at = data.draw(st.integers(0, len(line) - 1))
+    place = ends[at].mean(axis=0) + data.draw(st.sampled_from([(0, 0), (0.3, 2.0), (4.0, 0.01)]))
+    speck = (place + np.array([[0.0, 0.0], [0.02, 0.03]]))[None]
+    broken = drawn(
+        np.concatenate([speck, ends]),
+        np.zeros(len(line) + 1),
+        np.concatenate([[LineType.CUT], line.line_type]),
+    )
+    made = clean(broken)
+    assert_same_edges(made.dieline, expected, GAP)
+    assert made.why[0] == Why.SPECK
+    assert_adds_up(broken, made)
+
+
+@settings(max_examples=60, deadline=None)
+@given(line=dielines(), data=st.data())
+def test_cleaning_twice_is_cleaning_once(line, data):
+    n = len(line)
+    noise = data.draw(st.integers(0, 2**32 - 1))
+    size = data.draw(st.sampled_from([0.0, 0.0008, 0.002, 0.004]))
+    random = np.random.default_rng(noise)
+    twice = random.integers(0, n, n // 2)
+    ends = np.concatenate([line.ends, line.ends[twice] * 0.75 + line.ends[twice][:, ::-1] * 0.25])
+    broken = drawn(
+        ends + random.uniform(-size, size, ends.shape),
+        np.concatenate([line.bulge, np.zeros(len(twice))]),
+        np.concatenate([line.line_type, line.line_type[twice]]),
+    )
+    once = clean(broken)
+    again = clean(once.dieline)
+    np.testing.assert_array_equal(again.dieline.line_type, once.dieline.line_type)
+    np.testing.assert_array_equal(again.dieline.ends, once.dieline.ends)
+    np.testing.assert_array_equal(again.dieline.bulge, once.dieline.bulge)
+    assert_adds_up(broken, once)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    line=dielines(),
+    row=st.integers(0, 11),
+    at=shares,
+    degrees=st.sampled_from([0.0, 30.0, 90.0, 179.0, 211.7]),
+    mirror=st.booleans(),
+    back=st.booleans(),
+)
+def test_cleaning_turns_with_the_board(line, row, at, degrees, mirror, back):
+    line = split(line, row % len(line), at)
+    turn = rotation(degrees)
+    if mirror:
+        turn = turn @ np.diag([1.0, -1.0])
+    ends, bulge = line.ends @ turn.T, line.bulge * (-1.0 if mirror else 1.0)
+    other = drawn(ends[:, ::-1] if back else ends, -bulge if back else bulge, line.line_type)
+    one = clean(line).dieline
+    expected = replace(one, ends=one.ends @ turn.T, bulge=one.bulge * (-1.0 if mirror else 1.0))
+    assert_same_edges(clean(other).dieline, expected, 1e-6)
+
+
+def _union(line: Dieline) -> shapely.Geometry:
+    points = arc.points_along(line.ends[:, 0], line.ends[:, 1], line.bulge, 65)
+    return shapely.union_all([shapely.LineString(one) for one in points])
+
+
+@settings(max_examples=30, deadline=None)
+@given(line=dielines(), data=st.data())
+def test_shapely_sees_the_same_lines_before_and_after(line, data):
+    line = split(line, data.draw(st.integers(0, len(line) - 1)), data.draw(shares))
+    slide = data.draw(st.sampled_from([0.1, 0.5, 0.9]))
+    way = line.ends[:, 1] - line.ends[:, 0]
+    straight = np.flatnonzero(line.bulge == 0.0)
+    shifted = line.ends[straight] + slide * way[straight, None]
+    broken = drawn(
+        np.concatenate([line.ends, shifted]),
+        np.concatenate([line.bulge, np.zeros(len(straight))]),
+        np.concatenate([line.line_type, line.line_type[straight]]),
+    )
+    after = worked(clean(broken).dieline)
+    before, now = _union(broken), _union(after)
+    assert shapely.hausdorff_distance(before, now) < GAP
+    # What is drawn once is as long as what shapely leaves of it, where types do not lie on types.
+    for kind in set(broken.line_type.tolist()):
+        mine = worked(taken(broken, np.flatnonzero(broken.line_type == kind)))
+        alone = worked(clean(mine).dieline)
+        total = arc.length(alone.ends[:, 0], alone.ends[:, 1], alone.bulge).sum()
+        flat = shapely.union_all([_union(mine)], grid_size=1e-6).length
+        assert abs(total - flat) < 0.02 * len(mine) + 2e-3 * total

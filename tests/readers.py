@@ -1,0 +1,60 @@
+"""The two readers of DXF side by side: what the one gives, and in what the other differs."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from importlib import import_module
+from unittest.mock import patch
+
+from knifetip.errors import KnifetipError
+from knifetip.model.drawing import Drawing
+
+reading = import_module("knifetip.dxf.read")
+
+_COLUMNS = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
+_RECORDS = ("layers", "linetypes", "unit", "evidence", "stated")
+
+
+def ours(data: bytes) -> bool:
+    """Whether our own reader accepts a file."""
+    wrapped = patch.object(reading, "by_ezdxf", wraps=reading.by_ezdxf)
+    with wrapped as judge, suppress(KnifetipError):
+        reading.read(data)
+    return not judge.called
+
+
+def read_by_both(data: bytes) -> tuple[Drawing | KnifetipError, Drawing | KnifetipError]:
+    """Read by way of our own reader where it accepts the file, and by ezdxf alone."""
+    found: list[Drawing | KnifetipError] = []
+    for quickly in (reading.quickly, lambda *_: None):
+        with patch.object(reading, "quickly", quickly):
+            try:
+                found.append(reading.read(data))
+            except KnifetipError as refused:
+                found.append(refused)
+    return found[0], found[1]
+
+
+def difference(a: Drawing | KnifetipError, b: Drawing | KnifetipError) -> str:
+    """Name what differs, to the bit and to the word; empty where nothing does."""
+    if isinstance(a, KnifetipError) or isinstance(b, KnifetipError):
+        same = type(a) is type(b) and str(a) == str(b)
+        return "" if same else f"refused: {a!r} / {b!r}"
+    for name in _COLUMNS:
+        one, other = getattr(a, name), getattr(b, name)
+        if one.shape != other.shape or one.tobytes() != other.tobytes():
+            return f"{name}: {one.tolist()} / {other.tolist()}"
+    for name in _RECORDS:
+        if getattr(a, name) != getattr(b, name):
+            return f"{name}: {getattr(a, name)} / {getattr(b, name)}"
+    # A dimension without a measure has NaN, which is not itself.
+    if repr(a.inscriptions) != repr(b.inscriptions):
+        return f"inscriptions: {a.inscriptions} / {b.inscriptions}"
+    for name in ("handle", "kind", "layer", "reason"):
+        left, right = getattr(a.ledger, name), getattr(b.ledger, name)
+        if left != right:
+            return f"ledger.{name}: {left} / {right}"
+    for name in ("fate", "length"):
+        if getattr(a.ledger, name).tobytes() != getattr(b.ledger, name).tobytes():
+            return f"ledger.{name}: {getattr(a.ledger, name)} / {getattr(b.ledger, name)}"
+    return ""

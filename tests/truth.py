@@ -1,0 +1,107 @@
+"""truth: drawings by other hands of which it is known what each line is, and by whom it was said.
+
+The sources are the corpus's own list and the conventions of the generators that drew them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from knifetip.geometry.columns import U8
+from knifetip.model.dieline import LineType
+from knifetip.model.drawing import Drawing
+
+CUT, CREASE = LineType.CUT, LineType.CREASE
+HALF_CUT, IGNORED = LineType.HALF_CUT, LineType.IGNORED
+
+_OBRARY = "Obrary__Parametric-Papercraft/Interchange-Files"
+_RSC = "generated__bikinon__RSC-FEFCO-02xx"
+_MAILER = "generated__kyholdings__diecut_generator"
+
+
+@dataclass(frozen=True)
+class Known:
+    """A drawing of the corpus and what its lines are."""
+
+    path: str
+    of: Callable[[str, int], LineType]  #: layer and colour index to line type
+
+    def truth(self, drawing: Drawing) -> U8:
+        """Return what each edge is, (n,) LineType."""
+        pairs = zip(drawing.layer.tolist(), drawing.colour.tolist(), strict=True)
+        return np.array([self.of(drawing.layers[layer], colour) for layer, colour in pairs], "u1")
+
+
+def _layers(**kinds: LineType) -> Callable[[str, int], LineType]:
+    return lambda layer, _colour: kinds[layer.replace("-", "_")]
+
+
+def _design(_layer: str, colour: int) -> LineType:
+    return CUT if colour == 1 else CREASE
+
+
+def _label(layer: str, _colour: int) -> LineType:
+    return IGNORED if layer.endswith("_labelLayer") else CUT
+
+
+def _all_cut(_layer: str, _colour: int) -> LineType:
+    return CUT
+
+
+KNOWN = (
+    Known(f"{_OBRARY}/cube.dxf", _layers(CUTS=CUT, FOLDS=CREASE)),
+    Known(f"{_OBRARY}/long.dxf", _layers(CUTS=CUT, FOLDS=CREASE)),
+    Known(
+        f"{_MAILER}/mailer_120x80x40_all_layers.dxf",
+        _layers(CUT=CUT, CREASE=CREASE, HALFCUT=HALF_CUT, DIMENSION=IGNORED),
+    ),
+    Known(f"{_MAILER}/mailer_200x150x60_t3.dxf", _layers(CUT=CUT, CREASE=CREASE)),
+    Known(f"{_RSC}/f0200_B_300x200x150.dxf", _design),
+    Known(f"{_RSC}/f0201_B_400x300x250.dxf", _design),
+    Known(f"{_RSC}/f0203_B_350x250x100.dxf", _design),
+    Known(
+        "generated__minrogi__PLMPackLib-f421/F0421_400x300x100.dxf",
+        _layers(LT_CUT=CUT, LT_FOLD=CREASE),
+    ),
+    Known(
+        "generated__eridur-de__mightyscape-inkpacking/box_rwlf.dxf",
+        _layers(C00_00_00_BLACK=CUT, CFF_00_00=CREASE),
+    ),
+    Known("Jayanthan-Amalanathan__laser-cutting-and-engraving/box.dxf", _label),
+    Known("suhail-jr__Manual-pnP/cut.dxf", _all_cut),
+    Known(
+        "groupdocs-viewer__GroupDocs.Viewer-for-.NET/Examples/GroupDocs.Viewer.Examples.CSharp/"
+        "Resources/SampleFiles/sample.cf2",
+        _all_cut,
+    ),
+)
+
+
+def without_names(drawing: Drawing) -> Drawing:
+    """Return the drawing with everything on layer 0; colours stay."""
+    return replace(drawing, layer=np.zeros(len(drawing), np.int32), layers=("0",))
+
+
+def without_style(drawing: Drawing) -> Drawing:
+    """Return the drawing with everything on layer 0, in one colour and one linetype."""
+    count = len(drawing)
+    return replace(
+        without_names(drawing),
+        colour=np.full(count, 7, np.int32),
+        true_colour=np.full(count, -1, np.int32),
+        linetype=np.zeros(count, np.int32),
+        linetypes=("CONTINUOUS",),
+    )
+
+
+def shares(truth: U8, said: U8, weight: np.ndarray) -> tuple[float, float, float]:  # type: ignore[type-arg]
+    """Return which shares of the weight are right, asked about, and silently wrong."""
+    asked = said == LineType.UNCLASSIFIED
+    right = said == truth
+    whole = weight.sum() or 1.0
+    return tuple(  # type: ignore[return-value]
+        float(weight[part].sum() / whole) for part in (right & ~asked, asked, ~right & ~asked)
+    )

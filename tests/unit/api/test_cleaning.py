@@ -1,0 +1,37 @@
+"""GET /api/drawings/{id}/cleaning: what became of each edge, over HTTP."""
+
+from __future__ import annotations
+
+import httpx
+import pytest
+
+import dxf_text as text
+from serving import square, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+
+def test_a_side_drawn_twice_is_told_with_its_lengths(client: httpx.Client):
+    half = text.line(100.0, 0.0, 50.0, 0.0, (8, "CUT"))
+    id = uploaded(client, square(extra=(half,)))["id"]
+    said = client.get(f"/api/drawings/{id}/cleaning").json()
+    assert said["lengths"] == {
+        "drawn": 450.0,
+        "kept": 400.0,
+        "merged": 50.0,
+        "dropped": 0.0,
+        "added": 0.0,
+        "worked": 400.0,
+        "no_work": 0.0,
+    }
+    assert said["edges"] == {"kept": 4, "merged": 1, "dropped": 0}
+    (row,) = said["rows"]
+    assert (row["why"], row["fate"], row["merged"]) == ("twice", "merged", 50.0)
+    assert row["text"] == f"merged: it lies on edge {row['into']}"
+
+
+def test_without_a_unit_nobody_knows_how_long_a_speck_is(client: httpx.Client):
+    id = uploaded(client, square(units=None, side=4.0))["id"]
+    answer = client.get(f"/api/drawings/{id}/cleaning")
+    assert answer.status_code == 422
+    assert "unit" in answer.json()["detail"]

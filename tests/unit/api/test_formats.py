@@ -1,0 +1,94 @@
+"""Drawings that are no DXF, over REST and from the command line."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import sys
+from pathlib import Path
+
+import httpx
+import pytest
+
+import cf2_text
+import svg_text
+from knifetip.cli import main
+
+pytestmark = pytest.mark.xdist_group("server")
+
+FILES = {
+    "carton.svg": (svg_text.carton(), "application/octet-stream"),
+    "carton.svgz": (gzip.compress(svg_text.carton(), mtime=0), "application/octet-stream"),
+    "carton.cf2": (cf2_text.carton(), "text/plain; charset=utf-8"),
+    # What a file is called says nothing.
+    "carton.dxf": (cf2_text.carton(), "text/plain; charset=utf-8"),
+}
+
+
+def posted(client: httpx.Client, name: str, content: bytes, **fields: str) -> httpx.Response:
+    return client.post("/api/drawings", files={"file": (name, content)}, data=fields)
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_a_file_is_read_by_its_content(client: httpx.Client, name: str):
+    content, media_type = FILES[name]
+    said = posted(client, name, content).json()
+    assert (said["name"], said["unit"], said["questions"]) == (name, "mm", [])
+    assert {count["type"] for count in said["counts"]} >= {"cut", "crease"}
+    back = client.get(f"/api/drawings/{said['id']}/file")
+    assert back.content == content
+    assert back.headers["content-type"] == media_type
+    assert back.headers["content-disposition"].startswith("attachment")
+
+
+def test_a_page_in_pixels_asks_and_is_told(client: httpx.Client):
+    size = b'width="220mm" height="100mm"'
+    content = svg_text.carton().replace(size, b'width="220" height="100"')
+    said = posted(client, "carton.svg", content).json()
+    (question,) = (one for one in said["questions"] if one["kind"] == "unit")
+    assert {"mm", "pt", "px"} <= set(question["choices"])
+    told = client.patch(f"/api/drawings/{said['id']}", json={"unit": "px"}).json()
+    assert (told["unit"], told["questions"]) == ("px", [])
+    assert told["width"] == pytest.approx(200 * 25.4 / 96)
+
+
+def test_a_profile_says_what_the_numbers_of_a_cf2_mean(client: httpx.Client):
+    fold = cf2_text.line(50, 0, 50, 80, 3)
+    content = cf2_text.carton().replace(cf2_text.line(50, 0, 50, 80, 2).encode(), fold.encode())
+    asked = posted(client, "a.cf2", content).json()["questions"]
+    assert [question["kind"] for question in asked] == ["line-type"]
+    assert "CF2 3 2pt" in asked[0]["text"]
+    said = posted(client, "a.cf2", content, profile="cf2-plmpack").json()
+    assert said["questions"] == []
+    assert "combi" in {count["type"] for count in said["counts"]}
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"%PDF-1.7\n", "The file is a PDF"),
+        (b"<html></html>", "The file is an HTML page"),
+        (b'<!DOCTYPE svg [<!ENTITY a SYSTEM "file:///etc/passwd">]><svg>&a;</svg>', "&a;"),
+        (cf2_text.carton()[:400], "cut short"),
+        (svg_text.carton()[:400], "cut short"),
+    ],
+)
+def test_what_cannot_be_read_is_a_clear_problem(client: httpx.Client, content, words):
+    answer = posted(client, "carton.svg", content)
+    assert answer.status_code == 422
+    problem = answer.json()
+    assert words in json.dumps(problem) or "nothing is fetched" in json.dumps(problem)
+    assert "passwd" not in json.dumps(problem)
+    assert "root:" not in answer.text
+
+
+def test_the_command_line_reads_them_too(tmp_path: Path, monkeypatch, capfd):
+    for name, (content, _) in FILES.items():
+        file = tmp_path / name
+        file.write_bytes(content)
+        monkeypatch.setattr(sys, "argv", ["knifetip", "classify", str(file), "--json"])
+        with pytest.raises(SystemExit) as left:
+            main()
+        out, _ = capfd.readouterr()
+        assert left.value.code == 0
+        assert {edge["type"] for edge in json.loads(out)["edges"]} == {"cut", "crease"}

@@ -1,0 +1,340 @@
+from __future__ import annotations
+
+import json
+import tomllib
+
+import httpx
+import pytest
+
+import dxf_text as text
+from serving import ordered, square, until, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+#: Somebody's red lines on a layer that says nothing are creases.
+OURS = """# What Acme sends.
+title = "Acme"
+extends = "default"
+overrules = true
+
+[[rule]]
+type = "crease"
+layer = "INNER"
+colour = 1
+"""
+#: A cut square with two lines on that layer, of two colours.
+INNER = (
+    text.line(10.0, 50.0, 90.0, 50.0, (8, "INNER"), (62, 1)),
+    text.line(10.0, 60.0, 90.0, 60.0, (8, "INNER"), (62, 30)),
+)
+TOML = {"Content-Type": "application/toml"}
+
+
+def keep(client: httpx.Client, name: str, toml: str | bytes = OURS, **more: str) -> httpx.Response:
+    content = toml.encode() if isinstance(toml, str) else toml
+    return client.put(f"/api/profiles/{name}", content=content, headers={**TOML, **more})
+
+
+def types(client: httpx.Client, id: str) -> list[str]:
+    return [edge["type"] for edge in client.get(f"/api/drawings/{id}/edges").json()["edges"]]
+
+
+def test_a_profile_is_kept_listed_and_exported_as_it_was_written(client: httpx.Client):
+    answer = keep(client, "acme")
+    assert answer.status_code == 201, answer.text
+    assert answer.headers["etag"] == '"1"'
+    said = answer.json()
+    assert (said["name"], said["title"], said["version"]) == ("acme", "Acme", 1)
+    assert (said["shipped"], said["extends"], said["overrules"]) == (False, "default", True)
+    assert [rule["words"] for rule in said["rules"] if not rule["inherited"]] == [
+        'layer "INNER", colour 1'
+    ]
+    assert client.get("/api/profiles/acme").json() == said
+    assert said in client.get("/api/profiles").json()
+    exported = client.get("/api/profiles/acme.toml")
+    assert exported.text == OURS
+    assert exported.headers["content-type"].startswith("application/toml")
+    assert 'filename="acme.toml"' in exported.headers["content-disposition"]
+
+
+def test_a_profile_in_json_becomes_toml_that_says_the_same(client: httpx.Client):
+    rules = [{"type": "cut", "colour": [1, "#00aeef"], "layer": ["Größe*", "刀线"]}]
+    body = {"title": 'A "quoted" title', "extends": "german", "overrules": True, "rules": rules}
+    said = client.put("/api/profiles/in-json", json=body)
+    assert said.status_code == 201, said.text
+    assert said.json()["rules"][0]["colour"] == [1, "#00aeef"]
+    fields = tomllib.loads(client.get("/api/profiles/in-json.toml").text)
+    assert (fields["title"], fields["extends"]) == ('A "quoted" title', "german")
+    assert fields["rule"] == [
+        {"type": "cut", "layer": ["Größe*", "刀线"], "colour": [1, "#00aeef"]}
+    ]
+
+
+def test_shipped_profiles_are_exported_and_stay_as_they_are(client: httpx.Client):
+    assert tomllib.loads(client.get("/api/profiles/german.toml").text)["extends"] == "default"
+    for answer in (keep(client, "german"), client.delete("/api/profiles/german")):
+        assert answer.status_code == 409
+        assert "stays as it is" in answer.json()["detail"]
+
+
+def test_nobody_overwrites_what_somebody_else_changed(client: httpx.Client):
+    assert keep(client, "shared").status_code == 201
+    again = keep(client, "shared")
+    assert again.status_code == 409
+    assert 'If-Match: "1"' in again.json()["mend"]
+    changed = keep(client, "shared", OURS.replace("Acme", "B"), **{"If-Match": '"1"'})
+    assert (changed.status_code, changed.json()["version"]) == (200, 2)
+    late = keep(client, "shared", OURS.replace("Acme", "C"), **{"If-Match": '"1"'})
+    assert late.status_code == 412
+    assert "version 2" in late.json()["detail"]
+    assert 'If-Match: "2"' in late.json()["mend"]
+    assert client.get("/api/profiles/shared").json()["title"] == "B"
+    body = {"title": "D", "rules": [], "version": 2}
+    assert client.put("/api/profiles/shared", json=body).json()["version"] == 3
+    assert keep(client, "shared", **{"If-Match": "*"}).json()["version"] == 4
+    assert client.delete("/api/profiles/shared", headers={"If-Match": '"3"'}).status_code == 412
+    assert client.delete("/api/profiles/shared", headers={"If-Match": '"4"'}).status_code == 204
+    assert client.get("/api/profiles/shared").status_code == 404
+    assert keep(client, "shared", **{"If-Match": '"4"'}).status_code == 404
+
+
+@pytest.mark.parametrize("match", ["", "three", '"-1"', '"99999999999999999999"', "NaN"])
+def test_a_version_that_is_none_is_refused(client: httpx.Client, match: str):
+    answer = keep(client, "versions", **{"If-Match": match})
+    assert answer.status_code == 422
+    assert "If-Match" in answer.json()["detail"]
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "ACME", "a.toml.toml", "..", "a b", "-a", "_a", "x" * 65, "größe", "a%2F..%2Fb",
+        "%2e%2e%2fsecret", "a%00b", "%F0%9F%98%80", "c:\\x", "con.", "default.toml",
+    ],
+)  # fmt: skip
+def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str):
+    answer = keep(client, name)
+    assert answer.status_code in (404, 405, 409, 422), answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+
+
+@pytest.mark.parametrize(
+    ("toml", "source", "words"),
+    [
+        ("", [], "'title' is missing"),
+        ("title = 'x'", [], "'rule' is missing"),
+        ("title = ''\nrule = []", [], "its title must be"),
+        (f"title = '{'x' * 201}'\nrule = []", [], "its title must be"),
+        ("title = 'x'\nrule = 7", [], "[[rule]]"),
+        ("title = 'x'\nrule = ['cut']", [], "[[rule]]"),
+        ("title = 'x'\nrule = []\nextends = '../../etc/passwd'", [], "no profile of the library"),
+        ("title = 'x'\nrule = []\nextends = 'own.toml'", [], "no profile of the library"),
+        ("title = 'x'\n[[rule]]\nlayer = 'A'", ["rule 1", "type"], "rule 1 has no type"),
+        ("title = 'x'\n[[rule]]\ntype = 'glue'", ["rule 1", "type"], "'glue' is not a line type"),
+        ("title = 'x'\n[[rule]]\ntype = 5", ["rule 1", "type"], "not a line type"),
+        (
+            "title = 'x'\n[[rule]]\ntype = 'cut'\n[[rule]]\ntype = 'cut'\ncolour = nan",
+            ["rule 2", "colour"],
+            "rule 2: colour is nan",
+        ),
+        ("title = 'x'\n[[rule]]\ntype = 'cut'\ncolour = inf", ["rule 1", "colour"], "is inf"),
+        ("title = 'x'\n[[rule]]\ntype = 'cut'\ncolour = 256", ["rule 1"], "must lie in 1 … 255"),
+        ("title = 'x'\n[[rule]]\ntype = 'cut'\ncolour = 1e308", ["rule 1", "colour"], "1e+308"),
+        ("title = 'x'\n[[rule]]\ntype = 'cut'\nlayer = 3", ["rule 1", "layer"], "not text"),
+        ("title = 'x'\n[[rule]]\ntype = 'cut'\nshape = 'A'", ["rule 1"], "no condition"),
+        (
+            f"title = 'x'\n[[rule]]\ntype = 'cut'\nlayer = '{'x' * 256}'",
+            ["rule 1", "layer"],
+            "more than 255 signs",
+        ),
+        (
+            f"title = 'x'\n[[rule]]\ntype = 'cut'\nlayer = {['x'] * 501}",
+            ["rule 1", "layer"],
+            "501 values",
+        ),
+        ("title = 'x'\n" + "[[rule]]\ntype = 'cut'\n" * 501, [], "501 rules"),
+        ("title = 'x'\nrule = " + "[" * 50_000 + "]" * 50_000, [], "nested too deeply"),
+        ("title = 'x'\nrule = " + "{a=" * 5000 + "1" + "}" * 5000, [], "profile"),
+        ("title = 'x'\nrule = []\n" + "#" * 300_000, [], "kB long"),
+        ("title = 'x\nrule = []", [], "is not TOML"),
+        ("\x00", [], "is not TOML"),
+        ("title = 'x'\nrule = []\ncut = 1", [], "means nothing"),
+    ],
+)  # fmt: skip
+def test_what_is_no_profile_is_refused_with_rule_and_field(
+    client: httpx.Client, toml: str, source: list[str], words: str
+):
+    answer = keep(client, "wrong", toml)
+    assert answer.status_code == 422, answer.text
+    said = answer.json()
+    assert words in said["detail"]
+    assert said["source"][: len(source)] == source
+    assert said["mend"]
+    assert client.get("/api/profiles/wrong").status_code == 404
+
+
+def test_text_that_is_not_utf8_is_refused(client: httpx.Client):
+    answer = keep(client, "latin", b'title = "M\xfcller"\nrule = []')
+    assert answer.status_code == 422
+    assert "not text in UTF-8: byte 10" in answer.json()["detail"]
+
+
+@pytest.mark.parametrize(
+    ("body", "source", "words"),
+    [
+        ("[]", ["body"], "object"),
+        ("{", ["body"], "JSON"),
+        ('{"title": "x"}', ["rules"], "required"),
+        ('{"title": "x", "rules": [{"type": "cut"}, {}]}', ["rule 2", "type"], "required"),
+        ('{"title": "x", "rules": [{"type": "cut", "colour": [NaN]}]}', ["rule 1", "colour"], ""),
+        ('{"title": "x", "rules": [{"type": "cut", "colour": [true]}]}', ["rule 1", "colour"], ""),
+        ('{"title": "x", "rules": [{"type": "cut", "colour": ["red"]}]}', ["rule 1", "colour"], ""),
+        ('{"title": "x", "rules": [{"type": "cut", "layer": ["\\ud800"]}]}', [], ""),
+        ('{"title": "x", "rules": [], "path": "/etc/passwd"}', ["path"], ""),
+        ('{"title": "x", "rules": [], "version": -1}', ["version"], ""),
+        ('{"title": "x", "rules": ' + "[" * 100_000 + "]" * 100_000 + "}", [], ""),
+    ],
+)
+def test_json_that_is_no_profile_is_refused_with_rule_and_field(
+    client: httpx.Client, body: str, source: list[str], words: str
+):
+    answer = client.put(
+        "/api/profiles/wrong", content=body, headers={"Content-Type": "application/json"}
+    )
+    assert answer.status_code == 422, answer.text
+    assert words in answer.json()["detail"]
+    assert answer.json()["source"][: len(source)] == source
+
+
+def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed(
+    client: httpx.Client,
+):
+    keep(client, "changing")
+    drawing = uploaded(client, square(extra=INNER), profile="changing")
+    id = drawing["id"]
+    assert (drawing["profile"], drawing["profile_state"]) == ("changing", "current")
+    assert types(client, id)[4] == "crease"
+
+    keep(client, "changing", OURS.replace("crease", "perforation"), **{"If-Match": '"1"'})
+    assert client.get(f"/api/drawings/{id}").json()["profile_state"] == "changed"
+    assert types(client, id)[4] == "crease"
+    again = client.patch(f"/api/drawings/{id}", json={"profile": "changing"}).json()
+    assert again["profile_state"] == "current"
+    assert types(client, id)[4] == "perforation"
+
+    client.delete("/api/profiles/changing")
+    assert client.get(f"/api/drawings/{id}").json()["profile_state"] == "deleted"
+    client.patch(f"/api/drawings/{id}/edges", json={"overrides": [{"type": "cut", "edges": [5]}]})
+    assert types(client, id)[4:] == ["perforation", "cut"]
+    gone = client.patch(f"/api/drawings/{id}", json={"profile": "changing"})
+    assert gone.status_code == 422
+    assert "no profile 'changing'" in gone.json()["detail"]
+
+
+def test_a_job_is_made_by_the_rules_it_was_ordered_with(client: httpx.Client):
+    keep(client, "ordering", OURS + '\n[[rule]]\ntype = "ignored"\nlayer = "INNER"\n')
+    id = uploaded(client, square(extra=INNER), profile="ordering")["id"]
+    # Nobody could make this, and nobody has to: the drawing was looked at before.
+    keep(client, "ordering", OURS.replace("crease", "unclassified"), **{"If-Match": '"1"'})
+    job = ordered(client, id)
+    assert until(client, job["id"], "ready")["state"] == "ready"
+    verdict = client.get(f"/api/jobs/{job['id']}/verdict").json()
+    # Only a wheel keeps away from the ends of its line.
+    assert [setback > 1.0 for setback in verdict["edge_setback"]] == [False] * 4 + [True, False]
+    answer = client.post(
+        "/api/jobs", json={"drawing": id, "board": "e-flute", "profile": "ordering"}
+    )
+    assert answer.status_code == 409
+    assert answer.json()["questions"]
+
+
+def test_a_file_beside_the_library_is_no_profile(client: httpx.Client, tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text(OURS)
+    id = uploaded(client, square())["id"]
+    for name in (str(path), "../profiles/german", "german.toml"):
+        answer = client.patch(f"/api/drawings/{id}", json={"profile": name})
+        assert answer.status_code == 422, name
+        assert "There is no profile" in answer.json()["detail"]
+
+
+def test_a_preview_counts_what_each_rule_takes_and_keeps_nothing(client: httpx.Client):
+    id = uploaded(client, square(extra=INNER))["id"]
+    override = {"overrides": [{"type": "cut", "edges": [4]}]}
+    before = client.patch(f"/api/drawings/{id}/edges", json=override).json()
+    rules = [
+        {"type": "perforation", "layer": ["INNER"]},
+        {"type": "cut", "layer": ["CUT"]},
+        {"type": "cut", "layer": ["NOWHERE"]},
+    ]
+    body = {"title": "Try", "extends": "default", "overrules": True, "rules": rules}
+    said = client.post(f"/api/drawings/{id}/preview", json=body).json()
+    mine = [rule for rule in said["rules"] if not rule["inherited"]]
+    assert [(rule["edges"], rule["length"]) for rule in mine] == [(2, 160.0), (4, 400.0), (0, 0.0)]
+    assert said["open"] == 0
+    # What somebody said of edge 4 stands over any profile.
+    assert [(one["after"], one["edges"]) for one in said["changes"]] == [("perforation", [5])]
+    assert client.get(f"/api/drawings/{id}").json() == before
+
+
+def test_a_preview_of_what_is_no_profile_is_refused(client: httpx.Client):
+    id = uploaded(client, square())["id"]
+    body = {"title": "x", "rules": [{"type": "cut", "colour": [0]}]}
+    answer = client.post(f"/api/drawings/{id}/preview", json=body)
+    assert answer.status_code == 422
+    assert answer.json()["source"] == ["rule 1", "colour"]
+
+
+def test_corrections_teach_a_rule_that_saves_them_the_next_time(client: httpx.Client):
+    drawing = square(extra=INNER)
+    id = uploaded(client, drawing)["id"]
+    assert client.post(f"/api/drawings/{id}/learned").json() == []
+    override = {"overrides": [{"type": "perforation", "edges": [4]}]}
+    client.patch(f"/api/drawings/{id}/edges", json=override)
+    proposals = client.post(f"/api/drawings/{id}/learned").json()
+    first = proposals[0]
+    assert (first["rule"]["type"], first["explains"]) == ("perforation", [4])
+    assert all(4 not in one["edges"] for one in first["changes"])
+
+    rule = {key: first["rule"][key] for key in ("type", "layer", "colour", "linetype")}
+    body = {"title": "Learned", "extends": "default", "rules": [rule]}
+    assert client.put("/api/profiles/learned", json=body).status_code == 201
+    other = uploaded(client, drawing, profile="learned")
+    assert types(client, other["id"])[4] == "perforation"
+
+
+def test_a_correction_against_the_profile_says_what_else_it_would_change(client: httpx.Client):
+    folds = [text.line(10.0, y, 90.0, y, (8, "CREASE")) for y in (40.0, 60.0)]
+    id = uploaded(client, square(extra=tuple(folds)))["id"]
+    override = {"overrides": [{"type": "perforation", "edges": [4]}]}
+    client.patch(f"/api/drawings/{id}/edges", json=override)
+    (proposal,) = client.post(f"/api/drawings/{id}/learned").json()
+    assert (proposal["sure"], proposal["explains"]) == (False, [4])
+    assert proposal["changes"] == [{"before": "crease", "after": "perforation", "edges": [5]}]
+
+
+def test_the_report_adds_up_and_every_edge_has_a_fate(client: httpx.Client):
+    twice = text.line(20.0, 0.0, 80.0, 0.0, (8, "CUT"))
+    note = "0\nTEXT\n8\nNOTES\n10\n0\n20\n0\n40\n5\n1\nhello\n"
+    said = uploaded(client, square(extra=(twice, note)))
+    report = said["report"]
+    assert report["drawn"] == pytest.approx(460.0)
+    assert report["kept"] + report["merged"] + report["dropped"] == pytest.approx(report["drawn"])
+    assert report["merged"] == pytest.approx(60.0)
+    words = {(group["fate"], group["what"]): group for group in report["groups"]}
+    assert words["dropped", "entities"]["kinds"] == ["TEXT"]
+    edges = client.get(f"/api/drawings/{said['id']}/edges").json()["edges"]
+    (gone,) = [edge for edge in edges if edge["fate"] == "merged"]
+    assert (gone["length"], gone["reason"] != "") == (60.0, True)
+
+
+def test_a_unit_that_was_said_can_be_taken_back(client: httpx.Client):
+    said = uploaded(client, square())
+    assert (said["unit"], said["unit_given"]) == ("mm", None)
+    inches = client.patch(f"/api/drawings/{said['id']}", json={"unit": "in"}).json()
+    assert (inches["unit_given"], inches["width"]) == ("in", pytest.approx(2540.0))
+    back = client.patch(f"/api/drawings/{said['id']}", json={"unit": "file"}).json()
+    assert (back["unit_given"], back["width"]) == (None, 100.0)
+    assert said["unit_finding"]["stated"] == "mm"
+    assert {one["unit"] for one in said["unit_finding"]["evidence"]} >= {"mm"}
+    assert json.dumps(said, allow_nan=False)

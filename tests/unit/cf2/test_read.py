@@ -1,0 +1,342 @@
+"""CF2: records, calls, units, types, bridges, what is cut short and what is hostile."""
+
+from __future__ import annotations
+
+import math
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose
+
+from cf2_text import arc, carton, cf2, line, sub
+from knifetip.cf2.read import read
+from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
+from knifetip.intake.limits import Limits
+from knifetip.library import load
+from knifetip.model.dieline import LineType
+from knifetip.model.drawing import Drawing, Fate
+
+
+def reasons(drawing: Drawing) -> dict[str, str]:
+    return dict(zip(drawing.ledger.handle, drawing.ledger.reason, strict=True))
+
+
+# ── Records ───────────────────────────────────────────────────────────────────────────────────
+
+
+def test_a_line_has_its_ends_its_type_and_its_layer():
+    drawing = read(cf2(line(1, 2, 11, 2), "L,3,3,8,0,0,0,5,0,0"))
+    assert drawing.ends.tolist() == [[[1, 2], [11, 2]], [[0, 0], [0, 5]]]
+    assert [drawing.linetypes[row] for row in drawing.linetype] == ["CF2 1 2pt", "CF2 3 aux 8 3pt"]
+    assert drawing.layers == ("carton",)
+    assert (drawing.unit, drawing.stated, drawing.evidence) == ("mm", "mm", "UM")
+
+
+@pytest.mark.parametrize(("way", "top"), [(1, 10.0), (-1, 0.0)])
+def test_the_direction_of_an_arc_says_on_which_side_it_bulges(way: int, top: float):
+    # From (10, 0) to (-10, 0) about the origin: over the top to the left, below to the right.
+    drawing = read(cf2(arc(10, 0, -10, 0, 0, 0, way)))
+    assert_allclose(drawing.bounds, [-10, top - 10, 10, top], atol=1e-9)
+    assert_allclose(drawing.lengths.sum(), 10 * math.pi)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_three_quarters_of_a_circle_are_two_rows(way: int):
+    drawing = read(cf2(arc(10, 0, 0, -10 * way, 0, 0, way)))
+    assert len(drawing) == 2
+    assert_allclose(drawing.lengths.sum(), 15 * math.pi)
+    assert drawing.ends[0, 1].tolist() == drawing.ends[1, 0].tolist()
+    assert_allclose(drawing.ends[0, 1], [-10 * math.sqrt(0.5), 10 * way * math.sqrt(0.5)])
+
+
+def test_an_arc_that_ends_where_it_starts_is_a_whole_circle():
+    drawing = read(cf2(arc(15, 5, 15, 5, 10, 5)))
+    assert_allclose(drawing.lengths.sum(), 10 * math.pi)
+    assert_allclose(drawing.bounds, [5, 0, 15, 10], atol=1e-9)
+
+
+def test_an_arc_off_its_centre_keeps_its_ends_and_says_so():
+    drawing = read(cf2(arc(10, 0, 0, 10.5, 0, 0)))
+    assert drawing.ends.tolist() == [[[10, 0], [0, 10.5]]]
+    assert reasons(drawing)["#1"] == "kept: its centre is 10 from one end and 10.5 from the other"
+
+
+def test_bridges_are_words_and_not_gaps():
+    drawing = read(cf2(line(0, 0, 100, 0, bridges="3,6"), line(0, 1, 9, 1, bridges="1,4.5")))
+    assert drawing.lengths.tolist() == [100.0, 9.0]
+    assert drawing.ledger.reason == (
+        "kept: 3 bridges of 6 in the die board",
+        "kept: 1 bridge of 4.5 in the die board",
+    )
+
+
+def test_what_programs_leave_out_or_write_in_their_own_way_is_read():
+    text = (
+        "\n\n$bof\nv2\norder\nmain idea: none\n\nend\nmain , x \num\nscale,1,1,\n\n"
+        "l, 2, 1, 0, 0, 0, 10, 0\n  L,2,1,0,0,0,0,1e1,0,0,\nA,2,1,0,5,0,5,0,4,0,1\nend\n"
+    )
+    drawing = read(text.encode())
+    assert len(drawing) == 4
+    assert drawing.layers == ("x",)
+    assert read(text.replace("\n", "\r").encode()).ends.tolist() == drawing.ends.tolist()
+    assert read(text.encode("utf-16")).ends.tolist() == drawing.ends.tolist()
+
+
+def test_records_without_any_head_are_read():
+    drawing = read(b"L,2,1,0,0,0,10,0,0,0\nA,2,2,0,5,0,-5,0,0,0,1,0,0\n")
+    assert len(drawing) == 2
+    assert (drawing.unit, drawing.evidence) == ("", "the file has neither UM nor UI")
+
+
+def test_inches_are_inches():
+    drawing = read(cf2(line(0, 0, 10, 0), head=("UI",)))
+    assert (drawing.unit, drawing.stated) == ("in", "in")
+    assert_allclose(drawing.lengths, [254.0])
+    assert_allclose(read(cf2(line(0, 0, 10, 0), head=("UI",)), "mm").lengths, [10.0])
+
+
+def test_words_are_kept_as_inscriptions_and_never_cut():
+    drawing = read(cf2("T,2,46,0,10,90,0,5,4", "L,2,1 is no line", line(0, 0, 1, 0)))
+    (words,) = drawing.inscriptions
+    assert (words.text, words.x, words.y, words.height) == ("L,2,1 is no line", 10, 90, 5)
+    assert len(drawing) == 1
+    assert drawing.ledger.fate.tolist() == [Fate.DROPPED, Fate.KEPT]
+
+
+# ── Calls ─────────────────────────────────────────────────────────────────────────────────────
+
+
+def test_a_subroutine_is_scaled_then_turned_then_moved():
+    one = sub("A", line(0, 0, 10, 0))
+    drawing = read(cf2("C,A,100,50,90,2,2", "C,a,0,0,0,-1,1", "C,A,5,5", subs=one))
+    assert drawing.ends.tolist() == [[[100, 50], [100, 70]], [[0, 0], [-10, 0]], [[5, 5], [15, 5]]]
+    assert drawing.ledger.handle == ("#1", "#1/#4", "#2", "#2/#4", "#3", "#3/#4")
+    assert reasons(drawing)["#2"] == "kept: places the subroutine a"
+    assert set(drawing.layers) == {"A"}
+
+
+def test_a_mirrored_arc_turns_the_other_way():
+    drawing = read(cf2("C,A,0,0,0,-1,1", subs=sub("A", arc(10, 0, 0, 10, 0, 0))))
+    assert_allclose(drawing.ends, [[[-10, 0], [0, 10]]], atol=1e-12)
+    assert_allclose(drawing.bulge, [-math.tan(math.pi / 8)])
+
+
+def test_an_unevenly_scaled_circle_is_an_ellipse():
+    drawing = read(cf2("C,A,0,0,0,3,1", subs=sub("A", arc(10, 0, 10, 0, 0, 0), line(0, 0, 1, 0))))
+    assert_allclose(drawing.bounds, [-30, -10, 30, 10], atol=0.011)
+    assert drawing.ends[-1].tolist() == [[0, 0], [3, 0]]
+
+
+def test_subroutines_call_each_other():
+    subs = sub("A", "C,B,10,0,0,1,1", line(0, 0, 1, 0)) + "\r\n" + sub("B", line(0, 0, 2, 0))
+    drawing = read(cf2("C,A,100,0,90,1,1", subs=subs))
+    assert drawing.ends.tolist() == [[[100, 10], [100, 12]], [[100, 0], [100, 1]]]
+
+
+def test_calls_that_lead_nowhere_say_so():
+    subs = "\r\n".join(
+        [sub("A", "C,B,0,0,0,1,1"), sub("B", "C,A,0,0,0,1,1"), sub("IDLE", line(0, 0, 9, 0))]
+    )
+    drawing = read(cf2("C,A,0,0,0,1,1", "C,NONE,0,0,0,1,1", "C,A,nan,0,0,1,1", subs=subs))
+    told = reasons(drawing)
+    assert told["#1/#4/#5"] == "the subroutine A contains itself"
+    assert told["#2"] == "there is no subroutine NONE"
+    assert told["#3"] == "its place is not a number"
+    assert told["IDLE"] == "the subroutine IDLE of 1 records: nothing calls it"
+
+
+def test_subroutines_that_nobody_calls_stand_where_they_are_drawn():
+    drawing = read(b"$BOF\nSUB,A\nL,2,1,0,0,0,10,0,0,0\nEND\n$EOF\n")
+    assert drawing.ends.tolist() == [[[0, 0], [10, 0]]]
+
+
+# ── Scale ─────────────────────────────────────────────────────────────────────────────────────
+
+
+@pytest.mark.parametrize(("corner", "length"), [("UR,10,5", 10.0), ("UR,20,10", 20.0)])
+def test_a_scale_is_applied_if_the_corners_say_so(corner: str, length: float):
+    drawing = read(
+        cf2(line(0, 0, 10, 0), line(0, 0, 0, 5), head=("UM", "LL,0,0", corner, "SCALE,2,2"))
+    )
+    assert drawing.lengths[0] == length
+    assert drawing.unit == "mm"
+
+
+def test_a_scale_that_nothing_explains_is_asked():
+    drawing = read(cf2(line(0, 0, 10, 0), head=("UM", "SCALE,2,2")))
+    assert (drawing.unit, drawing.lengths.tolist()) == ("", [10.0])
+    assert "SCALE,2,2 is not applied" in drawing.evidence
+
+
+# ── Profiles ──────────────────────────────────────────────────────────────────────────────────
+
+KINDS = (0, 1, 2, 3, 4, 6, 8, 9, 10, 12, 43, 46)
+
+
+@pytest.mark.parametrize(
+    ("profile", "known"),
+    [
+        ("default", {1: "cut", 2: "crease", 46: "ignored"}),
+        ("cf2-plmpack", {1: "cut", 2: "crease", 3: "combi", 4: "half-cut", 43: "ignored"}),
+        ("cf2-gpcs", {1: "cut", 3: "perforation", 4: "half-cut", 9: "ignored"}),
+        ("cf2-aspose", {0: "ignored", 2: "crease", 3: "perforation", 4: "combi", 43: "ignored"}),
+    ],
+)
+def test_profiles_know_the_types_of_their_program_and_no_others(profile: str, known: dict):
+    drawing = read(cf2(*(line(0, k, 9, k, k) for k in KINDS)))
+    of = {**{1: "cut", 2: "crease", 46: "ignored"}, **known}
+    rules = load.profile(profile).rules
+    for kind, row in zip(KINDS, drawing.linetype, strict=True):
+        name = drawing.linetypes[row]
+        met = [rule for rule in rules if any(_globs(glob, name) for glob in rule.linetype)]
+        assert met[0].line_type.word == of.get(kind, LineType.UNCLASSIFIED.word), kind
+
+
+def _globs(pattern: str, name: str) -> bool:
+    return name == pattern or (pattern.endswith("*") and name.startswith(pattern[:-1]))
+
+
+# ── Whole files ───────────────────────────────────────────────────────────────────────────────
+
+
+def test_lengths_in_the_ledger_add_up():
+    drawing = read(carton())
+    one = 200 + 60 + 10 * math.pi + 180 + 80 + 16 * math.pi + 3 * 80
+    assert_allclose(drawing.lengths.sum(), 2 * one)
+    assert_allclose(drawing.ledger.length.sum(), 2 * one)
+    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
+    assert_allclose(by_row, drawing.ledger.length)
+    assert_allclose(drawing.bounds, [0, 0, 200, 180], atol=1e-9)
+
+
+@pytest.mark.corpus
+def test_a_layout_by_other_hands_is_as_large_as_its_corners_say(corpus: Path):
+    folder = corpus / "groupdocs-viewer__GroupDocs.Viewer-for-.NET"
+    (file,) = folder.rglob("sample.cf2")
+    drawing = read(file.read_bytes())
+    assert_allclose(drawing.bounds, [10.492488, 34.045633, 294.307512, 423.154367], atol=2e-6)
+    assert len(drawing) == 8 * 636 + 12
+    assert drawing.linetypes == ("CF2 1 2pt",)
+
+
+# ── Damaged and hostile ───────────────────────────────────────────────────────────────────────
+
+
+def refused(data: bytes, kind: type[KnifetipError] = NotADrawing, **limits: int) -> str:
+    begun = time.monotonic()
+    with pytest.raises(kind) as caught:
+        read(data, limits=Limits(**limits))
+    assert time.monotonic() - begun < 2.0
+    assert caught.value.mend
+    return caught.value.message
+
+
+def test_a_file_cut_anywhere_is_refused_or_whole():
+    whole = carton()
+    drawing = read(whole)
+    refusals = 0
+    for length in range(len(whole)):
+        try:
+            part = read(whole[:length])
+        except NotADrawing:
+            refusals += 1
+            continue
+        # The end mark is no loss; and a call whose subroutine is missing says so.
+        lost = [reason for reason in part.ledger.reason if "there is no subroutine" in reason]
+        assert part.ends.tolist() == drawing.ends.tolist() or len(lost) == 2, whole[length - 30 :]
+    assert refusals > 0.9 * len(whole) - 200
+
+
+def test_decimal_commas_are_refused_with_the_reason():
+    rows = ["L,2,1,0,54,623664,10,09647,54,637004,10,16879,0,0"] * 9
+    assert "decimals seem to be written with commas" in refused(cf2(*rows))
+
+
+def test_single_damaged_records_are_dropped_with_the_reason():
+    drawing = read(
+        cf2(
+            line(0, 0, 1, 0),
+            "L,2,1,0,0,x,1,0,0,0",
+            "L,2,1,0,0,0",
+            "A,2,1,0,nan,0,0,1,0,0,1,0,0",
+            line(0, 0, 1e308, 0),
+            "Q,what,is,this",
+            "A,2,1,0,5,5,5,5,5,5,1,0,0",
+            "C",
+        )
+    )
+    told = reasons(drawing)
+    assert told["#2"] == "it cannot be read: could not convert string to float: 'x'"
+    assert told["#3"] == "line 11 has 6 fields"
+    assert told["#4"].startswith("a coordinate is not a number")
+    assert told["#5"] == "a coordinate is 1e+308; the limit is 1e+07"
+    assert told["#6"] == "it is no kind of record that is read"
+    assert "there is no subroutine" in told["#8"] or "cannot be read" in told["#8"]
+    assert drawing.lengths.tolist() == [1.0]
+
+
+def test_bombs_and_towers_are_refused():
+    bomb = "\r\n".join(
+        sub(f"S{k}", *[f"C,S{k + 1},0,0,0,1,1"] * 10) for k in range(12)
+    ) + "\r\n" + sub("S12", line(0, 0, 1, 0))  # fmt: skip
+    assert "stand for more than" in refused(cf2("C,S0,0,0,0,1,1", subs=bomb), DrawingTooLarge)
+    tower = "\r\n".join(sub(f"S{k}", f"C,S{k + 1},0,0,0,1,1") for k in range(5000))
+    assert "more than 16 deep" in refused(cf2("C,S0,0,0,0,1,1", subs=tower), DrawingTooLarge)
+    nested = "SUB,A\r\n" * 20_000 + "END\r\n" * 20_000
+    assert len(read(cf2(line(0, 0, 1, 0), subs=nested))) == 1
+
+
+def test_limits_are_kept():
+    many = cf2(*[line(0, k, 1, k) for k in range(50)])
+    assert "more than 40 records" in refused(many, DrawingTooLarge, entities=40)
+    assert "more than 40 lines" in refused(many, DrawingTooLarge, segments=40)
+    assert "0.0 MB" in refused(many, DrawingTooLarge, bytes=100)
+
+
+@pytest.mark.parametrize("data", [b"", b"\n\n", b"$BOF\nV2\nORDER\nEND\n$EOF", b"$EOF", b"hello"])
+def test_a_file_that_draws_nothing_is_refused(data: bytes):
+    assert refused(data)
+
+
+def read_or_refused(data: bytes) -> Drawing | None:
+    """Read what may be damaged; a refusal must know what it refuses."""
+    try:
+        return read(data)
+    except KnifetipError as error:
+        refusal = error
+    assert refusal.mend
+    assert "stumbles" not in refusal.message, refusal.__cause__
+    return None
+
+
+fields = st.one_of(
+    st.sampled_from(["", "0", "1", "-1", "nan", "inf", "1e308", "1e-320", "x", "1,5", "É"]),
+    st.floats(allow_nan=True).map(repr),
+)
+
+
+@given(
+    st.lists(
+        st.tuples(
+            st.sampled_from(["L", "A", "C", "T", "END", "SUB", "MAIN", "SCALE", "UM", "a", ""]),
+            st.lists(fields, max_size=13),
+        ),
+        max_size=8,
+    )
+)
+def test_any_records_end_in_a_drawing_or_an_error_of_ours(records):
+    lines = [",".join([word, *values]) for word, values in records]
+    drawing = read_or_refused(cf2(*lines, subs=sub("1", line(0, 0, 1, 1))))
+    if drawing is not None:
+        assert abs(drawing.ends).max(initial=0.0) <= 1e7
+        assert (abs(drawing.bulge) <= 1.0).all()
+
+
+@given(st.binary(max_size=100), st.integers(0, 900), st.integers(0, 20))
+def test_any_damage_ends_in_a_drawing_or_an_error_of_ours(noise: bytes, at: int, gone: int):
+    whole = carton()
+    read_or_refused(whole[:at] + noise + whole[at + gone :])

@@ -1,0 +1,77 @@
+"""faces: what lies on the two sides of each piece, with shapely for a second opinion."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+from tests.cartons import drawing as carton
+
+from knifetip.classification.faces import faces
+from knifetip.classification.net import built
+from knifetip.geometry.columns import F64
+
+TOUCH = 0.05
+
+
+def of(ends: F64, bulge: F64):
+    net = built(ends, bulge, TOUCH, 1.0)
+    return net, faces(net, ends, bulge, TOUCH)
+
+
+def straight(*lines: tuple[float, float, float, float]):
+    ends = np.array(lines, float).reshape(-1, 2, 2)
+    return of(ends, np.zeros(len(ends)))
+
+
+SQUARE = [(0, 0, 10, 0), (10, 0, 10, 10), (10, 10, 0, 10), (0, 10, 0, 0)]
+
+
+def test_a_square_has_an_inside_and_an_outside():
+    _, sides = straight(*SQUARE)
+    np.testing.assert_allclose(np.sort(sides.area), [-100.0, 100.0])
+    assert sides.area[sides.left[0]] == 100.0
+    assert sides.right[0] == sides.outside[0]
+
+
+def test_a_circle_of_two_half_turns_has_the_area_of_a_circle():
+    ends = np.array([[[-5.0, 0], [5, 0]], [[5, 0], [-5, 0]]])
+    _, sides = of(ends, np.ones(2))
+    np.testing.assert_allclose(np.sort(sides.area), [-25 * np.pi, 25 * np.pi])
+
+
+def test_a_line_across_makes_two_faces_and_one_that_ends_inside_none():
+    _, sides = straight(*SQUARE, (5, 0, 5, 10), (0, 5, 3, 5))
+    np.testing.assert_allclose(np.sort(sides.area), [-100.0, 50.0, 50.0])
+
+
+def test_a_part_lies_in_the_face_that_holds_it_and_not_in_the_one_beside_it():
+    inner = [(6, 6, 8, 6), (8, 6, 8, 8), (8, 8, 6, 8), (6, 8, 6, 6)]
+    net, sides = straight(*SQUARE, (5, 0, 5, 10), *inner)
+    hole = sides.part[net.first[5]]
+    assert sides.within[sides.part[0]] == -1
+    right_half = sides.right[net.first[4]]
+    assert sides.within[hole] == right_half
+
+
+def test_what_lies_inside_an_arc_is_found():
+    ends = np.array([[[-50.0, 0], [50, 0]], [[50, 0], [-50, 0]], [[-45, 5], [-40, 5]]])
+    net, sides = of(ends, np.array([1.0, 1.0, 0.0]))
+    assert sides.area[sides.within[sides.part[net.first[2]]]] > 0.0
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_shapely_finds_the_same_faces(seed: int):
+    drawing, _, _ = carton(seed)
+    # Arcs are flattened there and dashes not linked, so only lines, and what the net parts them by.
+    lines = np.flatnonzero(drawing.bulge == 0.0)
+    ends = np.array(drawing.ends[lines])
+    net, sides = of(ends, np.zeros(len(ends)))
+    own = net.same == np.arange(len(net.same))
+    segments = shapely.linestrings(
+        np.stack([net.place[net.start[own]], net.place[net.end[own]]], axis=1)
+    )
+    found = [shapely.Polygon(one.exterior).area for one in shapely.polygonize(segments).geoms]
+    mine = sides.area[sides.area > 1e-6]
+    # A polygon with a hole is a face whose outer walk has the area of its outline.
+    np.testing.assert_allclose(np.sort(mine), np.sort(found), rtol=1e-6, atol=1e-6)

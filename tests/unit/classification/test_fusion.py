@@ -1,0 +1,176 @@
+"""fusion: rules, shape, names and colours together, on blanks drawn by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from tests.cartons import drawing as carton
+
+from knifetip.classification.classify import classify, questions
+from knifetip.library import load
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, Ledger
+
+BLANK = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
+FOLDS = [(100, 0, 100, 200), (200, 0, 200, 200)]
+SLIT = [(20, 50, 60, 50)]
+OUTSIDE = [(0, -30, 300, -30)]
+
+Style = tuple[str, int, str]
+
+
+def drawn(*parts: tuple[list[tuple[float, float, float, float]], Style]) -> Drawing:
+    """Lines, each part in a style of its own: (layer, colour, linetype)."""
+    lines = [line for part, _ in parts for line in part]
+    styles = [style for part, style in parts for _ in part]
+    layers = tuple(dict.fromkeys(style[0] for style in styles))
+    linetypes = tuple(dict.fromkeys(style[2] for style in styles))
+    n = len(lines)
+    ledger = Ledger(
+        tuple(map(str, range(n))), ("LINE",) * n, ("",) * n, np.zeros(n), ("",) * n, np.ones(n)
+    )
+    return Drawing(
+        np.array(lines, float).reshape(-1, 2, 2), np.zeros(n), np.arange(n),
+        [layers.index(style[0]) for style in styles], [style[1] for style in styles],
+        np.full(n, -1), [linetypes.index(style[2]) for style in styles], layers, linetypes,
+        ledger, "mm", "given",
+    )  # fmt: skip
+
+
+def seen(sheet: Drawing, profile: str = "default") -> Dieline:
+    return classify(sheet, load.profile(profile), load.conventions())
+
+
+def words(dieline: Dieline) -> list[str]:
+    return [LineType(kind).word for kind in dieline.line_type]
+
+
+def why(dieline: Dieline, row: int) -> str:
+    return dieline.rules[dieline.rule[row]]
+
+
+def plain(layer: str = "0", colour: int = 7, linetype: str = "CONTINUOUS") -> Style:
+    return layer, colour, linetype
+
+
+def test_where_layers_mean_nothing_shape_cuts_the_outline_and_asks_about_the_rest():
+    sheet = drawn((BLANK + FOLDS, plain()))
+    dieline = seen(sheet)
+    assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
+    assert dieline.alternatives[dieline.rule[4]][0] == LineType.CREASE
+    assert 0.5 <= dieline.confidence[4] < 0.8
+    (question,) = questions(sheet, dieline)
+    assert question.edges == (4, 5)
+    assert question.choices[0] == "crease"
+    assert "divides two panels" in question.text
+
+
+@pytest.mark.parametrize(("cut", "crease"), [(1, 5), (7, 1), (1, 3), (7, 3)])
+def test_the_house_whose_colours_fit_the_shape_decides(cut: int, crease: int):
+    dieline = seen(drawn((BLANK, plain(colour=cut)), (FOLDS, plain(colour=crease))))
+    assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
+    assert "fits: the outline closes, 2 of 2 dividing lines are folds" in why(dieline, 4)
+    assert dieline.confidence[4] < dieline.confidence[0]
+
+
+def test_colours_of_no_house_are_asked():
+    dieline = seen(drawn((BLANK, plain(colour=30)), (FOLDS, plain(colour=40))))
+    assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
+
+
+def test_a_name_that_the_profile_does_not_know_and_shape_decide_together():
+    dieline = seen(drawn((BLANK, plain("Découpe")), (FOLDS, plain("Plis (2)"))))
+    assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
+    assert 'its layer says "plis"' in why(dieline, 4)
+    # Neither of them alone does.
+    assert words(seen(drawn((FOLDS, plain("Plis (2)"))))) == ["unclassified"] * 2
+
+
+def test_a_name_that_denies_is_asked():
+    dieline = seen(drawn((BLANK, plain("NoCut")), (FOLDS, plain("CREASE"))))
+    assert words(dieline) == ["unclassified"] * 4 + ["crease"] * 2
+    assert dieline.alternatives[dieline.rule[0]][0] == LineType.CUT
+
+
+def test_cut_and_crease_exchanged_are_asked_with_what_shape_says_first():
+    sheet = drawn((BLANK, plain("CREASE")), (FOLDS, plain("CUT")))
+    dieline = seen(sheet)
+    assert words(dieline) == ["unclassified"] * 6
+    assert "closes the outline" in why(dieline, 0)
+    put = questions(sheet, dieline)
+    assert [question.choices[0] for question in put] == ["cut", "crease"]
+
+
+def test_a_profile_whose_colours_are_another_houses_is_found_out():
+    sheet = drawn((BLANK, plain(colour=7)), (FOLDS, plain(colour=1)))
+    assert words(seen(sheet, "red-crease-black-cut")) == ["cut"] * 4 + ["crease"] * 2
+    wrong = seen(sheet, "red-cut-blue-crease")
+    assert words(wrong)[4:] == ["unclassified"] * 2
+
+
+def test_one_crease_on_the_outline_is_asked_and_the_others_stand():
+    dieline = seen(drawn((BLANK[1:], plain("CUT")), (BLANK[:1] + FOLDS, plain("CREASE"))))
+    assert words(dieline) == ["cut"] * 3 + ["unclassified"] + ["crease"] * 2
+    assert "beyond it the board ends" in why(dieline, 3)
+
+
+def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts():
+    """What divides panels in the outline's style, where another style has the folds, is cut."""
+    slit = [(150, 0, 150, 40)]
+    across = [(100, 40, 200, 40)]
+    dieline = seen(drawn((BLANK + slit, plain(colour=1)), (FOLDS + across, plain(colour=5))))
+    assert words(dieline) == ["cut"] * 5 + ["crease"] * 3
+
+
+def test_a_cut_outside_every_blank_that_closes_nothing_is_asked():
+    dieline = seen(drawn((BLANK + OUTSIDE, plain("CUT")), (FOLDS, plain("CREASE"))))
+    assert words(dieline) == ["cut"] * 4 + ["unclassified"] + ["crease"] * 2
+    assert dieline.alternatives[dieline.rule[4]][-1] == LineType.IGNORED
+
+
+def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer_is_believed():
+    """In red-cut-blue-crease yellow is for dimensions."""
+    yellow = drawn((BLANK, plain(colour=2)), (FOLDS, plain(colour=5)))
+    assert words(seen(yellow, "red-cut-blue-crease"))[:4] == ["unclassified"] * 4
+    bleed = [(-3, -3, 303, -3), (303, -3, 303, 203), (303, 203, -3, 203), (-3, 203, -3, -3)]
+    named = seen(drawn((bleed, plain("BLEED")), (BLANK, plain("CUT")), (FOLDS, plain("CREASE"))))
+    assert words(named) == ["ignored"] * 4 + ["cut"] * 4 + ["crease"] * 2
+
+
+def test_rules_that_shape_does_not_contradict_keep_their_words_and_confidence():
+    dieline = seen(drawn((BLANK + SLIT, plain("CUT")), (FOLDS, plain("CREASE"))))
+    assert set(dieline.rules) == {'profile default: layer "CUT"', 'profile default: layer "CREASE"'}
+    assert set(dieline.confidence) == {0.95}
+
+
+def test_a_rule_for_a_block_or_a_true_colour_decides():
+    sheet = drawn((BLANK, plain()), (FOLDS, plain(colour=1)))
+    fields = {
+        "title": "",
+        "rule": [
+            {"type": "crease", "colour": "#ff0000"},
+            {"type": "cut", "block": "CARTON*"},
+        ],
+    }
+    rules = load.parse_profile("own", fields)
+    assert words(classify(sheet, rules))[4:] == ["crease"] * 2
+    blocks = replace(sheet, ledger=replace(sheet.ledger, block=("Carton 7",) * len(sheet.ledger)))
+    dieline = classify(blocks, rules)
+    assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
+    assert why(dieline, 0) == 'profile own: block "CARTON*"'
+    assert why(dieline, 4) == "profile own: colour #ff0000"
+
+
+def test_no_more_than_one_edge_in_three_thousand_is_silently_wrong_in_drawings_of_our_own():
+    edges = wrong = decided = 0
+    for seed in range(5000, 5150):
+        sheet, truth, _ = carton(seed)
+        said = seen(sheet).line_type
+        edges += len(said)
+        decided += int((said != LineType.UNCLASSIFIED).sum())
+        wrong += int(((said != LineType.UNCLASSIFIED) & (said != truth)).sum())
+    assert edges > 10_000
+    assert decided > 0.6 * edges
+    assert wrong <= edges / 3000

@@ -1,0 +1,71 @@
+"""back: measures of cleaned edges, told of those that were drawn."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from knifetip.cleaning.back import on_drawn
+from knifetip.cleaning.clean import clean
+from knifetip.model.dieline import LineType
+from knifetip.model.verdict import Finding, Samples, Verdict
+from shapes import dieline, edges
+
+CUT, CREASE = LineType.CUT, LineType.CREASE
+
+#: One cut of 100 mm in two pieces, the second drawn backwards and twice; a crease that a cut of
+#: 10 mm parts in two, 50 and 40 mm long, the second of which is row 5 when it is cleaned.
+LINE = dieline(
+    (CUT, edges(((0, 0), (30, 0)), ((100, 0), (30, 0)), ((30, 0), (100, 0)))),
+    (CREASE, edges(((0, 50), (100, 50)))),
+    (CUT, edges(((50, 50), (60, 50)))),
+)
+
+
+def verdict(count: int) -> Verdict:
+    rows = np.arange(count)
+    return Verdict(
+        accepted=False,
+        tolerance=0.01,
+        deviation=rows * 0.001,
+        overcut=np.zeros(count),
+        uncut=np.where(rows == 0, 10.0, np.where(rows == 5, 4.0, 0.0)),
+        setback=np.zeros(count),
+        findings=(Finding("uncut", "", 4.0, edge=5), Finding("feed", "", 1.0)),
+        seconds=1.0,
+        samples=Samples([0, 0, 0, 3, 5], [0.15, 0.65, 1.0, 0.5, 0.5], [0.1, 0.2, 0.3, 0.4, 0.5]),
+    )
+
+
+def test_a_length_is_shared_out_and_a_worst_is_everybodys():
+    made = clean(LINE)
+    assert made.dieline.source.tolist() == [0, 1, 2, 3, 4, 3]
+    told = on_drawn(verdict(6), made, LINE)
+    np.testing.assert_allclose(told.uncut, [3, 7, 0, 4, 0])
+    np.testing.assert_allclose(told.deviation, [0, 0, 0, 0.005, 0.004])
+    assert len(told.tidied) == len(LINE)
+
+
+def test_findings_name_the_edge_that_was_drawn():
+    told = on_drawn(verdict(6), clean(LINE), LINE)
+    assert [finding.edge for finding in told.findings] == [3, -1]
+
+
+def test_samples_go_to_the_place_where_they_are_on_the_drawn_edge():
+    told = on_drawn(verdict(6), clean(LINE), LINE).samples
+    # 15 of 100 mm is half of the first 30; 65 mm is the middle of the second piece, and its left is
+    # the other side, since it was drawn backwards; 100 mm is where that begins.
+    assert told.edge.tolist() == [0, 1, 1, 3, 3]
+    np.testing.assert_allclose(told.place, [0.5, 0.0, 0.5, 0.25, 0.8])
+    np.testing.assert_allclose(told.deviation, [0.1, -0.3, -0.2, 0.4, 0.5])
+
+
+def test_a_verdict_on_a_clean_drawing_is_the_same():
+    line = dieline((CUT, edges(((0, 0), (100, 0)), ((100, 0), (100, 100)))))
+    given = replace(verdict(2), findings=(Finding("uncut", "", 4.0, edge=1),))
+    told = on_drawn(given, clean(line), line)
+    np.testing.assert_array_equal(told.deviation, given.deviation)
+    assert told.uncut.sum() == pytest.approx(given.uncut.sum())
+    assert told.findings == given.findings

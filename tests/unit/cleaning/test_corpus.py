@@ -1,0 +1,82 @@
+"""clean, on drawings by other hands: figures by file, and lengths that add up on all of them.
+
+Everything is taken for cuts, two kinds of work by colour, so that all of it is cleaned.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from knifetip.cleaning.clean import clean
+from knifetip.dxf.read import read
+from knifetip.errors import KnifetipError
+from knifetip.geometry import arc
+from knifetip.model.cleaned import Cleaned, Why
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, Fate
+from knifetip.verification.tidied import tidied
+
+pytestmark = pytest.mark.corpus
+
+
+def all_work(drawing: Drawing) -> Dieline:
+    kinds = np.where(drawing.colour % 2 == 0, LineType.CUT, LineType.CREASE)
+    count = len(drawing)
+    rows = np.arange(count)
+    zeros = np.zeros(count)
+    return Dieline(drawing.ends, drawing.bulge, kinds, rows, zeros, zeros + 1.0, ("all",))
+
+
+def figures(made: Cleaned) -> tuple[int, int, int]:
+    return made.count(Fate.KEPT), made.count(Fate.MERGED), made.count(Fate.DROPPED)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected", "merged", "dropped"),
+    [
+        # Cuts of 40 mm on cuts of 50 mm, four times.
+        ("Obrary__Parametric-Papercraft/Interchange-Files/cube.dxf", (70, 4, 0), 160.0, 0.0),
+        # A cut of 1 mm on a crease of 152 mm, twice.
+        ("generated__kyholdings__diecut_generator/mailer_200x150x60_t3.dxf", (88, 2, 0), 2.0, 0.0),
+        # A sheet on which nothing is to be done.
+        ("generated__bikinon__RSC-FEFCO-02xx/f0201_B_400x300x250.dxf", (56, 0, 0), 0.0, 0.0),
+        # Roundings of 0.05 mm in segments of a few micrometres, sides that lie on each other.
+        ("generated__florianfesti__boxes/PaperBox_100x40x140.dxf", (387, 259, 3), 59.99, 0.053),
+        # Coasts in steps of a few hundredths, and every border between two states twice.
+        ("mozman__ezdxf/examples/edgeminer/5_us_states.dxf", (2213, 2423, 18), 9.47, 0.0467),
+    ],
+)
+def test_what_becomes_of_a_drawing(corpus: Path, name, expected, merged, dropped):
+    made = clean(all_work(read((corpus / name).read_bytes(), "mm")))
+    assert figures(made) == expected
+    assert made.merged.sum() == pytest.approx(merged, abs=0.01)
+    assert made.dropped.sum() == pytest.approx(dropped, abs=0.001)
+
+
+def test_the_lengths_add_up_and_the_judge_agrees_on_every_drawing(corpus: Path):
+    files = [path for path in sorted(corpus.rglob("*")) if path.suffix.lower() == ".dxf"]
+    count = 0
+    for path in files:
+        try:
+            drawing = read(path.read_bytes(), "mm")
+        except KnifetipError:
+            continue
+        line = all_work(drawing)
+        made = clean(line)
+        length = drawing.lengths
+        slack = 1e-9 * length.max(initial=1.0) + 1e-6
+        assert np.abs(made.kept + made.merged + made.dropped - length).max(initial=0) < slack, path
+        after = made.dieline
+        at_work = after.line_type != LineType.IGNORED
+        worked = arc.length(after.ends[:, 0], after.ends[:, 1], after.bulge)[at_work].sum()
+        assert made.lengths["worked"] == pytest.approx(worked, rel=1e-9), path
+        assert tidied(line, made) == [], path
+        assert not (made.why == Why.NO_WORK).any()
+        again = clean(after)
+        np.testing.assert_array_equal(again.dieline.ends, after.ends, err_msg=str(path))
+        np.testing.assert_array_equal(again.dieline.line_type, after.line_type, err_msg=str(path))
+        count += 1
+    assert count > 70

@@ -1,0 +1,100 @@
+"""knifetip profile: what there is, what it says, out to a file and in from one."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+import pytest
+
+from knifetip.cli import main
+from knifetip.library import load
+
+OURS = """title = "Acme"
+[[rule]]
+type = "crease"
+layer = "CUT"
+"""
+
+
+@pytest.fixture
+def knifetip(monkeypatch, capfd, tmp_path):
+    """Run the command in a folder of its own; returns exit code, stdout, stderr."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("KNIFETIP_DATABASE", raising=False)
+
+    def run(*words):
+        monkeypatch.setattr(sys, "argv", ["knifetip", *map(str, words)])
+        with pytest.raises(SystemExit) as left:
+            main()
+        out, err = capfd.readouterr()
+        return left.value.code, out, err
+
+    return run
+
+
+def test_the_shipped_profiles_are_listed_and_shown_in_words(knifetip):
+    code, out, _ = knifetip("profile", "list", "--json")
+    assert code == 0
+    assert [row["name"] for row in json.loads(out)] == load.names("profiles")
+    code, out, _ = knifetip("profile", "show", "german")
+    assert code == 0
+    assert 'crease       colour 5, linetype "*DASH*"' in out
+
+
+def test_a_profile_goes_out_to_a_file_and_can_be_used_from_there(knifetip, tmp_path):
+    file = tmp_path / "mine.toml"
+    assert knifetip("profile", "export", "german", "-o", file)[0] == 0
+    code, out, _ = knifetip("profile", "show", file, "--json")
+    assert code == 0
+    assert json.loads(out)["title"] == load.profile("german").title
+
+
+def test_an_imported_profile_is_kept_and_found_by_name(knifetip, tmp_path):
+    file, database = tmp_path / "Acme.toml", f"sqlite:///{tmp_path}/shop.sqlite"
+    file.write_text(OURS)
+    words = ("profile", "import", file, "--database", database)
+    code, out, _ = knifetip(*words)
+    assert (code, "kept as version 1" in out) == (0, True)
+    code, _, err = knifetip(*words)
+    assert (code, "already, at version 1" in err) == (3, True)
+    assert "version 2" in knifetip(*words, "--replace")[1]
+    assert knifetip("profile", "export", "acme", "--database", database)[1] == OURS
+    assert "acme" in knifetip("profile", "list", "--database", database)[1]
+
+
+def test_every_command_finds_a_profile_that_a_server_keeps(knifetip, tmp_path, monkeypatch):
+    database = f"sqlite:///{tmp_path}/shop.sqlite"
+    monkeypatch.setenv("KNIFETIP_DATABASE", database)
+    (tmp_path / "acme.toml").write_text(OURS)
+    assert knifetip("profile", "import", "acme.toml")[0] == 0
+    assert knifetip("samples", tmp_path)[0] == 0
+    code, out, _ = knifetip(
+        "classify", tmp_path / "tuck-end-carton.dxf", "--profile", "acme", "--json"
+    )
+    assert code == 0
+    assert {edge["rule"] for edge in json.loads(out)["edges"] if edge["layer"] == "CUT"} != set()
+    code, _, err = knifetip("classify", tmp_path / "tuck-end-carton.dxf", "--profile", "nobody")
+    assert (code, "There are acme, boxes-py" in err) == (3, True)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("wrong.toml", "title = 'x'\n[[rule]]\ntype = 'glue'", "rule 1: type 'glue'"),
+        ("latin.toml", "title = 'M\xfcller'", "not text in UTF-8"),
+        ("a b.toml", OURS, "is no name for a profile"),
+    ],
+)
+def test_what_is_no_profile_is_not_kept(knifetip, tmp_path, name: str, text: str, words: str):
+    (tmp_path / name).write_bytes(text.encode("latin-1"))
+    code, _, err = knifetip("profile", "import", tmp_path / name)
+    assert code == 3
+    assert words in err
+
+
+def test_without_a_database_a_file_is_only_checked(knifetip, tmp_path):
+    (tmp_path / "acme.toml").write_text(OURS)
+    code, out, _ = knifetip("profile", "import", tmp_path / "acme.toml")
+    assert (code, "nothing was kept" in out) == (0, True)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["acme.toml"]

@@ -1,0 +1,198 @@
+"""Bytes that mean harm: each ends in a drawing or a clear problem, soon and in little memory."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from dxf_text import Tag, block, dxf, entity, insert, line
+from knifetip.dxf.read import read
+from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
+from knifetip.intake.limits import Limits
+from readers import difference, ours, read_by_both
+
+_LINE = line(0, 0, 10, 10)
+
+
+def _within(seconds: float, data: bytes) -> str:
+    """Read, and return the problem, empty where there is none."""
+    begin = time.process_time()
+    problem = ""
+    try:
+        read(data)
+    except KnifetipError as refused:
+        problem = str(refused)
+    assert time.process_time() - begin < seconds
+    return problem
+
+
+def _spline(knots: list[object], degree: int = 3, points: int = 4) -> bytes:
+    control: list[Tag] = []
+    for n in range(points):
+        control += [(10, n % 7 * 3.3), (20, n % 11 * 2.2), (30, 0)]
+    tags: list[Tag] = [(100, "AcDbEntity"), (8, "0"), (100, "AcDbSpline"), (70, 8), (71, degree)]
+    tags += [(72, len(knots)), (73, points), *((40, knot) for knot in knots)]
+    return dxf(entity("SPLINE", *tags, *control), version="AC1015")
+
+
+def test_nested_bomb_is_counted_and_not_expanded():
+    rows = [insert(f"B{n + 1}") * 10 for n in range(9)]
+    blocks = [block(f"B{n}", row) for n, row in enumerate(rows)] + [block("B9", _LINE)]
+    said = _within(1.0, dxf(insert("B0"), blocks=tuple(blocks)))
+    assert "2,111,111,110 entities; the limit is 1,000,000" in said
+
+
+def test_array_of_a_thousand_million_is_counted_and_not_expanded():
+    grid = insert("A", 0, 0, (70, 32767), (71, 32767), (44, 1.0), (45, 1.0))
+    assert "1,073,676,289 entities" in _within(1.0, dxf(grid, blocks=(block("A", _LINE),)))
+
+
+def test_cyclic_blocks_are_dropped_and_the_rest_is_read():
+    blocks = (block("A", insert("B")), block("B", insert("A"), _LINE))
+    drawing = read(dxf(insert("A"), _LINE, blocks=blocks))
+    assert drawing.ledger.reason[0] == "its block 'A' contains itself"
+    assert len(drawing) == 1
+
+
+@pytest.mark.parametrize("value", ["nan", "inf", "-inf", "1e308", "-1e308", "1e400", "9e999"])
+def test_absurd_coordinates_drop_their_entity_alone(value: str):
+    bad = [line(value, 0, 5, 5), insert("A", value, 0), insert("A", 0, 0, (41, value))]
+    bad.append(entity("CIRCLE", (10, 1), (20, 0), (40, value)))
+    drawing = read(dxf(*bad, line(0, 0, 3, 4), blocks=(block("A", _LINE),)))
+    assert drawing.ledger.length.sum() == pytest.approx(5.0)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        _spline([0] * 8),
+        _spline(["nan"] * 8),
+        _spline([-1e308, 0, 0, 0, 1, 1, 1, 1e308]),
+        _spline([0, 1]),
+        _spline([0] * 4 + [1] * 4, degree=1000),
+        _spline([0] * 4 + [1] * 4, degree=-3),
+        _spline([0] * 91 + [1] * 91, degree=90, points=91),
+    ],
+)
+def test_spline_with_absurd_knots_is_dropped(data: bytes):
+    drawing = read(data)
+    assert len(drawing) == 0
+    assert "damaged" in drawing.ledger.reason[0]
+
+
+def test_spline_through_twenty_thousand_points_is_not_solved():
+    tags: list[Tag] = [(100, "AcDbEntity"), (8, "0"), (100, "AcDbSpline"), (70, 8), (71, 3)]
+    for n in range(20_000):
+        tags += [(11, n % 77 * 3.3), (21, n % 11 * 2.2), (31, 0)]
+    data = dxf(entity("SPLINE", *tags), version="AC1015")
+    assert _within(5.0, data) == ""
+    assert "goes through 20,000 points; the limit is 1,000" in read(data).ledger.reason[0]
+
+
+def test_half_a_gigabyte_is_refused_before_anything():
+    assert "the limit is 64.0 MB" in _within(0.5, bytes(500 * 10**6))
+
+
+def test_large_file_for_ezdxf_alone_is_refused():
+    data = dxf(_LINE, entity("SEQEND"))
+    with pytest.raises(DrawingTooLarge, match="something in it is unusual"):
+        read(data, limits=Limits(slow_bytes=len(data) - 1))
+    assert len(read(dxf(_LINE), limits=Limits(slow_bytes=10))) == 1
+
+
+def test_million_entities_are_refused_unread():
+    assert "1,000,000 entities" in _within(20.0, dxf("0\nPOINT\n" * 1_000_000))
+
+
+def test_file_cut_at_every_byte_is_read_whole_or_refused():
+    whole = dxf(_LINE, insert("A", 20), entity("TEXT", (1, "x")), blocks=(block("A", _LINE),))
+    for size in range(len(whole) - 4):
+        try:
+            drawing = read(whole[:size])
+        except KnifetipError:
+            continue
+        # All sections are closed, so nothing is missing but the end mark.
+        assert whole[size:].replace(b"0\nEOF\n", b"").strip(b"\n0EOF") == b""
+        assert len(drawing) == 2
+
+
+@pytest.mark.parametrize(
+    ("data", "word"),
+    [
+        (b"\x00" * 1000, "not a"),
+        (bytes(range(256)) * 100, "not a DXF"),
+        (dxf(_LINE).decode().encode("utf-16-le"), "not a DXF"),
+        (b"0\n" * 100_000, "no section"),
+        (b"{" * 100_000, "not a DXF"),
+    ],
+)
+def test_what_is_no_dxf_is_refused(data: bytes, word: str):
+    with pytest.raises(NotADrawing, match=word):
+        read(data)
+
+
+def test_lone_carriage_returns_end_lines_too():
+    assert len(read(dxf(_LINE).replace(b"\n", b"\r"))) == 1
+
+
+def test_polyline_and_spline_without_markers_are_read():
+    polyline = entity("LWPOLYLINE", (90, 2), (70, 0), (10, 0), (20, 0), (10, 30), (20, 40))
+    spline = entity(
+        "SPLINE", (70, 8), (71, 3), (72, 8), (73, 4), *((40, k) for k in [0] * 4 + [1] * 4)
+    )
+    spline += "".join(f"10\n0\n20\n{y}\n30\n0\n" for y in (0, 3, 6, 10))
+    data = dxf(polyline, spline, version="AC1009")
+    assert ours(data)
+    drawings = read_by_both(data)
+    assert difference(*drawings) == ""
+    assert read(data).ledger.length.tolist() == pytest.approx([50.0, 10.0])
+    headless = data[data.index(b"0\nSECTION\n2\nENTITIES") :]
+    assert read(headless).ledger.length.tolist() == pytest.approx([50.0, 10.0])
+
+
+_WHOLE = dxf(
+    _LINE,
+    insert("A", 5, 5, (50, 30.0)),
+    entity("POLYLINE", (66, 1), (70, 1)),
+    entity("VERTEX", (10, 0), (20, 0)),
+    entity("VERTEX", (10, 5), (20, 0), (42, 0.5)),
+    entity("SEQEND"),
+    entity("TEXT", (10, 1), (20, 2), (40, 3), (1, "250 mm")),
+    blocks=(block("A", _LINE, entity("ARC", (10, 0), (20, 0), (40, 2), (50, 0), (51, 91))),),
+)
+_SCRAPS = (b"0\n", b"\n", b" ", b"10\n5\n", b"8\nCUT\n", b"62\n300\n", b"0\nLINE\n", b"1e308")
+_SCRAPS += (b"0\nSEQEND\n", b"100\nAcDbLine\n", b"230\n-1\n", b"67\n1\n", b"nan", b"\x00", b"\xff")
+
+
+@st.composite
+def _damaged(draw: st.DrawFn) -> bytes:
+    data = bytearray(_WHOLE)
+    for _ in range(draw(st.integers(1, 3))):
+        at = draw(st.integers(0, len(data) - 1))
+        how = draw(st.integers(0, 3))
+        if how == 0:
+            data[at] = draw(st.integers(0, 255))
+        elif how == 1:
+            del data[at : at + draw(st.integers(1, 12))]
+        elif how == 2:
+            data[at:at] = draw(st.sampled_from(_SCRAPS))
+        else:
+            lines = bytes(data).split(b"\n")
+            tag = 2 * draw(st.integers(0, max(len(lines) // 2 - 1, 0)))
+            again = lines[tag : tag + 2]
+            lines[tag : tag + 2] = again * draw(st.sampled_from((0, 2)))
+            data = bytearray(b"\n".join(lines) or b"\n")
+    return bytes(data)
+
+
+@settings(max_examples=250, deadline=None, suppress_health_check=list(HealthCheck))
+@given(_damaged())
+def test_damage_ends_in_a_drawing_or_a_refusal_the_same_for_both_readers(data: bytes):
+    mine, judged = read_by_both(data)
+    if isinstance(mine, KnifetipError) or isinstance(judged, KnifetipError):
+        assert str(mine) == str(judged)
+    else:
+        assert difference(mine, judged) == ""

@@ -1,0 +1,97 @@
+"""The same carton as DXF, CF2 and SVG: the same edges, the same line types."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose
+
+import cf2_text
+import svg_text
+from knifetip import pipeline
+from knifetip.dxf.samples import samples
+from knifetip.geometry import arc
+from knifetip.library import load
+from knifetip.model.drawing import Drawing
+
+SAMPLES = samples()
+
+
+def as_svg(drawing: Drawing, before: str = "", scale: float = 1.0) -> bytes:
+    """A drawing as SVG, y turned over; each coordinate divided by ``scale``."""
+    radius = arc.radius(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge)
+    parts = []
+    for (a, b), bulge, r, layer in zip(
+        (drawing.ends / scale).tolist(),
+        drawing.bulge.tolist(),
+        (radius / scale).tolist(),
+        drawing.layer,
+        strict=True,
+    ):
+        to = (
+            f"L{b[0]!r} {b[1]!r}"
+            if bulge == 0.0
+            else f"A{r!r} {r!r} 0 0 {int(bulge > 0)} {b[0]!r} {b[1]!r}"
+        )
+        name = drawing.layers[layer]
+        parts.append(f'<g id="{name}"><path d="M{a[0]!r} {a[1]!r}{to}"/></g>')
+    return svg_text.svg(
+        f'<g transform="{before} translate(0,1000) scale(1,-1) scale({scale!r})">',
+        *parts,
+        "</g>",
+        size='width="1000mm" height="1000mm"',
+        box="0 0 1000 1000",
+    )
+
+
+def as_cf2(drawing: Drawing) -> bytes:
+    """A drawing as CF2: 1 for the layer CUT, 2 for all else."""
+    middle = arc.centre(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge)
+    records = []
+    for (a, b), bulge, centre, layer in zip(
+        drawing.ends.tolist(), drawing.bulge.tolist(), middle.tolist(), drawing.layer, strict=True
+    ):
+        kind = 1 if drawing.layers[layer] == "CUT" else 2
+        places = [*a, *b, *([] if bulge == 0.0 else [*centre, math.copysign(1.0, bulge)])]
+        letter = "L" if bulge == 0.0 else "A"
+        records.append(f"{letter},2,{kind},0,{','.join(map(repr, places))},0,0")
+    return cf2_text.cf2("C,CARTON,0,0,0,1,1", subs=cf2_text.sub("CARTON", *records))
+
+
+def types(drawing: Drawing) -> list[int]:
+    return pipeline.dieline(drawing, load.profile("default")).line_type.tolist()
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_a_sample_is_the_same_as_svg(name: str):
+    drawing = pipeline.read_drawing(SAMPLES[name])
+    again = pipeline.read_drawing(as_svg(drawing))
+    assert_allclose(again.ends, drawing.ends, atol=1e-9)
+    assert_allclose(again.bulge, drawing.bulge, atol=1e-9)
+    assert types(again) == types(drawing)
+
+
+@pytest.mark.parametrize("name", ["tuck-end-carton.dxf", "corrugated-tray.dxf"])
+def test_a_sample_is_the_same_as_cf2(name: str):
+    drawing = pipeline.read_drawing(SAMPLES[name])
+    again = pipeline.read_drawing(as_cf2(drawing))
+    assert_allclose(again.ends, drawing.ends, atol=1e-9)
+    assert_allclose(again.bulge, drawing.bulge, atol=1e-9)
+    assert types(again) == types(drawing)
+
+
+@given(st.floats(-180.0, 180.0), st.booleans(), st.floats(0.05, 20.0))
+def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(turn, mirror, scale):
+    drawing = pipeline.read_drawing(SAMPLES["tuck-end-carton.dxf"])
+    before = f"translate(500,500) rotate({turn!r}) {'scale(-1,1)' if mirror else ''}"
+    again = pipeline.read_drawing(as_svg(drawing, before, scale))
+    angle = math.radians(turn)
+    spin = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    on_page = drawing.ends * [1.0, -1.0] + [0.0, 1000.0]
+    moved = on_page * [-1.0 if mirror else 1.0, 1.0] @ spin.T + 500.0
+    assert_allclose(again.ends, moved * [1.0, -1.0] + [0.0, 1000.0], atol=1e-6)
+    assert_allclose(again.bulge, drawing.bulge * (-1.0 if mirror else 1.0), atol=1e-6)

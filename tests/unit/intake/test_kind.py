@@ -1,0 +1,77 @@
+"""What a file is, by its content."""
+
+from __future__ import annotations
+
+import gzip
+
+import pytest
+
+import cf2_text
+import svg_text
+from dxf_text import dxf, line
+from knifetip.errors import NotADrawing
+from knifetip.intake.kind import kind_of
+from knifetip.pipeline import read_drawing
+
+SVG = svg_text.carton()
+CF2 = cf2_text.carton()
+DXF = dxf(line(0, 0, 1, 1))
+
+
+@pytest.mark.parametrize(
+    ("data", "kind"),
+    [
+        (DXF, "dxf"),
+        (b"\xef\xbb\xbf\r\n" + DXF, "dxf"),
+        (DXF.decode().encode("utf-16"), "dxf"),
+        (b"AutoCAD Binary DXF\r\n\x1a\x00", "dxf"),
+        (b"999\nwritten by hand\n" + DXF, "dxf"),
+        (CF2, "cf2"),
+        (CF2.lower(), "cf2"),
+        (CF2.decode().encode("utf-16"), "cf2"),
+        (b"V2\nORDER\nEND\n", "cf2"),
+        (b"\n MAIN,x\nUM\n", "cf2"),
+        (b"L,2,1,0,0.5,1,2,3,0,0", "cf2"),
+        (SVG, "svg"),
+        (b'<?xml version="1.0"?><!-- <html> --><!DOCTYPE svg [<!ENTITY a "b">]>\n' + SVG, "svg"),
+        (b"<s:svg xmlns:s='http://www.w3.org/2000/svg'/>", "svg"),
+        (SVG.decode().encode("utf-16"), "svg"),
+        (gzip.compress(SVG), "svg"),
+        (b"Dear Sir or Madam", "dxf"),
+    ],
+)
+def test_a_file_goes_to_its_reader(data: bytes, kind: str):
+    assert kind_of(data) == kind
+
+
+@pytest.mark.parametrize(
+    ("data", "what"),
+    [
+        (b"", "is empty"),
+        (b"%PDF-1.7", "a PDF"),
+        (b"%!PS-Adobe-3.0", "PostScript or an Illustrator"),
+        (b"\x89PNG\r\n", "a PNG picture"),
+        (b"PK\x03\x04", "a ZIP archive"),
+        (b"AC1032", "a DWG drawing"),
+        (b"<!DOCTYPE html><html>", "an HTML page"),
+        (b"<?xml version='1.0'?><kml/>", "XML of the kind 'kml'"),
+        (gzip.compress(DXF), "a gzip archive"),
+        (b"\x1f\x8b", "a gzip archive"),
+    ],
+)
+def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str):
+    with pytest.raises(NotADrawing) as caught:
+        kind_of(data)
+    assert what in caught.value.message
+    assert "DXF" in caught.value.mend
+    assert "CF2 or SVG" in caught.value.mend or "CF2" in caught.value.mend
+
+
+@pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG)])
+def test_the_pipeline_reads_them_all(data: bytes):
+    assert len(read_drawing(data)) > 0
+
+
+@pytest.mark.parametrize("data", [CF2, SVG])
+def test_the_unit_of_the_user_stands_above_that_of_the_file(data: bytes):
+    assert (read_drawing(data, "in").unit, read_drawing(data, "in").evidence) == ("in", "given")

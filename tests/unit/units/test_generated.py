@@ -1,0 +1,65 @@
+"""Cartons in every unit under right, missing and lying headers: never read in a wrong unit."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+
+import pytest
+
+from knifetip.model.unit import DRAWN_IN, MILLIMETRES
+from knifetip.units.evidence import judge
+from known_size import PLACES, carton, drawn
+
+WORDS = (
+    "", "", "", "dimensions", "texts", "title", "dimensions mm", "texts mm", "title mm",
+    "texts in", "dimensions in",
+)  # fmt: skip
+CARTONS = 60
+
+
+def outcomes(header: str, seed: int) -> Counter[tuple[str, str]]:
+    """Count what becomes of cartons, by whether the sheet has words and how it was read."""
+    chance = random.Random(seed)
+    count: Counter[tuple[str, str]] = Counter()
+    for _ in range(CARTONS):
+        one = carton(chance)
+        for unit in MILLIMETRES:
+            if header == "right":
+                if unit not in DRAWN_IN:
+                    continue
+                stated = unit
+            elif header == "missing":
+                stated = ""
+            else:
+                stated = chance.choice([other for other in DRAWN_IN if other != unit])
+            words = chance.choice(WORDS)
+            drawing = drawn(
+                one,
+                unit,
+                stated,
+                places=chance.choice(PLACES[unit]),
+                words=words,
+                chance=chance,
+                turn=chance.choice([0.0, 0.0, 0.0, 0.3]),
+            )
+            said = judge(drawing).unit
+            outcome = "asked" if not said else "right" if said == unit else "wrong"
+            count["words" if words else "silent", outcome] += 1
+            if outcome == "wrong":
+                pytest.fail(f"{one} drawn in {unit}, header {stated!r}, {words!r}: read in {said}")
+    return count
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize(
+    # Least shares (%) that are read without a question: of sheets with words, and of silent ones.
+    ("header", "with_words", "silent"),
+    [("right", 97, 82), ("missing", 96, 40), ("lying", 93, 25)],
+)
+def test_no_carton_is_read_in_a_wrong_unit(header, with_words, silent, seed):
+    count = outcomes(header, seed)
+    for kind, least in (("words", with_words), ("silent", silent)):
+        right, asked = count[kind, "right"], count[kind, "asked"]
+        assert right + asked > 40
+        assert 100.0 * right / (right + asked) >= least, count

@@ -1,0 +1,65 @@
+"""A drawing in another unit."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose, assert_array_equal
+
+from dxf_text import dxf, entity, line
+from knifetip.dxf.read import read
+from knifetip.errors import UnitUnknown
+from knifetip.model.unit import MILLIMETRES
+from knifetip.units.rescale import rescaled
+
+BOX = (line(0, 0, 250, 0), line(250, 0, 250, 180))
+
+
+def test_unknown_unit_is_refused():
+    with pytest.raises(UnitUnknown):
+        rescaled(read(dxf(*BOX)), "furlong")
+
+
+def test_giving_a_unit_scales_ends_ledger_and_words():
+    words = entity("TEXT", (10, 5), (20, 6), (40, 3), (1, "350"))
+    silent = read(dxf(*BOX, words, units=None))
+    inches = rescaled(silent, "in")
+    assert_allclose(inches.bounds, [0, 0, 6350, 4572])
+    assert_allclose(inches.ledger.length[:2], [6350, 4572])
+    assert inches.inscriptions[0].x == 127.0
+    assert (inches.unit, inches.evidence) == ("in", "given")
+    assert_array_equal(inches.bulge, silent.bulge)
+
+
+def test_points_and_pixels_are_units():
+    silent = read(dxf(line(0, 0, 72, 0), line(0, 0, 0, 96), units=None))
+    assert_allclose(rescaled(silent, "pt").bounds[2], 25.4)
+    assert_allclose(rescaled(silent, "px").bounds[3], 25.4)
+
+
+def test_giving_the_unit_later_is_the_same_as_giving_it_to_read():
+    early, late = read(dxf(*BOX), "in"), rescaled(read(dxf(*BOX, units=None)), "in")
+    assert_array_equal(early.ends, late.ends)
+    assert_array_equal(early.ledger.length, late.ledger.length)
+
+
+def test_correcting_a_unit_starts_from_file_units_again():
+    wrong = read(dxf(*BOX, units=6))
+    assert_allclose(rescaled(wrong, "mm").bounds, [0, 0, 250, 180])
+    assert_allclose(rescaled(wrong, "").bounds, [0, 0, 250, 180])
+    assert rescaled(wrong, "").unit == ""
+
+
+@given(x=st.floats(-1e5, 1e5), units=st.lists(st.sampled_from([*MILLIMETRES, ""]), max_size=6))
+def test_any_tour_through_the_units_comes_home(x, units):
+    first = read(dxf(line(x, 0, x + 1.0, 7.0), units=4))
+    drawing = first
+    for unit in units:
+        drawing = rescaled(drawing, unit)
+    assert_allclose(rescaled(drawing, "mm").ends, first.ends, rtol=4e-15, atol=1e-300)
+
+
+def test_from_mm_to_mm_no_bit_changes():
+    drawing = read(dxf(line(0.1, 0.7, 1 / 3, 0.123456789), units=4))
+    assert rescaled(drawing, "mm").ends.tobytes() == drawing.ends.tobytes()
