@@ -123,7 +123,7 @@ def test_stopped_in_order_its_machine_stands(database: Path):
     until(first.client, job, "running")
     began = time.monotonic()
     assert first.stop() == 0
-    assert time.monotonic() - began < 8.0
+    assert time.monotonic() - began < 20.0
     with Running(database, simulator=False) as client:
         found = client.get(f"/api/jobs/{job}").json()
         assert found["state"] == "interrupted"

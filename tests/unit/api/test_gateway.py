@@ -47,7 +47,7 @@ def claimed(client: httpx.Client, queued: dict) -> Iterator[dict]:
 def test_a_claim_with_nothing_to_do_waits_and_answers_204(client: httpx.Client):
     began = time.monotonic()
     assert claim(client, wait=0.5).status_code == 204
-    assert 0.4 < time.monotonic() - began < 3.0
+    assert 0.4 < time.monotonic() - began < 15.0
     machine = client.get(f"/api/machines/{MACHINE}").json()
     assert (machine["gateway"], machine["job"]) == ("connected", None)
 

@@ -227,10 +227,10 @@ def test_a_layout_by_other_hands_is_as_large_as_its_corners_say(corpus: Path):
 
 
 def refused(data: bytes, kind: type[KnifetipError] = NotADrawing, **limits: int) -> str:
-    begun = time.monotonic()
+    begun = time.process_time()
     with pytest.raises(kind) as caught:
         read(data, limits=Limits(**limits))
-    assert time.monotonic() - begun < 2.0
+    assert time.process_time() - begun < 10.0
     assert caught.value.mend
     return caught.value.message
 
