@@ -45,7 +45,7 @@ def _longer(column: Any) -> Any:
     return result
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def all_groups(
     start: Any,
     end: Any,

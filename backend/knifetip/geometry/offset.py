@@ -25,7 +25,7 @@ from knifetip.geometry.beside import FINE, NO_LENGTH, NOT_A_NUMBER, TORN
 from knifetip.geometry.boxes import where_met
 from knifetip.geometry.clearance import NEARER as NEARER
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.groups import all_groups
+from knifetip.geometry.cores import on_all_cores
 from knifetip.geometry.path import Paths
 from knifetip.geometry.transition import Corner, check
 
@@ -98,7 +98,7 @@ def equidistant(
     estimate.
 
     Cost: n log n in the number of segments; the tree over the boxes of the segments lives on their
-    order along the path.
+    order along the path.  Large batches are done on all cores.
     """
     count, rows = len(paths), len(paths.bulge)
     radius = _column(distance, count, np.float64)
@@ -120,17 +120,8 @@ def equidistant(
     check(kinds, share)
     signed = radius * sides
     member, members = _grouped(group, signed)
-    start, end, bulge, source, inserted, first, owner, unreached, failure = all_groups(
-        paths.start,
-        paths.end,
-        paths.bulge,
-        paths.first,
-        member,
-        members,
-        signed,
-        kinds,
-        share,
-        interference == "refuse",
+    start, end, bulge, source, inserted, first, owner, unreached, failure = on_all_cores(
+        paths, member, members, signed, kinds, share, interference == "refuse"
     )
     if failure[0] != FINE:
         raise _refusal(failure, radius, paths)

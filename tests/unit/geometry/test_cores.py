@@ -1,0 +1,72 @@
+"""Equidistants on several cores: what one core gives, to the bit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from knifetip.errors import ZeroLengthEdge
+from knifetip.geometry import cores
+from knifetip.geometry.offset import Equidistant, equidistant
+from knifetip.geometry.path import Paths
+
+
+def notched(count: int) -> Paths:
+    """Squares of 20 mm side by side, each with a slit of 1 mm where a tool of 2 mm does not fit."""
+    corners = np.array(
+        [(0, 0), (20, 0), (20, 20), (10.5, 20), (10.5, 12), (9.5, 12), (9.5, 20), (0, 20)], float
+    )
+    start = (corners + np.arange(count)[:, None, None] * (30.0, 0.0)).reshape(-1, 8, 2)
+    bulge = np.zeros((count, 8))
+    bulge[::2, 0] = -0.2
+    end = np.roll(start, -1, axis=1)
+    return Paths(
+        start.reshape(-1, 2), end.reshape(-1, 2), bulge.reshape(-1), np.arange(count + 1) * 8
+    )
+
+
+def on(number: int, monkeypatch: pytest.MonkeyPatch, *args, **options) -> Equidistant:
+    """Return an equidistant done on so many cores."""
+    monkeypatch.setattr(cores, "_WORTH_A_CORE", 8)
+    monkeypatch.setattr(cores.os, "cpu_count", lambda: number)
+    return equidistant(*args, **options)
+
+
+@pytest.mark.parametrize("number", [2, 3, 7, 64])
+def test_several_cores_give_what_one_gives(number: int, monkeypatch: pytest.MonkeyPatch):
+    paths = notched(41)
+    side = np.where(np.arange(41) % 3 == 0, 1, -1)
+    one = on(1, monkeypatch, paths, 2.0, side)
+    many = on(number, monkeypatch, paths, 2.0, side)
+    for name in ("start", "end", "bulge", "first"):
+        assert np.array_equal(getattr(one.paths, name), getattr(many.paths, name)), name
+    for name in ("source", "inserted", "owner", "unreached"):
+        assert np.array_equal(getattr(one, name), getattr(many, name)), name
+    # Of the slit's 8 mm² the disc reaches the cap of 1 mm width that hangs into it: 0.0425 mm².
+    assert many.unreached[side == -1] == pytest.approx(8.0 - 0.0424752, abs=1e-6)
+
+
+def test_paths_of_one_region_stay_together(monkeypatch: pytest.MonkeyPatch):
+    paths, group = notched(40), np.arange(40) // 4
+    one = on(1, monkeypatch, paths, 6.0, -1, group=group)
+    many = on(3, monkeypatch, paths, 6.0, -1, group=group)
+    # 10 mm are between them: a tool of 6 mm does not pass, and its ways run into each other.
+    assert len(one.paths) == len(many.paths) == 10
+    assert np.array_equal(one.paths.start, many.paths.start)
+
+
+def test_of_several_failures_the_first_is_told(monkeypatch: pytest.MonkeyPatch):
+    paths = notched(40)
+    end, start = paths.end.copy(), paths.start.copy()
+    for path in (35, 12, 27):
+        end[8 * path + 1] = start[8 * path + 1]
+        start[8 * path + 2] = start[8 * path + 1]
+    with pytest.raises(ZeroLengthEdge) as told:
+        on(4, monkeypatch, Paths(start, end, paths.bulge, paths.first), 2.0, -1)
+    assert told.value.source == ("97",) or "97" in str(told.value)
+
+
+def test_a_small_batch_is_left_to_one_core(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(cores.os, "cpu_count", lambda: 8)
+    monkeypatch.setattr(cores, "ThreadPoolExecutor", None)
+    assert len(equidistant(notched(100), 2.0, -1).paths) == 100
