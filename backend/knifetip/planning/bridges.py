@@ -4,8 +4,9 @@
 
 Bridges stand at equal distances round the contour, each moved to the nearest place where it may
 be: on a straight piece, 5 mm clear of a sharp corner, or in the middle of a piece too short for
-that; on an arc only where the straight pieces leave no other way.  Where a slit opens into the
-contour, or a crease ends on it, it is weak, and bridges stay 5 mm clear of it too if they can.
+that; on an arc only where the straight pieces leave no other way, and never in a slot that a cutter
+clears on its way along the other side.  Where a slit opens into the contour, or a crease ends on
+it, it is weak, and bridges stay 5 mm clear of it too if they can.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP, POINT
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.planning.near import near
+from knifetip.planning.reached import Reached
 
 #: A bridge stays this far from a sharp corner (mm).
 _CLEAR = 5.0
@@ -40,7 +42,7 @@ def places(
     spacing: float,
     source: I32,
     avoid: F64,
-    radius: float = 0.0,
+    reached: Reached,
 ) -> tuple[I32, F64]:
     """Return the path of each bridge, (k,), and how far along it its middle is, (k,) mm.
 
@@ -55,8 +57,8 @@ def places(
         The edge of each segment, for the error.
     avoid : (m, 2) mm
         Where other work ends: on the paths, bridges stay clear of it where they can.
-    radius : mm
-        Of a cutter, which stands left of the paths: it does not reach into their inner corners.
+    reached
+        Where the tool comes to the paths: a bridge with nothing cut beside it is none.
 
     Raises
     ------
@@ -65,7 +67,7 @@ def places(
     """
     on, at = _along(paths, which, avoid)
     found = [
-        _places(paths, int(path), gap, spacing, source, at[on == path], radius)
+        _places(paths, int(path), gap, spacing, source, at[on == path], reached)
         for path in np.flatnonzero(which)
     ]
     size = [len(middle) for middle in found]
@@ -124,13 +126,13 @@ class _Room:
 
 
 def _places(
-    paths: Paths, path: int, gap: float, spacing: float, source: I32, at: F64, radius: float
+    paths: Paths, path: int, gap: float, spacing: float, source: I32, at: F64, reached: Reached
 ) -> F64:
     """Return where along a closed path the middles of its bridges are, ascending (mm)."""
     length = float(paths.lengths[path])
     fewest = max(_FEWEST, math.ceil(length / spacing - 1e-9))
     for kept_clear, arcs_too in ((at, False), (at, True), (at[:0], False), (at[:0], True)):
-        room = _room(paths, path, gap, radius, arcs_too)
+        room = _room(paths, path, gap, reached, arcs_too)
         room = room.without(kept_clear, _CLEAR + gap / 2.0, length)
         counts = np.unique(np.linspace(fewest, _MORE * fewest, _TRIES).astype(np.int64))
         for count in counts if len(room.low) else ():
@@ -142,7 +144,7 @@ def _places(
     raise NoRoomForBridges(
         f"The contour at edge {edge} is {length:.1f} mm round and has no places for {fewest} "
         f"bridges that take {gap:.2f} mm of it each, at most {spacing:.1f} mm apart and clear of "
-        "its corners.",
+        "its corners and narrow slots.",
         "Ask for narrower bridges or a longer spacing, or cut this board without bridges.",
         [str(edge)],
     )
@@ -160,7 +162,7 @@ def _needed(middle: F64, length: float, spacing: float) -> F64:
     return middle
 
 
-def _room(paths: Paths, path: int, gap: float, radius: float, arcs_too: bool) -> _Room:
+def _room(paths: Paths, path: int, gap: float, reached: Reached, arcs_too: bool) -> _Room:
     rows = slice(paths.first[path], paths.first[path + 1])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     size = arc.length(start, end, bulge)
@@ -169,15 +171,16 @@ def _room(paths: Paths, path: int, gap: float, radius: float, arcs_too: bool) ->
     before = np.roll(last, 1, axis=0)
     straight_on = (before * ahead).sum(axis=1)
     sharp = straight_on < math.cos(math.radians(ANGLE))
-    # In an inner corner that turns by τ a disc is r tan τ/2 from the corner.
-    turn = np.arctan2(before[:, 0] * ahead[:, 1] - before[:, 1] * ahead[:, 0], straight_on)
-    short = radius * np.tan(np.clip(turn, 0.0, math.radians(179.0)) / 2.0)
-    clear = np.maximum(_CLEAR, np.stack([short, np.roll(short, -1)])) + gap / 2.0
-    clear = np.minimum(clear, size / 2.0)
+    clear = np.minimum(_CLEAR + gap / 2.0, size / 2.0)
     # Beside a smooth joint a bridge stays on its own piece too: half of it on an arc is on an arc.
-    low = np.where(sharp, clear[0], gap / 2.0)
-    high = size - np.where(np.roll(sharp, -1), clear[1], gap / 2.0)
+    low = np.where(sharp, clear, gap / 2.0)
+    high = size - np.where(np.roll(sharp, -1), clear, gap / 2.0)
     room = (size >= 2.0 * gap) & (high >= low - 1e-9)
     if not arcs_too:
         room &= np.abs(bulge) < BULGE
-    return _Room((begin + low)[room], (begin + np.maximum(low, high))[room])
+    some = slice(*np.searchsorted(reached.segment, [rows.start, rows.stop]))
+    on = reached.segment[some] - rows.start
+    low = np.maximum(low[on], reached.low[some] + gap / 2.0)
+    high = np.minimum(np.maximum(low, high[on]), reached.high[some] - gap / 2.0)
+    room = room[on] & (high >= low - 1e-9)
+    return _Room((begin[on] + low)[room], (begin[on] + np.maximum(low, high))[room])

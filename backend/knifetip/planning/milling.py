@@ -31,6 +31,7 @@ from knifetip.model.tool import Cutter
 from knifetip.planning.bridges import ends_of_others, places
 from knifetip.planning.corners import bends, chosen, found
 from knifetip.planning.outer import faces, noded
+from knifetip.planning.reached import by_disc
 
 #: More passes than this are a mistake in the tool's ``step``.
 _MOST: Final = 200
@@ -136,10 +137,12 @@ def _bridges(
         return np.zeros((0, 2))
     gap = board.bridge_width + 2.0 * cutter.radius
     avoid = ends_of_others(dieline, rows)
-    path, at = places(paths, held, gap, board.bridge_spacing, source, avoid, cutter.radius)
+    # A slot that two discs do not fit into side by side is cleared by the way along its other side.
+    room = by_disc(paths, 2.0 * cutter.radius)
+    path, place = places(paths, held, gap, board.bridge_spacing, source, avoid, room)
     reached = np.cumsum(arc.length(paths.start, paths.end, paths.bulge))
     before = np.concatenate([[0.0], reached])
-    at = before[paths.first[:-1][path]] + at
+    at = before[paths.first[:-1][path]] + place
     segment = np.clip(np.searchsorted(reached, at), paths.first[path], paths.first[path + 1] - 1)
     return np.column_stack([segment, at - before[segment]])
 

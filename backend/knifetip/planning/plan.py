@@ -43,6 +43,7 @@ from knifetip.planning.dashes import distinct, once
 from knifetip.planning.flank import check_flanks
 from knifetip.planning.milling import chosen_at, milled
 from knifetip.planning.outer import outside
+from knifetip.planning.reached import everywhere
 
 #: The tools that each line type needs.
 NEEDS: dict[LineType, tuple[type[Tool], ...]] = {
@@ -340,7 +341,10 @@ def _knifed(
     if waste is not None and board.bridge_width > 0.0 and board.bridge_spacing > 0.0:
         round_ = paths.closed
         avoid = ends_of_others(dieline, rows)
-        at = places(paths, round_, board.bridge_width, board.bridge_spacing, source, avoid)
+        at = places(
+            paths, round_, board.bridge_width, board.bridge_spacing, source, avoid,
+            everywhere(paths),
+        )  # fmt: skip
         paths, owner, order = interrupted(paths, *at, board.bridge_width)
         held, source = round_[owner], source[order]
     elif waste is not None and isinstance(station.tool, Knife) and station.tool.led:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from knifetip.errors import NoToolForLineType, PlanError
+from knifetip.errors import NoRoomForBridges, NoToolForLineType, PlanError
 from knifetip.geometry.path import taken
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
@@ -198,3 +198,28 @@ def test_a_bridge_is_not_due_where_the_disc_does_not_come_into_an_inner_corner()
         ahead = blank.paths.end[segment] - blank.paths.start[segment]
         place = blank.paths.start[segment] + along[:, None] * ahead / np.hypot(*ahead.T)[:, None]
         assert np.hypot(*(place - [100, 150 - deep]).T).min() >= 11.19 + 3.4
+
+
+@pytest.mark.parametrize(("slot", "inside"), [(8.0, False), (11.9, False), (12.1, True)])
+def test_a_slot_holds_bridges_only_where_two_discs_pass_each_other(slot: float, inside: bool):
+    left, right = 100.0 - slot / 2.0, 100.0 + slot / 2.0
+    slotted = closed(
+        (0, 0), (200, 0), (200, 150), (right, 150), (right, 70), (left, 70), (left, 150), (0, 150)
+    )
+    held = replace(BOARD, bridge_width=0.8, bridge_spacing=60.0 if inside else 250.0)
+    (blank,) = plan(dieline((LineType.CUT, slotted)), ROUTED, held)
+    segment, along = blank.bridges[:, 0].astype(int), blank.bridges[:, 1]
+    ahead = blank.paths.end[segment] - blank.paths.start[segment]
+    place = blank.paths.start[segment] + along[:, None] * ahead / np.hypot(*ahead.T)[:, None]
+    in_slot = (np.abs(place[:, 0] - 100.0) <= slot) & (place[:, 1] < 149.0) & (place[:, 1] > 1.0)
+    assert in_slot.any() == inside
+
+
+def test_where_only_slots_are_left_for_bridges_the_job_is_refused_with_the_mend():
+    slotted = closed(
+        (0, 0), (200, 0), (200, 150), (104, 150), (104, 20), (96, 20), (96, 150), (0, 150)
+    )
+    held = replace(BOARD, bridge_width=0.8, bridge_spacing=120.0)
+    with pytest.raises(NoRoomForBridges, match="narrow slots") as told:
+        plan(dieline((LineType.CUT, slotted)), ROUTED, held)
+    assert "a longer spacing" in told.value.mend
