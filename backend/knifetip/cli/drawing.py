@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Final
 
 import numpy as np
 import typer
@@ -14,12 +14,19 @@ from knifetip.cli.rules import named
 from knifetip.cli.terminal import QUESTIONS, ask, read_bytes, show, write_bytes
 from knifetip.dxf.samples import samples
 from knifetip.errors import LibraryError
+from knifetip.geometry.columns import I64
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
 
-DrawingFile = Annotated[Path, typer.Argument(metavar="FILE", help="A drawing: DXF, CF2 or SVG.")]
+#: What the commands print of a long list, and how many of those alike are named.
+_LINES: Final = 40
+_NAMED: Final = 3
+
+DrawingFile = Annotated[
+    Path, typer.Argument(metavar="FILE", help="A drawing: DXF, CF2, SVG or PDF.")
+]
 Unit = Annotated[
     str | None, typer.Option(help="mm, cm, m, in, ft, pt or px, whatever the file says of it.")
 ]
@@ -150,11 +157,7 @@ def register(app: typer.Typer) -> None:
             typer.echo(f"  ! {text}")
         for text in _spoken(about):
             typer.echo(f"  {text}")
-        for row in rows:
-            typer.echo(
-                f"  {row['fate']:8} {row['kind']:12} {row['handle']:>8} "
-                f"{row['layer']}: {row['reason']}"
-            )
+        _say(_alike(rows))
 
     @app.command()
     def classify(
@@ -185,6 +188,7 @@ def register(app: typer.Typer) -> None:
             if chosen.any():
                 length = float(result.drawing.lengths[chosen].sum())
                 typer.echo(f"  {kind.word:12} {int(chosen.sum()):6} edges {length:12.1f} mm")
+                _say(_why(result, np.flatnonzero(chosen)), indent=4)
         ask(asked)
 
     @app.command()
@@ -216,8 +220,8 @@ def register(app: typer.Typer) -> None:
             f"+ added by closing gaps {lengths['added']:.3f}"
         )
         handles = result.drawing.handles
-        for row in np.flatnonzero(tidy.changed).tolist():
-            typer.echo(f"  {handles[row]:>8} edge {row}: {tidy.words(row)}")
+        changed = np.flatnonzero(tidy.changed).tolist()
+        _say([f"{handles[row]:>8} edge {row}: {tidy.words(row)}" for row in changed])
 
     @app.command("samples")
     def write_samples(
@@ -227,6 +231,42 @@ def register(app: typer.Typer) -> None:
         for name, data in samples().items():
             write_bytes(folder / name, data)
             typer.echo(str(folder / name))
+
+
+def _say(lines: list[str], indent: int = 2) -> None:
+    """Print some lines; more than a screen takes are only counted."""
+    for line in lines[:_LINES]:
+        typer.echo(" " * indent + line)
+    if len(lines) > _LINES:
+        typer.echo(" " * indent + f"… and {len(lines) - _LINES} more: --json lists them all")
+
+
+def _alike(rows: list[dict[str, Any]]) -> list[str]:
+    """Return what became of the entities, those of one fate in one line, what is kept last."""
+    groups: dict[tuple[str, str, str, str], list[str]] = {}
+    for row in rows:
+        key = row["fate"], row["kind"], row["layer"], row["reason"]
+        groups.setdefault(key, []).append(row["handle"])
+    said = []
+    for (fate, kind, layer, reason), handles in groups.items():
+        which = ", ".join(handles[:_NAMED]) + (" …" if len(handles) > _NAMED else "")
+        text = f"{fate:8} {len(handles):6} × {kind} on {layer!r}: {reason} ({which})"
+        said.append((fate == Fate.KEPT.name.lower(), text))
+    return [text for _, text in sorted(said, key=lambda one: one[0])]
+
+
+def _why(result: Read, rows: I64) -> list[str]:
+    """Return by what the rows have their line type, and how sure that is."""
+    dieline = result.dieline
+    rule, confidence = dieline.rule[rows], dieline.confidence[rows]
+    said = []
+    for number in np.unique(rule).tolist():
+        here = rule == number
+        low, high = confidence[here].min() * 100.0, confidence[here].max() * 100.0
+        sure = f"{low:.0f} %" if round(low) == round(high) else f"{low:.0f} … {high:.0f} %"
+        words = dieline.rules[number] if number >= 0 else "no rule and no evidence"
+        said.append(f"{int(here.sum()):6} × {sure}: {words}")
+    return said
 
 
 def _spoken(about: dict[str, Any]) -> list[str]:

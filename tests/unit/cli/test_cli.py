@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+import dxf_text as text
 from knifetip.cli import main
 from knifetip.dxf.samples import samples
 from knifetip.library import load
@@ -57,6 +58,32 @@ def test_read_lists_every_entity(knifetip, folder):
     assert len(json.loads(out)["ledger"]) > 5
 
 
+def test_read_puts_what_fared_alike_in_one_line_and_what_was_dropped_first(knifetip, tmp_path):
+    lines = [text.line(0, 10 * n, 50, 10 * n, (8, "CUT")) for n in range(50)]
+    notes = [
+        text.entity("TEXT", (8, f"NOTE {n}"), (10, 0), (20, 0), (40, 3), (1, "x"))
+        for n in range(60)
+    ]
+    (tmp_path / "many.dxf").write_bytes(text.dxf(*lines, *notes, units=4))
+    code, out, _ = knifetip("read", tmp_path / "many.dxf")
+    said = [line.split() for line in out.splitlines()]
+    dropped = [line for line in said if line[0] == "dropped"]
+    assert code == 0
+    assert dropped[0][1:4] == ["1", "×", "TEXT"]
+    # 60 layers have a note each, and all 50 lines are one: 40 lines of 61 are printed.
+    assert len(dropped) == 40
+    assert "… and 21 more: --json lists them all" in out
+
+
+def test_classify_prints_by_what_edges_have_their_type_and_how_sure_that_is(knifetip, folder):
+    code, out, _ = knifetip("classify", folder / "rigid-box-blank.dxf")
+    lines = [line.strip() for line in out.splitlines()]
+    groove = next(n for n, line in enumerate(lines) if line.startswith("v-groove"))
+    assert code == 0
+    assert lines[groove + 1].startswith("4 × 95 %")
+    assert "V-GROOVE" in lines[groove + 1]
+
+
 def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip, folder):
     code, out, _ = knifetip("read", folder / "rigid-box-blank.dxf")
     head, *rest = out.splitlines()
@@ -66,9 +93,11 @@ def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip, folder):
 
 
 def test_read_warns_of_a_header_that_lies(knifetip, folder):
-    text = (folder / "tuck-end-carton.dxf").read_bytes()
-    start = text.index(b"$INSUNITS")
-    lying = text[:start] + text[start:].replace(b" 4\n", b" 6\n", 1).replace(b"\n4\n", b"\n6\n", 1)
+    plain = (folder / "tuck-end-carton.dxf").read_bytes()
+    start = plain.index(b"$INSUNITS")
+    lying = plain[:start] + plain[start:].replace(b" 4\n", b" 6\n", 1).replace(
+        b"\n4\n", b"\n6\n", 1
+    )
     (folder / "lying.dxf").write_bytes(lying)
     code, out, _ = knifetip("read", folder / "lying.dxf", "--json")
     said = json.loads(out)["drawing"]
