@@ -19,6 +19,7 @@ from numba import njit
 
 from knifetip.cleaning.meeting import Meetings
 from knifetip.geometry import arc
+from knifetip.geometry.chain import walked
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.tolerance import BULGE, GAP, JOIN, SAME
 
@@ -53,7 +54,7 @@ def joined(ends: F64, bulge: F64, kind: U8, met: Meetings, *, curves_only: bool 
     length = arc.length(ends[:, 0], ends[:, 1], bulge)
     fine = length < FINE
     link = _links(met.place, met.near, kind, fine, curves_only)
-    order, flipped, first, round_ = _walked(link)
+    order, flipped, first, round_ = walked(link)
     rows = np.column_stack([ends.reshape(-1, 4), bulge])
     begin, code, off = _cut_up(rows, length, order, flipped, first, round_, JOIN, FITTED, FINE)
     size = np.diff(np.append(begin, count))
@@ -119,41 +120,6 @@ def _links(place: Any, near: Any, kind: Any, fine: Any, curves_only: bool) -> An
             link[other] = end
             link[end] = other
     return link
-
-
-@njit(cache=True, error_model="numpy")
-def _walked(link: Any) -> Any:
-    """Edges in the order of their runs, whether each is run through backwards, where runs begin
-    (and the number of edges), and which runs are closed."""
-    count = len(link) // 2
-    order = np.empty(count, np.int64)
-    flipped = np.empty(count, np.bool_)
-    first = np.empty(count + 1, np.int64)
-    closed = np.zeros(count, np.bool_)
-    seen = np.zeros(count, np.bool_)
-    done = 0
-    runs = 0
-    for edge in range(count):
-        if seen[edge]:
-            continue
-        tail = 2 * edge
-        while link[tail] >= 0:
-            tail = link[tail] ^ 1
-            if tail == 2 * edge:
-                closed[runs] = True
-                break
-        first[runs] = done
-        runs += 1
-        while True:
-            order[done] = tail // 2
-            flipped[done] = tail % 2 == 1
-            seen[tail // 2] = True
-            done += 1
-            tail = link[tail ^ 1]
-            if tail < 0 or seen[tail // 2]:
-                break
-    first[runs] = done
-    return order, flipped, first[: runs + 1].copy(), closed[:runs].copy()
 
 
 @njit(cache=True, error_model="numpy")

@@ -100,7 +100,7 @@ def chain(
         np.cos(np.radians(kink)) - 1e-12,
         np.cos(np.radians(min(kink, ANGLE))) - 1e-12,
     )
-    order, flipped, first = _walked(link)
+    order, flipped, first, _ = walked(link)
     return Chains(order, flipped, first)
 
 
@@ -221,25 +221,44 @@ def _run_on(out: Any, by_node: Any, bounds: Any, straight: float) -> Any:
 
 
 @njit(cache=True)
-def _walked(link: Any) -> Any:
+def walked(link: Any) -> Any:
+    """Follow links from end to end.
+
+    Parameters
+    ----------
+    link : (2k,)
+        End 2i is the start of edge i, end 2i + 1 its end: the end that each goes on in, or -1.
+
+    Returns
+    -------
+    order : (k,)
+        The edges, run after run, a run where its first edge is due.
+    flipped : (k,)
+        Whether each is run through backwards.
+    first : (r + 1,)
+        Where the runs begin.
+    closed : (r,)
+    """
     count = len(link) // 2
     order = np.empty(count, np.int32)
     flipped = np.empty(count, np.bool_)
     first = np.empty(count + 1, np.int32)
+    closed = np.zeros(count, np.bool_)
     seen = np.zeros(count, np.bool_)
     done = 0
-    paths = 0
+    runs = 0
     for edge in range(count):
         if seen[edge]:
             continue
-        # Back to the open end, or once round a closed path.
+        # Back to the open end, or once round a closed run.
         tail = 2 * edge
         while link[tail] >= 0:
             tail = link[tail] ^ 1
             if tail == 2 * edge:
+                closed[runs] = True
                 break
-        first[paths] = done
-        paths += 1
+        first[runs] = done
+        runs += 1
         while True:
             order[done] = tail // 2
             flipped[done] = tail % 2 == 1
@@ -248,5 +267,5 @@ def _walked(link: Any) -> Any:
             tail = link[tail ^ 1]
             if tail < 0 or seen[tail // 2]:
                 break
-    first[paths] = done
-    return order, flipped, first[: paths + 1].copy()
+    first[runs] = done
+    return order, flipped, first[: runs + 1].copy(), closed[:runs].copy()
