@@ -41,6 +41,7 @@ class Spelling:
     comments: bool
     groups: bool
     handles: bool
+    markers: bool  #: also in R12, which does not know them
 
     @property
     def new(self) -> bool:
@@ -68,7 +69,7 @@ def spellings(draw: Draw) -> Spelling:
     return Spelling(
         draw(st.sampled_from(OLD * 4 + NEW)),
         draw(st.sampled_from(("\n", "\r\n"))),
-        *(draw(st.booleans()) for _ in range(5)),
+        *(draw(st.booleans()) for _ in range(6)),
     )
 
 
@@ -132,7 +133,7 @@ def _vertices(draw: Draw) -> list[tuple[float, float, float]]:
 
 @st.composite
 def _lwpolyline(draw: Draw, new: bool) -> list[list[Tag]]:
-    if not new:
+    if not new and draw(st.booleans()):
         return draw(_polyline(new))  # type: ignore[no-any-return]
     vertices = _vertices(draw)
     tags: list[Tag] = [(100, "AcDbPolyline"), (90, len(vertices)), (70, draw(st.integers(0, 1)))]
@@ -275,8 +276,8 @@ def _written(spelling: Spelling, rows: list[list[Tag]], draw: Draw, next_handle:
             tags.append((5, f"{next_handle[0]:X}"))
         if spelling.groups and spelling.new and kind[1] != "INSERT":
             tags += [(102, "{ACAD_REACTORS"), (330, "1F"), (102, "}")]
-        marks = [code for code, _ in rest].count(100) if spelling.new else 0
-        if spelling.new:
+        marks = spelling.new or (spelling.markers and kind[1] in ("LWPOLYLINE", "SPLINE"))
+        if marks:
             tags.append((100, "AcDbEntity"))
         tags += [tag for tag in rest if tag[0] != 100 or marks]
         if spelling.groups and kind[1] not in ("MTEXT",):

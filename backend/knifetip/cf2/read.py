@@ -17,7 +17,7 @@ import numpy as np
 
 from knifetip.cf2.place import placed
 from knifetip.cf2.records import Source, source
-from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
+from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import CURVE
 from knifetip.intake.assemble import Known, assemble
@@ -59,11 +59,7 @@ def read(
         ``unit`` is no unit.
     """
     given = factor(unit) if unit else 0.0
-    if len(data) > limits.bytes:
-        raise DrawingTooLarge(
-            f"The file has {len(data) / 2**20:.1f} MB; the limit is {limits.bytes / 2**20:.1f} MB.",
-            "Export a single carton.",
-        )
+    limits.admit(len(data))
     try:
         with np.errstate(all="ignore"):
             return _read(source(_decoded(data), limits), unit or "", given, limits)

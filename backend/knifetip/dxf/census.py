@@ -197,7 +197,7 @@ def header_of(section: bytes) -> dict[str, str]:
     lines = section.split(b"\n")
     found: dict[str, str] = {}
     for row in range(0, len(lines) - 3, 2):
-        if lines[row].strip() == b"9":
+        if lines[row].strip().lstrip(b"0") == b"9":
             found.setdefault(_plain(lines[row + 1]), _plain(lines[row + 3]))
     return found
 

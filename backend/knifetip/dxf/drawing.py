@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from knifetip.dxf import tagging as t
+from knifetip.dxf import fields as f
 from knifetip.dxf.shapes import (
     chain_count,
     chain_rows,
@@ -29,53 +29,65 @@ def counts(entity: Any, value: Any, vertex: Any) -> Any:
     """Return the rows that each entity takes, 0 for what is not drawn; what is wrong is odd."""
     count = np.zeros(len(entity), np.int64)
     for row in range(len(entity)):
-        kind = entity[row, t.KIND]
-        if entity[row, t.PAPER] != 0 or entity[row, t.ODD] != 0:
+        kind = entity[row, f.KIND]
+        if entity[row, f.PAPER] != 0 or entity[row, f.ODD] != 0:
             continue
-        if kind == t.LINE:
+        if kind == f.LINE:
             count[row] = 1
-        elif kind == t.ARC or kind == t.CIRCLE:
-            if not value[row, t.RADIUS] > 0.0:
-                entity[row, t.ODD] = 1
-            elif kind == t.CIRCLE:
+        elif kind == f.ARC or kind == f.CIRCLE:
+            if not value[row, f.RADIUS] > 0.0:
+                entity[row, f.ODD] = 1
+            elif kind == f.CIRCLE:
                 count[row] = round_count(360.0)
-            elif value[row, t.ANGLE] == value[row, t.ANGLE2]:
-                entity[row, t.ODD] = 1
+            elif value[row, f.ANGLE] == value[row, f.ANGLE2]:
+                entity[row, f.ODD] = 1
             else:
-                count[row] = round_count(swept(value[row, t.ANGLE], value[row, t.ANGLE2]))
-        elif (kind == t.LWPOLYLINE or kind == t.POLYLINE) and entity[row, t.COUNT] >= 2:
-            low = entity[row, t.FIRST]
-            closed = entity[row, t.FLAGS] & 1 == 1
-            count[row] = chain_count(vertex, low, low + entity[row, t.COUNT], closed)
+                count[row] = round_count(swept(value[row, f.ANGLE], value[row, f.ANGLE2]))
+        elif (kind == f.LWPOLYLINE or kind == f.POLYLINE) and entity[row, f.COUNT] >= 2:
+            low = entity[row, f.FIRST]
+            closed = entity[row, f.FLAGS] & 1 == 1
+            count[row] = chain_count(vertex, low, low + entity[row, f.COUNT], closed)
     return count
 
 
 @njit(cache=True, error_model="numpy")
 def draw(entity: Any, value: Any, vertex: Any, first: Any, ends: Any, bulge: Any) -> None:
-    """Write the rows of every entity, in its own coordinatet."""
+    """Write the rows of every entity, in its own coordinates."""
     for row in range(len(entity)):
         at = first[row]
         if first[row + 1] == at:
             continue
-        kind = entity[row, t.KIND]
-        x, y = value[row, t.X], value[row, t.Y]
-        if kind == t.LINE:
+        kind = entity[row, f.KIND]
+        x, y = value[row, f.X], value[row, f.Y]
+        if kind == f.LINE:
             ends[at, 0, 0], ends[at, 0, 1] = x, y
-            ends[at, 1, 0], ends[at, 1, 1] = value[row, t.X2], value[row, t.Y2]
+            ends[at, 1, 0], ends[at, 1, 1] = value[row, f.X2], value[row, f.Y2]
             bulge[at] = 0.0
             continue
-        if kind == t.CIRCLE:
-            round_rows(x, y, value[row, t.RADIUS], 0.0, 360.0, ends, bulge, at)
-        elif kind == t.ARC:
-            start = value[row, t.ANGLE]
-            sweep = swept(start, value[row, t.ANGLE2])
-            round_rows(x, y, value[row, t.RADIUS], start, sweep, ends, bulge, at)
+        if kind == f.CIRCLE:
+            round_rows(x, y, value[row, f.RADIUS], 0.0, 360.0, ends, bulge, at)
+        elif kind == f.ARC:
+            start = value[row, f.ANGLE]
+            sweep = swept(start, value[row, f.ANGLE2])
+            round_rows(x, y, value[row, f.RADIUS], start, sweep, ends, bulge, at)
         else:
-            low = entity[row, t.FIRST]
-            closed = entity[row, t.FLAGS] & 1 == 1
-            chain_rows(vertex, low, low + entity[row, t.COUNT], closed, ends, bulge, at)
-        if entity[row, t.MIRROR] != 0:
+            low = entity[row, f.FIRST]
+            closed = entity[row, f.FLAGS] & 1 == 1
+            chain_rows(vertex, low, low + entity[row, f.COUNT], closed, ends, bulge, at)
+        if entity[row, f.MIRROR] != 0:
             mirror_rows(ends, bulge, at, first[row + 1])
+
+
+@njit(cache=True, error_model="numpy")
+def distant(ends: Any, first: Any, reach: float) -> Any:
+    """Return which entities have an end beyond ``reach`` from an axis, (e,)."""
+    result = np.zeros(len(first) - 1, np.bool_)
+    for row in range(len(result)):
+        for i in range(first[row], first[row + 1]):
+            for end in range(2):
+                x, y = ends[i, end, 0], ends[i, end, 1]
+                result[row] |= not (abs(x) <= reach and abs(y) <= reach)
+    return result
 
 
 @njit(cache=True, error_model="numpy")

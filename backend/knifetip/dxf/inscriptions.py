@@ -17,6 +17,8 @@ from typing import Any, Final
 from knifetip.dxf.encoding import spelled
 from knifetip.model.drawing import Inscription
 
+#: Kinds of entities whose words have codes of fonts and colours in them.
+_CODED: Final = frozenset({"MTEXT", "DIMENSION"})
 #: Kinds of entities that are words, or have some.
 WORDS: Final = frozenset({"TEXT", "MTEXT", "ATTRIB", "DIMENSION"})
 #: Group codes of the lengths that are read of them; of each the first counts.
@@ -53,22 +55,30 @@ def inscription(
     """
     x, y, x_text, y_text, height, measure = lengths
     written = text[:_LONGEST]
-    if kind != "DIMENSION":
-        measure = math.nan
-    else:
+    if kind == "DIMENSION":
         # Group 40 is the length of a leader, and 11 is where the words stand.
         height = 0.0
         x, y = (x, y) if math.isnan(x_text) else (x_text, y_text)
         if type_ & _TYPES in _ANGULAR:
             measure = math.nan
         written = "" if written.strip() == "<>" else written
-    if kind in ("MTEXT", "DIMENSION"):
+    else:
+        measure = math.nan
+    if kind in _CODED:
         written = _CODE.sub(_decoded, written)
     if "%%" in written:
         written = _SIGN.sub(lambda found: _SIGNS.get(found[1].lower(), ""), written)
-    words = spelled(written) if "\\" in written else written
+    if "\\" in written:
+        written = spelled(written)
+    # What the file is silent of is not a number, and that is not itself.
     return Inscription(
-        words.strip(), _or_zero(x), _or_zero(y), _or_zero(height), measure, kind, layer
+        written.strip(),
+        x if x == x else 0.0,
+        y if y == y else 0.0,
+        height if height == height else 0.0,
+        measure,
+        kind,
+        layer,
     )
 
 
@@ -125,7 +135,3 @@ def _number(value: Any) -> float:
     except (ValueError, OverflowError, TypeError):
         return math.nan
     return number if math.isfinite(number) else math.nan
-
-
-def _or_zero(value: float) -> float:
-    return 0.0 if math.isnan(value) else value

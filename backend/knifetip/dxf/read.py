@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import io
 import logging
+import re
 import time
 from collections.abc import Callable, Mapping
 from typing import Final
@@ -23,13 +24,14 @@ from ezdxf.lldxf.tagger import binary_tags_loader
 
 from knifetip.dxf.census import BINARY, Census, census
 from knifetip.dxf.expand import expand
-from knifetip.dxf.markers import with_markers
+from knifetip.dxf.markers import UNMARKED, with_markers
 from knifetip.dxf.place import columns, refuse_after, styled
 from knifetip.dxf.plain import PlainReader
 from knifetip.dxf.tables import NotPlainError
 from knifetip.dxf.units import hints, stated
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.intake.assemble import Known, assemble
+from knifetip.intake.kind import kind_of
 from knifetip.intake.limits import Limits
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import factor
@@ -39,19 +41,8 @@ __all__ = ["Limits", "read"]
 # ezdxf tells of every tag that it mends; the ledger tells the user what matters.
 logging.getLogger("ezdxf").addHandler(logging.NullHandler())
 
-#: Files that are often taken for a DXF: their first bytes, and what they are.
-_STRANGERS: Final = (
-    (b"\x89PNG", "a PNG picture"),
-    (b"\xff\xd8\xff", "a JPEG picture"),
-    (b"GIF8", "a GIF picture"),
-    (b"%PDF", "a PDF"),
-    (b"%!PS", "a PostScript file"),
-    (b"PK\x03\x04", "a ZIP archive"),
-    (b"\x1f\x8b", "a gzip archive"),
-    (b"AC10", "a DWG drawing"),
-    (b"<", "an XML, SVG or HTML file"),
-    (b"$BOF", "a CF2 file"),
-)
+#: How a DXF begins.
+_CODE: Final = re.compile(rb" *\d")
 
 _EXPORT: Final = "Export the drawing as DXF (ASCII or binary, any version)."
 _AGAIN: Final = "Export it again, or open it in a CAD program, audit it and save it as DXF R2000."
@@ -82,11 +73,7 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
         ``unit`` is no unit.
     """
     given = factor(unit) if unit else 0.0
-    if len(data) > limits.bytes:
-        raise DrawingTooLarge(
-            f"The file has {len(data) / 2**20:.1f} MB; the limit is {limits.bytes / 2**20:.1f} MB.",
-            "Export a single carton, without pictures.",
-        )
+    limits.admit(len(data))
     data = _stripped(data)
     try:
         with np.errstate(all="ignore"):
@@ -118,7 +105,8 @@ def quickly(data: bytes, unit: str, given: float, limits: Limits) -> Drawing | N
 
 def by_ezdxf(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
     """Read by way of ezdxf, or say why not."""
-    _check_strangers(data)
+    if (kind := kind_of(data)) != "dxf":
+        raise NotADrawing(f"The file is {kind.upper()}, not a DXF.", _EXPORT)
     if len(data) > limits.slow_bytes:
         raise DrawingTooLarge(
             f"The DXF has {len(data) / 2**20:.1f} MB, and something in it is unusual; "
@@ -147,16 +135,8 @@ def _stripped(data: bytes) -> bytes:
     """Return the bytes without byte order mark and leading blank lines; UTF-16 as UTF-8."""
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         data = data.decode("utf-16", "replace").encode("utf-8")
-    return data.removeprefix(b"\xef\xbb\xbf").lstrip()
-
-
-def _check_strangers(data: bytes) -> None:
-    """Refuse what is no DXF at first sight."""
-    if not data:
-        raise NotADrawing("The file is empty.", _EXPORT)
-    for start, what in _STRANGERS:
-        if data.startswith(start):
-            raise NotADrawing(f"The file is {what}, not a DXF.", _EXPORT)
+    # Most files begin with a group code, blanks before it or not: no need to copy them.
+    return data if _CODE.match(data) else data.removeprefix(b"\xef\xbb\xbf").lstrip()
 
 
 def _check(data: bytes, counted: Census, limits: Limits) -> None:
@@ -191,6 +171,8 @@ def _document(data: bytes, counted: Census, limits: Limits) -> Document:
     if data.startswith(BINARY):
         attempts = [lambda: Document.load(binary_tags_loader(data, errors="replace"))]
     else:
+        if counted.markers and counted.variables.get("$ACADVER", "") <= UNMARKED:
+            data = with_markers(data, every=True)
         attempts = [lambda: _plain(data, counted.encoding), lambda: _recovered(data)]
         if counted.unmarked:
             attempts.append(lambda: _plain(with_markers(data), counted.encoding))

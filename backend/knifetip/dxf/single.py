@@ -19,7 +19,7 @@ from ezdxf.lldxf.tags import group_tags
 
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.entities import Drawn, drawn, mirrored
-from knifetip.dxf.markers import with_markers
+from knifetip.dxf.markers import UNMARKED, with_markers
 from knifetip.dxf.walk import Reference
 from knifetip.intake.columns import Style
 
@@ -82,6 +82,7 @@ class Singles:
         self._document = Document()
         self._document._dxfversion = version
         self._document.is_loading = True
+        self._every = version <= UNMARKED
         self._encoding = encoding
 
     def read(self, data: bytes) -> ByEzdxf:
@@ -93,7 +94,7 @@ class Singles:
             Whatever ezdxf raises at damage.
         """
         # A point may be followed by its z: ezdxf looks beyond it, and wants something to be there.
-        ended = io.BytesIO(with_markers(data + b"0\nEOF\n"))
+        ended = io.BytesIO(with_markers(data + b"0\nEOF\n", every=self._every))
         stream = io.TextIOWrapper(ended, encoding=self._encoding, errors="replace")
         linked = entity_linker()
         entities = [

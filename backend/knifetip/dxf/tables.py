@@ -7,22 +7,20 @@ Everything in words is done here, once for each name and not for each entity.
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-from numba import njit
 
-from knifetip.dxf import tagging as t
+from knifetip.dxf import fields as f
 from knifetip.dxf.attributes import BYLAYER, Layer, Styles, layer_of
 from knifetip.dxf.census import header_of
 from knifetip.dxf.encoding import encoding_of, spelled
+from knifetip.dxf.handles import handles_of
 from knifetip.dxf.scan import Scan
 from knifetip.intake.columns import Style
 
 #: Signs that the format does not allow in names; what ezdxf makes of them is its own affair.
 _NOT_IN_NAMES: Final = frozenset('<>/\\":;?*=`|,\ufffd')
-#: Handles of more digits are no handles.
-_DIGITS: Final = 15
 _VERSIONS: Final = (
     *("", "AC1002", "AC1003", "AC1004", "AC1006", "AC1009", "AC1012", "AC1014"),
     *("AC1015", "AC1018", "AC1021", "AC1024", "AC1027", "AC1032"),
@@ -55,10 +53,13 @@ class Tables:
         self.words = self._words()
         self._check_names()
         self.styles = Styles(self._layers())
-        self.handles = self._handles()
+        handles = handles_of(found.data, found.entity, len(found.block))
+        if handles is None:
+            raise NotPlainError
+        self.handles = handles
         # First row and number of rows of each block; -1 is the sheet.
         blocks, first, size = np.unique(
-            found.entity[:, t.BLOCK], return_index=True, return_counts=True
+            found.entity[:, f.BLOCK], return_index=True, return_counts=True
         )
         self.span: dict[int, tuple[int, int]] = {
             block: (low, rows)
@@ -68,16 +69,20 @@ class Tables:
 
     def layer(self, row: int) -> str:
         """Return the layer of an entity as it is written."""
-        number = self.found.entity[row, t.LAYER]
+        number = self.found.entity[row, f.LAYER]
         return self.names[number] if number >= 0 else "0"
+
+    def block_name(self, block: int) -> str:
+        """Return the name of a block as it is written."""
+        return self.names[int(self.found.block[block, f.NAME])]
 
     def style(self, row: int, around: Style | None = None) -> Style:
         """Return what an entity is drawn with."""
         line = self.found.entity[row].tolist()
-        true, linetype = line[t.TRUE_COLOUR], line[t.LINETYPE]
+        true, linetype = line[f.TRUE_COLOUR], line[f.LINETYPE]
         return self.styles.style(
             self.layer(row),
-            line[t.COLOUR],
+            line[f.COLOUR],
             true if true >= 0 else None,
             self.names[linetype] if linetype >= 0 else BYLAYER,
             around,
@@ -85,7 +90,7 @@ class Tables:
 
     def _words(self) -> dict[int, str]:
         """Return the kinds of entities as they are written, by the numbers of their names."""
-        column = self.found.entity[:, t.WORD]
+        column = self.found.entity[:, f.WORD]
         words = {
             number: self.names[number] for number in np.flatnonzero(np.bincount(column)).tolist()
         }
@@ -96,11 +101,11 @@ class Tables:
     def _check_names(self) -> None:
         entity, layer = self.found.entity, self.found.layer
         for column in (
-            entity[:, t.LAYER],
-            entity[:, t.LINETYPE],
-            layer[:, t.LAYER_NAME],
-            layer[:, t.LAYER_LINETYPE],
-            self.found.block[:, t.BLOCK_LAYER],
+            entity[:, f.LAYER],
+            entity[:, f.LINETYPE],
+            layer[:, f.LAYER_NAME],
+            layer[:, f.LAYER_LINETYPE],
+            self.found.block[:, f.BLOCK_LAYER],
         ):
             for number in np.flatnonzero(np.bincount(column + 1)[1:]).tolist():
                 name = self.names[number]
@@ -110,40 +115,25 @@ class Tables:
     def _layers(self) -> dict[str, Layer]:
         table: dict[str, Layer] = {}
         for row in self.found.layer.tolist():
-            name = self.names[row[t.LAYER_NAME]].lower() if row[t.LAYER_NAME] >= 0 else ""
+            name = self.names[row[f.LAYER_NAME]].lower() if row[f.LAYER_NAME] >= 0 else ""
             if not name or name in table:
                 raise NotPlainError
-            linetype, true = row[t.LAYER_LINETYPE], row[t.LAYER_TRUE]
+            linetype, true = row[f.LAYER_LINETYPE], row[f.LAYER_TRUE]
             table[name] = layer_of(
-                row[t.LAYER_COLOUR],
+                row[f.LAYER_COLOUR],
                 true if true >= 0 else None,
                 self.names[linetype] if linetype >= 0 else "Continuous",
-                row[t.LAYER_FLAGS],
-                row[t.LAYER_PLOT],
+                row[f.LAYER_FLAGS],
+                row[f.LAYER_PLOT],
             )
         return table
-
-    def _handles(self) -> list[str]:
-        """Return the handle of each entity, empty where it has none; no handle is there twice."""
-        entity = self.found.entity
-        text = np.empty(int(entity[:, t.HANDLE_SIZE].sum()) + len(entity), np.uint8)
-        number = np.zeros(len(entity), np.int64)
-        data = np.frombuffer(self.found.data, np.uint8)
-        if not _upper(data, entity[:, t.HANDLE], entity[:, t.HANDLE_SIZE], text, number):
-            raise NotPlainError
-        number = number[number > 0]
-        if not (number[1:] > number[:-1]).all():
-            number = np.sort(number)
-        if (number[1:] == number[:-1]).any():
-            raise NotPlainError
-        return text.tobytes().decode("ascii").split("\n")[: len(entity)]
 
     def _blocks(self) -> dict[str, int]:
         """Return the rows of the blocks by their names in lower case."""
         blocks: dict[str, int] = {}
-        if self.found.block[:, t.EXTERNAL].any():
+        if self.found.block[:, f.EXTERNAL].any():
             raise NotPlainError
-        for number, name in enumerate(self.found.block[:, t.NAME].tolist()):
+        for number, name in enumerate(self.found.block[:, f.NAME].tolist()):
             key = self.names[name].lower() if name >= 0 else ""
             if not key or key in blocks or "\\" in key or "\ufffd" in key:
                 raise NotPlainError
@@ -151,31 +141,3 @@ class Tables:
             if key.startswith(("*model_space", "*paper_space")) and number in self.span:
                 raise NotPlainError
         return blocks
-
-
-@njit(cache=True, error_model="numpy")
-def _upper(data: Any, start: Any, size: Any, text: Any, number: Any) -> bool:
-    """Write handles in capitals, one a line, and as numbers; return whether all are such."""
-    at = 0
-    for row in range(len(start)):
-        if size[row] > _DIGITS:
-            return False
-        value = 0
-        for place in range(size[row]):
-            sign = data[start[row] + place]
-            if 97 <= sign <= 102:
-                sign -= 32
-            if 48 <= sign <= 57:
-                value = value * 16 + int(sign) - 48
-            elif 65 <= sign <= 70:
-                value = value * 16 + int(sign) - 55
-            else:
-                return False
-            text[at] = sign
-            at += 1
-        if size[row] > 0 and value == 0:
-            return False
-        text[at] = 10
-        at += 1
-        number[row] = value
-    return True

@@ -8,19 +8,22 @@ The last step of every reader.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
-from typing import Final, NamedTuple
+from collections.abc import Iterable, Sequence
+from typing import Any, Final, NamedTuple
 
 import numpy as np
+from numba import njit
+from numpy.typing import NDArray
 
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, I64, U8, Bool
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import POINT
 from knifetip.intake.columns import Columns, Style
-from knifetip.intake.sheet import Sheet
+from knifetip.intake.sheet import Written
 from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger
 from knifetip.model.unit import Hint
+from knifetip.model.words import Repeated
 
 
 class Known(NamedTuple):
@@ -33,12 +36,13 @@ class Known(NamedTuple):
     hints: tuple[Hint, ...] = ()  #: what else the header says of it
 
 
+_KEPT: Final = "kept"
 #: Bulges that differ by less than this are the same turn.
 _TURN: Final = 1e-9
 
 
 def assemble(
-    sheet: Sheet,
+    sheet: Written,
     found: Columns,
     styles: list[Style],
     inscriptions: Iterable[Inscription],
@@ -64,31 +68,33 @@ def assemble(
     _, alike = distinct(attributes[:, 1:])
     first = _survivors(found.ends, found.bulge, alike[found.style], speck, point)
     twice = first != np.arange(len(first))
-    keep = ~(speck | twice)
     fate, reason = _fates(sheet, found, length, speck, twice, first)
+    if speck.any() or twice.any():
+        keep = ~(speck | twice)
+        length = length[keep]
+        found = Columns(found.ends[keep], found.bulge[keep], found.row[keep], found.style[keep])
     # Added up in the order of the file, as ``bincount`` does.
-    kept_length: F64 = np.bincount(
-        found.row[keep], length[keep], minlength=len(sheet.handle)
-    ).astype(np.float64)
+    kept_length: F64 = np.bincount(found.row, length, minlength=len(fate)).astype(np.float64)
     size = scale or 1.0
-    style = found.style[keep]
+    # + 0: a zero has no sign.
+    ends = found.ends * size
+    ends += 0.0
     return Drawing(
-        # + 0: a zero has no sign.
-        ends=found.ends[keep] * size + 0.0,
-        bulge=found.bulge[keep] + 0.0,
-        entity=found.row[keep],
-        layer=attributes[style, 0],
-        colour=attributes[style, 2],
-        true_colour=attributes[style, 3],
-        linetype=attributes[style, 4],
+        ends=_owned(ends),
+        bulge=_owned(found.bulge + 0.0),
+        entity=_owned(found.row),
+        layer=_owned(attributes[found.style, 0]),
+        colour=_owned(attributes[found.style, 2]),
+        true_colour=_owned(attributes[found.style, 3]),
+        linetype=_owned(attributes[found.style, 4]),
         layers=layers,
         linetypes=linetypes,
         ledger=Ledger(
-            tuple(sheet.handle),
-            tuple(sheet.kind),
-            tuple(sheet.layer),
+            _sealed(sheet.handle),
+            _sealed(sheet.kind),
+            _sealed(sheet.layer),
             fate,
-            tuple(reason),
+            reason,
             kept_length * size,
         ),
         unit=known.unit,
@@ -99,13 +105,23 @@ def assemble(
     )
 
 
-def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I64]:
+def _owned(column: NDArray[Any]) -> NDArray[Any]:
+    """Return a column that nobody else writes to, so that the record need not copy it."""
+    column.flags.writeable = False
+    return column
+
+
+def _sealed(words: Sequence[str]) -> Sequence[str]:
+    return tuple(words) if isinstance(words, list) else words
+
+
+def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I32]:
     """Return layer names, linetype names, and (s, 5): layer, layer regardless of case, colour,
     true colour, linetype of each style."""
     layers: dict[str, int] = {}
     folded: dict[str, int] = {}
     linetypes: dict[str, int] = {}
-    rows = np.zeros((len(styles), 5), dtype=np.int64)
+    rows = np.zeros((len(styles), 5), np.int32)
     for number, style in enumerate(styles):
         rows[number] = (
             layers.setdefault(style.layer, len(layers)),
@@ -119,26 +135,63 @@ def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], 
 
 def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> I64:
     """Return for each segment the first one that is the same line, in either direction."""
-    solid = np.flatnonzero(~speck)
-    near = ends[solid].reshape(-1, 4)
-    near /= point
-    grid = np.round(near, out=near).astype(np.int64)
-    del near
-    turn = np.round(bulge[solid] / _TURN).astype(np.int64)
-    # Both directions of a line are one: the lower end first.
-    back = (grid[:, 0] > grid[:, 2]) | ((grid[:, 0] == grid[:, 2]) & (grid[:, 1] > grid[:, 3]))
-    grid[back] = grid[back][:, [2, 3, 0, 1]]
-    one, kind = distinct(grid, np.where(back, -turn, turn), alike[solid])
+    grid = np.empty((len(bulge), 5), np.int64)
+    slots = np.full(1 << max(4, (2 * len(bulge)).bit_length()), -1, np.int32)
     first = np.arange(len(bulge))
-    first[solid] = solid[one[kind]]
+    _find_survivors(ends, bulge, alike, speck, point, grid, slots, first)
     return first
 
 
+@njit(cache=True, error_model="numpy")
+def _find_survivors(
+    ends: Any, bulge: Any, alike: Any, speck: Any, point: float, grid: Any, slots: Any, first: Any
+) -> None:
+    """Write the first segment of each line; ``grid`` is its place, counted in points and turns."""
+    mask = np.uint64(len(slots) - 1)
+    for row in range(len(bulge)):
+        if speck[row]:
+            continue
+        ax = np.int64(np.rint(ends[row, 0, 0] / point))
+        ay = np.int64(np.rint(ends[row, 0, 1] / point))
+        bx = np.int64(np.rint(ends[row, 1, 0] / point))
+        by = np.int64(np.rint(ends[row, 1, 1] / point))
+        turn = np.int64(np.rint(bulge[row] / _TURN))
+        # Both directions of a line are one: the lower end first.
+        if ax > bx or (ax == bx and ay > by):
+            ax, ay, bx, by, turn = bx, by, ax, ay, -turn
+        grid[row, 0], grid[row, 1], grid[row, 2], grid[row, 3], grid[row, 4] = ax, ay, bx, by, turn
+        key = np.uint64(alike[row])
+        for column in range(5):
+            key = (key ^ np.uint64(grid[row, column])) * np.uint64(0x9E3779B97F4A7C15)
+            key = key ^ (key >> np.uint64(29))
+        slot = key & mask
+        while slots[slot] >= 0:
+            other = slots[slot]
+            same = alike[other] == alike[row]
+            for column in range(5):
+                same &= grid[other, column] == grid[row, column]
+            if same:
+                first[row] = other
+                break
+            slot = (slot + np.uint64(1)) & mask
+        else:
+            slots[slot] = row
+
+
 def _fates(
-    sheet: Sheet, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
-) -> tuple[U8, list[str]]:
+    sheet: Written, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
+) -> tuple[U8, Repeated]:
     """Return fate and reason of each row of the ledger."""
     rows = len(sheet.handle)
+    fate = np.full(rows, Fate.KEPT, np.uint8)
+    reason = np.zeros(rows, np.int32)
+    reasons = {_KEPT: 0}
+    alike = np.full(rows, -1, np.int32)
+    for number, same in enumerate(sheet.alike):
+        alike[same.rows] = number
+        reason[same.rows] = reasons.setdefault(same.dropped or _kept(same.notes), len(reasons))
+        if same.dropped:
+            fate[same.rows] = Fate.DROPPED
     total = np.bincount(found.row, minlength=rows)
     specks = np.bincount(found.row[speck], minlength=rows)
     doubles = np.bincount(found.row[twice], minlength=rows)
@@ -150,32 +203,34 @@ def _fates(
         found.row[twice].tolist(), found.row[first[twice]].tolist(), strict=True
     ):
         survivors.setdefault(row, Counter())[survivor] += 1
-    fate = np.full(rows, Fate.KEPT, np.uint8)
-    reason = ["kept"] * rows
-    told = {*sheet.dropped, *sheet.notes, *longest, *survivors}
-    for row in told:
-        notes = list(sheet.notes.get(row, ()))
+    for row in {*sheet.dropped, *sheet.notes, *longest, *survivors}:
+        notes = [*(sheet.alike[alike[row]].notes if alike[row] >= 0 else ())]
+        notes.extend(sheet.notes.get(row, ()))
+        said = ""
         if row in sheet.dropped:
-            fate[row] = Fate.DROPPED
-            reason[row] = sheet.dropped[row]
-            continue
-        if total[row] and specks[row] == total[row]:
-            fate[row] = Fate.DROPPED
-            reason[row] = f"it has no length: {longest[row]:g}"
-            continue
-        if specks[row]:
+            fate[row], said = Fate.DROPPED, sheet.dropped[row]
+        elif total[row] and specks[row] == total[row]:
+            fate[row], said = Fate.DROPPED, f"it has no length: {longest[row]:g}"
+        elif specks[row]:
             notes.append(f"{specks[row]} of {total[row]} pieces have no length")
-        if doubles[row]:
-            same = survivors[row]
-            names = [
-                "itself" if other == row else sheet.handle[other] for other, _ in same.most_common()
-            ]
-            listed = ", ".join(names[:5]) + (f" and {len(names) - 5} more" if names[5:] else "")
+        if doubles[row] and not said:
+            same_as = _named(row, survivors[row], sheet.handle)
             if doubles[row] + specks[row] == total[row]:
-                fate[row] = Fate.MERGED
-                reason[row] = f"it is drawn twice: the same as {listed}"
-                continue
-            notes.append(f"{doubles[row]} of {total[row]} pieces are drawn twice, with {listed}")
-        if notes:
-            reason[row] = "kept: " + "; ".join(notes)
-    return fate, reason
+                fate[row], said = Fate.MERGED, f"it is drawn twice: the same as {same_as}"
+            else:
+                notes.append(
+                    f"{doubles[row]} of {total[row]} pieces are drawn twice, with {same_as}"
+                )
+        reason[row] = reasons.setdefault(said or _kept(notes), len(reasons))
+    return fate, Repeated(tuple(reasons), reason)
+
+
+def _kept(notes: Sequence[str]) -> str:
+    return f"{_KEPT}: {'; '.join(notes)}" if notes else _KEPT
+
+
+def _named(row: int, others: Counter[int], handles: Sequence[str]) -> str:
+    """Return the entities that draw the same as one, most of it first."""
+    names = ["itself" if other == row else handles[other] for other, _ in others.most_common(6)]
+    more = f" and {len(others) - 5} more" if len(others) > 5 else ""
+    return ", ".join(names[:5]) + more

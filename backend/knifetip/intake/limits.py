@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from knifetip.errors import DrawingTooLarge
+
 #: Coordinates beyond this are a mistake, or an attack (mm; file units while the unit is unknown).
 REACH: Final = 1e7
 
@@ -20,3 +22,16 @@ class Limits:
     insert_depth: int = 16  #: blocks inside blocks
     segments: int = 1_000_000  #: lines and arcs of the drawing
     seconds: float = 120.0  #: for expanding and fitting
+
+    def admit(self, size: int) -> None:
+        """Refuse a file of so many bytes that it is not looked at.
+
+        Raises
+        ------
+        DrawingTooLarge
+        """
+        if size > self.bytes:
+            raise DrawingTooLarge(
+                f"The file has {size / 2**20:.1f} MB; the limit is {self.bytes / 2**20:.1f} MB.",
+                "Export a single carton, without pictures.",
+            )

@@ -2,19 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from knifetip.geometry.columns import I64
+
+
+class Alike(NamedTuple):
+    """Rows of which the same is said."""
+
+    rows: I64
+    dropped: str  #: why they are left out, empty for those that are drawn
+    notes: Sequence[str] = ()  #: what was done to them
 
 
 @dataclass(slots=True)
-class Sheet:
-    """One row for every entity; what is said of few rows stands beside the columns."""
+class Written:
+    """One row for every entity; what is said of some rows stands beside the columns.
+
+    A row that is ``alike`` others may have notes of its own, which follow.
+    """
+
+    handle: Sequence[str] = field(default_factory=list)
+    kind: Sequence[str] = field(default_factory=list)
+    layer: Sequence[str] = field(default_factory=list)
+    dropped: dict[int, str] = field(default_factory=dict)  #: row -> why it is left out
+    notes: dict[int, list[str]] = field(default_factory=dict)  #: row -> what was done to it
+    alike: list[Alike] = field(default_factory=list)  #: no row is in two of them
+
+
+@dataclass(slots=True)
+class Sheet(Written):
+    """A ledger that is written row by row."""
 
     handle: list[str] = field(default_factory=list)
     kind: list[str] = field(default_factory=list)
     layer: list[str] = field(default_factory=list)
-    dropped: dict[int, str] = field(default_factory=dict)  #: row -> why it is left out
-    notes: dict[int, list[str]] = field(default_factory=dict)  #: row -> what was done to it
 
     def row(
         self, handle: str, kind: str, layer: str, dropped: str = "", notes: Iterable[str] = ()

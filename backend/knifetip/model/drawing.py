@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,13 +30,13 @@ class Ledger:
     ``INSERT/CHILD``, its kind the child's.
     """
 
-    handle: tuple[str, ...]  #: (m,) the file's handle, or ``#17`` (17th entity) where it has none
-    kind: tuple[str, ...]  #: (m,) LINE, ARC, INSERT …
-    layer: tuple[str, ...]  #: (m,) layer name as the file writes it
+    handle: Sequence[str]  #: (m,) the file's handle, or ``#17`` (17th entity) where it has none
+    kind: Sequence[str]  #: (m,) LINE, ARC, INSERT …
+    layer: Sequence[str]  #: (m,) layer name as the file writes it
     fate: U8  #: (m,) Fate
-    reason: tuple[str, ...]  #: (m,) why it was kept, merged or dropped, in the user's words
+    reason: Sequence[str]  #: (m,) why it was kept, merged or dropped, in the user's words
     length: F64  #: (m,) length of its segments (mm; file units while the unit is unknown)
-    block: tuple[str, ...] = ()  #: (m,) the block that holds it, "" for none; or () where unknown
+    block: Sequence[str] = ()  #: (m,) the block that holds it, "" for none; or () where unknown
 
     def __post_init__(self) -> None:
         rows = len(self.handle)
@@ -48,8 +50,7 @@ class Ledger:
         return len(self.handle)
 
 
-@dataclass(frozen=True, slots=True)
-class Inscription:
+class Inscription(NamedTuple):
     """Words on the sheet: what the drawing says of itself.  They are never cut."""
 
     text: str  #: without codes of fonts and colours; of a dimension what stands for its measure

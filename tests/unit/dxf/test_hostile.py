@@ -122,11 +122,11 @@ def test_file_cut_at_every_byte_is_read_whole_or_refused():
 @pytest.mark.parametrize(
     ("data", "word"),
     [
-        (b"\x00" * 1000, "not a"),
+        (b"\x00" * 1000, "empty"),
         (bytes(range(256)) * 100, "not a DXF"),
         (dxf(_LINE).decode().encode("utf-16-le"), "not a DXF"),
         (b"0\n" * 100_000, "no section"),
-        (b"{" * 100_000, "not a DXF"),
+        (b"{" * 100_000, "a JSON file"),
     ],
 )
 def test_what_is_no_dxf_is_refused(data: bytes, word: str):

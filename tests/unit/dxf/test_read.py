@@ -367,7 +367,7 @@ def test_insert_that_cannot_be_placed_is_dropped(text, reason):
         (b"<svg xmlns='http://www.w3.org/2000/svg'/>", "SVG"),
         (b"Dear Sir,\nplease cut this.\n", "line 1 is 'Dear Sir,'"),
         (b"0\nLINE\n8\n0\n", "no section"),
-        (bytes(1000), "not a DXF"),
+        (bytes(1000), "empty"),
         (b"AutoCAD Binary DXF\r\n\x1a\x00", "not a DXF"),
         (b"AutoCAD Binary DXF\r\n\x1a\x00" + bytes(range(256)), "not a DXF"),
     ],

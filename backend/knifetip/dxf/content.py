@@ -1,0 +1,236 @@
+"""content: what the tags of an entity say, and whether it is plain."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from knifetip.dxf import fields as f
+from knifetip.dxf import groups as g
+from knifetip.dxf import state as s
+from knifetip.dxf import words as w
+from knifetip.dxf.compiled import part
+from knifetip.dxf.decimals import EXACT, UNSURE
+from knifetip.dxf.structure import mark_odd
+from knifetip.dxf.values import name_at, whole_at
+from knifetip.dxf.words import is_word
+
+
+@part
+def take_decimal(
+    code: int,
+    before: int,
+    read: float,
+    sure: int,
+    low: int,
+    high: int,
+    entity: Any,
+    value: Any,
+    vertex: Any,
+    base: Any,
+    left: Any,
+    state: Any,
+) -> int:
+    """Keep a decimal, or mark its entity as odd."""
+    mode, kind, row = state[s.MODE], state[s.OPEN_KIND], state[s.ROW]
+    table, line, column = 0, row, 0
+    if mode == s.IN_BLOCK:
+        table, line, column = 2, state[s.INSIDE], 0 if code == 10 else 1
+        base[line, column] = read
+    elif kind == g.OF_WORDS:
+        column = g.COLUMN_OF[code]
+        bit = 1 << (g.B_VALUE + column)
+        if state[s.SEEN] & bit:
+            return s.ON
+        state[s.SEEN] |= bit
+        value[row, column] = read
+    elif code == 30 or code == 31 or code == 38:
+        if not abs(read) <= g.FLAT or sure != EXACT:
+            mark_odd(entity, state)
+        return s.ON
+    elif code >= 210:
+        if sure != EXACT or (abs(read) != 1.0 if code == 230 else read != 0.0):
+            mark_odd(entity, state)
+        elif code == 230 and mode == s.IN_ENTITY:
+            entity[row, f.MIRROR] = 1 if read < 0.0 else 0
+        return s.ON
+    else:
+        # Groups stand behind the markers of the subclass that they belong to, x before y.
+        marks = state[s.OPEN_MARKS]
+        behind = 3 if mode == s.IN_VERTEX or (kind == f.ARC and code >= 50) else 2
+        if (
+            (marks > 0 and marks != behind)
+            or (code == 20 and before != 10)
+            or (code == 21 and before != 11)
+        ):
+            mark_odd(entity, state)
+            return s.ON
+        if mode == s.IN_VERTEX or kind == f.LWPOLYLINE:
+            column = 0 if code == 10 else 1 if code == 20 else 2
+            if mode == s.IN_VERTEX:
+                bit = 1 << (g.B_VALUE + column)
+                if state[s.SEEN] & bit:
+                    mark_odd(entity, state)
+                    return s.ON
+                state[s.SEEN] |= bit
+            elif code == 10:
+                if state[s.VERTICES] == len(vertex):
+                    return s.REFUSED
+                vertex[state[s.VERTICES], 2] = 0.0
+                state[s.VERTICES] += 1
+                entity[row, f.COUNT] += 1
+            elif entity[row, f.COUNT] == 0:
+                mark_odd(entity, state)
+                return s.ON
+            table, line = 1, state[s.VERTICES] - 1
+            vertex[line, column] = read
+        else:
+            column = g.COLUMN_OF[code]
+            bit = 1 << (g.B_VALUE + column)
+            if state[s.SEEN] & bit:
+                mark_odd(entity, state)
+                return s.ON
+            state[s.SEEN] |= bit
+            value[row, column] = read
+    if sure == UNSURE:
+        number_ = state[s.UNSURES]
+        if number_ == len(left):
+            return s.REFUSED
+        left[number_, 0], left[number_, 1], left[number_, 2] = table, line, column
+        left[number_, 3], left[number_, 4] = low, high
+        state[s.UNSURES] = number_ + 1
+    return s.ON
+
+
+@part
+def take_tag(
+    code: int, data: Any, low: int, high: int, entity: Any, spans: Any, slots: Any, state: Any
+) -> int:
+    """Take a tag of an entity that is no decimal."""
+    row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
+    plain = kind != f.OTHER and kind != g.OF_WORDS
+    if code == 100:
+        _take_marker(data, low, high, entity, state)
+        return s.ON
+    if state[s.MODE] == s.IN_VERTEX:
+        if code == 70 and plain and whole_at(data, low, high) & 16:
+            mark_odd(entity, state)
+        return s.ON
+    if code == 5:
+        if not seen & (1 << g.B_HANDLE):
+            entity[row, f.HANDLE], entity[row, f.HANDLE_SIZE] = low, high - low
+        elif plain:
+            mark_odd(entity, state)
+        state[s.SEEN] |= 1 << g.B_HANDLE
+    elif code == 8:
+        name = name_at(data, low, high, spans, slots, state)
+        if name < 0:
+            return s.REFUSED
+        if plain and (seen & (1 << g.B_LAYER) or marks > 1):
+            mark_odd(entity, state)
+        entity[row, f.LAYER] = name
+        state[s.SEEN] |= 1 << g.B_LAYER
+    elif code == 67:
+        whole = whole_at(data, low, high)
+        if whole != 0 and whole != 1:
+            return s.REFUSED
+        if plain and (seen & (1 << g.B_PAPER) or marks > 1):
+            mark_odd(entity, state)
+        entity[row, f.PAPER] = whole
+        state[s.SEEN] |= 1 << g.B_PAPER
+    elif code == 66:
+        if entity[row, f.KIND] == f.INSERT:
+            state[s.FOLLOWED] = 1 if whole_at(data, low, high) != 0 else 0
+    elif kind == g.OF_WORDS:
+        _of_words(code, data, low, high, entity, state)
+    elif plain:
+        return _of_plain(code, data, low, high, entity, spans, slots, state)
+    return s.ON
+
+
+@part
+def _take_marker(data: Any, low: int, high: int, entity: Any, state: Any) -> None:
+    """Take a subclass marker."""
+    kind = state[s.OPEN_KIND]
+    state[s.OPEN_MARKS] += 1
+    marks = state[s.OPEN_MARKS]
+    if kind in (f.OTHER, g.OF_WORDS):
+        return
+    expected = -1
+    if marks == 1:
+        expected = w.DB_ENTITY
+    elif state[s.MODE] == s.IN_VERTEX:
+        expected = w.DB_VERTEX if marks == 2 else w.DB_2D_VERTEX if marks == 3 else -1
+    elif marks == 2:
+        expected = g.SECOND[kind]
+    elif marks == 3:
+        expected = g.THIRD[kind]
+    if expected < 0 or not is_word(data, low, high, expected):
+        mark_odd(entity, state)
+
+
+@part
+def _of_words(code: int, data: Any, low: int, high: int, entity: Any, state: Any) -> None:
+    """Take a tag of a text or a dimension."""
+    row, seen = state[s.ROW], state[s.SEEN]
+    if code == 101:
+        # Text in columns repeats its own from here on.
+        state[s.OPEN_KIND] = f.OTHER
+        state[s.CONTEXT] = g.UNREAD
+    elif code == 3 and state[s.IS_MTEXT] != 0:
+        mark_odd(entity, state)
+    elif code == 1 and not seen & (1 << g.B_NAME):
+        entity[row, f.FIRST], entity[row, f.COUNT] = low, high - low
+        state[s.SEEN] |= 1 << g.B_NAME
+    elif code == 70 and not seen & (1 << g.B_FLAGS):
+        entity[row, f.FLAGS] = whole_at(data, low, high) & 0xFFFF
+        state[s.SEEN] |= 1 << g.B_FLAGS
+
+
+@part
+def _of_plain(
+    code: int, data: Any, low: int, high: int, entity: Any, spans: Any, slots: Any, state: Any
+) -> int:
+    """Take a tag of a line, an INSERT …: attributes, flags and references."""
+    row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
+    column, bit = -1, 0
+    if code == 6 or (code == 2 and kind == f.INSERT):
+        name = name_at(data, low, high, spans, slots, state)
+        if name < 0:
+            return s.REFUSED
+        column, bit = (f.LINETYPE, 1 << g.B_LINETYPE) if code == 6 else (f.REFERENCE, 1 << g.B_NAME)
+        if seen & bit or marks != (min(marks, 1) if code == 6 else 2 * min(marks, 1)):
+            mark_odd(entity, state)
+            return s.ON
+        entity[row, column] = name
+        state[s.SEEN] |= bit
+    elif code == 62 or code == 420:
+        column, bit = (f.COLOUR, 1 << g.B_COLOUR) if code == 62 else (f.TRUE_COLOUR, 1 << g.B_TRUE)
+        whole = whole_at(data, low, high)
+        if seen & bit or marks > 1 or whole < 0 or (code == 62 and whole > 256):
+            mark_odd(entity, state)
+            return s.ON
+        entity[row, column] = whole & 0xFFFFFF
+        state[s.SEEN] |= bit
+    elif code == 70 or (code == 71 and kind == f.INSERT):
+        whole = whole_at(data, low, high)
+        column, bit = f.FLAGS, 1 << g.B_FLAGS
+        if kind == f.INSERT:
+            column = f.COLUMNS if code == 70 else f.ROWS
+            bit = 1 << (g.B_COLUMNS if code == 70 else g.B_ROWS)
+        if (
+            seen & bit
+            or abs(whole) >= 1 << 31
+            or (marks != 0 and marks != 2)
+            or (kind == f.POLYLINE and whole & 88)
+        ):
+            mark_odd(entity, state)
+            return s.ON
+        entity[row, column] = whole
+        state[s.SEEN] |= bit
+    elif (
+        (code == 60 and whole_at(data, low, high) != 0)
+        or (code == 410 and not is_word(data, low, high, w.MODEL))
+        or code == 101
+    ):
+        mark_odd(entity, state)
+    return s.ON

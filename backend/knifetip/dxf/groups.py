@@ -1,0 +1,105 @@
+"""groups: what each group code means, and what each kind of entity needs.
+
+Tables by group code or kind, and the bits of what was seen of an entity.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from ezdxf.lldxf.types import BINARY_DATA, POINT_CODES, TYPE_TABLE
+
+from knifetip.dxf import fields as f
+from knifetip.dxf import words as w
+
+#: Heights up to this are on the ground (file units), as for ``entities``.
+FLAT: Final = 1e-6
+#: Which kind a word is; VERTEX and the rest are dealt with apart.
+KIND_OF: Final = np.zeros(w.COUNT, np.int64)
+KIND_OF[[w.LINE, w.ARC, w.CIRCLE, w.LWPOLYLINE, w.POLYLINE, w.INSERT]] = range(1, 7)
+#: The second and the third subclass marker of each kind; the first is AcDbEntity.
+SECOND: Final = np.array(
+    [-1, w.DB_LINE, w.DB_CIRCLE, w.DB_CIRCLE, w.DB_LWPOLYLINE, w.DB_POLYLINE, w.DB_INSERT]
+)
+THIRD: Final = np.array([-1, -1, w.DB_ARC, -1, -1, -1, -1])
+
+#: What the value behind a group code is.
+TEXT_VALUE, DECIMAL, INTEGER, HEX = range(4)
+LAST_CODE: Final = 1071
+TYPE: Final = np.array(
+    [
+        HEX if code in BINARY_DATA else {float: 1, int: 2}.get(TYPE_TABLE.get(code, str), 0)
+        for code in range(LAST_CODE + 1)
+    ]
+)
+#: Codes of an x, right behind which its y stands.
+IS_POINT: Final = np.isin(np.arange(LAST_CODE + 1), list(POINT_CODES))
+
+#: Codes of an entity that mean something; the others are skipped.
+MEANS: Final = np.zeros(LAST_CODE + 1, np.bool_)
+MEANS[[1, 2, 3, 5, 6, 8, 60, 62, 66, 67, 70, 71, 100, 101, 410, 420]] = True
+#: Groups by their meaning, for codes up to 255: the column of the value, or -1.
+COLUMN_OF: Final = np.full(256, -1)
+for _code, _column in (
+    (10, f.X), (20, f.Y), (11, f.X2), (21, f.Y2), (40, f.RADIUS), (50, f.ANGLE), (51, f.ANGLE2),
+    (41, f.SCALE_X), (42, f.SCALE_Y), (44, f.SPACE_X), (45, f.SPACE_Y),
+):  # fmt: skip
+    COLUMN_OF[_code] = _column
+#: Which values each kind has, words last; other numbers are skipped.
+OF_WORDS: Final = 7
+HAS: Final = np.zeros((8, f.VALUES), np.bool_)
+for _kind, _columns in (
+    (f.LINE, (f.X, f.Y, f.X2, f.Y2)),
+    (f.ARC, (f.X, f.Y, f.RADIUS, f.ANGLE, f.ANGLE2)),
+    (f.CIRCLE, (f.X, f.Y, f.RADIUS)),
+    (f.INSERT, (f.X, f.Y, f.SCALE_X, f.SCALE_Y, f.ANGLE, f.SPACE_X, f.SPACE_Y)),
+    (OF_WORDS, f.LENGTHS),
+):
+    HAS[_kind, list(_columns)] = True
+
+# What the tags belong to: one of the kinds, words, or one of these.
+VERTEX: Final = 8
+UNREAD: Final = 9
+ELSEWHERE: Final = 10
+# What is done with a tag: whatever its place asks for, nothing, its number is read, it is taken.
+BY_PLACE, SKIPPED, NUMBER, TAKEN = range(4)
+ACTION: Final = np.zeros((ELSEWHERE + 1, LAST_CODE + 1), np.uint8)
+_OF_TEXT: Final = (TYPE == TEXT_VALUE) & (np.arange(LAST_CODE + 1) < 1000)
+_OF_TEXT[[0, 102, 999]] = False
+ACTION[:ELSEWHERE, _OF_TEXT] = np.where(MEANS[_OF_TEXT], TAKEN, SKIPPED)
+for _kind in (f.LINE, f.ARC, f.CIRCLE, f.INSERT, OF_WORDS):
+    for _code, _column in enumerate(COLUMN_OF.tolist()):
+        if _column >= 0 and HAS[_kind, _column]:
+            ACTION[_kind, _code] = NUMBER
+ACTION[f.LINE : OF_WORDS, [30, 31, 210, 220, 230]] = NUMBER
+ACTION[f.LWPOLYLINE : f.INSERT, 31] = ACTION[f.LWPOLYLINE, 30] = BY_PLACE
+ACTION[f.LWPOLYLINE, [10, 20, 42, 38]] = NUMBER
+ACTION[VERTEX, [10, 20, 30, 42, 210, 220, 230]] = NUMBER
+
+# What has been seen of an entity, as bits.
+B_HANDLE, B_LAYER, B_LINETYPE, B_COLOUR, B_TRUE, B_FLAGS, B_NAME = range(7)
+B_VALUE: Final = 7  # and as many more as there are values
+B_COLUMNS: Final = B_VALUE + f.VALUES
+B_ROWS: Final = B_COLUMNS + 1
+B_PAPER: Final = B_ROWS + 1
+POINT: Final = 3 << B_VALUE
+
+#: What each kind cannot do without.
+NEEDED: Final = np.array(
+    [
+        0,
+        *(
+            sum(1 << (B_VALUE + value) for value in values)
+            for values in (
+                (f.X, f.Y, f.X2, f.Y2),
+                (f.X, f.Y, f.RADIUS, f.ANGLE, f.ANGLE2),
+                (f.X, f.Y, f.RADIUS),
+            )
+        ),
+        0,
+        0,
+        POINT | 1 << B_NAME,
+        0,
+    ]
+)

@@ -1,0 +1,135 @@
+"""handles: the names of entities in the ledger, spelled in columns.
+
+bytes of the file -> handles in capitals, ``#17`` for the 17th entity that has none
+handles of INSERTs and of what they place -> ``INSERT/CHILD``
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.dxf import fields as f
+from knifetip.geometry.columns import I32, I64
+from knifetip.model.words import Spelled
+
+#: Handles of more digits are no handles.
+_DIGITS: Final = 15
+#: A number sign, and as many digits as the number of an entity may have.
+_NUMBER: Final = 12
+
+
+def handles_of(data: bytes, entity: I32, blocks: int) -> Spelled | None:
+    """Return the handle of each entity; None where one is odd, or is there twice.
+
+    Parameters
+    ----------
+    entity
+        Of a Scan of so many ``blocks``.
+    """
+    start, size, block = entity[:, f.HANDLE], entity[:, f.HANDLE_SIZE], entity[:, f.BLOCK]
+    text = np.empty(int(size.sum()) + _NUMBER * int((size == 0).sum()), np.uint8)
+    end = np.empty(len(entity), np.int64)
+    number = np.zeros(len(entity), np.int64)
+    count = np.zeros(blocks + 1, np.int64)
+    if not _spell(np.frombuffer(data, np.uint8), start, size, block, count, text, end, number):
+        return None
+    number = number[number > 0]
+    if not (number[1:] > number[:-1]).all():
+        number = np.sort(number)
+    if (number[1:] == number[:-1]).any():
+        return None
+    return Spelled(text[: end[-1] if len(end) else 0].tobytes(), end)
+
+
+def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spelled:
+    """Return the handles of a ledger.
+
+    Parameters
+    ----------
+    handles
+        Those of the entities.
+    placed
+        Those of what was walked through, paths and all.
+    own : (m,)
+        Of each row its entity; from the number of entities on, which of ``placed`` it is.
+    insert : (m,)
+        Of each row the INSERT that places it, -1 for what is on the sheet, or was walked through.
+    """
+    last = np.array([len(word.encode()) for word in placed], np.int64)
+    text = np.frombuffer(handles.text + "".join(placed).encode(), np.uint8)
+    end = np.concatenate([handles.end, np.cumsum(last) + len(handles.text)])
+    out_end = np.empty(len(own), np.int64)
+    out = np.empty(_measure(end, own, insert, out_end), np.uint8)
+    _join(text, end, own, insert, out)
+    return Spelled(out.tobytes(), out_end)
+
+
+@njit(cache=True, error_model="numpy")
+def _spell(
+    data: Any, start: Any, size: Any, block: Any, count: Any, text: Any, end: Any, number: Any
+) -> bool:
+    """Write handles, and their values; return whether all are such."""
+    at = 0
+    for row in range(len(start)):
+        count[block[row]] += 1
+        if size[row] > _DIGITS:
+            return False
+        value = 0
+        for place in range(size[row]):
+            sign = data[start[row] + place]
+            if 97 <= sign <= 102:
+                sign -= 32
+            if 48 <= sign <= 57:
+                value = value * 16 + int(sign) - 48
+            elif 65 <= sign <= 70:
+                value = value * 16 + int(sign) - 55
+            else:
+                return False
+            text[at] = sign
+            at += 1
+        if size[row] > 0 and value == 0:
+            return False
+        if size[row] == 0:
+            text[at] = 35
+            digits, rest = 1, count[block[row]]
+            while rest >= 10:
+                digits, rest = digits + 1, rest // 10
+            rest = count[block[row]]
+            for place in range(digits, 0, -1):
+                text[at + place] = 48 + rest % 10
+                rest //= 10
+            at += digits + 1
+        end[row] = at
+        number[row] = value
+    return True
+
+
+@njit(cache=True, error_model="numpy")
+def _measure(end: Any, own: Any, insert: Any, out_end: Any) -> int:
+    """Write where each path ends; return the size of all."""
+    at = 0
+    for row in range(len(own)):
+        if insert[row] >= 0:
+            at += end[insert[row]] - (end[insert[row] - 1] if insert[row] > 0 else 0) + 1
+        at += end[own[row]] - (end[own[row] - 1] if own[row] > 0 else 0)
+        out_end[row] = at
+    return at
+
+
+@njit(cache=True, error_model="numpy")
+def _join(text: Any, end: Any, own: Any, insert: Any, out: Any) -> None:
+    at = 0
+    for row in range(len(own)):
+        outer = insert[row]
+        if outer >= 0:
+            for sign in range(end[outer - 1] if outer > 0 else 0, end[outer]):
+                out[at] = text[sign]
+                at += 1
+            out[at] = 47
+            at += 1
+        for sign in range(end[own[row] - 1] if own[row] > 0 else 0, end[own[row]]):
+            out[at] = text[sign]
+            at += 1

@@ -1,0 +1,199 @@
+"""structure: what group 0 begins and ends: sections, blocks, layers, entities, vertices."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from knifetip.dxf import fields as f
+from knifetip.dxf import groups as g
+from knifetip.dxf import state as s
+from knifetip.dxf import words as w
+from knifetip.dxf.compiled import part
+from knifetip.dxf.values import name_at
+from knifetip.dxf.words import is_word, word_at
+
+
+@part
+def context(state: Any) -> Any:
+    """Return which row of ``groups.ACTION`` says what is done with a tag."""
+    mode, kind = state[s.MODE], state[s.OPEN_KIND]
+    if state[s.GROUP] != 0 or mode < s.IN_ENTITY:
+        return g.ELSEWHERE
+    if mode == s.IN_VERTEX:
+        return g.ELSEWHERE if kind == f.OTHER else g.VERTEX
+    return g.UNREAD if kind == f.OTHER else kind
+
+
+@part
+def mark_odd(entity: Any, state: Any) -> None:
+    """Mark the open entity as one that is not plain."""
+    entity[state[s.ROW], f.ODD] = 1
+    state[s.OPEN_KIND] = f.OTHER
+    state[s.CONTEXT] = context(state)
+
+
+@part
+def _close(start: int, entity: Any, state: Any) -> None:
+    """End the open entity: it is complete, or it is odd."""
+    row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
+    if row < 0:
+        return
+    entity[row, f.END] = start
+    if state[s.MODE] == s.IN_VERTEX:
+        if kind != f.OTHER and ((seen & g.POINT) != g.POINT or (marks > 0 and marks != 3)):
+            mark_odd(entity, state)
+        return
+    entity[row, f.MARKS] = marks
+    if kind in (f.OTHER, g.OF_WORDS):
+        return
+    if (seen & g.NEEDED[kind]) != g.NEEDED[kind] or (
+        marks > 0 and marks != (3 if kind == f.ARC else 2)
+    ):
+        mark_odd(entity, state)
+
+
+@part
+def begin(
+    data: Any,
+    start: int,
+    low: int,
+    high: int,
+    entity: Any,
+    value: Any,
+    vertex: Any,
+    block: Any,
+    base: Any,
+    layer: Any,
+    spans: Any,
+    slots: Any,
+    state: Any,
+) -> int:
+    """Begin what group 0 begins."""
+    if state[s.GROUP] == 1:
+        return s.REFUSED
+    _close(start, entity, state)
+    state[s.GROUP] = state[s.SEEN] = state[s.OPEN_MARKS] = state[s.IS_MTEXT] = 0
+    mode, named = state[s.MODE], state[s.NAMED] != 0
+    state[s.MODE] = s.NOTHING
+    state[s.NAMED] = 0
+    state[s.ROW] = -1
+    state[s.OPEN_KIND] = f.OTHER
+    if mode == s.IN_SECTION or (mode == s.IN_TABLE and not named):
+        return s.REFUSED
+    section = state[s.SECTION]
+    word = -1
+    if section in (w.ENTITIES, w.BLOCKS):
+        word = word_at(data, low, high, w.VERTEX, w.MTEXT)
+    if state[s.CHAIN] >= 0 and word != w.VERTEX and word != w.SEQEND:
+        return s.REFUSED
+    if state[s.FOLLOWED] != 0 and word != w.ATTRIB and word != w.SEQEND:
+        return s.REFUSED
+    if word < 0:
+        frame = word_at(data, low, high, w.SECTION, w.EOF)
+        if frame >= 0:
+            return _frame(low, frame, state)
+        if section < 0 or section == w.HEADER:
+            return s.REFUSED
+        if section == w.TABLES:
+            if is_word(data, low, high, w.LAYER):
+                row = state[s.LAYERS]
+                if row == len(layer):
+                    return s.REFUSED
+                layer[row, :] = -1
+                layer[row, f.LAYER_COLOUR] = 7
+                layer[row, f.LAYER_FLAGS] = 0
+                layer[row, f.LAYER_PLOT] = 1
+                state[s.LAYERS] = row + 1
+                state[s.MODE] = s.IN_LAYER
+            elif not is_word(data, low, high, w.ENDTAB):
+                state[s.MODE] = s.IN_TABLE
+            return s.ON
+        if section == w.BLOCKS:
+            if is_word(data, low, high, w.BLOCK):
+                row = state[s.BLOCKS]
+                if state[s.INSIDE] >= 0 or row == len(block):
+                    return s.REFUSED
+                block[row, :] = 0
+                block[row, f.NAME] = block[row, f.BLOCK_LAYER] = -1
+                base[row, 0] = base[row, 1] = 0.0
+                state[s.INSIDE] = row
+                state[s.BLOCKS] = row + 1
+                state[s.MODE] = s.IN_BLOCK
+                return s.ON
+            if is_word(data, low, high, w.ENDBLK):
+                if state[s.INSIDE] < 0:
+                    return s.REFUSED
+                state[s.INSIDE] = -1
+                return s.ON
+    if section != w.ENTITIES and section != w.BLOCKS:
+        return s.ON
+    if section == w.BLOCKS and state[s.INSIDE] < 0:
+        return s.REFUSED
+    if word == w.VERTEX:
+        chain, row = state[s.CHAIN], state[s.VERTICES]
+        if chain < 0 or row == len(vertex):
+            return s.REFUSED
+        vertex[row, 2] = 0.0
+        state[s.VERTICES] = row + 1
+        entity[chain, f.COUNT] += 1
+        state[s.ROW] = chain
+        state[s.MODE] = s.IN_VERTEX
+        state[s.OPEN_KIND] = f.OTHER if entity[chain, f.ODD] else f.POLYLINE
+        return s.ON
+    if word == w.SEQEND:
+        if state[s.CHAIN] < 0 and state[s.FOLLOWED] == 0:
+            return s.REFUSED
+        state[s.CHAIN] = -1
+        state[s.FOLLOWED] = 0
+        return s.ON
+    row = state[s.ENTITIES]
+    name = name_at(data, low, high, spans, slots, state)
+    if row == len(entity) or name < 0:
+        return s.REFUSED
+    state[s.ENTITIES] = row + 1
+    state[s.ROW] = row
+    state[s.MODE] = s.IN_ENTITY
+    kind = g.KIND_OF[word] if word >= 0 else f.OTHER
+    state[s.OPEN_KIND] = g.OF_WORDS if word >= w.ATTRIB else kind
+    state[s.IS_MTEXT] = 1 if word == w.MTEXT else 0
+    entity[row, :] = 0
+    entity[row, f.KIND] = kind
+    entity[row, f.WORD] = name
+    entity[row, f.BLOCK] = state[s.INSIDE]
+    entity[row, f.LAYER] = entity[row, f.LINETYPE] = entity[row, f.REFERENCE] = -1
+    entity[row, f.TRUE_COLOUR] = -1
+    entity[row, f.COLOUR] = 256
+    entity[row, f.COLUMNS] = entity[row, f.ROWS] = 1
+    entity[row, f.START] = start
+    # Curves are left to ezdxf, one by one.
+    entity[row, f.ODD] = 1 if word in (w.ELLIPSE, w.SPLINE) else 0
+    for column in range(f.VALUES):
+        if g.HAS[state[s.OPEN_KIND], column]:
+            value[row, column] = np.nan
+    if kind in (f.LWPOLYLINE, f.POLYLINE):
+        entity[row, f.FIRST] = state[s.VERTICES]
+    if kind == f.POLYLINE:
+        state[s.CHAIN] = row
+    return s.ON
+
+
+@part
+def _frame(low: int, word: int, state: Any) -> int:
+    """Open or close a section."""
+    if state[s.INSIDE] >= 0:
+        return s.REFUSED
+    if word == w.EOF:
+        # A file without entities has nothing that must be read quickly.
+        return s.DONE if state[s.SECTION] < 0 and state[s.ENTITIES] > 0 else s.REFUSED
+    if word == w.SECTION and state[s.SECTION] < 0:
+        state[s.SECTION] = w.SECTION
+        state[s.MODE] = s.IN_SECTION
+        return s.ON
+    if word == w.ENDSEC and state[s.SECTION] >= 0:
+        if state[s.SECTION] == w.HEADER:
+            state[s.HEADER_LAST] = low
+        state[s.SECTION] = -1
+        return s.ON
+    return s.REFUSED

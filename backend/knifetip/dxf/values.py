@@ -1,0 +1,94 @@
+"""values: names and whole numbers out of bytes, in compiled code.
+
+bytes of a value -> the number of a name, a whole number, or whether it can be read at all
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.dxf import groups as g
+from knifetip.dxf import state as s
+from knifetip.dxf.compiled import ONE, part
+from knifetip.dxf.decimals import WRONG, number
+
+#: More names than this are no layers; so many of them have place in the hash table.
+MOST_NAMES: Final = 20_000
+_SLOTS: Final = 1 << 16
+#: Names that share a slot beyond this are meant to.
+_MOST_STEPS: Final = 64
+#: What ``whole_at`` says of what is no whole number.
+NONE: Final = -(1 << 62)
+
+
+@part
+def name_at(data: Any, low: int, high: int, spans: Any, slots: Any, state: Any) -> Any:
+    """Return the number of a name, -1 where it is not plain or there are too many."""
+    if high > low and (data[low] <= 32 or data[high - 1] <= 32):
+        return -1
+    key = np.uint64(14695981039346656037)
+    at, end = np.uint64(low), np.uint64(high)
+    while at < end:
+        key = (key ^ np.uint64(data[at])) * np.uint64(1099511628211)
+        at += ONE
+    slot = np.int64(key & np.uint64(_SLOTS - 1))
+    for _ in range(_MOST_STEPS):
+        found = slots[slot]
+        if found < 0:
+            made = state[s.NAMES]
+            if made == MOST_NAMES:
+                return -1
+            spans[made, 0], spans[made, 1] = low, high
+            slots[slot] = made
+            state[s.NAMES] = made + 1
+            return made
+        first = spans[found, 0]
+        if spans[found, 1] - first == high - low:
+            same = True
+            for i in range(high - low):
+                if data[first + i] != data[low + i]:
+                    same = False
+                    break
+            if same:
+                return found
+        slot = (slot + 1) & (_SLOTS - 1)
+    return -1
+
+
+@part
+def whole_at(data: Any, low: int, high: int) -> int:
+    """Return a whole number of up to 18 digits, ``NONE`` where there is none."""
+    while low < high and data[low] == 32:
+        low += 1
+    while low < high and data[high - 1] == 32:
+        high -= 1
+    negative = low < high and data[low] == 45
+    if negative:
+        low += 1
+    if low == high or high - low > 18:
+        return NONE
+    result = 0
+    for at in range(low, high):
+        if not 48 <= data[at] <= 57:
+            return NONE
+        result = result * 10 + int(data[at]) - 48
+    return -result if negative else result
+
+
+@part
+def valid(data: Any, low: int, high: int, what: int) -> bool:
+    """Return whether a value that is not needed can be read."""
+    if what == g.DECIMAL:
+        _, _, sure = number(data, low, high)
+        return bool(sure != WRONG)
+    if what == g.INTEGER:
+        return whole_at(data, low, high) != NONE
+    if what == g.HEX:
+        for at in range(low, high):
+            sign = data[at] | 32
+            if not (48 <= data[at] <= 57 or 97 <= sign <= 102):
+                return False
+        return (high - low) % 2 == 0
+    return True

@@ -1,0 +1,53 @@
+"""words: the words of the format by number, and how they are found in bytes."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.dxf.compiled import ONE, part
+from knifetip.geometry.columns import I64
+
+#: Each has the number of its place.
+_WORDS: Final = (
+    b"SECTION", b"ENDSEC", b"EOF", b"HEADER", b"TABLES", b"BLOCKS", b"ENTITIES", b"BLOCK",
+    b"ENDBLK", b"LAYER", b"VERTEX", b"SEQEND", b"LINE", b"ARC", b"CIRCLE", b"LWPOLYLINE",
+    b"POLYLINE", b"INSERT", b"ELLIPSE", b"SPLINE", b"ATTRIB", b"TEXT", b"DIMENSION", b"MTEXT",
+    b"AcDbEntity", b"AcDbLine", b"AcDbCircle", b"AcDbArc", b"AcDbPolyline", b"AcDb2dPolyline",
+    b"AcDbVertex", b"AcDb2dVertex", b"AcDbBlockReference", b"Model", b"ACAD_MTEXT",
+    b"{ACAD_XDICTIONARY", b"}", b"ENDTAB",
+)  # fmt: skip
+(
+    SECTION, ENDSEC, EOF, HEADER, TABLES, BLOCKS, ENTITIES, BLOCK, ENDBLK, LAYER,
+    VERTEX, SEQEND, LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE, INSERT, ELLIPSE, SPLINE,
+    ATTRIB, TEXT, DIMENSION, MTEXT, DB_ENTITY, DB_LINE, DB_CIRCLE, DB_ARC, DB_LWPOLYLINE,
+    DB_POLYLINE, DB_VERTEX, DB_2D_VERTEX, DB_INSERT, MODEL, OF_COLUMNS, XDICTIONARY,
+    GROUP_END, ENDTAB,
+) = range(len(_WORDS))  # fmt: skip
+COUNT: Final = len(_WORDS)
+_BYTES: Final = np.frombuffer(b"".join(_WORDS), np.uint8)
+ENDS: Final[I64] = np.cumsum([0, *map(len, _WORDS)])
+
+
+@part
+def is_word(data: Any, low: int, high: int, word: int) -> bool:
+    """Return whether a word stands there, and nothing else."""
+    if high - low != ENDS[word + 1] - ENDS[word]:
+        return False
+    at, end, place = np.uint64(low), np.uint64(high), np.uint64(ENDS[word])
+    while at < end:
+        if data[at] != _BYTES[place]:
+            return False
+        at += ONE
+        place += ONE
+    return True
+
+
+@part
+def word_at(data: Any, low: int, high: int, first: int, last: int) -> Any:
+    """Return which of the words from ``first`` to ``last`` stands there, -1 for none."""
+    for word in range(first, last + 1):
+        if is_word(data, low, high, word):
+            return word
+    return -1

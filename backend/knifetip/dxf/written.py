@@ -1,0 +1,170 @@
+"""written: the ledger of a plain drawing, in columns, and the words on its sheet.
+
+rows of a Scan, INSERTs, what was walked through -> Written
+texts and dimensions -> inscriptions
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import chain
+from typing import NamedTuple
+
+import numpy as np
+
+from knifetip.dxf import fields as f
+from knifetip.dxf.handles import paths_of
+from knifetip.dxf.inscriptions import inscription, of_lines
+from knifetip.dxf.tables import Tables
+from knifetip.dxf.walk import IN_PAPER_SPACE, not_read, places
+from knifetip.geometry.columns import I64, Bool
+from knifetip.geometry.distinct import distinct
+from knifetip.intake.sheet import Alike, Sheet, Written
+from knifetip.model.drawing import Inscription
+from knifetip.model.words import Repeated
+
+
+class Variant(NamedTuple):
+    """A block as INSERTs of one style place it: what all of those have in common."""
+
+    layers: list[str]  #: of its entities
+    said: dict[int, tuple[str, tuple[str, ...]]]  #: by the number of the entity, as in ``Alike``
+    first: int  #: where the styles of its segments begin
+
+
+class Inserts(NamedTuple):
+    """k INSERTs on the sheet that are drawn in columns."""
+
+    spot: I64  #: (k,) which of the entities of the sheet
+    block: I64  #: (k,)
+    variant: I64  #: (k,) which of the variants
+    variants: list[Variant]
+
+
+class Order(NamedTuple):
+    """Where n entities of the sheet stand in a ledger of m rows."""
+
+    rows: I64  #: (n,) of the Scan
+    ledger: I64  #: (n,)
+    drawn: Bool  #: (n,) they are lines that are drawn in columns
+    walked: I64  #: (w,) rows of the ledger for those of what was walked through
+
+
+def left_out(tables: Tables, row: int) -> str:
+    """Return why a plain entity is left out, empty for what is drawn."""
+    line = tables.found.entity[row].tolist()
+    if line[f.PAPER]:
+        return IN_PAPER_SPACE
+    kind = line[f.KIND]
+    if kind == f.OTHER:
+        return not_read(tables.words[line[f.WORD]])
+    if kind in (f.LWPOLYLINE, f.POLYLINE) and line[f.COUNT] < 2:
+        return f"it has {line[f.COUNT]} vertices: no line between them"
+    return ""
+
+
+def written(tables: Tables, order: Order, inserts: Inserts, walk: Sheet) -> Written:
+    """Return the ledger of a sheet, of what its INSERTs place, and of what was walked through."""
+    entity, span = tables.found.entity, tables.span
+    numbers = {name: number for number, name in enumerate(tables.names)}
+    silent = numbers.setdefault("0", len(numbers))
+    low, size = (
+        np.array([span.get(block, (0, 0)) for block in range(len(tables.found.block))], np.int64)
+        .reshape(-1, 2)[inserts.block]
+        .T
+    )
+    # Of what the INSERTs place: its row, its entity, and its INSERT.
+    step = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
+    under = np.repeat(order.ledger[inserts.spot] + 1, size) + step
+    inserted = np.repeat(low, size) + step
+    # What was walked through has the row of its entity, and rows of its own behind it.
+    total = 1 + int(max(column.max(initial=-1) for column in (order.ledger, under, order.walked)))
+    own, insert = np.empty(total, np.int64), np.full(total, -1, np.int64)
+    own[order.ledger], own[under] = order.rows, inserted
+    insert[under] = np.repeat(order.rows[inserts.spot], size)
+    kind, layer = np.empty(total, np.int32), np.empty(total, np.int32)
+    kind[order.ledger], kind[under] = entity[order.rows, f.WORD], entity[inserted, f.WORD]
+    layer[order.ledger] = entity[order.rows, f.LAYER]
+    layer[layer < 0] = silent
+    layers = [[numbers[name] for name in variant.layers] for variant in inserts.variants]
+    begin = np.cumsum([0, *map(len, layers)])[inserts.variant]
+    layer[under] = np.array(list(chain.from_iterable(layers)), np.int32)[
+        np.repeat(begin, size) + step
+    ]
+    # These come last: an entity that was walked through has its row from there.
+    own[order.walked] = len(entity) + np.arange(len(order.walked))
+    for column, words in ((kind, walk.kind), (layer, walk.layer)):
+        column[order.walked] = [numbers.setdefault(word, len(numbers)) for word in words]
+    there = order.walked.tolist()
+    return Written(
+        paths_of(tables.handles, walk.handle, own, insert),
+        Repeated(tuple(numbers), kind),
+        Repeated(tuple(numbers), layer),
+        {there[row]: why for row, why in walk.dropped.items()},
+        {there[row]: notes for row, notes in walk.notes.items()},
+        [*_of_sheet(tables, order, inserts), *_of_blocks(order, inserts)],
+    )
+
+
+def _of_sheet(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Alike]:
+    """Say what is said of the entities of the sheet itself."""
+    entity, rows = tables.found.entity, order.rows
+    left = ~order.drawn
+    left[inserts.spot] = False
+    left[np.isin(order.ledger, order.walked)] = False
+    spots = np.flatnonzero(left)
+    key = entity[rows[spots]][:, [f.PAPER, f.KIND, f.WORD, f.COUNT]]
+    # How many bytes a text has is no reason.
+    key[key[:, 1] == f.OTHER, 3] = 0
+    first, kind = distinct(key)
+    for spot, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
+        yield Alike(order.ledger[spots[same]], left_out(tables, int(rows[spots[spot]])))
+    of_layer = {
+        layer: notes
+        for layer in np.flatnonzero(np.bincount(entity[rows, f.LAYER] + 1)).tolist()
+        if (notes := tables.styles.notes(tables.names[layer - 1] if layer else "0"))
+    }
+    for layer, notes in of_layer.items():
+        there = order.drawn & (entity[rows, f.LAYER] == layer - 1)
+        yield Alike(order.ledger[there], "", notes)
+    layer = entity[rows[inserts.spot], f.LAYER]
+    first, kind = distinct(layer, inserts.block)
+    for one, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
+        said = places(tables.block_name(int(inserts.block[one])))
+        notes = of_layer.get(int(layer[one]) + 1, ())
+        yield Alike(order.ledger[inserts.spot[same]], "", (said, *notes))
+
+
+def _of_blocks(order: Order, inserts: Inserts) -> Iterator[Alike]:
+    """Say what is said of the entities that INSERTs place."""
+    of_variant = _grouped(inserts.variant, len(inserts.variants))
+    for variant, same in zip(inserts.variants, of_variant, strict=True):
+        first = order.ledger[inserts.spot[same]] + 1
+        for number, (dropped, notes) in variant.said.items():
+            yield Alike(first + number, dropped, notes)
+
+
+def _grouped(kind: I64, kinds: int) -> list[I64]:
+    """Return the rows of each kind."""
+    order = np.argsort(kind, kind="stable")
+    return np.split(order, np.cumsum(np.bincount(kind, minlength=kinds))[:-1])[:kinds]
+
+
+def inscriptions(tables: Tables, rows: I64) -> tuple[Inscription, ...]:
+    """Return the words on the sheet: those of the texts and dimensions among its entities."""
+    entity, data = tables.found.entity, tables.found.data
+    rows = rows[entity[rows, f.PAPER] == 0]
+    layers = [*tables.names, "0"]
+    found = []
+    lines = entity[rows][:, [f.WORD, f.LAYER, f.ODD, f.FIRST, f.COUNT, f.FLAGS, f.START, f.END]]
+    lengths = tables.found.value[rows][:, f.LENGTHS].tolist()
+    for (word, layer, odd, first, count, flags, start, end), said in zip(
+        lines.tolist(), lengths, strict=True
+    ):
+        kind, name = tables.words[word], layers[layer]
+        if odd:
+            found.append(of_lines(kind, name, data[start:end], tables.encoding))
+        else:
+            text = data[first : first + count].decode(tables.encoding, "replace")
+            found.append(inscription(kind, name, text, said, flags))
+    return tuple(found)

@@ -1,0 +1,101 @@
+"""words: columns of words that are as long as a file, and take no object for each row.
+
+names and numbers, or one text and where each word ends -> a sequence of words
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any, overload
+
+import numpy as np
+
+from knifetip.geometry.columns import I32, I64
+
+
+class _Column(Sequence[str]):
+    """A sequence of words that is equal to any other of the same words."""
+
+    @overload
+    def __getitem__(self, row: int) -> str: ...
+    @overload
+    def __getitem__(self, row: slice) -> tuple[str, ...]: ...
+    def __getitem__(self, row: int | slice) -> str | tuple[str, ...]:
+        if isinstance(row, slice):
+            return tuple(self._word(one) for one in range(*row.indices(len(self))))
+        if not -len(self) <= row < len(self):
+            raise IndexError(row)
+        return self._word(int(row) % len(self))
+
+    def _word(self, row: int) -> str:
+        raise NotImplementedError
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, tuple | list | _Column):
+            return NotImplemented
+        return len(self) == len(other) and all(
+            mine == yours for mine, yours in zip(self, other, strict=True)
+        )
+
+    def __hash__(self) -> int:
+        return hash(tuple(self))
+
+    def __repr__(self) -> str:
+        return repr(tuple(self))
+
+
+class Repeated(_Column):
+    """m words, of which there are few: the number of each.
+
+    Parameters
+    ----------
+    number : (m,)
+        Indices into ``names``, -1 for the last.
+    """
+
+    def __init__(self, names: Sequence[str], number: I32) -> None:
+        self.names = tuple(names)
+        self.number = number
+
+    def __len__(self) -> int:
+        return len(self.number)
+
+    def _word(self, row: int) -> str:
+        return self.names[int(self.number[row])]
+
+    def __iter__(self) -> Iterator[str]:
+        return map(self.names.__getitem__, self.number.tolist())
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
+        names = np.empty(len(self.names), object)
+        names[:] = self.names
+        return names[self.number].astype(dtype or object, copy=False)
+
+
+class Spelled(_Column):
+    """m words, each another: one text that holds them all.
+
+    Parameters
+    ----------
+    text
+        UTF-8.
+    end : (m,)
+        Where each word ends, and the next begins.
+    """
+
+    def __init__(self, text: bytes, end: I64) -> None:
+        self.text = text
+        self.end = end
+
+    def __len__(self) -> int:
+        return len(self.end)
+
+    def _word(self, row: int) -> str:
+        first = self.end[row - 1] if row else 0
+        return self.text[first : self.end[row]].decode()
+
+    def __iter__(self) -> Iterator[str]:
+        first = 0
+        for end in self.end.tolist():
+            yield self.text[first:end].decode()
+            first = end
