@@ -46,6 +46,7 @@ from knifetip.model.question import Question
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.unit import NAMES, UnitFinding
 from knifetip.model.verdict import Verdict
+from knifetip.pdf import read as pdf
 from knifetip.planning.plan import check_corners, missing, plan
 from knifetip.post.process import process
 from knifetip.sequencing.duration import duration
@@ -86,6 +87,7 @@ _READERS: Final[Mapping[str, Callable[[bytes, str | None], Drawing]]] = {
     "dxf": dxf.read,
     "cf2": cf2.read,
     "svg": svg.read,
+    "pdf": pdf.read,
 }
 #: How far the tip may be from the line (mm).
 TOLERANCE = 0.01
@@ -115,7 +117,7 @@ class Calibration:
 
 
 def read_drawing(data: bytes, unit: str | None = None) -> Drawing:
-    """Return the drawing in the bytes of a file: DXF, CF2 or SVG, told apart by their content.
+    """Return the drawing in the bytes of a file, told by its content: DXF, CF2, SVG or PDF.
 
     ``unit`` overrules what the file says.  Where nobody gives one, the file's word is weighed
     against what is drawn: it stands, or another unit is so much likelier that it is taken, or the

@@ -10,6 +10,7 @@ import httpx
 import pytest
 
 import cf2_text
+import pdf_text
 import svg_text
 from named import NAMED, SAMPLES, Named
 from serving import Running, ordered, square, until, uploaded
@@ -56,10 +57,19 @@ def test_an_svg_by_other_hands_runs_to_its_end(shop: httpx.Client, corpus: Path)
     runs_to_its_end(shop, MAILER, corpus)
 
 
-@pytest.mark.parametrize("data", [svg_text.carton(), cf2_text.carton()], ids=["svg", "cf2"])
-def test_a_carton_in_another_format_runs_to_its_end(shop: httpx.Client, data: bytes):
+@pytest.mark.parametrize(
+    ("data", "unit"),
+    [
+        (svg_text.carton(), "mm"),
+        (cf2_text.carton(), "mm"),
+        (pdf_text.carton(), "pt"),
+        (pdf_text.carton(layered=False, flate=True), "pt"),
+    ],
+    ids=["svg", "cf2", "pdf", "pdf-spots"],
+)
+def test_a_carton_in_another_format_runs_to_its_end(shop: httpx.Client, data: bytes, unit: str):
     drawing = uploaded(shop, data)
-    assert (drawing["unit"], drawing["questions"]) == ("mm", [])
+    assert (drawing["unit"], drawing["questions"]) == (unit, [])
     rows = drawing["ledger"]["rows"]
     edges = shop.get(f"/api/drawings/{drawing['id']}/edges").json()["edges"]
     drawn = sum(edge["length"] for edge in edges)

@@ -1,6 +1,6 @@
 """kind: what a file is, by its content and never by its name.
 
-    bytes -> "dxf", "cf2" or "svg", or NotADrawing: what it is instead, and what to send
+    bytes -> "dxf", "cf2", "svg" or "pdf", or NotADrawing: what it is instead, and what to send
 
 Only the beginning is looked at.  What is nothing that is known goes to the reader of DXF, which
 says where it stops being one.
@@ -18,7 +18,7 @@ from knifetip.errors import NotADrawing
 _HEAD: Final = 4096
 _ROOT_WITHIN: Final = 1 << 18
 
-_SEND: Final = "Send the drawing as DXF (text or binary, any version), CF2 or SVG."
+_SEND: Final = "Send the drawing as DXF (text or binary, any version), CF2, SVG or PDF."
 
 #: First bytes of files that people send instead, and what they are.
 _STRANGERS: Final = (
@@ -29,7 +29,6 @@ _STRANGERS: Final = (
     (b"II*\x00", "a TIFF picture"),
     (b"MM\x00*", "a TIFF picture"),
     (b"RIFF", "a picture or a film (RIFF)"),
-    (b"%PDF", "a PDF, or an Illustrator file that is one"),
     (b"%!PS", "a PostScript or an Illustrator file"),
     (b"\xc5\xd0\xd3\xc6", "an EPS file"),
     (b"PK\x03\x04", "a ZIP archive (or an Office or a 3MF file, which are such)"),
@@ -55,7 +54,7 @@ _GZIP: Final = b"\x1f\x8b"
 
 
 def kind_of(data: bytes) -> str:
-    """Return which reader a file is for: "dxf", "cf2" or "svg".
+    """Return which reader a file is for: "dxf", "cf2", "svg" or "pdf".
 
     Raises
     ------
@@ -72,6 +71,8 @@ def kind_of(data: bytes) -> str:
         return _packed(data)
     if head.startswith(b"<"):
         return _marked_up(data)
+    if head.startswith(b"%PDF"):
+        return "pdf"
     if _CF2.match(head):
         return "cf2"
     for start, what in _STRANGERS:

@@ -1,6 +1,6 @@
-"""colours: a paint as CSS writes it, as a true colour and the nearest colour of AutoCAD's index.
+"""colours: a paint as CSS writes it, as a true colour.
 
-"#e02020", "rgb(224, 32, 32)", "crimson" -> 0xE02020          0xFF0000 -> 1
+"#e02020", "rgb(224, 32, 32)", "crimson" -> 0xE02020
 """
 
 from __future__ import annotations
@@ -10,8 +10,7 @@ import re
 from functools import lru_cache
 from typing import Final
 
-#: A paint that draws, whose colour cannot be told: a pattern or a gradient.
-UNTOLD: Final = -1
+from knifetip.intake.colours import UNTOLD
 
 #: The named colours of CSS.
 _NAMES: Final[dict[str, int]] = {
@@ -51,18 +50,6 @@ _NAMES: Final[dict[str, int]] = {
     """,
     )
 }
-
-#: The colours of AutoCAD's index that are the same in every program.
-_INDEX: Final = (
-    (1, 0xFF0000),
-    (2, 0xFFFF00),
-    (3, 0x00FF00),
-    (4, 0x00FFFF),
-    (5, 0x0000FF),
-    (6, 0xFF00FF),
-    (7, 0xFFFFFF),
-    (7, 0x000000),
-)
 
 _HEX: Final = re.compile(r"#([0-9a-f]{3,8})\b")
 _CALL: Final = re.compile(r"(rgb|hsl)a?\(([^)]*)\)")
@@ -130,17 +117,3 @@ def _called(name: str, inside: str) -> int | None:
 
 def _unit(share: float) -> float:
     return min(max(share, 0.0), 1.0)
-
-
-@lru_cache(maxsize=4096)
-def index(true_colour: int) -> int:
-    """Return the nearest of the first seven colours of AutoCAD's index; 7 for ``UNTOLD``."""
-    if true_colour < 0:
-        return 7
-
-    def off(other: int) -> int:
-        return sum(
-            ((true_colour >> bits & 255) - (other >> bits & 255)) ** 2 for bits in (0, 8, 16)
-        )
-
-    return min(_INDEX, key=lambda one: off(one[1]))[0]

@@ -14,17 +14,18 @@ from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
 from knifetip.errors import DrawingTooLarge
+from knifetip.geometry.affine import Matrix, chained
+from knifetip.intake.colours import UNTOLD, index
 from knifetip.intake.columns import Style
 from knifetip.intake.limits import Limits
 from knifetip.intake.sheet import Sheet
 from knifetip.model.drawing import Inscription
 from knifetip.svg import layers, shapes
-from knifetip.svg.colours import UNTOLD, index
 from knifetip.svg.document import Node
 from knifetip.svg.lengths import pixels
 from knifetip.svg.page import Page, fitted, view
 from knifetip.svg.style import SILENT, Cascade, Look, sheet
-from knifetip.svg.transform import Matrix, chained, matrix
+from knifetip.svg.transform import matrix
 
 #: Elements that only hold others.
 _GROUPS: Final = frozenset(("svg", "g", "a", "switch"))

@@ -13,10 +13,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from knifetip.geometry.affine import Matrix
 from knifetip.model.unit import MILLIMETRES, Hint
 from knifetip.svg.document import Node
 from knifetip.svg.lengths import length
-from knifetip.svg.transform import Matrix, numbers
+from knifetip.svg.transform import numbers
 
 #: Units of paper: the unit that is taken, how many of it, and its millimetres.
 _PHYSICAL: Final = {

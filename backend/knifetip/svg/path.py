@@ -18,29 +18,21 @@ from typing import Any, Final
 import numpy as np
 from numba import njit
 
-from knifetip.geometry.columns import F64, I64, U8
-
-LINE: Final = 0
-CUBIC: Final = 1
-ARC: Final = 2
+from knifetip.geometry.columns import I64
+from knifetip.intake.place import ARC, CUBIC, LINE, Table
 
 #: What ``_scan`` answers where there are more segments than wanted.
 _TOO_MANY: Final = -1
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Table:
-    """n segments of several paths, in the order of the data."""
+class Scanned(Table):
+    """The segments of paths, and where each path stops being one."""
 
-    kind: U8  #: (n,) LINE, CUBIC or ARC
-    #: (n, 8): x and y of both ends, then of a CUBIC both handles, of an ARC both radii, the turn of
-    #: the first in degrees, and 1 for the large one + 2 for the one of increasing angle
-    numbers: F64
-    path: I64  #: (n,) which path
     wrong: I64  #: (paths,) the character at which the data is wrong, -1 where none is
 
 
-def scanned(paths: Sequence[str], most: int) -> Table | None:
+def scanned(paths: Sequence[str], most: int) -> Scanned | None:
     """Return the segments of paths; None if there are more than ``most``."""
     pieces = [path.encode("ascii", "replace") for path in paths]
     size = np.array([0, *(len(piece) for piece in pieces)], np.int64)
@@ -48,7 +40,7 @@ def scanned(paths: Sequence[str], most: int) -> Table | None:
     kind, numbers, path, wrong, count = _scan(data, np.cumsum(size), most)
     if count == _TOO_MANY:
         return None
-    return Table(kind[:count], numbers[:count], path[:count], wrong)
+    return Scanned(kind[:count], numbers[:count], path[:count], wrong)
 
 
 @njit(cache=True, error_model="numpy")
@@ -108,6 +100,8 @@ def _number(data: Any, at: int, last: int) -> tuple[float, int]:
             at = ahead
     value = float(w)
     if w > 0 and power != 0:
+        # Beyond 600 whole numbers of 18 digits are 0 or infinite.
+        power = min(max(power, -600), 600)
         # Two steps, so that 1e-310 · 1e20 does not pass through 0, nor its like through infinity.
         half = power // 2
         if -22 <= power <= 22:

@@ -1,37 +1,18 @@
 """place: path data through its matrices, as columns of lines and arcs.
 
-    Sheet, Drawn, scale -> Columns: ends, bulge and the style of each segment, in file order
-
-A circular arc that is turned, mirrored or evenly scaled stays an arc.  All other arcs and all
-Bézier curves are fitted, thousands at once.
-
-The tolerance of the fit is ``tolerance.CURVE`` mm.  While the unit is unknown it is 1 / 250,000 of
-the drawing's diagonal, which is 0.01 mm or less in every unit in which the drawing is smaller than
-2.5 m.
+Sheet, Drawn, scale -> Columns: ends, bulge and the style of each segment, in file order
 """
 
 from __future__ import annotations
 
-import time
-from typing import Final
-
 import numpy as np
 
-from knifetip.errors import DrawingTooLarge, GeometryError
-from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.curve import EvaluateEach, each
-from knifetip.geometry.tolerance import CURVE
+from knifetip.intake import place
 from knifetip.intake.columns import Columns
-from knifetip.intake.limits import REACH, Limits
+from knifetip.intake.limits import Limits
 from knifetip.intake.sheet import Sheet
 from knifetip.svg.expand import Drawn
-from knifetip.svg.path import ARC, CUBIC, LINE, Table, scanned
-
-_SHARE: Final = 1.0 / 250_000.0
-#: Of the tolerance: what an arc may be off a circle, or a curve off its chord, and be taken for it.
-_ALIKE: Final = 0.01
-#: Curves that are fitted between two looks at the clock.
-_BLOCK: Final = 4096
+from knifetip.svg.path import scanned
 
 
 def columns(sheet: Sheet, drawn: Drawn, scale: float, limits: Limits) -> Columns:
@@ -49,10 +30,7 @@ def columns(sheet: Sheet, drawn: Drawn, scale: float, limits: Limits) -> Columns
     """
     table = scanned(drawn.data, limits.segments)
     if table is None:
-        raise _too_many(limits)
-    rows = np.array(drawn.row, np.int64)
-    style = np.array(drawn.style, np.int32)
-    matrix = np.array(drawn.matrix, np.float64).reshape(-1, 6)
+        raise place.too_many(limits, "SVG")
     for path in np.flatnonzero(table.wrong >= 0).tolist():
         text = drawn.data[path]
         at = int(table.wrong[path])
@@ -64,297 +42,9 @@ def columns(sheet: Sheet, drawn: Drawn, scale: float, limits: Limits) -> Columns
         sheet.notes.setdefault(drawn.row[path], []).append(
             f"its path data {where}: drawn up to there, as in a browser"
         )
-    with np.errstate(all="ignore"):
-        far = _farthest(table, matrix)
-        reach = REACH / (scale or 1.0)
-        for path in np.flatnonzero(~(far <= reach)).tolist():
-            where = f"{far[path]:g}" if np.isfinite(far[path]) else "not a number"
-            sheet.dropped[drawn.row[path]] = f"a coordinate is {where}; the limit is {reach:g}"
-        good = (far <= reach)[table.path]
-        table = Table(table.kind[good], table.numbers[good], table.path[good], table.wrong)
-        placed = _Placed(table, matrix[table.path])
-        tolerance = CURVE / scale if scale else _relative(placed.start, placed.end)
-        ends, bulge, of, curved = _segments(placed, tolerance, limits)
-    path_of = table.path[of]
-    if placed.failed:
-        lost = np.zeros(len(rows), bool)
-        for segment, why in placed.failed.items():
-            lost[table.path[segment]] = True
-            sheet.dropped[drawn.row[table.path[segment]]] = why
-        kept = ~lost[path_of]
-        ends, bulge, of, path_of = ends[kept], bulge[kept], of[kept], path_of[kept]
-    share = "" if scale else " (1/250,000 of the drawing)"
-    fitted = np.bincount(path_of[curved[of]], minlength=len(rows))
-    for one in np.flatnonzero(fitted).tolist():
-        sheet.notes.setdefault(drawn.row[one], []).append(
-            f"curves fitted with {fitted[one]} lines and arcs within {tolerance:.2g} file "
-            f"units{share}"
-        )
-    return Columns(ends, bulge, rows[path_of].astype(np.int32), style[path_of])
-
-
-def _too_many(limits: Limits) -> DrawingTooLarge:
-    return DrawingTooLarge(
-        f"The SVG has more than {limits.segments:,} lines and curves.",
-        "Export a single carton, without pictures made of lines.",
+    paths = place.Paths(
+        np.array(drawn.row, np.int32),
+        np.array(drawn.style, np.int32),
+        np.array(drawn.matrix, np.float64).reshape(-1, 6),
     )
-
-
-def _farthest(table: Table, matrix: F64) -> F64:
-    """Return how far from the origin each path reaches, (paths,), or more; NaN is kept."""
-    paths = len(table.wrong)
-    far = np.zeros(paths)
-    if not len(table.kind):
-        return far
-    by = matrix[table.path]
-    numbers = table.numbers
-    round_ = table.kind == ARC
-    cubic, round_ = table.kind == CUBIC, table.kind == ARC
-    reach = np.zeros(len(by))
-    for x, drawn in ((0, True), (2, True), (4, cubic), (6, cubic)):
-        at = np.abs(_linear(by, numbers[:, x : x + 2]) + by[:, 4:]).max(axis=1)
-        reach = np.maximum(reach, np.where(drawn, at, 0.0))
-    # A large arc lies within its diameter of its ends, a small one within its chord if it is round.
-    size = np.abs(by[:, :4]).sum(axis=1)
-    span = np.abs(numbers[:, 2:4] - numbers[:, :2]).sum(axis=1)
-    least, most = np.sort(numbers[:, 4:6], axis=1).T
-    wide = np.where(numbers[:, 7] % 2.0 == 1.0, 2.0 * np.maximum(most, span), span * most / least)
-    reach = reach + np.where(round_, 2.0 * size * wide, 0.0)
-    first = np.flatnonzero(np.diff(table.path, prepend=-1))
-    far[table.path[first]] = np.maximum.reduceat(reach, first)
-    return far
-
-
-def _relative(start: F64, end: F64) -> float:
-    """Return the tolerance while the unit is unknown."""
-    if not len(start):
-        return CURVE
-    both = np.concatenate([start, end])
-    size = float(np.hypot(*(both.max(axis=0) - both.min(axis=0))))
-    return min(CURVE, size * _SHARE) if size > 0.0 else CURVE
-
-
-def _linear(by: F64, vectors: F64) -> F64:
-    """Return vectors (n, 2) through matrices (n, 6), without the shift."""
-    x, y = vectors[:, 0], vectors[:, 1]
-    return np.stack([by[:, 0] * x + by[:, 2] * y, by[:, 1] * x + by[:, 3] * y], axis=1)
-
-
-class _Placed:
-    """The segments of a table in file units."""
-
-    def __init__(self, table: Table, by: F64) -> None:
-        numbers = table.numbers
-        self.failed: dict[int, str] = {}  #: segment that cannot be fitted -> why
-        self.kind = table.kind.copy()
-        self.start = _linear(by, numbers[:, :2]) + by[:, 4:]
-        self.end = _linear(by, numbers[:, 2:4]) + by[:, 4:]
-        self.cubic = np.flatnonzero(self.kind == CUBIC)
-        handles = by[self.cubic], numbers[self.cubic]
-        self.control = np.stack(
-            [
-                self.start[self.cubic],
-                _linear(handles[0], handles[1][:, 4:6]) + handles[0][:, 4:],
-                _linear(handles[0], handles[1][:, 6:]) + handles[0][:, 4:],
-                self.end[self.cubic],
-            ],
-            axis=1,
-        )
-        # An arc between a point and itself is left out, as the standard has it: a speck.
-        same = (numbers[:, 0] == numbers[:, 2]) & (numbers[:, 1] == numbers[:, 3])
-        self.kind[(self.kind == ARC) & same] = LINE
-        self.arc = np.flatnonzero(self.kind == ARC)
-        centre, u, v, self.first, self.turn = _centred(numbers[self.arc])
-        through = by[self.arc]
-        self.centre = _linear(through, centre) + through[:, 4:]
-        self.u = _linear(through, u)
-        self.v = _linear(through, v)
-
-
-def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
-    """Return centre, u, v (n, 2), first angle and turn (n,) of arcs given by their ends.
-
-    A point of the arc is centre + u cos t + v sin t, for t from first to first + turn.
-
-    Source: SVG 1.1, appendix F.6.5 and F.6.6.
-    """
-    angle = np.radians(numbers[:, 6])
-    cosine, sine = np.cos(angle), np.sin(angle)
-    rx, ry = numbers[:, 4], numbers[:, 5]
-    large = numbers[:, 7] % 2.0 == 1.0
-    rising = numbers[:, 7] >= 2.0
-    half = (numbers[:, :2] - numbers[:, 2:4]) / 2.0
-    middle = (numbers[:, :2] + numbers[:, 2:4]) / 2.0
-    # Half the chord, in radii.
-    x = (cosine * half[:, 0] + sine * half[:, 1]) / rx
-    y = (cosine * half[:, 1] - sine * half[:, 0]) / ry
-    chord = x * x + y * y
-    # Radii that are too small grow until they just reach.
-    grown = np.sqrt(np.maximum(chord, 1.0))
-    x, y, rx, ry = x / grown, y / grown, rx * grown, ry * grown
-    chord = np.where(chord > 1.0, 1.0, chord)
-    off = np.sqrt(np.maximum(1.0 / chord - 1.0, 0.0)) * np.where(large == rising, -1.0, 1.0)
-    centre_x, centre_y = off * y, -off * x
-    first = np.arctan2(y - centre_y, x - centre_x)
-    # By the chord, and not from angle to angle: that of a short arc would be lost.
-    turn = 2.0 * np.arcsin(np.sqrt(chord))
-    turn = np.where(large, 2.0 * np.pi - turn, turn) * np.where(rising, 1.0, -1.0)
-    u = np.stack([rx * cosine, rx * sine], axis=1)
-    v = np.stack([-ry * sine, ry * cosine], axis=1)
-    return middle + centre_x[:, None] * u + centre_y[:, None] * v, u, v, first, turn
-
-
-def _segments(placed: _Placed, tolerance: float, limits: Limits) -> tuple[F64, F64, I64, Bool]:
-    """Return ends (n, 2, 2), bulge (n,), the segment of the table each is of, and which (of the
-    table's) were fitted."""
-    curved = np.zeros(len(placed.kind), bool)
-    straight = np.flatnonzero(placed.kind == LINE)
-    parts = [_lines(placed, straight)]
-
-    chord = placed.control[:, 3] - placed.control[:, 0]
-    is_line = _chords(placed.control, chord, _ALIKE * tolerance)
-    parts.append(_lines(placed, placed.cubic[is_line]))
-    bent = np.flatnonzero(~is_line)
-    curved[placed.cubic[bent]] = True
-
-    size_u, size_v = (np.hypot(*vectors.T) for vectors in (placed.u, placed.v))
-    across = np.abs((placed.u * placed.v).sum(axis=1))
-    larger = np.maximum(size_u, size_v)
-    off = np.maximum(np.abs(size_u - size_v), across / np.where(larger > 0.0, larger, 1.0))
-    circle = off <= _ALIKE * tolerance
-    parts.append(_circular(placed, np.flatnonzero(circle)))
-    oval = np.flatnonzero(~circle)
-    curved[placed.arc[oval]] = True
-
-    until = time.monotonic() + limits.seconds
-    total = sum(len(part[1]) for part in parts)
-    for which, numbers, point, tangent in (
-        (bent, placed.cubic, *_bezier(placed.control)),
-        (oval, placed.arc, *_elliptic(placed)),
-    ):
-        for low in range(0, len(which), _BLOCK):
-            if time.monotonic() > until:
-                raise DrawingTooLarge(
-                    f"The SVG takes longer than {limits.seconds:g} s to read.",
-                    "Export a single carton, and curves as lines and arcs.",
-                )
-            part = _fitted(placed, which[low : low + _BLOCK], numbers, point, tangent, tolerance)
-            total += len(part[1])
-            if total > limits.segments:
-                raise _too_many(limits)
-            parts.append(part)
-    if total > limits.segments:
-        raise _too_many(limits)
-    ends, bulge, of = (np.concatenate(column) for column in zip(*parts, strict=True))
-    order = np.argsort(of, kind="stable")
-    return ends[order], bulge[order], of[order], curved
-
-
-def _lines(placed: _Placed, rows: I64) -> tuple[F64, F64, I64]:
-    ends = np.stack([placed.start[rows], placed.end[rows]], axis=1)
-    return ends, np.zeros(len(rows)), rows
-
-
-def _chords(control: F64, chord: F64, tolerance: float) -> Bool:
-    """Return which curves are their chords: no handle beside it, and none beyond its ends."""
-    size = np.hypot(chord[:, 0], chord[:, 1])
-    ahead = chord / np.where(size > 0.0, size, 1.0)[:, None]
-    straight: Bool = size > 0.0
-    for handle in (1, 2):
-        away = control[:, handle] - control[:, 0]
-        beside = np.abs(ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0])
-        along = (ahead * away).sum(axis=1)
-        straight &= (beside <= tolerance) & (along >= -tolerance) & (along <= size + tolerance)
-    # A curve without length is a speck, and no work for the fit.
-    return straight | (np.abs(control - control[:, :1]) <= 0.0).all(axis=(1, 2))
-
-
-def _circular(placed: _Placed, which: I64) -> tuple[F64, F64, I64]:
-    """Return circular arcs in rows of at most half a turn."""
-    rows = placed.arc[which]
-    u, v, first, turn = placed.u[which], placed.v[which], placed.first[which], placed.turn[which]
-    side = np.sign((u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) * turn)
-    two = np.abs(turn) > np.pi * (1.0 + 1e-9)
-    bulge = side * np.minimum(np.tan(np.abs(turn) / np.where(two, 8.0, 4.0)), 1.0)
-    half = first + turn / 2.0
-    middle = placed.centre[which] + np.cos(half)[:, None] * u + np.sin(half)[:, None] * v
-    start, end = placed.start[rows], placed.end[rows]
-    ends = np.concatenate(
-        [
-            np.stack([start, np.where(two[:, None], middle, end)], axis=1),
-            np.stack([middle, end], axis=1)[two],
-        ]
-    )
-    return ends, np.concatenate([bulge, bulge[two]]), np.concatenate([rows, rows[two]])
-
-
-def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
-    """Return point and derivative of cubic Bézier curves, control (n, 4, 2)."""
-    step = np.diff(control, axis=1)
-    # Where a handle lies on its end, the next one says in which direction the curve leaves.
-    leaving = control[:, 1:] - control[:, :1]
-    first = np.argmax((leaving != 0.0).any(axis=2), axis=1)
-    leaving = leaving[np.arange(len(control)), first]
-
-    def point(k: I64, s: F64) -> F64:
-        p, t, r = control[k], s[:, None], 1.0 - s[:, None]
-        return r * r * r * p[:, 0] + 3.0 * r * t * (r * p[:, 1] + t * p[:, 2]) + t * t * t * p[:, 3]
-
-    def tangent(k: I64, s: F64) -> F64:
-        d, t, r = step[k], s[:, None], 1.0 - s[:, None]
-        along = r * r * d[:, 0] + 2.0 * r * t * d[:, 1] + t * t * d[:, 2]
-        return np.where(t > 0.0, along, leaving[k])
-
-    return point, tangent
-
-
-def _elliptic(placed: _Placed) -> tuple[EvaluateEach, EvaluateEach]:
-    """Return point and derivative of the elliptic arcs."""
-
-    def point(k: I64, s: F64) -> F64:
-        t = placed.first[k] + s * placed.turn[k]
-        return (
-            placed.centre[k] + np.cos(t)[:, None] * placed.u[k] + np.sin(t)[:, None] * placed.v[k]
-        )
-
-    def tangent(k: I64, s: F64) -> F64:
-        t = placed.first[k] + s * placed.turn[k]
-        way = np.sign(placed.turn[k])[:, None]
-        return way * (np.cos(t)[:, None] * placed.v[k] - np.sin(t)[:, None] * placed.u[k])
-
-    return point, tangent
-
-
-def _fitted(
-    placed: _Placed,
-    which: I64,
-    numbers: I64,
-    point: EvaluateEach,
-    tangent: EvaluateEach,
-    tolerance: float,
-) -> tuple[F64, F64, I64]:
-    """Fit some curves; where one cannot be, half of them at a time, until it is found."""
-    try:
-        start, end, bulge, of = each(
-            lambda k, s: point(which[k], s),
-            lambda k, s: tangent(which[k], s),
-            len(which),
-            tolerance,
-        )
-    except GeometryError as reason:
-        if len(which) == 1:
-            placed.failed[int(numbers[which[0]])] = reason.message
-            return np.zeros((0, 2, 2)), np.zeros(0), np.zeros(0, np.int64)
-        middle = len(which) // 2
-        halves = [
-            _fitted(placed, half, numbers, point, tangent, tolerance)
-            for half in (which[:middle], which[middle:])
-        ]
-        ends, bulge, of = (np.concatenate(column) for column in zip(*halves, strict=True))
-        return ends, bulge, of
-    rows = numbers[which[of]]
-    # The next segment begins where this one was drawn to end, to the bit.
-    first = np.flatnonzero(np.diff(of, prepend=-1))
-    last = np.flatnonzero(np.diff(of, append=len(which)))
-    start[first], end[last] = placed.start[rows[first]], placed.end[rows[last]]
-    return np.stack([start, end], axis=1), bulge, rows
+    return place.columns(sheet, table, paths, scale, limits, "SVG")

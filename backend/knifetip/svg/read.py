@@ -9,7 +9,7 @@ Lines are told apart by the colour and the dashes of their stroke, by layer, gro
 
 from __future__ import annotations
 
-from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
+from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.intake.assemble import Known, assemble
 from knifetip.intake.limits import Limits
 from knifetip.model.drawing import Drawing
@@ -54,11 +54,7 @@ def read(
         ``unit`` is no unit.
     """
     given = factor(unit) if unit else 0.0
-    if len(data) > limits.bytes:
-        raise DrawingTooLarge(
-            f"The file has {len(data) / 2**20:.1f} MB; the limit is {limits.bytes / 2**20:.1f} MB.",
-            "Export a single carton, without pictures.",
-        )
+    limits.admit(len(data))
     try:
         root = document(data, limits)
         paper = page(root, unit or "", given, b"Adobe Illustrator" in data[:_HEAD])

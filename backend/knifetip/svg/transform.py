@@ -7,30 +7,13 @@ from __future__ import annotations
 
 import math
 import re
-from typing import Final, TypeAlias
+from typing import Final
 
-#: a, b, c, d, e, f as SVG counts them.
-Matrix: TypeAlias = tuple[float, float, float, float, float, float]
-
-IDENTITY: Final[Matrix] = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+from knifetip.geometry.affine import IDENTITY, Matrix, chained
 
 _CALL: Final = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 _BETWEEN: Final = re.compile(r"[\s,]+")
 _NUMBER: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-
-
-def chained(outer: Matrix, inner: Matrix) -> Matrix:
-    """Return the matrix that does ``inner`` first."""
-    a, b, c, d, e, f = outer
-    g, h, i, j, k, m = inner
-    return (
-        a * g + c * h,
-        b * g + d * h,
-        a * i + c * j,
-        b * i + d * j,
-        a * k + c * m + e,
-        b * k + d * m + f,
-    )
 
 
 def numbers(text: str) -> list[float]:

@@ -11,6 +11,7 @@ import httpx
 import pytest
 
 import cf2_text
+import pdf_text
 import svg_text
 from knifetip.cli import main
 
@@ -20,6 +21,7 @@ FILES = {
     "carton.svg": (svg_text.carton(), "application/octet-stream"),
     "carton.svgz": (gzip.compress(svg_text.carton(), mtime=0), "application/octet-stream"),
     "carton.cf2": (cf2_text.carton(), "text/plain; charset=utf-8"),
+    "carton.ai": (pdf_text.carton(), "application/octet-stream"),
     # What a file is called says nothing.
     "carton.dxf": (cf2_text.carton(), "text/plain; charset=utf-8"),
 }
@@ -33,7 +35,8 @@ def posted(client: httpx.Client, name: str, content: bytes, **fields: str) -> ht
 def test_a_file_is_read_by_its_content(client: httpx.Client, name: str):
     content, media_type = FILES[name]
     said = posted(client, name, content).json()
-    assert (said["name"], said["unit"], said["questions"]) == (name, "mm", [])
+    unit = "pt" if name == "carton.ai" else "mm"
+    assert (said["name"], said["unit"], said["questions"]) == (name, unit, [])
     assert {count["type"] for count in said["counts"]} >= {"cut", "crease"}
     back = client.get(f"/api/drawings/{said['id']}/file")
     assert back.content == content
@@ -66,7 +69,7 @@ def test_a_profile_says_what_the_numbers_of_a_cf2_mean(client: httpx.Client):
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (b"%PDF-1.7\n", "The file is a PDF"),
+        (b"%PDF-1.7\n", "The PDF is cut short"),
         (b"<html></html>", "The file is an HTML page"),
         (b'<!DOCTYPE svg [<!ENTITY a SYSTEM "file:///etc/passwd">]><svg>&a;</svg>', "&a;"),
         (cf2_text.carton()[:400], "cut short"),

@@ -1,4 +1,4 @@
-"""The same carton as DXF, CF2 and SVG: the same edges, the same line types."""
+"""The same carton as DXF, CF2, SVG and PDF: the same edges, the same line types."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 import cf2_text
+import pdf_text
 import svg_text
 from knifetip import pipeline
 from knifetip.dxf.samples import samples
@@ -62,6 +63,23 @@ def as_cf2(drawing: Drawing) -> bytes:
     return cf2_text.cf2("C,CARTON,0,0,0,1,1", subs=cf2_text.sub("CARTON", *records))
 
 
+def as_pdf(drawing: Drawing) -> bytes:
+    """A drawing as PDF: arcs as eight curves to a quarter turn, its layers as optional content."""
+    middle = arc.centre(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge)
+    parts = []
+    for (a, b), bulge, (x, y), layer in zip(
+        drawing.ends.tolist(), drawing.bulge.tolist(), middle.tolist(), drawing.layer, strict=True
+    ):
+        to = f"{b[0]:.9f} {b[1]:.9f} l"
+        if bulge != 0.0:
+            radius, first = math.dist(a, (x, y)), math.atan2(a[1] - y, a[0] - x)
+            to = pdf_text.bends(x, y, radius, radius, first, 4.0 * math.atan(bulge))
+        parts.append(f"/OC /L{layer} BDC {a[0]:.9f} {a[1]:.9f} m {to} S EMC")
+    size = 1000.0 * pdf_text.MM, 1000.0 * pdf_text.MM
+    scale = f"{pdf_text.MM!r} 0 0 {pdf_text.MM!r} 0 0 cm"
+    return pdf_text.pdf(scale, *parts, size=size, layers=drawing.layers, flate=True)
+
+
 def types(drawing: Drawing) -> list[int]:
     return pipeline.dieline(drawing, load.profile("default")).line_type.tolist()
 
@@ -82,6 +100,18 @@ def test_a_sample_is_the_same_as_cf2(name: str):
     assert_allclose(again.ends, drawing.ends, atol=1e-9)
     assert_allclose(again.bulge, drawing.bulge, atol=1e-9)
     assert types(again) == types(drawing)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_a_sample_is_the_same_as_pdf(name: str):
+    drawing = pipeline.read_drawing(SAMPLES[name])
+    again = pipeline.read_drawing(as_pdf(drawing))
+    straight, same = drawing.bulge == 0.0, again.bulge == 0.0
+    assert_allclose(again.ends[same], drawing.ends[straight], atol=1e-6)
+    assert_allclose(again.bounds, drawing.bounds, atol=1e-3)
+    for kind in range(8):
+        mine, theirs = (one.lengths[np.array(types(one)) == kind].sum() for one in (again, drawing))
+        assert_allclose(mine, theirs, atol=1e-3)
 
 
 @given(st.floats(-180.0, 180.0), st.booleans(), st.floats(0.05, 20.0))

@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from knifetip.svg.transform import IDENTITY, chained, matrix
+from knifetip.geometry.affine import IDENTITY, chained
+from knifetip.svg.transform import matrix
 
 
 def moved(text: str, x: float, y: float) -> tuple[float, float]:

@@ -1,0 +1,27 @@
+"""affine: the matrices of pages, six numbers each.
+
+(a, b, c, d, e, f):  x' = a x + c y + e,  y' = b x + d y + f
+"""
+
+from __future__ import annotations
+
+from typing import Final, TypeAlias
+
+#: a, b, c, d, e, f as SVG and PDF count them.
+Matrix: TypeAlias = tuple[float, float, float, float, float, float]
+
+IDENTITY: Final[Matrix] = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+
+
+def chained(outer: Matrix, inner: Matrix) -> Matrix:
+    """Return the matrix that does ``inner`` first."""
+    a, b, c, d, e, f = outer
+    g, h, i, j, k, m = inner
+    return (
+        a * g + c * h,
+        b * g + d * h,
+        a * i + c * j,
+        b * i + d * j,
+        a * k + c * m + e,
+        b * k + d * m + f,
+    )

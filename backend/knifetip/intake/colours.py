@@ -1,0 +1,38 @@
+"""colours: a true colour as the nearest colour of AutoCAD's index.
+
+0xFF0000 -> 1          0xE02020 -> 1
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Final
+
+#: A paint that draws, whose colour cannot be told: a pattern, a gradient, an ink.
+UNTOLD: Final = -1
+
+#: The colours of AutoCAD's index that are the same in every program.
+_INDEX: Final = (
+    (1, 0xFF0000),
+    (2, 0xFFFF00),
+    (3, 0x00FF00),
+    (4, 0x00FFFF),
+    (5, 0x0000FF),
+    (6, 0xFF00FF),
+    (7, 0xFFFFFF),
+    (7, 0x000000),
+)
+
+
+@lru_cache(maxsize=4096)
+def index(true_colour: int) -> int:
+    """Return the nearest of the first seven colours of AutoCAD's index; 7 for ``UNTOLD``."""
+    if true_colour < 0:
+        return 7
+
+    def off(other: int) -> int:
+        return sum(
+            ((true_colour >> bits & 255) - (other >> bits & 255)) ** 2 for bits in (0, 8, 16)
+        )
+
+    return min(_INDEX, key=lambda one: off(one[1]))[0]

@@ -1,0 +1,372 @@
+"""place: paths through their matrices, as columns of lines and arcs.
+
+    Sheet, Table, Paths, scale -> Columns: ends, bulge and the style of each segment, in file order
+
+A circular arc that is turned, mirrored or evenly scaled stays an arc.  All other arcs and all
+Bézier curves are fitted, thousands at once.
+
+The tolerance of the fit is ``tolerance.CURVE`` mm.  While the unit is unknown it is 1 / 250,000 of
+the drawing's diagonal, which is 0.01 mm or less in every unit in which the drawing is smaller than
+2.5 m.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.errors import DrawingTooLarge, GeometryError
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.curve import EvaluateEach, each
+from knifetip.geometry.tolerance import CURVE
+from knifetip.intake.columns import Columns
+from knifetip.intake.limits import REACH, Limits
+from knifetip.intake.sheet import Sheet
+
+LINE: Final = 0
+CUBIC: Final = 1
+ARC: Final = 2
+
+_SHARE: Final = 1.0 / 250_000.0
+#: Of the tolerance: what an arc may be off a circle, or a curve off its chord, and be taken for it.
+_ALIKE: Final = 0.01
+#: Curves that are fitted between two looks at the clock.
+_BLOCK: Final = 4096
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Table:
+    """n segments of several paths, in the order of the data."""
+
+    kind: U8  #: (n,) LINE, CUBIC or ARC
+    #: (n, 8): x and y of both ends, then of a CUBIC both handles, of an ARC both radii, the turn of
+    #: the first in degrees, and 1 for the large one + 2 for the one of increasing angle
+    numbers: F64
+    path: I64  #: (n,) which path
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Paths:
+    """p paths as a reader leaves them."""
+
+    row: I32  #: (p,) of the ledger
+    style: I32  #: (p,) which of the styles
+    matrix: F64  #: (p, 6) from its coordinates to file units: a, b, c, d, e, f
+
+
+def columns(
+    sheet: Sheet, table: Table, paths: Paths, scale: float, limits: Limits, what: str
+) -> Columns:
+    """Return all paths of a file as segments; those that cannot be placed get their reason.
+
+    Parameters
+    ----------
+    scale
+        Millimetres to a file unit, 0 while it is unknown.
+    what
+        What the file is called in an error: "SVG", "PDF".
+
+    Raises
+    ------
+    DrawingTooLarge
+        More segments, or more time, than the limits allow.
+    """
+    rows, matrix = paths.row, paths.matrix
+    with np.errstate(all="ignore"):
+        far = _farthest(table, matrix, len(rows))
+        reach = REACH / (scale or 1.0)
+        for path in np.flatnonzero(~(far <= reach)).tolist():
+            where = f"{far[path]:g}" if np.isfinite(far[path]) else "not a number"
+            sheet.dropped[int(rows[path])] = f"a coordinate is {where}; the limit is {reach:g}"
+        good = (far <= reach)[table.path]
+        table = Table(table.kind[good], table.numbers[good], table.path[good])
+        placed = _Placed(table, matrix[table.path])
+        tolerance = CURVE / scale if scale else _relative(placed.start, placed.end)
+        ends, bulge, of, curved = _segments(placed, tolerance, limits, what)
+    path_of = table.path[of]
+    if placed.failed:
+        lost = np.zeros(len(rows), bool)
+        for segment, why in placed.failed.items():
+            lost[table.path[segment]] = True
+            sheet.dropped[int(rows[table.path[segment]])] = why
+        kept = ~lost[path_of]
+        ends, bulge, of, path_of = ends[kept], bulge[kept], of[kept], path_of[kept]
+    share = "" if scale else " (1/250,000 of the drawing)"
+    fitted = np.bincount(path_of[curved[of]], minlength=len(rows))
+    for one in np.flatnonzero(fitted).tolist():
+        sheet.notes.setdefault(int(rows[one]), []).append(
+            f"curves fitted with {fitted[one]} lines and arcs within {tolerance:.2g} file "
+            f"units{share}"
+        )
+    return Columns(ends, bulge, rows[path_of], paths.style[path_of])
+
+
+def too_many(limits: Limits, what: str) -> DrawingTooLarge:
+    """Return the refusal of a file with more segments than the limit."""
+    return DrawingTooLarge(
+        f"The {what} has more than {limits.segments:,} lines and curves.",
+        "Export a single carton, without pictures made of lines.",
+    )
+
+
+def _farthest(table: Table, matrix: F64, paths: int) -> F64:
+    """Return how far from the origin each path reaches, (paths,), or more; NaN is kept."""
+    far = np.zeros(paths)
+    if not len(table.kind):
+        return far
+    by = matrix[table.path]
+    numbers = table.numbers
+    cubic, round_ = table.kind == CUBIC, table.kind == ARC
+    reach = np.zeros(len(by))
+    for x, drawn in ((0, True), (2, True), (4, cubic), (6, cubic)):
+        at = np.abs(_linear(by, numbers[:, x : x + 2]) + by[:, 4:]).max(axis=1)
+        reach = np.maximum(reach, np.where(drawn, at, 0.0))
+    # A large arc lies within its diameter of its ends, a small one within its chord if it is round.
+    size = np.abs(by[:, :4]).sum(axis=1)
+    span = np.abs(numbers[:, 2:4] - numbers[:, :2]).sum(axis=1)
+    least, most = np.sort(numbers[:, 4:6], axis=1).T
+    wide = np.where(numbers[:, 7] % 2.0 == 1.0, 2.0 * np.maximum(most, span), span * most / least)
+    reach = reach + np.where(round_, 2.0 * size * wide, 0.0)
+    first = np.flatnonzero(np.diff(table.path, prepend=-1))
+    far[table.path[first]] = np.maximum.reduceat(reach, first)
+    return far
+
+
+def _relative(start: F64, end: F64) -> float:
+    """Return the tolerance while the unit is unknown."""
+    if not len(start):
+        return CURVE
+    both = np.concatenate([start, end])
+    size = float(np.hypot(*(both.max(axis=0) - both.min(axis=0))))
+    return min(CURVE, size * _SHARE) if size > 0.0 else CURVE
+
+
+def _linear(by: F64, vectors: F64) -> F64:
+    """Return vectors (n, 2) through matrices (n, 6), without the shift."""
+    x, y = vectors[:, 0], vectors[:, 1]
+    return np.stack([by[:, 0] * x + by[:, 2] * y, by[:, 1] * x + by[:, 3] * y], axis=1)
+
+
+class _Placed:
+    """The segments of a table in file units."""
+
+    def __init__(self, table: Table, by: F64) -> None:
+        numbers = table.numbers
+        self.failed: dict[int, str] = {}  #: segment that cannot be fitted -> why
+        self.kind = table.kind.copy()
+        self.start = _linear(by, numbers[:, :2]) + by[:, 4:]
+        self.end = _linear(by, numbers[:, 2:4]) + by[:, 4:]
+        self.cubic = np.flatnonzero(self.kind == CUBIC)
+        handles = by[self.cubic], numbers[self.cubic]
+        self.control = np.stack(
+            [
+                self.start[self.cubic],
+                _linear(handles[0], handles[1][:, 4:6]) + handles[0][:, 4:],
+                _linear(handles[0], handles[1][:, 6:]) + handles[0][:, 4:],
+                self.end[self.cubic],
+            ],
+            axis=1,
+        )
+        # An arc between a point and itself is left out, as the standard has it: a speck.
+        same = (numbers[:, 0] == numbers[:, 2]) & (numbers[:, 1] == numbers[:, 3])
+        self.kind[(self.kind == ARC) & same] = LINE
+        self.arc = np.flatnonzero(self.kind == ARC)
+        centre, u, v, self.first, self.turn = _centred(numbers[self.arc])
+        through = by[self.arc]
+        self.centre = _linear(through, centre) + through[:, 4:]
+        self.u = _linear(through, u)
+        self.v = _linear(through, v)
+
+
+def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
+    """Return centre, u, v (n, 2), first angle and turn (n,) of arcs given by their ends.
+
+    A point of the arc is centre + u cos t + v sin t, for t from first to first + turn.
+
+    Source: SVG 1.1, appendix F.6.5 and F.6.6.
+    """
+    angle = np.radians(numbers[:, 6])
+    cosine, sine = np.cos(angle), np.sin(angle)
+    rx, ry = numbers[:, 4], numbers[:, 5]
+    large = numbers[:, 7] % 2.0 == 1.0
+    rising = numbers[:, 7] >= 2.0
+    half = (numbers[:, :2] - numbers[:, 2:4]) / 2.0
+    middle = (numbers[:, :2] + numbers[:, 2:4]) / 2.0
+    # Half the chord, in radii.
+    x = (cosine * half[:, 0] + sine * half[:, 1]) / rx
+    y = (cosine * half[:, 1] - sine * half[:, 0]) / ry
+    chord = x * x + y * y
+    # Radii that are too small grow until they just reach.
+    grown = np.sqrt(np.maximum(chord, 1.0))
+    x, y, rx, ry = x / grown, y / grown, rx * grown, ry * grown
+    chord = np.where(chord > 1.0, 1.0, chord)
+    off = np.sqrt(np.maximum(1.0 / chord - 1.0, 0.0)) * np.where(large == rising, -1.0, 1.0)
+    centre_x, centre_y = off * y, -off * x
+    first = np.arctan2(y - centre_y, x - centre_x)
+    # By the chord, and not from angle to angle: that of a short arc would be lost.
+    turn = 2.0 * np.arcsin(np.sqrt(chord))
+    turn = np.where(large, 2.0 * np.pi - turn, turn) * np.where(rising, 1.0, -1.0)
+    u = np.stack([rx * cosine, rx * sine], axis=1)
+    v = np.stack([-ry * sine, ry * cosine], axis=1)
+    return middle + centre_x[:, None] * u + centre_y[:, None] * v, u, v, first, turn
+
+
+def _segments(
+    placed: _Placed, tolerance: float, limits: Limits, what: str
+) -> tuple[F64, F64, I64, Bool]:
+    """Return ends (n, 2, 2), bulge (n,), the segment of the table each is of, and which (of the
+    table's) were fitted."""
+    curved = np.zeros(len(placed.kind), bool)
+    straight = np.flatnonzero(placed.kind == LINE)
+    parts = [_lines(placed, straight)]
+
+    chord = placed.control[:, 3] - placed.control[:, 0]
+    is_line = _chords(placed.control, chord, _ALIKE * tolerance)
+    parts.append(_lines(placed, placed.cubic[is_line]))
+    bent = np.flatnonzero(~is_line)
+    curved[placed.cubic[bent]] = True
+
+    size_u, size_v = (np.hypot(*vectors.T) for vectors in (placed.u, placed.v))
+    across = np.abs((placed.u * placed.v).sum(axis=1))
+    larger = np.maximum(size_u, size_v)
+    off = np.maximum(np.abs(size_u - size_v), across / np.where(larger > 0.0, larger, 1.0))
+    circle = off <= _ALIKE * tolerance
+    parts.append(_circular(placed, np.flatnonzero(circle)))
+    oval = np.flatnonzero(~circle)
+    curved[placed.arc[oval]] = True
+
+    until = time.monotonic() + limits.seconds
+    total = sum(len(part[1]) for part in parts)
+    for which, numbers, point, tangent in (
+        (bent, placed.cubic, *_bezier(placed.control)),
+        (oval, placed.arc, *_elliptic(placed)),
+    ):
+        for low in range(0, len(which), _BLOCK):
+            if time.monotonic() > until:
+                raise DrawingTooLarge(
+                    f"The {what} takes longer than {limits.seconds:g} s to read.",
+                    "Export a single carton, and curves as lines and arcs.",
+                )
+            part = _fitted(placed, which[low : low + _BLOCK], numbers, point, tangent, tolerance)
+            total += len(part[1])
+            if total > limits.segments:
+                raise too_many(limits, what)
+            parts.append(part)
+    if total > limits.segments:
+        raise too_many(limits, what)
+    ends, bulge, of = (np.concatenate(column) for column in zip(*parts, strict=True))
+    order = np.argsort(of, kind="stable")
+    return ends[order], bulge[order], of[order], curved
+
+
+def _lines(placed: _Placed, rows: I64) -> tuple[F64, F64, I64]:
+    ends = np.stack([placed.start[rows], placed.end[rows]], axis=1)
+    return ends, np.zeros(len(rows)), rows
+
+
+def _chords(control: F64, chord: F64, tolerance: float) -> Bool:
+    """Return which curves are their chords: no handle beside it, and none beyond its ends."""
+    size = np.hypot(chord[:, 0], chord[:, 1])
+    ahead = chord / np.where(size > 0.0, size, 1.0)[:, None]
+    straight: Bool = size > 0.0
+    for handle in (1, 2):
+        away = control[:, handle] - control[:, 0]
+        beside = np.abs(ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0])
+        along = (ahead * away).sum(axis=1)
+        straight &= (beside <= tolerance) & (along >= -tolerance) & (along <= size + tolerance)
+    # A curve without length is a speck, and no work for the fit.
+    return straight | (np.abs(control - control[:, :1]) <= 0.0).all(axis=(1, 2))
+
+
+def _circular(placed: _Placed, which: I64) -> tuple[F64, F64, I64]:
+    """Return circular arcs in rows of at most half a turn."""
+    rows = placed.arc[which]
+    u, v, first, turn = placed.u[which], placed.v[which], placed.first[which], placed.turn[which]
+    side = np.sign((u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) * turn)
+    two = np.abs(turn) > np.pi * (1.0 + 1e-9)
+    bulge = side * np.minimum(np.tan(np.abs(turn) / np.where(two, 8.0, 4.0)), 1.0)
+    half = first + turn / 2.0
+    middle = placed.centre[which] + np.cos(half)[:, None] * u + np.sin(half)[:, None] * v
+    start, end = placed.start[rows], placed.end[rows]
+    ends = np.concatenate(
+        [
+            np.stack([start, np.where(two[:, None], middle, end)], axis=1),
+            np.stack([middle, end], axis=1)[two],
+        ]
+    )
+    return ends, np.concatenate([bulge, bulge[two]]), np.concatenate([rows, rows[two]])
+
+
+def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
+    """Return point and derivative of cubic Bézier curves, control (n, 4, 2)."""
+    step = np.diff(control, axis=1)
+    # Where a handle lies on its end, the next one says in which direction the curve leaves.
+    leaving = control[:, 1:] - control[:, :1]
+    first = np.argmax((leaving != 0.0).any(axis=2), axis=1)
+    leaving = leaving[np.arange(len(control)), first]
+
+    def point(k: I64, s: F64) -> F64:
+        p, t, r = control[k], s[:, None], 1.0 - s[:, None]
+        return r * r * r * p[:, 0] + 3.0 * r * t * (r * p[:, 1] + t * p[:, 2]) + t * t * t * p[:, 3]
+
+    def tangent(k: I64, s: F64) -> F64:
+        d, t, r = step[k], s[:, None], 1.0 - s[:, None]
+        along = r * r * d[:, 0] + 2.0 * r * t * d[:, 1] + t * t * d[:, 2]
+        return np.where(t > 0.0, along, leaving[k])
+
+    return point, tangent
+
+
+def _elliptic(placed: _Placed) -> tuple[EvaluateEach, EvaluateEach]:
+    """Return point and derivative of the elliptic arcs."""
+
+    def point(k: I64, s: F64) -> F64:
+        t = placed.first[k] + s * placed.turn[k]
+        return (
+            placed.centre[k] + np.cos(t)[:, None] * placed.u[k] + np.sin(t)[:, None] * placed.v[k]
+        )
+
+    def tangent(k: I64, s: F64) -> F64:
+        t = placed.first[k] + s * placed.turn[k]
+        way = np.sign(placed.turn[k])[:, None]
+        return way * (np.cos(t)[:, None] * placed.v[k] - np.sin(t)[:, None] * placed.u[k])
+
+    return point, tangent
+
+
+def _fitted(
+    placed: _Placed,
+    which: I64,
+    numbers: I64,
+    point: EvaluateEach,
+    tangent: EvaluateEach,
+    tolerance: float,
+) -> tuple[F64, F64, I64]:
+    """Fit some curves; where one cannot be, half of them at a time, until it is found."""
+    try:
+        start, end, bulge, of = each(
+            lambda k, s: point(which[k], s),
+            lambda k, s: tangent(which[k], s),
+            len(which),
+            tolerance,
+        )
+    except GeometryError as reason:
+        if len(which) == 1:
+            placed.failed[int(numbers[which[0]])] = reason.message
+            return np.zeros((0, 2, 2)), np.zeros(0), np.zeros(0, np.int64)
+        middle = len(which) // 2
+        halves = [
+            _fitted(placed, half, numbers, point, tangent, tolerance)
+            for half in (which[:middle], which[middle:])
+        ]
+        ends, bulge, of = (np.concatenate(column) for column in zip(*halves, strict=True))
+        return ends, bulge, of
+    rows = numbers[which[of]]
+    # The next segment begins where this one was drawn to end, to the bit.
+    first = np.flatnonzero(np.diff(of, prepend=-1))
+    last = np.flatnonzero(np.diff(of, append=len(which)))
+    start[first], end[last] = placed.start[rows[first]], placed.end[rows[last]]
+    return np.stack([start, end], axis=1), bulge, rows

@@ -1,0 +1,1 @@
+"""Floor 3: PDF bytes in, Drawing out."""

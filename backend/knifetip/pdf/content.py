@@ -1,0 +1,140 @@
+"""content: the operators of a content stream, one after the other, each with what it is given.
+
+    b"1 0 0 RG 10 20 m 30 20 l S" -> ("RG", [1, 0, 0]), ("m", [10, 20]), ("l", [30, 20]), ("S", [])
+
+A page of a carton has a hundred thousand of them, so one expression finds the tokens.  Dictionaries
+and pictures inside the stream are passed over; arrays are lists.
+
+Source: ISO 32000-1, chapters 7.2, 7.3 and 7.8.2.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any, Final
+
+#: Arrays and dictionaries inside each other; no operator takes more than three.
+_DEEPEST: Final = 32
+#: Numbers, names and strings before one operator; more are an attack.
+_OPERANDS: Final = 10_000
+
+_TOKEN: Final = re.compile(
+    rb"[\x00\t\n\f\r ]*(?:"
+    rb"((?>[-+]?(?:\d+\.?\d*|\.\d+)))(?=[\x00\t\n\f\r \[\]/<>()%{}]|\Z)"  # 1 a number
+    rb"|([^\x00\t\n\f\r \[\]/<>()%{}]+)"  # 2 an operator
+    rb"|/([^\x00\t\n\f\r \[\]/<>()%{}]*)"  # 3 a name
+    rb"|(\()"  # 4 the begin of a string
+    rb"|(<<|\[)"  # 5 the begin of a dictionary or an array
+    rb"|(>>|\])"  # 6 its end
+    rb"|<([^<>]*)>"  # 7 a string in hexadecimal digits
+    rb"|%[^\r\n]*|.)",  # nothing that is read
+    re.DOTALL,
+)
+_IN_STRING: Final = re.compile(rb"[()]|\\.", re.DOTALL)
+_ESCAPE: Final = re.compile(rb"\\(?:([0-7]{1,3})|(\r\n|.))", re.DOTALL)
+_ESCAPED: Final = {b"n": b"\n", b"r": b"\r", b"t": b"\t", b"b": b"\b", b"f": b"\f"}
+#: Behind the samples of a picture: EI between blanks, and then what is no sample.
+_PICTURE_ENDS: Final = re.compile(rb"[\x00\t\n\f\r ]EI(?=[\x00\t\n\f\r ][\t\n\f\r -~]{0,16}|\Z)")
+_NUMBERED: Final = re.compile(rb"#([0-9A-Fa-f]{2})")
+_NOT_HEX: Final = re.compile(rb"[^0-9A-Fa-f]")
+#: In which names are written, as pypdf tries them.
+_CHARSETS: Final = ("utf-8", "gbk", "latin-1")
+
+
+class CutShort(Exception):
+    """A content stream that stops inside something.  Never leaves the room."""
+
+
+class Name(str):
+    """A name, without its slash."""
+
+    __slots__ = ()
+
+
+def operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
+    """Yield the operators of a content stream, with their numbers, names, strings and lists.
+
+    A picture that stands in the stream is one operator, ``BI``.
+
+    Raises
+    ------
+    CutShort
+        The stream stops inside a string, an array or a picture.
+    """
+    given: list[Any] = []
+    around: list[list[Any]] = []
+    at = 0
+    while (found := _TOKEN.match(data, at)) is not None:
+        kind = found.lastindex
+        at = found.end()
+        if kind == 1:
+            given.append(float(found[1]))
+        elif kind == 2:
+            operator = found[2].decode("latin-1")
+            if around:
+                # true, false and null are the only words in an array.
+                continue
+            if operator == "BI":
+                at = _behind_picture(data, at)
+            yield operator, given
+            given = []
+        elif kind == 3:
+            given.append(_name(found[3]))
+        elif kind == 4:
+            begun, at = at, _string_end(data, at)
+            given.append(_ESCAPE.sub(_unescaped, data[begun : at - 1]))
+        elif kind == 5:
+            if len(around) == _DEEPEST:
+                raise CutShort("has arrays nested too deep")
+            around.append(given)
+            given = []
+        elif kind == 6 and around:
+            inside, given = given, around.pop()
+            given.append(inside if found[6] == b"]" else None)
+        elif kind == 7:
+            digits = _NOT_HEX.sub(b"", found[7])
+            given.append(bytes.fromhex((digits + b"0" * (len(digits) % 2)).decode()))
+        if len(given) > _OPERANDS:
+            del given[:-_OPERANDS]
+    if around:
+        raise CutShort("stops inside an array")
+
+
+def _name(raw: bytes) -> Name:
+    if b"#" in raw:
+        raw = _NUMBERED.sub(lambda found: bytes((int(found[1], 16),)), raw)
+    for charset in _CHARSETS:
+        try:
+            return Name(raw.decode(charset))
+        except UnicodeDecodeError:
+            continue
+    raise AssertionError("latin-1 has all bytes")
+
+
+def _string_end(data: bytes, at: int) -> int:
+    """Return the place behind the bracket that closes the string before ``at``."""
+    deep = 1
+    for found in _IN_STRING.finditer(data, at):
+        if found[0] == b"(":
+            deep += 1
+        elif found[0] == b")":
+            deep -= 1
+            if deep == 0:
+                return found.end()
+    raise CutShort("stops inside a text")
+
+
+def _unescaped(found: re.Match[bytes]) -> bytes:
+    if found[1]:
+        return bytes((int(found[1], 8) & 255,))
+    if found[2] in (b"\n", b"\r", b"\r\n"):
+        return b""
+    return _ESCAPED.get(found[2], found[2])
+
+
+def _behind_picture(data: bytes, at: int) -> int:
+    found = _PICTURE_ENDS.search(data, at)
+    if found is None:
+        raise CutShort("stops inside a picture")
+    return found.end()

@@ -1,0 +1,177 @@
+"""drawn: the lines of a page as they are found, and its ledger.
+
+    paths as they are built, each with its matrix and its look -> Table, Paths, Styles
+
+Every path, text and picture gets its row; paths keep the matrix through which they are seen.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from knifetip.errors import DrawingTooLarge
+from knifetip.geometry.affine import Matrix
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.intake.colours import index
+from knifetip.intake.columns import Style
+from knifetip.intake.limits import Limits
+from knifetip.intake.place import CUBIC, Paths, Table
+from knifetip.intake.sheet import Sheet
+from knifetip.model.drawing import Inscription
+from knifetip.pdf.colours import Paint
+from knifetip.pdf.document import Box
+from knifetip.pdf.layers import names
+from knifetip.pdf.outline import Outline
+
+
+class Mark(NamedTuple):
+    """What something on the page lies on."""
+
+    layer: str
+    hidden: str  #: the layer around it that is not shown, empty if all are
+
+
+class Look(NamedTuple):
+    """What a line is drawn with."""
+
+    layer: str
+    paint: Paint
+    dashed: bool
+
+
+class Line(NamedTuple):
+    """A path that is kept."""
+
+    row: int
+    size: int  #: segments
+    matrix: Matrix  #: from its coordinates to points on the page as it is shown
+    clip: Box  #: what of that page is seen of it
+    look: Look
+    area: bool  #: it is filled and has no stroke
+
+
+#: Beyond what is seen by less than this is not worth a word (points).
+_EDGE: Final = 0.01
+
+
+class Drawn:
+    """The lines and words of a page."""
+
+    def __init__(self, limits: Limits) -> None:
+        self.sheet = Sheet()
+        self.outline = Outline(limits)
+        self.inscriptions: list[Inscription] = []  #: in points
+        self._limits = limits
+        self._lines: list[Line] = []
+
+    def row(self, path: str, kind: str, mark: Mark, dropped: str = "") -> int:
+        """Add a row to the ledger.
+
+        Parameters
+        ----------
+        path
+            Names of the forms around it, each with a slash behind it.
+        """
+        if len(self.sheet.handle) >= self._limits.entities:
+            raise DrawingTooLarge(
+                f"The PDF has more than {self._limits.entities:,} paths, texts and pictures.",
+                "Export a single carton.",
+            )
+        handle = f"{path}#{len(self.sheet.handle) + 1}"
+        return self.sheet.row(handle, kind, mark.layer or "0", dropped)
+
+    def line(self, row: int, matrix: Matrix, clip: Box, look: Look, *, area: bool) -> None:
+        """Keep the path that was built."""
+        self._lines.append(Line(row, self.outline.keep(), matrix, clip, look, area))
+
+    @property
+    def empty(self) -> bool:
+        """Whether there is no line."""
+        return not self._lines
+
+    def gathered(self) -> tuple[Table, Paths, list[Style]]:
+        """Return what is drawn, once the whole page is known."""
+        lines = self._lines
+        kind = np.array(self.outline.kind, np.uint8)
+        numbers = np.array(self.outline.numbers, np.float64).reshape(-1, 8)
+        size = np.array([line.size for line in lines], np.int64)
+        path = np.repeat(np.arange(len(lines), dtype=np.int64), size)
+        matrix = np.array([line.matrix for line in lines], np.float64).reshape(-1, 6)
+        keep = self._shown(kind, numbers, path, matrix) & self._areas()
+        lines = [line for line, kept in zip(lines, keep.tolist(), strict=True) if kept]
+        of = keep[path]
+        number = np.cumsum(keep) - 1
+        styles, style = self._styled(lines)
+        row = np.array([line.row for line in lines], np.int32)
+        table = Table(kind[of], numbers[of], number[path[of]])
+        return table, Paths(row, style, matrix[keep]), styles
+
+    def _shown(self, kind: U8, numbers: F64, path: I64, matrix: F64) -> Bool:
+        """Drop the lines that lie beside what is seen of the page."""
+        clip = np.array([line.clip for line in self._lines], np.float64).reshape(-1, 4)
+        shown = np.ones(len(clip), bool)
+        if not len(path):
+            return shown
+        by = matrix[path]
+        low = np.full((len(path), 2), np.inf)
+        high = -low
+        with np.errstate(all="ignore"):
+            for k in range(4):
+                x, y = numbers[:, 2 * k], numbers[:, 2 * k + 1]
+                at = np.stack([by[:, 0] * x + by[:, 2] * y, by[:, 1] * x + by[:, 3] * y], axis=1)
+                at += by[:, 4:]
+                drawn = (kind == CUBIC)[:, None] | (k < 2)
+                low = np.where(drawn, np.minimum(low, at), low)
+                high = np.where(drawn, np.maximum(high, at), high)
+            first = np.flatnonzero(np.diff(path, prepend=-1))
+            low, high = np.minimum.reduceat(low, first), np.maximum.reduceat(high, first)
+            window = clip[path[first]]
+            beside = ((high < window[:, :2]) | (low > window[:, 2:])).any(axis=1)
+            over = ((low < window[:, :2] - _EDGE) | (high > window[:, 2:] + _EDGE)).any(axis=1)
+        for one in path[first][beside].tolist():
+            self.sheet.dropped[self._lines[one].row] = "it lies outside of what the page shows"
+            shown[one] = False
+        for one in path[first][over & ~beside].tolist():
+            self._note(self._lines[one].row, "part of it lies outside of what the page shows")
+        return shown
+
+    def _areas(self) -> Bool:
+        """Drop filled areas without a stroke, unless the page has no other lines."""
+        areas = np.array([line.area for line in self._lines], bool)
+        stroked = not areas.all()
+        for one in np.flatnonzero(areas).tolist():
+            row = self._lines[one].row
+            if stroked:
+                self.sheet.dropped.setdefault(
+                    row, "a filled area without a stroke; others have one"
+                )
+            else:
+                self._note(row, "outline of a filled area: nothing on the page has a stroke")
+        return ~areas | (not stroked)
+
+    def _styled(self, lines: list[Line]) -> tuple[list[Style], I32]:
+        """Return the styles of lines, and give their rows the layers that they are called by."""
+        named = names({(line.look.layer, line.look.paint.spot) for line in lines})
+        styles: list[Style] = []
+        known: dict[Look, int] = {}
+        style = np.zeros(len(lines), np.int32)
+        for number, line in enumerate(lines):
+            layer, (colour, spot, _), dashed = line.look
+            name = named[layer, spot]
+            self.sheet.layer[line.row] = name
+            if spot and name.lower() != spot.lower():
+                self._note(line.row, f"drawn in the spot colour {spot}")
+            elif layer and name.lower() != layer.lower():
+                self._note(line.row, f"on the layer {layer}")
+            found = known.get(line.look)
+            if found is None:
+                found = known[line.look] = len(styles)
+                linetype = "dashed" if dashed else "Continuous"
+                styles.append(Style(name, index(colour), max(colour, -1), linetype))
+            style[number] = found
+        return styles, style
+
+    def _note(self, row: int, what: str) -> None:
+        self.sheet.notes.setdefault(row, []).append(what)

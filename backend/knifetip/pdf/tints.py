@@ -1,0 +1,111 @@
+"""tints: what a tint of an ink looks like in the colours of a screen or a press.
+
+    {dup 0 exch 0.5 mul} and tint 1 -> 0, 0.5 … of the space under it
+
+A function is a power of the tint, a table, or a program; of programs those are run that only
+calculate.  Others are not told, and neither are functions put together of several.
+
+Source: ISO 32000-1, chapter 7.10.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from typing import Final
+
+from pypdf.generic import StreamObject
+
+from knifetip.pdf.document import File, number
+
+#: Bytes of a program, and numbers that it may have at once.
+_PROGRAM: Final = 4096
+_STACK: Final = 100
+
+_TWO: Final[dict[str, Callable[[float, float], float]]] = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "div": lambda a, b: a / b,
+}
+
+
+def shown(file: File, function: object, tint: float) -> list[float]:
+    """Return what a function makes of a tint 0 … 1; empty where that is not told."""
+    tint = min(max(tint, 0.0), 1.0)
+    kind = number(file.entry(function, "/FunctionType"))
+    if kind == 2.0:
+        none = [number(file.seen(one)) for one in file.array(function, "/C0")] or [0.0]
+        full = [number(file.seen(one)) for one in file.array(function, "/C1")] or [1.0]
+        power = number(file.entry(function, "/N"))
+        if len(none) != len(full) or not 0.0 < power < math.inf:
+            return []
+        return [a + tint**power * (b - a) for a, b in zip(none, full, strict=True)]
+    if kind == 0.0 and isinstance(function, StreamObject):
+        return _sampled(file, function, tint)
+    if kind == 4.0 and isinstance(function, StreamObject):
+        return _calculated(file.data(function)[:_PROGRAM], tint)
+    return []
+
+
+def _sampled(file: File, function: StreamObject, tint: float) -> list[float]:
+    """Return the sample of a table that is nearest to a tint."""
+    size = [number(file.seen(one)) for one in file.array(function, "/Size")]
+    within = [number(file.seen(one)) for one in file.array(function, "/Range")]
+    bits = number(file.entry(function, "/BitsPerSample"))
+    if len(size) != 1 or not 1.0 <= size[0] < math.inf or bits not in (8.0, 16.0):
+        return []
+    spread = [number(file.seen(one)) for one in file.array(function, "/Decode")] or within
+    wide = int(bits) // 8
+    outputs = len(spread) // 2
+    first = round(tint * (int(size[0]) - 1)) * outputs * wide
+    data = file.data(function)[first : first + outputs * wide]
+    if len(data) != outputs * wide:
+        return []
+    most = float(256**wide - 1)
+    return [
+        low + int.from_bytes(data[k * wide : (k + 1) * wide], "big") / most * (high - low)
+        for k, (low, high) in enumerate(zip(spread[::2], spread[1::2], strict=True))
+    ]
+
+
+def _calculated(program: bytes, tint: float) -> list[float]:
+    """Return what a program leaves, empty where it does more than calculate."""
+    stack = [tint]
+    try:
+        for word in re.findall(r"[^\s{}]+", program.decode("latin-1")):
+            if word in _TWO:
+                b, a = stack.pop(), stack.pop()
+                stack.append(_TWO[word](a, b))
+            elif word == "neg":
+                stack.append(-stack.pop())
+            elif word == "pop":
+                stack.pop()
+            elif word == "dup":
+                stack.append(stack[-1])
+            elif word == "exch":
+                stack[-2:] = stack[:-3:-1]
+            elif word == "index":
+                stack.append(stack[-1 - _natural(stack.pop())])
+            elif word == "copy":
+                count = _natural(stack.pop())
+                stack += stack[len(stack) - count :]
+            elif word == "roll":
+                turn, count = int(stack.pop()), _natural(stack.pop())
+                top = stack[len(stack) - count :]
+                stack[len(stack) - count :] = [top[(k - turn) % count] for k in range(count)]
+            else:
+                stack.append(float(word))
+            if len(stack) > _STACK:
+                return []
+    except (ValueError, IndexError, ArithmeticError):
+        return []
+    return stack
+
+
+def _natural(value: float) -> int:
+    """Return a count from 0 up."""
+    if not 0.0 <= value <= _STACK:
+        raise ValueError
+    return int(value)

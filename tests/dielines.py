@@ -1,0 +1,359 @@
+"""dielines: cartons of many kinds as lines, with what each is, before they have a style.
+
+Every line has a part: ``outer`` and ``inner`` cuts, ``crease``, ``perforation``, ``half-cut``,
+``v-groove``, or what is said about the carton and not done to it: ``dimension``, ``text``,
+``frame``, ``bleed``, ``glue``, ``mark``, ``legend``, ``grain``, ``safety``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+from tests import cartons
+
+from knifetip.model.dieline import LineType
+from knifetip.model.drawing import extents
+
+_SAID = {
+    "outer": LineType.CUT,
+    "inner": LineType.CUT,
+    "crease": LineType.CREASE,
+    "perforation": LineType.PERFORATION,
+    "half-cut": LineType.HALF_CUT,
+    "v-groove": LineType.V_GROOVE,
+}
+_PART = {
+    LineType.CREASE: "crease",
+    LineType.PERFORATION: "perforation",
+    LineType.HALF_CUT: "half-cut",
+    LineType.V_GROOVE: "v-groove",
+    LineType.IGNORED: "dimension",
+}
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """One line or arc of at most half a turn (mm)."""
+
+    x0: float
+    y0: float
+    x1: float
+    y1: float
+    part: str
+    bulge: float = 0.0
+    sample: str = ""  #: of a legend: the part in whose style it is drawn
+
+    @property
+    def truth(self) -> LineType:
+        """What is to be done along it."""
+        return _SAID.get(self.part, LineType.IGNORED)
+
+
+@dataclass
+class Plan:
+    """A carton, or several, and what is written beside them."""
+
+    strokes: list[Stroke] = field(default_factory=list)
+    words: list[tuple[str, float, float, float, str]] = field(default_factory=list)
+
+    def line(self, x0: float, y0: float, x1: float, y1: float, part: str, bulge: float = 0) -> None:
+        """Draw one line or arc."""
+        self.strokes.append(Stroke(x0, y0, x1, y1, part, bulge))
+
+    def way(self, points: Sequence[tuple[float, ...]], part: str, *, shut: bool = True) -> None:
+        """Draw a polygon; a third number is the bulge of the side that begins there."""
+        after = [*points[1:], *(points[:1] if shut else ())]
+        for one, two in zip(points, after, strict=False):
+            self.line(one[0], one[1], two[0], two[1], part, one[2] if len(one) > 2 else 0.0)
+
+    def box(self, x0: float, y0: float, x1: float, y1: float, part: str) -> None:
+        """Draw a rectangle."""
+        self.way([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], part)
+
+    def circle(self, x: float, y: float, radius: float, part: str) -> None:
+        """Draw a circle as two half turns."""
+        self.line(x - radius, y, x + radius, y, part, 1.0)
+        self.line(x + radius, y, x - radius, y, part, 1.0)
+
+    def say(self, text: str, x: float, y: float, height: float = 4.0, part: str = "text") -> None:
+        """Write a text."""
+        self.words.append((text, x, y, height, part))
+
+    @property
+    def corners(self) -> tuple[float, float, float, float]:
+        """The box of all strokes."""
+        ends = np.array([((s.x0, s.y0), (s.x1, s.y1)) for s in self.strokes])
+        box = extents(ends, np.array([s.bulge for s in self.strokes])).tolist()
+        return box[0], box[1], box[2], box[3]
+
+    def moved(self, x: float, y: float) -> list[Stroke]:
+        """Return the strokes somewhere else."""
+        return [
+            Stroke(s.x0 + x, s.y0 + y, s.x1 + x, s.y1 + y, s.part, s.bulge, s.sample)
+            for s in self.strokes
+        ]
+
+
+def _told(make: Callable[[np.random.Generator], cartons.Sheet]) -> Callable[..., Plan]:
+    """Return a maker of plans out of one of sheets: cuts that touch no end of the rim are inner."""
+
+    def made(rng: np.random.Generator) -> Plan:
+        sheet, plan = make(rng), Plan()
+        for ends, bulge, kind in zip(sheet.ends, sheet.bulge, sheet.truth, strict=True):
+            plan.line(*ends, _PART.get(kind, "outer"), bulge)
+        return plan
+
+    made.__name__ = make.__name__
+    return made
+
+
+def mailer(rng: np.random.Generator) -> Plan:
+    """FEFCO 0427: a roll-end front tuck with locks, ears and double creases."""
+    plan = Plan()
+    a, b, h = rng.uniform(120, 320), rng.uniform(90, 220), rng.uniform(30, 80)
+    t = float(rng.choice([1.5, 3.0]))
+    x0, x1 = h * 2 + t, h * 2 + t + a
+    y = [0.0, h, h + b, 2 * h + b, 2 * h + 2 * b, 2 * h + 2 * b + h]
+    # Front, base, back, lid and tuck; side walls roll over on the base, ears hang on the rest.
+    ring = [(x0, 0.0), (x1, 0.0), (x1 + h - t, 0.3 * h), (x1 + h - t, h - 1.0), (x1, h)]
+    ring += [(x1 + h, h + 1.0), (x1 + 2 * h + t, h + 3.0)]
+    ring += [(x1 + 2 * h + t, h + b - 3.0), (x1 + h, h + b - 1.0), (x1, h + b)]
+    ring += [(x1 + h - t, h + b + 1.0), (x1 + h - t, y[3] - 0.3 * h), (x1, y[3])]
+    ring += [(x1 + h / 2, y[3] + 4.0), (x1 + h / 2, y[4] - 8.0), (x1, y[4])]
+    ring += [(x1 - 4.0, y[5]), (x0 + 4.0, y[5])]
+    mirrored = [(x0 + x1 - x, v) for x, v in ring[2:-2]]
+    plan.way([*ring, *mirrored[::-1]], "outer")
+    for at in (y[1], y[2], y[3], y[4]):
+        plan.line(x0, at, x1, at, "crease")
+    for sign, edge in ((1.0, x1), (-1.0, x0)):
+        plan.line(edge, y[1], edge, y[2], "crease")
+        plan.line(edge, y[2], edge, y[3], "crease")
+        plan.line(edge, y[3], edge, y[4], "crease")
+        # A double crease where the wall rolls over.
+        for step in (0.0, t):
+            at = edge + sign * (h + step)
+            low = 1.0 + 2.0 * step / (h + t)
+            plan.line(at, h + low, at, h + b - low, "crease")
+        for v in (h + 0.3 * b, h + 0.7 * b):
+            mid = edge + sign * (2 * h + t - 6.0)
+            plan.box(mid - 1.5, v - 8.0, mid + 1.5, v + 8.0, "inner")
+    return plan
+
+
+def counter_display(rng: np.random.Generator) -> Plan:
+    """A display with a curved back, slots and a round hole."""
+    plan = Plan()
+    a, b, h = rng.uniform(120, 300), rng.uniform(60, 150), rng.uniform(60, 160)
+    x = np.cumsum([0.0, 20.0, b, a, b]).tolist()
+    front, back = 0.4 * h, 1.6 * h
+    ring: list[tuple[float, ...]] = [
+        (0.0, 8.0), (x[1], 0.0), (x[2], 0.0), (x[2], -b), (x[3], -b), (x[3], 0.0), (x[4], 0.0),
+        (x[4], front, -0.15), (x[3], h), (x[3], back, 0.35), (x[2], back), (x[2], h, -0.15),
+        (x[1], front), (0.0, front - 8.0),
+    ]  # fmt: skip
+    plan.way(ring, "outer")
+    for at, top in ((x[1], front), (x[2], h), (x[3], h)):
+        plan.line(at, 0.0, at, top, "crease")
+    plan.line(x[2], 0.0, x[3], 0.0, "crease")
+    middle = 0.5 * (x[2] + x[3])
+    plan.circle(middle, back - 10.0, 6.0, "inner")
+    for at in (middle - 0.25 * a, middle + 0.25 * a):
+        plan.box(at - 12.0, 0.5 * h, at + 12.0, 0.5 * h + 2.0, "inner")
+    return plan
+
+
+def pillow(rng: np.random.Generator) -> Plan:
+    """A pillow box: the creases at its ends are arcs."""
+    plan = Plan()
+    w, h, bend = rng.uniform(60, 160), rng.uniform(80, 240), 0.3
+    flap = 0.5 * w * bend
+    ring: list[tuple[float, ...]] = [(0.0, 5.0), (15.0, 0.0, bend), (15.0 + w, 0.0, bend)]
+    ring += [(15.0 + 2 * w, 0.0), (15.0 + 2 * w, h, bend), (15.0 + w, h, bend), (15.0, h)]
+    ring += [(0.0, h - 5.0)]
+    plan.way(ring, "outer")
+    for at in (15.0, 15.0 + w):
+        plan.line(at, 0.0, at, h, "crease")
+    for left in (15.0, 15.0 + w):
+        plan.line(left, 0.0, left + w, 0.0, "crease", -bend)
+        plan.line(left, h, left + w, h, "crease", bend)
+    plan.circle(15.0 + 0.5 * w, 0.5 * h + flap, 4.0, "inner")
+    return plan
+
+
+def tear_case(rng: np.random.Generator) -> Plan:
+    """A slotted case with a tear strip between two perforations right across."""
+    plan = _told(cartons.slotted_case)(rng)
+    _, y0, x1, y1 = plan.corners
+    middle = 0.5 * (y0 + y1)
+    for at in (middle - 5.0, middle + 5.0):
+        plan.line(0.0, at, x1, at, "perforation")
+    return plan
+
+
+def auto_bottom(rng: np.random.Generator) -> Plan:
+    """A crash-lock bottom: diagonal creases, and slits that part the bottom flaps."""
+    plan = Plan()
+    a, b, h = rng.uniform(70, 160), rng.uniform(50, 68), rng.uniform(80, 200)
+    x = np.cumsum([0.0, 15.0, a, b, a, b]).tolist()
+    down = 0.75 * b
+    top = [(x[-1], h)]
+    for left, right in zip(x[-2:0:-1], x[:1:-1], strict=True):
+        top += [(right - 0.5, h + 0.5 * b), (left + 0.5, h + 0.5 * b), (left, h)]
+    ring = [(0.0, 8.0)]
+    for left, right in pairwise(x[1:]):
+        ring += [(left, 0.0), (left + 2.0, -down), (right - 2.0, -down)]
+    plan.way([*ring, (x[-1], 0.0), *top, (0.0, h - 8.0)], "outer")
+    for at in x[1:-1]:
+        plan.line(at, 0.0, at, h, "crease")
+    for left, right in pairwise(x[1:]):
+        plan.line(left, 0.0, right, 0.0, "crease")
+        plan.line(left, h, right, h, "crease")
+    for panel in (2, 4):
+        left = x[panel]
+        plan.line(left, 0.0, left + 0.6 * b, -down, "crease")
+    return plan
+
+
+def bag(rng: np.random.Generator) -> Plan:
+    """A carrier bag: creases that cross each other, gussets, and holes for a cord."""
+    plan = Plan()
+    a, g, h = rng.uniform(100, 260), rng.uniform(50, 110), rng.uniform(160, 320)
+    x = np.cumsum([0.0, 20.0, a, g / 2, g / 2, a, g / 2, g / 2]).tolist()
+    top, bottom = h - 40.0, 0.6 * g + 20.0
+    plan.box(0.0, 0.0, x[-1], h, "outer")
+    for at in x[1:-1]:
+        plan.line(at, 0.0, at, h, "crease")
+    for at in (bottom, top):
+        plan.line(0.0, at, x[-1], at, "crease")
+    for left in (x[2], x[5]):
+        plan.line(left, bottom, left + g / 2, bottom + g / 2, "crease")
+        plan.line(left + g / 2, bottom + g / 2, left + g, bottom, "crease")
+    for left in (x[1], x[4]):
+        for at in (left + 0.3 * a, left + 0.7 * a):
+            plan.circle(at, h - 20.0, 3.0, "inner")
+    return plan
+
+
+def hang_tag(rng: np.random.Generator) -> Plan:
+    """A folded card with a Euro hole and a half-cut sticker."""
+    plan = Plan()
+    a, h = rng.uniform(50, 110), rng.uniform(80, 180)
+    r = 6.0
+    ring: list[tuple[float, ...]] = []
+    corner = math.tan(math.pi / 8.0)
+    for cx, cy, first in ((2 * a, 0.0, 0), (2 * a, h, 1), (0.0, h, 2), (0.0, 0.0, 3)):
+        sx, sy = (1 if cx == 0 else -1), (1 if cy == 0 else -1)
+        one, two = (cx + sx * r, cy), (cx, cy + sy * r)
+        if first % 2:
+            one, two = two, one
+        ring += [(*one, corner), (*two, 0.0)]
+    plan.way(ring, "outer")
+    plan.line(a, 0.0, a, h, "crease")
+    x, y, w, d = 1.5 * a, h - 15.0, 10.0, 3.0
+    plan.way([(x - w, y - d), (x + w, y - d, 1.0), (x + w, y + d), (x - w, y + d, 1.0)], "inner")
+    plan.box(0.2 * a, 0.2 * h, 0.8 * a, 0.5 * h, "half-cut")
+    return plan
+
+
+def window_sleeve(rng: np.random.Generator) -> Plan:
+    """A sleeve with a window across two panels, and slits for a card."""
+    plan = Plan()
+    a, b, h = rng.uniform(60, 140), rng.uniform(30, 58), rng.uniform(80, 200)
+    x = np.cumsum([0.0, 12.0, a, b, a, b]).tolist()
+    ring = [(0.0, 6.0), (x[1], 0.0), (x[-1], 0.0), (x[-1], h), (x[1], h), (0.0, h - 6.0)]
+    plan.way(ring, "outer")
+    left, right, low, high = x[1] + 0.5 * a, x[2] + 0.5 * b, 0.3 * h, 0.7 * h
+    plan.box(left, low, right, high, "inner")
+    for at in (x[1], x[3], x[4]):
+        plan.line(at, 0.0, at, h, "crease")
+    plan.line(x[2], 0.0, x[2], low, "crease")
+    plan.line(x[2], high, x[2], h, "crease")
+    for y in (0.4 * h, 0.6 * h):
+        plan.line(x[3] + 0.3 * a, y, x[3] + 0.7 * a, y, "inner")
+    return plan
+
+
+def folder(rng: np.random.Generator) -> Plan:
+    """A folder with a pocket, a double spine and slits for a business card."""
+    plan = Plan()
+    a, h, p, s = 220.0, 307.0, 80.0, float(rng.choice([0.0, 5.0]))
+    spine = [a] if not s else [a, a + s]
+    wide = 2 * a + s
+    ring = [(0.0, 0.0), (spine[-1] + 2.0, 0.0), (spine[-1] + 6.0, -p), (wide - 2.0, -p)]
+    ring += [(wide, 0.0), (wide, h), (0.0, h)]
+    plan.way(ring, "outer")
+    for at in spine:
+        plan.line(at, 0.0, at, h, "crease")
+    plan.line(spine[-1] + 2.0, 0.0, wide, 0.0, "crease")
+    x, y = wide - 150.0, -20.0
+    for dx, dy in ((0.0, 0.0), (80.0, 0.0)):
+        plan.line(x + dx, y + dy, x + dx + 10.0, y + dy - 10.0, "inner")
+    return plan
+
+
+def hexagon(rng: np.random.Generator) -> Plan:
+    """A six-sided carton with a lid: nothing but its body is upright."""
+    plan = Plan()
+    a, h = rng.uniform(40, 80), rng.uniform(80, 180)
+    x = [12.0 + a * k for k in range(7)]
+    ring: list[tuple[float, ...]] = [(0.0, 6.0)]
+    for k in range(6):
+        ring += [(x[k], 0.0), (x[k] + 0.2 * a, -0.4 * a), (x[k + 1] - 0.2 * a, -0.4 * a)]
+    ring += [(x[6], 0.0), (x[6], h)]
+    side = a * math.sqrt(3.0)
+    for k in range(5, -1, -1):
+        if k == 2:
+            ring += [(x[3], h), (x[3] + 0.5 * a, h + 0.5 * side), (x[3], h + side)]
+            ring += [(x[2], h + side), (x[2] - 0.5 * a, h + 0.5 * side), (x[2], h)]
+        else:
+            ring += [(x[k + 1] - 0.15 * a, h + 0.3 * a), (x[k] + 0.15 * a, h + 0.3 * a), (x[k], h)]
+    ring = [p for i, p in enumerate(ring) if p != ring[i - 1]]
+    plan.way([*ring, (0.0, h - 6.0)], "outer")
+    for at in x[:6]:
+        plan.line(at, 0.0, at, h, "crease")
+    for k in range(6):
+        plan.line(x[k], 0.0, x[k + 1], 0.0, "crease")
+        plan.line(x[k], h, x[k + 1], h, "crease")
+    return plan
+
+
+def crossed_case(rng: np.random.Generator) -> Plan:
+    """FEFCO 0201 as some generators draw it: one crease right across every panel, slits cut it."""
+    plan = Plan()
+    a, b, h = rng.uniform(120, 400), rng.uniform(100, 300), rng.uniform(80, 300)
+    x, f = np.cumsum([0.0, 35.0, a, b, a, b]).tolist(), b / 2.0
+    ring = [(0.0, f + 15.0), (x[1], f), (x[1], 0.0), (x[5], 0.0), (x[5], 2 * f + h)]
+    plan.way([*ring, (x[1], 2 * f + h), (x[1], f + h), (0.0, f + h - 15.0)], "outer")
+    for y in (f, f + h):
+        plan.line(x[1], y, x[5], y, "crease")
+    for at in x[1:5]:
+        plan.line(at, f, at, f + h, "crease")
+    for at in x[2:5]:
+        plan.line(at, 0.0, at, f, "inner")
+        plan.line(at, f + h, at, 2 * f + h, "inner")
+    return plan
+
+
+KINDS: tuple[Callable[[np.random.Generator], Plan], ...] = (
+    _told(cartons.slotted_case),
+    crossed_case,
+    _told(cartons.tray),
+    _told(cartons.tuck_end),
+    _told(cartons.sleeve),
+    _told(cartons.rolled_tray),
+    _told(cartons.rigid_box),
+    mailer,
+    counter_display,
+    pillow,
+    tear_case,
+    auto_bottom,
+    bag,
+    hang_tag,
+    window_sleeve,
+    folder,
+    hexagon,
+)

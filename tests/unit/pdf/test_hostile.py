@@ -1,0 +1,309 @@
+"""Files that lie, swell, or break off: a clear refusal, in bounded time and memory."""
+
+from __future__ import annotations
+
+import math
+import time
+import tracemalloc
+import zlib
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
+from knifetip.intake.limits import Limits
+from knifetip.model.drawing import Fate
+from knifetip.pdf.read import read
+from pdf_text import carton, objects, pdf, stream
+
+FEW = Limits(bytes=1 << 20, entities=50, segments=1000, seconds=10.0)
+LINE = "0 0 m 9 0 l S "
+
+
+def form(content: str, entries: str = "") -> bytes:
+    return stream(content.encode(), f"/Subtype /Form {entries}")
+
+
+def page(
+    content: bytes, entries: str = "", kids: str = "[3 0 R]", boxes: str = "[0 0 9 9]"
+) -> bytes:
+    return objects(
+        "<</Type /Catalog /Pages 2 0 R>>",
+        f"<</Type /Pages /Kids {kids} /Count 1 {entries}>>",
+        f"<</Type /Page /Parent 2 0 R /MediaBox {boxes} /Contents 4 0 R>>",
+        content,
+    )
+
+
+PLAIN = page(stream(LINE.encode()))
+HEX = "/Filter [/ASCIIHexDecode /FlateDecode]"
+PACKED = zlib.compress((LINE * 1000).encode())
+
+
+def flate(data: bytes) -> bytes:
+    return (
+        f"<</Filter /FlateDecode /Length {len(data)}>>\nstream\n".encode() + data + b"\nendstream"
+    )
+
+
+def nested(depth: int) -> bytes:
+    names = " ".join(f"/F{k} {6 + k} 0 R" for k in range(depth))
+    more = [form(f"/F{k + 1} Do") for k in range(depth - 1)]
+    return pdf("/F0 Do", resources=f"/XObject <<{names}>>", more=[*more, form(LINE)])
+
+
+def laughs(width: int, depth: int) -> bytes:
+    names = " ".join(f"/F{k} {6 + k} 0 R" for k in range(depth))
+    more = [form(f"/F{k + 1} Do " * width) for k in range(depth - 1)]
+    return pdf("/F0 Do", resources=f"/XObject <<{names}>>", more=[*more, form("1 w")])
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        (b"", "is no PDF"),
+        (b"%PDF-1.7\n", "cut short"),
+        (b"%PDF-1.7\n%%EOF", "damaged"),
+        (b"\0" * 5000, "is no PDF"),
+        (carton()[:-20], "cut short"),
+        (carton()[: len(carton()) // 2], "cut short"),
+        (objects("<</Type /Catalog>>"), "has no page"),
+        (objects("<</Type /Catalog /Pages 2 0 R>>", "<</Kids [] /Count 0>>"), "has no page"),
+        (objects("<</Type /Catalog /Pages 2 0 R>>", "<</Kids [2 0 R]>>"), "has no page"),
+        (objects("<</Type /Catalog /Pages 7 0 R>>"), "has no page"),
+        (objects("17"), "damaged"),
+        (objects("[" * 5000), "damaged"),
+        (pdf(LINE, trailer="/Encrypt <</Filter /Standard /V 1 /R 2>>"), "encrypted"),
+        (pdf(LINE, trailer="/Encrypt 3 0 R"), "encrypted"),
+        (page(flate(PACKED[:-20])), "cut short"),
+        (
+            page(stream(PACKED.hex().encode()[:-40], "/Filter [/ASCIIHexDecode /FlateDecode]")),
+            "cut sh",
+        ),
+        (page(flate(PACKED[:40] + b"xxxx" + PACKED[44:])), "is damaged"),
+        (page(stream(b"x", "/Filter /NoSuchDecode")), "damaged"),
+        (page(b"null"), "is missing"),
+        (page(stream(b"(never closed")), "stops inside a text"),
+        (page(stream(b"0 0 m [ 9 0 l S")), "stops inside an array"),
+        (pdf(""), "Nothing is drawn"),
+        (pdf("", root="/AcroForm <</XFA 3 0 R>>"), "XFA"),
+        (pdf("BT (a) Tj ET", page="/PieceInfo <</Illustrator <<>>>>"), "without its PDF"),
+    ],
+)
+def test_what_is_no_drawing_is_refused_with_what_to_do(data: bytes, words: str):
+    with pytest.raises(NotADrawing) as caught:
+        read(data, limits=FEW)
+    assert words in caught.value.message
+    assert caught.value.mend
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        (b"%PDF" + b"\0" * (1 << 20), "1.0 MB"),
+        (page(flate(zlib.compress(b"\n" * (64 << 20)))), "unpacks to more than 1.0 MB"),
+        (pdf(LINE * 60), "50 paths, texts and pictures"),
+        (pdf("0 0 m " + "9 0 l " * 1001 + "S"), "1,000 lines and curves"),
+        (pdf("0 0 m " + "1 2 3 4 5 6 c " * 1001 + "S"), "1,000 lines and curves"),
+        (pdf("q " * 200_000), "states of its page"),
+        (pdf("/a BMC " * 120_000), "nested more than"),
+        (nested(18), "nested more than 16 deep"),
+        (laughs(20, 12), "stand for more than 1.0 MB"),
+        (page(stream(LINE.encode()), boxes="[0 0 1000000000 900000000]"), "reaches to"),
+    ],
+)
+def test_what_is_too_large_is_refused_with_what_to_do(data: bytes, words: str):
+    with pytest.raises(DrawingTooLarge) as caught:
+        read(data, limits=FEW)
+    assert words in caught.value.message
+    assert caught.value.mend
+
+
+def test_a_bomb_does_not_fill_the_memory():
+    bomb = page(flate(zlib.compress(b"0 0 m " * (40 << 20))))
+    tracemalloc.start()
+    with pytest.raises(DrawingTooLarge):
+        read(bomb, limits=FEW)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 16 << 20
+
+
+def test_a_file_whose_time_is_over_is_refused():
+    with pytest.raises(DrawingTooLarge, match="takes longer than 0 s"):
+        read(carton(), limits=Limits(seconds=0.0))
+
+
+def packed(first: bytes, count: int) -> bytes:
+    """A file whose catalogue is one of so many objects in an object stream, each begun anew."""
+    index = b" ".join(b"%d %d" % (k, k * 2) for k in range(10, 10 + count)) + b" "
+    body = stream(index + first * 400_000, f"/Type /ObjStm /N {count} /First {len(index)}")
+    table = b"\0\0\0\0\xff" + b"\2\0\0\2\0" + b"\1\0\0\x09\0" + b"\1\0\0\0\0"
+    cross = stream(table, "/Type /XRef /Size 4 /W [1 3 1] /Root 1 0 R")
+    data = b"%PDF-1.5\n2 0 obj\n" + body + b"\nendobj\n"
+    return data + b"3 0 obj\n" + cross + b"\nendobj\nstartxref\n%d\n%%%%EOF\n" % len(data)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        packed(b"( ", 1990),
+        b"%PDF-1.4\n" + b"".join(b"%d 0 obj(\n" % k for k in range(50_000)) + b"%%EOF",
+        b"%PDF-1.4\n" + b"".join(b"%d 0 obj[\n" % k for k in range(50_000)) + b"%%EOF",
+        b"%PDF-1.4\n" + b"trailer<<" * 50_000 + b"%%EOF",
+    ],
+    ids=["strings in a stream", "strings", "arrays", "trailers"],
+)
+def test_what_would_take_hours_is_left_when_its_time_is_over(data: bytes):
+    begun = time.process_time()
+    with pytest.raises((DrawingTooLarge, NotADrawing)):
+        read(data, limits=Limits(seconds=0.5))
+    assert time.process_time() - begun < 5.0
+
+
+def test_a_reference_that_leads_nowhere_or_round_costs_no_lines_elsewhere():
+    drawing = read(
+        pdf(
+            "/Loop CS 1 SCN /Nobody gs /Gone Do /Nobody CS",
+            LINE,
+            spaces="/Loop 6 0 R",
+            resources="/XObject <</Gone 99 0 R>> /ExtGState 98 0 R",
+            more=["[/Separation /Cut 6 0 R 6 0 R]"],
+        )
+    )
+    assert len(drawing) == 1
+
+
+@pytest.mark.parametrize(
+    ("numbers", "why"),
+    [
+        ("1e308 0", "its numbers for 'l' cannot be read"),
+        ("NaN 0", "its numbers for 'l' cannot be read"),
+        ("inf 0", "its numbers for 'l' cannot be read"),
+        ("9" * 400 + " 0", "a coordinate is not a number; the limit is 2.83465e+07"),
+        ("9" * 200 + " 0", "a coordinate is 1e+200; the limit is 2.83465e+07"),
+        ("--5 0", "its numbers for 'l' cannot be read"),
+        ("(5) 0", "its numbers for 'l' cannot be read"),
+        ("/N 0", "its numbers for 'l' cannot be read"),
+        ("[5] 0", "its numbers for 'l' cannot be read"),
+        ("1 2 3", "its numbers for 'l' cannot be read"),
+    ],
+)
+def test_a_number_that_is_none_costs_its_path_and_no_other(numbers: str, why: str):
+    drawing = read(pdf(f"0 0 m {numbers} l S {LINE}"))
+    assert len(drawing) == 1
+    rows = zip(drawing.ledger.kind, drawing.ledger.reason, strict=True)
+    assert [reason for kind, reason in rows if kind == "path"] == [why, "kept"]
+
+
+@pytest.mark.parametrize("matrix", ["1 0 0 1 0 x cm", "cm", "1 0 0 cm", "(a) 0 0 1 0 0 cm"])
+def test_what_stands_behind_a_matrix_that_cannot_be_read_is_nowhere(matrix: str):
+    drawing = read(pdf(f"q {matrix} {LINE} Q {LINE}"))
+    assert [fate for fate in drawing.ledger.fate if fate == Fate.KEPT] == [Fate.KEPT]
+
+
+def test_operators_out_of_place_stop_nothing():
+    given = "Q Q EMC ET Tj h W n BDC d gs SCN CS g G K cs scn Do Tf Tm TJ ' \" Td TL sh re v y c f*"
+    drawing = read(pdf(given, "d0 [(a)] TJ /x /y BDC", LINE))
+    assert drawing.ledger.fate[-1] == Fate.KEPT
+
+
+def sound(data: bytes) -> None:
+    """Whatever the bytes: a drawing of finite lines within the reach, or a clear no."""
+    refused = None
+    try:
+        drawing = read(data, limits=Limits(bytes=1 << 20, segments=20_000, seconds=20.0))
+    except KnifetipError as reason:
+        refused = reason
+    if refused is not None:
+        assert refused.message
+        assert refused.mend
+        return
+    assert np.isfinite(drawing.ends).all()
+    assert (np.abs(drawing.bulge) <= 1.0).all()
+    assert math.isclose(
+        drawing.ledger.length.sum(), drawing.lengths.sum(), rel_tol=1e-9, abs_tol=1e-9
+    )
+    assert len(drawing.ledger) == len(drawing.ledger.reason)
+
+
+WHOLE = (
+    carton(),
+    carton(flate=True),
+    pdf(
+        "/A Do BI /W 1 /H 1 ID x EI /Cut CS 1 SCN 10 10 20 20 re B",
+        resources="/XObject <</A 8 0 R>>",
+        layers=["Cut", "Crease"],
+        default="/OFF [6 0 R]",
+        page="/Rotate 90 /UserUnit 2 /CropBox [1 1 200 200]",
+        more=[form("q 2 0 0 2 1 1 cm 0 0 m 5 0 5 5 0 5 c s Q", "/BBox [0 0 50 50]")],
+    ),
+)
+#: Words that mean something to a reader, to be put where they do not belong.
+WORDS = """
+    << >> [ ] ( ) obj endobj stream endstream R q Q cm Do BT BI % trailer startxref %%EOF 0 -1 1e308
+    99999999999999999999 /Kids /Prev /OCGs /Encrypt /Length
+"""
+PHRASES = ["6 0 R", "4 0 R", "/Filter /FlateDecode", "/Type /ObjStm", "/XRefStm 9", "/W [9 9 9]"]
+OPERATORS = """
+    q Q cm m l c v y h re S s f B b n W gs CS cs SCN scn G g RG K d w Do BT ET Tf Tm Td Tj TJ BDC
+    BMC EMC BI ID EI sh /A /Cut /F1 /OC /L0 [ ] (a) <41>
+"""
+words = st.sampled_from([*WORDS.split(), *PHRASES]).map(str.encode)
+
+
+@given(
+    st.sampled_from(WHOLE),
+    st.lists(
+        st.tuples(
+            st.floats(0, 1),
+            st.integers(0, 30),
+            st.one_of(words, st.binary(max_size=8)),
+        ),
+        min_size=1,
+        max_size=6,
+    ),
+)
+def test_a_mutated_file_is_read_or_refused(whole: bytes, changes: list[tuple[float, int, bytes]]):
+    data = bytearray(whole)
+    for where, gone, new in changes:
+        at = int(where * len(data))
+        data[at : at + gone] = new
+    sound(bytes(data))
+
+
+@given(st.floats(0, 1), st.sampled_from(WHOLE))
+def test_a_file_that_breaks_off_anywhere_is_refused(where: float, whole: bytes):
+    # Its last bytes are what says that it is whole; without a line's end it still does.
+    cut = whole[: int(where * (len(whole) - len(b"F\n")))]
+    with pytest.raises(NotADrawing):
+        read(cut)
+
+
+@given(st.binary(max_size=400))
+def test_any_page_is_read_or_refused(content: bytes):
+    sound(pdf(content))
+
+
+tokens = st.lists(
+    st.one_of(
+        st.sampled_from(OPERATORS.split()),
+        st.integers(-(10**9), 10**9).map(str),
+        st.floats(-100, 100).map(lambda value: f"{value:.3f}"),
+    ),
+    max_size=60,
+)
+
+
+@given(tokens)
+def test_any_order_of_operators_is_read_or_refused(given_: list[str]):
+    sound(
+        pdf(
+            " ".join(given_),
+            resources="/XObject <</A 7 0 R>>",
+            layers=["Cut"],
+            more=[form("0 0 m 9 9 l S /A Do")],
+        )
+    )
