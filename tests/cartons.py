@@ -284,6 +284,10 @@ def drawing(seed: int) -> tuple[Drawing, np.ndarray, str]:  # type: ignore[type-
         ends = ends + rng.uniform(-0.02, 0.02, ends.shape)
     order = rng.permutation(len(truth))
     ends, bulge, truth = ends[order], bulge[order], truth[order]
+    if scheme == "nothing":
+        # Who has one style draws no perforation and no half-cut in it: nobody could know.
+        truth[truth == PERFORATION] = CREASE
+        truth[truth == HALF_CUT] = CUT
     names, colours, dashed = _scheme(scheme, rng)
     kinds = [int(kind) for kind in _KINDS]
     which = np.array([kinds.index(value) for value in truth.tolist()])

@@ -14,7 +14,8 @@ from typing import Any, Final
 import numpy as np
 from numba import njit
 
-from knifetip.classification.evidence import Role, Shape
+from knifetip.classification.evidence import Shape
+from knifetip.classification.role import Role
 from knifetip.geometry.columns import U8, Bool
 from knifetip.model.dieline import LineType
 

@@ -13,19 +13,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from knifetip.classification import rules as matching
 from knifetip.classification.apart import parting
 from knifetip.classification.conventions import fitting
-from knifetip.classification.evidence import Role, Shape, shape
+from knifetip.classification.evidence import Shape, shape
 from knifetip.classification.fusion import Judge, Verdict
 from knifetip.classification.mirror import contradicted
+from knifetip.classification.role import Role
 from knifetip.classification.rules import BY_LAYER, Matches, Styles
 from knifetip.classification.words import hint
-from knifetip.geometry.columns import F64, I64, U8
+from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
@@ -38,7 +38,7 @@ KEEP = 255
 _BROKEN = ("dash", "hidden", "dot", "strich")
 _AXES = ("center", "centre", "phantom", "mitte")
 #: Flags of a cell beside its style and role.
-_MIXED, _TEXT, _FLAGS = 1, 2, 4
+_MIXED, _TEXT, _HOLDS, _FLAGS = 1, 2, 4, 8
 
 
 def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules] = ()) -> Dieline:
@@ -75,11 +75,13 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     divides = np.where(seen.role == Role.DIVIDER, lengths, 0.0)
     dashes = _summed(styles.of, divides * seen.dashed, len(styles))
     pairs = _summed(styles.of, divides * seen.paired, len(styles))
-    judge = Judge.of(styles, rules, matches, length, fits, dashes, pairs)
+    holds = _summed(styles.of, divides * seen.holds, len(styles))
+    judge = Judge.of(styles, rules, matches, length, fits, dashes, pairs, holds)
     cell = cell * _FLAGS
     # Two thirds of an edge in one role leave a third in another.
     cell += _MIXED * ((seen.sure < 0.7) & (seen.role != Role.UNKNOWN))
     cell += _TEXT * (seen.annotated & (seen.role == Role.STRAY))
+    cell += _HOLDS * (_holding(seen, styles.of, lengths) & (seen.role == Role.DIVIDER))
     first, number = distinct(cell)
     verdicts = [_verdict(judge, key) for key in cell[first].tolist()]
     words: dict[tuple[str, tuple[LineType, ...]], int] = {}
@@ -124,32 +126,57 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     )
 
 
+def _holding(seen: Shape, style: I64, length: F64) -> Bool:
+    """Return which edges hold a panel, or are dashes as those of their style are that do."""
+    whole = np.bincount(style, length * seen.holds)
+    dashed = np.bincount(style, length * (seen.holds & seen.dashed))
+    result: Bool = seen.holds | (seen.dashed & ((dashed > 0.9 * whole) & (whole > 0.0))[style])
+    return result
+
+
 def _summed(number: I64, length: F64, size: int) -> F64:
     return np.asarray(np.bincount(number, length, size), np.float64)
 
 
 def _evidence(drawing: Drawing, styles: Styles, matches: Matches) -> Shape:
-    """Return what shape tells of the edges that are not said to be something beside the carton."""
+    """Return what shape tells of the edges that are not said to be something beside the carton.
+
+    What the profile ignores is left out.  So is what only its name calls a dimension or a note, if
+    the outlines close without it.
+    """
     aside = (matches.line_type == LineType.IGNORED) & (matches.confidence >= BY_LAYER)
-    rows = np.flatnonzero(~aside[styles.of])
-    seen = shape(drawing.ends[rows], drawing.bulge[rows], drawing.inscriptions, bool(drawing.unit))
+    named = np.array(
+        [
+            rule < 0 and hint(layer).kind == LineType.IGNORED and not hint(layer).denied
+            for rule, layer in zip(matches.rule.tolist(), styles.layer, strict=True)
+        ],
+        np.bool_,
+    )
+    folds = bool((matches.rule < 0).any())
+    if named.any() and not (aside | named).all():
+        rest = ~(aside | named)[styles.of]
+        seen = _of(drawing, rest, folds)
+        if np.isin((Role.OUTLINE, Role.DIVIDER), seen.role).all() and Role.OPEN not in seen.role:
+            seen.role[named[styles.of]] = Role.NAMED
+            seen.sure[named[styles.of]] = 1.0
+            return seen
+    return _of(drawing, ~aside[styles.of], folds)
+
+
+def _of(drawing: Drawing, some: Bool, folds: bool) -> Shape:
+    """Return what shape tells of some edges, and nothing of the rest."""
+    rows = np.flatnonzero(some)
+    ends, bulge = drawing.ends, drawing.bulge
     if len(rows) == len(drawing):
-        return seen
-    columns: list[Any] = []
-    own = (seen.role, seen.sure, seen.paired, seen.dashed, seen.annotated, seen.part, seen.sides)
-    for column in own:
-        form = (len(drawing), *column.shape[1:])
-        whole = np.full(form, -1 if column is seen.part else 0, column.dtype)
-        whole[rows] = column
-        columns.append(whole)
-    columns.append(seen.area)
-    return Shape(seen.tangled, *columns)
+        return shape(ends, bulge, drawing.inscriptions, bool(drawing.unit), folds)
+    seen = shape(ends[rows], bulge[rows], drawing.inscriptions, bool(drawing.unit), folds)
+    return seen.among(len(drawing), rows, Role.UNKNOWN)
 
 
 def _verdict(judge: Judge, cell: int) -> Verdict:
     key, flags = divmod(cell, _FLAGS)
     style, role = divmod(key, len(Role))
-    verdict = judge.verdict(style, Role(role))
+    verdict = judge.verdict(style, Role(role), holds=bool(flags & _HOLDS))
     if judge.matches.rule[style] >= 0:
         return verdict
     if flags & _TEXT and verdict.kind == LineType.IGNORED:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from knifetip.classification import rules as matching
-from knifetip.classification.evidence import Role
+from knifetip.classification.role import Role
 from knifetip.classification.rules import Styles
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.model.dieline import LineType

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from knifetip.classification.conventions import Fit
-from knifetip.classification.evidence import Role
+from knifetip.classification.role import ASIDE, HOLES, Role
 from knifetip.classification.rules import Matches, Styles
 from knifetip.classification.words import hint
 from knifetip.geometry.columns import F64, I64, Bool
@@ -33,9 +33,23 @@ _FOLDS = (
     LineType.COMBI,
     LineType.HALF_CUT,
 )
+#: Of these it is so certain that no rule stands against it.
+_CERTAINLY = (Role.ARROW, Role.LEGEND)
+#: A style with more than this share of all dividing lines has the creases, where panels hang on
+#: more than this share of them.
+_MAIN, _HANG = 0.6, 0.5
 #: Of these a closed line in a panel makes sense.
 _ROUND = (LineType.PERFORATION, LineType.COMBI, LineType.HALF_CUT)
-_ASIDE = (Role.STRAY, Role.FRAME, Role.TABLE)
+#: What certainly is no part of a carton is ignored with this confidence.
+_SURELY: dict[Role, float] = {
+    Role.FRAME: 0.85,
+    Role.ARROW: 0.95,
+    Role.BLEED: 0.9,
+    Role.LETTER: 0.85,
+    Role.SPECK: 0.85,
+    Role.NAMED: 0.9,
+    Role.LEGEND: 0.95,
+}
 _BROKEN = ("dash", "hidden", "dot", "strich", "pointill", "tratt", "trazo", "kesik", "штрих")
 _AXES = ("center", "centre", "phantom", "mitte", "axe", "eje", "asse")
 
@@ -71,6 +85,7 @@ class Judge:
     folds_only: Bool  #: (c,) it divides panels and closes next to nothing
     dashes: F64  #: (c,) share of the length of its dividing lines that is in rows of dashes
     pairs: F64  #: (c,) share that has a parallel line close beside it
+    folding_main: Bool  #: (c,) it has most of all dividing lines, and panels hang on most of them
     shaped: bool  #: there are blanks whose outline closes
     swapped: str  #: why cut and crease seem to have changed places, "" where they do not
 
@@ -84,6 +99,7 @@ class Judge:
         fits: Sequence[Fit],
         dashes: F64,
         pairs: F64,
+        holds: F64,
     ) -> Judge:
         """Weigh the whole drawing before its edges.
 
@@ -91,14 +107,15 @@ class Judge:
         ----------
         length : (c, roles)
             Of each style alone.
-        dashes, pairs : (c,)
-            Length of its dividing lines in rows of dashes, and of those with a line beside them.
+        dashes, pairs, holds : (c,)
+            Length of its dividing lines in rows of dashes, of those with a line beside them, and of
+            those on which a panel hangs.
         """
         alike = _grouped(styles)
         together = np.zeros((int(alike.max(initial=-1)) + 1, length.shape[1]))
         np.add.at(together, alike, length)
-        made = together.sum(axis=1) - together[:, list(_ASIDE)].sum(axis=1)
-        closing = together[:, [Role.OUTLINE, Role.HOLE, Role.MARK]].sum(axis=1)
+        made = together.sum(axis=1) - together[:, list(ASIDE)].sum(axis=1)
+        closing = together[:, [Role.OUTLINE, *HOLES, Role.MARK]].sum(axis=1)
         folds = (together[:, Role.DIVIDER] >= 0.85 * made) & (closing <= 0.02 * made) & (made > 0.0)
         divides = np.where(folds, together[:, Role.DIVIDER], 0.0)
         return cls(
@@ -112,15 +129,23 @@ class Judge:
             folds[alike],
             _share(dashes, alike, together),
             _share(pairs, alike, together),
+            (_share(holds, alike, together) > _HANG)
+            & (together[:, Role.DIVIDER] > _MAIN * length[:, Role.DIVIDER].sum())[alike],
             bool(length[:, Role.OUTLINE].any()),
             _swapped(matches, length, fits),
         )
 
-    def verdict(self, style: int, role: Role) -> Verdict:
-        """Return what edges of a style in a role are."""
+    def verdict(self, style: int, role: Role, *, holds: bool = False) -> Verdict:
+        """Return what edges of a style in a role are.
+
+        Parameters
+        ----------
+        holds
+            Whether a panel hangs on them, so that they must be folds.
+        """
         if self.matches.rule[style] >= 0:
             return self._ruled(style, role)
-        return self._unruled(style, role)
+        return self._unruled(style, role, holds)
 
     # ── a rule of the profile speaks ─────────────────────────────────────────────────────────────
 
@@ -131,13 +156,16 @@ class Judge:
         if kind == LineType.UNCLASSIFIED:
             return Verdict(kind, 0.0, words)
         if self.swapped and kind != LineType.IGNORED:
-            if role in (Role.OUTLINE, Role.HOLE, Role.DIVIDER):
+            if role in (Role.OUTLINE, *HOLES, Role.DIVIDER):
                 guess = self._by_shape(role)
                 others = tuple(one for one in (kind,) if one != guess)
                 return Verdict(guess, 0.6, f"{words}; but {self.swapped}", others)
             return Verdict(kind, 0.3, f"{words}; but {self.swapped}")
         if not self.shaped or role in (Role.UNKNOWN, Role.OPEN):
             return Verdict(kind, trust, words, stands=True)
+        if role in _CERTAINLY and kind != LineType.IGNORED:
+            others = (kind,)
+            return Verdict(LineType.IGNORED, _SURELY[role], f"{words}; but it {role.words}", others)
         against, instead = self._contradiction(kind, trust, style, role)
         if against:
             sure = min(trust, 0.5)
@@ -153,17 +181,17 @@ class Judge:
             if role in (Role.OUTLINE, Role.DIVIDER):
                 return ", and is not to be made", (self._by_shape(role), LineType.CUT)
             return "", ()
-        if role in (Role.FRAME, Role.TABLE):
-            return "", (LineType.IGNORED,)
-        if role == Role.STRAY:
+        if role in (Role.STRAY, Role.SPECK):
             return " and closes nothing", (LineType.IGNORED,)
+        if role in ASIDE:
+            return ", and is not to be made", (LineType.IGNORED,)
         if kind == LineType.CUT:
             if role == Role.DIVIDER and weak and self.folds_only[style]:
                 return ", as all of its style do, and none closes an outline", (LineType.CREASE,)
             return "", ()
         if role == Role.OUTLINE or (role == Role.MARK and weak):
             return ": beyond it the board ends, unless the outline is open there", (LineType.CUT,)
-        if role in (Role.HOLE, Role.INNER) and kind not in _ROUND:
+        if role in (*HOLES, Role.INNER) and kind not in _ROUND:
             return f", and {_a(kind)} divides panels", (LineType.CUT,)
         if role in (Role.FREE, Role.SLIT) and weak and kind == LineType.CREASE:
             return f", and {_a(kind)} divides panels", (LineType.CUT,)
@@ -171,7 +199,7 @@ class Judge:
 
     # ── no rule does ─────────────────────────────────────────────────────────────────────────────
 
-    def _unruled(self, style: int, role: Role) -> Verdict:
+    def _unruled(self, style: int, role: Role, holds: bool) -> Verdict:
         told = hint(self.styles.layer[style])
         named = None if told.denied else told.kind
         place = "layer"
@@ -183,12 +211,15 @@ class Judge:
             return Verdict(LineType.UNCLASSIFIED, 0.0, f"{none}; shape: it {role.words}")
         if not self.shaped or role == Role.UNKNOWN:
             return Verdict(LineType.UNCLASSIFIED, 0.0, none)
-        guess, sure, why = self._shape_says(style, role)
+        guess, sure, why = self._shape_says(style, role, holds)
         votes = [f"shape: it {role.words}{why}"]
         others = [self._by_shape(role)]
         # What the house's colours say of this style, where all that fit agree.
         said = {LineType(int(fit.line_type[style])) for fit in self.fits}
         said.discard(LineType.UNCLASSIFIED)
+        if role in _SURELY:
+            # Whatever its colour means on a carton.
+            said = set()
         if len(said) == 1:
             (colour,) = said
             fit = next(fit for fit in self.fits if fit.line_type[style] == colour)
@@ -201,7 +232,7 @@ class Judge:
             elif role == Role.DIVIDER and guess == LineType.CREASE and colour in _FOLDS:
                 guess, sure = colour, 0.65
                 votes.append(fit.words)
-            elif role in _ASIDE:
+            elif role in ASIDE:
                 sure *= 0.9
             else:
                 sure = min(sure, 0.6)
@@ -214,13 +245,13 @@ class Judge:
             votes.append(f'but its layer is called "{_shown(self.styles.layer[style])}"')
         elif named is not None:
             alike = named == guess
-            fold = role in (Role.DIVIDER, Role.SLIT, Role.FREE, Role.HOLE) and named in _FOLDS
+            fold = role in (Role.DIVIDER, Role.SLIT, Role.FREE, *HOLES) and named in _FOLDS
             if alike:
                 sure = 1.0 - (1.0 - sure) * 0.25
             elif role == Role.DIVIDER and named in _FOLDS:
                 guess, sure = named, 0.9
             elif fold or (
-                named == LineType.IGNORED and role in (Role.FREE, Role.SLIT, Role.MARK, Role.HOLE)
+                named == LineType.IGNORED and role in (Role.FREE, Role.SLIT, Role.MARK, *HOLES)
             ):
                 guess, sure = named, 0.7
             else:
@@ -233,29 +264,33 @@ class Judge:
                 others.append(kind)
         return Verdict(guess, sure, "; ".join(votes), tuple(others[:3]))
 
-    def _shape_says(self, style: int, role: Role) -> tuple[LineType, float, str]:
+    def _shape_says(self, style: int, role: Role, holds: bool) -> tuple[LineType, float, str]:
         """Return what shape alone makes of edges, how sure that is, and what it goes by."""
         own = self.length[style]
         every = self.total
         carries = own[Role.OUTLINE] >= 0.3 * every[Role.OUTLINE]
         # Another style that only divides panels: then this one does not.
         apart = carries and self.folding[style] > 1.4 * own[Role.DIVIDER]
-        aside = sum(own[part] for part in _ASIDE) >= 0.95 * own.sum()
+        aside = sum(own[part] for part in ASIDE) >= 0.95 * own.sum()
         if role == Role.OUTLINE:
             # Where another style closes most of the outline, one that divides panels does not.
             little = own[Role.OUTLINE] < 0.5 * every[Role.OUTLINE]
             if little and own[Role.DIVIDER] > 0.25 * own[Role.OUTLINE]:
                 return LineType.CUT, 0.5, ", but another style closes most of it"
             return LineType.CUT, 0.95, ""
-        if role == Role.HOLE:
+        if role in HOLES:
             if carries and self.folding[style]:
                 return LineType.CUT, 0.9, _LIKE_OUTLINE
+            if carries and role == Role.SLOT:
+                return LineType.CUT, 0.85, _LIKE_OUTLINE
             return LineType.CUT, 0.75 if carries else 0.6, ""
         if role == Role.DIVIDER:
             if apart:
                 return LineType.CUT, 0.85, ", in the style of the outline; another has the folds"
             if self.folds_only[style]:
                 why = ", as all of its style do"
+                if self.folding_main[style]:
+                    return LineType.CREASE, 0.9, f"{why}, and panels hang on most of them"
                 linetype = self.styles.linetype[style].casefold()
                 dashed = any(part in linetype for part in _BROKEN) or self.dashes[style] > 0.5
                 if dashed:
@@ -263,6 +298,8 @@ class Judge:
                 if self.pairs[style] > 0.1:
                     why += ", some of them in pairs"
                 return LineType.CREASE, 0.75 if dashed else 0.7, why
+            if holds and not (carries and self.folding[style]):
+                return LineType.CREASE, 0.85, ", and a panel hangs on it"
             return LineType.CREASE, 0.55, ""
         if role in (Role.SLIT, Role.FREE):
             if apart:
@@ -270,9 +307,10 @@ class Judge:
             if self.folds_only[style]:
                 return LineType.CREASE, 0.6, ""
             return LineType.CUT, 0.6 if carries else 0.4, ""
-        if role in _ASIDE:
-            sure = {Role.FRAME: 0.85, Role.TABLE: 0.85 if aside else 0.6}
-            return LineType.IGNORED, sure.get(role, 0.65 if aside else 0.5), ""
+        if role in ASIDE:
+            if role == Role.TABLE:
+                return LineType.IGNORED, 0.85 if aside else 0.6, ""
+            return LineType.IGNORED, _SURELY.get(role, 0.65 if aside else 0.5), ""
         return LineType.CUT, 0.6 if carries else 0.4, ""
 
     @staticmethod
@@ -287,10 +325,8 @@ _COULD: dict[Role, tuple[LineType, ...]] = {
     Role.DIVIDER: (LineType.CREASE, LineType.CUT, LineType.PERFORATION, LineType.V_GROOVE),
     Role.SLIT: (LineType.CUT, LineType.CREASE, LineType.IGNORED),
     Role.FREE: (LineType.CUT, LineType.CREASE, LineType.IGNORED),
-    Role.HOLE: (LineType.CUT, LineType.HALF_CUT, LineType.IGNORED),
-    Role.STRAY: (LineType.IGNORED, LineType.CUT),
-    Role.FRAME: (LineType.IGNORED, LineType.CUT),
-    Role.TABLE: (LineType.IGNORED, LineType.CUT),
+    **dict.fromkeys(HOLES, (LineType.CUT, LineType.HALF_CUT, LineType.IGNORED)),
+    **dict.fromkeys(ASIDE, (LineType.IGNORED, LineType.CUT)),
 }
 
 

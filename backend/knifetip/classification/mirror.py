@@ -14,7 +14,8 @@ from typing import Final
 import numpy as np
 
 from knifetip.classification.conventions import FOLDS
-from knifetip.classification.evidence import Role, Shape
+from knifetip.classification.evidence import Shape
+from knifetip.classification.role import Role
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.model.dieline import LineType

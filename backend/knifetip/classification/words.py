@@ -33,7 +33,10 @@ _WORDS: dict[LineType, str] = {
         kesim kesme kesik bicak bicaklar
         рез резка резы вырубка высечка нож ножи рубка рубки контур
         rez rezy rezani vysek vyseky nuz noze orez
-        skar skarlinje stanslinje skaering leikkaus taiere vagas
+        skar skarlinje stanslinje skaering leikkaus taiere vagas stans
+        stanzen stanzform durchschnitt aussenschnitt innenschnitt
+        різ різання висічка ніж rezanje rezanie κοπη κοψιμο قص قطع duongcat netcat coupants
+        outerprofile outerprofiles interiorprofile interiorprofiles
     """,
     LineType.CREASE: """
         crease creases creasing creaseline creaselines fold folds folding foldline foldlines score
@@ -49,19 +52,24 @@ _WORDS: dict[LineType, str] = {
         pilyaj piliaj rilye katlama katlanma kirim
         биг биги биговка биговки сгиб сгибы фальц фальцовка линиясгиба
         ohyb ohyby ryl ryly rylovani bigovani bigovany
-        bigning biglinje vik viklinje bukkelinje nuuttaus biegeles hajtas
+        bigning bigg biglinje vik viklinje bukkelinje nuuttaus biegeles bigeles hajtas cre
+        doblado raineur raineurs
+        біг біговка біги згин згини фальцювання πικμανση διπλωμα τσακιση طي ثني تكسير
+        duongcan netcan duonggap
     """,
     LineType.PERFORATION: """
         perf perfs perfo perforation perforations perforated perforating perforate zipper tearline
         tearstrip tear perfolinie perforationslinie perforierung perforiert aufreissfaden
         aufreisslinie abriss perforazione perforazioni strappo perforado perforacion perforacao
         picote picotage perforatie perforacja perforacje perforace perforasyon perforaj perfore
-        перфорация перфорации perforering
+        перфорация перфорации perforering perforate perforieren perforalas перфорація
+        διατρηση تخريم duongrang
     """,
     LineType.HALF_CUT: """
         half kiss partial halfcut halfcuts kisscut kisscuts partialcut michair halbschnitt anritzen
         anritzung anritz ritzlinie ritzlinien mezzotaglio mediocorte meiocorte nadciecie
-        nadciecia yarimkesim надсечка надсечки просечка narez
+        nadciecia yarimkesim надсечка надсечки просечка narez надсічка підсічка halfsnede halvstans
+        felvagas catnua μισοκοπη anschnitt anstanzen micoupe pcut ritzen
     """,
     LineType.V_GROOVE: """
         groove grooves grooving vgroove vgrooves vcut vcuts vgrooving vnut vnuten
@@ -74,7 +82,9 @@ _WORDS: dict[LineType, str] = {
         titleblock frame border axis axes center centre centerline construction defpoints legend
         annotation annotations comment comments bleed glue gluearea artwork image images print
         printing graphic graphics registration crop cropmarks watermark viewport viewports hatch
-        engrave engraving engraved etch etching grid guide guides reference
+        engrave engraving engraved etch etching grid guide guides reference regmark regmarks
+        register regmarken safety safezone margin margins grain fluting corrugation
+        arrow arrows habillage
         bemassung bemassungen masse masslinie masslinien beschriftung beschriftungen rahmen
         zeichnungsrahmen schriftfeld hilfslinie hilfslinien achse achsen mittellinie schraffur
         klebung kleber leim druck beschnitt passer
@@ -86,6 +96,8 @@ _WORDS: dict[LineType, str] = {
         olcu olculer olculendirme yazi yazilar cerceve metin eksen eksenler tutkal baski
         размер размеры текст тексты рамка ось оси осевая клей печать надпись надписи
         kota koty kotovani popis popisy ramecek lepidlo tisk
+        розміри размерные текст розмір kichthuoc matt mattsattning meret meretek szoveg
+        διαστασεισ διασταση ابعاد نص acotado bendextent bendextents
     """,
 }
 #: Words that take the meaning away, and words of other trades that only look like ours.
@@ -100,10 +112,18 @@ _DENIALS = frozenset(
     """.splitlines()
     for word in line.split()
 )
+#: Words for the whole die: what is said beside them is meant, as in "Fustella Cordone".
+_DIES = frozenset(
+    ("die", "dieline", "fustella", "troquel", "stanzform", "stanze", "stanz", "faca", "forme")
+)
 #: Halves of two-word names: the first makes another thing of the second.
 _BEFORE_CUT: dict[str, LineType] = {
     **dict.fromkeys(
-        ("half", "kiss", "partial", "mezzo", "medio", "meio", "halb", "yarim", "demi", "pol"),
+        ("half", "kiss", "partial", "mezzo", "mezza", "medio", "meio", "halb", "yarim", "demi"),
+        LineType.HALF_CUT,
+    ),
+    **dict.fromkeys(
+        ("mi", "pol", "نصف"),
         LineType.HALF_CUT,
     ),
     "v": LineType.V_GROOVE,
@@ -111,6 +131,10 @@ _BEFORE_CUT: dict[str, LineType] = {
     "perfo": LineType.PERFORATION,
 }
 _SIGNS: tuple[tuple[str, LineType], ...] = (
+    ("ハーフカット", LineType.HALF_CUT),
+    ("半抜", LineType.HALF_CUT),
+    ("半斷", LineType.HALF_CUT),
+    ("반칼", LineType.HALF_CUT),
     ("半刀", LineType.HALF_CUT),
     ("半切", LineType.HALF_CUT),
     ("半断", LineType.HALF_CUT),
@@ -118,7 +142,9 @@ _SIGNS: tuple[tuple[str, LineType], ...] = (
     ("齿刀", LineType.PERFORATION),
     ("齿线", LineType.PERFORATION),
     ("撕裂线", LineType.PERFORATION),
-    ("ミシン目", LineType.PERFORATION),
+    ("齒線", LineType.PERFORATION),
+    ("ミシン", LineType.PERFORATION),
+    ("미싱", LineType.PERFORATION),
     ("压痕", LineType.CREASE),
     ("壓痕", LineType.CREASE),
     ("压线", LineType.CREASE),
@@ -128,12 +154,17 @@ _SIGNS: tuple[tuple[str, LineType], ...] = (
     ("折り", LineType.CREASE),
     ("오시", LineType.CREASE),
     ("괘선", LineType.CREASE),
+    ("접는선", LineType.CREASE),
+    ("접음", LineType.CREASE),
+    ("壓線", LineType.CREASE),
     ("刀线", LineType.CUT),
     ("模切", LineType.CUT),
     ("裁切", LineType.CUT),
     ("切割", LineType.CUT),
     ("切线", LineType.CUT),
     ("刀線", LineType.CUT),
+    ("刀模", LineType.CUT),
+    ("抜き", LineType.CUT),
     ("カット", LineType.CUT),
     ("切断", LineType.CUT),
     ("칼선", LineType.CUT),
@@ -144,6 +175,9 @@ _SIGNS: tuple[tuple[str, LineType], ...] = (
     ("图框", LineType.IGNORED),
     ("标题", LineType.IGNORED),
     ("寸法", LineType.IGNORED),
+    ("注記", LineType.IGNORED),
+    ("標註", LineType.IGNORED),
+    ("尺碼", LineType.IGNORED),
     ("치수", LineType.IGNORED),
 )
 _DENYING_SIGNS = ("不", "非", "无", "無")
@@ -208,6 +242,8 @@ def hint(name: str) -> Hint:
         for kind in _MEANING.get(word, ()):
             found.setdefault(kind, word)
     denied = any(word in _DENIALS for word in words)
+    if len(found) > 1 and found.get(LineType.CUT) in _DIES:
+        del found[LineType.CUT]
     kinds = set(found)
     if kinds == {LineType.CUT, LineType.CREASE} or kinds == {LineType.PERFORATION, LineType.CREASE}:
         return Hint(LineType.COMBI, " ".join(found.values()), denied)

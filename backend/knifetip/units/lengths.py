@@ -159,13 +159,15 @@ def evidence(kind: str, weight: Mapping[str, float], text: Mapping[str, str]) ->
 
 def by_size(found: Lengths) -> list[UnitEvidence]:
     """Return what the overall size tells: a carton is neither 5 mm nor 50 m large."""
-    weight, text = {}, {}
-    for unit, scale in MILLIMETRES.items():
-        weight[unit] = _line(weights.SIZE, found.longer * scale)
-        text[unit] = (
-            f"in {NAMES[unit]} the drawing is "
-            f"{measure(found.width * scale)} × {measure(found.height * scale)} mm"
-        )
+    weight = {
+        unit: _line(weights.SIZE, found.longer * scale) for unit, scale in MILLIMETRES.items()
+    }
+    text = {
+        unit: f"in {NAMES[unit]} the drawing is {measure(found.width * scale)} × "
+        f"{measure(found.height * scale)} mm, "
+        f"{'as cartons are' if weight[unit] >= weights.USUAL else 'which few cartons are'}"
+        for unit, scale in MILLIMETRES.items()
+    }
     return evidence("size", weight, text)
 
 

@@ -25,7 +25,7 @@ STATED: Final[Mapping[str, Mapping[str, float]]] = {
     "in": {"mm": 0.20, "cm": 0.02, "m": 0.003, "in": 0.74, "ft": 0.017, "pt": 0.01, "px": 0.01},
     # Nobody draws cartons in feet: the header is as likely as not an accident.
     "ft": {"mm": 0.25, "cm": 0.02, "m": 0.01, "in": 0.30, "ft": 0.40, "pt": 0.01, "px": 0.01},
-    # Only an SVG states points, for a page whose coordinates it has scaled to them.
+    # Only an SVG or a PDF states points, for a page whose coordinates it has scaled to them.
     "pt": {"mm": 0.10, "cm": 0.005, "m": 1e-3, "in": 0.03, "ft": 1e-3, "pt": 0.85, "px": 0.013},
 }
 
@@ -48,6 +48,8 @@ SIZE: Final = (
     (6000.0, -6.0),
     (30000.0, -14.0),
 )
+#: What is said of a size with at least this weight: as cartons are.
+USUAL: Final = -2.0
 
 #: Shortest length that a drawing of many edges has (mm) and the weight of that: slots, tapers and
 #: creases beside each other follow the caliper of boards, 0.3 to 8 mm.  Trays may have nothing

@@ -7,7 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from knifetip.classification.evidence import Role, shape
+from knifetip.classification.evidence import shape
+from knifetip.classification.role import Role
 from knifetip.model.drawing import Inscription
 
 Line = tuple[float, float, float, float]
@@ -23,8 +24,8 @@ def roles(lines: list[Line], bulge: object = None, texts: tuple[Inscription, ...
     return [Role(int(role)) for role in shape(ends, bent, texts).role]
 
 
-def text(x: float, y: float) -> Inscription:
-    return Inscription("A", x, y, 4.0, math.nan, "TEXT", "0")
+def text(x: float, y: float, words: str = "A") -> Inscription:
+    return Inscription(words, x, y, 4.0, math.nan, "TEXT", "0")
 
 
 BLANK = [*box(0, 0, 300, 200), (100, 0, 100, 200), (200, 0, 200, 200)]
@@ -39,7 +40,7 @@ def test_a_closed_line_in_a_panel_is_a_hole_whether_lines_or_arcs():
         [*BLANK, *box(20, 20, 40, 40), (130, 100, 170, 100), (170, 100, 130, 100)],
         [0.0] * 10 + [1.0, 1.0],
     )
-    assert seen[6:] == [Role.HOLE] * 6
+    assert seen[6:] == [Role.HOLE] * 4 + [Role.SLOT] * 2
 
 
 def test_a_line_that_ends_in_a_panel_is_a_slit_and_one_that_touches_nothing_lies_free():

@@ -74,3 +74,25 @@ def test_other_names_say_something(name: str):
 
 def test_a_hostile_name_is_only_a_name():
     assert hint("\x00[" * 1000 + "\ud800").kind is None
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("Fustella Cordone", LineType.CREASE),
+        ("Fustella Taglio", LineType.CUT),
+        ("CUT-CREASE", LineType.COMBI),
+        ("Mi-coupe", LineType.HALF_CUT),
+        ("ハーフカット", LineType.HALF_CUT),
+        ("半抜き", LineType.HALF_CUT),
+        ("نصف قص", LineType.HALF_CUT),
+        ("Đường cấn", LineType.CREASE),
+        ("Đường cắt", LineType.CUT),
+        ("Διαστάσεις", LineType.IGNORED),
+        ("BEND_EXTENT", LineType.IGNORED),
+        ("OUTER_PROFILES", LineType.CUT),
+        ("CRE", LineType.CREASE),
+    ],
+)
+def test_a_word_for_the_whole_die_or_half_of_it_is_not_the_cut(name: str, kind: LineType):
+    assert hint(name).kind == kind

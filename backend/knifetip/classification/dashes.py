@@ -1,0 +1,135 @@
+"""dashes: rows of dashes, which are one line.
+
+A dash looks across the gap at the next one, and that one looks back.  Three or more in a row with
+equal gaps are one line, joined by ties between their ends.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from knifetip.classification.grid import cell_of
+from knifetip.classification.places import longer
+from knifetip.classification.segment import BULGE, leaves
+
+
+@njit(cache=True, error_model="numpy")
+def rows_of_dashes(
+    ends: Any, bulge: Any, touch: float, unit: float, reach: float, node: Any, twin: Any,
+    loose: Any, low: Any, size: Any, side: int, first: Any, listed: Any,
+) -> Any:  # fmt: skip
+    """Return which edges are dashes, (n,), the ties between them, and how far their ends reach.
+
+    ``loose`` tells of each place whether one line only ends there; of tied places it no longer is.
+    """
+    n = len(bulge)
+    tie = np.empty((64, 2), np.int32)
+    ties = 0
+    gap_of = np.full(2 * n, reach)
+    link = np.empty(2 * n, np.int64)
+    _links(ends, bulge, node, twin, loose, touch, unit, low, size, side, first, listed, link)
+    dashed = np.zeros(n, np.bool_)
+    seen = np.zeros(n, np.bool_)
+    chain = np.empty(n, np.int64)
+    for half in range(2 * n):
+        # A row begins with an edge that looks back at nothing.
+        back = half ^ 1
+        if seen[half // 2] or link[half] < 0 or link[link[half]] != half:
+            continue
+        if link[back] >= 0 and link[link[back]] == back:
+            continue
+        count = 0
+        least, widest, shortest, longest = np.inf, 0.0, np.inf, 0.0
+        tail = half
+        while True:
+            chain[count] = tail
+            count += 1
+            i = tail // 2
+            seen[i] = True
+            long = math.hypot(ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1])
+            longest = max(longest, long)
+            other = link[tail]
+            if other < 0 or link[other] != tail or seen[other // 2]:
+                break
+            if count > 1:
+                shortest = min(shortest, long)
+            gap = math.hypot(
+                ends[i, tail % 2, 0] - ends[other // 2, other % 2, 0],
+                ends[i, tail % 2, 1] - ends[other // 2, other % 2, 1],
+            )
+            least, widest = min(least, gap), max(widest, gap)
+            tail = other ^ 1
+        if count < 3 or widest > 1.5 * least + 2.0 * touch or longest > 2.5 * shortest:
+            continue
+        for k in range(count):
+            dashed[chain[k] // 2] = True
+            if k:
+                if ties == len(tie):
+                    tie = longer(tie)
+                tie[ties, 0] = node[chain[k - 1]]
+                tie[ties, 1] = node[chain[k] ^ 1]
+                ties += 1
+                loose[node[chain[k - 1]]] = False
+                loose[node[chain[k] ^ 1]] = False
+        gap_of[chain[0] ^ 1] = max(reach, 1.25 * widest)
+        gap_of[chain[count - 1]] = max(reach, 1.25 * widest)
+    for i in range(n):
+        dashed[i] = dashed[twin[i]]
+    return dashed, tie, ties, gap_of
+
+
+@njit(cache=True, error_model="numpy")
+def _links(
+    ends: Any,
+    bulge: Any,
+    node: Any,
+    twin: Any,
+    loose: Any,
+    touch: float,
+    unit: float,
+    low: Any,
+    size: Any,
+    side: int,
+    first: Any,
+    listed: Any,
+    link: Any,
+) -> None:
+    """Write to ``link`` which loose end each loose end looks at across a gap, -1 for none."""
+    for half in range(2 * len(bulge)):
+        link[half] = -1
+        i = half // 2
+        if not loose[node[half]] or abs(bulge[i]) > BULGE or twin[i] != i:
+            continue
+        long = math.hypot(ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1])
+        if long > 40.0 * unit or long <= touch:
+            continue
+        far = min(15.0 * unit, max(2.0 * long, 3.0 * unit))
+        ux, uy = leaves(ends, bulge, half)
+        x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
+        c0 = cell_of(min(x, x + far * ux) - touch, low[0], size[0], side)
+        c1 = cell_of(max(x, x + far * ux) + touch, low[0], size[0], side)
+        r0 = cell_of(min(y, y + far * uy) - touch, low[1], size[1], side)
+        r1 = cell_of(max(y, y + far * uy) + touch, low[1], size[1], side)
+        best = far
+        for c in range(c0, c1 + 1):
+            for r in range(r0, r1 + 1):
+                for k in range(first[r * side + c], first[r * side + c + 1]):
+                    j = listed[k]
+                    if j == i or abs(bulge[j]) > BULGE or twin[j] != j:
+                        continue
+                    for tip in range(2):
+                        other = 2 * j + tip
+                        if not loose[node[other]]:
+                            continue
+                        ox, oy = ends[j, tip, 0] - x, ends[j, tip, 1] - y
+                        ahead = ox * ux + oy * uy
+                        if ahead <= touch or ahead >= best or abs(ox * uy - oy * ux) > 2.0 * touch:
+                            continue
+                        vx, vy = leaves(ends, bulge, other)
+                        if ux * vx + uy * vy < -0.999:
+                            best = ahead
+                            link[half] = other

@@ -1,0 +1,92 @@
+"""folding: which lines hold a panel, of a tray, a case and several at once."""
+
+from __future__ import annotations
+
+import numpy as np
+from tests.dielines import Plan, crossed_case, mailer
+
+from knifetip.classification.evidence import shape
+
+
+def held(plan: Plan) -> dict[str, list[bool]]:
+    """Return whether a panel hangs on each line, by what the line is."""
+    ends = np.array([((s.x0, s.y0), (s.x1, s.y1)) for s in plan.strokes])
+    seen = shape(ends, np.array([s.bulge for s in plan.strokes]))
+    told: dict[str, list[bool]] = {}
+    for stroke, holds in zip(plan.strokes, seen.holds.tolist(), strict=True):
+        told.setdefault(stroke.part, []).append(holds)
+    return told
+
+
+def test_every_flap_of_a_mailer_hangs_on_its_crease():
+    told = held(mailer(np.random.default_rng(1)))
+    assert told["crease"] == [True] * 14
+    assert not any([*told["outer"], *told["inner"]])
+
+
+def test_slits_between_the_flaps_of_a_case_are_left_open():
+    # Of ten creases and slits that reach the rim only the glue flap's must be a fold.
+    told = held(crossed_case(np.random.default_rng(1)))
+    assert not any([*told["inner"], *told["outer"]])
+    assert sum(told["crease"]) == 4
+
+
+def test_nothing_is_said_of_cases_that_share_a_cut():
+    plan = crossed_case(np.random.default_rng(1))
+    _, y0, _, y1 = plan.corners
+    plan.strokes += plan.moved(0.0, y1 - y0)
+    assert not any(holds for told in held(plan).values() for holds in told)
+
+
+def test_a_card_of_two_panels_may_be_two_cards():
+    plan = Plan()
+    plan.box(0.0, 0.0, 100.0, 60.0, "outer")
+    plan.line(50.0, 0.0, 50.0, 60.0, "crease")
+    assert held(plan)["crease"] == [False]
+
+
+def test_of_a_fold_with_slits_at_its_ends_only_the_middle_holds():
+    # Eight flaps round a base, the first with a lock: 6 mm slit, fold, 6 mm slit.
+    plan = Plan()
+    plan.way(
+        [
+            (0.0, 0.0), (100.0, 0.0), (100.0, -50.0), (100.0, -80.0), (0.0, -80.0), (0.0, -50.0),
+        ],
+        "outer",
+    )  # fmt: skip
+    plan.strokes.pop(0)
+    plan.line(0.0, 0.0, 100.0, 0.0, "crease")
+    for x, part in ((0.0, "inner"), (6.0, "crease"), (94.0, "inner")):
+        plan.line(x, -50.0, {0.0: 6.0, 6.0: 94.0, 94.0: 100.0}[x], -50.0, part)
+    x = 0.0
+    for wide in (100.0, 40.0, 90.0, 35.0):
+        plan.way([(x, 0.0), (x, 120.0)], "outer", shut=False)
+        plan.strokes.pop()
+        plan.line(x, 120.0, x + wide, 120.0, "outer")
+        if x:
+            plan.line(x, 0.0, x, 120.0, "crease")
+            plan.line(x, 0.0, x + wide, 0.0, "outer")
+        x += wide
+    plan.line(0.0, 0.0, 0.0, 120.0, "outer")
+    plan.line(x, 0.0, x, 120.0, "outer")
+    told = held(plan)
+    assert told["inner"] == [False, False]
+    assert told["crease"] == [True] * 5
+
+
+def test_the_strips_of_a_living_hinge_are_no_panels():
+    plan = Plan()
+    plan.box(0.0, 0.0, 200.0, 60.0, "outer")
+    for k in range(30):
+        plan.line(50.0 + 3.0 * k, 0.0, 50.0 + 3.0 * k, 60.0, "inner")
+    assert not any(held(plan)["inner"])
+
+
+def test_the_borders_on_a_map_are_no_folds():
+    # Six countries in a row, each border with a bend in it.
+    plan = Plan()
+    plan.box(0.0, 0.0, 350.0, 60.0, "outer")
+    for k in range(1, 7):
+        at = 50.0 * k + k * k / 2.0
+        plan.way([(at, 0.0), (at + 5.0, 30.0), (at, 60.0)], "inner", shut=False)
+    assert not any(held(plan)["inner"])
