@@ -8,31 +8,63 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Locator, Page, expect
 
 import dxf_text as text
+from knifetip.dxf.samples import samples
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
 
 #: 4 × 3 of a unit that nobody says, with three lines on a layer that says nothing.
 CORNERS = ((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0), (0.0, 0.0))
-SILENT = text.dxf(
-    *(text.line(*start, *end, (8, "CUT")) for start, end in pairwise(CORNERS)),
+INNER = (
     text.line(0.5, 1.0, 3.5, 1.0, (8, "INNER"), (62, 1)),
     text.line(0.5, 1.5, 3.5, 1.5, (8, "INNER"), (62, 1)),
     text.line(0.5, 2.0, 3.5, 2.0, (8, "INNER"), (62, 30)),
-    units=None,
 )
-#: Millimetres, a title, and an edge that lies on another.
-NOTE = "0\nTEXT\n8\nNOTES\n10\n0\n20\n0\n40\n5\n1\nRev. B\n"
-MESSY = text.dxf(
-    *(
-        text.line(100.0 * x0, 100.0 * y0, 100.0 * x1, 100.0 * y1, (8, "CUT"))
-        for (x0, y0), (x1, y1) in pairwise(CORNERS)
-    ),
+SILENT = text.dxf(
+    *(text.line(*start, *end, (8, "CUT")) for start, end in pairwise(CORNERS)), *INNER, units=None
+)
+
+
+def words(said: str, x: float, y: float) -> str:
+    return text.entity("TEXT", (8, "NOTES"), (10, x), (20, y), (40, 5), (1, said))
+
+
+def carton(*more: str) -> bytes:
+    """A part of 400 × 300 mm."""
+    sides = [(100.0 * x, 100.0 * y) for x, y in CORNERS]
+    return text.dxf(*(text.line(*a, *b, (8, "CUT")) for a, b in pairwise(sides)), *more)
+
+
+#: A title, an edge that lies on another, a line that is there twice, and one that is a speck.
+MESSY = carton(
     text.line(50.0, 0.0, 250.0, 0.0, (8, "CUT")),
-    NOTE,
+    words("Rev. B", 350.0, 280.0),
+    words("Glue here", 20.0, 20.0),
+    text.line(0.0, 150.0, 400.0, 150.0, (8, "CREASE")),
+    text.line(0.0, 150.0, 400.0, 150.0, (8, "CREASE")),
+    text.line(30.0, 30.0, 30.001, 30.0, (8, "CUT")),
 )
+
+
+def as_sent() -> bytes:
+    """The sample of a carton as it comes from somebody who drew, wrote and copied on it."""
+    frame = ((-12.0, -30.0), (297.0, -30.0), (297.0, 263.0), (-12.0, 263.0), (-12.0, -30.0))
+    added = (
+        *(text.line(*a, *b, (8, "FRAME")) for a, b in pairwise(frame)),
+        words("Tuck end carton 90 x 45 x 129", 160.0, -22.0),
+        words("Rev. B", -4.0, -22.0),
+        words("Front", 52.0, 122.0),
+        words("Glue here", 3.0, 100.0),
+        text.line(105.0, 61.0, 105.0, 190.0, (8, "CREASE")),
+        text.line(30.0, 0.0, 80.0, 0.0, (8, "CUT")),
+        text.line(60.0, 60.5, 90.0, 60.5, (8, "CREASE")),
+        text.line(190.0, 120.0, 190.002, 120.0, (8, "CUT")),
+        text.line(165.0, 150.0, 225.0, 150.0, (8, "INNER"), (62, 1)),
+    )
+    head, end, tail = samples()["tuck-end-carton.dxf"].rpartition(b"  0\nENDSEC\n  0\nSECTION\n")
+    return head + "".join(added).encode() + end + tail
 
 
 def choose(page: Page, *files: tuple[str, bytes]) -> None:
@@ -43,38 +75,110 @@ def choose(page: Page, *files: tuple[str, bytes]) -> None:
     expect(page.get_by_role("heading", name=files[-1][0])).to_be_visible(timeout=60_000)
 
 
-def test_questions_are_answered_and_corrections_become_a_customers_profile(
+def again(page: Page, name: str, content: bytes) -> None:
+    """Bring in another drawing while one is open."""
+    page.get_by_test_id("close-drawing").click()
+    choose(page, (name, content))
+
+
+def questions(page: Page) -> Locator:
+    return page.get_by_test_id("question")
+
+
+def picture(page: Page) -> bytes:
+    """Return how the picture looks once it has been drawn."""
+    page.evaluate("() => new Promise((done) => requestAnimationFrame(() => setTimeout(done)))")
+    return page.get_by_test_id("canvas").screenshot()
+
+
+def test_a_unit_that_nobody_knows_is_asked_with_sizes_and_what_speaks_for_them(
     page: Page, screenshots: Path
 ) -> None:
     choose(page, ("silent.dxf", SILENT))
     expect(page.get_by_test_id("unit-in")).to_contain_text("101.6 × 76.2")
+    expect(page.get_by_test_id("unit-m")).to_contain_text("4000.0 × 3000.0")
     expect(page.get_by_test_id("drawing-size")).to_contain_text("unit not known")
+    expect(page.get_by_test_id("scale-bar")).to_contain_text("units of the file")
+    # Of the likeliest unit the reasons are there at once, of the others on demand.
+    likely = page.locator("[data-likely=true][data-testid^=unit-]")
+    expect(likely).to_contain_text("likeliest")
+    expect(likely).to_contain_text("the file states no unit")
+    other = page.locator("[data-likely=false][data-testid^=unit-]").first
+    expect(other).not_to_contain_text("multiples of")
+    page.get_by_test_id("unit-evidence").click()
+    expect(other).to_contain_text("multiples of")
     page.screenshot(path=screenshots / "import-1-asked.png")
+
     page.get_by_test_id("unit-in").click()
     expect(page.get_by_test_id("drawing-size")).to_have_text(re.compile(r"^101\.6 × 76\.2"))
     expect(page.get_by_test_id("drawing-inches")).to_have_text(re.compile(r"^4\.00 × 3\.00"))
-
-    # Two questions, of two colours: each in one click, and back again.
-    expect(page.get_by_test_id("question")).to_have_count(2)
-    page.get_by_test_id("question").first.get_by_test_id("answer-crease").click()
-    expect(page.get_by_test_id("question")).to_have_count(1)
-    page.get_by_test_id("question").first.get_by_test_id("answer-perforation").click()
-    expect(page.get_by_test_id("questions")).to_be_hidden()
+    expect(page.get_by_test_id("scale-bar")).to_contain_text("mm")
     page.keyboard.press("Control+z")
-    expect(page.get_by_test_id("question")).to_have_count(1)
+    expect(page.get_by_test_id("drawing-size")).to_contain_text("unit not known")
     page.keyboard.press("Control+Shift+z")
+    expect(page.get_by_test_id("drawing-size")).to_have_text(re.compile(r"^101\.6 × 76\.2"))
+
+
+def test_each_question_is_one_click_and_one_step_back(page: Page) -> None:
+    choose(page, ("silent.dxf", SILENT))
+    page.get_by_test_id("unit-in").click()
+    expect(questions(page)).to_have_count(2)
+    # What an answer would do is seen before it is given.
+    page.mouse.move(5, 5)
+    still = picture(page)
+    answer = questions(page).first.get_by_test_id("answer-crease")
+    answer.hover()
+    assert picture(page) != still
+    answer.click()
+    expect(questions(page)).to_have_count(1)
+    # By the keyboard alone, and the next question has the focus.
+    page.keyboard.press("Control+z")
+    expect(questions(page)).to_have_count(2)
+    expect(answer).to_be_enabled()
+    answer.press("Enter")
+    expect(questions(page)).to_have_count(1)
+    expect(questions(page).locator("[data-answer]").first).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(page.get_by_test_id("questions")).to_be_hidden()
+    for left in (1, 2):
+        page.keyboard.press("Control+z")
+        expect(questions(page)).to_have_count(left)
+    page.keyboard.press("Control+z")
+    expect(page.get_by_test_id("unit-in")).to_be_visible()
+
+
+def test_an_edge_says_why_it_is_what_it_is_and_what_else_it_could_be(page: Page) -> None:
+    choose(page, ("inner.dxf", carton(text.line(0.0, 150.0, 400.0, 150.0, (8, "INNER")))))
+    page.get_by_title("Choose the edges of layer INNER, colour 7").click()
+    inspector = page.get_by_test_id("inspector")
+    expect(inspector.get_by_test_id("why")).to_contain_text("divides two panels")
+    expect(inspector).to_contain_text(re.compile(r"\d\d % sure"))
+    inspector.get_by_test_id("alternative-perforation").click()
+    expect(page.get_by_test_id("legend-perforation")).to_be_visible()
+    expect(inspector.get_by_test_id("why")).to_have_text("decided by hand")
+    page.keyboard.press("Control+z")
+    expect(page.get_by_test_id("legend-perforation")).to_be_hidden()
+    expect(inspector.get_by_test_id("why")).to_contain_text("divides two panels")
+
+
+def test_corrections_become_a_customers_profile_that_reads_the_next_drawing(
+    page: Page, screenshots: Path
+) -> None:
+    choose(page, ("silent.dxf", SILENT))
+    page.get_by_test_id("unit-in").click()
+    questions(page).first.get_by_test_id("answer-crease").click()
+    expect(questions(page)).to_have_count(1)
+    questions(page).first.get_by_test_id("answer-half-cut").click()
     expect(page.get_by_test_id("questions")).to_be_hidden()
 
-    # One of them is corrected by hand, and says so.
-    page.get_by_test_id("legend-perforation").get_by_role("button").first.click()
-    expect(page.get_by_test_id("why")).to_have_text("Decided by hand")
-    page.get_by_test_id("type-half-cut").click()
-    expect(page.get_by_test_id("legend-half-cut")).to_be_visible()
-
-    # What was learned is shown before it is kept.
+    # What was learned is counted and shown before it is kept.
     lesson = page.get_by_test_id("lesson").filter(has_text="crease")
     expect(lesson).to_contain_text('layer "INNER", colour 1')
+    expect(lesson).to_contain_text("2 edges")
+    page.mouse.move(5, 5)
+    still = picture(page)
     lesson.hover()
+    assert picture(page) != still
     page.screenshot(path=screenshots / "import-2-learned.png")
     lesson.get_by_test_id("customer").fill("Acme & Söhne")
     lesson.get_by_test_id("keep-lesson").click()
@@ -83,41 +187,172 @@ def test_questions_are_answered_and_corrections_become_a_customers_profile(
     page.get_by_test_id("keep-lesson").click()
     expect(page.get_by_test_id("lesson")).to_have_count(0)
 
-    # Its rules count what they take, and it goes out as TOML.
+    # The customer's next drawing is read by it, and nothing is asked any more.
+    again(
+        page,
+        "next.dxf",
+        carton(*(text.line(0.0, y, 400.0, y, (8, "INNER"), (62, 30)) for y in (100.0, 200.0))),
+    )
+    expect(page.get_by_test_id("legend-half-cut")).to_be_hidden()
+    page.get_by_test_id("profile-select").click()
+    page.get_by_role("option", name="Acme & Söhne").click()
+    expect(page.get_by_test_id("legend-half-cut")).to_contain_text("2")
+    page.keyboard.press("Control+z")
+    expect(page.get_by_test_id("legend-half-cut")).to_be_hidden()
+
+    # Back in the first drawing, its steps are forgotten: what is kept stays kept.
+    page.get_by_test_id("close-drawing").click()
+    page.get_by_test_id("drawing-row").filter(has_text="silent.dxf").first.click()
+    expect(page.get_by_test_id("profile-select")).to_have_value("Acme & Söhne")
+    expect(page.get_by_test_id("undo")).to_be_disabled()
+
+
+def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
+    page: Page, screenshots: Path
+) -> None:
+    choose(
+        page,
+        (
+            "inner.dxf",
+            carton(
+                *(
+                    text.line(0.0, y, 400.0, y, (8, "INNER"), (62, colour))
+                    for y, colour in ((100.0, 1), (200.0, 30))
+                )
+            ),
+        ),
+    )
     page.get_by_test_id("edit-profile").click()
-    expect(page.get_by_test_id("rule")).to_have_count(2)
-    expect(page.get_by_test_id("rule-edges").nth(0)).to_have_text("1 edge")
-    expect(page.get_by_test_id("rule-edges").nth(1)).to_have_text("2 edges")
-    page.get_by_role("combobox", name="Line type of rule 2").click()
+    page.get_by_test_id("profile-title").fill("Bolt")
+    page.get_by_test_id("add-rule").click()
+    page.get_by_label("Layer of rule 1").fill("INN*")
+    expect(page.get_by_test_id("rule-edges")).to_have_text("2 edges")
+    page.get_by_role("combobox", name="Line type of rule 1").click()
     page.get_by_role("option", name="Combi").click()
-    expect(page.get_by_test_id("profile-outcome")).to_contain_text("Nothing in this drawing")
+    expect(page.get_by_test_id("profile-outcome")).to_contain_text("2 edges change")
     page.screenshot(path=screenshots / "import-3-profile.png")
+
+    # Each step is taken back in the editor, and nothing of the drawing.
+    page.get_by_test_id("undo").click()
+    expect(page.get_by_test_id("profile-outcome")).to_contain_text("2 edges change")
+    page.get_by_test_id("undo").click()
+    expect(page.get_by_label("Layer of rule 1")).to_have_value("")
+    page.get_by_test_id("redo").click()
+    page.get_by_test_id("redo").click()
+    expect(page.get_by_label("Layer of rule 1")).to_have_value("INN*")
+    # Edits that are not kept wait where they are.
+    page.get_by_role("button", name="Back").click()
+    page.get_by_test_id("edit-profile").click()
+    expect(page.get_by_label("Layer of rule 1")).to_have_value("INN*")
+    page.get_by_test_id("save-profile").click()
+    expect(page.get_by_role("heading", name="Bolt")).to_be_visible()
+    expect(page.get_by_test_id("undo")).to_be_enabled()
+
     with page.expect_download() as download:
         page.get_by_test_id("export-profile").click()
-    kept = tomllib.loads(Path(download.value.path()).read_text("utf-8"))
-    assert [rule["type"] for rule in kept["rule"]] == ["half-cut", "crease"]
-    page.get_by_role("button", name="Discard").click()
+    written = Path(download.value.path()).read_bytes()
+    (rule,) = tomllib.loads(written.decode())["rule"]
+    assert (rule["layer"], rule["type"]) == (["INN*"], "combi")
 
-    # Undo takes the second rule back, then the profile.
+    # Changed by another hand, it comes in again under its name.
+    page.get_by_test_id("import-profile").set_input_files(
+        {
+            "name": "bolt.toml",
+            "mimeType": "application/toml",
+            "buffer": written.replace(b"combi", b"perforation").replace(b"INN*", b"INNER"),
+        }
+    )
+    expect(page.get_by_label("Layer of rule 1")).to_have_value("INNER")
+    page.get_by_role("button", name="Back").click()
+    expect(page.get_by_test_id("legend-perforation")).to_contain_text("2")
     page.keyboard.press("Control+z")
-    expect(page.get_by_test_id("lesson")).to_have_count(1)
+    expect(page.get_by_test_id("legend-combi")).to_contain_text("2")
     page.keyboard.press("Control+z")
-    expect(page.get_by_test_id("lesson")).to_have_count(2)
-    expect(page.get_by_test_id("profile-select")).not_to_have_value("Acme & Söhne")
-    page.wait_for_function("fetch('/api/profiles/acme-sohne').then((one) => one.status === 404)")
+    expect(page.get_by_test_id("legend-combi")).to_be_hidden()
+    page.wait_for_function("fetch('/api/profiles/bolt').then((one) => one.status === 404)")
+    page.keyboard.press("Control+Shift+z")
+    expect(page.get_by_test_id("legend-combi")).to_contain_text("2")
+
+    # A file that is no profile says so.
+    page.get_by_test_id("edit-profile").click()
+    page.get_by_test_id("import-profile").set_input_files(
+        {
+            "name": "wrong.toml",
+            "mimeType": "application/toml",
+            "buffer": b"title = 'W'\n[[rule]]\ntype = 'glue'",
+        }
+    )
+    expect(page.get_by_test_id("report")).to_contain_text("glue")
 
 
-def test_the_report_adds_up_and_leads_to_the_edges(page: Page, screenshots: Path) -> None:
+def test_the_report_adds_up_and_leads_to_whatever_it_names(page: Page, screenshots: Path) -> None:
     choose(page, ("first.dxf", SILENT), ("messy.dxf", MESSY))
-    # Around 1,400 mm, and 200 mm of them twice.
-    expect(page.get_by_test_id("report-drawn")).to_have_text(re.compile(r"^1600"))
-    merged = page.get_by_test_id("report-merged")
-    expect(merged).to_contain_text("1 edge")
-    merged.click()
+    # Around 1,400 mm and a crease of 400; 200 mm of the outline twice, the crease too.
+    expect(page.get_by_test_id("report-drawn")).to_have_text(re.compile(r"^2000"))
+    told = page.get_by_test_id("report-groups")
+    # Edges: a click chooses them in the picture.
+    told.get_by_text("It lies on other edges").click()
+    expect(page.get_by_test_id("selection")).to_contain_text(re.compile(r"1 edge · 200\smm"))
     expect(page.get_by_test_id("inspector")).to_contain_text("merged")
-    page.get_by_test_id("report-dropped").click()
-    expect(page.get_by_test_id("report-groups")).to_contain_text("TEXT")
+    # An entity that was drawn twice leads to the one that is there.
+    told.get_by_text("It is drawn twice").click()
+    page.get_by_test_id("entity").click()
+    expect(page.get_by_test_id("selection")).to_contain_text(re.compile(r"1 edge · 400\smm"))
+    told.get_by_text("It is drawn twice").click()
+    # Words have no edge: their place is marked.
+    told.get_by_text("Text is not cut").click()
+    expect(page.get_by_test_id("entity")).to_have_count(2)
+    page.get_by_test_id("entity").filter(has_text="Glue here").click()
+    expect(page.get_by_test_id("entity").filter(has_text="Glue here")).to_have_attribute(
+        "aria-pressed", "true"
+    )
+    expect(page.get_by_test_id("selection")).to_be_hidden()
+    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "20,20")
     page.screenshot(path=screenshots / "import-4-report.png")
+    page.keyboard.press("Escape")
+    expect(page.get_by_test_id("picture")).not_to_have_attribute("data-pin", "20,20")
+    # One fate at a time.
+    page.get_by_text("Merged", exact=True).last.click()
+    expect(page.get_by_test_id("report-dropped")).to_have_count(0)
+    expect(page.get_by_test_id("report-merged")).to_have_count(2)
     # The other file was read too.
     page.get_by_test_id("close-drawing").click()
-    expect(page.get_by_test_id("drawing-row").filter(has_text="first.dxf")).to_be_visible()
+    expect(page.get_by_test_id("drawing-row").filter(has_text="first.dxf").first).to_be_visible()
+
+
+def test_a_refused_file_says_place_measure_and_mend_and_the_others_come_in(page: Page) -> None:
+    cut_short = MESSY[: MESSY.rindex(b"ENDSEC") - 40]
+    choose(page, ("short.dxf", cut_short), ("whole.dxf", MESSY))
+    report = page.get_by_test_id("report")
+    expect(report).to_contain_text("short.dxf")
+    expect(report).to_contain_text(re.compile(r"in section ENTITIES, after \d+ entities"))
+    expect(report).to_contain_text("Send or export it again.")
+    report.get_by_role("button", name="Dismiss").click()
+    expect(report).to_be_hidden()
+
+
+def test_a_sheet_of_thousands_of_entities_is_listed_bit_by_bit(page: Page) -> None:
+    notes = (words(f"No {at}", at % 100, at // 100) for at in range(2500))
+    choose(page, ("notes.dxf", carton(*notes)))
+    page.get_by_test_id("report-dropped").click()
+    expect(page.get_by_test_id("entity")).to_have_count(100)
+    more = page.get_by_test_id("entities").get_by_test_id("show-more")
+    expect(more).to_contain_text("2,400 left")
+    more.click()
+    expect(page.get_by_test_id("entity")).to_have_count(200)
+    page.get_by_test_id("entity").filter(has_text="“No 150”").click()
+    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "50,1")
+
+
+def test_the_picture_of_the_report_that_the_docs_show(page: Page, screenshots: Path) -> None:
+    choose(page, ("carton-as-sent.dxf", as_sent()))
+    expect(page.get_by_test_id("drawing-size")).to_contain_text("mm")
+    page.set_viewport_size({"width": 1440, "height": 1290})
+    for folded in ("Line types", "Layers of the file"):
+        page.get_by_role("button", name=folded).first.click()
+    page.get_by_text("Text is not cut").click()
+    page.get_by_test_id("entity").filter(has_text="Glue here").click()
+    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "3,100")
+    page.keyboard.press("f")
+    page.mouse.move(720, 20)
+    page.screenshot(path=screenshots / "import-5-docs.png")

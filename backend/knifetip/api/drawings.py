@@ -20,6 +20,7 @@ from knifetip.api.schemas import (
     DrawingSummary,
     EdgesOut,
     EdgesPatch,
+    FateWord,
     LedgerOut,
     Override,
     Unit,
@@ -47,8 +48,13 @@ from knifetip.model.dieline import LineType
 
 router = APIRouter(prefix="/drawings", tags=["drawings"])
 
-# An SVG may hold scripts: it is never sent as something that a browser would run.
-_MEDIA_TYPES = {"dxf": "image/vnd.dxf", "cf2": "text/plain", "svg": "application/octet-stream"}
+# An SVG or a PDF may hold scripts: neither is sent as something that a browser would run.
+_MEDIA_TYPES = {
+    "dxf": "image/vnd.dxf",
+    "cf2": "text/plain",
+    "svg": "application/octet-stream",
+    "pdf": "application/octet-stream",
+}
 _LISTED = 2000  # ledger rows in a drawing's own answer
 
 
@@ -61,7 +67,7 @@ def upload_drawing(
     profile: Annotated[str, Form(max_length=200)] = "default",
     key: Key = None,
 ) -> DrawingOut:
-    """Read and classify a drawing: DXF (text or binary), CF2 or SVG, told by its content."""
+    """Read and classify a drawing: DXF (text or binary), CF2, SVG or PDF, told by its content."""
     rules_named(here, profile)
     content = file.file.read(here.settings.upload + 1)
     name = drawing_name(file.filename or "")
@@ -176,10 +182,11 @@ def override_edges(here: Here, id: str, patch: EdgesPatch) -> DrawingOut:
 
 
 @router.get("/{id}/ledger")
-def get_ledger(here: Here, id: str) -> LedgerOut:
-    """List what became of every entity of the file."""
+def get_ledger(here: Here, id: str, fate: FateWord | None = None) -> LedgerOut:
+    """List what became of every entity of the file, or only of those of one fate."""
     row = here.store.drawing(id)
-    return LedgerOut.model_validate({**row.summary["ledger"], "rows": _ledger(here, id)})
+    rows = [one for one in _ledger(here, id) if fate in (None, one["fate"])]
+    return LedgerOut.model_validate({**row.summary["ledger"], "rows": rows})
 
 
 @router.get("/{id}/cleaning")
@@ -226,7 +233,7 @@ def read(
     except Fault as reason:
         raise NotADrawing(
             f"{name}: the file is damaged in a way that reading stumbles over ({reason}).",
-            "Export it again as DXF, CF2 or SVG, from another program if need be.",
+            "Export it again as DXF, CF2, SVG or PDF, from another program if need be.",
         ) from reason
     except KnifetipError as reason:
         if not reason.message.startswith(name):

@@ -12,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, StrictInt, StrictStr
 LineTypeWord = Literal[
     "unclassified", "cut", "crease", "v-groove", "perforation", "half-cut", "ignored", "combi"
 ]
+FateWord = Literal["kept", "merged", "dropped"]
 Unit = Literal["mm", "cm", "m", "in", "ft", "pt", "px"]
 JobState = Literal[
     "received",
@@ -65,10 +66,15 @@ class LedgerRow(BaseModel):
     handle: str
     kind: str
     layer: str
-    fate: Literal["kept", "merged", "dropped"]
+    fate: FateWord
     reason: str
     theme: str = Field(default="", description="The reason without names and numbers")
     length: float
+    text: str = Field(default="", description="What is written there, where the entity is words")
+    place: list[float] | None = Field(
+        default=None,
+        description="x, y and height of words (mm; file units while the unit is unknown)",
+    )
 
 
 class LineTypeCount(BaseModel):
@@ -123,7 +129,7 @@ class CleaningRow(BaseModel):
 
     row: int
     handle: str
-    fate: Literal["kept", "merged", "dropped"]
+    fate: FateWord
     why: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"]
     into: int = Field(description="Row of the edge that stands for its work, -1 for none")
     kept: float
@@ -165,10 +171,10 @@ class UnitFindingOut(BaseModel):
 class ReportGroup(BaseModel):
     """What became of edges or entities for one reason."""
 
-    fate: Literal["kept", "merged", "dropped"]
+    fate: FateWord
     reason: str
     what: Literal["edges", "entities"] = Field(
-        description="Edges have a place in the drawing; entities that are no lines have none"
+        description="Edges have a place in the drawing; of entities, only words have one"
     )
     kinds: list[str] = Field(description="Kinds of the entities, the most frequent first")
     count: int
@@ -237,7 +243,7 @@ class EdgeOut(BaseModel):
     rule: str
     confidence: float
     alternatives: list[LineTypeWord] = Field(description="What else it could be, likeliest first")
-    fate: Literal["kept", "merged", "dropped"]
+    fate: FateWord
     reason: str = Field(description="Why it was merged or dropped")
     length: float
     start: tuple[float, float]

@@ -22,7 +22,8 @@ from knifetip.errors import UnitUnknown
 from knifetip.geometry.columns import F64, U8
 from knifetip.jobs.columns import packed, unpacked
 from knifetip.jobs.crew import Progress
-from knifetip.jobs.report import reported, said, theme, unit_of
+from knifetip.jobs.ledger import listed
+from knifetip.jobs.report import reported, said, unit_of
 from knifetip.jobs.store import Result
 from knifetip.library import load, own
 from knifetip.model.corners import CornerAt, Corners
@@ -146,18 +147,7 @@ def read(
         },
     )
     ledger = drawing.ledger
-    rows = [
-        {
-            "handle": said(ledger.handle[row]),
-            "kind": said(ledger.kind[row]),
-            "layer": said(ledger.layer[row]),
-            "fate": Fate(int(ledger.fate[row])).name.lower(),
-            "reason": said(ledger.reason[row]),
-            "theme": said(theme(ledger.reason[row])),
-            "length": round(float(ledger.length[row]), 6),
-        }
-        for row in range(len(ledger))
-    ]
+    rows = listed(drawing)
     low_x, low_y, high_x, high_y = (float(side) for side in drawing.bounds)
     summary = {
         "unit": drawing.unit,

@@ -192,8 +192,8 @@ export const service = {
   drawing: (id: string, signal?: AbortSignal) => get<Drawing>(at("drawings", id), signal),
   edges: async (id: string, signal?: AbortSignal): Promise<Edges> =>
     edgesOf(await bytes(at("drawings", id, "/edges?format=columns"), signal)),
-  ledger: (id: string, signal?: AbortSignal) =>
-    get<Schemas["LedgerOut"]>(at("drawings", id, "/ledger"), signal),
+  ledger: (id: string, fate: LedgerRow["fate"], signal?: AbortSignal) =>
+    get<Schemas["LedgerOut"]>(at("drawings", id, `/ledger?fate=${fate}`), signal),
   upload,
   settle: (id: string, change: { unit?: Unit | "file"; profile?: string }) =>
     send<Drawing>("PATCH", at("drawings", id), change),

@@ -19,7 +19,7 @@ export interface paths {
         put?: never;
         /**
          * Upload Drawing
-         * @description Read and classify a drawing: DXF (text or binary), CF2 or SVG, told by its content.
+         * @description Read and classify a drawing: DXF (text or binary), CF2, SVG or PDF, told by its content.
          */
         post: operations["upload_drawing"];
         delete?: never;
@@ -89,7 +89,7 @@ export interface paths {
         };
         /**
          * Get Ledger
-         * @description List what became of every entity of the file.
+         * @description List what became of every entity of the file, or only of those of one fate.
          */
         get: operations["get_ledger"];
         put?: never;
@@ -1533,6 +1533,17 @@ export interface components {
             theme: string;
             /** Length */
             length: number;
+            /**
+             * Text
+             * @description What is written there, where the entity is words
+             * @default
+             */
+            text: string;
+            /**
+             * Place
+             * @description x, y and height of words (mm; file units while the unit is unknown)
+             */
+            place?: number[] | null;
         };
         /**
          * LineTypeCount
@@ -1813,7 +1824,7 @@ export interface components {
             reason: string;
             /**
              * What
-             * @description Edges have a place in the drawing; entities that are no lines have none
+             * @description Edges have a place in the drawing; of entities, only words have one
              * @enum {string}
              */
             what: "edges" | "entities";
@@ -2436,7 +2447,9 @@ export interface operations {
     };
     get_ledger: {
         parameters: {
-            query?: never;
+            query?: {
+                fate?: ("kept" | "merged" | "dropped") | null;
+            };
             header?: never;
             path: {
                 id: string;

@@ -16,6 +16,7 @@ import { QuestionsPanel } from "../panels/QuestionsPanel";
 import { QueuePanel } from "../panels/QueuePanel";
 import { ReportsList } from "../panels/ReportsList";
 import { ShortcutsDialog } from "../panels/ShortcutsDialog";
+import { UnderWay } from "../panels/UnderWay";
 import { UnitPanel } from "../panels/UnitPanel";
 import { follow, useDrawing } from "../state/queries";
 import { usePage } from "../state/store";
@@ -50,11 +51,7 @@ export function App() {
   return (
     <div className={css.page}>
       <TopBar />
-      <aside
-        className={`${css.side} ${drawing !== null && editing !== null ? css.wide : ""}`}
-        hidden={!leftOpen}
-        aria-label="Drawing"
-      >
+      <aside className={css.side} hidden={!leftOpen} aria-label="Drawing">
         {drawing === null ? (
           <DrawingsPanel />
         ) : editing !== null ? (
@@ -95,6 +92,7 @@ export function App() {
         <QueuePanel />
         <MachinePanel />
       </aside>
+      <UnderWay />
       <ReportsList />
       <ShortcutsDialog />
       <DropAnywhere />

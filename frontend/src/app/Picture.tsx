@@ -11,8 +11,8 @@ import { tipOffset } from "../geometry/tip";
 import { workedSpans } from "../geometry/worked";
 import { ColourBar } from "../panels/ColourBar";
 import { EdgeTooltip } from "../panels/EdgeTooltip";
+import overCss from "../panels/over.module.css";
 import { PathLegend } from "../panels/PathLegend";
-import panels from "../panels/panels.module.css";
 import { Scrubber } from "../panels/Scrubber";
 import { SelectionBar } from "../panels/SelectionBar";
 import { ViewBar } from "../panels/ViewBar";
@@ -52,6 +52,8 @@ export function Picture({ onReady }: Props) {
   const [failure, setFailure] = useState<string | null>(null);
   const [scale, setScale] = useState(1);
   const [cursor, setCursor] = useState<Point | null>(null);
+  const { data: drawing } = useDrawing();
+  const pin = usePage((page) => page.pin);
   const [box, setBox] = useState<{ from: Point; to: Point } | null>(null);
 
   useEffect(() => {
@@ -87,6 +89,8 @@ export function Picture({ onReady }: Props) {
       <div
         ref={host}
         className={css.picture}
+        data-testid="picture"
+        data-pin={pin === null ? undefined : `${pin.x},${pin.y}`}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: the arrow keys pan it
         tabIndex={0}
         role="img"
@@ -108,7 +112,7 @@ export function Picture({ onReady }: Props) {
         <PathLegend />
         <Scrubber />
       </div>
-      <div className={`${panels.float} ${css.zoom}`}>
+      <div className={`${overCss.float} ${css.zoom}`}>
         <ZoomButton label="Zoom in (+)" act={() => viewer?.zoomBy(1.4)}>
           <IconPlus size={16} />
         </ZoomButton>
@@ -119,7 +123,7 @@ export function Picture({ onReady }: Props) {
           <IconFocusCentered size={16} />
         </ZoomButton>
       </div>
-      <Status scale={scale} cursor={cursor} />
+      <Status scale={scale} cursor={cursor} unit={drawing?.unit === null ? "" : "mm"} />
     </>
   );
 }
@@ -169,19 +173,28 @@ function barLength(pixelsPerMm: number): number {
   return power * ([1, 2, 5, 10].find((step) => step * power >= least) ?? 10);
 }
 
-function Status({ scale, cursor }: { scale: number; cursor: Point | null }) {
+interface StatusProps {
+  scale: number;
+  cursor: Point | null;
+  /** Empty while nobody knows the unit of the file. */
+  unit: "mm" | "";
+}
+
+function Status({ scale, cursor, unit }: StatusProps) {
   const bar = barLength(scale);
   const digits = scale > 50 ? 3 : scale > 5 ? 2 : 1;
   return (
     <div className={css.status}>
       <span className={css.scale} data-testid="scale-bar">
         <span className={css.scaleBar} style={{ width: bar * scale }} />
-        {bar >= 1000 ? `${bar / 1000} m` : `${Number(bar.toPrecision(2))} mm`}
+        {bar >= 1000 && unit === "mm"
+          ? `${bar / 1000} m`
+          : `${Number(bar.toPrecision(2))} ${unit || "units of the file"}`}
       </span>
       <span style={{ flex: 1 }} />
       {cursor && (
         <span data-testid="cursor">
-          X {cursor.x.toFixed(digits)}&ensp; Y {cursor.y.toFixed(digits)} mm
+          X {cursor.x.toFixed(digits)}&ensp; Y {cursor.y.toFixed(digits)} {unit}
         </span>
       )}
     </div>
@@ -224,6 +237,7 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   const hovered = usePage((page) => page.hover?.row ?? null);
   const hoveredMoves = usePage((page) => page.hover?.moves);
   const focus = usePage((page) => page.focus);
+  const pin = usePage((page) => page.pin);
   const proposed = usePage((page) => page.proposed);
   const scrub = usePage((page) => page.scrub);
   const chosenMachine = usePage((page) => page.machine);
@@ -304,6 +318,8 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
     () => viewer?.showHovered(hovered, hoveredMoves ?? []),
     [viewer, hovered, hoveredMoves],
   );
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the place is that of these edges
+  useEffect(() => viewer?.showPin(pin), [viewer, pin, shown]);
   useEffect(() => {
     if (focus.count === 0) return;
     if (focus.box === null) viewer?.fitRows(focus.rows);

@@ -11,6 +11,7 @@ import {
 import type { ReactNode } from "react";
 import { MachineChip } from "../panels/MachineChip";
 import { redo, undo } from "../state/actions";
+import { useEditing } from "../state/editing";
 import { usePage } from "../state/store";
 import css from "./app.module.css";
 import { Logo } from "./Logo";
@@ -18,8 +19,10 @@ import { Logo } from "./Logo";
 export function TopBar() {
   const open = usePage((page) => page.open);
   const drawing = usePage((page) => page.drawing);
-  const past = usePage((page) => page.past.length);
-  const future = usePage((page) => page.future.length);
+  const editing = usePage((page) => page.editing !== null);
+  const steps = useEditing();
+  const past = usePage((page) => page.past.length) + (editing ? steps.past.length : 0);
+  const future = usePage((page) => page.future.length) + (editing ? steps.future.length : 0);
   const busy = usePage((page) => page.busy);
   const leftOpen = usePage((page) => page.leftOpen);
   const rightOpen = usePage((page) => page.rightOpen);

@@ -11,8 +11,8 @@ export function Welcome() {
         <Logo size={44} />
         <h1>Drop a dieline here</h1>
         <p>
-          DXF, SVG or CF2, from any program. knifetip finds out what is cut, creased and grooved,
-          puts the tip of each tool on its line, and proves it before the table moves.
+          DXF, SVG, CF2 or PDF, from any program. knifetip finds out what is cut, creased and
+          grooved, puts the tip of each tool on its line, and proves it before the table moves.
         </p>
         <ChooseFile large />
         <ol className={css.steps}>

@@ -5,7 +5,7 @@ import type { Palette } from "../scene/dieline";
 import { rgba } from "../scene/lines";
 import type { Scale } from "../scene/map";
 import { CANVAS, LINE_LOOKS, MARKS, SCALE, SWEPT, TRAVEL, UNCUT } from "../state/palette";
-import type { ViewerColours } from "../viewer/viewer";
+import type { ViewerColours } from "../viewer/contract";
 
 const lineLook = (type: LineType) =>
   [type, { colour: rgba(LINE_LOOKS[type].colour), dash: LINE_LOOKS[type].dash }] as const;
@@ -23,6 +23,7 @@ export const VIEWER_COLOURS: ViewerColours = {
   uncut: rgba(UNCUT, 0.5),
   uncutRim: rgba(UNCUT),
   corner: rgba(CANVAS.blade),
+  pin: rgba(CANVAS.pin),
   head: rgba(TRAVEL.head),
   lead: rgba(TRAVEL.lead),
   tip: rgba(TRAVEL.tip, 0.9),

@@ -5,7 +5,7 @@ import type { Retyped } from "../api/client";
 import { LINE_LOOKS } from "../state/palette";
 import { usePage } from "../state/store";
 import { count } from "../state/words";
-import css from "./import.module.css";
+import css from "./learned.module.css";
 import { Swatch } from "./Swatch";
 
 export const proposedOf = (changes: readonly Retyped[]) =>

@@ -4,7 +4,7 @@ import { mapOf } from "../state/maps";
 import { SCALE } from "../state/palette";
 import { useEdges, useVerdict } from "../state/queries";
 import { COLOUR_MODES, type ColourMode, usePage } from "../state/store";
-import css from "./panels.module.css";
+import css from "./over.module.css";
 
 const TITLES: Readonly<Record<ColourMode, string>> = {
   types: "Line types",

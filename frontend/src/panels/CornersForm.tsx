@@ -5,6 +5,7 @@ import { IconHandClick } from "@tabler/icons-react";
 import { useId } from "react";
 import { CORNER_TYPES, type CornerType, withKnob, withType } from "../state/corners";
 import { usePage } from "../state/store";
+import cornerCss from "./corners.module.css";
 import css from "./panels.module.css";
 
 const TITLES: Readonly<Record<CornerType, string>> = {
@@ -35,14 +36,14 @@ export function CornersForm() {
   const fit = useId();
   const hasKnob = corners.type === "D" || corners.type === "auto";
   return (
-    <fieldset className={css.corners} data-testid="corners">
+    <fieldset className={cornerCss.corners} data-testid="corners">
       <legend>Corners of the cutter's path</legend>
-      <div className={css.cornerTypes}>
+      <div className={cornerCss.cornerTypes}>
         {CORNER_TYPES.map((type) => (
           <button
             key={type}
             type="button"
-            className={css.cornerType}
+            className={cornerCss.cornerType}
             aria-pressed={corners.type === type}
             title={SAID[type]}
             onClick={() => set({ corners: { ...corners, type } })}
@@ -61,7 +62,7 @@ export function CornersForm() {
           onChange={(k) => set({ corners: { ...corners, k } })}
         />
       )}
-      <div className={css.cornerFit}>
+      <div className={cornerCss.cornerFit}>
         <span id={fit}>Where the cutter does not fit</span>
         <SegmentedControl
           size="xs"
@@ -99,10 +100,10 @@ function Single() {
   const set = usePage((page) => page.set);
   if (corners.at.length === 0) return null;
   return (
-    <ul className={css.cornerList} data-testid="single-corners">
+    <ul className={cornerCss.cornerList} data-testid="single-corners">
       {corners.at.map((one, which) => (
         <li key={`${one.x} ${one.y}`}>
-          <div className={css.cornerRow}>
+          <div className={cornerCss.cornerRow}>
             <span className={css.figure}>
               {one.x.toFixed(1)}, {one.y.toFixed(1)}
             </span>
@@ -146,7 +147,7 @@ interface KnobProps {
 
 function Knob({ label, value, onChange }: KnobProps) {
   return (
-    <div className={css.cornerRow}>
+    <div className={cornerCss.cornerRow}>
       <span style={{ whiteSpace: "nowrap" }}>{label}</span>
       <Slider
         style={{ flex: 1 }}
@@ -168,10 +169,10 @@ function CornerPicture({ type }: { type: CornerType }) {
   const all = type === "auto";
   return (
     <svg viewBox="0 0 56 44" width="56" height="44" aria-hidden="true">
-      <path d="M2 26H34V44H2Z" className={css.cornerPart} />
-      <circle cx="20" cy="12" r="10" className={css.cornerDisc} />
+      <path d="M2 26H34V44H2Z" className={cornerCss.cornerPart} />
+      <circle cx="20" cy="12" r="10" className={cornerCss.cornerDisc} />
       {(all ? (["B", "C", "D"] as const) : [type]).map((word) => (
-        <path key={word} d={WAYS[word]} className={css.cornerWay} data-faint={all} />
+        <path key={word} d={WAYS[word]} className={cornerCss.cornerWay} data-faint={all} />
       ))}
     </svg>
   );

@@ -5,10 +5,11 @@ import { IconAdjustments, IconArrowLeft } from "@tabler/icons-react";
 import type { Drawing, Profile } from "../api/client";
 import { bringUpToDate, settle } from "../state/actions";
 import { useDrawing, useProfiles } from "../state/queries";
+import { outcome } from "../state/report";
 import { inches } from "../state/sizes";
 import { usePage } from "../state/store";
-import { count, size } from "../state/words";
-import imported from "./import.module.css";
+import { size, unitless } from "../state/words";
+import { REPORT } from "./ImportPanel";
 import css from "./panels.module.css";
 
 export function DocumentPanel() {
@@ -38,7 +39,7 @@ export function DocumentPanel() {
         <dt>Size</dt>
         <dd data-testid="drawing-size">
           {drawing.unit === null
-            ? `${figure(drawing.width)} × ${figure(drawing.height)}, unit not known`
+            ? `${unitless(drawing.width)} × ${unitless(drawing.height)}, unit not known`
             : size(drawing.width, drawing.height)}
         </dd>
         {drawing.unit !== null && (
@@ -50,15 +51,26 @@ export function DocumentPanel() {
         <dt>Edges</dt>
         <dd>
           {drawing.segments.toLocaleString("en")}
-          {drawing.overrides > 0 && ` · ${count(drawing.overrides, "override")}`}
+          {drawing.overrides > 0 && ` · ${drawing.overrides.toLocaleString("en")} decided by hand`}
         </dd>
+        {drawing.report && (
+          <>
+            <dt>Import</dt>
+            <dd>
+              <button type="button" className={css.link} style={{ margin: 0 }} onClick={show}>
+                {outcome(drawing.report)}
+              </button>
+            </dd>
+          </>
+        )}
       </dl>
       {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
     </section>
   );
 }
 
-const figure = (value: number) => value.toLocaleString("en", { maximumFractionDigits: 3 });
+const show = () =>
+  document.getElementById(REPORT)?.scrollIntoView({ behavior: "smooth", block: "start" });
 
 /** By whose rules the drawing is read; the customers' own stand above those that are shipped. */
 function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: readonly Profile[] }) {
@@ -104,14 +116,14 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
         </Tooltip>
       </div>
       {drawing.profile_state !== "current" && (
-        <p className={imported.warning} style={{ margin: "8px 0 0" }} data-testid="profile-state">
+        <p className={css.warning} style={{ margin: "8px 0 0" }} data-testid="profile-state">
           {drawing.profile_state === "changed"
             ? "The profile has changed since this drawing was read by it. "
             : "This profile is deleted; the drawing keeps its rules. "}
           {drawing.profile_state === "changed" && (
             <button
               type="button"
-              className={imported.link}
+              className={css.link}
               disabled={busy}
               data-testid="bring-up-to-date"
               onClick={() => void bringUpToDate()}

@@ -1,6 +1,6 @@
 /** Bring a drawing in, or open one that is here. */
 
-import { Button, Progress, Skeleton } from "@mantine/core";
+import { Button, Skeleton } from "@mantine/core";
 import { IconFileVector, IconUpload } from "@tabler/icons-react";
 import { useRef } from "react";
 import type { DrawingSummary } from "../api/client";
@@ -35,7 +35,7 @@ export function DrawingsPanel() {
       {error && <p className={css.note}>{error.message}</p>}
       {drawings?.length === 0 && (
         <p className={css.note} style={{ padding: "0 8px" }}>
-          No drawings yet. Drop a DXF, SVG or CF2 anywhere on this page.
+          No drawings yet. Drop a DXF, SVG, CF2 or PDF anywhere on this page.
         </p>
       )}
       {drawings?.map((drawing) => (
@@ -77,7 +77,7 @@ function Row({ drawing, current }: { drawing: DrawingSummary; current: boolean }
   );
 }
 
-/** The door for files, and how far one has come through it. */
+/** The door for files. */
 export function ChooseFile({ large = false }: { large?: boolean }) {
   const input = useRef<HTMLInputElement>(null);
   const upload = usePage((page) => page.upload);
@@ -86,7 +86,7 @@ export function ChooseFile({ large = false }: { large?: boolean }) {
       <input
         ref={input}
         type="file"
-        accept=".dxf,.svg,.svgz,.cf2,.cff2"
+        accept=".dxf,.svg,.svgz,.cf2,.cff2,.pdf,.ai"
         multiple
         hidden
         data-testid={large ? "file-input-large" : "file-input"}
@@ -106,22 +106,6 @@ export function ChooseFile({ large = false }: { large?: boolean }) {
       >
         Choose drawings
       </Button>
-      {upload && !large && (
-        <div style={{ marginTop: 10 }} role="status" data-testid="upload">
-          <div className={css.runFigures} style={{ margin: "0 0 6px" }}>
-            <span className={css.rowName}>{upload.name}</span>
-            <span>
-              {upload.fraction < 1 ? `${Math.round(upload.fraction * 100)} %` : "reading …"}
-            </span>
-          </div>
-          <Progress
-            value={upload.fraction * 100}
-            animated={upload.fraction >= 1}
-            size="sm"
-            aria-label="Upload"
-          />
-        </div>
-      )}
     </>
   );
 }

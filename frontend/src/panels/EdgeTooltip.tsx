@@ -3,11 +3,14 @@
 import { Fragment } from "react";
 import type { Verdict } from "../api/client";
 import { type Edges, lineTypeOf, MOTIONS, type Toolpath } from "../geometry/records";
+import { ruleWords } from "../state/inspect";
+import { useLength } from "../state/measure";
 import { LINE_LOOKS, TRAVEL } from "../state/palette";
 import { useEdges, useJob, useMachines, useToolpath, useVerdict } from "../state/queries";
 import { layerOf } from "../state/rows";
 import { usePage } from "../state/store";
-import { deviation, fine, length } from "../state/words";
+import { deviation, fine } from "../state/words";
+import overCss from "./over.module.css";
 import css from "./panels.module.css";
 import { Swatch } from "./Swatch";
 
@@ -37,7 +40,7 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
   const level = y + tall + 24 > height ? { bottom: height - y + 12 } : { top: y + 16 };
   return (
     <div
-      className={`${css.float} ${css.tooltip}`}
+      className={`${overCss.float} ${overCss.tooltip}`}
       style={{ ...side, ...level }}
       role="tooltip"
       data-testid="edge-tooltip"
@@ -50,10 +53,11 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
 
 function Edge({ row, edges }: { row: number; edges: Edges }) {
   const { data: verdict } = useVerdict();
+  const length = useLength();
   const type = lineTypeOf(edges.lineType[row]);
   return (
     <>
-      <div className={css.tooltipHead}>
+      <div className={overCss.tooltipHead}>
         <Swatch type={type} />
         {LINE_LOOKS[type].title}
         <span className={css.rowFigure} style={{ marginLeft: "auto", paddingLeft: 12 }}>
@@ -67,7 +71,7 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
         <dd>
           {edges.handles[row]} · edge {row}
         </dd>
-        <dt>Rule</dt>
+        <dt>Why</dt>
         <dd>{ruleWords(edges.rules[edges.rule[row] ?? -1] ?? "")}</dd>
         {verdict !== undefined && verdict.edge_deviation.length === edges.bulge.length && (
           <>
@@ -125,7 +129,7 @@ function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath
   const stations = machines?.find(({ name }) => name === job?.machine)?.stations;
   const shown = rows.slice(0, MOVES);
   return (
-    <div className={css.tooltipMoves} data-testid="moves-tooltip">
+    <div className={overCss.tooltipMoves} data-testid="moves-tooltip">
       {shown.map((row, at) => {
         const tool = toolpath.tool[row] ?? 0;
         const before = shown[at - 1];
@@ -135,12 +139,12 @@ function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath
         return (
           <div key={row}>
             {named && (
-              <div className={css.tooltipHead}>
-                <span className={css.chipLine} style={{ color: TRAVEL.head }} />
+              <div className={overCss.tooltipHead}>
+                <span className={overCss.chipLine} style={{ color: TRAVEL.head }} />
                 {name}
               </div>
             )}
-            <div className={css.tooltipMove}>
+            <div className={overCss.tooltipMove}>
               <span>{MOTIONS[toolpath.motion[row] ?? 0]}</span>
               <span>Z {(toolpath.pose[row * 4 + 6] ?? 0).toFixed(2)}</span>
               <span>{line > 0 ? `line ${line.toLocaleString("en")}` : ""}</span>
@@ -149,13 +153,10 @@ function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath
         );
       })}
       {rows.length > MOVES && (
-        <div className={css.tooltipMove}>
+        <div className={overCss.tooltipMove}>
           <span>… and {rows.length - MOVES} more moves</span>
         </div>
       )}
     </div>
   );
 }
-
-const ruleWords = (rule: string): string =>
-  rule === "override" ? "decided by hand" : rule === "" ? "none" : rule;

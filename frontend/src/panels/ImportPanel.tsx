@@ -1,24 +1,25 @@
 /** The import report: what was kept, merged and dropped, and why; the lengths add up. */
 
 import { SegmentedControl } from "@mantine/core";
-import { IconChevronRight } from "@tabler/icons-react";
+import { IconChevronRight, IconFocusCentered } from "@tabler/icons-react";
 import { useState } from "react";
-import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
+import type { Drawing, ReportGroup } from "../api/client";
 import type { Fate } from "../geometry/records";
-import { useDrawing, useEdges, useLedger } from "../state/queries";
-import { entitiesOf, FATES_SHOWN, groupsOf, rowsOfGroup, shares } from "../state/report";
-import { rowsOfHandles } from "../state/rows";
+import { useLength } from "../state/measure";
+import { useDrawing, useEdges } from "../state/queries";
+import { FATES_SHOWN, groupsOf, outcome, rowsOfGroup, shares } from "../state/report";
 import { usePage } from "../state/store";
-import { count, length } from "../state/words";
+import { count } from "../state/words";
+import { Entities } from "./Entities";
 import css from "./import.module.css";
 import panels from "./panels.module.css";
 import { Section } from "./Section";
-import { ShowMore } from "./ShowMore";
 
 type Report = NonNullable<Drawing["report"]>;
 
-/** Entities that come at once. */
-const STEP = 100;
+/** Where the report is on the page. */
+export const REPORT = "import-report";
+
 const TITLES: Readonly<Record<Fate, string>> = {
   kept: "Kept",
   merged: "Merged",
@@ -31,19 +32,13 @@ export function ImportPanel() {
   const report = drawing?.report;
   if (drawing === undefined || report === undefined || report === null) return null;
   const groups = groupsOf(report, fate);
-  const lost = report.groups
-    .filter((group) => group.fate === "dropped")
-    .reduce((sum, group) => sum + group.count, 0);
   return (
     <Section
+      id={REPORT}
       title="Import report"
-      aside={
-        <span className={panels.rowFigure}>
-          {lost > 0 ? `${lost.toLocaleString("en")} dropped` : "all kept"}
-        </span>
-      }
+      aside={<span className={panels.rowFigure}>{outcome(report)}</span>}
     >
-      <Bar report={report} known={drawing.unit !== null} />
+      <Bar report={report} />
       <SegmentedControl
         fullWidth
         size="xs"
@@ -74,9 +69,8 @@ export function ImportPanel() {
   );
 }
 
-function Bar({ report, known }: { report: Report; known: boolean }) {
-  const said = (value: number) =>
-    known ? length(value) : value.toLocaleString("en", { maximumFractionDigits: 1 });
+function Bar({ report }: { report: Report }) {
+  const said = useLength();
   return (
     <div className={css.sum} data-testid="report-bar">
       <div className={css.bar} role="img" aria-label="How the drawn length is shared out">
@@ -108,6 +102,7 @@ function Bar({ report, known }: { report: Report; known: boolean }) {
 function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
   const { data: edges } = useEdges();
   const look = usePage((page) => page.look);
+  const length = useLength();
   const [open, setOpen] = useState(false);
   const lines = group.what === "edges";
   const words = group.reason === "" ? "Kept as it was drawn" : group.reason;
@@ -133,64 +128,14 @@ function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
             {several && ` · ${group.kinds.join(", ")}`}
           </small>
         </span>
-        {group.length > 0 && (
-          <span className={panels.rowFigure}>
-            {drawing.unit === null ? group.length.toFixed(1) : length(group.length)}
-          </span>
+        {group.length > 0 && <span className={panels.rowFigure}>{length(group.length)}</span>}
+        {lines ? (
+          <IconFocusCentered size={14} className={css.turn} aria-hidden />
+        ) : (
+          <IconChevronRight size={14} className={css.turn} data-open={open} aria-hidden />
         )}
-        {!lines && <IconChevronRight size={14} className={css.turn} data-open={open} />}
       </button>
       {open && <Entities group={group} drawing={drawing} />}
     </div>
-  );
-}
-
-function Entities({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
-  const [most, setMost] = useState(STEP);
-  const first = drawing.ledger.rows;
-  const all = drawing.ledger.kept + drawing.ledger.merged + drawing.ledger.dropped;
-  // A drawing lists the first of its entities only; the rest is asked for here.
-  const whole = useLedger(first.length < all);
-  const rows = entitiesOf(whole.data?.rows ?? first, group);
-  return (
-    <div className={css.entities}>
-      {rows.slice(0, most).map((row, at) => (
-        // biome-ignore lint/suspicious/noArrayIndexKey: a file may name two entities alike
-        <Entity key={`${row.handle} ${at}`} row={row} />
-      ))}
-      {whole.error && <p className={panels.note}>{whole.error.message}</p>}
-      {rows.length > most && (
-        <ShowMore
-          left={rows.length - most}
-          busy={whole.isFetching}
-          act={() => setMost(most + STEP)}
-        />
-      )}
-    </div>
-  );
-}
-
-/** One entity; one that became edges can be looked at. */
-function Entity({ row }: { row: LedgerRow }) {
-  const { data: edges } = useEdges();
-  const look = usePage((page) => page.look);
-  const rows = edges === undefined ? [] : rowsOfHandles(edges, [row.handle]);
-  return (
-    <button
-      type="button"
-      className={panels.finding}
-      disabled={rows.length === 0}
-      onClick={() => look(rows)}
-    >
-      <span style={{ flex: 1, minWidth: 0, overflowWrap: "anywhere" }}>
-        {row.kind} {row.handle}
-        <span style={{ color: "var(--ink-3)" }}>
-          {" "}
-          on {row.layer}
-          {row.reason !== row.theme && ` · ${row.reason}`}
-        </span>
-      </span>
-      {row.length > 0 && <span className={panels.rowFigure}>{length(row.length)}</span>}
-    </button>
   );
 }

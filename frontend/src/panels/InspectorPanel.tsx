@@ -1,16 +1,18 @@
 /** The edges that are chosen: what they are and why, how sure that is, and what else they could be. */
 
 import { retype } from "../state/actions";
-import { indexColour } from "../state/colours";
+import { colourWords, indexColour } from "../state/colours";
 import { isByHand } from "../state/history";
-import { inspected } from "../state/inspect";
+import { inspected, ruleWords } from "../state/inspect";
+import { useLength } from "../state/measure";
 import { LINE_LOOKS } from "../state/palette";
 import { useEdges } from "../state/queries";
 import { layerOf, rowsOfLayer } from "../state/rows";
 import { usePage } from "../state/store";
-import { count, length } from "../state/words";
-import css from "./import.module.css";
+import { count } from "../state/words";
+import css from "./inspector.module.css";
 import panels from "./panels.module.css";
+import { showing } from "./pointing";
 import { Section } from "./Section";
 import { Swatch } from "./Swatch";
 
@@ -19,7 +21,7 @@ export function InspectorPanel() {
   const { data: edges } = useEdges();
   const busy = usePage((page) => page.busy);
   const choose = usePage((page) => page.choose);
-  const set = usePage((page) => page.set);
+  const length = useLength();
   const rows = [...selection].filter((row) => row < (edges?.bulge.length ?? 0));
   const [row] = rows;
   if (edges === undefined || row === undefined) return null;
@@ -43,7 +45,7 @@ export function InspectorPanel() {
             </div>
             <div className={css.trust}>
               <span className={css.trustWords} data-testid="why">
-                {rule === "override" ? "Decided by hand" : rule}
+                {ruleWords(rule)}
               </span>
               <span className={css.meter} aria-hidden>
                 <span style={{ width: `${100 * confidence}%`, background: tone(confidence) }} />
@@ -66,8 +68,7 @@ export function InspectorPanel() {
                   className={css.alternative}
                   disabled={busy}
                   data-testid={`alternative-${type}`}
-                  onMouseEnter={() => set({ proposed: [{ rows, type }] })}
-                  onMouseLeave={() => set({ proposed: [] })}
+                  {...showing(() => [{ rows, type }])}
                   onClick={() => void retype(rows, type)}
                 >
                   <Swatch type={type} />
@@ -80,7 +81,7 @@ export function InspectorPanel() {
         {byHand && (
           <button
             type="button"
-            className={css.link}
+            className={panels.link}
             disabled={busy}
             onClick={() => void retype(rows, null)}
           >
@@ -90,7 +91,7 @@ export function InspectorPanel() {
         <dl className={panels.facts}>
           {rows.length === 1 && (
             <>
-              <dt>Handle</dt>
+              <dt>Handle in the file</dt>
               <dd>{edges.handles[row]}</dd>
             </>
           )}
@@ -99,12 +100,12 @@ export function InspectorPanel() {
           <dt>Colour</dt>
           <dd>
             {found.colours.map((colour) => (
-              <span key={colour} style={{ marginLeft: 8, whiteSpace: "nowrap" }}>
+              <span key={colour} style={{ display: "block", whiteSpace: "nowrap" }}>
                 <span
                   className={panels.dot}
                   style={{ display: "inline-block", background: indexColour(colour) }}
                 />{" "}
-                {colour}
+                {colourWords(colour)}
               </span>
             ))}
           </dd>
@@ -118,7 +119,7 @@ export function InspectorPanel() {
           )}
         </dl>
         {alike.length > rows.length && (
-          <button type="button" className={css.link} onClick={() => choose(alike)}>
+          <button type="button" className={panels.link} onClick={() => choose(alike)}>
             Choose all {alike.length.toLocaleString("en")} of this layer and colour
           </button>
         )}

@@ -19,10 +19,12 @@ import { useEdges, useJob } from "../state/queries";
 import { rowsOfHandles } from "../state/rows";
 import { usePage } from "../state/store";
 import { count, duration } from "../state/words";
+import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { StateBadge } from "./StateBadge";
 import { VerdictCard } from "./VerdictCard";
+import verdictCss from "./verdict.module.css";
 
 const STAGES: readonly string[] = [
   "read",
@@ -68,7 +70,7 @@ function Compiling({ job }: { job: Job }) {
   const now = STAGES.indexOf(job.stage);
   return (
     <div role="status" data-testid="stage">
-      <ol className={css.stages} aria-hidden="true">
+      <ol className={jobCss.stages} aria-hidden="true">
         {STAGES.map((stage, at) => (
           <li key={stage} data-state={at < now ? "done" : at === now ? "now" : "open"} />
         ))}
@@ -84,7 +86,7 @@ function Compiling({ job }: { job: Job }) {
 function Running({ job }: { job: Job }) {
   if (job.state === "queued") {
     return (
-      <div className={css.callout} data-tone="grey" role="status">
+      <div className={jobCss.callout} data-tone="grey" role="status">
         Waiting for the table. It starts as soon as {job.machine} is free.
       </div>
     );
@@ -122,10 +124,10 @@ function Ending({ job }: { job: Job }) {
   const look = usePage((page) => page.look);
   if (job.state === "done") {
     return (
-      <div className={css.callout} data-tone="green" data-testid="done" role="status">
-        <div className={css.verdictHead}>
+      <div className={jobCss.callout} data-tone="green" data-testid="done" role="status">
+        <div className={verdictCss.verdictHead}>
           <IconCircleCheckFilled size={20} color="var(--good)" aria-hidden />
-          <span className={css.verdictTitle}>
+          <span className={verdictCss.verdictTitle}>
             {job.copies === 1 ? "Cut and done" : `${count(job.copies, "copy", "copies")} cut`}
           </span>
         </div>
@@ -149,7 +151,7 @@ function Ending({ job }: { job: Job }) {
   const rows = edges === undefined ? [] : rowsOfHandles(edges, job.source);
   return (
     <div
-      className={css.callout}
+      className={jobCss.callout}
       data-tone={tone === "red" || tone === "amber" ? tone : "grey"}
       data-testid="reason"
       role={tone === "red" ? "alert" : "status"}

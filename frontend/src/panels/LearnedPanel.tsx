@@ -10,7 +10,7 @@ import { useDrawing, useLearned, useProfiles } from "../state/queries";
 import { usePage } from "../state/store";
 import { count } from "../state/words";
 import { Changes, proposedOf } from "./Changes";
-import css from "./import.module.css";
+import css from "./learned.module.css";
 import panels from "./panels.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
@@ -71,8 +71,11 @@ function Lesson({ proposal, profile }: { proposal: Proposal; profile: Profile })
       onBlur={() => set({ proposed: [] })}
     >
       <div className={css.lessonHead}>
-        Always take <b>{rule.words}</b> as <Swatch type={rule.type} />
-        <b>{LINE_LOOKS[rule.type].title.toLowerCase()}</b>
+        Always take <b>{rule.words}</b> as{" "}
+        <span style={{ whiteSpace: "nowrap" }}>
+          <Swatch type={rule.type} />
+          <b>{LINE_LOOKS[rule.type].title.toLowerCase()}</b>
+        </span>
       </div>
       <p className={panels.note} style={{ margin: "4px 0 0" }}>
         It says what you said of {count(explains.length, "edge")}

@@ -3,11 +3,11 @@
 import { ActionIcon, Skeleton } from "@mantine/core";
 import { IconEye, IconEyeOff } from "@tabler/icons-react";
 import type { LineType } from "../geometry/records";
+import { useLength } from "../state/measure";
 import { LEGEND, LINE_LOOKS } from "../state/palette";
 import { useDrawing, useEdges } from "../state/queries";
 import { rowsOfType } from "../state/rows";
 import { usePage } from "../state/store";
-import { length } from "../state/words";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { Swatch } from "./Swatch";
@@ -34,6 +34,7 @@ function Row({ type, edges, run }: { type: LineType; edges: number; run: number 
   const toggle = usePage((page) => page.toggleType);
   const choose = usePage((page) => page.choose);
   const { data: columns } = useEdges();
+  const length = useLength();
   const { title } = LINE_LOOKS[type];
   return (
     <div className={css.row} data-off={hidden} data-testid={`legend-${type}`}>

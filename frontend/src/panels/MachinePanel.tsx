@@ -3,6 +3,7 @@
 import type { Machine } from "../api/client";
 import { useMachines } from "../state/queries";
 import { usePage } from "../state/store";
+import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 
@@ -11,7 +12,7 @@ const WORDS: Readonly<Record<string, string>> = {
   blade_angle: "blade angle",
   blade_width: "blade",
   half_width: "half width",
-  radius: "R",
+  radius: "radius",
   tilt: "tilt",
   trail: "trail",
   width: "width",
@@ -21,7 +22,7 @@ const ANGLES = new Set(["tilt", "blade_angle"]);
 const inWords = ({ dimensions }: Machine["stations"][number]["tool"]): string =>
   Object.entries(dimensions)
     .filter(([name, value]) => name in WORDS && typeof value === "number" && value !== 0)
-    .map(([name, value]) => `${WORDS[name]} ${value}${ANGLES.has(name) ? "°" : ""}`)
+    .map(([name, value]) => `${WORDS[name]} ${value}${ANGLES.has(name) ? "°" : "\u202fmm"}`)
     .join(" · ");
 
 export function MachinePanel() {
@@ -35,10 +36,10 @@ export function MachinePanel() {
         {machine.title || machine.name} · speaks {machine.dialect}
       </div>
       {machine.stations.map((station) => (
-        <div key={station.number} className={css.station}>
-          <span className={css.stationNumber}>{station.number}</span>
+        <div key={station.number} className={jobCss.station}>
+          <span className={jobCss.stationNumber}>{station.number}</span>
           <span>{station.name}</span>
-          <span className={css.stationTool}>{inWords(station.tool)}</span>
+          <span className={jobCss.stationTool}>{inWords(station.tool)}</span>
         </div>
       ))}
     </Section>

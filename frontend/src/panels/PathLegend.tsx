@@ -7,6 +7,7 @@ import { MARKS, SWEPT } from "../state/palette";
 import { useBoards, useJob, useMachines, useToolpath } from "../state/queries";
 import { usePage } from "../state/store";
 import { fine } from "../state/words";
+import overCss from "./over.module.css";
 import css from "./panels.module.css";
 
 const WORDS: readonly { word: keyof typeof MARKS; size: number }[] = [
@@ -20,7 +21,7 @@ export function PathLegend() {
   const { data: toolpath } = useToolpath();
   if (toolpath === undefined || !(layers.moves || layers.swept)) return null;
   return (
-    <div className={`${css.float} ${css.legend}`} data-testid="path-legend">
+    <div className={`${overCss.float} ${overCss.legend}`} data-testid="path-legend">
       {layers.swept && <Tools />}
       {layers.moves &&
         WORDS.map(({ word, size }) => (
@@ -55,7 +56,7 @@ function Tools() {
   if (swept.length === 0) return <span>No tool here sweeps wider than its line.</span>;
   return swept.map(({ number, name, sweep, depth }) => (
     <span key={number}>
-      <span className={css.band} style={{ background: COLOURS[sweep.kind], opacity: 0.6 }} />
+      <span className={overCss.band} style={{ background: COLOURS[sweep.kind], opacity: 0.6 }} />
       <b>{name}</b>
       {inWords(sweep, depth)}
     </span>

@@ -3,16 +3,16 @@
 import { ActionIcon, Button, Select, Skeleton, Switch, TextInput, Tooltip } from "@mantine/core";
 import { IconArrowLeft, IconDownload, IconPlus, IconTrash, IconUpload } from "@tabler/icons-react";
 import { useEffect, useRef, useState } from "react";
-import { type Profile, service } from "../api/client";
+import { type Preview, type Profile, service } from "../api/client";
 import {
   type Draft,
-  draftOf,
   draftRule,
   withChanged,
   withMoved,
   withoutRule,
   withRule,
 } from "../state/draft";
+import { useEditing, versionOf } from "../state/editing";
 import { usePreview } from "../state/preview";
 import { forgetProfile, freeName, importProfile, keepDraft } from "../state/profiles";
 import { useDrawing, useProfiles } from "../state/queries";
@@ -29,8 +29,15 @@ export function ProfileEditor({ name }: { name: string }) {
   const profile = profiles?.find((one) => one.name === name);
   if (profiles === undefined) return <Skeleton height={200} m={16} />;
   if (profile === undefined) return <Gone />;
-  // Another version is another thing to edit.
-  return <Editor key={`${name} ${profile.version}`} profile={profile} profiles={profiles} />;
+  return <Begun profile={profile} profiles={profiles} />;
+}
+
+/** Another version is another thing to edit. */
+function Begun({ profile, profiles }: Props) {
+  const { of, now, begin } = useEditing();
+  useEffect(() => begin(profile), [begin, profile]);
+  if (now === null || of !== versionOf(profile)) return null;
+  return <Editor key={of} profile={profile} profiles={profiles} draft={now} />;
 }
 
 function Gone() {
@@ -50,19 +57,18 @@ interface Props {
   profiles: readonly Profile[];
 }
 
-function Editor({ profile, profiles }: Props) {
+function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   const { data: drawing } = useDrawing();
+  const { edit, forget } = useEditing();
+  const touched = useEditing(({ past }) => past.length > 0);
   const busy = usePage((page) => page.busy);
   const set = usePage((page) => page.set);
-  const [first] = useState(() => draftOf(profile));
-  const [draft, setDraft] = useState<Draft>(first);
   const [dragged, setDragged] = useState<number | null>(null);
   const preview = usePreview(drawing?.id ?? null, draft);
   const changes = preview.data?.changes ?? [];
   const own = preview.data?.rules.filter(({ inherited }) => !inherited) ?? [];
   const theirs = preview.data?.rules.filter(({ inherited }) => inherited) ?? [];
   const untitled = draft.title.trim() === "";
-  const touched = draft !== first;
 
   useEffect(() => {
     set({ proposed: proposedOf(changes) });
@@ -70,21 +76,27 @@ function Editor({ profile, profiles }: Props) {
   }, [changes, set]);
 
   const close = () => set({ editing: null, proposed: [] });
+  const discard = () => {
+    forget();
+    close();
+  };
   const save = async () => {
     const taken = profiles.map((one) => one.name);
     const under = profile.shipped ? freeName(draft.title, taken) : profile.name;
-    if (await keepDraft(under, draft)) set({ editing: profile.shipped ? under : profile.name });
+    if (await keepDraft(under, draft)) set({ editing: under });
   };
   const inherited = draft.extends !== null && (
     <Inherited
       title={profiles.find(({ name }) => name === draft.extends)?.title ?? draft.extends}
-      rules={theirs}
+      rules={preview.data === null ? null : theirs}
     />
   );
   return (
     <div className={css.editor} data-testid="profile-editor">
       <div className={css.head}>
-        <Tooltip label="Back to the drawing">
+        <Tooltip
+          label={touched ? "Back to the drawing; your edits wait here" : "Back to the drawing"}
+        >
           <ActionIcon variant="subtle" color="gray" aria-label="Back" onClick={close}>
             <IconArrowLeft size={17} />
           </ActionIcon>
@@ -102,7 +114,7 @@ function Editor({ profile, profiles }: Props) {
         maxLength={120}
         value={draft.title}
         data-testid="profile-title"
-        onChange={(event) => setDraft({ ...draft, title: event.currentTarget.value })}
+        onChange={(event) => edit({ ...draft, title: event.currentTarget.value }, "title")}
       />
       <Select
         size="xs"
@@ -113,24 +125,24 @@ function Editor({ profile, profiles }: Props) {
           .filter(({ shipped }) => shipped)
           .map((one) => ({ value: one.name, label: one.title }))}
         value={draft.extends}
-        onChange={(value) => setDraft({ ...draft, extends: value })}
+        onChange={(value) => edit({ ...draft, extends: value })}
       />
       {draft.extends !== null && (
         <Switch
           size="xs"
           label="The customer's rules come first"
           checked={draft.overrules}
-          onChange={(event) => setDraft({ ...draft, overrules: event.currentTarget.checked })}
+          onChange={(event) => edit({ ...draft, overrules: event.currentTarget.checked })}
         />
       )}
       <div className={css.rulesHead}>
-        <span>Rules, of which the first that matches decides</span>
+        <span>Rules: the first that matches decides</span>
         <Button
           size="compact-xs"
           variant="default"
           leftSection={<IconPlus size={13} />}
           data-testid="add-rule"
-          onClick={() => setDraft(withRule(draft, draftRule({ type: "cut" })))}
+          onClick={() => edit(withRule(draft, draftRule({ type: "cut" })))}
         >
           Rule
         </Button>
@@ -144,12 +156,15 @@ function Editor({ profile, profiles }: Props) {
             number={at + 1}
             edges={own[at]?.edges ?? null}
             lifted={dragged === rule.key}
-            onChange={(part) => setDraft(withChanged(draft, rule.key, part))}
-            onDelete={() => setDraft(withoutRule(draft, rule.key))}
-            onMove={(to) => setDraft(withMoved(draft, rule.key, to))}
+            onChange={(part) =>
+              edit(withChanged(draft, rule.key, part), `${rule.key} ${Object.keys(part)}`)
+            }
+            onDelete={() => edit(withoutRule(draft, rule.key))}
+            onMove={(to) => edit(withMoved(draft, rule.key, to))}
             onLift={setDragged}
             onOver={() => {
-              if (dragged !== null && dragged !== rule.key) setDraft(withMoved(draft, dragged, at));
+              if (dragged !== null && dragged !== rule.key)
+                edit(withMoved(draft, dragged, at), `dragged ${dragged}`);
             }}
           />
         ))}
@@ -178,7 +193,7 @@ function Editor({ profile, profiles }: Props) {
                     )} change`}
                 {preview.data.open > 0 &&
                   `; no rule takes ${count(preview.data.open, "edge")}: their shape decides, or you`}
-                .
+                .{(drawing?.overrides ?? 0) > 0 && " What you decided by hand stays."}
               </p>
               <Changes changes={changes} />
             </>
@@ -193,7 +208,7 @@ function Editor({ profile, profiles }: Props) {
           >
             Keep and use it
           </Button>
-          <Button size="xs" variant="default" onClick={close}>
+          <Button size="xs" variant="default" onClick={discard}>
             {touched ? "Discard" : "Close"}
           </Button>
         </div>
@@ -202,12 +217,15 @@ function Editor({ profile, profiles }: Props) {
   );
 }
 
-function Inherited({ title, rules }: { title: string; rules: Profile["rules"] }) {
+interface InheritedProps {
+  title: string;
+  /** null while the service has not said what they take. */
+  rules: Preview["rules"] | null;
+}
+
+function Inherited({ title, rules }: InheritedProps) {
   const [open, setOpen] = useState(false);
-  const edges = (rules as readonly { edges?: number }[]).reduce(
-    (sum, rule) => sum + (rule.edges ?? 0),
-    0,
-  );
+  const edges = rules?.reduce((sum, rule) => sum + rule.edges, 0) ?? 0;
   return (
     <div className={css.inherited}>
       <button
@@ -218,11 +236,11 @@ function Inherited({ title, rules }: { title: string; rules: Profile["rules"] })
       >
         <span>{title}</span>
         <span className={panels.rowFigure}>
-          {count(rules.length, "rule")} · {count(edges, "edge")}
+          {rules === null ? "…" : `${count(rules.length, "rule")} · ${count(edges, "edge")}`}
         </span>
       </button>
       {open &&
-        rules.map((rule, at) => (
+        rules?.map((rule, at) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: a profile may have two rules alike
           <RuleWords key={`${at} ${rule.words}`} rule={rule} />
         ))}

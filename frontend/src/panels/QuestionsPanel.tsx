@@ -1,27 +1,23 @@
 /** What somebody must decide before anything is cut; each in one click. */
 
 import { IconHelpHexagonFilled } from "@tabler/icons-react";
-import { useState } from "react";
+import { useRef, useState } from "react";
 import type { Question } from "../api/client";
-import { LINE_TYPES, type LineType } from "../geometry/records";
 import { retype } from "../state/actions";
-import { indexColour } from "../state/colours";
 import { LINE_LOOKS } from "../state/palette";
-import { useDrawing, useEdges, useJob } from "../state/queries";
-import { rowsOfLayer } from "../state/rows";
+import { useDrawing, useJob } from "../state/queries";
 import { usePage } from "../state/store";
 import { count } from "../state/words";
-import css from "./panels.module.css";
+import { EdgeQuestion } from "./EdgeQuestion";
+import { showing } from "./pointing";
+import css from "./questions.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
 import { Swatch } from "./Swatch";
 import { UnitQuestion } from "./UnitQuestion";
 
-const isLineType = (word: string): word is LineType =>
-  LINE_TYPES.some((type) => type === word) && word !== "unclassified";
-
-/** Questions that come at once. */
-const STEP = 6;
+/** Questions that come at once: one that is answered makes room for the next. */
+const STEP = 4;
 /** Up to so many, each is answered by itself. */
 const FEW = 3;
 
@@ -30,6 +26,7 @@ export function QuestionsPanel() {
   const { data: job } = useJob();
   const asked = usePage((page) => page.asked);
   const [most, setMost] = useState(STEP);
+  const list = useRef<HTMLDivElement>(null);
   if (drawing === undefined) return null;
   const questions = new Map<string, Question>();
   for (const question of [...drawing.questions, ...asked, ...(job?.questions ?? [])]) {
@@ -38,6 +35,9 @@ export function QuestionsPanel() {
   if (questions.size === 0) return null;
   const listed = [...questions];
   const lines = listed.map(([, question]) => question).filter(({ kind }) => kind === "line-type");
+  // A frame later it can be answered.
+  const toNext = () =>
+    requestAnimationFrame(() => list.current?.querySelector<HTMLElement>("[data-answer]")?.focus());
   return (
     <Section
       title={
@@ -47,20 +47,20 @@ export function QuestionsPanel() {
         </>
       }
     >
-      <div data-testid="questions">
-        {lines.length > FEW && <TheRest questions={lines} />}
+      <div ref={list} data-testid="questions">
         {listed
           .slice(0, most)
           .map(([text, question]) =>
             question.kind === "unit" ? (
               <UnitQuestion key={text} question={question} drawing={drawing} />
             ) : (
-              <EdgeQuestion key={text} question={question} />
+              <EdgeQuestion key={text} question={question} onAnswered={toNext} />
             ),
           )}
         {listed.length > most && (
           <ShowMore left={listed.length - most} act={() => setMost(most + STEP)} />
         )}
+        {lines.length > FEW && <TheRest questions={lines} />}
       </div>
     </Section>
   );
@@ -69,86 +69,21 @@ export function QuestionsPanel() {
 /** One answer to all: much of a messy sheet is of no concern to the machine. */
 function TheRest({ questions }: { questions: readonly Question[] }) {
   const busy = usePage((page) => page.busy);
-  const set = usePage((page) => page.set);
   const rows = questions.flatMap(({ edges }) => edges);
   return (
     <button
       type="button"
       className={css.choice}
-      style={{ width: "100%", marginBottom: 8 }}
+      style={{ width: "100%", marginTop: 8 }}
       disabled={busy}
+      title="They are shown, and kept out of the tool path"
       data-testid="ignore-rest"
-      onMouseEnter={() => set({ proposed: [{ rows, type: "ignored" }] })}
-      onMouseLeave={() => set({ proposed: [] })}
+      {...showing(() => [{ rows, type: "ignored" }])}
       onClick={() => void retype(rows, "ignored")}
     >
       <Swatch type="ignored" />
-      Ignore whatever is not decided
+      Ignore all that is open
       <span className={css.choiceFigure}>{count(rows.length, "edge")}</span>
     </button>
-  );
-}
-
-/** What is asked, and what speaks for the likeliest answer. */
-function partsOf(text: string): readonly [string, string] {
-  const at = text.indexOf("Most likely ");
-  return at < 0 ? [text, ""] : [text.slice(0, at).trim(), text.slice(at)];
-}
-
-function EdgeQuestion({ question }: { question: Question }) {
-  const { data: edges } = useEdges();
-  const busy = usePage((page) => page.busy);
-  const look = usePage((page) => page.look);
-  const set = usePage((page) => page.set);
-  const rows =
-    question.edges.length > 0 || edges === undefined
-      ? question.edges
-      : rowsOfLayer(edges, question.layer, question.colour);
-  const choices = question.choices.filter(isLineType);
-  const [asks, evidence] = partsOf(question.text);
-  return (
-    <article className={css.question} data-testid="question">
-      <button
-        type="button"
-        className={css.rowMain}
-        style={{ height: "auto" }}
-        title="Show these edges"
-        onClick={() => look(rows)}
-      >
-        <span className={css.questionHead}>
-          <span className={css.dot} style={{ background: indexColour(question.colour) }} />
-          {question.layer === "" ? "These edges" : `Layer ${question.layer}`}
-        </span>
-        <span className={css.rowFigure} style={{ marginLeft: "auto", marginBottom: 4 }}>
-          {count(rows.length, "edge")}
-        </span>
-      </button>
-      <p className={css.questionText}>{asks}</p>
-      {evidence !== "" && (
-        <p className={css.questionText} style={{ color: "var(--ink-0)" }}>
-          {evidence}
-        </p>
-      )}
-      <div className={css.choices}>
-        {choices.map((type, at) => (
-          <button
-            key={type}
-            type="button"
-            className={`${css.choice} ${at === 0 ? css.choiceWide : ""}`}
-            disabled={busy}
-            data-testid={`answer-${type}`}
-            data-likely={at === 0}
-            title={at === 0 ? "The most plausible answer" : undefined}
-            onMouseEnter={() => set({ proposed: [{ rows, type }] })}
-            onMouseLeave={() => set({ proposed: [] })}
-            onClick={() => void retype(rows, type)}
-          >
-            <Swatch type={type} />
-            {LINE_LOOKS[type].title}
-            {at === 0 && <span className={css.choiceFigure}>likeliest</span>}
-          </button>
-        ))}
-      </div>
-    </article>
   );
 }

@@ -7,6 +7,7 @@ import { isCompiling, isOnTable, isOver } from "../state/jobs";
 import { useJobs } from "../state/queries";
 import { usePage } from "../state/store";
 import { ago, duration } from "../state/words";
+import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
@@ -70,7 +71,7 @@ function Row({ job, now }: { job: Job; now: number }) {
   return (
     <button
       type="button"
-      className={css.jobRow}
+      className={jobCss.jobRow}
       aria-current={current}
       onClick={() => open(job.drawing, job.id)}
       data-testid="queue-row"
@@ -84,7 +85,7 @@ function Row({ job, now }: { job: Job; now: number }) {
       <small>{job.seconds > 0 ? duration(job.seconds) : ""}</small>
       {moving && (
         <Progress
-          className={css.bar ?? ""}
+          className={jobCss.bar ?? ""}
           value={job.progress * 100}
           size={3}
           color={job.state === "held" ? "yellow" : "blue"}

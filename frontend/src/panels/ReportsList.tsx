@@ -8,6 +8,7 @@ import { rowsOfHandles } from "../state/rows";
 import { usePage } from "../state/store";
 import { count } from "../state/words";
 import css from "./panels.module.css";
+import reportCss from "./reports.module.css";
 
 export function ReportsList() {
   const list = useReports((reports) => reports.list);
@@ -15,11 +16,11 @@ export function ReportsList() {
   const look = usePage((page) => page.look);
   const { data: edges } = useEdges();
   return (
-    <div className={css.reports} role="alert" aria-live="assertive">
+    <div className={reportCss.reports} role="alert" aria-live="assertive">
       {list.map(({ id, title, detail, mend, source }) => {
         const rows = edges === undefined ? [] : rowsOfHandles(edges, source);
         return (
-          <div key={id} className={css.report} data-testid="report">
+          <div key={id} className={reportCss.report} data-testid="report">
             <IconAlertTriangleFilled size={18} color="var(--bad)" aria-hidden />
             <div>
               <div style={{ color: "var(--ink-0)", fontWeight: 600 }}>{title}</div>

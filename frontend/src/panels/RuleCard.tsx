@@ -138,7 +138,10 @@ interface FieldProps {
 
 /** What is typed stays as it is typed; what it means goes up. */
 function Field({ condition, number, patterns, onChange }: FieldProps) {
-  const [text, setText] = useState(() => textOf(patterns));
+  const [typed, setText] = useState(() => textOf(patterns));
+  // What is meant may have been taken back meanwhile.
+  const means = textOf(patterns);
+  const text = textOf(patternsOf(condition, typed)) === means ? typed : means;
   const fault = condition === "colour" ? colourFault(patterns) : "";
   return (
     <TextInput

@@ -8,6 +8,7 @@ import { isOnTable } from "../state/jobs";
 import { useJob, useTimeline } from "../state/queries";
 import { usePage } from "../state/store";
 import { duration } from "../state/words";
+import overCss from "./over.module.css";
 import css from "./panels.module.css";
 
 /** A play-through lasts about this long, however long the program is (s). */
@@ -38,7 +39,7 @@ export function Scrubber() {
   if (job === undefined || line === undefined || whole === 0 || isOnTable(job)) return null;
   const at = scrub ?? (job.state === "done" ? whole : 0);
   return (
-    <div className={`${css.float} ${css.scrubber}`} data-testid="scrubber">
+    <div className={`${overCss.float} ${overCss.scrubber}`} data-testid="scrubber">
       <ActionIcon
         variant="subtle"
         color="gray"

@@ -5,6 +5,7 @@ import { type ReactNode, useId, useState } from "react";
 import css from "./panels.module.css";
 
 interface Props {
+  id?: string;
   title: ReactNode;
   /** Shown at the right of the title. */
   aside?: ReactNode;
@@ -14,11 +15,11 @@ interface Props {
   children: ReactNode;
 }
 
-export function Section({ title, aside, open = true, flush = false, children }: Props) {
+export function Section({ id, title, aside, open = true, flush = false, children }: Props) {
   const [shown, setShown] = useState(open);
   const body = useId();
   return (
-    <section className={css.section}>
+    <section className={css.section} id={id}>
       <button
         type="button"
         className={css.sectionHead}

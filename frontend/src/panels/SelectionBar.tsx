@@ -4,11 +4,12 @@ import { ActionIcon, CloseButton, Tooltip } from "@mantine/core";
 import { IconArrowBackUp } from "@tabler/icons-react";
 import { lineTypeOf } from "../geometry/records";
 import { retype } from "../state/actions";
+import { useLength } from "../state/measure";
 import { CHOICES, LINE_LOOKS } from "../state/palette";
 import { useEdges } from "../state/queries";
 import { usePage } from "../state/store";
-import { count, length } from "../state/words";
-import css from "./panels.module.css";
+import { count } from "../state/words";
+import css from "./over.module.css";
 import { Swatch } from "./Swatch";
 
 export function SelectionBar() {
@@ -16,6 +17,7 @@ export function SelectionBar() {
   const choose = usePage((page) => page.choose);
   const busy = usePage((page) => page.busy);
   const { data: edges } = useEdges();
+  const length = useLength();
   if (selection.size === 0 || edges === undefined) return null;
   const rows = [...selection];
   const run = rows.reduce((sum, row) => sum + (edges.length[row] ?? 0), 0);

@@ -1,15 +1,16 @@
 /** How large the drawing is, in which unit that was drawn, and what speaks for it. */
 
 import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
+import { useState } from "react";
 import type { Drawing, Unit } from "../api/client";
 import { settle } from "../state/actions";
 import { useDrawing } from "../state/queries";
 import { inches, sizeIn, UNITS, unitsOffered } from "../state/sizes";
 import { usePage } from "../state/store";
 import { size } from "../state/words";
-import css from "./import.module.css";
 import panels from "./panels.module.css";
 import { Section } from "./Section";
+import css from "./unit.module.css";
 
 /** Of what speaks for a unit, so much is said. */
 const REASONS = 4;
@@ -33,7 +34,7 @@ export function UnitPanel() {
       }
     >
       {warnings.map((text) => (
-        <p key={text} className={css.warning}>
+        <p key={text} className={panels.warning}>
           {text}
         </p>
       ))}
@@ -41,7 +42,7 @@ export function UnitPanel() {
       {drawing.unit_given !== null && (
         <button
           type="button"
-          className={css.link}
+          className={panels.link}
           data-testid="unit-file"
           onClick={() => void settle({ unit: "file" })}
         >
@@ -62,14 +63,22 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
   const weights = offered.map(weightOf);
   const lightest = Math.min(...weights);
   const range = Math.max(1, Math.max(...weights) - lightest);
+  const [all, setAll] = useState(false);
   return (
     <div className={css.units}>
+      <p className={css.unitKey}>
+        <span className={css.weight} aria-hidden>
+          <span style={{ width: "60%" }} />
+        </span>
+        how much speaks for it
+      </p>
       {offered.map((unit, at) => {
         const [width, height] = sizeIn(drawing, unit);
         const chosen = drawing.unit === unit;
         const likely = drawing.unit === null && at === 0;
         // Why not the others either: their sizes say it best.
-        const reasons = chosen || likely ? evidence.filter((one) => one.unit === unit) : [];
+        const told = all || chosen || likely;
+        const reasons = told ? evidence.filter((one) => one.unit === unit) : [];
         return (
           <button
             key={unit}
@@ -86,10 +95,11 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
             <span className={css.unitHead}>
               {UNITS[unit].title}
               {chosen && <IconCheck size={14} aria-label="chosen" />}
+              {likely && <span className={css.likely}>likeliest</span>}
               <span className={css.unitSize}>{size(width, height)}</span>
             </span>
             <span className={css.unitFoot}>
-              <span className={css.weight} title="How much speaks for it">
+              <span className={css.weight}>
                 <span style={{ width: `${(100 * (weightOf(unit) - lightest)) / range}%` }} />
               </span>
               <span className={css.unitInches}>{inches(width, height)}</span>
@@ -102,6 +112,18 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
           </button>
         );
       })}
+      {evidence.length > 0 && (
+        <button
+          type="button"
+          className={panels.link}
+          style={{ margin: 0, textAlign: "left" }}
+          aria-expanded={all}
+          data-testid="unit-evidence"
+          onClick={() => setAll(!all)}
+        >
+          {all ? "Hide what speaks for the others" : "What speaks for the others"}
+        </button>
+      )}
     </div>
   );
 }

@@ -2,16 +2,16 @@
 
 import type { Drawing, Question } from "../api/client";
 import { isUnit } from "../state/sizes";
-import panels from "./panels.module.css";
+import questionCss from "./questions.module.css";
 import { UnitChoices } from "./UnitPanel";
 
 export function UnitQuestion({ question, drawing }: { question: Question; drawing: Drawing }) {
   // The sizes that the rest of it lists stand on the answers, with what speaks for them.
   const [why = ""] = /^.*?\.(?=\s|$)/.exec(question.text) ?? [question.text];
   return (
-    <article className={panels.question}>
-      <div className={panels.questionHead}>How large is it really?</div>
-      <p className={panels.questionText} title={question.text}>
+    <article className={questionCss.question}>
+      <div className={questionCss.questionHead}>How large is it really?</div>
+      <p className={questionCss.questionText} title={question.text}>
         {why}
       </p>
       <UnitChoices drawing={drawing} units={question.choices.filter(isUnit)} />

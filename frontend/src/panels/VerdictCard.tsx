@@ -13,6 +13,7 @@ import { useVerdict } from "../state/queries";
 import { usePage } from "../state/store";
 import { area, count, deviation, duration, length } from "../state/words";
 import css from "./panels.module.css";
+import verdictCss from "./verdict.module.css";
 
 const SHOWN = 100;
 /** Half the side of what is shown about a small place (mm), and of a large one, to its size. */
@@ -26,25 +27,25 @@ export function VerdictCard({ job }: { job: Job }) {
   const findings = whole?.findings ?? [];
   return (
     <article
-      className={css.verdict}
+      className={verdictCss.verdict}
       data-accepted={verdict.accepted}
       data-testid="verdict"
       aria-label="Verdict"
     >
-      <div className={css.verdictHead}>
-        <span className={css.verdictIcon} style={{ display: "flex" }}>
+      <div className={verdictCss.verdictHead}>
+        <span className={verdictCss.verdictIcon} style={{ display: "flex" }}>
           {verdict.accepted ? (
             <IconRosetteDiscountCheckFilled size={22} aria-hidden />
           ) : (
             <IconAlertOctagonFilled size={22} aria-hidden />
           )}
         </span>
-        <span className={css.verdictTitle}>
+        <span className={verdictCss.verdictTitle}>
           {verdict.accepted ? "Verified" : "Refused by verification"}
         </span>
       </div>
       <Deviation verdict={verdict} />
-      <dl className={css.figures} style={{ marginBottom: 0 }}>
+      <dl className={verdictCss.figures} style={{ marginBottom: 0 }}>
         <div>
           <dt>Overcut</dt>
           <dd>{length(verdict.overcut)}</dd>
@@ -58,12 +59,12 @@ export function VerdictCard({ job }: { job: Job }) {
           <dd>{duration(verdict.seconds)}</dd>
         </div>
       </dl>
-      <div className={css.told}>
+      <div className={verdictCss.told}>
         <Unreached verdict={verdict} />
         <Saved verdict={verdict} />
       </div>
       {findings.length > 0 && (
-        <div className={css.findings} data-testid="findings">
+        <div className={verdictCss.findings} data-testid="findings">
           {findings.slice(0, SHOWN).map((finding, at) => (
             // biome-ignore lint/suspicious/noArrayIndexKey: two findings may read alike
             <Row key={at} finding={finding} />
@@ -93,8 +94,8 @@ function Unreached({ verdict }: { verdict: VerdictSummary }) {
     setNext(next + 1);
   };
   return (
-    <button type="button" className={css.toldRow} onClick={goThere} data-testid="unreached">
-      <span className={css.toldArea} style={{ color: UNCUT, background: `${UNCUT}66` }} />
+    <button type="button" className={verdictCss.toldRow} onClick={goThere} data-testid="unreached">
+      <span className={verdictCss.toldArea} style={{ color: UNCUT, background: `${UNCUT}66` }} />
       <span>
         {area(verdict.unreached)} in {count(verdict.unreached_places, "place")} stay uncut: the
         cutter does not get there.
@@ -109,7 +110,7 @@ function Saved({ verdict }: { verdict: VerdictSummary }) {
   const share = full <= 0 ? 0 : Math.round((1 - verdict.seconds / full) * 100);
   if (share < 1) return null;
   return (
-    <div className={css.toldRow} data-testid="saved">
+    <div className={verdictCss.toldRow} data-testid="saved">
       <IconStopwatch size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
       <span>
         Saves {share}
@@ -131,7 +132,7 @@ function Deviation({ verdict }: { verdict: VerdictSummary }) {
           {deviation(verdict.deviation)}
         </span>
       </div>
-      <div className={css.gauge} aria-hidden="true">
+      <div className={verdictCss.gauge} aria-hidden="true">
         <div
           style={{
             width: `${Math.min(100, share * 100)}%`,
@@ -151,7 +152,7 @@ function Row({ finding }: { finding: Finding }) {
   return (
     <button
       type="button"
-      className={css.finding}
+      className={verdictCss.finding}
       disabled={finding.edge < 0}
       onClick={() => look([finding.edge])}
       data-testid="finding"

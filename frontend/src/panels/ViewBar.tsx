@@ -3,7 +3,7 @@
 import { MARKS, SWEPT, TRAVEL, UNCUT } from "../state/palette";
 import { useToolpath, useVerdictColumns } from "../state/queries";
 import { type Layer, usePage } from "../state/store";
-import css from "./panels.module.css";
+import css from "./over.module.css";
 
 const LAYERS: readonly {
   layer: Layer;

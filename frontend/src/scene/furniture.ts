@@ -67,6 +67,26 @@ export function ringLines(
   return lines.done();
 }
 
+/** Of a pin (pixels): its ring, and the arms of the cross that runs from there outwards. */
+const PIN = { ring: 12, arm: 9 };
+
+/** A ring with four arms that point at a place, as large at any scale. */
+export function pinLines(at: Point, origin: Point, mmPerPixel: number, colour: Rgba): Lines {
+  const lines = new LinesUnderWay(origin);
+  const near = PIN.ring * mmPerPixel;
+  const far = (PIN.ring + PIN.arm) * mmPerPixel;
+  addRing(lines, at.x, at.y, near, colour);
+  for (const [x, y] of [
+    [1, 0],
+    [0, 1],
+    [-1, 0],
+    [0, -1],
+  ] as const) {
+    lines.add(at.x + x * near, at.y + y * near, at.x + x * far, at.y + y * far, colour);
+  }
+  return lines.done();
+}
+
 const RING = 40;
 
 function addRing(lines: LinesUnderWay, x: number, y: number, radius: number, colour: Rgba) {

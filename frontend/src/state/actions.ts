@@ -10,6 +10,7 @@ import {
 } from "../api/client";
 import type { LineType } from "../geometry/records";
 import { mills } from "./corners";
+import { useEditing } from "./editing";
 import {
   backwards,
   type Change,
@@ -72,7 +73,7 @@ async function changed(drawing: Drawing): Promise<void> {
   usePage.getState().set({ asked: [], proposed: [] });
   await Promise.all([
     queries.invalidateQueries({ queryKey: keys.edges(drawing.id).queryKey }),
-    queries.invalidateQueries({ queryKey: keys.ledger(drawing.id).queryKey }),
+    queries.invalidateQueries({ queryKey: keys.ledgers(drawing.id) }),
     queries.invalidateQueries({ queryKey: keys.learned(drawing.id).queryKey }),
     queries.invalidateQueries({ queryKey: keys.drawings().queryKey }),
   ]);
@@ -170,7 +171,12 @@ function differing(before: Said, after: Said): Partial<Said> {
   };
 }
 
+/** Take the last step back: of the profile that is being edited, or else of the drawing. */
 export function undo(): Promise<void> {
+  if (usePage.getState().editing !== null && useEditing.getState().past.length > 0) {
+    useEditing.getState().back();
+    return Promise.resolve();
+  }
   return inTurn(async () => {
     const { drawing, past } = usePage.getState();
     const change = past.at(-1);
@@ -181,6 +187,10 @@ export function undo(): Promise<void> {
 }
 
 export function redo(): Promise<void> {
+  if (usePage.getState().editing !== null && useEditing.getState().future.length > 0) {
+    useEditing.getState().forward();
+    return Promise.resolve();
+  }
   return inTurn(async () => {
     const { drawing, future } = usePage.getState();
     const change = future.at(-1);

@@ -12,6 +12,24 @@ const NAMED: Readonly<Record<number, string>> = {
   9: "#c3c9d1",
 };
 
+const WORDS: Readonly<Record<number, string>> = {
+  1: "red",
+  2: "yellow",
+  3: "green",
+  4: "cyan",
+  5: "blue",
+  6: "magenta",
+  7: "white or black",
+  8: "dark grey",
+  9: "light grey",
+};
+
+/** An index as people say it. */
+export function colourWords(index: number): string {
+  const word = WORDS[index];
+  return word === undefined ? `${index}` : `${index}, ${word}`;
+}
+
 /** A colour to show for an index: named ones as they are, 10 to 249 round the circle of hues. */
 export function indexColour(index: number): string {
   const named = NAMED[index];

@@ -10,7 +10,7 @@ import type { Drawing, Override, Unit } from "../api/client";
 import { type Edges, type LineType, lineTypeOf } from "../geometry/records";
 
 /** What the service gives as the rule of an edge that somebody decided. */
-const BY_HAND = "override";
+export const BY_HAND = "override";
 
 /** Edges got a line type. */
 export interface Retyping {

@@ -1,6 +1,7 @@
 /** What can be said of some edges together. */
 
 import { type Edges, fateOf, type LineType, lineTypeOf } from "../geometry/records";
+import { BY_HAND } from "./history";
 import { layerOf } from "./rows";
 
 export interface Why {
@@ -29,6 +30,10 @@ export interface Inspected {
 }
 
 const LISTED = 4;
+
+/** The rule or the evidence that decided an edge, in words. */
+export const ruleWords = (rule: string): string =>
+  rule === BY_HAND ? "decided by hand" : rule === "" ? "nothing says what it is" : rule;
 
 export function inspected(edges: Edges, rows: readonly number[]): Inspected {
   const why = new Map<

@@ -91,6 +91,7 @@ export const CANVAS = {
   gridMajor: "#ffffff",
   hover: "#ffffff",
   chosen: "#3b82f6",
+  pin: "#6cabff",
   mark: "#ffffff",
   blade: "#ffe27a",
 } as const;

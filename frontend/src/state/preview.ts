@@ -17,6 +17,8 @@ export function usePreview(drawing: string | null, draft: Draft): Previewed {
   useEffect(() => {
     if (drawing === null) return;
     let late = false;
+    // A fault of what was written before is none of what is written now.
+    setFound((before) => (before.error === null ? before : { ...before, error: null }));
     const timer = window.setTimeout(() => {
       service.preview(drawing, sentOf(draft)).then(
         (data) => !late && setFound({ data, error: null }),

@@ -7,7 +7,14 @@ import {
   useInfiniteQuery,
   useQuery,
 } from "@tanstack/react-query";
-import { type DrawingSummary, FIRST, type Job, type Page, service } from "../api/client";
+import {
+  type DrawingSummary,
+  FIRST,
+  type Job,
+  type LedgerRow,
+  type Page,
+  service,
+} from "../api/client";
 import { listen } from "../api/events";
 import { timeline } from "../geometry/timeline";
 import { hasProgram } from "./jobs";
@@ -38,8 +45,12 @@ const ask = {
       queryFn: ({ signal }) => service.edges(id, signal),
       structuralSharing: false,
     }),
-  ledger: (id: string) =>
-    queryOptions({ queryKey: ["ledger", id], queryFn: ({ signal }) => service.ledger(id, signal) }),
+  ledgers: (id: string) => ["ledger", id] as const,
+  ledger: (id: string, fate: LedgerRow["fate"]) =>
+    queryOptions({
+      queryKey: ["ledger", id, fate],
+      queryFn: ({ signal }) => service.ledger(id, fate, signal),
+    }),
   learned: (id: string) =>
     queryOptions({
       queryKey: ["learned", id],
@@ -110,10 +121,10 @@ export function useEdges() {
   return useQuery({ ...ask.edges(id ?? ""), enabled: id !== null });
 }
 
-/** What became of every entity of the drawing that is open, once it is `wanted`. */
-export function useLedger(wanted: boolean) {
+/** The entities of one fate of the drawing that is open, once they are `wanted`. */
+export function useLedger(fate: LedgerRow["fate"], wanted: boolean) {
   const id = usePage((page) => page.drawing);
-  return useQuery({ ...ask.ledger(id ?? ""), enabled: id !== null && wanted });
+  return useQuery({ ...ask.ledger(id ?? "", fate), enabled: id !== null && wanted });
 }
 
 /** Rules that would have said what somebody corrected in the drawing that is open. */

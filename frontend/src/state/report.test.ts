@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
 import type { Edges } from "../geometry/records";
 import { inspected } from "./inspect";
-import { entitiesOf, groupsOf, isGone, rowsOfGroup, shares } from "./report";
+import { entitiesOf, foundOf, groupsOf, isGone, outcome, rowsOfGroup, shares } from "./report";
 
 type Report = NonNullable<Drawing["report"]>;
 
@@ -90,4 +90,41 @@ describe("edges that are looked at", () => {
     expect(found.length).toBeCloseTo(150.01);
     expect(inspected(EDGES, [1]).fate).toBe("dropped: a speck");
   });
+});
+
+const DRAWING = { width: 100, height: 40 } as Drawing;
+const entity = (part: Partial<LedgerRow>): LedgerRow => ({
+  handle: "1",
+  kind: "TEXT",
+  layer: "NOTES",
+  fate: "dropped",
+  reason: "text is not cut",
+  theme: "text is not cut",
+  length: 0,
+  text: "",
+  ...part,
+});
+
+describe("an entity of the report", () => {
+  test("is found by its edges, or by the one that it lies on", () => {
+    expect(foundOf(EDGES, DRAWING, entity({ handle: "C" }))).toEqual({ rows: [2] });
+    const twice = entity({ handle: "D", reason: "it is drawn twice: the same as A" });
+    expect(foundOf(EDGES, DRAWING, twice)).toEqual({ rows: [0] });
+  });
+
+  test("is found by the place of its words, with a quarter of the drawing about it", () => {
+    expect(foundOf(EDGES, DRAWING, entity({ place: [50, 20, 1] }))).toEqual({
+      pin: { x: 50, y: 20 },
+      box: [25, -5, 75, 45],
+    });
+  });
+
+  test("is nowhere where the file gives it no place", () => {
+    expect(foundOf(EDGES, DRAWING, entity({ kind: "HATCH" }))).toBeNull();
+  });
+});
+
+test("a report in a few words counts what is not there as it was drawn", () => {
+  expect(outcome(REPORT)).toBe("2 dropped");
+  expect(outcome({ ...REPORT, groups: [group({ count: 7 })] })).toBe("all kept");
 });

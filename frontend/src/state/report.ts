@@ -1,7 +1,8 @@
 /** The import report: what was kept, merged and dropped, and which edges or entities each means. */
 
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
-import { type Edges, FATES, type Fate, fateOf } from "../geometry/records";
+import { type Box, type Edges, FATES, type Fate, fateOf, type Point } from "../geometry/records";
+import { rowsOfHandles } from "./rows";
 
 /** The order in which they are read: what is not there first. */
 export const FATES_SHOWN: readonly Fate[] = ["dropped", "merged", "kept"];
@@ -48,6 +49,39 @@ export const entitiesOf = (ledger: readonly LedgerRow[], group: ReportGroup): Le
   group.what === "edges"
     ? []
     : ledger.filter((row) => row.fate === group.fate && (row.theme || row.reason) === group.reason);
+
+/** Where an entity is seen: its edges, those that it lies on, or the place of its words. */
+export type Found =
+  | { readonly rows: readonly number[] }
+  | { readonly pin: Point; readonly box: Box }
+  | null;
+
+/** Of words so much is shown to each side (heights of the letters) … */
+const AROUND = 14;
+/** … and at least this part of the drawing. */
+const LEAST = 0.25;
+
+export function foundOf(edges: Edges, drawing: Drawing, row: LedgerRow): Found {
+  const twin = /: the same as (\S+)$/.exec(row.reason)?.[1];
+  const own = rowsOfHandles(edges, [row.handle]);
+  const rows = own.length > 0 || twin === undefined ? own : rowsOfHandles(edges, [twin]);
+  if (rows.length > 0) return { rows };
+  const [x, y, height = 0] = row.place ?? [];
+  if (x === undefined || y === undefined) return null;
+  const side = Math.max(AROUND * height, LEAST * Math.max(drawing.width, drawing.height));
+  return { pin: { x, y }, box: [x - side, y - side, x + side, y + side] };
+}
+
+/** A report in a few words: entities and edges that are not there as they were drawn. */
+export function outcome(report: Report): string {
+  const sum = (fate: Fate) =>
+    report.groups.reduce((all, one) => (one.fate === fate ? all + one.count : all), 0);
+  const told = (["dropped", "merged"] as const)
+    .map((fate) => ({ fate, many: sum(fate) }))
+    .filter(({ many }) => many > 0)
+    .map(({ fate, many }) => `${many.toLocaleString("en")} ${fate}`);
+  return told.length > 0 ? told.join(" · ") : "all kept";
+}
 
 /** Whether an edge is not made: dropped, or made by another that it lies on. */
 export const isGone = (edges: Edges, row: number): boolean => fateOf(edges.fate[row]) === "dropped";

@@ -14,9 +14,25 @@ export const rowsOfType = (edges: Edges, type: LineType): number[] =>
 export const rowsOfLayer = (edges: Edges, layer: string, colour: number): number[] =>
   where(edges, (row) => layerOf(edges, row) === layer && edges.colour[row] === colour);
 
+const found = new WeakMap<readonly string[], ReadonlyMap<string, readonly number[]>>();
+
+/** The rows of each handle: laid out once for a drawing, asked for by every entity of a list. */
+function byHandle(handles: readonly string[]): ReadonlyMap<string, readonly number[]> {
+  const known = found.get(handles);
+  if (known !== undefined) return known;
+  const rows = new Map<string, number[]>();
+  handles.forEach((handle, row) => {
+    const those = rows.get(handle);
+    if (those === undefined) rows.set(handle, [row]);
+    else those.push(row);
+  });
+  found.set(handles, rows);
+  return rows;
+}
+
 export function rowsOfHandles(edges: Edges, handles: Iterable<string>): number[] {
-  const wanted = new Set(handles);
-  return where(edges, (row) => wanted.has(edges.handles[row] ?? ""));
+  const rows = byHandle(edges.handles);
+  return [...new Set(handles)].flatMap((handle) => rows.get(handle) ?? []).sort((a, b) => a - b);
 }
 
 export const layerOf = (edges: Edges, row: number): string =>

@@ -92,7 +92,8 @@ describe("what the service tells of a job", () => {
 
 describe("figures in words", () => {
   test.each([
-    [0, "0.0\u202fmm"],
+    [0, "0\u202fmm"],
+    [0.002, "<\u202f0.1\u202fmm"],
     [45.25, "45.3\u202fmm"],
     [1234.4, "1234\u202fmm"],
     [25_000, "25.00\u202fm"],

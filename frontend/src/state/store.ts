@@ -8,7 +8,7 @@
 import { create } from "zustand";
 import type { Corners, Question } from "../api/client";
 import type { LineState } from "../api/events";
-import type { Box, LineType } from "../geometry/records";
+import type { Box, LineType, Point } from "../geometry/records";
 import { LEFT_TO_THE_MACHINE } from "./corners";
 import type { Change } from "./history";
 
@@ -57,6 +57,8 @@ export interface PageState {
   readonly layers: Readonly<Record<Layer, boolean>>;
   readonly colourMode: ColourMode;
   readonly focus: Focus;
+  /** A place of the drawing that is meant, where no edge is. */
+  readonly pin: Point | null;
   readonly past: readonly Change[];
   readonly future: readonly Change[];
   readonly busy: boolean;
@@ -89,8 +91,8 @@ export interface PageState {
   toggleLayerOfDrawing(layer: string): void;
   toggleLayer(layer: Layer): void;
   look(rows: readonly number[]): void;
-  /** Bring a part of the drawing into view. */
-  lookAt(box: Box): void;
+  /** Bring a part of the drawing into view, and mark a place in it. */
+  lookAt(box: Box, pin?: Point): void;
   /** A change was made: it can be undone, and what was undone is forgotten. */
   made(change: Change): void;
   /** The last change was undone (or done again). */
@@ -148,6 +150,7 @@ export const usePage = create<PageState>()((put) => ({
   },
   colourMode: "types",
   focus: { rows: [], box: null, count: 0 },
+  pin: null,
   past: [],
   future: [],
   busy: false,
@@ -174,6 +177,7 @@ export const usePage = create<PageState>()((put) => ({
             drawing,
             job,
             selection: NOTHING,
+            pin: null,
             hover: null,
             hiddenTypes: new Set<string>(),
             hiddenLayers: new Set<string>(),
@@ -190,7 +194,7 @@ export const usePage = create<PageState>()((put) => ({
   openJob: (job) => put({ job, scrub: null }),
   choose: (rows, add = false) =>
     put(({ selection }) => {
-      if (!add) return { selection: new Set(rows) };
+      if (!add) return { selection: new Set(rows), pin: null };
       const listed = [...rows];
       const next = new Set(selection);
       // A single edge that is chosen already is let go; a box only adds.
@@ -214,9 +218,16 @@ export const usePage = create<PageState>()((put) => ({
   look: (rows) =>
     put(({ focus }) => ({
       selection: new Set(rows),
+      pin: null,
       focus: { rows, box: null, count: focus.count + 1 },
     })),
-  lookAt: (box) => put(({ focus }) => ({ focus: { rows: [], box, count: focus.count + 1 } })),
+  lookAt: (box, pin) =>
+    put(({ selection, focus }) => ({
+      // What is marked is not one of the edges that are chosen.
+      selection: pin === undefined ? selection : NOTHING,
+      pin: pin ?? null,
+      focus: { rows: [], box, count: focus.count + 1 },
+    })),
   made: (change) => put(({ past }) => ({ past: [...past, change], future: [] })),
   undone: () =>
     put(({ past, future }) => {

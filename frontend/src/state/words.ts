@@ -5,9 +5,15 @@ const THIN = "\u202f";
 /** A length in mm, or in m from ten metres up. */
 export function length(value: number): string {
   if (!Number.isFinite(value)) return "–";
+  if (value === 0) return `0${THIN}mm`;
+  if (Math.abs(value) < 0.05) return `<${THIN}0.1${THIN}mm`;
   if (Math.abs(value) >= 10_000) return `${(value / 1000).toFixed(2)}${THIN}m`;
   return `${value.toFixed(Math.abs(value) >= 100 ? 0 : 1)}${THIN}mm`;
 }
+
+/** A length in a unit that nobody knows. */
+export const unitless = (value: number): string =>
+  value.toLocaleString("en", { maximumFractionDigits: Math.abs(value) >= 100 ? 1 : 3 });
 
 /** A length of which hundredths matter, and the rest is nothing. */
 export function fine(value: number): string {

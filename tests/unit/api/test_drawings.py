@@ -40,6 +40,15 @@ def test_an_upload_answers_with_unit_counts_and_ledger(client: httpx.Client):
     assert client.get(f"/api/drawings/{said['id']}/ledger").json() == said["ledger"]
 
 
+def test_the_ledger_can_be_asked_for_one_fate_and_says_where_words_stand(client: httpx.Client):
+    note = text.entity("TEXT", (8, "NOTES"), (10, 12), (20, 34), (40, 5), (1, "Rev. B"))
+    id = uploaded(client, square(extra=(note,)))["id"]
+    (row,) = client.get(f"/api/drawings/{id}/ledger?fate=dropped").json()["rows"]
+    assert (row["kind"], row["text"], row["place"]) == ("TEXT", "Rev. B", [12.0, 34.0, 5.0])
+    assert len(client.get(f"/api/drawings/{id}/ledger?fate=kept").json()["rows"]) == 4
+    assert client.get(f"/api/drawings/{id}/ledger?fate=lost").status_code == 422
+
+
 def test_the_file_comes_back_byte_for_byte(client: httpx.Client):
     id = uploaded(client, square())["id"]
     assert client.get(f"/api/drawings/{id}/file").content == square()

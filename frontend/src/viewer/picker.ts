@@ -1,0 +1,74 @@
+/** What is under the cursor: an edge, and the moves of the head that are seen there. */
+
+import { movesOf } from "../geometry/moves";
+import { type PickIndex, pickIndex } from "../geometry/pick";
+import { type Box, type Edges, MOTIONS, type Point, type Segments } from "../geometry/records";
+import type { Timeline } from "../geometry/timeline";
+import type { PlaneCamera } from "./camera";
+import type { Shown } from "./contract";
+
+/** How near the cursor must come to an edge (pixels). */
+const REACH = 7;
+/** Moves this much farther than the nearest one are pointed at with it (pixels). */
+const TOGETHER = 1.5;
+
+export class Picker {
+  /** Laid out when first asked for. */
+  private moves: { segments: Segments; index: PickIndex } | null = null;
+  private timeline: Timeline | null = null;
+  private index: PickIndex | null = null;
+  private visible: (row: number) => boolean = () => true;
+
+  constructor(private readonly camera: PlaneCamera) {}
+
+  takeEdges(edges: Edges | null): void {
+    this.index = edges === null ? null : pickIndex(edges);
+  }
+
+  takeVisible(visible: (row: number) => boolean): void {
+    this.visible = visible;
+  }
+
+  takeTravel(timeline: Timeline | null): void {
+    this.timeline = timeline;
+    this.moves = null;
+  }
+
+  /** The moves as lines, once they were pointed at. */
+  get segments(): Segments | null {
+    return this.moves?.segments ?? null;
+  }
+
+  edge(at: Point, shown: Shown): number | null {
+    if (this.index === null || !shown.nominal) return null;
+    const place = this.camera.toPlane(at);
+    return this.index.at(place.x, place.y, REACH / this.camera.scale, this.visible);
+  }
+
+  movesAt(at: Point, shown: Shown): readonly number[] {
+    if (this.timeline === null || !(shown.head || shown.rapids)) return [];
+    const { toolpath } = this.timeline;
+    if (this.moves === null) {
+      const segments = movesOf(toolpath);
+      this.moves = { segments, index: pickIndex(segments) };
+    }
+    const place = this.camera.toPlane(at);
+    const pixel = 1 / this.camera.scale;
+    return this.moves.index.near(place.x, place.y, REACH * pixel, TOGETHER * pixel, (row) =>
+      MOTIONS[toolpath.motion[row] ?? 0] === "rapid" ? shown.rapids : shown.head,
+    );
+  }
+
+  /** The edges between two places of the screen. */
+  between(from: Point, to: Point): readonly number[] {
+    const a = this.camera.toPlane(from);
+    const b = this.camera.toPlane(to);
+    const box: Box = [
+      Math.min(a.x, b.x),
+      Math.min(a.y, b.y),
+      Math.max(a.x, b.x),
+      Math.max(a.y, b.y),
+    ];
+    return this.index === null ? [] : this.index.inside(box).filter(this.visible);
+  }
+}

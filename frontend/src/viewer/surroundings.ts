@@ -1,0 +1,76 @@
+/** What stands about the drawing: grid, table, datum, and places that are marked. */
+
+import { Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
+import type { Box, Point } from "../geometry/records";
+import { datumLines, frameLines, gridLines, pinLines, ringLines } from "../scene/furniture";
+import type { PlaneCamera } from "./camera";
+import type { ViewerColours } from "./contract";
+import { LineLayer } from "./layer";
+import { ORDER } from "./order";
+
+/** About a corner that was chosen, and an arm of the datum (pixels). */
+const RING = 9;
+const ARM = 36;
+
+export class Surroundings {
+  readonly table: Mesh<PlaneGeometry, MeshBasicMaterial>;
+  /** The table in the drawing's coordinates. */
+  box: Box | null = null;
+  /** Corners that were chosen. */
+  corners: readonly Point[] = [];
+  /** A place that is meant, where no edge is. */
+  pin: Point | null = null;
+
+  private readonly gridLayer = new LineLayer(1, ORDER.grid);
+  private readonly frameLayer = new LineLayer(1.25, ORDER.frame);
+  private readonly datumLayer = new LineLayer(2, ORDER.datum);
+  private readonly cornerLayer = new LineLayer(2, ORDER.corners);
+  private readonly pinLayer = new LineLayer(2.5, ORDER.pin);
+  readonly layers = [
+    this.gridLayer,
+    this.frameLayer,
+    this.datumLayer,
+    this.cornerLayer,
+    this.pinLayer,
+  ];
+
+  constructor(private readonly colours: ViewerColours) {
+    this.table = new Mesh(
+      new PlaneGeometry(1, 1),
+      new MeshBasicMaterial({ color: colours.table, depthTest: false, depthWrite: false }),
+    );
+    this.table.visible = false;
+    this.table.frustumCulled = false;
+  }
+
+  /** Lay the table anew: it, or the middle that all is laid about, is another. */
+  place(origin: Point): void {
+    const { box } = this;
+    this.table.visible = box !== null;
+    this.frameLayer.show(box === null ? null : frameLines(box, origin, this.colours.tableEdge));
+    if (box === null) return;
+    const [x0, y0, x1, y1] = box;
+    this.table.scale.set(x1 - x0, y1 - y0, 1);
+    this.table.position.set((x0 + x1) / 2 - origin.x, (y0 + y1) / 2 - origin.y, 0);
+  }
+
+  /** Lay what keeps its size on the screen. */
+  draw(camera: PlaneCamera, origin: Point): void {
+    const { box, pin, colours } = this;
+    const pixel = 1 / camera.scale;
+    const { gridMinor, gridMajor, axisX, axisY } = colours;
+    this.gridLayer.show(gridLines(camera.seen(), origin, camera.scale, gridMinor, gridMajor));
+    const datum = box === null ? null : { x: box[0], y: box[1] };
+    this.datumLayer.show(
+      datum === null ? null : datumLines(datum, origin, ARM * pixel, axisX, axisY),
+    );
+    this.cornerLayer.show(ringLines(this.corners, origin, RING * pixel, colours.corner));
+    this.pinLayer.show(pin === null ? null : pinLines(pin, origin, pixel, colours.pin));
+  }
+
+  dispose(): void {
+    for (const layer of this.layers) layer.dispose();
+    this.table.geometry.dispose();
+    this.table.material.dispose();
+  }
+}

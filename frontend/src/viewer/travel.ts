@@ -1,0 +1,104 @@
+/** The path of the head and of the tip, what the tools take, and what none of them reaches. */
+
+import type { Areas, Point } from "../geometry/records";
+import type { Timeline } from "../geometry/timeline";
+import { areaShapes } from "../scene/areas";
+import { MARKED, type Marked, motionMarks } from "../scene/marks";
+import { sweptShapes, type Tools } from "../scene/swept";
+import { travelLines } from "../scene/travel";
+import { BandLayer } from "./bands";
+import type { Shown, ViewerColours } from "./contract";
+import { LineLayer } from "./layer";
+import { ORDER } from "./order";
+
+/** How wide the dots of the moves are (pixels) … */
+const MARKS: Readonly<Record<Marked, number>> = { lift: 10, swivel: 7, plunge: 4 };
+/** … where a millimetre is at least this large; smaller from farther away, to this part of it. */
+const FULL_MARKS = 2;
+const LEAST_MARKS = 0.4;
+
+export class TravelLayers {
+  private readonly bands = new BandLayer(ORDER.bands);
+  private readonly rims = new LineLayer(1.25, ORDER.rims);
+  private readonly uncut = new BandLayer(ORDER.uncut);
+  private readonly uncutRims = new LineLayer(1.5, ORDER.uncutRims);
+  private readonly rapids = new LineLayer(1, ORDER.rapids);
+  private readonly head = new LineLayer(1.6, ORDER.head);
+  private readonly tip = new LineLayer(1, ORDER.tip);
+  private readonly motions: Readonly<Record<Marked, LineLayer>> = {
+    lift: new LineLayer(MARKS.lift, ORDER.lift),
+    swivel: new LineLayer(MARKS.swivel, ORDER.swivel),
+    plunge: new LineLayer(MARKS.plunge, ORDER.plunge),
+  };
+  readonly areas = [this.bands, this.uncut];
+  readonly layers = [
+    this.rims,
+    this.uncutRims,
+    this.rapids,
+    this.head,
+    this.tip,
+    ...Object.values(this.motions),
+  ];
+
+  private timeline: Timeline | null = null;
+  private hasAreas = false;
+  /** What is swept costs more to lay than a line: it is laid when it is first asked for. */
+  private sweptLaid = false;
+
+  constructor(private readonly colours: ViewerColours) {}
+
+  lay(timeline: Timeline | null, tools: Tools, origin: Point): void {
+    const { colours } = this;
+    this.timeline = timeline;
+    const lines = timeline === null ? null : travelLines(timeline, origin, colours, tools.offsets);
+    this.head.show(lines?.head ?? null);
+    this.tip.show(lines?.tip ?? null);
+    this.rapids.show(lines?.rapids ?? null);
+    const dots = timeline === null ? null : motionMarks(timeline.toolpath, origin, colours.marks);
+    for (const word of MARKED) this.motions[word].show(dots?.[word] ?? null);
+    this.sweptLaid = false;
+  }
+
+  layAreas(areas: Areas | null, origin: Point): void {
+    const { uncut, uncutRim } = this.colours;
+    const shapes = areas === null ? null : areaShapes(areas, origin, uncut, uncutRim);
+    this.uncut.show(shapes?.bands ?? null);
+    this.uncutRims.show(shapes?.rims ?? null);
+    this.hasAreas = areas !== null;
+  }
+
+  laySwept(tools: Tools, origin: Point): void {
+    if (this.sweptLaid) return;
+    this.sweptLaid = true;
+    const { timeline, colours } = this;
+    const swept =
+      timeline === null ? null : sweptShapes(timeline.toolpath, origin, tools, colours.swept);
+    this.bands.show(swept?.bands ?? null);
+    this.rims.show(swept?.rims ?? null);
+  }
+
+  /** Until `seconds` of the program the path is done. Under a map of figures it steps back. */
+  draw(shown: Shown, scale: number, seconds: number | null, mapped: boolean): void {
+    const has = this.timeline !== null;
+    const { ground, done } = this.colours;
+    this.head.look(1.6, mapped ? 0.5 : 1, ground);
+    this.tip.look(1, mapped ? 0.4 : 1, ground);
+    this.head.mesh.visible = shown.head && has;
+    this.tip.mesh.visible = shown.tip && has;
+    this.rapids.mesh.visible = shown.rapids && has;
+    this.bands.mesh.visible = shown.swept && has;
+    this.rims.mesh.visible = shown.swept && has;
+    this.uncut.mesh.visible = shown.uncut && this.hasAreas;
+    this.uncutRims.mesh.visible = shown.uncut && this.hasAreas;
+    const near = Math.min(1, Math.max(LEAST_MARKS, scale / FULL_MARKS));
+    for (const word of MARKED) {
+      this.motions[word].mesh.visible = shown.moves && has;
+      this.motions[word].look(MARKS[word] * near, 1, ground);
+    }
+    for (const layer of [this.head, this.tip]) layer.until(seconds ?? -1, done);
+  }
+
+  dispose(): void {
+    for (const layer of [...this.layers, ...this.areas]) layer.dispose();
+  }
+}

@@ -1,0 +1,49 @@
+"""Where words of a file stand, and of which no place is told."""
+
+from __future__ import annotations
+
+import dxf_text as text
+from knifetip import pipeline
+from knifetip.jobs.ledger import inscribed, listed
+
+
+def words(layer: str, x: float, y: float, said: str, *more: text.Tag) -> str:
+    return text.entity("TEXT", (8, layer), (10, x), (20, y), (40, 5), (1, said), *more)
+
+
+def test_words_stand_where_the_file_puts_them():
+    drawing = pipeline.read_drawing(
+        text.dxf(
+            words("NOTES", 10.0, 20.0, "Rev. B"),
+            text.line(0.0, 0.0, 100.0, 0.0, (8, "CUT")),
+            words("NOTES", 30.0, 40.0, "Glue"),
+            words("TITLE", 50.0, 60.0, "Box"),
+        )
+    )
+    rows = listed(drawing)
+    assert [(row.get("text"), row.get("place")) for row in rows] == [
+        ("Rev. B", [10.0, 20.0, 5.0]),
+        (None, None),
+        ("Glue", [30.0, 40.0, 5.0]),
+        ("Box", [50.0, 60.0, 5.0]),
+    ]
+
+
+def test_words_are_measured_in_the_unit_that_was_decided():
+    drawing = pipeline.read_drawing(text.dxf(words("NOTES", 1.0, 2.0, "Lid"), units=None), "in")
+    assert listed(drawing)[0]["place"] == [25.4, 50.8, 127.0]
+
+
+def test_words_of_a_block_or_of_the_paper_take_no_place_of_the_sheets():
+    drawing = pipeline.read_drawing(
+        text.dxf(
+            words("NOTES", 1.0, 1.0, "paper", (67, 1)),
+            text.insert("STAMP", 500.0, 500.0),
+            words("NOTES", 7.0, 8.0, "sheet"),
+            blocks=(text.block("STAMP", words("NOTES", 0.0, 0.0, "stamp")),),
+        )
+    )
+    found = inscribed(drawing)
+    assert [(drawing.ledger.handle[row], one.text) for row, one in found.items()] == [
+        (drawing.ledger.handle[max(found)], "sheet")
+    ]
