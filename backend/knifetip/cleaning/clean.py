@@ -165,6 +165,8 @@ def clean(dieline: Dieline) -> Cleaned:
     ------
     GeometryError
         An edge has a coordinate that is not a number, or lies absurdly far away.
+    DrawingTooLarge
+        So many edges lie on so many others that it would take forever.
     """
     bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
     if bad.any():

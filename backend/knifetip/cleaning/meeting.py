@@ -90,6 +90,7 @@ def _meetings(points: Any, near: float, join: float) -> Any:
             j = after[j]
         if alike:
             continue
+        beside = 0
         for dx in range(-1, 2):
             for dy in range(-1, 2):
                 j = head[_slot(cx + dx, cy + dy, mask)]
@@ -104,7 +105,8 @@ def _meetings(points: Any, near: float, join: float) -> Any:
                             a = root(parent, i)
                             b = root(parent, j)
                             parent[max(a, b)] = min(a, b)
-                        elif apart <= near * near:
+                        elif apart <= near * near and beside < CROWD:
+                            beside += 1
                             if pairs == len(pair):
                                 more = np.empty((2 * pairs, 2), np.int64)
                                 more[:pairs] = pair

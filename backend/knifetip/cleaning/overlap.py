@@ -21,6 +21,7 @@ import numpy as np
 from numba import njit
 
 from knifetip.cleaning.rank import HIDES, RANK
+from knifetip.errors import DrawingTooLarge
 from knifetip.geometry import arc
 from knifetip.geometry.boxes import STACK, next_near, tree, tree_size
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
@@ -32,6 +33,13 @@ _FAN: Final = 2.0
 _ARCS: Final = 90
 #: So many edges that lie on one are looked at; where there are more, cleaning goes round again.
 _CROWD: Final = 64
+#: So many edges are looked at whether they lie on one: only where thousands cross at slants of a
+#: degree or two are there more, and a drawing must not take forever.
+_LOOKS: Final = 2048
+#: More stretches than this, or than so many to an edge, are nothing that anybody has drawn: lines
+#: of which each lies on hundreds of others come to the square of their number.
+_STRETCHES: Final = 1_000_000
+_TO_AN_EDGE: Final = 16
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -49,7 +57,13 @@ class Pieces:
 
 
 def parted(ends: F64, bulge: F64, kind: U8) -> Pieces:
-    """Return the pieces of edges (k, 2, 2) mm, (k,), of line types (k,), that are drawn once."""
+    """Return the pieces of edges (k, 2, 2) mm, (k,), of line types (k,), that are drawn once.
+
+    Raises
+    ------
+    DrawingTooLarge
+        So many edges lie on so many others that it would take forever.
+    """
     count = len(bulge)
     twin = _twins(ends, bulge, kind)
     alone = np.flatnonzero(twin == np.arange(count))
@@ -76,9 +90,15 @@ def parted(ends: F64, bulge: F64, kind: U8) -> Pieces:
     by_edge = np.argsort(both, kind="stable")
     bounds = np.searchsorted(both[by_edge], np.arange(len(alone) + 1))
     rows = np.column_stack([ends[alone].reshape(-1, 4), bulge[alone]])
+    most = max(_STRETCHES, _TO_AN_EDGE * count)
     piece, owner, edge, begin, end, on, given = _given_up(
-        rows, kind[alone].astype(np.int64), order, other[by_edge], bounds, HIDES, SAME
+        rows, kind[alone].astype(np.int64), order, other[by_edge], bounds, HIDES, SAME, most
     )
+    if len(edge) > most:
+        raise DrawingTooLarge(
+            f"{len(alone):,} edges lie on each other in more than {most:,} places.",
+            "Delete from the drawing what is drawn many times over.",
+        )
     # In the order of the drawing, pieces of one edge from its start to its end.
     straight = np.argsort(owner, kind="stable")
     number = np.empty(len(owner), np.int32)
@@ -161,7 +181,9 @@ def _pairs(ends: F64, bulge: F64) -> tuple[I64, I64]:
         SAME,
     )
     one, two = order[found[:, 0]], order[found[:, 1]]
-    pair = np.unique(np.minimum(one, two) * len(bulge) + np.maximum(one, two))
+    # Sorted: in a crowd there are millions, of which numpy's ``unique`` makes a table of hashes.
+    pair = np.sort(np.minimum(one, two) * len(bulge) + np.maximum(one, two))
+    pair = pair[np.append(True, pair[1:] != pair[:-1])] if len(pair) else pair
     return pair // len(bulge), pair % len(bulge)
 
 
@@ -251,7 +273,9 @@ def _overlapping(
             stack[0, 1] = 0
             depth = 1
             partners = 0
-            while partners < _CROWD:
+            looks = 0
+            while partners < _CROWD and looks < _LOOKS:
+                looks += 1
                 j, depth = next_near(
                     nodes, level, stack, depth, box[0], box[1], box[2], box[3], after
                 )
@@ -388,9 +412,10 @@ def _grown(table: Any, wanted: int) -> Any:
 
 @njit(cache=True, error_model="numpy")
 def _given_up(
-    rows: Any, kind: Any, order: Any, near: Any, bounds: Any, hides: Any, same: float
+    rows: Any, kind: Any, order: Any, near: Any, bounds: Any, hides: Any, same: float, most: int
 ) -> Any:
-    """Take edges up in order; each gives up what lies on pieces that stand already."""
+    """Take edges up in order; each gives up what lies on pieces that stand already.  Past ``most``
+    stretches it stops."""
     count = len(rows)
     piece = np.empty((count + 64, 5))
     owner = np.empty((count + 64, 1), np.int64)
@@ -402,6 +427,8 @@ def _given_up(
     pieces = 0
     stretches = 0
     for e in order:
+        if stretches > most:
+            break
         first[e] = pieces
         length = _size(rows, e)
         claims = 0

@@ -281,4 +281,5 @@ def _spoken(about: dict[str, Any]) -> list[str]:
 
 def _size(about: dict[str, Any]) -> str:
     width, height = about["size"]
-    return f"{width:.2f} × {height:.2f} {about['unit'] or 'units (the unit is not known)'}"
+    unit = "mm" if about["unit"] else "units (the unit is not known)"
+    return f"{width:.2f} × {height:.2f} {unit}"

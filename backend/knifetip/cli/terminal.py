@@ -12,7 +12,14 @@ from typing import Any
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from knifetip.errors import KnifetipError, LibraryError, NotADrawing, OpenQuestions
+from knifetip.errors import (
+    DrawingTooLarge,
+    KnifetipError,
+    LibraryError,
+    NotADrawing,
+    OpenQuestions,
+)
+from knifetip.intake.limits import Limits
 from knifetip.model.question import Question
 
 REFUSED = 1
@@ -52,13 +59,22 @@ def read_bytes(path: Path) -> bytes:
     ------
     NotADrawing
         The file is not there or cannot be read.
+    DrawingTooLarge
+        It is larger than any drawing; no more of it is read.
     """
+    most = Limits().bytes
     try:
-        return path.read_bytes()
+        with path.open("rb") as file:
+            data = file.read(most + 1)
     except OSError as reason:
         raise NotADrawing(
             f"{path}: {reason.strerror or reason}.", "Check the name and the rights of the file."
         ) from reason
+    if len(data) > most:
+        raise DrawingTooLarge(
+            f"{path} is larger than {most >> 20} MB.", "Export a single carton, without pictures."
+        )
+    return data
 
 
 def write_bytes(path: Path, data: bytes) -> None:

@@ -8,6 +8,7 @@ import sys
 import pytest
 
 import dxf_text as text
+import pdf_text
 from knifetip.cli import main
 from knifetip.dxf.samples import samples
 from knifetip.library import load
@@ -90,6 +91,15 @@ def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip, folder):
     assert code == 0
     assert "320.00 × 250.00 mm" in head
     assert any(line.split()[0] == "mm" and "the header states mm" in line for line in rest)
+
+
+def test_a_size_is_in_millimetres_whatever_the_unit_of_the_file(knifetip, tmp_path):
+    (tmp_path / "carton.pdf").write_bytes(pdf_text.carton())
+    code, out, _ = knifetip("read", tmp_path / "carton.pdf")
+    assert code == 0
+    assert out.splitlines()[0] == (
+        "carton.pdf: 200.00 × 80.00 mm, 111 segments; a PDF counts in points of 1/72 in"
+    )
 
 
 def test_read_warns_of_a_header_that_lies(knifetip, folder):

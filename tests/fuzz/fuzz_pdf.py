@@ -1,0 +1,24 @@
+"""The reader of PDF: no bytes may end in anything but a Drawing or a KnifetipError with a mend.
+
+How to run it: see ``fuzzing``.
+"""
+
+from __future__ import annotations
+
+from tests.fuzz.fuzzing import main, read_or_refused, watched
+
+with watched("knifetip.pdf", "knifetip.intake", "pypdf"):
+    from knifetip.intake.limits import Limits
+    from knifetip.pdf.read import read
+
+
+LIMITS = Limits(bytes=1 << 20, entities=2000, segments=20_000, seconds=10.0)
+
+
+def one(data: bytes) -> None:
+    """Read, with small limits: what is large is no find."""
+    read_or_refused(lambda given: read(given, limits=LIMITS), data)
+
+
+if __name__ == "__main__":
+    main(one)

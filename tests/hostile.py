@@ -1,0 +1,173 @@
+"""Files that mean harm, of every format: what is refused and with which word, what is read and why.
+
+Each is made when it is asked for: some are as large as a file may be.
+"""
+
+from __future__ import annotations
+
+import gzip
+import struct
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+
+import cf2_text as cf2
+import dxf_text as dxf
+import svg_text as svg
+
+Maker = Callable[[], bytes]
+
+_LINE = dxf.line(0, 0, 10, 10)
+_MEGABYTE = 1 << 20
+
+
+def binary(text: bytes) -> bytes:
+    """A text DXF of R12 as a binary one: a byte of group code, doubles, 16-bit numbers, texts."""
+    data = b"AutoCAD Binary DXF\r\n\x1a\x00"
+    lines = text.decode().split("\n")
+    for code, value in zip(map(int, lines[:-1:2]), lines[1::2], strict=True):
+        data += bytes([code])
+        if 10 <= code <= 59:
+            data += struct.pack("<d", float(value))
+        elif 60 <= code <= 79:
+            data += struct.pack("<h", int(value))
+        else:
+            data += value.encode() + b"\0"
+    return data
+
+
+def nested_inserts() -> bytes:
+    rows = [dxf.insert(f"B{n + 1}") * 10 for n in range(9)]
+    blocks = [dxf.block(f"B{n}", row) for n, row in enumerate(rows)] + [dxf.block("B9", _LINE)]
+    return dxf.dxf(dxf.insert("B0"), blocks=tuple(blocks))
+
+
+def array_of_a_million() -> bytes:
+    grid = dxf.insert("A", 0, 0, (70, 1001), (71, 1001), (44, 1.0), (45, 1.0))
+    return dxf.dxf(grid, blocks=(dxf.block("A", _LINE),))
+
+
+def cyclic_blocks() -> bytes:
+    blocks = (dxf.block("A", dxf.insert("B")), dxf.block("B", dxf.insert("A"), _LINE))
+    return dxf.dxf(dxf.insert("A"), _LINE, blocks=blocks)
+
+
+def not_numbers() -> bytes:
+    bad = [dxf.line(value, 0, 5, 5) for value in ("nan", "inf", "1e308", "-1e308")]
+    return dxf.dxf(*bad, _LINE)
+
+
+def absurd_knots() -> bytes:
+    knots: list[dxf.Tag] = [(40, knot) for knot in (-1e308, 0, 0, "nan", 1, 1, 1, 1e308)]
+    control: list[dxf.Tag] = []
+    for n in range(4):
+        control += [(10, n), (20, n * n), (30, 0)]
+    head: list[dxf.Tag] = [(100, "AcDbEntity"), (8, "0"), (100, "AcDbSpline")]
+    head += [(70, 8), (71, 3), (72, 8), (73, 4)]
+    return dxf.dxf(dxf.entity("SPLINE", *head, *knots, *control), _LINE, version="AC1015")
+
+
+def entity_bomb() -> bytes:
+    lines = ['<!ENTITY a "ha">']
+    for before, name in pairwise("abcdefghij"):
+        lines.append(f'<!ENTITY {name} "' + f"&{before};" * 10 + '">')
+    return f"<!DOCTYPE svg [{''.join(lines)}]><svg {svg.SVG}><text>&j;</text></svg>".encode()
+
+
+def external_entity(url: str = "file:///etc/passwd") -> bytes:
+    declared = f'<!DOCTYPE svg [<!ENTITY a SYSTEM "{url}">]>'
+    return f"{declared}<svg {svg.SVG}><text>&a;</text></svg>".encode()
+
+
+def external_references(url: str = "http://192.0.2.1/") -> bytes:
+    """Everything by which an SVG can point to another file, and one line."""
+    return (
+        f'<?xml-stylesheet href="{url}a.css"?><!DOCTYPE svg PUBLIC "x" "{url}x.dtd">'.encode()
+        + (
+            svg.svg(
+                f"<style>@import url({url}b.css); path {{marker: url({url}m.svg#m)}}</style>",
+                f'<use href="{url}a.svg#a"/><use xlink:href="{url}b.svg#b"/>',
+                f'<image href="{url}a.png" width="9" height="9"/>',
+                f'<path d="M0 0h50" fill="url({url}p.svg#p)" clip-path="url({url}c.svg#c)"/>',
+                f'<foreignObject><iframe src="{url}"/></foreignObject><script href="{url}x.js"/>',
+            )
+        )
+    )
+
+
+def use_bomb() -> bytes:
+    groups = ['<g id="g0"><path d="M0 0h1"/></g>']
+    for k in range(1, 12):
+        groups.append(f'<g id="g{k}">' + f'<use href="#g{k - 1}"/>' * 10 + "</g>")
+    return svg.svg("<defs>", *groups, "</defs>", '<use href="#g11"/>')
+
+
+def call_bomb() -> bytes:
+    subs = [cf2.sub(f"S{k}", *[f"C,S{k + 1},0,0,0,1,1"] * 10) for k in range(12)]
+    subs.append(cf2.sub("S12", cf2.line(0, 0, 1, 0)))
+    return cf2.cf2("C,S0,0,0,0,1,1", subs="\r\n".join(subs))
+
+
+def call_tower() -> bytes:
+    subs = [cf2.sub(f"S{k}", f"C,S{k + 1},0,0,0,1,1") for k in range(5000)]
+    return cf2.cf2("C,S0,0,0,0,1,1", subs="\r\n".join(subs))
+
+
+def cyclic_calls() -> bytes:
+    subs = cf2.sub("A", "C,B,0,0,0,1,1") + "\r\n" + cf2.sub("B", "C,A,0,0,0,1,1")
+    return cf2.cf2("C,A,0,0,0,1,1", cf2.line(0, 0, 10, 0), subs=subs)
+
+
+def _filled(head: bytes, piece: bytes, tail: bytes) -> bytes:
+    """A file of 60 MB, which is less than the limit."""
+    return head + piece * (60 * _MEGABYTE // len(piece)) + tail
+
+
+#: Status and a word of the answer, and the file.
+REFUSED: Mapping[str, tuple[int, str, Maker]] = {
+    "dxf: nested INSERTs": (413, "2,111,111,110 entities", nested_inserts),
+    "dxf: INSERT array": (413, "1,002,001 entities", array_of_a_million),
+    "dxf: cut short": (422, "cut short", lambda: nested_inserts()[:-500]),
+    "dxf: in EBCDIC": (422, "not a DXF", lambda: dxf.dxf(_LINE).decode().encode("cp500")),
+    "dxf: in UTF-16, no mark": (422, "a DXF", lambda: dxf.dxf(_LINE).decode().encode("utf-16-le")),
+    "dxf: 60 MB of entities": (413, "24.0 MB", lambda: _filled(b"", b"0\nPOINT\n", b"")),
+    "dxf: 60 MB of one word": (413, "24.0 MB", lambda: _filled(b"0\nSECT", b"9", b"\n")),
+    "dxf: 60 MB of nothing": (422, "empty", lambda: _filled(b"", b" \n", b"")),
+    "dxf: a program": (422, "not a DXF", lambda: b"\x7fELF\x02\x01\x01" + bytes(range(256)) * 99),
+    "binary dxf: nested INSERTs": (413, "entities", lambda: binary(nested_inserts())),
+    "binary dxf: INSERT array": (413, "entities", lambda: binary(array_of_a_million())),
+    "binary dxf: cut short": (422, "cut short", lambda: binary(nested_inserts())[:-300]),
+    "svg: entity bomb": (422, "stands for more than words", entity_bomb),
+    "svg: external entity": (422, "nothing is fetched", external_entity),
+    "svg: use bomb": (413, "stand for more than 1,000,000 elements", use_bomb),
+    "svg: nested": (413, "nested more than 256", lambda: svg.svg("<g>" * 99_999 + "</g>" * 99_999)),
+    "svg: packed bomb": (413, "holds more", lambda: gzip.compress(b"<svg>" + bytes(300_000_000))),
+    "svg: cut short": (422, "cut short", lambda: svg.carton()[:-20]),
+    "svg: 60 MB of elements": (413, "elements", lambda: svg.svg("<g/>" * 15_000_000)),
+    "cf2: calls": (413, "stand for more than", call_bomb),
+    "cf2: tower": (413, "more than 16 deep", call_tower),
+    "cf2: cut short": (422, "cut short", lambda: cf2.carton()[:200]),
+    "cf2: 60 MB of records": (413, "records", lambda: cf2.cf2(*["L,2,1,0,0,0,1,1"] * 3_700_000)),
+    "cf2: decimal commas": (422, "commas", lambda: cf2.cf2(*["L,2,1,0,5,1,6,1,5,7,1,7,0,0"] * 9)),
+}
+
+#: What the ledger says, how many edges are left, and the file.
+READ: Mapping[str, tuple[str, int, Maker]] = {
+    "dxf: cyclic blocks": ("contains itself", 1, cyclic_blocks),
+    "dxf: not numbers": ("not a number", 1, not_numbers),
+    "dxf: absurd knots": ("damaged", 1, absurd_knots),
+    "dxf: in UTF-16": ("kept", 1, lambda: dxf.dxf(_LINE).decode().encode("utf-16")),
+    "binary dxf: cyclic blocks": ("contains itself", 1, lambda: binary(cyclic_blocks())),
+    "binary dxf: not numbers": ("not a number", 1, lambda: binary(not_numbers())),
+    "svg: external references": ("another file", 1, external_references),
+    "svg: not numbers": (
+        "the limit is 1e+07",
+        1,
+        lambda: svg.svg('<path d="M0 0H1e308"/><circle r="1e999"/><path d="M0 0h9"/>'),
+    ),
+    "cf2: cyclic calls": ("contains itself", 1, cyclic_calls),
+    "cf2: not numbers": (
+        "not a number",
+        1,
+        lambda: cf2.cf2("L,2,1,0,nan,0,1,1,0,0", cf2.line(0, 0, 1e308, 0), cf2.line(0, 0, 9, 0)),
+    ),
+}

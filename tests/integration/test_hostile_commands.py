@@ -1,0 +1,76 @@
+"""Files that mean harm on the command line: exit code 3, what is wrong and what to do about it."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+import hostile
+from knifetip.cli import main
+
+_MAKE = ("--machine", "demo-table", "--board", "e-flute", "-o", "made.ngc")
+_SMALL = [name for name in hostile.REFUSED if "60 MB" not in name]
+
+
+@pytest.fixture
+def knifetip(monkeypatch, capfd):
+    """Run the command; returns exit code, stdout, stderr."""
+
+    def run(*words):
+        monkeypatch.setattr(sys, "argv", ["knifetip", *map(str, words)])
+        with pytest.raises(SystemExit) as left:
+            main()
+        out, err = capfd.readouterr()
+        return left.value.code, out, err
+
+    return run
+
+
+def check_refused(result: tuple[int, str, str], word: str) -> None:
+    code, out, err = result
+    assert code == 3
+    assert out == ""
+    assert "Traceback" not in err
+    told, mend = err.strip().split("\n")
+    assert word in told
+    assert mend
+
+
+@pytest.mark.parametrize("name", hostile.REFUSED)
+def test_a_hostile_file_is_not_read(knifetip, tmp_path: Path, name: str):
+    _, word, made = hostile.REFUSED[name]
+    file = tmp_path / "drawing"
+    file.write_bytes(made())
+    check_refused(knifetip("read", file), word)
+
+
+@pytest.mark.parametrize("words", [("classify",), ("clean",), ("program", *_MAKE)])
+@pytest.mark.parametrize("name", _SMALL)
+def test_nothing_is_made_of_a_hostile_file(knifetip, monkeypatch, tmp_path, name: str, words):
+    _, word, made = hostile.REFUSED[name]
+    monkeypatch.chdir(tmp_path)
+    file = tmp_path / "drawing"
+    file.write_bytes(made())
+    command, *more = words
+    check_refused(knifetip(command, file, *more), word)
+    assert list(tmp_path.iterdir()) == [file]
+
+
+@pytest.mark.parametrize("name", hostile.READ)
+def test_what_is_hostile_in_a_file_is_left_out_and_told(knifetip, tmp_path: Path, name: str):
+    word, _, made = hostile.READ[name]
+    file = tmp_path / "drawing"
+    file.write_bytes(made())
+    code, out, err = knifetip("read", file, "--unit", "mm")
+    assert (code, err) == (0, "")
+    assert word in out
+
+
+def test_a_file_of_a_terabyte_is_refused_after_64_megabytes(knifetip, tmp_path: Path):
+    file = tmp_path / "drawing"
+    file.touch()
+    os.truncate(file, 1 << 40)
+    check_refused(knifetip("read", file), "larger than 64 MB")

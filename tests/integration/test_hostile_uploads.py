@@ -1,0 +1,262 @@
+"""Files and requests that mean harm, sent to a server in a process of its own: it says what is
+wrong, soon and in little memory, and goes on serving."""
+
+from __future__ import annotations
+
+import re
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import httpx
+import pytest
+
+import hostile
+import svg_text
+from serving import Running, square, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+_MEGABYTE = 1 << 20
+#: Of a machine that does much else besides; alone, none takes 5.
+_SECONDS = 60.0
+#: More than an empty server: a drawing of 64 MB is held as it came, and on its way to who reads it.
+_MORE_MEMORY = 512 * _MEGABYTE
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
+    database = tmp_path_factory.mktemp("server") / "shop.sqlite"
+    running = Running(database, simulator=False)
+    running.client.timeout = httpx.Timeout(2.0 * _SECONDS)
+    with running:
+        # The first reading compiles kernels, which is not what is timed here.
+        for drawing in (svg_text.carton(), square()):
+            uploaded(running.client, drawing)
+        yield running
+        assert running.process.poll() is None
+
+
+def most_memory(server: Running) -> int:
+    """The most bytes that the server's process has held; 0 where the system does not say."""
+    status = Path(f"/proc/{server.process.pid}/status")
+    if not status.exists():
+        return 0
+    return int(re.findall(r"VmHWM:\s+(\d+) kB", status.read_text())[0]) << 10
+
+
+@contextmanager
+def unharmed(server: Running) -> Iterator[None]:
+    """Check that what happens takes little time and memory, and that the server then serves."""
+    before, begun = most_memory(server), time.monotonic()
+    yield
+    assert time.monotonic() - begun < _SECONDS
+    assert most_memory(server) - before < _MORE_MEMORY
+    assert uploaded(server.client, square())["segments"] == 4
+
+
+def check_problem(answer: httpx.Response, status: int, word: str) -> None:
+    assert answer.status_code == status, answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    said = answer.json()
+    assert word in said["detail"]
+    assert said["mend"]
+    assert len(answer.content) < 10_000
+    assert "Traceback" not in answer.text
+
+
+@pytest.mark.parametrize("name", hostile.REFUSED)
+def test_a_hostile_file_is_refused(server: Running, name: str):
+    status, word, made = hostile.REFUSED[name]
+    with unharmed(server):
+        answer = server.client.post("/api/drawings", files={"file": ("a.dxf", made())})
+        check_problem(answer, status, word)
+        assert "a.dxf" in answer.json()["detail"]
+
+
+@pytest.mark.parametrize("name", hostile.READ)
+def test_what_is_hostile_in_a_file_is_left_out_and_told(server: Running, name: str):
+    word, edges, made = hostile.READ[name]
+    with unharmed(server):
+        drawing = uploaded(server.client, made(), unit="mm")
+        assert drawing["segments"] == edges
+        assert any(word in row["reason"] for row in drawing["ledger"]["rows"])
+        assert max(map(abs, drawing["bounds"])) <= 1e7
+
+
+def test_nothing_that_a_file_points_to_is_fetched(server: Running):
+    with socket.create_server(("127.0.0.1", 0)) as elsewhere:
+        elsewhere.settimeout(1.0)
+        url = f"http://127.0.0.1:{elsewhere.getsockname()[1]}/"
+        uploaded(server.client, hostile.external_references(url))
+        refused = server.client.post(
+            "/api/drawings", files={"file": ("a.svg", hostile.external_entity(url))}
+        )
+        check_problem(refused, 422, "nothing is fetched")
+        with pytest.raises(TimeoutError):
+            elsewhere.accept()
+
+
+# ── Requests ──────────────────────────────────────────────────────────────────────────────────
+
+
+_HEAD = b'--x\r\nContent-Disposition: form-data; name="file"; filename="a.dxf"\r\n\r\n'
+_TAIL = b"\r\n--x--\r\n"
+_FORM = "multipart/form-data; boundary=x"
+
+
+@contextmanager
+def connected(server: Running) -> Iterator[socket.socket]:
+    url = server.client.base_url
+    with socket.create_connection((url.host, url.port), timeout=_SECONDS) as line:
+        yield line
+
+
+def request(*headers: str) -> bytes:
+    lines = ("POST /api/drawings HTTP/1.1", "Host: a", f"Content-Type: {_FORM}", *headers)
+    return "\r\n".join([*lines, "", ""]).encode()
+
+
+def answered(line: socket.socket) -> bytes:
+    """What comes back until the server hangs up, or has nothing more to say."""
+    said = b""
+    with suppress(ConnectionError, TimeoutError):
+        while part := line.recv(65536):
+            said += part
+    return said
+
+
+def test_half_a_gigabyte_in_pieces_is_refused_after_the_first_64_megabytes(server: Running):
+    piece = b"999\nnothing\n" * 87_381
+    sent = 0
+    with unharmed(server), connected(server) as line:
+        line.sendall(request("Transfer-Encoding: chunked"))
+        with suppress(ConnectionError):
+            for part in [_HEAD, *[piece] * 500, _TAIL]:
+                line.sendall(b"%x\r\n%b\r\n" % (len(part), part))
+                sent += len(part)
+        line.settimeout(2.0)
+        said = answered(line)
+    # What is on its way between the two counts as sent.
+    assert 64 * _MEGABYTE <= sent < 96 * _MEGABYTE
+    # The answer may be lost where the server hangs up on one who is still talking.
+    assert said == b"" or said.startswith(b"HTTP/1.1 413")
+
+
+def test_half_a_gigabyte_that_is_announced_is_refused_before_it_comes(server: Running):
+    with unharmed(server), connected(server) as line:
+        line.sendall(request(f"Content-Length: {500 * _MEGABYTE}"))
+        assert answered(line).startswith(b"HTTP/1.1 413")
+
+
+def test_less_than_was_announced_is_waited_for_and_forgotten_with_the_connection(server: Running):
+    with unharmed(server), connected(server) as line:
+        line.sendall(request("Content-Length: 1000000") + _HEAD + square())
+        line.settimeout(0.5)
+        assert answered(line) == b""
+
+
+def test_more_than_was_announced_is_no_second_request(server: Running):
+    whole = _HEAD + square() + _TAIL
+    with unharmed(server), connected(server) as line:
+        line.sendall(request(f"Content-Length: {len(whole) - 20}") + whole)
+        line.settimeout(2.0)
+        said = answered(line)
+    # The form has no end; what follows it is not HTTP.
+    assert said.startswith(b"HTTP/1.1 4")
+    assert said.count(b"HTTP/1.1 2") == 0
+
+
+@pytest.mark.parametrize("length", ["-1", "1e3", "9" * 5000, "5, 6", ""])
+def test_a_length_that_is_none_is_a_bad_request(server: Running, length: str):
+    with unharmed(server), connected(server) as line:
+        line.sendall(request(f"Content-Length: {length}") + _HEAD)
+        line.settimeout(2.0)
+        assert answered(line).startswith(b"HTTP/1.1 4")
+
+
+def test_fifty_who_stop_in_the_middle_keep_nobody_waiting(server: Running):
+    with unharmed(server):
+        lines = [connected(server) for _ in range(50)]
+        for line in lines:
+            line.__enter__().sendall(request("Content-Length: 60000000") + _HEAD + b"0\n" * 1000)
+        assert uploaded(server.client, square())["segments"] == 4
+        for line in lines:
+            line.__exit__(None, None, None)
+
+
+FORMS = {
+    "a field of a megabyte": _HEAD.replace(b'"file"', b'"' + b"f" * _MEGABYTE + b'"') + _TAIL,
+    "a name of a megabyte": _HEAD.replace(b"a.dxf", b"a" * _MEGABYTE) + square() + _TAIL,
+    "heads without end": b"--x\r\n" + b"X-A: b\r\n" * 100_000,
+    "many fields": b'--x\r\nContent-Disposition: form-data; name="a"\r\n\r\n\r\n' * 20_000 + _TAIL,
+    "many files": _HEAD.replace(b'"file"', b'"other"') + (b"\r\n" + _HEAD) * 5000 + _TAIL,
+    "no file name": _HEAD.replace(b'; filename="a.dxf"', b"") + square() + _TAIL,
+    "no file": _HEAD.replace(b'"file"', b'"other"') + square() + _TAIL,
+    "a long unit": _HEAD + square() + b"\r\n" + _HEAD.replace(
+        b'"file"; filename="a.dxf"', b'"unit"'
+    ) + b"m" * _MEGABYTE + _TAIL,
+    "an empty file": _HEAD + _TAIL,
+    "no end": _HEAD + square(),
+    "no beginning": square() + _TAIL,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FORMS)
+def test_a_hostile_form_is_a_problem(server: Running, name: str):
+    with unharmed(server):
+        answer = server.client.post(
+            "/api/drawings", content=FORMS[name], headers={"Content-Type": _FORM}
+        )
+        assert 400 <= answer.status_code < 500, answer.text
+        assert answer.headers["content-type"] == "application/problem+json"
+        assert answer.json()["detail"]
+        assert len(answer.content) < 10_000
+
+
+@pytest.mark.parametrize("kind", ["", "text/plain", "multipart/form-data; boundary=", "a" * 5000])
+def test_a_form_that_says_it_is_something_else_is_a_problem(server: Running, kind: str):
+    with unharmed(server):
+        answer = server.client.post(
+            "/api/drawings", content=_HEAD + square() + _TAIL, headers={"Content-Type": kind}
+        )
+        assert 400 <= answer.status_code < 500, answer.text
+        assert answer.headers["content-type"] == "application/problem+json"
+
+
+def test_a_name_full_of_signs_is_kept_as_words(server: Running):
+    name = '../../<script>alert(1)</script>\x00\x1b[31m\u202e"%s.dxf'
+    body = _HEAD.replace(b"a.dxf", name.encode().replace(b'"', b"%22")) + square() + _TAIL
+    with unharmed(server):
+        answer = server.client.post("/api/drawings", content=body, headers={"Content-Type": _FORM})
+        assert answer.status_code in (201, 400), answer.text
+        if answer.status_code == 201:
+            assert not set(answer.json()["name"]) & set("/\\\x00\x1b\u202e")
+
+
+def test_everything_at_once_leaves_a_server_that_reads(server: Running):
+    """Eight who send bombs at the same time, and one who sends a carton."""
+    bombs = [made for _, _, made in hostile.REFUSED.values() if made.__name__ != "<lambda>"]
+    statuses: list[int] = []
+
+    def send(made: hostile.Maker) -> None:
+        answer = httpx.post(
+            f"{server.client.base_url}/api/drawings",
+            files={"file": ("a.dxf", made())},
+            timeout=2.0 * _SECONDS,
+            trust_env=False,
+        )
+        statuses.append(answer.status_code)
+
+    with unharmed(server):
+        senders = [threading.Thread(target=send, args=(made,)) for made in bombs]
+        for sender in senders:
+            sender.start()
+        assert uploaded(server.client, svg_text.carton())["unit"] == "mm"
+        for sender in senders:
+            sender.join()
+    assert len(statuses) == len(bombs) >= 6
+    assert set(statuses) <= {413, 422}

@@ -1,0 +1,129 @@
+"""Valid files of every format, damaged line by line and number by number, and taken as far as the
+server takes them: what comes of it is a sound drawing or a refusal that says what to do."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import cf2_text
+import dxf_text as dxf
+import svg_text
+from knifetip.errors import KnifetipError
+from knifetip.intake.limits import REACH
+from knifetip.jobs import tasks
+from knifetip.jobs.columns import unpacked
+
+_NUMBER = re.compile(rb"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
+_NUMBERS = [
+    b"nan",
+    b"-inf",
+    b"1e308",
+    b"-1e308",
+    b"1e-308",
+    b"1e999",
+    b"0",
+    b"-1",
+    b"1e7",
+    b"99999",
+]
+_NUMBERS += [
+    b"2147483648",
+    b"-9223372036854775809",
+    b"9" * 400,
+    b"0." + b"0" * 400 + b"1",
+    b"1e-12",
+]
+_NUMBERS += [b"", b"1,5", b"0x10", b"\xd9\xa3", b"1_000", b"--1", b"1e", b"."]
+
+
+def carton() -> bytes:
+    """A carton of blocks, arcs, polylines and words."""
+    return dxf.dxf(
+        dxf.insert("PANEL", 0, 0, (41, 2.0), (50, 90.0)),
+        dxf.insert("PANEL", 300, 0, (70, 2), (71, 2), (44, 200.0), (45, 150.0)),
+        dxf.entity("CIRCLE", (8, "CUT"), (10, 30), (20, 30), (40, 8)),
+        dxf.entity("POLYLINE", (8, "CREASE"), (66, 1), (70, 1)),
+        dxf.entity("VERTEX", (8, "CREASE"), (10, 0), (20, 0), (42, 0.5)),
+        dxf.entity("VERTEX", (8, "CREASE"), (10, 50), (20, 40)),
+        dxf.entity("SEQEND"),
+        dxf.entity("TEXT", (10, 1), (20, 2), (40, 3), (1, "250 mm")),
+        blocks=(
+            dxf.block(
+                "PANEL",
+                *(dxf.line(*ends, (8, "CUT")) for ends in ((0, 0, 100, 0), (100, 0, 100, 60))),
+                dxf.entity("ARC", (8, "CUT"), (10, 50), (20, 60), (40, 50), (50, 0), (51, 180)),
+                dxf.insert("FLAP", 10, 10),
+            ),
+            dxf.block("FLAP", dxf.line(0, 0, 0, 60, (8, "FOLD"), (6, "DASHED"))),
+        ),
+        layers=(dxf.layer("CUT", 1), dxf.layer("CREASE", 5, linetype="DASHED")),
+    )
+
+
+FILES = {"dxf": carton(), "svg": svg_text.carton(), "cf2": cf2_text.carton()}
+
+
+@st.composite
+def damage(draw: st.DrawFn, whole: bytes) -> bytes:
+    """A file with up to four things done to its lines or numbers."""
+    lines = re.split(rb"(?<=[\n>])", whole)
+    for _ in range(draw(st.integers(1, 4))):
+        how = draw(
+            st.sampled_from(["gone", "twice", "swapped", "often", "number", "number", "cut"])
+        )
+        at = draw(st.integers(0, len(lines) - 1))
+        to = min(at + draw(st.integers(1, 6)), len(lines))
+        if how == "gone":
+            lines[at:to] = []
+        elif how == "twice":
+            lines[at:at] = lines[at:to]
+        elif how == "swapped":
+            lines[at], lines[to - 1] = lines[to - 1], lines[at]
+        elif how == "often":
+            lines[at:to] = lines[at:to] * draw(st.integers(2, 30))
+        elif how == "number":
+            found = list(_NUMBER.finditer(lines[at]))
+            if found:
+                low, high = draw(st.sampled_from(found)).span()
+                lines[at] = lines[at][:low] + draw(st.sampled_from(_NUMBERS)) + lines[at][high:]
+        else:
+            lines[at] = lines[at][: draw(st.integers(0, len(lines[at])))]
+        lines = lines or [b"\n"]
+    return b"".join(lines)
+
+
+def check_import(data: bytes, unit: str) -> bool:
+    """Take a file as far as the server takes it; return whether it was read."""
+    try:
+        reading = tasks.read(lambda _stage, _share: None, data, unit, "default")
+    except KnifetipError as error:
+        refused = error
+    else:
+        columns, _ = unpacked(reading.edges)
+        assert (np.abs(columns["ends"]) <= 1.001 * REACH).all()
+        assert (np.abs(columns["bulge"]) <= 1.0).all()
+        if reading.summary["unit"]:
+            tasks.cleaned(lambda _stage, _share: None, reading.edges)
+        return True
+    assert refused.mend
+    assert "stumbles" not in refused.message, refused.__cause__
+    return False
+
+
+@pytest.mark.parametrize("kind", FILES)
+def test_damage_to_lines_and_numbers_ends_in_a_drawing_or_a_refusal(kind: str):
+    read: list[bool] = []
+
+    @settings(max_examples=100, suppress_health_check=list(HealthCheck))
+    @given(damage(FILES[kind]), st.sampled_from(["", "mm", "in"]))
+    def imported(data: bytes, unit: str) -> None:
+        read.append(check_import(data, unit))
+
+    imported()
+    # Otherwise the damage is so great, or so small, that the test says nothing.
+    assert 0.1 < np.mean(read) < 1.0
