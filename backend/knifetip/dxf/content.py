@@ -116,6 +116,8 @@ def take_tag(
             mark_odd(entity, state)
         return s.ON
     if code == 5:
+        if high == low:
+            return s.REFUSED
         if not seen & (1 << g.B_HANDLE):
             entity[row, f.HANDLE], entity[row, f.HANDLE_SIZE] = low, high - low
         elif plain:

@@ -12,6 +12,8 @@ import numpy as np
 from numba import njit
 
 from knifetip.dxf import fields as f
+from knifetip.dxf import state as s
+from knifetip.dxf.compiled import part
 from knifetip.geometry.columns import I32, I64
 from knifetip.model.words import Spelled
 
@@ -21,13 +23,15 @@ _DIGITS: Final = 15
 _NUMBER: Final = 12
 
 
-def handles_of(data: bytes, entity: I32, blocks: int) -> Spelled | None:
+def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | None:
     """Return the handle of each entity; None where one is odd, or is there twice.
 
     Parameters
     ----------
     entity
         Of a Scan of so many ``blocks``.
+    others
+        Values of the handles of all that is no entity.
     """
     start, size, block = entity[:, f.HANDLE], entity[:, f.HANDLE_SIZE], entity[:, f.BLOCK]
     text = np.empty(int(size.sum()) + _NUMBER * int((size == 0).sum()), np.uint8)
@@ -36,7 +40,7 @@ def handles_of(data: bytes, entity: I32, blocks: int) -> Spelled | None:
     count = np.zeros(blocks + 1, np.int64)
     if not _spell(np.frombuffer(data, np.uint8), start, size, block, count, text, end, number):
         return None
-    number = number[number > 0]
+    number = np.concatenate([number[number > 0], others])
     if not (number[1:] > number[:-1]).all():
         number = np.sort(number)
     if (number[1:] == number[:-1]).any():
@@ -67,6 +71,34 @@ def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spel
     return Spelled(out.tobytes(), out_end)
 
 
+@part
+def value_at(data: Any, low: int, high: int) -> Any:
+    """Return the value of a handle, 0 where there is none that ezdxf would take."""
+    if high - low > _DIGITS:
+        return 0
+    value = 0
+    for place in range(low, high):
+        sign = data[place] | 32
+        if 48 <= data[place] <= 57:
+            value = value * 16 + int(sign) - 48
+        elif 97 <= sign <= 102:
+            value = value * 16 + int(sign) - 87
+        else:
+            return 0
+    return value
+
+
+@part
+def take_handle(data: Any, low: int, high: int, others: Any, state: Any) -> int:
+    """Keep the handle of what is no entity."""
+    value, row = value_at(data, low, high), state[s.OTHERS]
+    if value == 0 or row == len(others):
+        return s.REFUSED
+    others[row] = value
+    state[s.OTHERS] = row + 1
+    return s.ON
+
+
 @njit(cache=True, error_model="numpy")
 def _spell(
     data: Any, start: Any, size: Any, block: Any, count: Any, text: Any, end: Any, number: Any
@@ -75,23 +107,12 @@ def _spell(
     at = 0
     for row in range(len(start)):
         count[block[row]] += 1
-        if size[row] > _DIGITS:
-            return False
-        value = 0
-        for place in range(size[row]):
-            sign = data[start[row] + place]
-            if 97 <= sign <= 102:
-                sign -= 32
-            if 48 <= sign <= 57:
-                value = value * 16 + int(sign) - 48
-            elif 65 <= sign <= 70:
-                value = value * 16 + int(sign) - 55
-            else:
-                return False
-            text[at] = sign
-            at += 1
+        value = value_at(data, start[row], start[row] + size[row])
         if size[row] > 0 and value == 0:
             return False
+        for place in range(start[row], start[row] + size[row]):
+            text[at] = data[place] - 32 if data[place] >= 97 else data[place]
+            at += 1
         if size[row] == 0:
             text[at] = 35
             digits, rest = 1, count[block[row]]

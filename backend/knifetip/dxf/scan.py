@@ -43,6 +43,7 @@ class Scan:
     block: I32  #: (b, 5)
     base: F64  #: (b, 2) base points
     layer: I32  #: (l, 6)
+    others: I64  #: handles of all that is no entity, by value
     names: tuple[bytes, ...]  #: what the numbers of names stand for
     header: tuple[int, int]  #: the bytes of section HEADER, (0, 0) without one
     markers: bool  #: entities have subclass markers
@@ -84,7 +85,8 @@ def _filled(data: bytes, entities: int, most: int, state: I64) -> Scan | None:
     spans = np.empty((MOST_NAMES, 2), np.int64)
     slots = np.full(1 << 16, -1, np.int32)
     left = np.empty((_MOST_LEFT, 5), np.int64)
-    tables = (entity, value, vertex, block, base, layer, spans, slots, left)
+    others = np.empty(most, np.int64)
+    tables = (entity, value, vertex, block, base, layer, spans, slots, left, others)
     if not scan_tags(np.frombuffer(data, np.uint8), tables, state):
         return None
     if not _finish(data, (value, vertex, base), left[: state[s.UNSURES]]):
@@ -98,6 +100,7 @@ def _filled(data: bytes, entities: int, most: int, state: I64) -> Scan | None:
         block[: state[s.BLOCKS]],
         base[: state[s.BLOCKS]],
         layer[: state[s.LAYERS]],
+        others[: state[s.OTHERS]],
         tuple(data[start:end] for start, end in spans[: state[s.NAMES]].tolist()),
         (int(state[s.HEADER_FIRST]), int(state[s.HEADER_LAST])),
         bool((entity[:, f.MARKS] > 0).any()),

@@ -21,18 +21,23 @@ from typing import Final
     FOLLOWED,  # ATTRIBs and a SEQEND follow
     GROUP,  # 1 within {…}, 2 in what other programs have added
     IS_MTEXT,
-    NAMED,  # an entry of another table than that of layers
+    TABLE,  # word of the table that is open, 0 before its name, -1 for none
+    NAMED,  # what is open in it has a name
     ENTITIES,
     VERTICES,
     BLOCKS,
     LAYERS,
     NAMES,
     UNSURES,
+    OTHERS,  # handles of all that is no entity
     HEADER_FIRST,
     HEADER_LAST,
-) = range(22)
-STATES: Final = 22
+) = range(24)
+STATES: Final = 24
 # Modes.
-NOTHING, IN_SECTION, IN_LAYER, IN_TABLE, IN_BLOCK, IN_ENTITY, IN_VERTEX = range(7)
+(
+    NOTHING, IN_SECTION, IN_TABLE, IN_LAYER, IN_STYLE, IN_ROW, IN_OBJECTS, IN_BLOCK, IN_ENTITY,
+    IN_VERTEX,
+) = range(10)  # fmt: skip
 # What becomes of the pass.
 ON, DONE, REFUSED = range(3)

@@ -80,7 +80,7 @@ def begin(
     state[s.NAMED] = 0
     state[s.ROW] = -1
     state[s.OPEN_KIND] = f.OTHER
-    if mode == s.IN_SECTION or (mode == s.IN_TABLE and not named):
+    if mode == s.IN_SECTION or (s.IN_TABLE <= mode <= s.IN_ROW and not named):
         return s.REFUSED
     section = state[s.SECTION]
     word = -1
@@ -96,20 +96,11 @@ def begin(
             return _frame(low, frame, state)
         if section < 0 or section == w.HEADER:
             return s.REFUSED
+        if mode == s.IN_OBJECTS and not is_word(data, low, high, w.DICTIONARY):
+            # The first of them is the root of all others.
+            return s.REFUSED
         if section == w.TABLES:
-            if is_word(data, low, high, w.LAYER):
-                row = state[s.LAYERS]
-                if row == len(layer):
-                    return s.REFUSED
-                layer[row, :] = -1
-                layer[row, f.LAYER_COLOUR] = 7
-                layer[row, f.LAYER_FLAGS] = 0
-                layer[row, f.LAYER_PLOT] = 1
-                state[s.LAYERS] = row + 1
-                state[s.MODE] = s.IN_LAYER
-            elif not is_word(data, low, high, w.ENDTAB):
-                state[s.MODE] = s.IN_TABLE
-            return s.ON
+            return _of_tables(data, low, high, layer, state)
         if section == w.BLOCKS:
             if is_word(data, low, high, w.BLOCK):
                 row = state[s.BLOCKS]
@@ -180,9 +171,40 @@ def begin(
 
 
 @part
+def _of_tables(data: Any, low: int, high: int, layer: Any, state: Any) -> int:
+    """Open or close a table, or begin a row of the one that is open."""
+    is_table = is_word(data, low, high, w.TABLE)
+    if is_table == (state[s.TABLE] >= 0):
+        return s.REFUSED
+    if is_table:
+        state[s.TABLE] = 0
+        state[s.MODE] = s.IN_TABLE
+        return s.ON
+    word = word_at(data, low, high, w.ENDTAB, w.BLOCK_RECORD)
+    if word == w.ENDTAB:
+        state[s.TABLE] = -1
+        return s.ON
+    if word != state[s.TABLE]:
+        return s.REFUSED
+    if word == w.LAYER:
+        row = state[s.LAYERS]
+        if row == len(layer):
+            return s.REFUSED
+        layer[row, :] = -1
+        layer[row, f.LAYER_COLOUR] = 7
+        layer[row, f.LAYER_FLAGS] = 0
+        layer[row, f.LAYER_PLOT] = 1
+        state[s.LAYERS] = row + 1
+    state[s.MODE] = (
+        s.IN_LAYER if word == w.LAYER else s.IN_STYLE if word == w.DIMSTYLE else s.IN_ROW
+    )
+    return s.ON
+
+
+@part
 def _frame(low: int, word: int, state: Any) -> int:
     """Open or close a section."""
-    if state[s.INSIDE] >= 0:
+    if state[s.INSIDE] >= 0 or state[s.TABLE] >= 0:
         return s.REFUSED
     if word == w.EOF:
         # A file without entities has nothing that must be read quickly.

@@ -53,7 +53,7 @@ class Tables:
         self.words = self._words()
         self._check_names()
         self.styles = Styles(self._layers())
-        handles = handles_of(found.data, found.entity, len(found.block))
+        handles = handles_of(found.data, found.entity, len(found.block), found.others)
         if handles is None:
             raise NotPlainError
         self.handles = handles

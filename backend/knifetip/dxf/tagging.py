@@ -22,6 +22,7 @@ from knifetip.dxf import words as w
 from knifetip.dxf.compiled import ONE, part
 from knifetip.dxf.content import take_decimal, take_tag
 from knifetip.dxf.decimals import WRONG, number
+from knifetip.dxf.handles import take_handle
 from knifetip.dxf.structure import begin, context
 from knifetip.dxf.values import name_at, valid, whole_at
 from knifetip.dxf.words import is_word, word_at
@@ -47,6 +48,7 @@ def _of_layer(
         if name < 0 or layer[row, column] >= 0:
             return s.REFUSED
         layer[row, column] = name
+        state[s.NAMED] |= code == 2
     elif code == 62 or code == 70 or code == 290 or code == 420:
         whole = whole_at(data, low, high)
         if abs(whole) >= 1 << 31:
@@ -75,7 +77,7 @@ def _of_block(
 ) -> int:
     """Take a tag of the head of a block."""
     row = state[s.INSIDE]
-    if code == 5 and block[row, f.BLOCK_HANDLE_SIZE] == 0:
+    if code == 5:
         block[row, f.BLOCK_HANDLE], block[row, f.BLOCK_HANDLE_SIZE] = low, high - low
     elif code == 8 or code == 2:
         name = name_at(data, low, high, spans, slots, state)
@@ -121,6 +123,14 @@ def _group(code: int, data: Any, low: int, high: int, entity: Any, state: Any) -
     return s.ON
 
 
+@part
+def _is_handle(code: int, state: Any) -> bool:
+    """Return whether a tag is the handle of something that is no entity."""
+    named = 105 if state[s.MODE] == s.IN_STYLE else 5
+    section = state[s.SECTION]
+    return code == named and state[s.GROUP] == 0 and w.TABLES <= section <= w.OBJECTS
+
+
 @njit(cache=True, error_model="numpy")
 def scan_tags(data: Any, tables: Any, state: Any) -> bool:
     """Fill the tables; return whether the file is plain to its end mark.
@@ -130,14 +140,14 @@ def scan_tags(data: Any, tables: Any, state: Any) -> bool:
     data : (m,) uint8
     tables
         Entities, values, vertices, blocks, base points, layers, spans of names, their hash table,
-        and places of numbers that are left to ``float``.
+        places of numbers that are left to ``float``, and handles of what is no entity.
     state : (``STATES``,) int64
         Zeros; of use afterwards are the numbers from ``ENTITIES`` on.
     """
     size: Any = np.uint64(len(data))
-    entity, value, vertex, block, base, layer, spans, slots, left = tables
+    entity, value, vertex, block, base, layer, spans, slots, left, others = tables
     state[s.CONTEXT] = g.ELSEWHERE
-    state[s.SECTION] = state[s.INSIDE] = state[s.ROW] = state[s.CHAIN] = -1
+    state[s.SECTION] = state[s.INSIDE] = state[s.ROW] = state[s.CHAIN] = state[s.TABLE] = -1
     at: Any = np.uint64(0)
     last = -1
     while at < size:
@@ -209,6 +219,10 @@ def scan_tags(data: Any, tables: Any, state: Any) -> bool:
             if verdict == s.DONE:
                 return True
             state[s.CONTEXT] = context(state)
+        elif action == g.BY_PLACE and _is_handle(code, state):
+            verdict = take_handle(data, low, high, others, state)
+            if state[s.MODE] == s.IN_BLOCK and verdict == s.ON:
+                verdict = _of_block(code, data, low, high, block, spans, slots, state)
         elif action == g.TAKEN:
             verdict = take_tag(code, data, low, high, entity, spans, slots, state)
         elif (what != g.TEXT_VALUE and not valid(data, low, high, what)) or (
@@ -235,7 +249,7 @@ def scan_tags(data: Any, tables: Any, state: Any) -> bool:
             elif mode == s.IN_SECTION:
                 if code != 2:
                     return False
-                section = word_at(data, low, high, w.HEADER, w.ENTITIES)
+                section = word_at(data, low, high, w.HEADER, w.OBJECTS)
                 if section >= 0:
                     # Of two sections of one name ezdxf reads the last.
                     if state[s.SECTIONS] & (1 << section):
@@ -243,10 +257,16 @@ def scan_tags(data: Any, tables: Any, state: Any) -> bool:
                     state[s.SECTIONS] |= 1 << section
                 # One that is skipped is open all the same.
                 state[s.SECTION] = section if section >= 0 else w.MODEL
-                state[s.MODE] = s.NOTHING
+                state[s.MODE] = s.IN_OBJECTS if section == w.OBJECTS else s.NOTHING
                 if section == w.HEADER:
                     state[s.HEADER_FIRST] = np.int64(at)
             elif mode == s.IN_TABLE:
+                if code == 2 and state[s.TABLE] == 0:
+                    state[s.NAMED] = 1
+                    state[s.TABLE] = word_at(data, low, high, w.VPORT, w.BLOCK_RECORD)
+                    # One that ezdxf does not know of.
+                    verdict = s.ON if state[s.TABLE] > 0 else s.REFUSED
+            elif mode == s.IN_ROW or mode == s.IN_STYLE:
                 state[s.NAMED] |= code == 2
             elif mode == s.IN_LAYER:
                 verdict = _of_layer(code, data, low, high, layer, spans, slots, state)

@@ -11,19 +11,21 @@ from knifetip.geometry.columns import I64
 
 #: Each has the number of its place.
 _WORDS: Final = (
-    b"SECTION", b"ENDSEC", b"EOF", b"HEADER", b"TABLES", b"BLOCKS", b"ENTITIES", b"BLOCK",
-    b"ENDBLK", b"LAYER", b"VERTEX", b"SEQEND", b"LINE", b"ARC", b"CIRCLE", b"LWPOLYLINE",
-    b"POLYLINE", b"INSERT", b"ELLIPSE", b"SPLINE", b"ATTRIB", b"TEXT", b"DIMENSION", b"MTEXT",
-    b"AcDbEntity", b"AcDbLine", b"AcDbCircle", b"AcDbArc", b"AcDbPolyline", b"AcDb2dPolyline",
-    b"AcDbVertex", b"AcDb2dVertex", b"AcDbBlockReference", b"Model", b"ACAD_MTEXT",
-    b"{ACAD_XDICTIONARY", b"}", b"ENDTAB",
+    b"SECTION", b"ENDSEC", b"EOF", b"HEADER", b"TABLES", b"BLOCKS", b"ENTITIES", b"OBJECTS",
+    b"BLOCK", b"ENDBLK", b"TABLE", b"ENDTAB", b"VPORT", b"LTYPE", b"LAYER", b"STYLE", b"VIEW",
+    b"UCS", b"APPID", b"DIMSTYLE", b"BLOCK_RECORD", b"VERTEX", b"SEQEND", b"LINE", b"ARC",
+    b"CIRCLE", b"LWPOLYLINE", b"POLYLINE", b"INSERT", b"ELLIPSE", b"SPLINE", b"ATTRIB", b"TEXT",
+    b"DIMENSION", b"MTEXT", b"AcDbEntity", b"AcDbLine", b"AcDbCircle", b"AcDbArc",
+    b"AcDbPolyline", b"AcDb2dPolyline", b"AcDbVertex", b"AcDb2dVertex", b"AcDbBlockReference",
+    b"Model", b"ACAD_MTEXT", b"{ACAD_XDICTIONARY", b"}", b"DICTIONARY",
 )  # fmt: skip
 (
-    SECTION, ENDSEC, EOF, HEADER, TABLES, BLOCKS, ENTITIES, BLOCK, ENDBLK, LAYER,
+    SECTION, ENDSEC, EOF, HEADER, TABLES, BLOCKS, ENTITIES, OBJECTS, BLOCK, ENDBLK,
+    TABLE, ENDTAB, VPORT, LTYPE, LAYER, STYLE, VIEW, UCS, APPID, DIMSTYLE, BLOCK_RECORD,
     VERTEX, SEQEND, LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE, INSERT, ELLIPSE, SPLINE,
     ATTRIB, TEXT, DIMENSION, MTEXT, DB_ENTITY, DB_LINE, DB_CIRCLE, DB_ARC, DB_LWPOLYLINE,
     DB_POLYLINE, DB_VERTEX, DB_2D_VERTEX, DB_INSERT, MODEL, OF_COLUMNS, XDICTIONARY,
-    GROUP_END, ENDTAB,
+    GROUP_END, DICTIONARY,
 ) = range(len(_WORDS))  # fmt: skip
 COUNT: Final = len(_WORDS)
 _BYTES: Final = np.frombuffer(b"".join(_WORDS), np.uint8)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from dxf_text import Tag, block, dxf, entity, insert, line
+from dxf_text import Tag, block, dxf, entity, insert, layer, line
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.intake.limits import Limits
@@ -163,13 +163,80 @@ _WHOLE = dxf(
     entity("TEXT", (10, 1), (20, 2), (40, 3), (1, "250 mm")),
     blocks=(block("A", _LINE, entity("ARC", (10, 0), (20, 0), (40, 2), (50, 0), (51, 91))),),
 )
+#: As ``_WHOLE``, and every part has a handle.
+_HANDLED = (
+    dxf(
+        line(0, 0, 10, 10, (5, "10")),
+        entity("POLYLINE", (5, "11"), (66, 1)),
+        entity("VERTEX", (5, "12"), (10, 0), (20, 0)),
+        entity("VERTEX", (5, "13"), (10, 5), (20, 0)),
+        entity("SEQEND", (5, "14")),
+        insert("A", 20, 0, (5, "15")),
+        blocks=(
+            block("A", line(0, 0, 3, 0, (5, "16"), (6, "DASHED")))
+            .replace("0\nENDBLK\n", "0\nENDBLK\n5\n17\n")
+            .replace("0\nBLOCK\n", "0\nBLOCK\n5\n18\n"),
+        ),
+        layers=(layer("CUT").replace("2\nCUT", "5\n19\n2\nCUT"),),
+    )
+    .replace(b"2\nLAYER\n", b"2\nLAYER\n5\n1A\n")
+    .replace(
+        b"0\nENDTAB\n",
+        b"0\nENDTAB\n0\nTABLE\n2\nDIMSTYLE\n5\n1B\n70\n1\n0\nDIMSTYLE\n105\n1C\n"
+        b"2\nISO\n5\nnone\n0\nENDTAB\n",
+    )
+    .replace(
+        b"0\nEOF\n",
+        b"0\nSECTION\n2\nOBJECTS\n0\nDICTIONARY\n5\n1D\n0\nENDSEC\n0\nEOF\n",
+    )
+)
+
+
+def test_file_in_which_every_part_has_a_handle_is_plain():
+    assert ours(_HANDLED)
+    assert difference(*read_by_both(_HANDLED)) == ""
+
+
+@pytest.mark.parametrize("number", range(0x10, 0x1E), ids="{:X}".format)
+@pytest.mark.parametrize("other", ["10C&", "0", "19", "12345678901234567890", ""])
+def test_handle_that_is_none_or_is_there_twice_is_left_to_ezdxf(number: int, other: str):
+    handle = f"{number:X}"
+    if handle == other:
+        return
+    code = b"105" if handle == "1C" else b"5"
+    before = b"\n%b\n%b\n" % (code, handle.encode())
+    assert _HANDLED.count(before) == 1
+    data = _HANDLED.replace(before, b"\n%b\n%b\n" % (code, other.encode()))
+    assert not ours(data)
+    assert difference(*read_by_both(data)) == ""
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        (b"2\nCUT\n", b""),
+        (b"2\nDIMSTYLE\n", b"2\nDIMSTYLES\n"),
+        (b"2\nLAYER\n", b""),
+        (b"2\nLAYER\n", b"2\nLTYPE\n"),
+        (b"0\nTABLE\n2\nLAYER\n", b""),
+        (b"0\nENDTAB\n0\nTABLE\n", b"0\nTABLE\n"),
+        (b"0\nENDTAB\n0\nENDSEC\n", b"0\nENDSEC\n"),
+    ],
+)
+def test_table_that_is_unusual_is_left_to_ezdxf(before: bytes, after: bytes):
+    data = _HANDLED.replace(before, after, 1)
+    assert data != _HANDLED
+    assert not ours(data)
+    assert difference(*read_by_both(data)) == ""
+
+
 _SCRAPS = (b"0\n", b"\n", b" ", b"10\n5\n", b"8\nCUT\n", b"62\n300\n", b"0\nLINE\n", b"1e308")
 _SCRAPS += (b"0\nSEQEND\n", b"100\nAcDbLine\n", b"230\n-1\n", b"67\n1\n", b"nan", b"\x00", b"\xff")
 
 
 @st.composite
 def _damaged(draw: st.DrawFn) -> bytes:
-    data = bytearray(_WHOLE)
+    data = bytearray(draw(st.sampled_from((_WHOLE, _HANDLED))))
     for _ in range(draw(st.integers(1, 3))):
         at = draw(st.integers(0, len(data) - 1))
         how = draw(st.integers(0, 3))
