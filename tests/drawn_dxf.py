@@ -324,14 +324,15 @@ def drawings(draw: Draw, plain: bool = False) -> bytes:
             inside += draw(st.lists(_insert(new, BLOCKS[:3]), max_size=2))
         base = draw(st.sampled_from(((0.0, 0.0), (5.0, -2.5))))
         marks = [(100, "AcDbEntity"), (8, "0"), (100, "AcDbBlockBegin")] if new else [(8, "0")]
-        handle[0] += 2
+        handle[0] += 1
         blocks += tags(
             (0, "BLOCK"), (5, f"{handle[0]:X}"), *marks, (2, name), (70, 0), (10, base[0])
         )
         blocks += tags((20, base[1]), (30, 0.0), (3, name), (1, ""))
         blocks += "".join(_written(spelling, rows, draw, handle) for rows in inside)
         marks = [(100, "AcDbEntity"), (8, "0"), (100, "AcDbBlockEnd")] if new else [(8, "0")]
-        blocks += tags((0, "ENDBLK"), (5, f"{handle[0] - 1:X}"), *marks)
+        handle[0] += 1
+        blocks += tags((0, "ENDBLK"), (5, f"{handle[0]:X}"), *marks)
     several = draw(st.lists(st.one_of(entity, entity, entity, _insert(new)), max_size=8))
     entities = "".join(_written(spelling, rows, draw, handle) for rows in several)
     sections = (("HEADER", header), ("TABLES", table), ("BLOCKS", blocks), ("ENTITIES", entities))

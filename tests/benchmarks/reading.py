@@ -1,13 +1,16 @@
-"""Reading a whole sheet of cartons: our own reader beside ezdxf's and GDAL's (pyogrio).
+"""Reading and classifying a whole sheet: ours beside ezdxf's reader and GDAL's (pyogrio).
 
-100,000 entities on 6 layers: LINE, ARC, CIRCLE, LWPOLYLINE, TEXT and INSERTs of 8 blocks, as
-ezdxf writes a DXF R2010.  ezdxf and pyogrio read from a file, and so does ours.
+100,000 entities of a DXF R2010, as ezdxf writes it.  One sheet is at random, on 6 layers: LINE,
+ARC, CIRCLE, LWPOLYLINE, TEXT and INSERTs of 8 blocks; half of its ends meet nothing, so that there
+is more to look for in it than in any carton.  The other holds cartons side by side, with a text
+and a register mark each.  ezdxf and pyogrio read from a file, and so does ours.
 """
 
 from __future__ import annotations
 
 import atexit
 import io
+import math
 import random
 import shutil
 import subprocess
@@ -19,11 +22,15 @@ from pathlib import Path
 from typing import TypeAlias
 
 import ezdxf
+import numpy as np
 from ezdxf.layouts import BaseLayout
+from ezdxf.math import bulge_to_arc
+from tests.cartons import CARTONS
 
 from knifetip.classification.classify import classify
 from knifetip.dxf.read import read
 from knifetip.library import load
+from knifetip.model.dieline import LineType
 
 try:
     import pyogrio
@@ -34,6 +41,13 @@ Bench: TypeAlias = tuple[str, int, Callable[[], object], dict[str, Callable[[], 
 
 ENTITIES = 100_000
 _LAYERS = ("CUT", "CREASE", "PERF", "HALFCUT", "VGROOVE", "INFO")
+_LAYER_OF = {
+    LineType.CUT: "CUT",
+    LineType.CREASE: "CREASE",
+    LineType.PERFORATION: "PERF",
+    LineType.HALF_CUT: "HALFCUT",
+    LineType.V_GROOVE: "VGROOVE",
+}
 
 
 def _entity(space: BaseLayout, chance: random.Random, x: float, y: float) -> None:
@@ -84,16 +98,56 @@ def sheet(entities: int = ENTITIES) -> bytes:
 
 
 @cache
-def _file() -> Path:
+def nested(entities: int = ENTITIES) -> bytes:
+    """Draw cartons side by side."""
+    rng = np.random.default_rng(4)
+    document = ezdxf.new("R2010", units=4)
+    for colour, name in enumerate(_LAYERS, start=1):
+        document.layers.add(name, color=colour)
+    mark = document.blocks.new("REGISTER")
+    for dx, dy in ((5, 0), (0, 5)):
+        mark.add_line((-dx, -dy), (dx, dy), dxfattribs={"layer": "INFO"})
+    mark.add_circle((0, 0), 3, dxfattribs={"layer": "INFO"})
+    space = document.modelspace()
+    x = y = row = 0.0
+    while len(space) < entities:
+        carton = CARTONS[int(rng.integers(len(CARTONS)))](rng)
+        ends = np.array(carton.ends).reshape(-1, 2)
+        low, high = ends.min(axis=0) - (x, y), ends.max(axis=0)
+        for (x0, y0, x1, y1), bulge, kind in zip(
+            carton.ends, carton.bulge, carton.truth, strict=True
+        ):
+            start, end = (x0 - low[0], y0 - low[1]), (x1 - low[0], y1 - low[1])
+            style = {"layer": _LAYER_OF[kind]}
+            if bulge:
+                centre, first, last, radius = bulge_to_arc(start, end, bulge)
+                angles = math.degrees(first), math.degrees(last)
+                space.add_arc(centre, radius, *angles, dxfattribs=style)
+            else:
+                space.add_line(start, end, dxfattribs=style)
+        space.add_text(f"No. {len(space)}", height=8, dxfattribs={"layer": "INFO"}).set_placement(
+            (x, y - 20.0)
+        )
+        space.add_blockref("REGISTER", (x - 15.0, y - 15.0), dxfattribs={"layer": "INFO"})
+        width, height = high - low - (x, y)
+        x, row = x + width + 40.0, max(row, height)
+        if x > 60_000.0:
+            x, y, row = 0.0, y + row + 60.0, 0.0
+    text = io.StringIO()
+    document.write(text)
+    return text.getvalue().encode()
+
+
+@cache
+def _file(draw: Callable[[], bytes] = sheet) -> Path:
     folder = tempfile.mkdtemp()
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     path = Path(folder) / "sheet.dxf"
-    path.write_bytes(sheet())
+    path.write_bytes(draw())
     return path
 
 
-def _peers() -> dict[str, Callable[[], object]]:
-    path = _file()
+def _peers(path: Path) -> dict[str, Callable[[], object]]:
     peers: dict[str, Callable[[], object]] = {"ezdxf.readfile": lambda: ezdxf.readfile(path)}
     if pyogrio is not None:
         peers["pyogrio.raw.read"] = lambda: pyogrio.raw.read(path)
@@ -107,21 +161,30 @@ def read_sheet() -> Bench:
     subject = f"DXF R2010, layers and blocks, {size:.0f} MB, {peak():.1f} × the file in memory"
     if pyogrio is None:
         subject += "; pyogrio is not installed"
-    return subject, ENTITIES, lambda: read(path.read_bytes()), _peers(), 3
+    return subject, ENTITIES, lambda: read(path.read_bytes()), _peers(path), 3
 
 
-def classify_sheet() -> Bench:
-    """From a file to classified edges."""
-    path = _file()
+def _classified(draw: Callable[[], bytes], subject: str) -> Bench:
+    path = _file(draw)
     profile = load.profile("default")
-    peers = {"ezdxf.readfile": _peers()["ezdxf.readfile"]}
+    peers = {"ezdxf.readfile": _peers(path)["ezdxf.readfile"]}
     return (
-        "the same sheet, read and classified",
+        subject,
         ENTITIES,
         lambda: classify(read(path.read_bytes()), profile),
         peers,
         3,
     )
+
+
+def classify_sheet() -> Bench:
+    """From a file to classified edges."""
+    return _classified(sheet, "the same sheet, read and classified")
+
+
+def classify_nested() -> Bench:
+    """From a file of cartons to classified edges."""
+    return _classified(nested, "cartons side by side, read and classified")
 
 
 #: Linux forgets the peak so far where a process writes 5 to its ``clear_refs``.

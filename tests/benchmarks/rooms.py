@@ -11,7 +11,7 @@ from typing import TypeAlias
 import ezdxf
 import numpy as np
 from tests.benchmarks.offset import offset_arcs, offset_lines, offset_million, offset_one
-from tests.benchmarks.reading import classify_sheet, read_sheet
+from tests.benchmarks.reading import classify_nested, classify_sheet, read_sheet
 from tests.benchmarks.turning import order_shortest
 
 from knifetip import pipeline
@@ -226,6 +226,7 @@ BENCHES: tuple[Callable[[], Bench], ...] = (
     read_lines,
     read_sheet,
     classify_sheet,
+    classify_nested,
     classify_layers,
     clean_sheet,
     clean_damaged,

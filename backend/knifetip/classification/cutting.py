@@ -3,52 +3,105 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numba import njit
 
-from knifetip.classification.grid import cell_of
-from knifetip.classification.places import longer, placed
+from knifetip.classification.grid import Grid, cell_of
+from knifetip.classification.places import Places, longer, placed, roomy
 from knifetip.classification.segment import BULGE, near
+from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.cores import each, runs
+
+#: Places, and cells of the grid, that one core has looked at before another has begun.
+WORTH: Final = 40_000
 
 
-@njit(cache=True, error_model="numpy")
+class Partings(NamedTuple):
+    """Where edges are parted."""
+
+    row: I32  #: (c,) the edge
+    share: F64  #: (c,) where on it, 0 … 1
+    place: I32  #: (c,)
+
+
+def together(*several: Partings) -> Partings:
+    """Return all of several partings."""
+    return Partings(*(np.concatenate(column) for column in zip(*several, strict=True)))
+
+
 def parted(
-    ends: Any, bulge: Any, touch: float, node: Any, twin: Any, most: int,
-    place: Any, places: int, head: Any, onward: Any, mask: int,
-    low: Any, size: Any, side: int, first: Any, listed: Any,
-) -> Any:  # fmt: skip
-    """Return row, share and place of each parting, how many there are, and the places.
+    ends: F64, bulge: F64, touch: float, node: I32, spots: Places, grid: Grid, most: int
+) -> tuple[Partings, Partings, Places] | None:
+    """Return where ends lie on edges, where edges cross, and the places with those of crossings.
 
-    Of more partings than ``most`` there are -1.  Together with the places it is told how many lines
-    begin at each.
+    Parameters
+    ----------
+    node : (2n,)
+        The places of the ends.
+    most
+        Of more partings than this there are none: None.
     """
-    n = len(bulge)
-    row = np.empty(n + 16, np.int32)
-    share = np.empty(n + 16)
-    cut = np.empty(n + 16, np.int32)
+
+    def ended(run: tuple[int, int]) -> Any:
+        return _ended(ends, bulge, touch, node, spots.point, grid, *run)
+
+    def crossed(run: tuple[int, int]) -> Any:
+        return _crossed(ends, bulge, touch, grid, most, *run)
+
+    on = together(*(Partings(*done) for done in each(ended, runs(spots.known, WORTH))))
+    found = each(crossed, runs(grid.side * grid.side, WORTH))
+    pair, share = (np.concatenate(column) for column in zip(*found, strict=True))
+    if len(on.row) + 2 * len(pair) > most:
+        return None
+    spots = roomy(spots, len(pair))
+    at = np.empty(len(pair), np.int32)
+    count = _joined(ends, touch, pair, share, spots, at)
+    across = Partings(pair.ravel(), share.ravel(), np.repeat(at, 2))
+    return on, across, spots._replace(known=count)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _ended(
+    ends: Any, bulge: Any, touch: float, node: Any, point: Any, grid: Grid, begin: int, end: int
+) -> Any:
+    """Return row, share and place where one of the places lies on an edge that ends elsewhere."""
+    low, size, side, first, listed = grid
+    row = np.empty(end - begin + 16, np.int32)
+    share = np.empty(end - begin + 16)
+    cut = np.empty(end - begin + 16, np.int32)
     cuts = 0
-    degree = np.zeros(len(place), np.int32)
-    for half in range(2 * n):
-        if twin[half // 2] == half // 2:
-            degree[node[half]] += 1
-    for at in range(places):
-        x, y = place[at, 0], place[at, 1]
+    for at in range(begin, end):
+        x, y = point[at, 0], point[at, 1]
         cell = cell_of(y, low[1], size[1], side) * side + cell_of(x, low[0], size[0], side)
         for k in range(first[cell], first[cell + 1]):
             i = listed[k]
+            away, part = near(ends, bulge, i, x, y, touch)
+            if away > touch or not 0.0 < part < 1.0:
+                continue
             if node[2 * i] == at or node[2 * i + 1] == at:
                 continue
-            away, part = near(ends, bulge, i, x, y)
-            if away <= touch and 0.0 < part < 1.0:
-                if cuts == len(row):
-                    row, share, cut = longer(row), longer(share), longer(cut)
-                row[cuts], share[cuts], cut[cuts] = i, part, at
-                cuts += 1
-                degree[at] += 2
-    # Lines that cross each other between their ends.
-    for cell in range(side * side):
+            if cuts == len(row):
+                row, share, cut = longer(row), longer(share), longer(cut)
+            row[cuts], share[cuts], cut[cuts] = i, part, at
+            cuts += 1
+    return row[:cuts].copy(), share[:cuts].copy(), cut[:cuts].copy()
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _crossed(
+    ends: Any, bulge: Any, touch: float, grid: Grid, most: int, begin: int, end: int
+) -> Any:
+    """Return which lines cross between their ends in some of the cells, and where on both.
+
+    There may be a few more than ``most`` of them.
+    """
+    low, size, side, first, listed = grid
+    pair = np.empty((64, 2), np.int32)
+    share = np.empty((64, 2))
+    found = 0
+    for cell in range(begin, end):
         left = low[0] + (cell % side) * size[0]
         floor = low[1] + (cell // side) * size[1]
         for k in range(first[cell], first[cell + 1]):
@@ -76,22 +129,25 @@ def parted(
                 x, y = ax + s * ux, ay + s * uy
                 if not (left <= x < left + size[0] and floor <= y < floor + size[1]):
                     continue
-                if places + 1 >= len(place):
-                    place, onward = longer(place), longer(onward)
-                    wider = np.zeros(len(place), np.int32)
-                    wider[: len(degree)] = degree
-                    degree = wider
-                at = placed(x, y, touch, place, places, head, onward, mask)
-                if at == places:
-                    places += 1
-                for which in range(2):
-                    if cuts == len(row):
-                        row, share, cut = longer(row), longer(share), longer(cut)
-                    row[cuts] = i if which == 0 else j
-                    share[cuts] = s if which == 0 else t
-                    cut[cuts] = at
-                    cuts += 1
-                degree[at] += 4
-        if cuts > most:
-            return row, share, cut, -1, place, onward, degree, places
-    return row, share, cut, cuts, place, onward, degree, places
+                if found == len(pair):
+                    pair, share = longer(pair), longer(share)
+                pair[found, 0], pair[found, 1] = i, j
+                share[found, 0], share[found, 1] = s, t
+                found += 1
+        if found > most:
+            break
+    return pair[:found].copy(), share[:found].copy()
+
+
+@njit(cache=True, error_model="numpy")
+def _joined(ends: Any, touch: float, pair: Any, share: Any, spots: Places, at: Any) -> int:
+    """Write the places where lines cross; return how many places there are."""
+    count = spots.known
+    for k in range(len(pair)):
+        i, s = pair[k, 0], share[k, 0]
+        x = ends[i, 0, 0] + s * (ends[i, 1, 0] - ends[i, 0, 0])
+        y = ends[i, 0, 1] + s * (ends[i, 1, 1] - ends[i, 0, 1])
+        at[k] = placed(x, y, touch, spots.point, count, spots.head, spots.onward)
+        if at[k] == count:
+            count += 1
+    return count

@@ -12,26 +12,43 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from knifetip.classification.grid import cell_of
+from knifetip.classification.cutting import WORTH
+from knifetip.classification.grid import Grid, cell_of
 from knifetip.classification.places import longer
 from knifetip.classification.segment import BULGE, leaves
+from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.cores import each, runs
+
+
+def rows_of_dashes(
+    ends: F64, bulge: F64, touch: float, unit: float, reach: float, node: I32, twin: I32,
+    loose: Bool, grid: Grid,
+) -> tuple[Bool, I32, F64]:  # fmt: skip
+    """Return which edges are dashes, (n,), the ties between them, and how far their ends reach.
+
+    Parameters
+    ----------
+    loose : (q,)
+        Whether one line only ends at a place.  Of places that are tied it is made False.
+    """
+    link = np.full(2 * len(bulge), -1, np.int32)
+
+    def linked(run: tuple[int, int]) -> None:
+        _link(ends, bulge, node, twin, loose, touch, unit, grid, link, *run)
+
+    each(linked, runs(len(link), WORTH))
+    dashed, tie, gap_of = _rows(ends, link, touch, reach, node, twin, loose)
+    return dashed, tie, gap_of
 
 
 @njit(cache=True, error_model="numpy")
-def rows_of_dashes(
-    ends: Any, bulge: Any, touch: float, unit: float, reach: float, node: Any, twin: Any,
-    loose: Any, low: Any, size: Any, side: int, first: Any, listed: Any,
-) -> Any:  # fmt: skip
-    """Return which edges are dashes, (n,), the ties between them, and how far their ends reach.
-
-    ``loose`` tells of each place whether one line only ends there; of tied places it no longer is.
-    """
-    n = len(bulge)
+def _rows(
+    ends: Any, link: Any, touch: float, reach: float, node: Any, twin: Any, loose: Any
+) -> Any:
+    n = len(twin)
     tie = np.empty((64, 2), np.int32)
     ties = 0
     gap_of = np.full(2 * n, reach)
-    link = np.empty(2 * n, np.int64)
-    _links(ends, bulge, node, twin, loose, touch, unit, low, size, side, first, listed, link)
     dashed = np.zeros(n, np.bool_)
     seen = np.zeros(n, np.bool_)
     chain = np.empty(n, np.int64)
@@ -79,28 +96,17 @@ def rows_of_dashes(
         gap_of[chain[count - 1]] = max(reach, 1.25 * widest)
     for i in range(n):
         dashed[i] = dashed[twin[i]]
-    return dashed, tie, ties, gap_of
+    return dashed, tie[:ties].copy(), gap_of
 
 
-@njit(cache=True, error_model="numpy")
-def _links(
-    ends: Any,
-    bulge: Any,
-    node: Any,
-    twin: Any,
-    loose: Any,
-    touch: float,
-    unit: float,
-    low: Any,
-    size: Any,
-    side: int,
-    first: Any,
-    listed: Any,
-    link: Any,
-) -> None:
-    """Write to ``link`` which loose end each loose end looks at across a gap, -1 for none."""
-    for half in range(2 * len(bulge)):
-        link[half] = -1
+@njit(cache=True, error_model="numpy", nogil=True)
+def _link(
+    ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, touch: float, unit: float, grid: Grid,
+    link: Any, begin: int, end: int,
+) -> None:  # fmt: skip
+    """Write which loose end each of some loose ends looks at across a gap."""
+    low, size, side, first, listed = grid
+    for half in range(begin, end):
         i = half // 2
         if not loose[node[half]] or abs(bulge[i]) > BULGE or twin[i] != i:
             continue
@@ -119,15 +125,15 @@ def _links(
             for r in range(r0, r1 + 1):
                 for k in range(first[r * side + c], first[r * side + c + 1]):
                     j = listed[k]
-                    if j == i or abs(bulge[j]) > BULGE or twin[j] != j:
-                        continue
                     for tip in range(2):
-                        other = 2 * j + tip
-                        if not loose[node[other]]:
-                            continue
                         ox, oy = ends[j, tip, 0] - x, ends[j, tip, 1] - y
                         ahead = ox * ux + oy * uy
                         if ahead <= touch or ahead >= best or abs(ox * uy - oy * ux) > 2.0 * touch:
+                            continue
+                        other = 2 * j + tip
+                        if j == i or abs(bulge[j]) > BULGE or twin[j] != j:
+                            continue
+                        if not loose[node[other]]:
                             continue
                         vx, vy = leaves(ends, bulge, other)
                         if ux * vx + uy * vy < -0.999:

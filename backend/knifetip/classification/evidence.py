@@ -152,10 +152,9 @@ def _seen(
     slender = 2.0 * sides.area < _NARROW * unit * perimeter
     slender &= (sides.area > 0.0) & (perimeter > 5.0 * _NARROW * unit)
     paired = slender[sides.left] != slender[sides.right]
-    table = np.zeros((count, len(Role) + 2))
-    beside_it = np.zeros((count, 2), np.int32)
-    _gathered(net.edge, role, paired, length, sides.left, sides.right, table, beside_it)
-    greatest, share, whole = _greatest(table[:, :-2])
+    greatest, share, whole, narrow, beside_it = _gathered(
+        net.first, role, paired, length, sides.left, sides.right, len(Role)
+    )
     part_of = np.full(count, -1, np.int32)
     part_of[net.edge[real]] = sides.part[real]
     # An edge too short to be a piece is what the edge before it is, which it goes on from.
@@ -172,7 +171,7 @@ def _seen(
         False,
         np.where(whole > 0.0, greatest, Role.UNKNOWN).astype(np.uint8),
         share,
-        table[:, -2] > 0.5 * whole,
+        narrow > 0.5 * whole,
         net.dashed,
         holding(net, sides, role, length, count) if folds else none,
         beside,
@@ -183,61 +182,80 @@ def _seen(
 
 
 @njit(cache=True, error_model="numpy")
-def _greatest(table: Any) -> Any:
-    """Return the longest of each row, its share of the row, and the row's sum, (n,) each."""
-    greatest = np.zeros(len(table), np.int64)
-    share, whole = np.zeros(len(table)), np.zeros(len(table))
-    for i in range(len(table)):
-        for k in range(table.shape[1]):
-            whole[i] += table[i, k]
-            if table[i, k] > table[i, greatest[i]]:
-                greatest[i] = k
-        if whole[i] > 0.0:
-            share[i] = table[i, greatest[i]] / whole[i]
-    return greatest, share, whole
-
-
-@njit(cache=True, error_model="numpy")
 def _gathered(
-    edge: Any, role: Any, paired: Any, length: Any, left: Any, right: Any, table: Any, sides: Any
-) -> None:
-    longest = np.zeros(len(table))
-    for p in range(len(edge)):
-        i = edge[p]
-        if i < 0:
-            continue
-        table[i, role[p]] += length[p]
-        if paired[p]:
-            table[i, -2] += length[p]
-        if length[p] > longest[i]:
-            longest[i] = length[p]
-            sides[i, 0] = left[p]
-            sides[i, 1] = right[p]
+    first: Any, role: Any, paired: Any, length: Any, left: Any, right: Any, roles: int
+) -> Any:
+    """Return of each of n edges what its pieces have the most of.
+
+    Returns
+    -------
+    greatest : (n,)
+        The role of the greater part of its length.
+    share, whole, narrow : (n,)
+        That part of its length, its length, and the length that is paired.
+    sides : (n, 2)
+        Those of its longest piece.
+    """
+    count = len(first) - 1
+    greatest = np.zeros(count, np.int64)
+    share, whole, narrow = np.zeros(count), np.zeros(count), np.zeros(count)
+    sides = np.zeros((count, 2), np.int32)
+    of = np.zeros(roles)
+    for i in range(count):
+        longest = 0.0
+        for p in range(first[i], first[i + 1]):
+            of[role[p]] += length[p]
+            whole[i] += length[p]
+            if paired[p]:
+                narrow[i] += length[p]
+            if length[p] > longest:
+                longest = length[p]
+                sides[i, 0] = left[p]
+                sides[i, 1] = right[p]
+        for p in range(first[i], first[i + 1]):
+            kind = role[p]
+            best = of[greatest[i]]
+            if of[kind] > best or (of[kind] == best and kind < greatest[i]):
+                greatest[i] = kind
+        if whole[i] > 0.0:
+            share[i] = of[greatest[i]] / whole[i]
+        for p in range(first[i], first[i + 1]):
+            of[role[p]] = 0.0
+    return greatest, share, whole, narrow, sides
 
 
 def _roles(sides: Faces, parts: Parts) -> U8:
     """Return the role of each piece, (p,)."""
-    part = sides.part
-    outside = sides.outside[part]
-    left, right = sides.left == outside, sides.right == outside
-    same = sides.left == sides.right
-    inside = parts.inside[part]
-    role = np.full(len(part), Role.DIVIDER, np.uint8)
-    role[left != right] = Role.OUTLINE
-    role[same] = Role.SLIT
-    role[same & left] = Role.STRAY
-    role[parts.doubtful[part]] = Role.OPEN
-    role[inside] = Role.INNER
-    role[inside & (left != right)] = Role.HOLE
-    role[parts.slot[part] & (left != right)] = Role.SLOT
-    role[inside & same & left] = Role.FREE
-    role[parts.small[part] & (role != Role.STRAY)] = Role.MARK
-    role[parts.flat[part]] = Role.STRAY
-    role[parts.speck[part]] = Role.SPECK
-    role[parts.legend[part]] = Role.LEGEND
-    role[parts.frame[part]] = Role.FRAME
-    role[parts.bleed[part]] = Role.BLEED
-    role[parts.around[part]] = Role.AROUND
-    role[parts.table[part]] = Role.TABLE
-    role[parts.letter[part]] = Role.LETTER
+    # What a piece of each part is: at its rim, on its own outside, in one face, between two.
+    rim, alone, within, between = range(4)
+    table = np.empty((len(sides.outside), 4), np.uint8)
+    table[:] = Role.OUTLINE, Role.STRAY, Role.SLIT, Role.DIVIDER
+    table[parts.doubtful] = Role.OPEN
+    table[parts.inside] = Role.HOLE, Role.FREE, Role.INNER, Role.INNER
+    table[parts.slot, rim] = Role.SLOT
+    table[parts.small] = np.where(
+        table[parts.small] == Role.STRAY, np.uint8(Role.STRAY), np.uint8(Role.MARK)
+    )
+    table[parts.flat] = Role.STRAY
+    table[parts.speck] = Role.SPECK
+    table[parts.legend] = Role.LEGEND
+    table[parts.frame] = Role.FRAME
+    table[parts.bleed] = Role.BLEED
+    table[parts.around] = Role.AROUND
+    table[parts.table] = Role.TABLE
+    table[parts.letter] = Role.LETTER
+    role = np.empty(len(sides.part), np.uint8)
+    where = np.array([between, rim, within, alone])
+    _look_up(table, where, sides.part, sides.left, sides.right, sides.outside, role)
     return role
+
+
+@njit(cache=True, error_model="numpy")
+def _look_up(
+    table: Any, where: Any, part: Any, left: Any, right: Any, outside: Any, role: Any
+) -> None:
+    for p in range(len(part)):
+        out = outside[part[p]]
+        at_rim = (left[p] == out) != (right[p] == out)
+        same = left[p] == right[p]
+        role[p] = table[part[p], where[at_rim + 2 * same + (same and left[p] == out)]]

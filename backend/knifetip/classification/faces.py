@@ -16,10 +16,15 @@ from typing import Any, Final
 import numpy as np
 from numba import njit
 
+from knifetip.classification.cutting import WORTH
+from knifetip.classification.grid import Grid
 from knifetip.classification.net import Net
 from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.cores import each, runs
 
 _BULGE: Final = 1e-9
+#: Directions are told apart to so many parts of a right angle.
+_FINE: Final = 10_000_000
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -36,13 +41,21 @@ class Faces:
 
 def faces(net: Net, ends: F64, bulge: F64, touch: float) -> Faces:
     """Return the faces of a net of n edges, (n, 2, 2) and (n,)."""
-    grid = net.grid
-    return Faces(
-        *_faces(
-            net.place, net.start, net.end, net.bulge, net.share, net.first, net.same,
-            ends, bulge, touch, grid.low, grid.size, grid.side, grid.first, grid.listed,
-        )
-    )  # fmt: skip
+    lines = (net.place, net.start, net.end, net.bulge, net.same)
+    around, begins = _around(*lines)
+    left, right, area = _walked(*lines, around, begins)
+    part, leftmost = _parts(net.place, net.start, net.end)
+    outside, owner = _owned(len(leftmost), part, left, right, area)
+    hit = np.full(len(leftmost), -1, np.int32)
+
+    def looked(run: tuple[int, int]) -> None:
+        _look_left(
+            ends, bulge, net.grid, net.place, net.first, net.share, part, left, right,
+            leftmost, touch, hit, *run,
+        )  # fmt: skip
+
+    each(looked, runs(len(leftmost), WORTH))
+    return Faces(left, right, part, area, outside, _within(hit, outside, owner))
 
 
 @njit(cache=True, error_model="numpy")
@@ -54,13 +67,23 @@ def _root(parent: Any, i: int) -> int:
 
 
 @njit(cache=True, error_model="numpy")
-def _faces(
-    place: Any, start: Any, end: Any, bent: Any, share: Any, first_piece: Any, same: Any,
-    ends: Any, bulge: Any, touch: float, low: Any, size: Any, side: int, first: Any, listed: Any,
-) -> Any:  # fmt: skip
+def _angle(x: float, y: float) -> int:
+    """A number that grows with the angle of a direction, the same for all that are nearly one."""
+    across = abs(x) + abs(y)
+    along = y / across if across > 0.0 else 0.0
+    quarters = 2.0 - along if x < 0.0 else along + 4.0 if y < 0.0 else along
+    return int(quarters * _FINE + 0.5) % (4 * _FINE)
+
+
+@njit(cache=True, error_model="numpy")
+def _around(place: Any, start: Any, end: Any, bent: Any, same: Any) -> Any:
+    """Return the halves of pieces round each place against the clock, and where each place's begin.
+
+    Half 2 p of piece p leaves its beginning, half 2 p + 1 its end.
+    """
     pieces, places = len(start), len(place)
     begins = np.zeros(places + 1, np.int32)
-    angle = np.empty(2 * pieces)
+    angle = np.empty(2 * pieces, np.int64)
     curve = np.empty(2 * pieces)
     for p in range(pieces):
         if same[p] != p:
@@ -69,11 +92,12 @@ def _faces(
         begins[a + 1] += 1
         begins[b + 1] += 1
         dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
-        turn = 2.0 * math.atan(bent[p])
-        forth, back = math.atan2(dy, dx) - turn, math.atan2(-dy, -dx) + turn
-        angle[2 * p] = round(forth % (2.0 * math.pi), 7)
-        angle[2 * p + 1] = round(back % (2.0 * math.pi), 7)
-        chord = max(math.hypot(dx, dy), 1e-300)
+        # Along the tangents: the chord, turned by a quarter of the sweep twice.
+        square = bent[p] * bent[p]
+        c, s = (1.0 - square) / (1.0 + square), 2.0 * bent[p] / (1.0 + square)
+        angle[2 * p] = _angle(c * dx + s * dy, c * dy - s * dx)
+        angle[2 * p + 1] = _angle(s * dy - c * dx, -c * dy - s * dx)
+        chord = max(math.sqrt(dx * dx + dy * dy), 1e-300)
         curve[2 * p] = bent[p] / chord
         curve[2 * p + 1] = -bent[p] / chord
     begins = np.cumsum(begins).astype(np.int32)
@@ -95,6 +119,15 @@ def _faces(
                 around[k] = other
                 k -= 1
             around[k] = half
+    return around, begins
+
+
+@njit(cache=True, error_model="numpy")
+def _walked(
+    place: Any, start: Any, end: Any, bent: Any, same: Any, around: Any, begins: Any
+) -> Any:
+    """Return the faces on the left and on the right of each piece, and the area of each face."""
+    pieces = len(start)
     rank = np.empty(2 * pieces, np.int32)
     for k in range(len(around)):
         rank[around[k]] = k
@@ -121,15 +154,30 @@ def _faces(
                 bx, by = place[b, 0] - x0, place[b, 1] - y0
                 twice += ax * by - ay * bx
                 if abs(bend) > _BULGE:
-                    sweep = 4.0 * math.atan(bend)
-                    radius = math.hypot(bx - ax, by - ay) / (2.0 * math.sin(0.5 * sweep))
-                    twice += radius * radius * (sweep - math.sin(sweep))
+                    whole = 1.0 + bend * bend
+                    sine = 4.0 * bend * (1.0 - bend * bend) / (whole * whole)
+                    chord = (bx - ax) * (bx - ax) + (by - ay) * (by - ay)
+                    square = chord * whole * whole / (16.0 * bend * bend)
+                    twice += square * (4.0 * math.atan(bend) - sine)
                 k = rank[walked ^ 1]
                 k = k - 1 if k > begins[b] else begins[b + 1] - 1
                 walked = around[k]
             area[count] = 0.5 * twice
             count += 1
-    # Connected parts.
+    left = np.empty(pieces, np.int32)
+    right = np.empty(pieces, np.int32)
+    for p in range(pieces):
+        q = same[p]
+        turned = start[p] != start[q] or (start[p] == end[p] and bent[p] != bent[q])
+        left[p] = face[2 * q + 1] if turned else face[2 * q]
+        right[p] = face[2 * q] if turned else face[2 * q + 1]
+    return left, right, area[:count].copy()
+
+
+@njit(cache=True, error_model="numpy")
+def _parts(place: Any, start: Any, end: Any) -> Any:
+    """Return the connected part of each piece, and the leftmost place of each part."""
+    pieces, places = len(start), len(place)
     parent = np.arange(places)
     for p in range(pieces):
         a, b = _root(parent, start[p]), _root(parent, end[p])
@@ -150,23 +198,31 @@ def _faces(
             leftmost[own] = start[p]
         if place[end[p], 0] < place[leftmost[own], 0]:
             leftmost[own] = end[p]
-    left = np.empty(pieces, np.int32)
-    right = np.empty(pieces, np.int32)
+    return part, leftmost[:parts].copy()
+
+
+@njit(cache=True, error_model="numpy")
+def _owned(parts: int, part: Any, left: Any, right: Any, area: Any) -> Any:
+    """Return the face that is the outside of each part, and the part of each face."""
     outside = np.full(parts, -1, np.int32)
-    owner = np.empty(count, np.int32)
-    for p in range(pieces):
-        q = same[p]
-        turned = start[p] != start[q] or (start[p] == end[p] and bent[p] != bent[q])
-        left[p] = face[2 * q + 1] if turned else face[2 * q]
-        right[p] = face[2 * q] if turned else face[2 * q + 1]
+    owner = np.empty(len(area), np.int32)
+    for p in range(len(part)):
         for f in (left[p], right[p]):
             owner[f] = part[p]
             known = outside[part[p]]
             if known < 0 or area[f] < area[known]:
                 outside[part[p]] = f
-    # Which face holds each part: the first edge of another part to the left of its leftmost place.
-    hit = np.full(parts, -1, np.int32)
-    for c in range(parts):
+    return outside, owner
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _look_left(
+    ends: Any, bulge: Any, grid: Grid, place: Any, first_piece: Any, share: Any, part: Any,
+    left: Any, right: Any, leftmost: Any, touch: float, hit: Any, begin: int, end: int,
+) -> None:  # fmt: skip
+    """Write which face is met first to the left of the leftmost place of some parts."""
+    low, size, side, first, listed = grid
+    for c in range(begin, end):
         x, y = place[leftmost[c], 0], place[leftmost[c], 1] + 0.317 * touch
         line = min(max(int((y - low[1]) / size[1]), 0), side - 1)
         column = min(max(int((x - low[0]) / size[0]), 0), side - 1)
@@ -175,11 +231,11 @@ def _faces(
             cell = line * side + column
             for k in range(first[cell], first[cell + 1]):
                 i = listed[k]
-                if first_piece[i] == first_piece[i + 1] or part[first_piece[i]] == c:
-                    continue
-                for root in range(2):
+                for root in range(1 if abs(bulge[i]) <= _BULGE else 2):
                     at, upward = _met(ends, bulge, i, y, root)
-                    if at == at and best < at < x:
+                    if best < at < x:
+                        if first_piece[i] == first_piece[i + 1] or part[first_piece[i]] == c:
+                            continue
                         best = at
                         p = first_piece[i]
                         where = _share(ends, bulge, i, at, y)
@@ -190,15 +246,30 @@ def _faces(
                 break
             column -= 1
         hit[c] = found
+
+
+@njit(cache=True, error_model="numpy")
+def _within(hit: Any, outside: Any, owner: Any) -> Any:
+    """Return the face that holds each part: what is met, or what holds the part that is met."""
+    parts = len(hit)
     within = np.full(parts, -1, np.int32)
+    known = np.zeros(parts, np.bool_)
+    asked = np.empty(parts, np.int32)
     for c in range(parts):
-        f = hit[c]
-        for _ in range(parts):
+        waiting = 0
+        on, f = c, -1
+        while not known[on]:
+            asked[waiting] = on
+            waiting += 1
+            known[on] = True
+            f = hit[on]
             if f < 0 or f != outside[owner[f]]:
                 break
-            f = hit[owner[f]]
-        within[c] = f if f >= 0 and f != outside[owner[f]] else -1
-    return left, right, part, area[:count].copy(), outside, within
+            on = owner[f]
+            f = within[on]
+        for k in range(waiting):
+            within[asked[k]] = f
+    return within
 
 
 @njit(cache=True, error_model="numpy")
@@ -208,9 +279,12 @@ def _met(ends: Any, bulge: Any, i: int, y: float, root: int) -> tuple[float, boo
     bx, by = ends[i, 1, 0], ends[i, 1, 1]
     b = bulge[i]
     if abs(b) <= _BULGE:
-        if root == 1 or (ay > y) == (by > y):
+        if (ay > y) == (by > y):
             return np.nan, False
         return ax + (y - ay) * (bx - ax) / (by - ay), by > ay
+    off = y - 0.5 * (ay + by)
+    if 4.0 * off * off > 1.000001 * ((bx - ax) * (bx - ax) + (by - ay) * (by - ay)):
+        return np.nan, False
     up = (1.0 - b * b) / (4.0 * b)
     cx = 0.5 * (ax + bx) - up * (by - ay)
     cy = 0.5 * (ay + by) + up * (bx - ax)

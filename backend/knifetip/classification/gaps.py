@@ -5,109 +5,144 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
+import numpy as np
 from numba import njit
 
-from knifetip.classification.grid import cell_of
-from knifetip.classification.places import longer, placed
+from knifetip.classification.cutting import WORTH, Partings
+from knifetip.classification.grid import Grid, cell_of
+from knifetip.classification.places import Places, longer, placed, roomy
 from knifetip.classification.segment import BULGE, leaves, near, point_at
+from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.cores import each, runs
 
 #: Both ends of a crease may stop so short of what they were meant to meet (mm).
 _SHORT: Final = 2.5
 
 
-@njit(cache=True, error_model="numpy")
 def tied(
-    ends: Any, bulge: Any, touch: float, unit: float, node: Any, twin: Any, loose: Any, gap_of: Any,
-    row: Any, share: Any, cut: Any, cuts: int, tie: Any, ties: int,
-    place: Any, places: int, head: Any, onward: Any, mask: int,
-    low: Any, size: Any, side: int, first: Any, listed: Any,
-) -> Any:  # fmt: skip
+    ends: F64, bulge: F64, touch: float, unit: float, node: I32, twin: I32, loose: Bool,
+    gap_of: F64, spots: Places, grid: Grid,
+) -> tuple[Partings, I32, Places]:  # fmt: skip
     """Tie loose ends to the nearest line that they look at, within ``gap_of`` each end, (2n,).
 
-    Return partings, ties and places with the new ones.
+    Rules for creases end before those that cut, at both ends: what lies straight ahead is meant.
+
+    Returns
+    -------
+    partings
+        Of the lines that are met between their ends.
+    ties : (t, 2)
+        Places.
+    places
+        With the new ones.
     """
-    n = len(bulge)
-    # Rules for creases end before those that cut, at both ends: what lies straight ahead is meant.
     ahead = _SHORT * unit
-    for i in range(n):
-        if not (loose[node[2 * i]] and loose[node[2 * i + 1]]) or twin[i] != i:
+    partner, where = np.full(len(gap_of), -1, np.int32), np.empty(len(gap_of))
+
+    def looked(run: tuple[int, int]) -> None:
+        _look(ends, bulge, node, twin, loose, ahead, gap_of, grid, partner, where, *run)
+
+    each(looked, runs(len(bulge), WORTH))
+    met = np.flatnonzero(partner >= 0).astype(np.int32)
+    spots = roomy(spots, len(met))
+    row, share, cut, tie, count = _tie(ends, bulge, touch, node, met, partner, where, spots)
+    return Partings(row, share, cut), tie, spots._replace(known=count)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _look(
+    ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, ahead: float, gap_of: Any, grid: Grid,
+    partner: Any, where: Any, begin: int, end: int,
+) -> None:  # fmt: skip
+    """Write what the loose ends of some edges look at, and where on it."""
+    low, size, side, first, listed = grid
+    for i in range(begin, end):
+        if twin[i] != i or not (loose[node[2 * i]] or loose[node[2 * i + 1]]):
             continue
-        if math.hypot(ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]) < 4.0 * ahead:
-            continue
-        if abs(bulge[i]) > BULGE:
-            continue
-        both = True
+        # Both ends stop short, and both look at something.
+        both = loose[node[2 * i]] and loose[node[2 * i + 1]] and abs(bulge[i]) <= BULGE
+        dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
+        both = both and math.hypot(dx, dy) >= 4.0 * ahead
         for half in range(2 * i, 2 * i + 2):
+            both = both and _meets(ends, bulge, half, ahead, grid)
+        for half in range(2 * i, 2 * i + 2):
+            if not loose[node[half]]:
+                continue
             x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
             ux, uy = leaves(ends, bulge, half)
-            both = both and _meets(
-                ends, bulge, i, x, y, ux, uy, ahead, low, size, side, first, listed
-            )
-        if both:
-            gap_of[2 * i] = max(gap_of[2 * i], ahead)
-            gap_of[2 * i + 1] = max(gap_of[2 * i + 1], ahead)
-    for half in range(2 * n):
-        i = half // 2
-        if not loose[node[half]] or twin[i] != i:
-            continue
-        x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
-        ux, uy = leaves(ends, bulge, half)
-        far = gap_of[half]
-        c0, c1 = cell_of(x - far, low[0], size[0], side), cell_of(x + far, low[0], size[0], side)
-        r0, r1 = cell_of(y - far, low[1], size[1], side), cell_of(y + far, low[1], size[1], side)
-        best, partner, where = far, -1, 0.0
-        for c in range(c0, c1 + 1):
-            for r in range(r0, r1 + 1):
-                for k in range(first[r * side + c], first[r * side + c + 1]):
-                    j = listed[k]
-                    if twin[j] == i:
-                        continue
-                    away, part = near(ends, bulge, j, x, y)
-                    if away < best:
-                        px, py = point_at(ends, bulge, j, part)
-                        if (px - x) * ux + (py - y) * uy >= 0.5 * away:
-                            best, partner, where = away, j, part
-        if partner < 0:
-            continue
-        long = math.hypot(
-            ends[partner, 1, 0] - ends[partner, 0, 0], ends[partner, 1, 1] - ends[partner, 0, 1]
-        )
-        if where * long <= touch:
-            at = node[2 * partner]
-        elif (1.0 - where) * long <= touch:
-            at = node[2 * partner + 1]
+            best = max(gap_of[half], ahead) if both else gap_of[half]
+            c0 = cell_of(x - best, low[0], size[0], side)
+            c1 = cell_of(x + best, low[0], size[0], side)
+            r0 = cell_of(y - best, low[1], size[1], side)
+            r1 = cell_of(y + best, low[1], size[1], side)
+            for c in range(c0, c1 + 1):
+                for r in range(r0, r1 + 1):
+                    for k in range(first[r * side + c], first[r * side + c + 1]):
+                        j = listed[k]
+                        away, part = near(ends, bulge, j, x, y, best)
+                        if away < best and twin[j] != i:
+                            px, py = point_at(ends, bulge, j, part)
+                            if (px - x) * ux + (py - y) * uy >= 0.5 * away:
+                                best = away
+                                partner[half], where[half] = j, part
+
+
+@njit(cache=True, error_model="numpy")
+def _tie(
+    ends: Any, bulge: Any, touch: float, node: Any, met: Any, partner: Any, where: Any,
+    spots: Places,
+) -> Any:  # fmt: skip
+    """Return row, share and place of partings, ties, and how many places there are."""
+    count = spots.known
+    row = np.empty(len(met), np.int32)
+    share = np.empty(len(met))
+    cut = np.empty(len(met), np.int32)
+    tie = np.empty((len(met), 2), np.int32)
+    cuts = ties = 0
+    for half in met:
+        j, part = partner[half], where[half]
+        long = math.hypot(ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1])
+        if part * long <= touch:
+            at = node[2 * j]
+        elif (1.0 - part) * long <= touch:
+            at = node[2 * j + 1]
         else:
-            px, py = point_at(ends, bulge, partner, where)
-            if places + 1 >= len(place):
-                place, onward = longer(place), longer(onward)
-            at = placed(px, py, touch, place, places, head, onward, mask)
-            if at == places:
-                places += 1
-            if cuts == len(row):
-                row, share, cut = longer(row), longer(share), longer(cut)
-            row[cuts], share[cuts], cut[cuts] = partner, where, at
+            px, py = point_at(ends, bulge, j, part)
+            at = placed(px, py, touch, spots.point, count, spots.head, spots.onward)
+            if at == count:
+                count += 1
+            row[cuts], share[cuts], cut[cuts] = j, part, at
             cuts += 1
         if at != node[half]:
-            if ties == len(tie):
-                tie = longer(tie)
             tie[ties, 0] = node[half]
             tie[ties, 1] = at
             ties += 1
-    return row, share, cut, cuts, tie, ties, place, places, onward
+    return row[:cuts].copy(), share[:cuts].copy(), cut[:cuts].copy(), tie[:ties].copy(), count
+
+
+def crossed(
+    ends: F64, bulge: F64, touch: float, twin: I32, tie: I32, spots: Places, grid: Grid
+) -> tuple[Partings, I32, Places]:
+    """Part ties by the lines that run through the gaps which they close; return as ``tied``."""
+    row, share, cut, tie, point, onward, count = _cross(ends, bulge, touch, twin, tie, spots, grid)
+    return Partings(row, share, cut), tie, Places(point, count, onward, spots.head)
 
 
 @njit(cache=True, error_model="numpy")
-def crossed(
-    ends: Any, bulge: Any, touch: float, twin: Any,
-    row: Any, share: Any, cut: Any, cuts: int, tie: Any, ties: int,
-    place: Any, places: int, head: Any, onward: Any, mask: int,
-    low: Any, size: Any, side: int, first: Any, listed: Any,
-) -> Any:  # fmt: skip
-    """Part ties by the lines that run through the gaps which they close; return as ``tied``."""
+def _cross(
+    ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, spots: Places, grid: Grid
+) -> Any:
+    low, size, side, first, listed = grid
+    point, places, onward, head = spots
+    row = np.empty(16, np.int32)
+    share = np.empty(16)
+    cut = np.empty(16, np.int32)
+    cuts = 0
+    ties = len(tie)
     k = 0
     while k < ties:
-        ax, ay = place[tie[k, 0], 0], place[tie[k, 0], 1]
-        ux, uy = place[tie[k, 1], 0] - ax, place[tie[k, 1], 1] - ay
+        ax, ay = point[tie[k, 0], 0], point[tie[k, 0], 1]
+        ux, uy = point[tie[k, 1], 0] - ax, point[tie[k, 1], 1] - ay
         c0 = cell_of(min(ax, ax + ux), low[0], size[0], side)
         c1 = cell_of(max(ax, ax + ux), low[0], size[0], side)
         r0 = cell_of(min(ay, ay + uy), low[1], size[1], side)
@@ -134,9 +169,9 @@ def crossed(
                     if min(t, 1.0 - t) * long > touch:
                         least, through, where = s, j, t
         if through >= 0:
-            if places + 1 >= len(place):
-                place, onward = longer(place), longer(onward)
-            at = placed(ax + least * ux, ay + least * uy, touch, place, places, head, onward, mask)
+            if places + 1 >= len(point):
+                point, onward = longer(point), longer(onward)
+            at = placed(ax + least * ux, ay + least * uy, touch, point, places, head, onward)
             if at == places:
                 places += 1
             if cuts == len(row):
@@ -150,15 +185,16 @@ def crossed(
                 tie[k, 1] = at
                 ties += 1
         k += 1
-    return row, share, cut, cuts, tie, ties, place, places, onward
+    return row[:cuts], share[:cuts], cut[:cuts], tie[:ties], point, onward, places
 
 
 @njit(cache=True, error_model="numpy")
-def _meets(
-    ends: Any, bulge: Any, i: int, x: float, y: float, ux: float, uy: float, far: float,
-    low: Any, size: Any, side: int, first: Any, listed: Any,
-) -> bool:  # fmt: skip
+def _meets(ends: Any, bulge: Any, half: int, far: float, grid: Grid) -> bool:
     """Whether another line lies straight ahead of an end, no farther than ``far``."""
+    low, size, side, first, listed = grid
+    i = half // 2
+    x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
+    ux, uy = leaves(ends, bulge, half)
     c0, c1 = cell_of(x - far, low[0], size[0], side), cell_of(x + far, low[0], size[0], side)
     r0, r1 = cell_of(y - far, low[1], size[1], side), cell_of(y + far, low[1], size[1], side)
     for c in range(c0, c1 + 1):
@@ -167,7 +203,7 @@ def _meets(
                 j = listed[k]
                 if j == i:
                     continue
-                away, part = near(ends, bulge, j, x, y)
+                away, part = near(ends, bulge, j, x, y, far)
                 if away <= far:
                     px, py = point_at(ends, bulge, j, part)
                     if (px - x) * ux + (py - y) * uy >= 0.9 * away:

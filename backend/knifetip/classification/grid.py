@@ -6,8 +6,7 @@ ends, bulge -> Grid, or None where lines are so crowded that it would not help
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -17,10 +16,11 @@ from knifetip.geometry.columns import F64, I32
 
 #: At so many pairs of lines in one cell, as a multiple of the edges, a drawing is too tangled.
 _WORK: Final = 400
+#: Where most of the edges are is told by so many of them.
+_SAMPLE: Final = 10_000
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Grid:
+class Grid(NamedTuple):
     """Which edges pass through which cell."""
 
     low: F64  #: (2,)
@@ -42,11 +42,11 @@ def gridded(ends: F64, bulge: F64, touch: float, reach: float) -> Grid | None:
     """
     count = len(bulge)
     boxes = np.empty((count, 4))
-    _boxes(ends, bulge, boxes)
-    low = boxes[:, :2].min(axis=0) - 2.0 * reach
-    high = boxes[:, 2:].max(axis=0) + 2.0 * reach
+    bounds = np.array([np.inf, np.inf, -np.inf, -np.inf])
+    _boxes(ends, bulge, boxes, bounds)
+    low, high = bounds[:2] - 2.0 * reach, bounds[2:] + 2.0 * reach
     # A speck far away must not put all the rest into one cell: what lies outside counts to the rim.
-    near, far = np.percentile(boxes[:, :2], (2.0, 98.0), axis=0)
+    near, far = np.percentile(boxes[:: count // _SAMPLE + 1, :2], (2.0, 98.0), axis=0)
     near, far = near - (far - near), far + (far - near)
     low, high = np.maximum(low, near), np.maximum(np.minimum(high, far), low)
     side = max(1, math.isqrt(count))
@@ -65,7 +65,8 @@ def gridded(ends: F64, bulge: F64, touch: float, reach: float) -> Grid | None:
 
 
 @njit(cache=True, error_model="numpy")
-def _boxes(ends: Any, bulge: Any, boxes: Any) -> None:
+def _boxes(ends: Any, bulge: Any, boxes: Any, bounds: Any) -> None:
+    """Write the box of each edge, and of all."""
     for i in range(len(bulge)):
         ax, ay, bx, by = ends[i, 0, 0], ends[i, 0, 1], ends[i, 1, 0], ends[i, 1, 1]
         boxes[i, 0], boxes[i, 2] = min(ax, bx), max(ax, bx)
@@ -78,6 +79,9 @@ def _boxes(ends: Any, bulge: Any, boxes: Any) -> None:
             boxes[i, 1] -= sagitta
             boxes[i, 2] += sagitta
             boxes[i, 3] += sagitta
+        for axis in range(2):
+            bounds[axis] = min(bounds[axis], boxes[i, axis])
+            bounds[axis + 2] = max(bounds[axis + 2], boxes[i, axis + 2])
 
 
 @njit(cache=True, error_model="numpy")

@@ -19,11 +19,11 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from knifetip.classification.cutting import parted
+from knifetip.classification.cutting import parted, together
 from knifetip.classification.dashes import rows_of_dashes
 from knifetip.classification.gaps import crossed, tied
 from knifetip.classification.grid import Grid, gridded
-from knifetip.classification.places import alike, placed
+from knifetip.classification.places import alike, placed_ends
 from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.tolerance import GAP
@@ -62,79 +62,35 @@ def built(ends: F64, bulge: F64, touch: float, reach: float) -> Net | None:
     grid = gridded(ends, bulge, touch, reach)
     if grid is None:
         return None
-    made: Any = _net(
-        ends, bulge, touch, reach, grid.low, grid.size, grid.side, grid.first, grid.listed,
-        64 * count + 4096,
-    )  # fmt: skip
-    return None if len(made[0]) == 0 else Net(grid, *made)
-
-
-@njit(cache=True, error_model="numpy")
-def _net(
-    ends: Any,
-    bulge: Any,
-    touch: float,
-    reach: float,
-    low: Any,
-    size: Any,
-    side: int,
-    first: Any,
-    listed: Any,
-    most: int,
-) -> Any:
-    n = len(bulge)
-    mask = 1
-    while mask < 4 * n + 16:
-        mask *= 2
-    head = np.full(mask, -1, np.int32)
-    mask -= 1
-    place = np.empty((2 * n + 1024, 2))
-    onward = np.empty(len(place), np.int32)
-    places = 0
-    node = np.empty(2 * n, np.int32)
-    for half in range(2 * n):
-        x, y = ends[half // 2, half % 2, 0], ends[half // 2, half % 2, 1]
-        at = placed(x, y, touch, place, places, head, onward, mask)
-        node[half] = at
-        if at == places:
-            places += 1
-    twin = alike(node[::2].copy(), node[1::2].copy(), bulge, place, touch, mask)
-    row, share, cut, cuts, place, onward, degree, places = parted(
-        ends, bulge, touch, node, twin, most, place, places, head, onward, mask,
-        low, size, side, first, listed,
-    )  # fmt: skip
-    if cuts < 0:
-        return (
-            np.empty((0, 2)), node, node, share, node, share, node, node, np.zeros(0, np.bool_)
-        )  # fmt: skip
-    loose = degree == 1
     unit = touch / GAP
-    dashed, tie, ties, gap_of = rows_of_dashes(
-        ends, bulge, touch, unit, reach, node, twin, loose, low, size, side, first, listed
+    spots, node = placed_ends(ends, touch)
+    twin = alike(node[::2].copy(), node[1::2].copy(), bulge, spots.point, touch)
+    found = parted(ends, bulge, touch, node, spots, grid, 64 * count + 4096)
+    if found is None:
+        return None
+    on, across, spots = found
+    degree = np.bincount(node.reshape(-1, 2)[twin == np.arange(count)].ravel(), None, spots.known)
+    degree += 2 * np.bincount(on.place, None, spots.known)
+    degree += 2 * np.bincount(across.place, None, spots.known)
+    loose = degree == 1
+    dashed, dash_ties, gap_of = rows_of_dashes(
+        ends, bulge, touch, unit, reach, node, twin, loose, grid
     )
-    row, share, cut, cuts, tie, ties, place, places, onward = tied(
-        ends, bulge, touch, unit, node, twin, loose, gap_of,
-        row, share, cut, cuts, tie, ties, place, places, head, onward, mask,
-        low, size, side, first, listed,
-    )  # fmt: skip
-    row, share, cut, cuts, tie, ties, place, places, onward = crossed(
-        ends, bulge, touch, twin,
-        row, share, cut, cuts, tie, ties, place, places, head, onward, mask,
-        low, size, side, first, listed,
-    )  # fmt: skip
-    start, end, bent, edge, begin, first_piece = _pieces(
-        bulge, node, row, share, cut, cuts, tie, ties
+    met, ties, spots = tied(ends, bulge, touch, unit, node, twin, loose, gap_of, spots, grid)
+    ties = np.concatenate([dash_ties, ties])
+    through, ties, spots = crossed(ends, bulge, touch, twin, ties, spots, grid)
+    start, end, bent, edge, share, first = _pieces(
+        bulge, node, *together(on, across, met, through), ties
     )
-    same = alike(start, end, bent, place, touch, mask)
-    return place[:places].copy(), start, end, bent, edge, begin, first_piece, same, dashed
+    point = spots.point[: spots.known].copy()
+    same = alike(start, end, bent, point, touch)
+    return Net(grid, point, start, end, bent, edge, share, first, same, dashed)
 
 
 @njit(cache=True, error_model="numpy")
-def _pieces(
-    bulge: Any, node: Any, row: Any, share: Any, cut: Any, cuts: int, tie: Any, ties: int
-) -> Any:
+def _pieces(bulge: Any, node: Any, row: Any, share: Any, cut: Any, tie: Any) -> Any:
     """Return where each piece begins and ends, its bulge and edge, and the pieces of each edge."""
-    n = len(bulge)
+    n, cuts, ties = len(bulge), len(row), len(tie)
     begins = np.zeros(n + 1, np.int32)
     for k in range(cuts):
         begins[row[k] + 1] += 1

@@ -168,11 +168,20 @@ def _narrow(area: F64, drawn: F64, pieces: I64, size: F64, unit: float) -> Bool:
 
 def _level(net: Net, sides: Faces, count: int, off: float) -> Bool:
     """Return which parts are made of level and upright lines only, (c,)."""
-    run = np.abs(net.place[net.end] - net.place[net.start])
-    askew = run.min(axis=1) > np.maximum(0.001 * run.max(axis=1), off)
-    askew |= np.abs(net.bulge) > 1e-6
-    result: Bool = np.bincount(sides.part[askew], minlength=count) == 0
-    return result
+    level = np.ones(count, np.bool_)
+    _unlevel(net.place, net.start, net.end, net.bulge, sides.part, off, level)
+    return level
+
+
+@njit(cache=True, error_model="numpy")
+def _unlevel(
+    place: Any, start: Any, end: Any, bulge: Any, part: Any, off: float, level: Any
+) -> None:
+    for p in range(len(start)):
+        x = abs(place[end[p], 0] - place[start[p], 0])
+        y = abs(place[end[p], 1] - place[start[p], 1])
+        if abs(bulge[p]) > 1e-6 or min(x, y) > max(0.001 * max(x, y), off):
+            level[part[p]] = False
 
 
 def _frames(
@@ -189,6 +198,7 @@ def _frames(
     count = len(area)
     frame = np.zeros(count, np.bool_)
     size = (box[:, 2] - box[:, 0]) * (box[:, 3] - box[:, 1])
+    enclosed = np.bincount(owner[bounded], sides.area[bounded], count)
     while True:
         # A plain rectangle round a plain shape may be a blank with a hole, and is no frame.
         told = np.flatnonzero((parent >= 0) & ((many >= 2) | frame) & ~frame[parent])
@@ -196,7 +206,7 @@ def _frames(
         found = False
         for face in np.flatnonzero(held).tolist():
             c = int(owner[face])
-            around = float(sides.area[bounded & (owner == c)].sum()) - float(sides.area[face])
+            around = float(enclosed[c]) - float(sides.area[face])
             # A frame with a title block may be far too large for what is in it.
             least = _HELD_BESIDE_TITLE if many[c] >= 2 else _HELD
             if (
@@ -235,8 +245,7 @@ def _bleeds(
     if len(around) == 0:
         return bleed
     low, high = _BLEED[0] * unit, _BLEED[1] * unit
-    order = np.argsort(sides.part, kind="stable")
-    first = np.searchsorted(sides.part[order], np.arange(count + 1))
+    order, first = _by_part(sides.part, count)
     for c in around[np.argsort(-np.diff(first)[around], kind="stable")[:_MOST]].tolist():
         # Only what is about as large as its bleed has one.
         mine = held[parent[held] == c]
@@ -255,6 +264,21 @@ def _bleeds(
 
 
 @njit(cache=True, error_model="numpy")
+def _by_part(part: Any, count: int) -> Any:
+    """Return the pieces, part by part, and where those of each part begin."""
+    first = np.zeros(count + 1, np.int64)
+    for p in range(len(part)):
+        first[part[p] + 1] += 1
+    first = np.cumsum(first)
+    put = first[:-1].copy()
+    order = np.empty(len(part), np.int32)
+    for p in range(len(part)):
+        order[put[part[p]]] = p
+        put[part[p]] += 1
+    return order, first
+
+
+@njit(cache=True, error_model="numpy")
 def _distances(ends: Any, bulge: Any, among: Any, bent: Any) -> tuple[float, float]:
     """How near to, and how far from, other lines the beginnings and middles of lines are."""
     least, most = np.inf, 0.0
@@ -263,7 +287,7 @@ def _distances(ends: Any, bulge: Any, among: Any, bent: Any) -> tuple[float, flo
             x, y = point_at(ends, bulge, p, share)
             best = np.inf
             for q in range(len(bent)):
-                best = min(best, near(among, bent, q, x, y)[0])
+                best = min(best, near(among, bent, q, x, y, best)[0])
             least, most = min(least, best), max(most, best)
     return least, most
 
@@ -274,22 +298,28 @@ def _names_a_line(text: str) -> bool:
 
 
 def _placed(inscriptions: Sequence[Inscription]) -> F64:
-    """Return where texts stand, how high and how wide they are, (t, 4)."""
+    """Return where texts stand, how high and how wide they are, (t, 4), from left to right."""
     # Letters stand above and to the right of where a text begins.
-    return np.array(
+    placed = np.array(
         [
             (text.x, text.y, text.height, 0.7 * text.height * len(text.text))
             for text in inscriptions[:_MOST]
         ]
     ).reshape(-1, 4)
+    return placed[np.argsort(placed[:, 0], kind="stable")]
 
 
 @njit(cache=True, error_model="numpy")
 def _texts(text: Any, box: Any, holds: Any, near: Any) -> None:
     """Write how many texts stand in the box of each part, and whether one stands near, (c,)."""
+    widest = 0.0
+    for t in range(len(text)):
+        widest = max(widest, text[t, 3] + 2.0 * text[t, 2])
     for c in range(len(box)):
-        for t in range(len(text)):
+        for t in range(np.searchsorted(text[:, 0], box[c, 0] - widest), len(text)):
             x, y, height, width = text[t]
+            if x - widest > box[c, 2]:
+                break
             margin = 2.0 * height
             if box[c, 0] <= x <= box[c, 2] and box[c, 1] <= y <= box[c, 3]:
                 holds[c] += 1
@@ -314,15 +344,8 @@ def _doubtful(
 ) -> Bool:
     """Return the parts beside whose outline too much leads nowhere, (c,)."""
     count = len(area)
-    real = net.edge >= 0
-    outside = sides.outside[sides.part]
-    out_left, out_right = sides.left == outside, sides.right == outside
-    nowhere = np.bincount(
-        sides.part[real & out_left & out_right], length[real & out_left & out_right], count
-    )
-    closing = np.bincount(
-        sides.part[real & (out_left != out_right)], length[real & (out_left != out_right)], count
-    )
+    nowhere, closing = np.zeros(count), np.zeros(count)
+    _drawn(net.edge, sides.part, sides.left, sides.right, sides.outside, length, nowhere, closing)
     blank = ~other & (area > tiny)
     lost = np.where(blank, nowhere, 0.0)
     # An open part that lies round a closed one is what is left of its outline.
@@ -331,6 +354,22 @@ def _doubtful(
     open_ = open_[np.argsort(-size[open_], kind="stable")[:_MOST]]
     _covered(open_, box, size, np.flatnonzero(blank), nowhere, lost)
     return blank & ~small & (lost > _DOUBT * closing)
+
+
+@njit(cache=True, error_model="numpy")
+def _drawn(
+    edge: Any, part: Any, left: Any, right: Any, outside: Any, length: Any,
+    nowhere: Any, closing: Any,
+) -> None:  # fmt: skip
+    """Add up what of each part leads nowhere, and what closes its outline."""
+    for p in range(len(edge)):
+        if edge[p] < 0:
+            continue
+        out = outside[part[p]]
+        if left[p] == out and right[p] == out:
+            nowhere[part[p]] += length[p]
+        elif left[p] == out or right[p] == out:
+            closing[part[p]] += length[p]
 
 
 @njit(cache=True, error_model="numpy")

@@ -3,10 +3,53 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
+
+from knifetip.geometry.columns import F64, I32
+
+
+class Places(NamedTuple):
+    """q places, found again by where they are."""
+
+    point: F64  #: (≥ q, 2)
+    known: int  #: q
+    onward: I32  #: (≥ q,) the next place whose cell has the same number
+    head: I32  #: (2^k,) of each number the last place
+
+
+def placed_ends(ends: F64, touch: float) -> tuple[Places, I32]:
+    """Return the places of the ends of n edges, (n, 2, 2), and the number of each, (2n,)."""
+    count = len(ends)
+    size = 1 << (4 * count + 15).bit_length()
+    spots = Places(
+        np.empty((2 * count, 2)), 0, np.empty(2 * count, np.int32), np.full(size, -1, np.int32)
+    )
+    node = np.empty(2 * count, np.int32)
+    found = _place(ends, touch, spots, node)
+    return spots._replace(known=found), node
+
+
+def roomy(spots: Places, more: int) -> Places:
+    """Return the same places with room for so many more."""
+    point, onward = np.empty((spots.known + more, 2)), np.empty(spots.known + more, np.int32)
+    point[: spots.known] = spots.point[: spots.known]
+    onward[: spots.known] = spots.onward[: spots.known]
+    return Places(point, spots.known, onward, spots.head)
+
+
+@njit(cache=True, error_model="numpy")
+def _place(ends: Any, touch: float, spots: Places, node: Any) -> int:
+    count = 0
+    for half in range(len(node)):
+        x, y = ends[half // 2, half % 2, 0], ends[half // 2, half % 2, 1]
+        at = placed(x, y, touch, spots.point, count, spots.head, spots.onward)
+        node[half] = at
+        if at == count:
+            count += 1
+    return count
 
 
 @njit(cache=True, error_model="numpy")
@@ -17,11 +60,10 @@ def _hashed(cx: int, cy: int, mask: int) -> Any:
     return np.int64((key ^ (key >> np.uint64(31))) & np.uint64(mask))
 
 
-@njit(cache=True, error_model="numpy")
-def placed(
-    x: float, y: float, touch: float, place: Any, count: int, head: Any, onward: Any, mask: int
-) -> int:
+@njit(cache=True, error_model="numpy", forceinline=True)
+def placed(x: float, y: float, touch: float, point: Any, count: int, head: Any, onward: Any) -> int:
     """The number of the place at a point: one that is known, or ``count`` for a new one."""
+    mask = len(head) - 1
     cell = 16.0 * touch
     fx, fy = x / cell, y / cell
     cx, cy = math.floor(fx), math.floor(fy)
@@ -34,15 +76,15 @@ def placed(
         for dy in range(y0, y1 + 1):
             at = head[_hashed(cx + dx, cy + dy, mask)]
             while at >= 0:
-                ox = place[at, 0] - x
-                oy = place[at, 1] - y
+                ox = point[at, 0] - x
+                oy = point[at, 1] - y
                 if ox * ox + oy * oy <= touch * touch:
                     known: int = at
                     return known
                 at = onward[at]
     own = _hashed(cx, cy, mask)
-    place[count, 0] = x
-    place[count, 1] = y
+    point[count, 0] = x
+    point[count, 1] = y
     onward[count] = head[own]
     head[own] = count
     return count
@@ -57,11 +99,15 @@ def longer(column: Any) -> Any:
 
 
 @njit(cache=True, error_model="numpy")
-def alike(start: Any, end: Any, bent: Any, place: Any, touch: float, mask: int) -> Any:
+def alike(start: Any, end: Any, bent: Any, point: Any, touch: float) -> Any:
     """The first of the lines between two places that each line lies on."""
     count = len(start)
     same = np.empty(count, np.int32)
-    heads = np.full(mask + 1, -1, np.int32)
+    mask = 1
+    while mask < 2 * count:
+        mask *= 2
+    heads = np.full(mask, -1, np.int32)
+    mask -= 1
     behind = np.empty(count, np.int32)
     for p in range(count):
         a, b, bend = start[p], end[p], bent[p]
@@ -70,7 +116,7 @@ def alike(start: Any, end: Any, bent: Any, place: Any, touch: float, mask: int) 
         slot = _hashed(a, b, mask)
         at = heads[slot]
         same[p] = p
-        chord = math.hypot(place[a, 0] - place[b, 0], place[a, 1] - place[b, 1])
+        chord = math.hypot(point[a, 0] - point[b, 0], point[a, 1] - point[b, 1])
         while at >= 0:
             other = bent[at] if start[at] == a else -bent[at]
             both = (start[at] == a and end[at] == b) or (start[at] == b and end[at] == a)

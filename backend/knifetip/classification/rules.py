@@ -28,6 +28,7 @@ from knifetip.geometry.distinct import distinct
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.profile import LineRule, LineRules
+from knifetip.model.words import numbered
 
 #: Confidence of a rule by the strongest thing that it names.
 BY_LAYER_AND_COLOUR = 1.0
@@ -76,8 +77,8 @@ class Styles:
 
 def styles(drawing: Drawing) -> Styles:
     """Return the combinations of layer, colour, linetype, kind of entity and block."""
-    _, kind = _numbered(drawing.ledger.kind)
-    blocks, block = _numbered(drawing.ledger.block or ("",))
+    _, kind = numbered(drawing.ledger.kind)
+    blocks, block = numbered(drawing.ledger.block or ("",))
     of_entity = np.zeros(len(drawing.ledger), np.int32)
     of_entity[:] = kind if len(blocks) == 1 else kind * len(blocks) + block
     first, of = distinct(
@@ -102,12 +103,6 @@ def styles(drawing: Drawing) -> Styles:
         tuple(drawing.ledger.kind[row] for row in entity),
         tuple(drawing.ledger.block[row] if drawing.ledger.block else "" for row in entity),
     )
-
-
-def _numbered(names: Sequence[str]) -> tuple[list[str], I32]:
-    number: dict[str, int] = {}
-    codes = [number.setdefault(name, len(number)) for name in names]
-    return list(number), np.array(codes, np.int32)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

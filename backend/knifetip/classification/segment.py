@@ -5,43 +5,68 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
+import numpy as np
 from numba import njit
 
 #: What bends less is straight.
 BULGE: Final = 1e-9
+#: Squares of distances that differ by more than rounding.
+_CLEARLY: Final = 1.000001
+
+
+@njit(cache=True, error_model="numpy", forceinline=True)
+def near(ends: Any, bulge: Any, i: int, x: float, y: float, far: float) -> tuple[float, float]:
+    """Distance from a point to a segment, and at which share of it that is.
+
+    What is clearly farther than ``far`` may be infinitely far.
+    """
+    ax, ay = ends[i, 0, 0], ends[i, 0, 1]
+    dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
+    square = dx * dx + dy * dy
+    ox, oy = x - ax, y - ay
+    if abs(bulge[i]) <= BULGE:
+        off = ox * dy - oy * dx
+        if off * off > _CLEARLY * far * far * square:
+            return np.inf, 0.0
+        share = min(max((ox * dx + oy * dy) / square, 0.0), 1.0) if square > 0.0 else 0.0
+        ox -= share * dx
+        oy -= share * dy
+        return math.sqrt(ox * ox + oy * oy), share
+    # The circle over its chord holds an arc of at most half a turn.
+    mx, my = ox - 0.5 * dx, oy - 0.5 * dy
+    room = 0.5 * math.sqrt(square) + far
+    if mx * mx + my * my > _CLEARLY * room * room:
+        return np.inf, 0.0
+    return _near_arc(dx, dy, bulge[i], ox, oy)
 
 
 @njit(cache=True, error_model="numpy")
-def near(ends: Any, bulge: Any, i: int, x: float, y: float) -> tuple[float, float]:
-    """Distance from a point to a segment, and at which share of it that is."""
-    ax, ay = ends[i, 0, 0], ends[i, 0, 1]
-    dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
-    b = bulge[i]
-    square = dx * dx + dy * dy
-    if square == 0.0:
-        return math.hypot(x - ax, y - ay), 0.0
-    if abs(b) <= BULGE:
-        share = min(max(((x - ax) * dx + (y - ay) * dy) / square, 0.0), 1.0)
-        return math.hypot(x - ax - share * dx, y - ay - share * dy), share
-    sweep = 4.0 * math.atan(b)
+def _near_arc(dx: float, dy: float, b: float, x: float, y: float) -> tuple[float, float]:
+    """``near`` for an arc that begins at 0, 0 and ends at ``dx``, ``dy``."""
+    if dx == 0.0 and dy == 0.0:
+        return math.hypot(x, y), 0.0
     up = (1.0 - b * b) / (4.0 * b)
-    cx = ax + 0.5 * dx - up * dy
-    cy = ay + 0.5 * dy + up * dx
-    radius = math.hypot(ax - cx, ay - cy)
-    turn = math.atan2(y - cy, x - cx) - math.atan2(ay - cy, ax - cx)
-    if sweep < 0.0:
+    cx = 0.5 * dx - up * dy
+    cy = 0.5 * dy + up * dx
+    sweep = 4.0 * abs(math.atan(b))
+    px, py = x - cx, y - cy
+    # The angle from the beginning of the arc, along it.
+    side = cx * px + cy * py
+    turn = math.atan2(cy * px - cx * py, -side)
+    if b < 0.0:
         turn = -turn
-    turn %= 2.0 * math.pi
-    if turn <= abs(sweep):
-        return abs(math.hypot(x - cx, y - cy) - radius), turn / abs(sweep)
-    from_start = math.hypot(x - ax, y - ay)
-    from_end = math.hypot(x - ax - dx, y - ay - dy)
+    if turn < 0.0:
+        turn += 2.0 * math.pi
+    if turn <= sweep:
+        return abs(math.hypot(px, py) - math.hypot(cx, cy)), turn / sweep
+    from_start = math.hypot(x, y)
+    from_end = math.hypot(x - dx, y - dy)
     if from_start <= from_end:
         return from_start, 0.0
     return from_end, 1.0
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", forceinline=True)
 def point_at(ends: Any, bulge: Any, i: int, share: float) -> tuple[float, float]:
     """The point at a share of a segment."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
@@ -57,16 +82,17 @@ def point_at(ends: Any, bulge: Any, i: int, share: float) -> tuple[float, float]
     return cx + c * (ax - cx) - s * (ay - cy), cy + s * (ax - cx) + c * (ay - cy)
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", forceinline=True)
 def leaves(ends: Any, bulge: Any, half: int) -> tuple[float, float]:
     """The direction in which a segment goes on beyond its end number ``half`` % 2."""
     i = half // 2
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
     if half % 2 == 0:
         dx, dy = -dx, -dy
-    angle = 2.0 * math.atan(bulge[i]) * (1.0 if half % 2 == 1 else -1.0)
-    c, s = math.cos(angle), math.sin(angle)
-    long = math.hypot(dx, dy)
+    # The chord, turned by half the sweep.
+    b = bulge[i] if half % 2 == 1 else -bulge[i]
+    c, s = (1.0 - b * b) / (1.0 + b * b), 2.0 * b / (1.0 + b * b)
+    long = math.sqrt(dx * dx + dy * dy)
     if long == 0.0:
         return 0.0, 0.0
     return (c * dx - s * dy) / long, (s * dx + c * dy) / long

@@ -48,7 +48,8 @@ def take_decimal(
             mark_odd(entity, state)
         return s.ON
     elif code >= 210:
-        if sure != EXACT or (abs(read) != 1.0 if code == 230 else read != 0.0):
+        alone = code > 210 and before != code - 10
+        if alone or sure != EXACT or (abs(read) != 1.0 if code == 230 else read != 0.0):
             mark_odd(entity, state)
         elif code == 230 and mode == s.IN_ENTITY:
             entity[row, f.MIRROR] = 1 if read < 0.0 else 0
@@ -116,7 +117,7 @@ def take_tag(
             mark_odd(entity, state)
         return s.ON
     if code == 5:
-        if high == low:
+        if high == low or (marks < 2 and seen & (1 << g.B_HANDLE)):
             return s.REFUSED
         if not seen & (1 << g.B_HANDLE):
             entity[row, f.HANDLE], entity[row, f.HANDLE_SIZE] = low, high - low

@@ -208,7 +208,8 @@ def _frame(low: int, word: int, state: Any) -> int:
         return s.REFUSED
     if word == w.EOF:
         # A file without entities has nothing that must be read quickly.
-        return s.DONE if state[s.SECTION] < 0 and state[s.ENTITIES] > 0 else s.REFUSED
+        whole = state[s.SECTION] < 0 and state[s.SECTIONS] & (1 << w.ENTITIES) != 0
+        return s.DONE if whole and state[s.ENTITIES] > 0 else s.REFUSED
     if word == w.SECTION and state[s.SECTION] < 0:
         state[s.SECTION] = w.SECTION
         state[s.MODE] = s.IN_SECTION

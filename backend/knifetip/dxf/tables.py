@@ -10,6 +10,9 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
+from ezdxf.entities.dxfentity import DXFTagStorage
+from ezdxf.entities.dxfgfx import DXFGraphic
+from ezdxf.entities.factory import ENTITY_CLASSES
 
 from knifetip.dxf import fields as f
 from knifetip.dxf.attributes import BYLAYER, Layer, Styles, layer_of
@@ -21,6 +24,8 @@ from knifetip.intake.columns import Style
 
 #: Signs that the format does not allow in names; what ezdxf makes of them is its own affair.
 _NOT_IN_NAMES: Final = frozenset('<>/\\":;?*=`|,\ufffd')
+#: What may stand among entities; what ezdxf does not know is the latter.
+_GRAPHIC: Final = (DXFGraphic, DXFTagStorage)
 _VERSIONS: Final = (
     *("", "AC1002", "AC1003", "AC1004", "AC1006", "AC1009", "AC1012", "AC1014"),
     *("AC1015", "AC1018", "AC1021", "AC1024", "AC1027", "AC1032"),
@@ -94,8 +99,11 @@ class Tables:
         words = {
             number: self.names[number] for number in np.flatnonzero(np.bincount(column)).tolist()
         }
-        if any(word != word.upper() or not word.isascii() for word in words.values()):
-            raise NotPlainError
+        for word in words.values():
+            # Of what cannot stand on a sheet, or in a block, ezdxf refuses the whole.
+            cls = ENTITY_CLASSES.get(word, DXFTagStorage)
+            if word != word.upper() or not word.isascii() or not issubclass(cls, _GRAPHIC):
+                raise NotPlainError
         return words
 
     def _check_names(self) -> None:

@@ -127,8 +127,10 @@ def _group(code: int, data: Any, low: int, high: int, entity: Any, state: Any) -
 def _is_handle(code: int, state: Any) -> bool:
     """Return whether a tag is the handle of something that is no entity."""
     named = 105 if state[s.MODE] == s.IN_STYLE else 5
-    section = state[s.SECTION]
-    return code == named and state[s.GROUP] == 0 and w.TABLES <= section <= w.OBJECTS
+    # Behind a subclass marker it is another's.
+    if code != named or state[s.GROUP] != 0 or state[s.OPEN_MARKS] > 0:
+        return False
+    return bool(w.TABLES <= state[s.SECTION] <= w.OBJECTS)
 
 
 @njit(cache=True, error_model="numpy")
@@ -194,6 +196,8 @@ def scan_tags(data: Any, tables: Any, state: Any) -> bool:
         if action == g.SKIPPED or code == 999:
             continue
         verdict = s.ON
+        if code == 100 and state[s.MODE] < s.IN_ENTITY:
+            state[s.OPEN_MARKS] += 1
         if sure != WRONG:
             verdict = take_decimal(
                 code, before, read, sure, low, high, entity, value, vertex, base, left, state
@@ -249,18 +253,18 @@ def scan_tags(data: Any, tables: Any, state: Any) -> bool:
             elif mode == s.IN_SECTION:
                 if code != 2:
                     return False
-                section = word_at(data, low, high, w.HEADER, w.OBJECTS)
-                if section >= 0:
-                    # Of two sections of one name ezdxf reads the last.
-                    if state[s.SECTIONS] & (1 << section):
-                        return False
-                    state[s.SECTIONS] |= 1 << section
-                # One that is skipped is open all the same.
-                state[s.SECTION] = section if section >= 0 else w.MODEL
+                section = word_at(data, low, high, w.HEADER, w.ACDSDATA)
+                # Of two sections of one name ezdxf reads the last, of unknown ones none.
+                if section < 0 or state[s.SECTIONS] & (1 << section):
+                    return False
+                state[s.SECTIONS] |= 1 << section
+                state[s.SECTION] = section
                 state[s.MODE] = s.IN_OBJECTS if section == w.OBJECTS else s.NOTHING
                 if section == w.HEADER:
                     state[s.HEADER_FIRST] = np.int64(at)
             elif mode == s.IN_TABLE:
+                if code == 100 and state[s.TABLE] == 0:
+                    return False
                 if code == 2 and state[s.TABLE] == 0:
                     state[s.NAMED] = 1
                     state[s.TABLE] = word_at(data, low, high, w.VPORT, w.BLOCK_RECORD)

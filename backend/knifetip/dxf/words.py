@@ -12,15 +12,17 @@ from knifetip.geometry.columns import I64
 #: Each has the number of its place.
 _WORDS: Final = (
     b"SECTION", b"ENDSEC", b"EOF", b"HEADER", b"TABLES", b"BLOCKS", b"ENTITIES", b"OBJECTS",
-    b"BLOCK", b"ENDBLK", b"TABLE", b"ENDTAB", b"VPORT", b"LTYPE", b"LAYER", b"STYLE", b"VIEW",
-    b"UCS", b"APPID", b"DIMSTYLE", b"BLOCK_RECORD", b"VERTEX", b"SEQEND", b"LINE", b"ARC",
-    b"CIRCLE", b"LWPOLYLINE", b"POLYLINE", b"INSERT", b"ELLIPSE", b"SPLINE", b"ATTRIB", b"TEXT",
-    b"DIMENSION", b"MTEXT", b"AcDbEntity", b"AcDbLine", b"AcDbCircle", b"AcDbArc",
-    b"AcDbPolyline", b"AcDb2dPolyline", b"AcDbVertex", b"AcDb2dVertex", b"AcDbBlockReference",
-    b"Model", b"ACAD_MTEXT", b"{ACAD_XDICTIONARY", b"}", b"DICTIONARY",
+    b"CLASSES", b"THUMBNAILIMAGE", b"ACDSDATA", b"BLOCK", b"ENDBLK", b"TABLE", b"ENDTAB",
+    b"VPORT", b"LTYPE", b"LAYER", b"STYLE", b"VIEW", b"UCS", b"APPID", b"DIMSTYLE",
+    b"BLOCK_RECORD", b"VERTEX", b"SEQEND", b"LINE", b"ARC", b"CIRCLE", b"LWPOLYLINE",
+    b"POLYLINE", b"INSERT", b"ELLIPSE", b"SPLINE", b"ATTRIB", b"TEXT", b"DIMENSION", b"MTEXT",
+    b"AcDbEntity", b"AcDbLine", b"AcDbCircle", b"AcDbArc", b"AcDbPolyline", b"AcDb2dPolyline",
+    b"AcDbVertex", b"AcDb2dVertex", b"AcDbBlockReference", b"Model", b"ACAD_MTEXT",
+    b"{ACAD_XDICTIONARY", b"}", b"DICTIONARY",
 )  # fmt: skip
 (
-    SECTION, ENDSEC, EOF, HEADER, TABLES, BLOCKS, ENTITIES, OBJECTS, BLOCK, ENDBLK,
+    SECTION, ENDSEC, EOF, HEADER, TABLES, BLOCKS, ENTITIES, OBJECTS, CLASSES, THUMBNAILIMAGE,
+    ACDSDATA, BLOCK, ENDBLK,
     TABLE, ENDTAB, VPORT, LTYPE, LAYER, STYLE, VIEW, UCS, APPID, DIMSTYLE, BLOCK_RECORD,
     VERTEX, SEQEND, LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE, INSERT, ELLIPSE, SPLINE,
     ATTRIB, TEXT, DIMENSION, MTEXT, DB_ENTITY, DB_LINE, DB_CIRCLE, DB_ARC, DB_LWPOLYLINE,

@@ -21,11 +21,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.errors import CompensationError, GeometryError, ZeroLengthEdge
+from knifetip.geometry.batch import on_all_cores
 from knifetip.geometry.beside import FINE, NO_LENGTH, NOT_A_NUMBER, TORN
 from knifetip.geometry.boxes import where_met
 from knifetip.geometry.clearance import NEARER as NEARER
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.cores import on_all_cores
 from knifetip.geometry.path import Paths
 from knifetip.geometry.transition import Corner, check
 

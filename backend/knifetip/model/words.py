@@ -72,6 +72,16 @@ class Repeated(_Column):
         return names[self.number].astype(dtype or object, copy=False)
 
 
+def numbered(words: Sequence[str]) -> tuple[list[str], I32]:
+    """Return the words without repeats, and the number of each, (m,)."""
+    number: dict[str, int] = {}
+    if isinstance(words, Repeated):
+        names = [number.setdefault(name, len(number)) for name in words.names]
+        return list(number), np.array(names, np.int32)[words.number]
+    each = [number.setdefault(word, len(number)) for word in words]
+    return list(number), np.array(each, np.int32)
+
+
 class Spelled(_Column):
     """m words, each another: one text that holds them all.
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from knifetip.errors import ZeroLengthEdge
-from knifetip.geometry import cores
+from knifetip.geometry import batch, cores
 from knifetip.geometry.offset import Equidistant, equidistant
 from knifetip.geometry.path import Paths
 
@@ -27,7 +27,7 @@ def notched(count: int) -> Paths:
 
 def on(number: int, monkeypatch: pytest.MonkeyPatch, *args, **options) -> Equidistant:
     """Return an equidistant done on so many cores."""
-    monkeypatch.setattr(cores, "_WORTH_A_CORE", 8)
+    monkeypatch.setattr(batch, "_WORTH_A_CORE", 8)
     monkeypatch.setattr(cores.os, "cpu_count", lambda: number)
     return equidistant(*args, **options)
 

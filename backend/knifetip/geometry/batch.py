@@ -1,0 +1,59 @@
+"""batch: large batches of equidistants, shared out to all the cores of the machine.
+
+    all paths, and which of them bound a region together -> columns of the results
+
+Regions know nothing of each other, so each core does a run of them, and the results are put behind
+each other: to the bit what one core would give, and of several failures the first.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.geometry import cores
+from knifetip.geometry.beside import FINE
+from knifetip.geometry.columns import F64, I32, U8
+from knifetip.geometry.groups import all_groups
+from knifetip.geometry.path import Paths
+
+#: Segments that one core has done before another has begun.
+_WORTH_A_CORE: Final = 10_000
+
+
+def on_all_cores(
+    paths: Paths, member: I32, members: I32, signed: F64, corner: U8, k: F64, refuse: bool
+) -> Any:
+    """Return what ``groups.all_groups`` returns."""
+    runs = _runs(paths.first, member, members, cores.number())
+
+    def done(run: I32) -> Any:
+        return all_groups(
+            paths.start, paths.end, paths.bulge, paths.first, member, run, signed, corner, k, refuse
+        )
+
+    parts = cores.each(done, runs)
+    if len(parts) == 1:
+        return parts[0]
+    columns = [np.concatenate(column) for column in zip(*(part[:5] for part in parts), strict=True)]
+    before = np.cumsum([0, *(len(part[2]) for part in parts)])
+    first = np.concatenate(
+        [[0], *(part[5][1:] + at for part, at in zip(parts, before, strict=False))]
+    ).astype(np.int32)
+    owner = np.concatenate([part[6] for part in parts])
+    unreached = np.sum([part[7] for part in parts], axis=0)
+    failure = next((part[8] for part in parts if part[8][0] != FINE), parts[0][8])
+    return (*columns, first, owner, unreached, failure)
+
+
+def _runs(first: I32, member: I32, members: I32, number: int) -> list[I32]:
+    """Return where the groups of each run begin and where its last one ends, runs of one size."""
+    before = np.append(0, np.cumsum(np.diff(first)[member]))[members]
+    count = int(min(number, before[-1] // _WORTH_A_CORE, len(members) - 1))
+    if count < 2:
+        return [members]
+    cuts = np.searchsorted(before, before[-1] * np.arange(1, count) / count)
+    bounds = np.unique([0, *cuts.tolist(), len(members) - 1]).tolist()
+    return [members[a : b + 1] for a, b in pairwise(bounds)]
