@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from knifetip.compensation.compensate import compensate
@@ -207,6 +207,7 @@ def test_a_dashed_crease_is_rolled_as_the_solid_one(count, dash, gap, place, azi
 @thousand
 @given(width=st.floats(60.0, 300.0), height=st.floats(60.0, 300.0), degrees=angles,
        bridge=st.floats(0.2, 1.5), start=st.integers(0, 3))  # fmt: skip
+@example(width=60.0, height=60.0, degrees=121.5, bridge=1.015625, start=1)
 def test_bridges_stay_whole_and_stand_alike_on_a_turned_board(
     width, height, degrees, bridge, start
 ):

@@ -120,7 +120,8 @@ class _Room:
         """Return the place nearest to each wanted one (mm)."""
         clipped = np.clip(wanted[:, None], self.low, self.high)
         # Of two as near as each other the first, also where the last digits say otherwise.
-        best = np.round(np.abs(clipped - wanted[:, None]), 6).argmin(axis=1)
+        far = np.abs(clipped - wanted[:, None])
+        best = (far <= far.min(axis=1, keepdims=True) + POINT).argmax(axis=1)
         chosen: F64 = clipped[np.arange(len(wanted)), best]
         return chosen
 
