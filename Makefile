@@ -36,7 +36,7 @@ $(VENV)/.runtime: backend/requirements.lock backend/pyproject.toml | $(BIN)/pyth
 
 $(VENV)/.kernels: $(VENV)/.runtime $(KERNELS)
 	@find backend/knifetip -name "*.nb[ci]" -delete
-	$(BIN)/python -c "from knifetip.pipeline import warm; warm()"
+	$(BIN)/python -c "from knifetip.warming import warm; warm()"
 	@touch $@
 
 $(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.kernels

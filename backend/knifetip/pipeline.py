@@ -23,7 +23,6 @@ from knifetip.cleaning.clean import clean
 from knifetip.compensation import deflection
 from knifetip.compensation.compensate import compensate
 from knifetip.dxf import read as dxf
-from knifetip.dxf.samples import samples
 from knifetip.errors import (
     CompensationError,
     KnifetipError,
@@ -78,7 +77,6 @@ __all__ = [
     "taken",
     "unit_finding",
     "verify",
-    "warm",
     "with_unit",
 ]
 
@@ -383,29 +381,3 @@ def calibrated(
     x, y = deflection.calibrated(tangent, moved, side)
     off = moved - deflection.deflection(tangent, side, x, y)
     return Calibration(x, y, float(np.hypot(*off.T).max()))
-
-
-def warm() -> None:
-    """Run every compiled kernel once, so that no user waits for one to be compiled.
-
-    The kernels are kept beside the code: the first call takes a minute, the next a few seconds.
-    """
-    # Path data has a kernel of its own.
-    read_drawing(b'<svg width="9mm" viewBox="0 0 9 9"><path stroke="red" d="M0 0h9"/></svg>')
-    for name, board, machine in (
-        ("tuck-end-carton.dxf", "fbb-0.4", "demo-table"),
-        ("rigid-box-blank.dxf", "greyboard-2.0", "demo-table"),
-        ("rigid-box-blank.dxf", "greyboard-2.0", "router-table"),
-    ):
-        drawing = read_drawing(samples()[name])
-        line = dieline(drawing, load.profile("default"))
-        for dialect in ("linuxcnc", "grblhal"):
-            compiled(drawing, line, load.machine(machine), load.board(board), dialect=dialect)
-    # The samples are clean: a lap, a gap and a speck, for the kernels that mend them.
-    untidy = ((0, 0, 100, 0), (50, 0, 150, 0), (150.02, 0, 150.02, 50), (70, 70, 70.01, 70))
-    few = {
-        name: getattr(line, name)[: len(untidy)]
-        for name in ("bulge", "line_type", "source", "rule", "confidence")
-    }
-    few["line_type"] = np.full(len(untidy), LineType.CUT, np.uint8)
-    clean(replace(line, ends=np.array(untidy, np.float64).reshape(-1, 2, 2), **few))

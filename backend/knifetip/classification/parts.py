@@ -249,10 +249,9 @@ def _bleeds(
     for c in around[np.argsort(-np.diff(first)[around], kind="stable")[:_MOST]].tolist():
         # Only what is about as large as its bleed has one.
         mine = held[parent[held] == c]
-        near = np.abs(
-            np.concatenate([box[mine, :2].min(axis=0), box[mine, 2:].max(axis=0)]) - box[c]
-        )
-        if near.min() < low or near.max() > high:
+        whole = np.concatenate([box[mine, :2].min(axis=0), box[mine, 2:].max(axis=0)])
+        off = np.abs(whole - box[c])
+        if off.min() < low or off.max() > high:
             continue
         rows = np.concatenate([order[first[i] : first[i + 1]] for i in mine.tolist()])
         own = order[first[c] : first[c + 1]]
@@ -310,7 +309,7 @@ def _placed(inscriptions: Sequence[Inscription]) -> F64:
 
 
 @njit(cache=True, error_model="numpy")
-def _texts(text: Any, box: Any, holds: Any, near: Any) -> None:
+def _texts(text: Any, box: Any, holds: Any, beside: Any) -> None:
     """Write how many texts stand in the box of each part, and whether one stands near, (c,)."""
     widest = 0.0
     for t in range(len(text)):
@@ -329,7 +328,7 @@ def _texts(text: Any, box: Any, holds: Any, near: Any) -> None:
                 and box[c, 1] <= y + margin
                 and y - margin <= box[c, 3]
             ):
-                near[c] = True
+                beside[c] = True
 
 
 def _doubtful(

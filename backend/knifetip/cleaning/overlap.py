@@ -118,7 +118,7 @@ def parted(ends: F64, bulge: F64, kind: U8) -> Pieces:
     back = _reversed(ends[double], ends[twin[double]])
     return Pieces(
         piece[:, :4].reshape(-1, 2, 2),
-        piece[:, 4],
+        piece[:, 4].copy(),
         alone[owner].astype(np.int32),
         np.concatenate([alone[edge], double]).astype(np.int32),
         np.concatenate([begin, np.where(back, 1.0 - end[like], begin[like])]),

@@ -31,7 +31,9 @@ def distinct(*columns: ArrayLike) -> tuple[I64, I64]:
     kind : (n,)
         Which kind each row is.
     """
-    table = np.column_stack([np.asarray(column, np.int64) for column in columns])
+    table = np.ascontiguousarray(
+        np.column_stack([np.asarray(column, np.int64) for column in columns])
+    )
     slots = np.full(1 << max(4, (2 * len(table)).bit_length()), -1, np.int32)
     first, kind = _kinds(table, slots)
     return first, kind

@@ -382,9 +382,9 @@ def corners_of(plain: dict[str, Any]) -> Corners:
 
 def rehearse(_progress: Progress) -> None:
     """Go once through everything: kernels become machine code, which is kept on disk."""
-    from knifetip import pipeline
+    from knifetip.warming import warm
 
-    pipeline.warm()
+    warm()
 
 
 def _toolpath(made: Compiled, machine: Machine) -> bytes:
