@@ -3,6 +3,7 @@
 PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
+WARM   := $(BIN)/python -m knifetip.warming
 HOST   ?= 127.0.0.1
 PORT   ?= 8080
 SPEED  ?= 4
@@ -36,7 +37,8 @@ $(VENV)/.runtime: backend/requirements.lock backend/pyproject.toml | $(BIN)/pyth
 
 $(VENV)/.kernels: $(VENV)/.runtime $(KERNELS)
 	@find backend/knifetip -name "*.nb[ci]" -delete
-	$(BIN)/python -c "from knifetip.warming import warm; warm()"
+	@# Two at a time, and then whatever both have left.
+	$(WARM) offsets & $(WARM) drawings && wait && $(WARM) warm
 	@touch $@
 
 $(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.kernels

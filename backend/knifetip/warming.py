@@ -8,6 +8,7 @@ here: edges that lie on each other, letters, a bleed, entities that only ezdxf c
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from contextlib import suppress
 from typing import Final
@@ -52,25 +53,36 @@ _ODD: Final = """
 
 def warm() -> None:
     """Run every compiled kernel that a request may need."""
-    # Path data has a kernel of its own.
-    read_drawing(b'<svg width="9mm" viewBox="0 0 9 9"><path stroke="red" d="M0 0h9"/></svg>')
-    rules = load.profile("default")
-    for name, board, machine in (
-        ("tuck-end-carton.dxf", "fbb-0.4", "demo-table"),
-        ("rigid-box-blank.dxf", "greyboard-2.0", "demo-table"),
-        ("rigid-box-blank.dxf", "greyboard-2.0", "router-table"),
-    ):
-        drawing = read_drawing(samples()[name])
-        line = dieline(drawing, rules)
-        for dialect in ("linuxcnc", "grblhal"):
-            compiled(drawing, line, load.machine(machine), load.board(board), dialect=dialect)
-    read_drawing(_dxf("BLOCKS", " ".join(_ODD.split())))
-    dieline(read_drawing(_dxf("ENTITIES", _lines(_NAMELESS)), "mm"), rules)
-    clean(dieline(read_drawing(_dxf("ENTITIES", _lines(_UNTIDY, "CUT")), "mm"), rules))
+    offsets()
+    drawings()
+    _made("rigid-box-blank.dxf", "greyboard-2.0", "router-table")
+
+
+def offsets() -> None:
+    """Run the kernels of equidistants, which are as much work to compile as all others."""
     contour = np.array(_TORN, np.float64)
     one = np.array([0, len(contour)])
     with suppress(CompensationError):
         equidistant(Paths(contour, np.roll(contour, -1, axis=0), np.zeros(one[1]), one), 3.0, 1)
+
+
+def drawings() -> None:
+    """Run the kernels that read drawings, tell their edges, clean them and make jobs of them."""
+    # Path data has a kernel of its own.
+    read_drawing(b'<svg width="9mm" viewBox="0 0 9 9"><path stroke="red" d="M0 0h9"/></svg>')
+    read_drawing(_dxf("BLOCKS", " ".join(_ODD.split())))
+    rules = load.profile("default")
+    dieline(read_drawing(_dxf("ENTITIES", _lines(_NAMELESS)), "mm"), rules)
+    clean(dieline(read_drawing(_dxf("ENTITIES", _lines(_UNTIDY, "CUT")), "mm"), rules))
+    _made("tuck-end-carton.dxf", "fbb-0.4", "demo-table")
+    _made("rigid-box-blank.dxf", "greyboard-2.0", "demo-table")
+
+
+def _made(sample: str, board: str, machine: str) -> None:
+    drawing = read_drawing(samples()[sample])
+    line = dieline(drawing, load.profile("default"))
+    for dialect in ("linuxcnc", "grblhal"):
+        compiled(drawing, line, load.machine(machine), load.board(board), dialect=dialect)
 
 
 def _lines(lines: Iterable[_Line], layer: str = "0") -> str:
@@ -80,3 +92,7 @@ def _lines(lines: Iterable[_Line], layer: str = "0") -> str:
 def _dxf(section: str, words: str) -> bytes:
     head = f"0 SECTION 2 HEADER 9 $ACADVER 1 AC1015 0 ENDSEC 0 SECTION 2 {section}"
     return "\n".join(f"{head} {words} 0 ENDSEC 0 EOF ".split(" ")).encode()
+
+
+if __name__ == "__main__":
+    {"offsets": offsets, "drawings": drawings, "warm": warm}[sys.argv[1]]()
