@@ -19,9 +19,11 @@ help:
 	@echo "make bench    side by side with the peers, to build/bench.json"
 	@echo "make lock     resolve the dependencies anew"
 
-# Compiled code is kept beside the source, and does not see that what it calls in another file has
-# changed: when any of these files is newer, all of them are compiled anew.
-KERNELS := $(shell grep -rl "^@njit" backend/knifetip --include=*.py)
+# Compiled code is kept beside the source, and does not see that what it calls, or a number that it
+# has from another file, has changed: when a file in a room with kernels is newer, all of them are
+# compiled anew.
+ROOMS   := $(sort $(dir $(shell grep -rl "^@njit" backend/knifetip --include=*.py)))
+KERNELS := $(wildcard $(addsuffix *.py,$(ROOMS)))
 
 install: $(VENV)/.kernels
 dev: $(VENV)/.dev
