@@ -18,7 +18,7 @@ import numpy as np
 
 from knifetip.classification import rules as matching
 from knifetip.classification.apart import parting
-from knifetip.classification.conventions import fitting
+from knifetip.classification.conventions import FOLDS, fitting
 from knifetip.classification.evidence import Shape, shape
 from knifetip.classification.fusion import Judge, Verdict
 from knifetip.classification.mirror import contradicted
@@ -84,7 +84,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     cell += _HOLDS * (_holding(seen, styles.of, lengths) & (seen.role == Role.DIVIDER))
     first, number = distinct(cell)
     verdicts = [_verdict(judge, key) for key in cell[first].tolist()]
-    words: dict[tuple[str, tuple[LineType, ...]], int] = {}
+    said = _Said()
     line_type = np.full(len(first), LineType.UNCLASSIFIED, np.uint8)
     word = np.zeros(len(first), np.int32)
     for row, verdict in enumerate(verdicts):
@@ -93,11 +93,17 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
             others = (verdict.kind, *others)
         elif not verdict.asked:
             line_type[row] = verdict.kind
-        word[row] = words.setdefault((verdict.words, others), len(words))
-    texts = [text for text, _ in words]
-    others_of = [others for _, others in words]
+        word[row] = said.number(verdict.words, others)
     kinds, rule = line_type[number], word[number]
     sure = np.array([verdict.sure for verdict in verdicts])[number]
+    meant = np.array([verdict.kind for verdict in verdicts], np.uint8)[number]
+    hidden = (kinds == LineType.UNCLASSIFIED) & (matches.rule >= 0)[styles.of] & (seen.on >= 0)
+    hidden &= np.isin(meant, FOLDS) & (kinds[seen.on] == LineType.CUT)
+    for row in np.flatnonzero(hidden).tolist():
+        style = styles.of[row]
+        text = f"profile {rules.name}: {matches.words[style]}; it lies on a cut"
+        kinds[row], sure[row] = meant[row], matches.confidence[style]
+        rule[row] = said.number(text, ())
     against = contradicted(drawing.ends, seen, kinds, lengths)
     off = parting(seen, kinds)
     for row in np.flatnonzero(against | off).tolist():
@@ -108,12 +114,8 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
             why, other = "its mirror image is folded", LineType.CREASE
         else:
             why, other = "its mirror image is cut", LineType.CUT
-        key = (f"{texts[before]}; but {why}", (kind, other))
-        if key not in words:
-            words[key] = len(words)
-            texts.append(key[0])
-            others_of.append(key[1])
-        kinds[row], rule[row], sure[row] = LineType.UNCLASSIFIED, words[key], 0.5
+        kinds[row], sure[row] = LineType.UNCLASSIFIED, 0.5
+        rule[row] = said.number(f"{said.texts[before]}; but {why}", (kind, other))
     return Dieline(
         drawing.ends,
         drawing.bulge,
@@ -121,9 +123,26 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         np.arange(len(drawing), dtype=np.int32),
         rule,
         sure,
-        tuple(texts),
-        tuple(others_of),
+        tuple(said.texts),
+        tuple(said.others),
     )
+
+
+class _Said:
+    """What decides edges, in words, each with what else the edge could be once."""
+
+    def __init__(self) -> None:
+        self.texts: list[str] = []
+        self.others: list[tuple[LineType, ...]] = []
+        self._number: dict[tuple[str, tuple[LineType, ...]], int] = {}
+
+    def number(self, text: str, others: tuple[LineType, ...]) -> int:
+        """Return the number of a text with its alternatives."""
+        number = self._number.setdefault((text, others), len(self.texts))
+        if number == len(self.texts):
+            self.texts.append(text)
+            self.others.append(others)
+        return number
 
 
 def _holding(seen: Shape, style: I64, length: F64) -> Bool:

@@ -23,6 +23,7 @@ from knifetip.classification.arrows import arrows
 from knifetip.classification.faces import Faces, faces
 from knifetip.classification.folding import holding
 from knifetip.classification.net import Net, built
+from knifetip.classification.overlaid import overlaid
 from knifetip.classification.parts import Parts
 from knifetip.classification.role import Role
 from knifetip.geometry import arc
@@ -49,6 +50,7 @@ class Shape:
     dashed: Bool  #: (n,) it is one of a row of dashes
     holds: Bool  #: (n,) it must be a fold, since a panel hangs on it
     annotated: Bool  #: (n,) a text stands beside the part that it belongs to
+    on: I32  #: (n,) an edge that it lies wholly on, -1 for none
     part: I32  #: (n,) the connected part of the drawing that it belongs to, -1 for none
     sides: I32  #: (n, 2) the faces on its two sides, along most of its length
     area: F64  #: (f,) of each face, ≤ 0 for the outside of a part
@@ -70,13 +72,13 @@ class Shape:
                 whole[one.name] = column
                 continue
             filled = np.zeros((count, *column.shape[1:]), column.dtype)
-            if one.name == "part":
+            if one.name in ("part", "on"):
                 filled[:] = -1
             elif one.name == "role":
                 filled[:] = role
             elif one.name == "sure":
                 filled[:] = role != Role.UNKNOWN
-            filled[rows] = column
+            filled[rows] = np.where(column < 0, -1, rows[column]) if one.name == "on" else column
             whole[one.name] = filled
         return Shape(**whole)
 
@@ -128,6 +130,7 @@ def _nothing(count: int) -> Shape:
         none,
         none,
         np.full(count, -1, np.int32),
+        np.full(count, -1, np.int32),
         np.zeros((count, 2), np.int32),
         np.zeros(1),
     )
@@ -175,6 +178,7 @@ def _seen(
         net.dashed,
         holding(net, sides, role, length, count) if folds else none,
         beside,
+        overlaid(net, length),
         part_of,
         beside_it,
         sides.area,

@@ -110,7 +110,8 @@ class Drawing:
     @property
     def handles(self) -> list[str]:
         """(n,) The handle of the entity that each segment came from."""
-        return [self.ledger.handle[row] for row in self.entity]
+        every = list(self.ledger.handle)
+        return [every[row] for row in self.entity.tolist()]
 
     @property
     def lengths(self) -> F64:

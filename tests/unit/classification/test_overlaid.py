@@ -1,0 +1,59 @@
+"""Edges that lie wholly on others: whoever draws a fold on a cut is not asked about it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from dxf_text import dxf, line
+from knifetip import pipeline
+from knifetip.classification.evidence import shape
+from knifetip.library import load
+from knifetip.model.dieline import LineType
+
+_RIM = ((0, 0, 200, 0), (200, 0, 200, 90), (200, 90, 0, 90), (0, 90, 0, 0))
+_MIDDLE = (100, 0, 100, 90)
+
+
+def _on(*lines: tuple[float, float, float, float]) -> list[int]:
+    ends = np.array(lines, np.float64).reshape(-1, 2, 2)
+    return shape(ends, np.zeros(len(ends))).on.tolist()
+
+
+def test_an_edge_lies_on_the_one_that_is_drawn_there_too():
+    assert _on(*_RIM, _MIDDLE, (200, 0, 0, 0)) == [5, -1, -1, -1, -1, 0]
+
+
+def test_a_part_of_a_line_lies_on_it_and_not_the_reverse():
+    assert _on(*_RIM, _MIDDLE, (100, 0, 200, 0))[0] == -1
+    assert _on(*_RIM, _MIDDLE, (100, 0, 200, 0))[5] == 0
+
+
+def test_an_edge_over_two_others_lies_on_the_longer():
+    halves = ((0, 0, 80, 0), (80, 0, 200, 0), *_RIM[1:])
+    assert _on(*halves, _MIDDLE, (0, 0, 200, 0))[6] == 1
+
+
+def test_an_edge_that_goes_on_beyond_the_other_does_not_lie_on_it():
+    assert _on(*_RIM, _MIDDLE, (150, 0, 230, 0))[5] == -1
+
+
+@pytest.mark.parametrize("crease", [(0, 0, 200, 0), (40, 0, 160, 0)])
+def test_a_crease_on_a_cut_is_not_asked_about(crease: tuple[float, float, float, float]):
+    text = [line(*one, (8, "Design"), (62, 1)) for one in _RIM]
+    text += [line(*one, (8, "Design"), (62, 2)) for one in (_MIDDLE, crease)]
+    drawing = pipeline.read_drawing(dxf(*text))
+    dieline = pipeline.dieline(drawing, load.profile("default"))
+    assert dieline.line_type.tolist() == 4 * [LineType.CUT] + 2 * [LineType.CREASE]
+    assert dieline.rules[dieline.rule[5]].endswith("; it lies on a cut")
+    # The cut takes it.
+    ledger = pipeline.clean(dieline)
+    assert ledger.merged[5] == pytest.approx(drawing.lengths[5])
+    assert ledger.kept[4] == pytest.approx(90.0)
+
+
+def test_a_crease_where_the_board_ends_is_asked_about():
+    text = [line(*one, (8, "Design"), (62, 1)) for one in _RIM[1:]]
+    text += [line(*one, (8, "Design"), (62, 2)) for one in (_MIDDLE, _RIM[0])]
+    dieline = pipeline.dieline(pipeline.read_drawing(dxf(*text)), load.profile("default"))
+    assert dieline.line_type[4] == LineType.UNCLASSIFIED
