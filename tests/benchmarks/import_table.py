@@ -42,6 +42,8 @@ HEAD = """# What becomes of drawings by other hands
 Made by `python -m tests.benchmarks.import_table`; times are of one run on a shared two-core
 machine, the kernels warm.
 
+![The page: one question, and what was dropped and where](import.png)
+
 ## Every drawing of the corpus
 
 Entities are those of the file, with what INSERTs stand for. *Kept*, *merged* (drawn twice) and
