@@ -6,6 +6,7 @@ Warm medians; compare the ratios of one run, never seconds of two.
 
 from __future__ import annotations
 
+import gc
 import json
 import statistics
 import time
@@ -23,6 +24,8 @@ Timed = Callable[[], object]
 def median(work: Timed, runs: int) -> float:
     """Return the median of some runs, the first of which is not counted."""
     work()
+    # What others have left behind is not this one's to clear away.
+    gc.collect()
     times = []
     for _ in range(runs):
         begin = time.perf_counter()

@@ -74,7 +74,7 @@ def take_decimal(
                     return s.ON
                 state[s.SEEN] |= bit
             elif code == 10:
-                if state[s.VERTICES] == len(vertex):
+                if state[s.VERTICES] == state[s.MOST_VERTICES]:
                     return s.REFUSED
                 vertex[state[s.VERTICES], 2] = 0.0
                 state[s.VERTICES] += 1

@@ -92,7 +92,7 @@ def value_at(data: Any, low: int, high: int) -> Any:
 def take_handle(data: Any, low: int, high: int, others: Any, state: Any) -> int:
     """Keep the handle of what is no entity."""
     value, row = value_at(data, low, high), state[s.OTHERS]
-    if value == 0 or row == len(others):
+    if value == 0 or row == state[s.MOST_OTHERS]:
         return s.REFUSED
     others[row] = value
     state[s.OTHERS] = row + 1

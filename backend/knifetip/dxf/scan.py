@@ -12,15 +12,19 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
 
 from knifetip.dxf import fields as f
+from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
+from knifetip.dxf import words as w
 from knifetip.dxf.tagging import scan_tags
 from knifetip.dxf.values import MOST_NAMES
 from knifetip.geometry.columns import F64, I32, I64
+from knifetip.geometry.cores import each, number
 
 #: Numbers of more digits than the pass can read are read afterwards, so many of them.
 _MOST_LEFT: Final = 100_000
@@ -28,6 +32,10 @@ _MOST_LEFT: Final = 100_000
 _SHORTEST: Final = 16
 #: How much of a file is looked at for how long its entities are (bytes).
 _SAMPLE: Final = 1 << 16
+#: A run that is worth a core is so long (bytes).
+_RUN: Final = 1 << 21
+#: What may stand on a sheet, behind its group code, which no value before it can be taken for.
+_ENTITY: Final = re.compile(rb"(?<=\n) *0\r?\n(?:LINE|ARC|CIRCLE|LWPOLYLINE|POLYLINE|INSERT)\r?\n")
 #: The group of the layer, which every entity has.
 _LAYER: Final = re.compile(rb"\n *8\r?\n")
 
@@ -52,6 +60,8 @@ class Scan:
 def scan(data: bytes) -> Scan | None:
     """Return what is written in a plain text DXF, None where it is not plain.
 
+    Large files are passed over in runs, one to a core.
+
     Parameters
     ----------
     data
@@ -59,11 +69,15 @@ def scan(data: bytes) -> Scan | None:
     """
     most = len(data) // _SHORTEST + 64
     expected = min(most, _expected(data))
-    state = np.zeros(s.STATES, np.int64)
-    found = _filled(data, expected, most, state)
-    if found is None and state[s.ENTITIES] == expected < most:
-        found = _filled(data, most, most, np.zeros_like(state))
-    return found
+    if cuts := _cuts(data):
+        whole = _whole(data, _passed(data, [0, *cuts, len(data)], expected))
+        if whole is not None:
+            return whole
+    # One run, and where it has more entities than expected, another.
+    found = _passed(data, [0, len(data)], expected)
+    if not found.plain and found.state[0, s.ENTITIES] == expected < most:
+        found = _passed(data, [0, len(data)], most)
+    return _whole(data, found)
 
 
 def _expected(data: bytes) -> int:
@@ -73,35 +87,118 @@ def _expected(data: bytes) -> int:
     return 4096 + found * len(data) * 5 // (4 * len(sample) or 1)
 
 
-def _filled(data: bytes, entities: int, most: int, state: I64) -> Scan | None:
-    """Return what is written in a file of at most so many entities, and of ``most`` vertices."""
+def _cuts(data: bytes) -> list[int]:
+    """Return the bytes where runs of a large file begin, each before an entity of the sheet."""
+    cores = min(number(), len(data) // _RUN)
+    first = data.find(b"ENTITIES")
+    if cores < 2 or first < 0:
+        return []
+    even = [first + (len(data) - first) * core // cores for core in range(1, cores)]
+    found = [_ENTITY.search(data, at, at + _SAMPLE) for at in even]
+    return sorted({one.start() for one in found if one is not None})
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Passed:
+    """What k runs over a file have found, in tables that they share."""
+
+    plain: bool  #: all of them are
+    state: I64  #: (k, STATES) at the end of each
+    entity: I32
+    value: F64
+    vertex: F64
+    others: I64
+    block: I32
+    base: F64
+    layer: I32
+    spans: list[I64]  #: of each run the names that it has found
+    left: list[I64]
+    first: list[tuple[int, int, int]]  #: where the entities, vertices and others of each begin
+
+
+def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
+    """Pass over the runs of a file between some bytes, for at most so many entities in all."""
+    runs = list(pairwise(bounds))
+    rows = [entities * (end - begin) // max(len(data), 1) for begin, end in runs]
+    points = [(end - begin) // _SHORTEST + 64 for begin, end in runs]
+    row, point = np.cumsum([0, *rows]).tolist(), np.cumsum([0, *points]).tolist()
+    state = np.zeros((len(runs), s.STATES), np.int64)
+    state[:, [s.SECTION, s.INSIDE, s.ROW, s.CHAIN, s.TABLE]] = -1
+    state[1:, s.SECTION] = w.ENTITIES
+    state[1:, s.SECTIONS] = 1 << w.ENTITIES
+    state[:, s.CONTEXT] = g.ELSEWHERE
+    state[:, s.ENTITIES], state[:, s.MOST_ENTITIES] = row[:-1], row[1:]
+    for begin, end in ((s.VERTICES, s.MOST_VERTICES), (s.OTHERS, s.MOST_OTHERS)):
+        state[:, begin], state[:, end] = point[:-1], point[1:]
     # Pages of these that nothing is written to cost no memory.  Later whole columns are asked for.
-    entity = np.empty((entities, f.WIDTH), np.int32, order="F")
-    value = np.empty((entities, f.VALUES), order="F")
-    vertex = np.empty((most, 3))
-    block = np.empty((most // 4, 5), np.int32)
-    base = np.empty((most // 4, 2))
+    entity = np.empty((row[-1], f.WIDTH), np.int32, order="F")
+    value = np.empty((row[-1], f.VALUES), order="F")
+    vertex, others = np.empty((point[-1], 3)), np.empty(point[-1], np.int64)
+    block, base = np.empty((points[0] // 4, 5), np.int32), np.empty((points[0] // 4, 2))
     layer = np.empty((MOST_NAMES, 6), np.int32)
-    spans = np.empty((MOST_NAMES, 2), np.int64)
-    slots = np.full(1 << 16, -1, np.int32)
-    left = np.empty((_MOST_LEFT, 5), np.int64)
-    others = np.empty(most, np.int64)
-    tables = (entity, value, vertex, block, base, layer, spans, slots, left, others)
-    if not scan_tags(np.frombuffer(data, np.uint8), tables, state):
+    spans = [np.empty((MOST_NAMES, 2), np.int64) for _ in runs]
+    left = [np.empty((_MOST_LEFT, 5), np.int64) for _ in runs]
+    text = np.frombuffer(data, np.uint8)
+
+    def passed(run: int) -> bool:
+        # Only the first has a place for blocks and layers.
+        size = None if run == 0 else 0
+        slots = np.full(1 << 16, -1, np.int32)
+        heads = block[:size], base[:size], layer[:size]
+        tables = (entity, value, vertex, *heads, spans[run], slots, left[run], others)
+        return bool(scan_tags(text, *runs[run], tables, state[run]))
+
+    plain = all(each(passed, range(len(runs))))
+    tables = (value, vertex, base)
+    plain = plain and all(
+        _finish(data, tables, some[: end[s.UNSURES]]) for some, end in zip(left, state, strict=True)
+    )
+    spans = [some[: end[s.NAMES]] for some, end in zip(spans, state, strict=True)]
+    first = list(zip(row, point, point, strict=False))[: len(runs)]
+    return _Passed(
+        plain, state, entity, value, vertex, others, block, base, layer, spans, left, first
+    )
+
+
+def _whole(data: bytes, found: _Passed) -> Scan | None:
+    """Return what runs have found as one, None where they are not plain together."""
+    sections = found.state[:, s.SECTIONS].copy()
+    sections[1:] &= ~(1 << w.ENTITIES)
+    if not found.plain or (np.cumsum(sections) != np.bitwise_or.accumulate(sections)).any():
         return None
-    if not _finish(data, (value, vertex, base), left[: state[s.UNSURES]]):
-        return None
-    entity = entity[: state[s.ENTITIES]]
+    number_of: dict[bytes, int] = {}
+    rows = points = handles = 0
+    for state, spans, (row, point, other) in zip(
+        found.state, found.spans, found.first, strict=True
+    ):
+        names = [data[begin:end] for begin, end in spans.tolist()]
+        numbers = [number_of.setdefault(name, len(number_of)) for name in names]
+        more = int(state[s.ENTITIES]) - row
+        if row:
+            # Behind what the runs before have found.
+            some = found.entity[rows : rows + more]
+            some[:] = found.entity[row : row + more]
+            found.value[rows : rows + more] = found.value[row : row + more]
+            for column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE):
+                some[:, column] = np.array([*numbers, -1], np.int32)[some[:, column]]
+            chains = np.isin(some[:, f.KIND], (f.LWPOLYLINE, f.POLYLINE))
+            some[chains, f.FIRST] -= point - points
+        corners, named = int(state[s.VERTICES]) - point, int(state[s.OTHERS]) - other
+        found.vertex[points : points + corners] = found.vertex[point : point + corners]
+        found.others[handles : handles + named] = found.others[other : other + named]
+        rows, points, handles = rows + more, points + corners, handles + named
+    entity = found.entity[:rows]
+    state = found.state[0]
     return Scan(
         data,
         entity,
-        value[: state[s.ENTITIES]],
-        vertex[: state[s.VERTICES]],
-        block[: state[s.BLOCKS]],
-        base[: state[s.BLOCKS]],
-        layer[: state[s.LAYERS]],
-        others[: state[s.OTHERS]],
-        tuple(data[start:end] for start, end in spans[: state[s.NAMES]].tolist()),
+        found.value[:rows],
+        found.vertex[:points],
+        found.block[: state[s.BLOCKS]],
+        found.base[: state[s.BLOCKS]],
+        found.layer[: state[s.LAYERS]],
+        found.others[:handles],
+        tuple(number_of),
         (int(state[s.HEADER_FIRST]), int(state[s.HEADER_LAST])),
         bool((entity[:, f.MARKS] > 0).any()),
     )

@@ -30,10 +30,13 @@ from typing import Final
     NAMES,
     UNSURES,
     OTHERS,  # handles of all that is no entity
+    MOST_ENTITIES,  # rows from here on are another run's
+    MOST_VERTICES,
+    MOST_OTHERS,
     HEADER_FIRST,
     HEADER_LAST,
-) = range(24)
-STATES: Final = 24
+) = range(27)
+STATES: Final = 27
 # Modes.
 (
     NOTHING, IN_SECTION, IN_TABLE, IN_LAYER, IN_STYLE, IN_ROW, IN_OBJECTS, IN_BLOCK, IN_ENTITY,

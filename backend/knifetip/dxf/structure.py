@@ -124,7 +124,7 @@ def begin(
         return s.REFUSED
     if word == w.VERTEX:
         chain, row = state[s.CHAIN], state[s.VERTICES]
-        if chain < 0 or row == len(vertex):
+        if chain < 0 or row == state[s.MOST_VERTICES]:
             return s.REFUSED
         vertex[row, 2] = 0.0
         state[s.VERTICES] = row + 1
@@ -141,7 +141,7 @@ def begin(
         return s.ON
     row = state[s.ENTITIES]
     name = name_at(data, low, high, spans, slots, state)
-    if row == len(entity) or name < 0:
+    if row == state[s.MOST_ENTITIES] or name < 0:
         return s.REFUSED
     state[s.ENTITIES] = row + 1
     state[s.ROW] = row
@@ -168,6 +168,21 @@ def begin(
     if kind == f.POLYLINE:
         state[s.CHAIN] = row
     return s.ON
+
+
+@part
+def pause(start: int, last: int, entity: Any, state: Any) -> bool:
+    """End a run of the sheet's entities before one that stands for itself; return whether it is.
+
+    Parameters
+    ----------
+    last
+        The group code before.
+    """
+    if state[s.GROUP] == 1 or state[s.SECTION] != w.ENTITIES or g.IS_POINT[last]:
+        return False
+    _close(start, entity, state)
+    return bool(state[s.CHAIN] < 0 and state[s.FOLLOWED] == 0 and state[s.MODE] != s.IN_SECTION)
 
 
 @part

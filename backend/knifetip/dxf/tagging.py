@@ -23,7 +23,7 @@ from knifetip.dxf.compiled import ONE, part
 from knifetip.dxf.content import take_decimal, take_tag
 from knifetip.dxf.decimals import WRONG, number
 from knifetip.dxf.handles import take_handle
-from knifetip.dxf.structure import begin, context
+from knifetip.dxf.structure import begin, context, pause
 from knifetip.dxf.values import name_at, valid, whole_at
 from knifetip.dxf.words import is_word, word_at
 
@@ -133,26 +133,31 @@ def _is_handle(code: int, state: Any) -> bool:
     return bool(w.TABLES <= state[s.SECTION] <= w.OBJECTS)
 
 
-@njit(cache=True, error_model="numpy")
-def scan_tags(data: Any, tables: Any, state: Any) -> bool:
-    """Fill the tables; return whether the file is plain to its end mark.
+@njit(cache=True, error_model="numpy", nogil=True)
+def scan_tags(data: Any, begins: int, ends: int, tables: Any, state: Any) -> bool:
+    """Fill the tables; return whether the file is plain to its end mark, or to where a run ends.
 
     Parameters
     ----------
     data : (m,) uint8
+    begins, ends
+        The bytes to pass over: from a group code on, to one or to the end.
     tables
         Entities, values, vertices, blocks, base points, layers, spans of names, their hash table,
         places of numbers that are left to ``float``, and handles of what is no entity.
     state : (``STATES``,) int64
-        Zeros; of use afterwards are the numbers from ``ENTITIES`` on.
+        Where the pass begins; of use afterwards are the numbers from ``ENTITIES`` on.
     """
     size: Any = np.uint64(len(data))
+    stop: Any = np.uint64(ends)
     entity, value, vertex, block, base, layer, spans, slots, left, others = tables
-    state[s.CONTEXT] = g.ELSEWHERE
-    state[s.SECTION] = state[s.INSIDE] = state[s.ROW] = state[s.CHAIN] = state[s.TABLE] = -1
-    at: Any = np.uint64(0)
+    at: Any = np.uint64(begins)
     last = -1
     while at < size:
+        if at >= stop:
+            # A run that does not end between two tags is none.
+            here: Any = np.int64(at)
+            return bool(at == stop and pause(here, last, entity, state))
         # The group code, alone on its line.
         start: Any = np.int64(at)
         while at < size and data[at] == 32:

@@ -1,0 +1,142 @@
+"""A large file, passed over in runs by several cores: what one run finds, to the bit."""
+
+from __future__ import annotations
+
+from collections import Counter
+from importlib import import_module
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+from drawn_dxf import drawings
+from dxf_text import block, dxf, entity, insert, layer, line
+from knifetip.dxf import fields as f
+from readers import difference, reading
+
+scan = import_module("knifetip.dxf.scan")
+
+_CHAIN = entity("POLYLINE", (66, 1), (70, 1)) + "".join(
+    entity("VERTEX", (10, x), (20, x * x), (42, 0.25 * x)) for x in range(3)
+)
+_SHEET = [
+    line(0, 0, 1.25, 1, (8, "CUT"), (5, "1A")),
+    insert("A", 20, 5, (50, 30.0), (8, "CREASE")),
+    _CHAIN + entity("SEQEND"),
+    entity("LWPOLYLINE", (90, 2), (70, 0), (10, 0), (20, 0), (42, -0.5), (10, 3), (20, 4)),
+    entity("TEXT", (10, 1), (20, 2), (40, 3), (1, "250 mm"), (8, "NOTES")),
+    entity("ARC", (10, 0), (20, 0), (40, 5), (50, 0), (51, 90), (6, "DASHED"), (5, "1B")),
+    # A number of more digits than the pass can read.
+    line("0.30000000000000004440892098500626", 0, 1, 7, (8, "LATE")),
+]
+_WHOLE = dxf(
+    *_SHEET * 1,
+    *[line(x, 0, x, 9, (8, f"L{x % 4}")) for x in range(40)],
+    _CHAIN + entity("SEQEND"),
+    blocks=(block("A", line(0, 0, 5, 0)),),
+    layers=(layer("CUT", 1), layer("NOTES", 2)),
+    version="AC1015",
+)
+
+
+@pytest.fixture
+def in_runs(monkeypatch: pytest.MonkeyPatch):
+    """Make runs of 300 bytes, on so many cores."""
+
+    def cores(number: int) -> None:
+        monkeypatch.setattr(scan, "_RUN", 300)
+        monkeypatch.setattr(scan, "number", lambda: number)
+
+    return cores
+
+
+def _drawing(data: bytes):  # type: ignore[no-untyped-def]
+    try:
+        return reading.read(data)
+    except reading.KnifetipError as refused:
+        return refused
+
+
+@pytest.mark.parametrize("number", [2, 3, 7, 40])
+def test_several_runs_find_what_one_finds(in_runs, number: int):
+    in_runs(1)
+    assert scan._cuts(_WHOLE) == []
+    one, before = scan.scan(_WHOLE), _drawing(_WHOLE)
+    in_runs(number)
+    cuts = scan._cuts(_WHOLE)
+    assert len(cuts) >= min(number - 1, 5)
+    assert scan._passed(_WHOLE, [0, *cuts, len(_WHOLE)], 5000).plain
+    many = scan.scan(_WHOLE)
+    np.testing.assert_array_equal(one.vertex, many.vertex)
+    np.testing.assert_array_equal(one.others, many.others)
+    named = (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)
+    others = [column for column in range(f.WIDTH) if column not in named]
+    np.testing.assert_array_equal(one.entity[:, others], many.entity[:, others])
+    for column in named:
+        numbers = many.entity[:, column]
+        said = [many.names[row] if row >= 0 else b"" for row in numbers]
+        numbers = one.entity[:, column]
+        assert said == [one.names[row] if row >= 0 else b"" for row in numbers]
+    assert difference(before, _drawing(_WHOLE)) == ""
+
+
+def test_a_run_that_ends_in_another_section_is_none(in_runs):
+    # Most of the file is blocks, or what comes after the sheet.
+    lines = [line(0, 0, x, 1) for x in range(60)]
+    long = dxf(insert("A"), blocks=(block("A", *lines),))
+    in_runs(1)
+    before = _drawing(long)
+    in_runs(4)
+    assert not scan._passed(long, [0, *_before_lines(long), len(long)], 5000).plain
+    assert difference(before, _drawing(long)) == ""
+
+
+def _before_lines(data: bytes) -> list[int]:
+    return [data.index(b"0\nLINE\n", len(data) // 2)]
+
+
+@pytest.mark.parametrize(
+    "broken",
+    [
+        # The x of a point without its y, and {…} left open, before a cut.
+        "0\nLINE\n8\n0\n10\n5\n",
+        "0\nLINE\n8\n0\n102\n{ACAD\n",
+        "0\nLINE\n8\n0\n10\n5\n20\n",
+        _CHAIN,
+    ],
+)
+def test_what_is_left_open_where_a_run_ends_is_not_overlooked(in_runs, broken: str):
+    data = dxf(*_SHEET, broken, *[line(x, 0, x, 9) for x in range(30)])
+    in_runs(1)
+    before = _drawing(data)
+    at = data.rindex(broken.encode()) + len(broken)
+    assert not scan._passed(data, [0, at, len(data)], 5000).plain
+    in_runs(9)
+    assert difference(before, _drawing(data)) == ""
+
+
+def test_a_second_sheet_behind_the_first_is_seen(in_runs):
+    data = dxf(*[line(x, 0, x, 9) for x in range(60)])
+    second = b"0\nSECTION\n2\nTABLES\n0\nENDSEC\n0\nEOF\n"
+    data = data.replace(b"0\nEOF\n", second)
+    in_runs(1)
+    before = _drawing(data)
+    in_runs(5)
+    assert scan.scan(data) is None
+    assert difference(before, _drawing(data)) == ""
+
+
+def test_generated_drawings_in_runs_and_in_one(in_runs):
+    tally: Counter[bool] = Counter()
+
+    @settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
+    @given(drawings(plain=True))
+    def same(data: bytes) -> None:
+        in_runs(1)
+        before = _drawing(data)
+        in_runs(6)
+        tally[bool(scan._cuts(data))] += 1
+        assert difference(before, _drawing(data)) == ""
+
+    same()
+    assert tally[True] > 0.2 * tally.total()
