@@ -17,6 +17,7 @@ from numba import njit
 from knifetip.classification.evidence import Shape
 from knifetip.classification.role import Role
 from knifetip.geometry.columns import U8, Bool
+from knifetip.geometry.sets import settle, unite
 from knifetip.model.dieline import LineType
 
 #: What holds less of a blank's area than this has come off; else two blanks share a cut.
@@ -57,17 +58,6 @@ def _held(faces: int, holding: Any) -> Any:
     """Number the faces by what they hang together with."""
     parent = np.arange(faces)
     for k in range(len(holding)):
-        a, b = holding[k, 0], holding[k, 1]
-        while parent[a] != a:
-            parent[a] = parent[parent[a]]
-            a = parent[a]
-        while parent[b] != b:
-            parent[b] = parent[parent[b]]
-            b = parent[b]
-        parent[max(a, b)] = min(a, b)
-    for face in range(faces):
-        root = face
-        while parent[root] != root:
-            root = parent[root]
-        parent[face] = root
+        unite(parent, holding[k, 0], holding[k, 1])
+    settle(parent)
     return parent

@@ -21,6 +21,7 @@ from knifetip.classification.grid import Grid
 from knifetip.classification.net import Net
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.cores import each, runs
+from knifetip.geometry.sets import settle, unite
 
 _BULGE: Final = 1e-9
 #: Directions are told apart to so many parts of a right angle.
@@ -56,14 +57,6 @@ def faces(net: Net, ends: F64, bulge: F64, touch: float) -> Faces:
 
     each(looked, runs(len(leftmost), WORTH))
     return Faces(left, right, part, area, outside, _within(hit, outside, owner))
-
-
-@njit(cache=True, error_model="numpy")
-def _root(parent: Any, i: int) -> int:
-    while parent[i] != i:
-        parent[i] = parent[parent[i]]
-        i = parent[i]
-    return i
 
 
 @njit(cache=True, error_model="numpy")
@@ -180,14 +173,14 @@ def _parts(place: Any, start: Any, end: Any) -> Any:
     pieces, places = len(start), len(place)
     parent = np.arange(places)
     for p in range(pieces):
-        a, b = _root(parent, start[p]), _root(parent, end[p])
-        parent[max(a, b)] = min(a, b)
+        unite(parent, start[p], end[p])
+    settle(parent)
     number = np.full(places, -1, np.int32)
     part = np.empty(pieces, np.int32)
     parts = 0
     leftmost = np.empty(places, np.int32)
     for p in range(pieces):
-        root = _root(parent, start[p])
+        root = parent[start[p]]
         if number[root] < 0:
             number[root] = parts
             leftmost[parts] = start[p]

@@ -22,9 +22,10 @@ from typing import Any, Final
 import numpy as np
 from numba import njit
 
-from knifetip.cleaning.meeting import CROWD, Meetings, root
+from knifetip.cleaning.meeting import CROWD, Meetings
 from knifetip.geometry.chain import outward
 from knifetip.geometry.columns import F64, U8, Bool
+from knifetip.geometry.sets import root, unite
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN, SAME
 
 #: Edges that leave their ends within this of one direction end side by side (degrees).
@@ -89,9 +90,7 @@ def _specks(points: Any, length: Any, place: Any, near: Any, gap: float, same: f
     # Figures of short edges alone: their places, put together.
     for edge in range(count):
         if length[edge] < gap:
-            a = root(group, place[2 * edge])
-            b = root(group, place[2 * edge + 1])
-            group[max(a, b)] = min(a, b)
+            unite(group, place[2 * edge], place[2 * edge + 1])
     box = np.empty((len(place), 4))
     box[:, :2] = np.inf
     box[:, 2:] = -np.inf

@@ -15,6 +15,7 @@ import numpy as np
 from numba import njit
 
 from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.sets import root, settle, unite
 from knifetip.geometry.tolerance import JOIN
 
 #: A point is compared with so many others in a cell at most: where there are more, nobody can say
@@ -40,15 +41,6 @@ def meetings(ends: F64, near: float) -> Meetings:
         return Meetings(ends, np.zeros(0, np.int64), np.zeros((0, 2), np.int64))
     place, pairs = _meetings(points - points.min(axis=0), near, JOIN)
     return Meetings(ends, place, pairs)
-
-
-@njit(cache=True, error_model="numpy")
-def root(parent: Any, i: int) -> int:
-    """The number that stands for the set that i is in."""
-    while parent[i] != i:
-        parent[i] = parent[parent[i]]
-        i = parent[i]
-    return i
 
 
 @njit(cache=True, error_model="numpy")
@@ -102,9 +94,7 @@ def _meetings(points: Any, near: float, join: float) -> Any:
                         y = points[i, 1] - points[j, 1]
                         apart = x * x + y * y
                         if apart <= join * join:
-                            a = root(parent, i)
-                            b = root(parent, j)
-                            parent[max(a, b)] = min(a, b)
+                            unite(parent, i, j)
                         elif apart <= near * near and beside < CROWD:
                             beside += 1
                             if pairs == len(pair):
@@ -117,8 +107,7 @@ def _meetings(points: Any, near: float, join: float) -> Any:
                     j = after[j]
         after[i] = head[slot]
         head[slot] = i
-    for i in range(count):
-        parent[i] = root(parent, i)
+    settle(parent)
     # Points that turned out to be on one place are no pair; of two places the nearest points are.
     kept = 0
     for k in range(pairs):

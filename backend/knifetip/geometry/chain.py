@@ -18,6 +18,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
+from knifetip.geometry.sets import settle, unite
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN
 
 
@@ -128,14 +129,6 @@ def run_on(points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP)
 
 
 @njit(cache=True)
-def _root(parent: Any, i: int) -> int:
-    while parent[i] != i:
-        parent[i] = parent[parent[i]]
-        i = parent[i]
-    return i
-
-
-@njit(cache=True)
 def _clustered(points: Any, cell: Any, order: Any, gap: float) -> Any:
     """Union-find over a grid whose cells, sorted by column and row, are found by bisection."""
     n = len(points)
@@ -157,15 +150,9 @@ def _clustered(points: Any, cell: Any, order: Any, gap: float) -> Any:
                 x = points[i, 0] - points[j, 0]
                 y = points[i, 1] - points[j, 1]
                 if x * x + y * y <= gap * gap:
-                    a = _root(parent, i)
-                    b = _root(parent, j)
-                    if a < b:
-                        parent[b] = a
-                    elif b < a:
-                        parent[a] = b
+                    unite(parent, i, j)
                 low += 1
-    for i in range(n):
-        parent[i] = _root(parent, i)
+    settle(parent)
     return parent.astype(np.int32)
 
 

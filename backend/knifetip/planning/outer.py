@@ -17,6 +17,7 @@ from numba import njit
 from knifetip.geometry import arc
 from knifetip.geometry.chain import nodes, outward
 from knifetip.geometry.columns import F64, I8, I64, Bool
+from knifetip.geometry.sets import settle, unite
 from knifetip.geometry.tolerance import JOIN
 from knifetip.planning.near import near
 
@@ -148,16 +149,8 @@ def _components(node: Any) -> Any:
             if other < 0:
                 seen[node[edge, end]] = edge
                 continue
-            one = edge
-            while parent[one] != one:
-                parent[one] = parent[parent[one]]
-                one = parent[one]
-            while parent[other] != other:
-                parent[other] = parent[parent[other]]
-                other = parent[other]
-            parent[max(one, other)] = min(one, other)
-    for edge in range(len(node)):
-        parent[edge] = parent[parent[edge]]
+            unite(parent, edge, other)
+    settle(parent)
     return parent
 
 

@@ -15,6 +15,7 @@ from numba import njit
 
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.distinct import distinct
+from knifetip.geometry.sets import settle, unite
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, NAMES, factor
 from knifetip.units import weights
@@ -138,18 +139,6 @@ def _roots(node: Any, count: int) -> Any:
     """Return the part of each of ``count`` nodes; edge i joins nodes 2 i and 2 i + 1."""
     root = np.arange(count)
     for edge in range(len(node) // 2):
-        one, other = node[2 * edge], node[2 * edge + 1]
-        while root[one] != one:
-            root[one] = root[root[one]]
-            one = root[one]
-        while root[other] != other:
-            root[other] = root[root[other]]
-            other = root[other]
-        if one < other:
-            root[other] = one
-        else:
-            root[one] = other
-    for point in range(count):
-        # Roots come before what hangs on them.
-        root[point] = root[root[point]]
+        unite(root, node[2 * edge], node[2 * edge + 1])
+    settle(root)
     return root

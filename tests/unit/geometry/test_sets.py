@@ -1,0 +1,32 @@
+"""Sets that are joined two at a time, against walking from each thing to all it is joined to."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from knifetip.geometry.sets import root, settle, unite
+
+_PAIRS = st.lists(st.tuples(st.integers(0, 19), st.integers(0, 19)), max_size=30)
+
+
+@given(_PAIRS)
+def test_the_least_of_all_that_hang_together_stands_for_them(pairs: list[tuple[int, int]]):
+    parent = np.arange(20)
+    beside: list[set[int]] = [{one} for one in range(20)]
+    for one, other in pairs:
+        unite(parent, one, other)
+        beside[one].add(other)
+        beside[other].add(one)
+    least = []
+    for one in range(20):
+        reached, waiting = {one}, [one]
+        while waiting:
+            fresh = beside[waiting.pop()] - reached
+            reached |= fresh
+            waiting.extend(fresh)
+        least.append(min(reached))
+    assert [root(parent, one) for one in range(20)] == least
+    settle(parent)
+    assert parent.tolist() == least
