@@ -67,8 +67,8 @@ that shape alone speaks.
 """
 
 NOTES = """
-What is wrong under *one style*: the bottom of the 0200 has a crease where the blank ends, and
-nothing that cuts it off; the box of InkPacking lacks the top edge of a panel, so that three creases
+What is wrong under *one style*: four creases of the 0200 are drawn on its outline, where the cut
+takes them in any case; the box of InkPacking lacks the top edge of a panel, so that three creases
 have the panel on one side and nothing on the other; the crosses beside the CF2 are not cut, as its
 line type says they are. With what the files say of colours and types all are asked about, or right.
 """

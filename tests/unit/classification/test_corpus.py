@@ -10,6 +10,7 @@ from tests.truth import KNOWN, Known, shares, without_names
 
 from knifetip import pipeline
 from knifetip.classification.classify import classify, questions
+from knifetip.cleaning.clean import clean
 from knifetip.dxf.read import read
 from knifetip.library import load
 from knifetip.model.dieline import LineType
@@ -65,15 +66,17 @@ def test_one_layer_called_design_is_told_apart_by_colour(corpus: Path, name: str
     assert found == {("Design", 1): {"cut"}, ("Design", 2): {"crease"}}
 
 
-def test_a_crease_beyond_which_the_board_ends_is_asked(corpus: Path):
-    """The 0200 has flaps at the top only: at the bottom a crease stands where a cut should."""
+def test_a_crease_on_a_cut_is_not_asked_about(corpus: Path):
+    """The 0200 has flaps at one side only: at the other its creases are drawn on the outline."""
     drawing = read((corpus / RSC / "f0200_B_300x200x150.dxf").read_bytes())
     dieline = classify(drawing, load.profile("default"), load.conventions())
-    (question,) = questions(drawing, dieline)
-    assert len(question.edges) == 4
-    assert drawing.lengths[list(question.edges)].sum() == pytest.approx(988.0)
-    assert "beyond it the board ends" in question.text
-    assert question.choices[:2] == ("crease", "cut")
+    assert questions(drawing, dieline) == []
+    on_a_cut = [rule.endswith("; it lies on a cut") for rule in dieline.rules]
+    rows = np.flatnonzero(np.array(on_a_cut)[dieline.rule])
+    assert drawing.lengths[rows].sum() == pytest.approx(988.0)
+    ledger = clean(dieline)
+    assert ledger.merged[rows] == pytest.approx(drawing.lengths[rows])
+    assert ledger.merged.sum() == pytest.approx(988.0)
 
 
 def test_layers_named_after_colours_are_right_or_asked_about(corpus: Path):
