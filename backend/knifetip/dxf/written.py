@@ -156,10 +156,13 @@ def inscriptions(tables: Tables, rows: I64) -> tuple[Inscription, ...]:
     rows = rows[entity[rows, f.PAPER] == 0]
     layers = [*tables.names, "0"]
     found = []
-    lines = entity[rows][:, [f.WORD, f.LAYER, f.ODD, f.FIRST, f.COUNT, f.FLAGS, f.START, f.END]]
-    lengths = tables.found.value[rows][:, f.LENGTHS].tolist()
+    # By columns: a list to each row would be as much work again.
+    numbers = (f.WORD, f.LAYER, f.ODD, f.FIRST, f.COUNT, f.FLAGS, f.START, f.END)
+    lines = zip(*(entity[rows, column].tolist() for column in numbers), strict=True)
+    value = tables.found.value
+    lengths = zip(*(value[rows, column].tolist() for column in f.LENGTHS), strict=True)
     for (word, layer, odd, first, count, flags, start, end), said in zip(
-        lines.tolist(), lengths, strict=True
+        lines, lengths, strict=True
     ):
         kind, name = tables.words[word], layers[layer]
         if odd:
