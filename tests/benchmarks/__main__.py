@@ -69,4 +69,5 @@ def main() -> None:
     out.write_text(json.dumps(rows, indent=2) + "\n")
 
 
-main()
+if __name__ == "__main__":
+    main()

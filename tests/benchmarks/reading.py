@@ -161,7 +161,7 @@ def read_sheet() -> Bench:
     subject = f"DXF R2010, layers and blocks, {size:.0f} MB, {peak():.1f} × the file in memory"
     if pyogrio is None:
         subject += "; pyogrio is not installed"
-    return subject, ENTITIES, lambda: read(path.read_bytes()), _peers(path), 3
+    return subject, ENTITIES, lambda: read(path.read_bytes()), _peers(path), 5
 
 
 def _classified(draw: Callable[[], bytes], subject: str) -> Bench:
