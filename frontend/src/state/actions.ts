@@ -71,12 +71,15 @@ async function changed(drawing: Drawing): Promise<void> {
   // A job's path belongs to the drawing as it was: it is no longer that of this one.
   usePage.getState().openJob(null);
   usePage.getState().set({ asked: [], proposed: [] });
-  await Promise.all([
-    queries.invalidateQueries({ queryKey: keys.edges(drawing.id).queryKey }),
-    queries.invalidateQueries({ queryKey: keys.ledgers(drawing.id) }),
-    queries.invalidateQueries({ queryKey: keys.learned(drawing.id).queryKey }),
-    queries.invalidateQueries({ queryKey: keys.drawings().queryKey }),
-  ]);
+  const old = [
+    keys.edges(drawing.id).queryKey,
+    keys.ledgers(drawing.id),
+    keys.learned(drawing.id).queryKey,
+    keys.drawings().queryKey,
+  ];
+  // A first answer that is still on its way would count as new, though it was asked for before.
+  await Promise.all(old.map((queryKey) => queries.cancelQueries({ queryKey })));
+  await Promise.all(old.map((queryKey) => queries.invalidateQueries({ queryKey })));
 }
 
 const known = (id: string): Drawing | undefined => queries.getQueryData(keys.drawing(id).queryKey);

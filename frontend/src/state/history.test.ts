@@ -1,5 +1,6 @@
+import { QueryObserver } from "@tanstack/react-query";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { type Drawing, type Profile, service } from "../api/client";
+import { type Drawing, type Profile, type Proposal, service } from "../api/client";
 import { type Edges, LINE_TYPES } from "../geometry/records";
 import { redo, retype, settle, undo } from "./actions";
 import { backwards, changeOf, forwards, type Keeping, reversed } from "./history";
@@ -58,6 +59,24 @@ describe("undo and redo", () => {
   afterEach(() => queries.clear());
 
   const told = () => override.mock.calls.map(([, overrides]) => overrides);
+
+  test("ask again for what was on its way for the first time", async () => {
+    const answers: ((lessons: Proposal[]) => void)[] = [];
+    const asked = vi
+      .spyOn(service, "learned")
+      .mockImplementation(() => new Promise((answer) => answers.push(answer)));
+    const watched = new QueryObserver(queries, keys.learned("d1"));
+    const leave = watched.subscribe(() => undefined);
+    const answered = retype([0], "crease");
+    await vi.waitFor(() => expect(answers).toHaveLength(2));
+    const lessons = [{ changes: [] } as unknown as Proposal];
+    answers[0]?.([]);
+    answers[1]?.(lessons);
+    await answered;
+    expect(watched.getCurrentResult().data).toEqual(lessons);
+    leave();
+    asked.mockRestore();
+  });
 
   test("go to the service and back", async () => {
     await retype([0], "crease");
