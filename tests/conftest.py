@@ -1,12 +1,15 @@
-"""What all tests share: the drawings by other hands, and where they are."""
+"""What all tests share: the drawings by other hands, where they are, and the command line."""
 
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
+
+from knifetip.cli import main
 
 # A busy machine is no finding: what takes long is shown by `make bench`.
 settings.register_profile("knifetip", deadline=None)
@@ -22,3 +25,17 @@ def corpus() -> Path:
     if not CORPUS.is_dir():
         pytest.skip(f"the drawings by other hands are not at {CORPUS} (set KNIFETIP_CORPUS)")
     return CORPUS
+
+
+@pytest.fixture
+def knifetip(monkeypatch, capfd):
+    """Run the command; returns exit code, stdout, stderr."""
+
+    def run(*words):
+        monkeypatch.setattr(sys, "argv", ["knifetip", *map(str, words)])
+        with pytest.raises(SystemExit) as left:
+            main()
+        out, err = capfd.readouterr()
+        return left.value.code, out, err
+
+    return run

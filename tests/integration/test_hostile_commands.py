@@ -3,30 +3,14 @@
 from __future__ import annotations
 
 import os
-import sys
 from pathlib import Path
 
 import pytest
 
 import hostile
-from knifetip.cli import main
 
 _MAKE = ("--machine", "demo-table", "--board", "e-flute", "-o", "made.ngc")
 _SMALL = [name for name in hostile.REFUSED if "60 MB" not in name]
-
-
-@pytest.fixture
-def knifetip(monkeypatch, capfd):
-    """Run the command; returns exit code, stdout, stderr."""
-
-    def run(*words):
-        monkeypatch.setattr(sys, "argv", ["knifetip", *map(str, words)])
-        with pytest.raises(SystemExit) as left:
-            main()
-        out, err = capfd.readouterr()
-        return left.value.code, out, err
-
-    return run
 
 
 def check_refused(result: tuple[int, str, str], word: str) -> None:

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import json
-import sys
 
 import pytest
 
 import dxf_text as text
 import pdf_text
-from knifetip.cli import main
 from knifetip.dxf.samples import samples
 from knifetip.library import load
 
@@ -19,20 +17,6 @@ def folder(tmp_path):
     for name, data in samples().items():
         (tmp_path / name).write_bytes(data)
     return tmp_path
-
-
-@pytest.fixture
-def knifetip(monkeypatch, capfd):
-    """Run the command; returns exit code, stdout, stderr."""
-
-    def run(*words):
-        monkeypatch.setattr(sys, "argv", ["knifetip", *map(str, words)])
-        with pytest.raises(SystemExit) as left:
-            main()
-        out, err = capfd.readouterr()
-        return left.value.code, out, err
-
-    return run
 
 
 RIGID = ("--machine", "demo-table", "--board", "greyboard-2.0")

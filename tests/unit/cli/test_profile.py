@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import json
-import sys
 
 import pytest
 
-from knifetip.cli import main
 from knifetip.library import load
 
 OURS = """title = "Acme"
@@ -18,19 +16,11 @@ layer = "CUT"
 
 
 @pytest.fixture
-def knifetip(monkeypatch, capfd, tmp_path):
-    """Run the command in a folder of its own; returns exit code, stdout, stderr."""
+def knifetip(knifetip, monkeypatch, tmp_path):
+    """Run the command in a folder of its own."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("KNIFETIP_DATABASE", raising=False)
-
-    def run(*words):
-        monkeypatch.setattr(sys, "argv", ["knifetip", *map(str, words)])
-        with pytest.raises(SystemExit) as left:
-            main()
-        out, err = capfd.readouterr()
-        return left.value.code, out, err
-
-    return run
+    return knifetip
 
 
 def test_the_shipped_profiles_are_listed_and_shown_in_words(knifetip):
