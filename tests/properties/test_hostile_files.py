@@ -126,4 +126,4 @@ def test_damage_to_lines_and_numbers_ends_in_a_drawing_or_a_refusal(kind: str):
 
     imported()
     # Otherwise the damage is so great, or so small, that the test says nothing.
-    assert 0.1 < np.mean(read) < 1.0
+    assert {False, True} == set(read)
