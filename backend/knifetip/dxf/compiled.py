@@ -1,14 +1,32 @@
-"""compiled: how the parts of the pass over a file are compiled."""
+"""compiled: how the pass over a file is compiled.
+
+Without numba's counting of references: no part of the pass makes an array or keeps one, and to
+count them at every call would take longer than the pass itself, by instructions that wait for the
+other cores.
+"""
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Callable
+from typing import Any, Final, TypeVar
 
 import numpy as np
 from numba import njit
 
-#: A part becomes one piece with the whole: calls with a dozen tables take time.
-part: Final = njit(cache=True, error_model="numpy", forceinline=True)
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 
 #: A place without a sign takes no time to count from the end; 1 keeps it so.
 ONE: Final = np.uint64(1)
+_UNCOUNTED: Final[dict[str, Any]] = {"cache": True, "error_model": "numpy", "_nrt": False}
+
+
+def part(function: _Function) -> _Function:
+    """Compile what becomes one piece with the whole: calls with a dozen tables take time."""
+    compiled: _Function = njit(**_UNCOUNTED, forceinline=True)(function)
+    return compiled
+
+
+def whole(function: _Function) -> _Function:
+    """Compile what is called as it is, and by several cores at once."""
+    compiled: _Function = njit(**_UNCOUNTED, nogil=True)(function)
+    return compiled

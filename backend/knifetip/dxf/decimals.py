@@ -20,7 +20,8 @@ from typing import Any, Final
 import numpy as np
 from numba import njit
 
-from knifetip.dxf.compiled import ONE, part
+from knifetip.dxf.compiled import ONE, part, whole
+from knifetip.dxf.lines import eight_at
 from knifetip.geometry.columns import F64
 
 #: What ``number`` says of what it found.
@@ -116,9 +117,7 @@ def _rounded(w: Any, q: int) -> tuple[float, int]:
 @part
 def _eight(data: Any, at: Any) -> Any:
     """Return the number of the eight digits that stand there, ``_NOT`` where these are none."""
-    word = np.uint64(0)
-    for place in range(8):
-        word |= np.uint64(data[at + np.uint64(place)]) << np.uint64(8 * place)
+    word = eight_at(data, at)
     upper, zeros = np.uint64(0xF0F0F0F0F0F0F0F0), np.uint64(0x3030303030303030)
     # A digit is 3 in its upper half, also when 6 is added.
     if (word & upper) != zeros or ((word + np.uint64(0x0606060606060606)) & upper) != zeros:
@@ -132,7 +131,7 @@ def _eight(data: Any, at: Any) -> Any:
     return ((low + high) >> np.uint64(32)) & np.uint64(0xFFFFFFFF)
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def number(data: Any, first: int, last: int) -> tuple[float, int, int]:
     """Return the decimal number that stands alone on a line.
 

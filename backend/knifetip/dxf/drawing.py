@@ -91,6 +91,26 @@ def distant(ends: Any, first: Any, reach: float) -> Any:
 
 
 @njit(cache=True, error_model="numpy")
+def style_keys(entity: Any, rows: Any, count: Any) -> Any:
+    """Return which of some entities have segments, (d,), and a number of what each is drawn with.
+
+    One number for layer, linetype, colour and true colour: there are fewer than 2^15 names, and
+    colours take 9 and 25 bits.
+    """
+    drawn = np.empty(len(rows), np.int64)
+    key = np.empty(len(rows), np.int64)
+    found = 0
+    for row in rows:
+        if count[row] > 0:
+            drawn[found] = row
+            names = np.int64(entity[row, f.LAYER]) << 49 ^ np.int64(entity[row, f.LINETYPE]) << 34
+            colour = np.int64(entity[row, f.COLOUR]) << 25
+            key[found] = names ^ colour ^ np.int64(entity[row, f.TRUE_COLOUR] + 1)
+            found += 1
+    return drawn[:found], key[:found]
+
+
+@njit(cache=True, error_model="numpy")
 def inserts(said: Any, base: Any, move: Any) -> None:
     """Write linear map and shift of INSERTs, (k, 2, 3).
 
@@ -122,7 +142,9 @@ def place(sheet: Any, drawn: Any, inserts: Any, out: Any) -> None:
         row = rows[number]
         at = first_out[number]
         for i in range(first[row], first[row] + shown[number]):
-            out_ends[at] = ends[i]
+            # Number by number: a view of a row takes longer than what is in it.
+            for end in range(2):
+                out_ends[at, end, 0], out_ends[at, end, 1] = ends[i, end, 0], ends[i, end, 1]
             out_bulge[at] = bulge[i]
             out_row[at] = ledger[number]
             out_style[at] = style_of[row]

@@ -19,6 +19,8 @@ from knifetip.model.words import Spelled
 
 #: Handles of more digits are no handles.
 _DIGITS: Final = 15
+#: Programs count handles up: up to so many numbers for each there is, each has a place of its own.
+_DENSE: Final = 4
 #: A number sign, and as many digits as the number of an entity may have.
 _NUMBER: Final = 12
 
@@ -41,11 +43,17 @@ def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | 
     if not _spell(np.frombuffer(data, np.uint8), start, size, block, count, text, end, number):
         return None
     number = np.concatenate([number[number > 0], others])
-    if not (number[1:] > number[:-1]).all():
-        number = np.sort(number)
-    if (number[1:] == number[:-1]).any():
+    if _twice(number):
         return None
     return Spelled(text[: end[-1] if len(end) else 0].tobytes(), end)
+
+
+def _twice(number: I64) -> bool:
+    """Return whether one of some positive numbers is there twice."""
+    if number.max(initial=0) <= _DENSE * len(number):
+        return bool(np.bincount(number).max(initial=0) > 1)
+    number = np.sort(number)
+    return bool((number[1:] == number[:-1]).any())
 
 
 def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spelled:

@@ -11,10 +11,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import repeat
 from typing import Any, Final
 
+import numpy as np
+
 from knifetip.dxf.encoding import spelled
+from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Inscription
 
 #: Kinds of entities whose words have codes of fonts and colours in them.
@@ -80,6 +84,27 @@ def inscription(
         kind,
         layer,
     )
+
+
+def is_coded(kind: str, text: str) -> bool:
+    """Return whether words are more, or less, than what is written."""
+    return kind in _CODED or "\\" in text or "%%" in text or len(text) > _LONGEST
+
+
+def plain(
+    kinds: Sequence[str], layers: Sequence[str], texts: Sequence[str], lengths: F64
+) -> list[Inscription]:
+    """Return the words of n texts as ``inscription`` does, of those that are not ``is_coded``.
+
+    Parameters
+    ----------
+    lengths : (n, 6)
+        Those of ``LENGTHS``, NaN where the file is silent.
+    """
+    x, y, height = np.where(np.isnan(lengths), 0.0, lengths)[:, [0, 1, 4]].T.tolist()
+    texts = [text.strip() for text in texts]
+    rows = zip(texts, x, y, height, repeat(math.nan), kinds, layers)
+    return list(map(Inscription._make, rows))
 
 
 def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str) -> Inscription:

@@ -21,7 +21,7 @@ import numpy as np
 from knifetip.dxf import fields as f
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.census import Counted
-from knifetip.dxf.drawing import counts, distant, draw, inserts, place
+from knifetip.dxf.drawing import counts, distant, draw, inserts, place, style_keys
 from knifetip.dxf.entities import Drawn, Lines, Undrawable
 from knifetip.dxf.inscriptions import WORDS
 from knifetip.dxf.place import columns, refuse_after, refuse_beyond, styled
@@ -239,7 +239,8 @@ class PlainReader:
         placed = Inserts(spot, block, *self._variants(rows[spot], block))
         done = self._placed((rows, ledger, before, shown), int(segments.sum()), placed, said)
         # An arc reaches no farther beyond its ends than half their distance.
-        if not 3.0 * float(np.abs(done.ends).max(initial=0.0)) <= reach:
+        farthest = np.maximum(done.ends.max(initial=0.0), -done.ends.min(initial=0.0))
+        if not 3.0 * float(farthest) <= reach:
             raise NotPlainError
         if len(walked):
             done = self._with_walked(done, walk, before[walked], begin, there, scale)
@@ -278,13 +279,17 @@ class PlainReader:
         """
         inserts = (self.entity[:, f.KIND] == f.INSERT) & (self.entity[:, f.PAPER] == 0)
         spot = np.flatnonzero(inserts[rows])
-        line = self.entity[rows[spot]]
-        said = self.found.value[rows[spot]][:, [f.X, f.Y, f.SCALE_X, f.SCALE_Y, f.ANGLE]]
+        at = rows[spot]
+        mirror, wide, high, reference = (
+            self.entity[at, column] for column in (f.MIRROR, f.COLUMNS, f.ROWS, f.REFERENCE)
+        )
+        says = (f.X, f.Y, f.SCALE_X, f.SCALE_Y, f.ANGLE)
+        said = np.column_stack([self.found.value[at, column] for column in says])
         for column, silent in ((2, 1.0), (3, 1.0), (4, 0.0)):
             said[np.isnan(said[:, column]), column] = silent
         # Of each name the row of its block, of each block whether it is simple, and without arcs.
         known = [self.tables.blocks.get(name.lower(), -1) for name in self.tables.names]
-        block = np.array([*known, -1], np.int64)[line[:, f.REFERENCE]]
+        block = np.array([*known, -1], np.int64)[reference]
         simple = np.zeros(len(self.found.block) + 1, np.bool_)
         straight = simple.copy()
         for number, arcs in self._simple.items():
@@ -293,7 +298,8 @@ class PlainReader:
         columnar = (
             ~alone[spot]
             & simple[block]
-            & (line[:, [f.MIRROR, f.COLUMNS, f.ROWS]] <= [0, 1, 1]).all(axis=1)
+            & (mirror == 0)
+            & (np.maximum(wide, high) <= 1)
             & (scale != 0.0).all(axis=1)
             & (straight[block] | (np.abs(scale[:, 0]) == np.abs(scale[:, 1])))
         )
@@ -374,11 +380,8 @@ class PlainReader:
 
     def _entity_styles(self, rows: I64) -> I32:
         """Return the number of the style of each entity that is drawn on the sheet, (e,)."""
-        drawn = rows[self.count[rows] > 0]
-        layer, linetype, colour, true = (self.entity[drawn, column] for column in _STYLE)
-        # One number for all four: there are fewer than 2^15 names, colours take 9 and 25 bits.
-        key = layer.astype(np.int64) << 49 ^ linetype.astype(np.int64) << 34
-        first, kind = distinct(key ^ (colour.astype(np.int64) << 25) ^ (true + 1))
+        drawn, key = style_keys(self.entity, rows, self.count)
+        first, kind = distinct(key)
         numbers = [
             self._numbers.setdefault(self.tables.style(row), len(self._numbers))
             for row in drawn[first].tolist()

@@ -13,9 +13,10 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
+from numba import njit
 
 from knifetip.dxf import fields as f
 from knifetip.dxf import groups as g
@@ -146,7 +147,7 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
         slots = np.full(1 << 16, -1, np.int32)
         heads = block[:size], base[:size], layer[:size]
         tables = (entity, value, vertex, *heads, spans[run], slots, left[run], others)
-        return bool(scan_tags(text, *runs[run], tables, state[run]))
+        return bool(scan_tags(text, *runs[run], *tables, state[run]))
 
     plain = all(each(passed, range(len(runs))))
     tables = (value, vertex, base)
@@ -176,13 +177,8 @@ def _whole(data: bytes, found: _Passed) -> Scan | None:
         more = int(state[s.ENTITIES]) - row
         if row:
             # Behind what the runs before have found.
-            some = found.entity[rows : rows + more]
-            some[:] = found.entity[row : row + more]
-            found.value[rows : rows + more] = found.value[row : row + more]
-            for column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE):
-                some[:, column] = np.array([*numbers, -1], np.int32)[some[:, column]]
-            chains = np.isin(some[:, f.KIND], (f.LWPOLYLINE, f.POLYLINE))
-            some[chains, f.FIRST] -= point - points
+            known = np.array([*numbers, -1], np.int32)
+            _move_up(found.entity, found.value, row, rows, more, known, point - points)
         corners, named = int(state[s.VERTICES]) - point, int(state[s.OTHERS]) - other
         found.vertex[points : points + corners] = found.vertex[point : point + corners]
         found.others[handles : handles + named] = found.others[other : other + named]
@@ -202,6 +198,24 @@ def _whole(data: bytes, found: _Passed) -> Scan | None:
         (int(state[s.HEADER_FIRST]), int(state[s.HEADER_LAST])),
         bool((entity[:, f.MARKS] > 0).any()),
     )
+
+
+@njit("void(i4[::1,:], f8[::1,:], i8, i8, i8, i4[::1], i8)", cache=True, error_model="numpy")
+def _move_up(
+    entity: Any, value: Any, row: int, to: int, count: int, numbers: Any, gap: int
+) -> None:
+    """Move rows of a run to where those before it end, its names and vertices counted anew."""
+    for column in range(f.WIDTH):
+        named = column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)
+        for i in range(count):
+            one = entity[row + i, column]
+            entity[to + i, column] = numbers[one] if named else one
+    for column in range(f.VALUES):
+        for i in range(count):
+            value[to + i, column] = value[row + i, column]
+    for i in range(to, to + count):
+        if entity[i, f.KIND] == f.LWPOLYLINE or entity[i, f.KIND] == f.POLYLINE:
+            entity[i, f.FIRST] -= gap
 
 
 def _finish(data: bytes, tables: tuple[F64, F64, F64], left: I64) -> bool:

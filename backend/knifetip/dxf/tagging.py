@@ -13,16 +13,16 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.dxf import fields as f
 from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
 from knifetip.dxf import words as w
-from knifetip.dxf.compiled import ONE, part
+from knifetip.dxf.compiled import ONE, part, whole
 from knifetip.dxf.content import take_decimal, take_tag
 from knifetip.dxf.decimals import WRONG, number
 from knifetip.dxf.handles import take_handle
+from knifetip.dxf.lines import code_at, end_of_line
 from knifetip.dxf.structure import begin, context, pause
 from knifetip.dxf.values import name_at, valid, whole_at
 from knifetip.dxf.words import is_word, word_at
@@ -133,8 +133,23 @@ def _is_handle(code: int, state: Any) -> bool:
     return bool(w.TABLES <= state[s.SECTION] <= w.OBJECTS)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def scan_tags(data: Any, begins: int, ends: int, tables: Any, state: Any) -> bool:
+@whole
+def scan_tags(
+    data: Any,
+    begins: int,
+    ends: int,
+    entity: Any,
+    value: Any,
+    vertex: Any,
+    block: Any,
+    base: Any,
+    layer: Any,
+    spans: Any,
+    slots: Any,
+    left: Any,
+    others: Any,
+    state: Any,
+) -> bool:
     """Fill the tables; return whether the file is plain to its end mark, or to where a run ends.
 
     Parameters
@@ -142,15 +157,19 @@ def scan_tags(data: Any, begins: int, ends: int, tables: Any, state: Any) -> boo
     data : (m,) uint8
     begins, ends
         The bytes to pass over: from a group code on, to one or to the end.
-    tables
-        Entities, values, vertices, blocks, base points, layers, spans of names, their hash table,
-        places of numbers that are left to ``float``, and handles of what is no entity.
+    entity, value, vertex, block, base, layer
+        Those of a ``Scan``.
+    spans, slots
+        Of names, and their hash table.
+    left
+        Places of numbers that are left to ``float``.
+    others
+        Handles of what is no entity.
     state : (``STATES``,) int64
         Where the pass begins; of use afterwards are the numbers from ``ENTITIES`` on.
     """
     size: Any = np.uint64(len(data))
     stop: Any = np.uint64(ends)
-    entity, value, vertex, block, base, layer, spans, slots, left, others = tables
     at: Any = np.uint64(begins)
     last = -1
     while at < size:
@@ -160,23 +179,9 @@ def scan_tags(data: Any, begins: int, ends: int, tables: Any, state: Any) -> boo
             return bool(at == stop and pause(here, last, entity, state))
         # The group code, alone on its line.
         start: Any = np.int64(at)
-        while at < size and data[at] == 32:
-            at += ONE
-        code = 0
-        digits = 0
-        while at < size and 48 <= data[at] <= 57:
-            code = code * 10 + int(data[at]) - 48
-            digits += 1
-            at += ONE
-        if digits == 0 or digits > 4 or code > g.LAST_CODE:
+        code, at = code_at(data, at, size)
+        if code < 0 or code > g.LAST_CODE:
             return False
-        while at < size and data[at] == 32:
-            at += ONE
-        if at < size and data[at] == 13:
-            at += ONE
-        if at >= size or data[at] != 10:
-            return False
-        at += ONE
         before = last
         if code != 999:
             if before >= 0 and g.IS_POINT[before] and code != before + 10:
@@ -188,10 +193,8 @@ def scan_tags(data: Any, begins: int, ends: int, tables: Any, state: Any) -> boo
         read, sure = 0.0, WRONG
         if action == g.NUMBER or (state[s.MODE] == s.IN_BLOCK and (code == 10 or code == 20)):
             read, at, sure = number(data, at, size)
-            if sure == WRONG:
-                at = np.uint64(low)
-        while at < size and data[at] != 10 and data[at] != 13:
-            at += ONE
+        if sure == WRONG:
+            at = end_of_line(data, np.uint64(low), size)
         high: Any = np.int64(at)
         if at < size and data[at] == 13:
             at += ONE

@@ -11,8 +11,9 @@ import numpy as np
 
 from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
-from knifetip.dxf.compiled import ONE, part
+from knifetip.dxf.compiled import part
 from knifetip.dxf.decimals import WRONG, number
+from knifetip.dxf.lines import hashed, same
 
 #: More names than this are no layers; so many of them have place in the hash table.
 MOST_NAMES: Final = 20_000
@@ -28,12 +29,7 @@ def name_at(data: Any, low: int, high: int, spans: Any, slots: Any, state: Any) 
     """Return the number of a name, -1 where it is not plain or there are too many."""
     if high > low and (data[low] <= 32 or data[high - 1] <= 32):
         return -1
-    key = np.uint64(14695981039346656037)
-    at, end = np.uint64(low), np.uint64(high)
-    while at < end:
-        key = (key ^ np.uint64(data[at])) * np.uint64(1099511628211)
-        at += ONE
-    slot = np.int64(key & np.uint64(_SLOTS - 1))
+    slot = np.int64(hashed(data, low, high) & np.uint64(_SLOTS - 1))
     for _ in range(_MOST_STEPS):
         found = slots[slot]
         if found < 0:
@@ -45,14 +41,8 @@ def name_at(data: Any, low: int, high: int, spans: Any, slots: Any, state: Any) 
             state[s.NAMES] = made + 1
             return made
         first = spans[found, 0]
-        if spans[found, 1] - first == high - low:
-            same = True
-            for i in range(high - low):
-                if data[first + i] != data[low + i]:
-                    same = False
-                    break
-            if same:
-                return found
+        if spans[found, 1] - first == high - low and same(data, first, data, low, high - low):
+            return found
         slot = (slot + 1) & (_SLOTS - 1)
     return -1
 

@@ -6,7 +6,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf.compiled import ONE, part
+from knifetip.dxf.compiled import part
+from knifetip.dxf.lines import same
 from knifetip.geometry.columns import I64
 
 #: Each has the number of its place.
@@ -30,22 +31,16 @@ _WORDS: Final = (
     GROUP_END, DICTIONARY,
 ) = range(len(_WORDS))  # fmt: skip
 COUNT: Final = len(_WORDS)
-_BYTES: Final = np.frombuffer(b"".join(_WORDS), np.uint8)
+# Behind the last there is room to read more than it has.
+_BYTES: Final = np.frombuffer(b"".join(_WORDS) + bytes(8), np.uint8)
 ENDS: Final[I64] = np.cumsum([0, *map(len, _WORDS)])
 
 
 @part
 def is_word(data: Any, low: int, high: int, word: int) -> bool:
     """Return whether a word stands there, and nothing else."""
-    if high - low != ENDS[word + 1] - ENDS[word]:
-        return False
-    at, end, place = np.uint64(low), np.uint64(high), np.uint64(ENDS[word])
-    while at < end:
-        if data[at] != _BYTES[place]:
-            return False
-        at += ONE
-        place += ONE
-    return True
+    size = ENDS[word + 1] - ENDS[word]
+    return bool(high - low == size and same(data, low, _BYTES, ENDS[word], size))
 
 
 @part

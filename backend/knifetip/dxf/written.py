@@ -14,7 +14,7 @@ import numpy as np
 
 from knifetip.dxf import fields as f
 from knifetip.dxf.handles import paths_of
-from knifetip.dxf.inscriptions import inscription, of_lines
+from knifetip.dxf.inscriptions import inscription, is_coded, of_lines, plain
 from knifetip.dxf.tables import Tables
 from knifetip.dxf.walk import IN_PAPER_SPACE, not_read, places
 from knifetip.geometry.columns import I64, Bool
@@ -113,10 +113,11 @@ def _of_sheet(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Alike]
     left[inserts.spot] = False
     left[np.isin(order.ledger, order.walked)] = False
     spots = np.flatnonzero(left)
-    key = entity[rows[spots]][:, [f.PAPER, f.KIND, f.WORD, f.COUNT]]
+    paper, sort, word, count = (
+        entity[rows[spots], column] for column in (f.PAPER, f.KIND, f.WORD, f.COUNT)
+    )
     # How many bytes a text has is no reason.
-    key[key[:, 1] == f.OTHER, 3] = 0
-    first, kind = distinct(key)
+    first, kind = distinct(paper, sort, word, np.where(sort == f.OTHER, 0, count))
     for spot, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
         yield Alike(order.ledger[spots[same]], left_out(tables, int(rows[spots[spot]])))
     of_layer = {
@@ -154,20 +155,24 @@ def inscriptions(tables: Tables, rows: I64) -> tuple[Inscription, ...]:
     """Return the words on the sheet: those of the texts and dimensions among its entities."""
     entity, data = tables.found.entity, tables.found.data
     rows = rows[entity[rows, f.PAPER] == 0]
-    layers = [*tables.names, "0"]
-    found = []
     # By columns: a list to each row would be as much work again.
-    numbers = (f.WORD, f.LAYER, f.ODD, f.FIRST, f.COUNT, f.FLAGS, f.START, f.END)
-    lines = zip(*(entity[rows, column].tolist() for column in numbers), strict=True)
-    value = tables.found.value
-    lengths = zip(*(value[rows, column].tolist() for column in f.LENGTHS), strict=True)
-    for (word, layer, odd, first, count, flags, start, end), said in zip(
-        lines, lengths, strict=True
-    ):
-        kind, name = tables.words[word], layers[layer]
-        if odd:
-            found.append(of_lines(kind, name, data[start:end], tables.encoding))
-        else:
-            text = data[first : first + count].decode(tables.encoding, "replace")
-            found.append(inscription(kind, name, text, said, flags))
+    words, layers, first, count = (
+        entity[rows, column].tolist() for column in (f.WORD, f.LAYER, f.FIRST, f.COUNT)
+    )
+    kinds = [tables.words[word] for word in words]
+    names = [*tables.names, "0"]
+    layers = [names[layer] for layer in layers]
+    texts = [
+        data[low : low + size].decode(tables.encoding, "replace")
+        for low, size in zip(first, count, strict=True)
+    ]
+    lengths = tables.found.value[rows][:, f.LENGTHS]
+    found = plain(kinds, layers, texts, lengths)
+    pairs = zip(kinds, texts, strict=True)
+    for at in [at for at, (kind, text) in enumerate(pairs) if is_coded(kind, text)]:
+        flags = int(entity[rows[at], f.FLAGS])
+        found[at] = inscription(kinds[at], layers[at], texts[at], lengths[at].tolist(), flags)
+    for at in np.flatnonzero(entity[rows, f.ODD]).tolist():
+        lines = data[slice(*entity[rows[at], [f.START, f.END]].tolist())]
+        found[at] = of_lines(kinds[at], layers[at], lines, tables.encoding)
     return tuple(found)

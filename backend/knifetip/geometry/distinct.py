@@ -8,13 +8,16 @@ than to read it.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numba import njit
 from numpy.typing import ArrayLike
 
 from knifetip.geometry.columns import I64
+
+#: Where the table of kinds begins: most columns have no more.
+_SLOTS: Final = 1024
 
 
 def distinct(*columns: ArrayLike) -> tuple[I64, I64]:
@@ -31,42 +34,55 @@ def distinct(*columns: ArrayLike) -> tuple[I64, I64]:
     kind : (n,)
         Which kind each row is.
     """
-    table = np.ascontiguousarray(
-        np.column_stack([np.asarray(column, np.int64) for column in columns])
-    )
-    slots = np.full(1 << max(4, (2 * len(table)).bit_length()), -1, np.int32)
-    first, kind = _kinds(table, slots)
+    wide = [np.asarray(column, np.int64) for column in columns]
+    alone = len(wide) == 1 and wide[0].ndim == 1
+    table = wide[0].reshape(-1, 1) if alone else np.column_stack(wide)
+    first, kind = _kinds(np.ascontiguousarray(table))
     return first, kind
 
 
 @njit(cache=True, error_model="numpy")
-def _kinds(table: Any, slots: Any) -> Any:
-    rows, width = table.shape
+def _kinds(table: Any) -> Any:
+    rows = len(table)
     first = np.empty(rows, np.int64)
     kind = np.empty(rows, np.int64)
+    slots = np.full(_SLOTS, -1, np.int64)
     found = 0
-    mask = np.uint64(len(slots) - 1)
     for row in range(rows):
-        key = np.uint64(0)
-        for column in range(width):
-            key = (key ^ np.uint64(table[row, column])) * np.uint64(0x9E3779B97F4A7C15)
-            key = key ^ (key >> np.uint64(29))
-        slot = key & mask
-        while True:
-            known = slots[slot]
-            if known < 0:
-                slots[slot] = found
-                first[found] = row
-                kind[row] = found
-                found += 1
-                break
-            same = True
-            for column in range(width):
-                if table[first[known], column] != table[row, column]:
-                    same = False
-                    break
-            if same:
-                kind[row] = known
-                break
-            slot = (slot + np.uint64(1)) & mask
+        if row > 0 and _same(table, row, row - 1):
+            kind[row] = kind[row - 1]
+            continue
+        slot = _slot(table, row, slots)
+        while slots[slot] >= 0 and not _same(table, row, first[slots[slot]]):
+            slot = (slot + 1) & (len(slots) - 1)
+        if slots[slot] < 0:
+            slots[slot] = found
+            first[found] = row
+            found += 1
+        kind[row] = slots[slot]
+        if 2 * found > len(slots):
+            slots = np.full(4 * len(slots), -1, np.int64)
+            for number in range(found):
+                slot = _slot(table, first[number], slots)
+                while slots[slot] >= 0:
+                    slot = (slot + 1) & (len(slots) - 1)
+                slots[slot] = number
     return first[:found].copy(), kind
+
+
+@njit(cache=True, error_model="numpy")
+def _same(table: Any, row: int, other: int) -> bool:
+    same = True
+    for column in range(table.shape[1]):
+        same &= table[row, column] == table[other, column]
+    return same
+
+
+@njit(cache=True, error_model="numpy")
+def _slot(table: Any, row: int, slots: Any) -> Any:
+    """Return where a row is looked for first."""
+    key = np.uint64(0)
+    for column in range(table.shape[1]):
+        key = (key ^ np.uint64(table[row, column])) * np.uint64(0x9E3779B97F4A7C15)
+        key = key ^ (key >> np.uint64(29))
+    return np.int64(key & np.uint64(len(slots) - 1))

@@ -39,6 +39,14 @@ class Known(NamedTuple):
 _KEPT: Final = "kept"
 #: Bulges that differ by less than this are the same turn.
 _TURN: Final = 1e-9
+#: One for each number of a line's place, so that few lines share a slot.
+_FACTORS: Final = (
+    np.uint64(0x9E3779B97F4A7C15),
+    np.uint64(0xC2B2AE3D27D4EB4F),
+    np.uint64(0x165667B19E3779F9),
+    np.uint64(0xD6E8FEB86659FD93),
+    np.uint64(0xA0761D6478BD642F),
+)
 
 
 def assemble(
@@ -83,10 +91,10 @@ def assemble(
         ends=_owned(ends),
         bulge=_owned(found.bulge + 0.0),
         entity=_owned(found.row),
-        layer=_owned(attributes[found.style, 0]),
-        colour=_owned(attributes[found.style, 2]),
-        true_colour=_owned(attributes[found.style, 3]),
-        linetype=_owned(attributes[found.style, 4]),
+        layer=_owned(attributes[:, 0].take(found.style)),
+        colour=_owned(attributes[:, 2].take(found.style)),
+        true_colour=_owned(attributes[:, 3].take(found.style)),
+        linetype=_owned(attributes[:, 4].take(found.style)),
         layers=layers,
         linetypes=linetypes,
         ledger=Ledger(
@@ -135,47 +143,49 @@ def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], 
 
 def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> I64:
     """Return for each segment the first one that is the same line, in either direction."""
-    grid = np.empty((len(bulge), 5), np.int64)
-    slots = np.full(1 << max(4, (2 * len(bulge)).bit_length()), -1, np.int32)
+    slots = np.zeros(1 << max(4, (2 * len(bulge)).bit_length()), np.uint64)
     first = np.arange(len(bulge))
-    _find_survivors(ends, bulge, alike, speck, point, grid, slots, first)
+    _find_survivors(ends, bulge, alike, speck, 1.0 / point, slots, first)
     return first
 
 
 @njit(cache=True, error_model="numpy")
 def _find_survivors(
-    ends: Any, bulge: Any, alike: Any, speck: Any, point: float, grid: Any, slots: Any, first: Any
+    ends: Any, bulge: Any, alike: Any, speck: Any, points: float, slots: Any, first: Any
 ) -> None:
-    """Write the first segment of each line; ``grid`` is its place, counted in points and turns."""
-    mask = np.uint64(len(slots) - 1)
+    """Write the first segment of each line."""
+    mask, low = np.uint64(len(slots) - 1), np.uint64(0xFFFFFFFF)
     for row in range(len(bulge)):
         if speck[row]:
             continue
-        ax = np.int64(np.rint(ends[row, 0, 0] / point))
-        ay = np.int64(np.rint(ends[row, 0, 1] / point))
-        bx = np.int64(np.rint(ends[row, 1, 0] / point))
-        by = np.int64(np.rint(ends[row, 1, 1] / point))
-        turn = np.int64(np.rint(bulge[row] / _TURN))
-        # Both directions of a line are one: the lower end first.
-        if ax > bx or (ax == bx and ay > by):
-            ax, ay, bx, by, turn = bx, by, ax, ay, -turn
-        grid[row, 0], grid[row, 1], grid[row, 2], grid[row, 3], grid[row, 4] = ax, ay, bx, by, turn
+        place = _place(ends, bulge, row, points)
         key = np.uint64(alike[row])
-        for column in range(5):
-            key = (key ^ np.uint64(grid[row, column])) * np.uint64(0x9E3779B97F4A7C15)
-            key = key ^ (key >> np.uint64(29))
-        slot = key & mask
-        while slots[slot] >= 0:
-            other = slots[slot]
-            same = alike[other] == alike[row]
-            for column in range(5):
-                same &= grid[other, column] == grid[row, column]
-            if same:
-                first[row] = other
-                break
+        for column in range(len(_FACTORS)):
+            key += np.uint64(place[column]) * _FACTORS[column]
+        key = (key ^ (key >> np.uint64(32))) * _FACTORS[0]
+        slot = (key ^ (key >> np.uint64(29))) & mask
+        # A slot has the upper half of a line's key, and its row counted from 1.
+        while slots[slot] > 0:
+            if (slots[slot] ^ key) <= low:
+                other: Any = np.int64(slots[slot] & low) - 1
+                if alike[other] == alike[row] and _place(ends, bulge, other, points) == place:
+                    first[row] = other
+                    break
             slot = (slot + np.uint64(1)) & mask
         else:
-            slots[slot] = row
+            slots[slot] = (key & ~low) | np.uint64(row + 1)
+
+
+@njit(cache=True, error_model="numpy")
+def _place(ends: Any, bulge: Any, row: int, points: float) -> Any:
+    """Return where a line is, counted in points and turns; both its directions are one."""
+    ax, ay = np.rint(ends[row, 0, 0] * points), np.rint(ends[row, 0, 1] * points)
+    bx, by = np.rint(ends[row, 1, 0] * points), np.rint(ends[row, 1, 1] * points)
+    turn = np.rint(bulge[row] / _TURN)
+    # The lower end first.
+    if ax > bx or (ax == bx and ay > by):
+        ax, ay, bx, by, turn = bx, by, ax, ay, -turn
+    return np.int64(ax), np.int64(ay), np.int64(bx), np.int64(by), np.int64(turn)
 
 
 def _fates(

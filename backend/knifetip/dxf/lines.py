@@ -1,0 +1,121 @@
+"""lines: the two lines of a tag, several bytes at a time.
+
+bytes, position -> group code, and where the value begins; where a line ends; whether two are equal
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.dxf.compiled import ONE, part
+from knifetip.geometry.columns import I64
+
+#: What ``code_at`` says where no group code stands.
+NO_CODE: Final = -1
+_THREE: Final = np.uint64(3)
+_EIGHT: Final = np.uint64(8)
+#: A digit by its sign, 0 for a blank, more than any group code for all else.
+_DIGIT: Final[I64] = np.full(256, 1 << 20)
+_DIGIT[48:58] = range(10)
+_DIGIT[32] = 0
+#: The first so many bytes of a word.
+_FIRST: Final = np.array([(1 << 8 * count) - 1 for count in range(8)], np.uint64)
+
+
+@part
+def code_at(data: Any, at: Any, size: Any) -> Any:
+    """Return the group code that stands alone on a line, and where the next line begins."""
+    if at + _THREE < size and data[at + _THREE] == 10:
+        first, second, third = data[at], data[at + ONE], data[at + ONE + ONE]
+        code = _DIGIT[first] * 100 + _DIGIT[second] * 10 + _DIGIT[third]
+        if code < 1000 and third != 32 and (second != 32 or first == 32):
+            return code, at + _THREE + ONE
+    while at < size and data[at] == 32:
+        at += ONE
+    code, digits = 0, 0
+    while at < size and 48 <= data[at] <= 57:
+        code = code * 10 + int(data[at]) - 48
+        digits += 1
+        at += ONE
+    if digits == 0 or digits > 4:
+        return NO_CODE, at
+    while at < size and data[at] == 32:
+        at += ONE
+    if at < size and data[at] == 13:
+        at += ONE
+    if at >= size or data[at] != 10:
+        return NO_CODE, at
+    return code, at + ONE
+
+
+@part
+def eight_at(data: Any, at: Any) -> Any:
+    """Return eight bytes as one word, the first of them lowest."""
+    word = np.uint64(0)
+    for place in range(8):
+        word |= np.uint64(data[at + np.uint64(place)]) << np.uint64(8 * place)
+    return word
+
+
+@part
+def end_of_line(data: Any, at: Any, size: Any) -> Any:
+    """Return where the next CR or LF is, ``size`` where there is none."""
+    while at + _EIGHT <= size:
+        word = eight_at(data, at)
+        # The lowest byte of these that is not 0 is the first sign below 16.
+        low = (word - np.uint64(0x1010101010101010)) & ~word & np.uint64(0x8080808080808080)
+        if low == 0:
+            at += _EIGHT
+            continue
+        lowest = (low & (~low + ONE)) >> np.uint64(7)
+        at += (lowest * np.uint64(0x0001020304050607)) >> np.uint64(56)
+        if data[at] == 10 or data[at] == 13:
+            return at
+        at += ONE
+    while at < size and data[at] != 10 and data[at] != 13:
+        at += ONE
+    return at
+
+
+@part
+def same(data: Any, low: int, other: Any, first: int, count: int) -> bool:
+    """Return whether ``count`` bytes from ``low`` are those of another text from ``first``."""
+    here, there = np.uint64(low), np.uint64(first)
+    left = np.uint64(count)
+    if here + left + _EIGHT <= np.uint64(len(data)) and there + left + _EIGHT <= np.uint64(
+        len(other)
+    ):
+        while left >= _EIGHT:
+            if eight_at(data, here) != eight_at(other, there):
+                return False
+            here += _EIGHT
+            there += _EIGHT
+            left -= _EIGHT
+        unlike = eight_at(data, here) ^ eight_at(other, there)
+        return bool(unlike & _FIRST[left] == 0)
+    for place in range(count):
+        if data[here + np.uint64(place)] != other[there + np.uint64(place)]:
+            return False
+    return True
+
+
+@part
+def hashed(data: Any, low: int, high: int) -> Any:
+    """Return a number that few other texts have."""
+    at, end = np.uint64(low), np.uint64(high)
+    key = end - at
+    while at < end:
+        if at + _EIGHT <= np.uint64(len(data)):
+            word = eight_at(data, at)
+            if end - at < _EIGHT:
+                word &= _FIRST[end - at]
+        else:
+            word = np.uint64(0)
+            for place in range(end - at):
+                word |= np.uint64(data[at + np.uint64(place)]) << np.uint64(8 * place)
+        key = (key ^ word) * np.uint64(0x9E3779B97F4A7C15)
+        key ^= key >> np.uint64(32)
+        at += _EIGHT
+    return key
