@@ -44,12 +44,12 @@ def parting(shape: Shape, line_type: U8) -> Bool:
     rim &= shape.area > 0.0
     area = np.bincount(sheet, np.maximum(shape.area, 0.0), faces)
     at_rim = np.bincount(sheet[rim], minlength=faces) > 0
-    left, right = sheet[shape.sides[:, 0]], sheet[shape.sides[:, 1]]
+    left, right = sheet[shape.sides[cut]].T
     less = np.where(area[left] < area[right], left, right)
     more = np.where(area[left] < area[right], right, left)
     folded = np.bincount(sheet[holding.ravel()], minlength=faces) > 0
-    off: Bool = cut & (left != right) & at_rim[less] & folded[more]
-    off &= area[less] < _RATHER * area[more]
+    off: Bool = np.zeros(len(line_type), np.bool_)
+    off[cut] = (left != right) & at_rim[less] & folded[more] & (area[less] < _RATHER * area[more])
     return off
 
 

@@ -149,6 +149,8 @@ def _arrows(
                     if over <= _OVER * unit or (ends_here and over >= whole):
                         found[i] = True
 
+    if not tip.any():
+        return
     # What lies wholly on all this.
     for i in range(len(found)):
         if found[i] or pieces[i] == pieces[i + 1]:

@@ -97,9 +97,10 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     kinds, rule = line_type[number], word[number]
     sure = np.array([verdict.sure for verdict in verdicts])[number]
     meant = np.array([verdict.kind for verdict in verdicts], np.uint8)[number]
-    hidden = (kinds == LineType.UNCLASSIFIED) & (matches.rule >= 0)[styles.of] & (seen.on >= 0)
-    hidden &= np.isin(meant, FOLDS) & (kinds[seen.on] == LineType.CUT)
-    for row in np.flatnonzero(hidden).tolist():
+    hidden = np.flatnonzero((kinds == LineType.UNCLASSIFIED) & (seen.on >= 0))
+    hidden = hidden[(matches.rule >= 0)[styles.of[hidden]] & np.isin(meant[hidden], FOLDS)]
+    hidden = hidden[kinds[seen.on[hidden]] == LineType.CUT]
+    for row in hidden.tolist():
         style = styles.of[row]
         text = f"profile {rules.name}: {matches.words[style]}; it lies on a cut"
         kinds[row], sure[row] = meant[row], matches.confidence[style]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -10,7 +9,7 @@ from numba import njit
 
 from knifetip.classification.grid import Grid, cell_of
 from knifetip.classification.places import Places, longer, placed, roomy
-from knifetip.classification.segment import BULGE, near
+from knifetip.classification.segment import BULGE, chord, crossing, near
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.cores import each, runs
 
@@ -77,6 +76,9 @@ def _ended(
         cell = cell_of(y, low[1], size[1], side) * side + cell_of(x, low[0], size[0], side)
         for k in range(first[cell], first[cell + 1]):
             i = listed[k]
+            # Of an arc it takes time to say that it ends here.
+            if abs(bulge[i]) > BULGE and (node[2 * i] == at or node[2 * i + 1] == at):
+                continue
             away, part = near(ends, bulge, i, x, y, touch)
             if away > touch or not 0.0 < part < 1.0:
                 continue
@@ -86,7 +88,7 @@ def _ended(
                 row, share, cut = longer(row), longer(share), longer(cut)
             row[cuts], share[cuts], cut[cuts] = i, part, at
             cuts += 1
-    return row[:cuts].copy(), share[:cuts].copy(), cut[:cuts].copy()
+    return row[:cuts], share[:cuts], cut[:cuts]
 
 
 @njit(cache=True, error_model="numpy", nogil=True)
@@ -109,22 +111,15 @@ def _crossed(
             if abs(bulge[i]) > BULGE:
                 continue
             ax, ay = ends[i, 0, 0], ends[i, 0, 1]
-            ux, uy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
+            ux, uy, long = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay, chord(ends, i)
             for m in range(k + 1, first[cell + 1]):
                 j = listed[m]
                 if abs(bulge[j]) > BULGE:
                     continue
-                vx, vy = ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1]
-                cross = ux * vy - uy * vx
-                if cross == 0.0:
+                s, t = crossing(ax, ay, ux, uy, ends, j)
+                if not 0.0 < s < 1.0:
                     continue
-                ox, oy = ends[j, 0, 0] - ax, ends[j, 0, 1] - ay
-                s = (ox * vy - oy * vx) / cross
-                t = (ox * uy - oy * ux) / cross
-                if not (0.0 < s < 1.0 and 0.0 < t < 1.0):
-                    continue
-                a, b = math.hypot(ux, uy), math.hypot(vx, vy)
-                if min(s, 1.0 - s) * a <= touch or min(t, 1.0 - t) * b <= touch:
+                if min(s, 1.0 - s) * long <= touch or min(t, 1.0 - t) * chord(ends, j) <= touch:
                     continue
                 x, y = ax + s * ux, ay + s * uy
                 if not (left <= x < left + size[0] and floor <= y < floor + size[1]):
@@ -136,7 +131,7 @@ def _crossed(
                 found += 1
         if found > most:
             break
-    return pair[:found].copy(), share[:found].copy()
+    return pair[:found], share[:found]
 
 
 @njit(cache=True, error_model="numpy")

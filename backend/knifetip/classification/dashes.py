@@ -13,9 +13,9 @@ import numpy as np
 from numba import njit
 
 from knifetip.classification.cutting import WORTH
-from knifetip.classification.grid import Grid, cell_of
+from knifetip.classification.grid import Grid, by_cell, cell_of
 from knifetip.classification.places import longer
-from knifetip.classification.segment import BULGE, leaves
+from knifetip.classification.segment import BULGE, chord, leaves
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.cores import each, runs
 
@@ -33,10 +33,16 @@ def rows_of_dashes(
     """
     link = np.full(2 * len(bulge), -1, np.int32)
 
-    def linked(run: tuple[int, int]) -> None:
-        _link(ends, bulge, node, twin, loose, touch, unit, grid, link, *run)
+    cell = np.full(2 * len(bulge), -1, np.int32)
+    _tips(ends, bulge, node, twin, loose, grid, cell)
+    # Few lines have such ends, and each is in one cell only.
+    begins, tips = by_cell(cell, grid.side * grid.side, np.arange(len(cell), dtype=np.int32))
+    place = ends.reshape(-1, 2)[tips]
 
-    each(linked, runs(len(link), WORTH))
+    def linked(run: tuple[int, int]) -> None:
+        _link(ends, bulge, touch, unit, grid, begins, tips, place, link, *run)
+
+    each(linked, runs(len(tips), WORTH))
     dashed, tie, gap_of = _rows(ends, link, touch, reach, node, twin, loose)
     return dashed, tie, gap_of
 
@@ -67,7 +73,7 @@ def _rows(
             count += 1
             i = tail // 2
             seen[i] = True
-            long = math.hypot(ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1])
+            long = chord(ends, i)
             longest = max(longest, long)
             other = link[tail]
             if other < 0 or link[other] != tail or seen[other // 2]:
@@ -96,46 +102,50 @@ def _rows(
         gap_of[chain[count - 1]] = max(reach, 1.25 * widest)
     for i in range(n):
         dashed[i] = dashed[twin[i]]
-    return dashed, tie[:ties].copy(), gap_of
+    return dashed, tie[:ties], gap_of
+
+
+@njit(cache=True, error_model="numpy")
+def _tips(ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, grid: Grid, cell: Any) -> None:
+    """Write the cell of each loose end of a line that may be a dash, -1 for other ends."""
+    low, size, side, _, _ = grid
+    for half in range(len(node)):
+        i = half // 2
+        if loose[node[half]] and abs(bulge[i]) <= BULGE and twin[i] == i:
+            x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
+            row = cell_of(y, low[1], size[1], side)
+            cell[half] = row * side + cell_of(x, low[0], size[0], side)
 
 
 @njit(cache=True, error_model="numpy", nogil=True)
 def _link(
-    ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, touch: float, unit: float, grid: Grid,
-    link: Any, begin: int, end: int,
+    ends: Any, bulge: Any, touch: float, unit: float, grid: Grid, begins: Any, tips: Any,
+    place: Any, link: Any, begin: int, end: int,
 ) -> None:  # fmt: skip
     """Write which loose end each of some loose ends looks at across a gap."""
-    low, size, side, first, listed = grid
-    for half in range(begin, end):
+    low, size, side, _, _ = grid
+    for number in range(begin, end):
+        half = tips[number]
         i = half // 2
-        if not loose[node[half]] or abs(bulge[i]) > BULGE or twin[i] != i:
-            continue
-        long = math.hypot(ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1])
+        long = chord(ends, i)
         if long > 40.0 * unit or long <= touch:
             continue
         far = min(15.0 * unit, max(2.0 * long, 3.0 * unit))
         ux, uy = leaves(ends, bulge, half)
-        x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
-        c0 = cell_of(min(x, x + far * ux) - touch, low[0], size[0], side)
-        c1 = cell_of(max(x, x + far * ux) + touch, low[0], size[0], side)
-        r0 = cell_of(min(y, y + far * uy) - touch, low[1], size[1], side)
-        r1 = cell_of(max(y, y + far * uy) + touch, low[1], size[1], side)
+        x, y = place[number, 0], place[number, 1]
+        c0 = cell_of(min(x, x + far * ux) - 2.0 * touch, low[0], size[0], side)
+        c1 = cell_of(max(x, x + far * ux) + 2.0 * touch, low[0], size[0], side)
+        r0 = cell_of(min(y, y + far * uy) - 2.0 * touch, low[1], size[1], side)
+        r1 = cell_of(max(y, y + far * uy) + 2.0 * touch, low[1], size[1], side)
         best = far
-        for c in range(c0, c1 + 1):
-            for r in range(r0, r1 + 1):
-                for k in range(first[r * side + c], first[r * side + c + 1]):
-                    j = listed[k]
-                    for tip in range(2):
-                        ox, oy = ends[j, tip, 0] - x, ends[j, tip, 1] - y
-                        ahead = ox * ux + oy * uy
-                        if ahead <= touch or ahead >= best or abs(ox * uy - oy * ux) > 2.0 * touch:
-                            continue
-                        other = 2 * j + tip
-                        if j == i or abs(bulge[j]) > BULGE or twin[j] != j:
-                            continue
-                        if not loose[node[other]]:
-                            continue
-                        vx, vy = leaves(ends, bulge, other)
-                        if ux * vx + uy * vy < -0.999:
-                            best = ahead
-                            link[half] = other
+        for r in range(r0, r1 + 1):
+            # The cells of a row are one run of tips.
+            for k in range(begins[r * side + c0], begins[r * side + c1 + 1]):
+                ox, oy = place[k, 0] - x, place[k, 1] - y
+                ahead = ox * ux + oy * uy
+                if ahead <= touch or ahead >= best or abs(ox * uy - oy * ux) > 2.0 * touch:
+                    continue
+                vx, vy = leaves(ends, bulge, tips[k])
+                if tips[k] // 2 != i and ux * vx + uy * vy < -0.999:
+                    best = ahead
+                    link[half] = tips[k]

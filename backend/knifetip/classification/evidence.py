@@ -147,9 +147,9 @@ def _seen(
     count, touch = len(bulge), GAP * unit
     sides = faces(net, ends, bulge, touch)
     real = net.edge >= 0
-    length = arc.length(net.place[net.start], net.place[net.end], net.bulge)
+    length = arc.over(net.chords(), net.bulge)
     parts = Parts.of(net, sides, length, inscriptions, unit)
-    role = _roles(sides, parts)
+    role = _roles(net, sides, parts)
     perimeter = np.bincount(sides.left, length, len(sides.area))
     perimeter += np.bincount(sides.right, length, len(sides.area))
     slender = 2.0 * sides.area < _NARROW * unit * perimeter
@@ -159,11 +159,12 @@ def _seen(
         net.first, role, paired, length, sides.left, sides.right, len(Role)
     )
     part_of = np.full(count, -1, np.int32)
-    part_of[net.edge[real]] = sides.part[real]
+    part_of[net.edge[real]] = net.part[real]
     # An edge too short to be a piece is what the edge before it is, which it goes on from.
     before = np.maximum.accumulate(np.where(whole > 0.0, np.arange(count), 0))
-    gap = np.hypot(*(ends[before, 1] - ends[:, 0]).T)
-    speck = (whole == 0.0) & (whole[before] > 0.0) & (gap <= 4.0 * touch)
+    speck = np.flatnonzero((whole == 0.0) & (whole[before] > 0.0))
+    gap = np.hypot(*(ends[before[speck], 1] - ends[speck, 0]).T)
+    speck = speck[gap <= 4.0 * touch]
     greatest[speck], share[speck] = greatest[before[speck]], share[before[speck]]
     part_of[speck] = part_of[before[speck]]
     whole[speck] = touch
@@ -228,7 +229,7 @@ def _gathered(
     return greatest, share, whole, narrow, sides
 
 
-def _roles(sides: Faces, parts: Parts) -> U8:
+def _roles(net: Net, sides: Faces, parts: Parts) -> U8:
     """Return the role of each piece, (p,)."""
     # What a piece of each part is: at its rim, on its own outside, in one face, between two.
     rim, alone, within, between = range(4)
@@ -248,9 +249,9 @@ def _roles(sides: Faces, parts: Parts) -> U8:
     table[parts.around] = Role.AROUND
     table[parts.table] = Role.TABLE
     table[parts.letter] = Role.LETTER
-    role = np.empty(len(sides.part), np.uint8)
+    role = np.empty(len(net.part), np.uint8)
     where = np.array([between, rim, within, alone])
-    _look_up(table, where, sides.part, sides.left, sides.right, sides.outside, role)
+    _look_up(table, where, net.part, sides.left, sides.right, sides.outside, role)
     return role
 
 

@@ -80,13 +80,11 @@ def holding(net: Net, sides: Faces, role: U8, length: F64, count: int) -> Bool:
     free = straight & _between_corners(net, divides, number, len(pair), on_rim, degree)
     chosen = (bridge | free)[number] & _longest(net, divides, number, length, count)
     alone = _single_blanks(net, sides, length, rim, panel)
-    parts, part = len(sides.outside), sides.part[divides]
+    parts, part = len(sides.outside), net.part[divides]
     lines = np.bincount(part, length[divides], parts)
     # Maps and floor plans divide faces too, by whatever line there is.
     plain = np.bincount(part, length[divides] * straight[number], parts) >= _PLAIN * lines
-    owner = np.zeros(faces, np.int64)
-    owner[sides.left], owner[sides.right] = sides.part, sides.part
-    panels = np.bincount(owner[panel], minlength=parts)
+    panels = np.bincount(sides.owner[panel], minlength=parts)
     carton = alone & plain & (panels >= _PANELS)
     holds = sound & chosen & carton[part]
     rows = net.edge[divides]
@@ -184,8 +182,7 @@ def _single_blanks(net: Net, sides: Faces, length: F64, rim: Bool, panel: Bool) 
     has none, or a base that is its own.
     """
     faces = len(sides.area)
-    owner = np.full(faces, -1, np.int64)
-    owner[sides.left], owner[sides.right] = sides.part, sides.part
+    owner = sides.owner
     # What is drawn twice counts once.
     own = np.flatnonzero(net.same == np.arange(len(net.same)))
     start, end, length = net.place[net.start[own]], net.place[net.end[own]], length[own]

@@ -11,7 +11,7 @@ from numba import njit
 from knifetip.classification.cutting import WORTH, Partings
 from knifetip.classification.grid import Grid, cell_of
 from knifetip.classification.places import Places, longer, placed, roomy
-from knifetip.classification.segment import BULGE, leaves, near, point_at
+from knifetip.classification.segment import BULGE, chord, crossing, leaves, near, point_at
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.cores import each, runs
 
@@ -61,15 +61,13 @@ def _look(
             continue
         # Both ends stop short, and both look at something.
         both = loose[node[2 * i]] and loose[node[2 * i + 1]] and abs(bulge[i]) <= BULGE
-        dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
-        both = both and math.hypot(dx, dy) >= 4.0 * ahead
+        both = both and chord(ends, i) >= 4.0 * ahead
         for half in range(2 * i, 2 * i + 2):
             both = both and _meets(ends, bulge, half, ahead, grid)
         for half in range(2 * i, 2 * i + 2):
             if not loose[node[half]]:
                 continue
             x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
-            ux, uy = leaves(ends, bulge, half)
             best = max(gap_of[half], ahead) if both else gap_of[half]
             c0 = cell_of(x - best, low[0], size[0], side)
             c1 = cell_of(x + best, low[0], size[0], side)
@@ -79,9 +77,12 @@ def _look(
                 for r in range(r0, r1 + 1):
                     for k in range(first[r * side + c], first[r * side + c + 1]):
                         j = listed[k]
+                        if j == i:
+                            continue
                         away, part = near(ends, bulge, j, x, y, best)
                         if away < best and twin[j] != i:
                             px, py = point_at(ends, bulge, j, part)
+                            ux, uy = leaves(ends, bulge, half)
                             if (px - x) * ux + (py - y) * uy >= 0.5 * away:
                                 best = away
                                 partner[half], where[half] = j, part
@@ -101,7 +102,7 @@ def _tie(
     cuts = ties = 0
     for half in met:
         j, part = partner[half], where[half]
-        long = math.hypot(ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1])
+        long = chord(ends, j)
         if part * long <= touch:
             at = node[2 * j]
         elif (1.0 - part) * long <= touch:
@@ -117,7 +118,7 @@ def _tie(
             tie[ties, 0] = node[half]
             tie[ties, 1] = at
             ties += 1
-    return row[:cuts].copy(), share[:cuts].copy(), cut[:cuts].copy(), tie[:ties].copy(), count
+    return row[:cuts], share[:cuts], cut[:cuts], tie[:ties], count
 
 
 def crossed(
@@ -143,6 +144,7 @@ def _cross(
     while k < ties:
         ax, ay = point[tie[k, 0], 0], point[tie[k, 0], 1]
         ux, uy = point[tie[k, 1], 0] - ax, point[tie[k, 1], 1] - ay
+        long = math.sqrt(ux * ux + uy * uy)
         c0 = cell_of(min(ax, ax + ux), low[0], size[0], side)
         c1 = cell_of(max(ax, ax + ux), low[0], size[0], side)
         r0 = cell_of(min(ay, ay + uy), low[1], size[1], side)
@@ -154,19 +156,10 @@ def _cross(
                     j = listed[m]
                     if abs(bulge[j]) > BULGE or twin[j] != j:
                         continue
-                    vx, vy = ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1]
-                    cross = ux * vy - uy * vx
-                    if cross == 0.0:
+                    s, t = crossing(ax, ay, ux, uy, ends, j)
+                    if not 0.0 < s < least or min(s, 1.0 - s) * long <= touch:
                         continue
-                    ox, oy = ends[j, 0, 0] - ax, ends[j, 0, 1] - ay
-                    s = (ox * vy - oy * vx) / cross
-                    t = (ox * uy - oy * ux) / cross
-                    if not (0.0 < s < least and 0.0 < t < 1.0):
-                        continue
-                    long = math.hypot(vx, vy)
-                    if min(s, 1.0 - s) * math.hypot(ux, uy) <= touch:
-                        continue
-                    if min(t, 1.0 - t) * long > touch:
+                    if min(t, 1.0 - t) * chord(ends, j) > touch:
                         least, through, where = s, j, t
         if through >= 0:
             if places + 1 >= len(point):

@@ -52,19 +52,19 @@ def gridded(ends: F64, bulge: F64, touch: float, reach: float) -> Grid | None:
     side = max(1, math.isqrt(count))
     while True:
         size = np.maximum((high - low) / side, 4.0 * touch)
-        cells, total = _counted(ends, bulge, boxes, low, size, side, touch, 8 * count + 4096)
-        if total >= 0:
+        cell, edge = _passed(ends, bulge, boxes, low, size, side, touch, 8 * count + 4096)
+        if len(cell) > 0:
             break
         if side == 1:
             return None
         side = max(1, side // 2)
-    grid = Grid(low, size, side, *_filled(ends, bulge, boxes, low, size, side, touch, cells))
+    grid = Grid(low, size, side, *by_cell(cell, side * side, edge))
     if (np.diff(grid.first).astype(np.int64) ** 2).sum() > _WORK * count + 1_000_000:
         return None
     return grid
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def _boxes(ends: Any, bulge: Any, boxes: Any, bounds: Any) -> None:
     """Write the box of each edge, and of all."""
     for i in range(len(bulge)):
@@ -108,11 +108,12 @@ def _rows(
     return min(y0, y1) - pad, max(y0, y1) + pad
 
 
-@njit(cache=True, error_model="numpy")
-def _counted(
+@njit(cache=True, error_model="numpy", nogil=True)
+def _passed(
     ends: Any, bulge: Any, boxes: Any, low: Any, size: Any, side: int, pad: float, most: int
 ) -> Any:
-    count = np.zeros(side * side + 1, np.int32)
+    """Return the cells that edges pass through, and which edge each is of; none for too many."""
+    cell, edge = np.empty(most, np.int32), np.empty(most, np.int32)
     total = 0
     for i in range(len(bulge)):
         c0 = cell_of(boxes[i, 0] - pad, low[0], size[0], side)
@@ -122,30 +123,28 @@ def _counted(
             y0, y1 = _rows(ends, bulge, boxes, i, left, left + size[0], pad)
             r0 = cell_of(y0, low[1], size[1], side)
             r1 = cell_of(y1, low[1], size[1], side)
+            if total + r1 - r0 >= most:
+                return cell[:0], edge[:0]
             for r in range(r0, r1 + 1):
-                count[r * side + c + 1] += 1
-            total += r1 - r0 + 1
-        if total > most:
-            return count, -1
-    return count, total
+                cell[total], edge[total] = r * side + c, i
+                total += 1
+    return cell[:total], edge[:total]
 
 
-@njit(cache=True, error_model="numpy")
-def _filled(
-    ends: Any, bulge: Any, boxes: Any, low: Any, size: Any, side: int, pad: float, count: Any
-) -> Any:
-    first = np.cumsum(count).astype(np.int32)
-    listed = np.empty(first[-1], np.int32)
-    put = first[:-1].copy()
-    for i in range(len(bulge)):
-        c0 = cell_of(boxes[i, 0] - pad, low[0], size[0], side)
-        c1 = cell_of(boxes[i, 2] + pad, low[0], size[0], side)
-        for c in range(c0, c1 + 1):
-            left = low[0] + c * size[0]
-            y0, y1 = _rows(ends, bulge, boxes, i, left, left + size[0], pad)
-            r0 = cell_of(y0, low[1], size[1], side)
-            r1 = cell_of(y1, low[1], size[1], side)
-            for r in range(r0, r1 + 1):
-                listed[put[r * side + c]] = i
-                put[r * side + c] += 1
-    return first, listed
+@njit(cache=True, error_model="numpy", nogil=True)
+def by_cell(cell: Any, cells: int, listed: Any) -> Any:
+    """Return where each of so many cells begins, and what is listed of each, in order.
+
+    What has no cell, -1, is left out.
+    """
+    begins = np.zeros(cells + 1, np.int32)
+    for one in cell:
+        begins[one + 1] += one >= 0
+    begins = np.cumsum(begins).astype(np.int32)
+    ordered = np.empty(begins[-1], np.int32)
+    put = begins[:-1].copy()
+    for k in range(len(cell)):
+        if cell[k] >= 0:
+            ordered[put[cell[k]]] = listed[k]
+            put[cell[k]] += 1
+    return begins, ordered

@@ -52,7 +52,7 @@ def contradicted(ends: F64, shape: Shape, line_type: U8, length: F64) -> Bool:
     np.maximum.at(box[:, 2:], owner, points)
     box[~wanted] = 0.0
     centre = 0.5 * (box[:, :2] + box[:, 2:])
-    size = (box[:, 2:] - box[:, :2]).max(axis=1)
+    size = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
     fold = fold[wanted[shape.part[fold]]]
     for axis in range(2):
         one, other = _images(ends, shape, cut, fold, centre, size, axis)

@@ -23,9 +23,11 @@ from knifetip.classification.cutting import parted, together
 from knifetip.classification.dashes import rows_of_dashes
 from knifetip.classification.gaps import crossed, tied
 from knifetip.classification.grid import Grid, gridded
-from knifetip.classification.places import alike, placed_ends
+from knifetip.classification.places import Places, alike, placed_ends
 from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.cores import both
+from knifetip.geometry.sets import settle, unite
 from knifetip.geometry.tolerance import GAP
 
 
@@ -42,7 +44,24 @@ class Net:
     share: F64  #: (p,) where on its edge it begins, 0 … 1
     first: I32  #: (n + 1,) the pieces of each edge are first … first + 1 - 1
     same: I32  #: (p,) the first piece that lies where this one lies
+    part: I32  #: (p,) the connected part of the drawing that it belongs to
+    leftmost: I32  #: (c,) the leftmost place of each part
     dashed: Bool  #: (n,) the edge is one of a row of dashes
+
+    def chords(self) -> F64:
+        """Return how far apart the ends of each piece are, (p,)."""
+        chord: F64 = _chords(self.place, self.start, self.end)
+        return chord
+
+
+@njit(cache=True, error_model="numpy")
+def _chords(place: Any, start: Any, end: Any) -> Any:
+    result = np.empty(len(start))
+    for p in range(len(start)):
+        x = place[end[p], 0] - place[start[p], 0]
+        y = place[end[p], 1] - place[start[p], 1]
+        result[p] = math.sqrt(x * x + y * y)
+    return result
 
 
 def built(ends: F64, bulge: F64, touch: float, reach: float) -> Net | None:
@@ -59,20 +78,17 @@ def built(ends: F64, bulge: F64, touch: float, reach: float) -> Net | None:
     count = len(bulge)
     if count == 0:
         return None
-    grid = gridded(ends, bulge, touch, reach)
+    grid, (spots, node, twin) = both(
+        lambda: gridded(ends, bulge, touch, reach), lambda: _lines(ends, bulge, touch)
+    )
     if grid is None:
         return None
     unit = touch / GAP
-    spots, node = placed_ends(ends, touch)
-    twin = alike(node[::2].copy(), node[1::2].copy(), bulge, spots.point, touch)
     found = parted(ends, bulge, touch, node, spots, grid, 64 * count + 4096)
     if found is None:
         return None
     on, across, spots = found
-    degree = np.bincount(node.reshape(-1, 2)[twin == np.arange(count)].ravel(), None, spots.known)
-    degree += 2 * np.bincount(on.place, None, spots.known)
-    degree += 2 * np.bincount(across.place, None, spots.known)
-    loose = degree == 1
+    loose = _loose(node, twin, on.place, across.place, spots.known)
     dashed, dash_ties, gap_of = rows_of_dashes(
         ends, bulge, touch, unit, reach, node, twin, loose, grid
     )
@@ -82,9 +98,57 @@ def built(ends: F64, bulge: F64, touch: float, reach: float) -> Net | None:
     start, end, bent, edge, share, first = _pieces(
         bulge, node, *together(on, across, met, through), ties
     )
-    point = spots.point[: spots.known].copy()
-    same = alike(start, end, bent, point, touch)
-    return Net(grid, point, start, end, bent, edge, share, first, same, dashed)
+    point = spots.point[: spots.known]
+    same, (part, leftmost) = both(
+        lambda: alike(start, end, bent, point, touch), lambda: _parts(point, start, end)
+    )
+    return Net(grid, point, start, end, bent, edge, share, first, same, part, leftmost, dashed)
+
+
+def _lines(ends: F64, bulge: F64, touch: float) -> tuple[Places, I32, I32]:
+    """Return the places of ends, those of each edge, (2n,), and the first edge like it, (n,)."""
+    spots, node = placed_ends(ends, touch)
+    return spots, node, alike(node[::2].copy(), node[1::2].copy(), bulge, spots.point, touch)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _parts(place: Any, start: Any, end: Any) -> Any:
+    """Return the connected part of each piece, and the leftmost place of each part."""
+    pieces, places = len(start), len(place)
+    parent = np.arange(places)
+    for p in range(pieces):
+        unite(parent, start[p], end[p])
+    settle(parent)
+    number = np.full(places, -1, np.int32)
+    part = np.empty(pieces, np.int32)
+    parts = 0
+    leftmost = np.empty(places, np.int32)
+    for p in range(pieces):
+        root = parent[start[p]]
+        if number[root] < 0:
+            number[root] = parts
+            leftmost[parts] = start[p]
+            parts += 1
+        own = number[root]
+        part[p] = own
+        if place[start[p], 0] < place[leftmost[own], 0]:
+            leftmost[own] = start[p]
+        if place[end[p], 0] < place[leftmost[own], 0]:
+            leftmost[own] = end[p]
+    return part, leftmost[:parts]
+
+
+@njit(cache=True, error_model="numpy")
+def _loose(node: Any, twin: Any, on: Any, across: Any, places: int) -> Any:
+    """Return at which places nothing but one line ends, (q,)."""
+    degree = np.zeros(places, np.uint8)
+    for half in range(len(node)):
+        if twin[half // 2] == half // 2:
+            degree[node[half]] = min(degree[node[half]] + 1, 2)
+    for parting in (on, across):
+        for at in parting:
+            degree[at] = 2
+    return degree == 1
 
 
 @njit(cache=True, error_model="numpy")
@@ -124,7 +188,9 @@ def _pieces(bulge: Any, node: Any, row: Any, share: Any, cut: Any, tie: Any) -> 
             if there == here and not round_:
                 continue
             start[pieces], end[pieces], edge[pieces], begin[pieces] = here, there, i, last
-            bent[pieces] = math.tan(math.atan(bulge[i]) * (to - last))
+            bent[pieces] = bulge[i]
+            if to - last < 1.0 and bulge[i] != 0.0:
+                bent[pieces] = math.tan(math.atan(bulge[i]) * (to - last))
             pieces += 1
             here, last = there, to
     first_piece[n] = pieces
@@ -133,10 +199,10 @@ def _pieces(bulge: Any, node: Any, row: Any, share: Any, cut: Any, tie: Any) -> 
         bent[pieces], begin[pieces] = 0.0, 0.0
         pieces += 1
     return (
-        start[:pieces].copy(),
-        end[:pieces].copy(),
-        bent[:pieces].copy(),
-        edge[:pieces].copy(),
-        begin[:pieces].copy(),
+        start[:pieces],
+        end[:pieces],
+        bent[:pieces],
+        edge[:pieces],
+        begin[:pieces],
         first_piece,
     )

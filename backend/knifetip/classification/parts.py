@@ -22,6 +22,7 @@ from knifetip.classification.net import Net
 from knifetip.classification.segment import near, point_at
 from knifetip.classification.words import hint
 from knifetip.geometry.columns import F64, I32, I64, Bool
+from knifetip.geometry.cores import each, runs
 from knifetip.geometry.tolerance import GAP
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Inscription
@@ -47,6 +48,8 @@ _PLAIN: Final = 8
 #: A part of so many panels is a carton.
 _CARTON: Final = 6
 _MOST: Final = 300
+#: Pairs of parts that one core has looked at before another has begun.
+_WORTH: Final = 300_000
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -88,28 +91,28 @@ class Parts:
         count = len(sides.outside)
         area = -sides.area[sides.outside]
         tiny = unit * unit
-        owner = np.zeros(len(sides.area), np.int32)
-        owner[sides.left], owner[sides.right] = sides.part, sides.part
+        owner = sides.owner
         bounded = sides.area > tiny
         bounded[sides.outside] = False
         many = np.bincount(owner[bounded], minlength=count)
         box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (count, 1))
-        _boxes(net.place, net.start, net.end, net.bulge, sides.part, box)
-        level = _level(net, sides, count, 2.0 * GAP * unit)
+        level = np.ones(count, np.bool_)
+        off = 2.0 * GAP * unit
+        _boxes(net.place, net.start, net.end, net.bulge, net.part, off, box, level)
         parent = np.where(sides.within >= 0, owner[sides.within], -1)
         frame = _frames(sides, parent, area, many, level, box, owner, bounded)
-        bleed = _bleeds(net, sides, parent, frame, many, box, unit)
+        bleed = _bleeds(net, parent, frame, many, box, unit)
         around = np.zeros(count, np.bool_)
         around[parent[(parent >= 0) & (many >= _CARTON)]] = True
         around &= (many == 1) & ~frame & ~bleed
         around &= (parent < 0) | (frame | bleed)[parent]
         beside = frame | bleed | around
         inside = (parent >= 0) & ~beside[parent]
-        letter = lettering(sides, box, length, unit)
+        letter = lettering(net, box, length, unit)
         largest = area[~inside & ~beside].max(initial=0.0)
         holds = np.zeros(count, np.int64)
         annotated = np.zeros(count, np.bool_)
-        _texts(_placed(inscriptions), box, holds, annotated)
+        _read(_placed(inscriptions), box, holds, annotated)
         apart = ~inside & ~beside
         table = apart & level & (area < 0.25 * largest)
         table &= (many >= 1) & (holds >= np.maximum(1, 0.4 * many))
@@ -119,9 +122,10 @@ class Parts:
         doubtful = _doubtful(
             net, sides, length, area, box, inside | beside | table | letter, small, tiny
         )
-        size = np.hypot(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
+        wide, high = box[:, 2] - box[:, 0], box[:, 3] - box[:, 1]
+        size = np.sqrt(wide * wide + high * high)
         speck = apart & (area <= tiny) & (size <= _SPECK * unit)
-        drawn = np.bincount(sides.part, length, count).astype(np.float64)
+        drawn = np.bincount(net.part, length, count).astype(np.float64)
         if drawn[speck].sum() > 0.25 * drawn[apart & (area > tiny)].sum():
             # So much that closes nothing may be what is left of a carton.
             speck[:] = False
@@ -131,10 +135,10 @@ class Parts:
         if legend.any():
             named = np.zeros(count, np.bool_)
             kinds = [text for text in inscriptions[:_MOST] if _names_a_line(text.text)]
-            _texts(_placed(kinds), box, np.zeros(count, np.int64), named)
+            _read(_placed(kinds), box, np.zeros(count, np.int64), named)
             legend &= named
         slot = inside & (many == 1) & (np.bincount(parent[parent >= 0], minlength=count) == 0)
-        slot &= _narrow(area, drawn, np.bincount(sides.part, minlength=count), size, unit)
+        slot &= _narrow(area, drawn, np.bincount(net.part, minlength=count), size, unit)
         return cls(
             inside, frame, table, small, doubtful, annotated,
             bleed, letter, speck, apart & (area <= tiny), slot, legend, around,
@@ -142,11 +146,19 @@ class Parts:
 
 
 @njit(cache=True, error_model="numpy")
-def _boxes(place: Any, start: Any, end: Any, bulge: Any, part: Any, box: Any) -> None:
-    """Write the box of each part, arcs by their ends and their middles."""
+def _boxes(
+    place: Any, start: Any, end: Any, bulge: Any, part: Any, off: float, box: Any, level: Any
+) -> None:
+    """Write the box of each part, arcs by their ends and their middles, and which are level.
+
+    Level parts are made of level and upright lines only, but for ``off``.
+    """
     for p in range(len(start)):
         c, a, b = part[p], start[p], end[p]
         dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
+        less, more = min(abs(dx), abs(dy)), max(abs(dx), abs(dy))
+        if abs(bulge[p]) > 1e-6 or less > max(0.001 * more, off):
+            level[c] = False
         for share in (0.0, 0.5, 1.0):
             bow = 2.0 * share * (1.0 - share) * bulge[p]
             x = place[a, 0] + share * dx + bow * dy
@@ -164,24 +176,6 @@ def _narrow(area: F64, drawn: F64, pieces: I64, size: F64, unit: float) -> Bool:
     narrow = (2.0 * area < _SLOT * unit * across) & (size > 2.0 * _SLOT * unit)
     result: Bool = (round_ | narrow) & (pieces <= _PLAIN)
     return result
-
-
-def _level(net: Net, sides: Faces, count: int, off: float) -> Bool:
-    """Return which parts are made of level and upright lines only, (c,)."""
-    level = np.ones(count, np.bool_)
-    _unlevel(net.place, net.start, net.end, net.bulge, sides.part, off, level)
-    return level
-
-
-@njit(cache=True, error_model="numpy")
-def _unlevel(
-    place: Any, start: Any, end: Any, bulge: Any, part: Any, off: float, level: Any
-) -> None:
-    for p in range(len(start)):
-        x = abs(place[end[p], 0] - place[start[p], 0])
-        y = abs(place[end[p], 1] - place[start[p], 1])
-        if abs(bulge[p]) > 1e-6 or min(x, y) > max(0.001 * max(x, y), off):
-            level[part[p]] = False
 
 
 def _frames(
@@ -230,9 +224,7 @@ def _plain(part: int, level: Bool, many: I64) -> bool:
     return bool(level[part]) and int(many[part]) == 1
 
 
-def _bleeds(
-    net: Net, sides: Faces, parent: I32, frame: Bool, many: I64, box: F64, unit: float
-) -> Bool:
+def _bleeds(net: Net, parent: I32, frame: Bool, many: I64, box: F64, unit: float) -> Bool:
     """Return which parts follow the outline of what lies in them, and hold a blank, (c,).
 
     A ring in a ring may be a gasket: what is held must have panels.
@@ -240,19 +232,24 @@ def _bleeds(
     count = len(parent)
     bleed = np.zeros(count, np.bool_)
     held = np.flatnonzero((parent >= 0) & (many >= 2))
-    around = np.unique(parent[held])
-    around = around[(many[around] == 1) & ~frame[around]]
-    if len(around) == 0:
+    held = held[np.argsort(parent[held], kind="stable")]
+    holder = parent[held]
+    if len(held) == 0:
         return bleed
+    around, begins = np.unique(holder, return_index=True)
+    # Only what is about as large as its bleed has one.
     low, high = _BLEED[0] * unit, _BLEED[1] * unit
-    order, first = _by_part(sides.part, count)
+    off = np.hstack(
+        [
+            np.abs(np.minimum.reduceat(box[held, :2], begins) - box[around, :2]),
+            np.abs(np.maximum.reduceat(box[held, 2:], begins) - box[around, 2:]),
+        ]
+    )
+    fits = (off.min(axis=1) >= low) & (off.max(axis=1) <= high)
+    around = around[fits & (many[around] == 1) & ~frame[around]]
+    order, first = _by_part(net.part, count)
     for c in around[np.argsort(-np.diff(first)[around], kind="stable")[:_MOST]].tolist():
-        # Only what is about as large as its bleed has one.
-        mine = held[parent[held] == c]
-        whole = np.concatenate([box[mine, :2].min(axis=0), box[mine, 2:].max(axis=0)])
-        off = np.abs(whole - box[c])
-        if off.min() < low or off.max() > high:
-            continue
+        mine = held[slice(*np.searchsorted(holder, [c, c + 1]))]
         rows = np.concatenate([order[first[i] : first[i + 1]] for i in mine.tolist()])
         own = order[first[c] : first[c + 1]]
         held_ends = net.place[np.column_stack([net.start[rows], net.end[rows]])]
@@ -308,9 +305,18 @@ def _placed(inscriptions: Sequence[Inscription]) -> F64:
     return placed[np.argsort(placed[:, 0], kind="stable")]
 
 
-@njit(cache=True, error_model="numpy")
-def _texts(text: Any, box: Any, holds: Any, beside: Any) -> None:
+def _read(text: F64, box: F64, holds: I64, beside: Bool) -> None:
     """Write how many texts stand in the box of each part, and whether one stands near, (c,)."""
+
+    def read(run: tuple[int, int]) -> None:
+        here = slice(*run)
+        _texts(text, box[here], holds[here], beside[here])
+
+    each(read, runs(len(box), _WORTH // (len(text) + 1)))
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _texts(text: Any, box: Any, holds: Any, beside: Any) -> None:
     widest = 0.0
     for t in range(len(text)):
         widest = max(widest, text[t, 3] + 2.0 * text[t, 2])
@@ -344,14 +350,19 @@ def _doubtful(
     """Return the parts beside whose outline too much leads nowhere, (c,)."""
     count = len(area)
     nowhere, closing = np.zeros(count), np.zeros(count)
-    _drawn(net.edge, sides.part, sides.left, sides.right, sides.outside, length, nowhere, closing)
+    _drawn(net.edge, net.part, sides.left, sides.right, sides.outside, length, nowhere, closing)
     blank = ~other & (area > tiny)
     lost = np.where(blank, nowhere, 0.0)
     # An open part that lies round a closed one is what is left of its outline.
     size = (box[:, 2] - box[:, 0]) * (box[:, 3] - box[:, 1])
     open_ = np.flatnonzero(~other & (nowhere > 0.5 * closing) & (size > tiny))
     open_ = open_[np.argsort(-size[open_], kind="stable")[:_MOST]]
-    _covered(open_, box, size, np.flatnonzero(blank), nowhere, lost)
+    blanks = np.flatnonzero(blank)
+
+    def covered(run: tuple[int, int]) -> None:
+        _covered(open_, box, size, blanks[slice(*run)], nowhere, lost)
+
+    each(covered, runs(len(blanks), _WORTH // (len(open_) + 1)))
     return blank & ~small & (lost > _DOUBT * closing)
 
 
@@ -371,7 +382,7 @@ def _drawn(
             closing[part[p]] += length[p]
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def _covered(open_: Any, box: Any, size: Any, blank: Any, nowhere: Any, lost: Any) -> None:
     """Add to what each blank has lost the open parts that lie round most of it."""
     for k in range(len(open_)):

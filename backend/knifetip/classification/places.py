@@ -40,7 +40,7 @@ def roomy(spots: Places, more: int) -> Places:
     return Places(point, spots.known, onward, spots.head)
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def _place(ends: Any, touch: float, spots: Places, node: Any) -> int:
     count = 0
     for half in range(len(node)):
@@ -98,7 +98,7 @@ def longer(column: Any) -> Any:
     return more
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def alike(start: Any, end: Any, bent: Any, point: Any, touch: float) -> Any:
     """The first of the lines between two places that each line lies on."""
     count = len(start)
@@ -116,13 +116,13 @@ def alike(start: Any, end: Any, bent: Any, point: Any, touch: float) -> Any:
         slot = _hashed(a, b, mask)
         at = heads[slot]
         same[p] = p
-        chord = math.hypot(point[a, 0] - point[b, 0], point[a, 1] - point[b, 1])
         while at >= 0:
-            other = bent[at] if start[at] == a else -bent[at]
-            both = (start[at] == a and end[at] == b) or (start[at] == b and end[at] == a)
-            if both and 0.5 * abs(other - bend) * chord <= 2.0 * touch:
-                same[p] = at
-                break
+            if (start[at] == a and end[at] == b) or (start[at] == b and end[at] == a):
+                other = bent[at] if start[at] == a else -bent[at]
+                chord = math.hypot(point[a, 0] - point[b, 0], point[a, 1] - point[b, 1])
+                if 0.5 * abs(other - bend) * chord <= 2.0 * touch:
+                    same[p] = at
+                    break
             at = behind[at]
         if same[p] == p:
             behind[p] = heads[slot]

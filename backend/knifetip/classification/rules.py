@@ -77,17 +77,14 @@ class Styles:
 
 def styles(drawing: Drawing) -> Styles:
     """Return the combinations of layer, colour, linetype, kind of entity and block."""
-    _, kind = numbered(drawing.ledger.kind)
+    kinds, kind = numbered(drawing.ledger.kind)
     blocks, block = numbered(drawing.ledger.block or ("",))
     of_entity = np.zeros(len(drawing.ledger), np.int32)
     of_entity[:] = kind if len(blocks) == 1 else kind * len(blocks) + block
-    first, of = distinct(
-        drawing.layer,
-        drawing.colour,
-        drawing.true_colour,
-        drawing.linetype,
-        of_entity[drawing.entity],
-    )
+    # One number for all but the colours.
+    place = (drawing.layer.astype(np.int64) * len(drawing.linetypes)) + drawing.linetype
+    place = place * (len(kinds) * len(blocks)) + of_entity[drawing.entity]
+    first, of = distinct(place, drawing.colour, drawing.true_colour)
     true = drawing.true_colour[first]
     written = drawing.colour[first]
     index = np.array([_INDEX_OF.get(value, 0) for value in true.tolist()], np.int32)

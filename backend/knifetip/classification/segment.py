@@ -37,19 +37,24 @@ def near(ends: Any, bulge: Any, i: int, x: float, y: float, far: float) -> tuple
     room = 0.5 * math.sqrt(square) + far
     if mx * mx + my * my > _CLEARLY * room * room:
         return np.inf, 0.0
-    return _near_arc(dx, dy, bulge[i], ox, oy)
+    return _near_arc(dx, dy, bulge[i], ox, oy, far)
 
 
 @njit(cache=True, error_model="numpy")
-def _near_arc(dx: float, dy: float, b: float, x: float, y: float) -> tuple[float, float]:
+def _near_arc(
+    dx: float, dy: float, b: float, x: float, y: float, far: float
+) -> tuple[float, float]:
     """``near`` for an arc that begins at 0, 0 and ends at ``dx``, ``dy``."""
     if dx == 0.0 and dy == 0.0:
         return math.hypot(x, y), 0.0
     up = (1.0 - b * b) / (4.0 * b)
     cx = 0.5 * dx - up * dy
     cy = 0.5 * dy + up * dx
-    sweep = 4.0 * abs(math.atan(b))
     px, py = x - cx, y - cy
+    if abs(math.sqrt(px * px + py * py) - math.sqrt(cx * cx + cy * cy)) > _CLEARLY * far:
+        # So far from the whole circle: its angles, which take time, are not asked for.
+        return np.inf, 0.0
+    sweep = 4.0 * abs(math.atan(b))
     # The angle from the beginning of the arc, along it.
     side = cx * px + cy * py
     turn = math.atan2(cy * px - cx * py, -side)
@@ -96,3 +101,27 @@ def leaves(ends: Any, bulge: Any, half: int) -> tuple[float, float]:
     if long == 0.0:
         return 0.0, 0.0
     return (c * dx - s * dy) / long, (s * dx + c * dy) / long
+
+
+@njit(cache=True, error_model="numpy", forceinline=True)
+def crossing(ax: float, ay: float, ux: float, uy: float, ends: Any, j: int) -> tuple[float, float]:
+    """At which shares of itself and of line ``j`` a line from ``ax``, ``ay`` crosses it.
+
+    NaN for both where they do not cross between their ends.
+    """
+    vx, vy = ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1]
+    ox, oy = ends[j, 0, 0] - ax, ends[j, 0, 1] - ay
+    cross = ux * vy - uy * vx
+    s, t = ox * vy - oy * vx, ox * uy - oy * ux
+    if cross < 0.0:
+        cross, s, t = -cross, -s, -t
+    if not (0.0 < s < cross and 0.0 < t < cross):
+        return np.nan, np.nan
+    return s / cross, t / cross
+
+
+@njit(cache=True, error_model="numpy", forceinline=True)
+def chord(ends: Any, i: int) -> float:
+    """How far apart the ends of a segment are."""
+    dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
+    return math.sqrt(dx * dx + dy * dy)

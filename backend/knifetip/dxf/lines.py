@@ -116,6 +116,6 @@ def hashed(data: Any, low: int, high: int) -> Any:
             for place in range(end - at):
                 word |= np.uint64(data[at + np.uint64(place)]) << np.uint64(8 * place)
         key = (key ^ word) * np.uint64(0x9E3779B97F4A7C15)
-        key ^= key >> np.uint64(32)
+        key ^= key >> np.uint64(47)
         at += _EIGHT
     return key

@@ -43,7 +43,12 @@ def length(start: F64, end: F64, bulge: F64) -> F64:
     """Return the lengths along lines and arcs (mm), of coordinates whose squares are numbers."""
     # By columns: rows of two are slow.
     x, y = end[:, 0] - start[:, 0], end[:, 1] - start[:, 1]
-    result: F64 = np.sqrt(x * x + y * y)
+    return over(np.sqrt(x * x + y * y), bulge)
+
+
+def over(chord: F64, bulge: F64) -> F64:
+    """Return the lengths along lines and arcs over chords of a length, (n,) mm each."""
+    result = chord.copy()
     curved = np.flatnonzero(bulge != 0.0)
     size = np.abs(bulge[curved])
     # Half the sweep by its sine, which is 2b / (1 + b²) where half of it is atan b.

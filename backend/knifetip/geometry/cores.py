@@ -34,6 +34,16 @@ def runs(count: int, worth: int) -> list[tuple[int, int]]:
     return list(pairwise(count * share // shares for share in range(shares + 1)))
 
 
+def both(one: Callable[[], _Run], other: Callable[[], _Done]) -> tuple[_Run, _Done]:
+    """Return what is done of two things that do not need each other, one to a core."""
+    if number() < 2:
+        return one(), other()
+    with ThreadPoolExecutor(1) as core:
+        beside = core.submit(one)
+        done = other()
+        return beside.result(), done
+
+
 def each(done: Callable[[_Run], _Done], work: Sequence[_Run]) -> list[_Done]:
     """Return what is done of each run, in order; the first that fails raises its error."""
     if len(work) == 1:

@@ -48,8 +48,8 @@ def test_a_line_across_makes_two_faces_and_one_that_ends_inside_none():
 def test_a_part_lies_in_the_face_that_holds_it_and_not_in_the_one_beside_it():
     inner = [(6, 6, 8, 6), (8, 6, 8, 8), (8, 8, 6, 8), (6, 8, 6, 6)]
     net, sides = straight(*SQUARE, (5, 0, 5, 10), *inner)
-    hole = sides.part[net.first[5]]
-    assert sides.within[sides.part[0]] == -1
+    hole = net.part[net.first[5]]
+    assert sides.within[net.part[0]] == -1
     right_half = sides.right[net.first[4]]
     assert sides.within[hole] == right_half
 
@@ -57,7 +57,7 @@ def test_a_part_lies_in_the_face_that_holds_it_and_not_in_the_one_beside_it():
 def test_what_lies_inside_an_arc_is_found():
     ends = np.array([[[-50.0, 0], [50, 0]], [[50, 0], [-50, 0]], [[-45, 5], [-40, 5]]])
     net, sides = of(ends, np.array([1.0, 1.0, 0.0]))
-    assert sides.area[sides.within[sides.part[net.first[2]]]] > 0.0
+    assert sides.area[sides.within[net.part[net.first[2]]]] > 0.0
 
 
 @pytest.mark.parametrize("seed", range(40))

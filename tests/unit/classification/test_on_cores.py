@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from tests import cartons
 
-from knifetip.classification import cutting, dashes, faces, gaps
+from knifetip.classification import cutting, dashes, gaps, nesting, parts
 from knifetip.classification.evidence import Shape, shape
 from knifetip.model.drawing import Drawing
 
@@ -26,7 +26,7 @@ def _five(count: int, _worth: int) -> list[tuple[int, int]]:
 def test_several_cores_see_what_one_sees(seed: int, monkeypatch: pytest.MonkeyPatch):
     drawing = cartons.drawing(seed)[0]
     one = _seen(drawing)
-    for module in (cutting, dashes, faces, gaps):
+    for module in (cutting, dashes, gaps, nesting, parts):
         monkeypatch.setattr(module, "runs", _five)
     five = _seen(drawing)
     for column in fields(Shape):

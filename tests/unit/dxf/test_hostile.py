@@ -197,6 +197,14 @@ def test_file_in_which_every_part_has_a_handle_is_plain():
     assert difference(*read_by_both(_HANDLED)) == ""
 
 
+@pytest.mark.parametrize(("last", "plain"), [("A", False), ("B", True)])
+def test_handles_far_apart_are_told_apart(last: str, plain: bool):
+    handles = ("FFFFFFFFA", "2", "5000", f"FFFFFFFF{last}")
+    data = dxf(*(line(x, 0, x, 5, (5, handle)) for x, handle in enumerate(handles)))
+    assert ours(data) == plain
+    assert difference(*read_by_both(data)) == ""
+
+
 @pytest.mark.parametrize("number", range(0x10, 0x1E), ids="{:X}".format)
 @pytest.mark.parametrize("other", ["10C&", "0", "19", "12345678901234567890", ""])
 def test_handle_that_is_none_or_is_there_twice_is_left_to_ezdxf(number: int, other: str):

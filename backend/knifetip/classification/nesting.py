@@ -1,0 +1,164 @@
+"""nesting: which connected part of a drawing lies inside which.
+
+    Net -> the piece that is met first to the left of each part -> the face that holds each part
+
+A part lies inside the face that is met first on the way left from its leftmost place.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numba import njit
+
+from knifetip.classification.cutting import WORTH
+from knifetip.classification.grid import Grid
+from knifetip.classification.net import Net
+from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.cores import each, runs
+
+_BULGE: Final = 1e-9
+
+
+class Beside(NamedTuple):
+    """What is met first to the left of c parts."""
+
+    piece: I32  #: (c,) -1 for nothing
+    upward: Bool  #: (c,) whether it goes upward there
+
+
+def looked_left(net: Net, ends: F64, bulge: F64, touch: float) -> Beside:
+    """Return what is to the left of the parts of a net of n edges, (n, 2, 2) and (n,)."""
+    count = len(net.leftmost)
+    beside = Beside(np.full(count, -1, np.int32), np.zeros(count, np.bool_))
+
+    def looked(run: tuple[int, int]) -> None:
+        _look_left(
+            ends, bulge, net.grid, net.place, net.first, net.share, net.part, net.leftmost, touch,
+            *beside, *run,
+        )  # fmt: skip
+
+    each(looked, runs(count, WORTH))
+    return beside
+
+
+def held(beside: Beside, left: I32, right: I32, outside: I32, owner: I32) -> I32:
+    """Return the face that holds each part, -1 for none, (c,).
+
+    Parameters
+    ----------
+    left, right : (p,)
+        The faces on the sides of each piece.
+    outside : (c,)
+        The face that is the outside of each part.
+    owner : (f,)
+        The part that each face is of.
+    """
+    met = np.where(beside.upward, right[beside.piece], left[beside.piece])
+    within: I32 = _within(np.where(beside.piece < 0, np.int32(-1), met), outside, owner)
+    return within
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _look_left(
+    ends: Any, bulge: Any, grid: Grid, place: Any, first_piece: Any, share: Any, part: Any,
+    leftmost: Any, touch: float, piece: Any, upward: Any, begin: int, end: int,
+) -> None:  # fmt: skip
+    """Write what is met first to the left of the leftmost place of some parts."""
+    low, size, side, first, listed = grid
+    for c in range(begin, end):
+        x, y = place[leftmost[c], 0], place[leftmost[c], 1] + 0.317 * touch
+        line = min(max(int((y - low[1]) / size[1]), 0), side - 1)
+        column = min(max(int((x - low[0]) / size[0]), 0), side - 1)
+        best, found = -np.inf, -1
+        while column >= 0:
+            cell = line * side + column
+            for k in range(first[cell], first[cell + 1]):
+                i = listed[k]
+                if (ends[i, 0, 0] > x and ends[i, 1, 0] > x) and abs(bulge[i]) <= _BULGE:
+                    continue
+                for root in range(1 if abs(bulge[i]) <= _BULGE else 2):
+                    at, up = _met(ends, bulge, i, y, root)
+                    if best < at < x:
+                        if first_piece[i] == first_piece[i + 1] or part[first_piece[i]] == c:
+                            continue
+                        best, found, upward[c] = at, i, up
+            if found >= 0 and best >= low[0] + column * size[0]:
+                break
+            column -= 1
+        if found >= 0:
+            p = first_piece[found]
+            where = _share(ends, bulge, found, best, y)
+            while p + 1 < first_piece[found + 1] and share[p + 1] <= where:
+                p += 1
+            piece[c] = p
+
+
+@njit(cache=True, error_model="numpy")
+def _within(hit: Any, outside: Any, owner: Any) -> Any:
+    """Return the faces that hold parts, where the faces met are the outsides of others, too."""
+    parts = len(hit)
+    within = np.full(parts, -1, np.int32)
+    known = np.zeros(parts, np.bool_)
+    asked = np.empty(parts, np.int32)
+    for c in range(parts):
+        waiting = 0
+        on, f = c, -1
+        while not known[on]:
+            asked[waiting] = on
+            waiting += 1
+            known[on] = True
+            f = hit[on]
+            if f < 0 or f != outside[owner[f]]:
+                break
+            on = owner[f]
+            f = within[on]
+        for k in range(waiting):
+            within[asked[k]] = f
+    return within
+
+
+@njit(cache=True, error_model="numpy", forceinline=True)
+def _met(ends: Any, bulge: Any, i: int, y: float, root: int) -> tuple[float, bool]:
+    """Where a level line meets a segment, NaN for nowhere, and whether that goes upward there."""
+    ax, ay = ends[i, 0, 0], ends[i, 0, 1]
+    bx, by = ends[i, 1, 0], ends[i, 1, 1]
+    b = bulge[i]
+    if abs(b) <= _BULGE:
+        if (ay > y) == (by > y):
+            return np.nan, False
+        return ax + (y - ay) * (bx - ax) / (by - ay), by > ay
+    off = y - 0.5 * (ay + by)
+    if 4.0 * off * off > 1.000001 * ((bx - ax) * (bx - ax) + (by - ay) * (by - ay)):
+        return np.nan, False
+    up = (1.0 - b * b) / (4.0 * b)
+    cx = 0.5 * (ax + bx) - up * (by - ay)
+    cy = 0.5 * (ay + by) + up * (bx - ax)
+    square = (ax - cx) ** 2 + (ay - cy) ** 2 - (y - cy) ** 2
+    if square <= 0.0:
+        return np.nan, False
+    half = math.sqrt(square) if root == 1 else -math.sqrt(square)
+    # The circle lies on both sides of the chord, the arc on the right where it turns left.
+    if ((bx - ax) * (y - ay) - (by - ay) * (cx + half - ax)) * b > 0.0:
+        return np.nan, False
+    return cx + half, (half > 0.0) == (b > 0.0)
+
+
+@njit(cache=True, error_model="numpy")
+def _share(ends: Any, bulge: Any, i: int, x: float, y: float) -> float:
+    """At which share of a segment a point on it lies."""
+    ax, ay = ends[i, 0, 0], ends[i, 0, 1]
+    dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
+    b = bulge[i]
+    if abs(b) <= _BULGE:
+        along: float = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)
+        return along
+    up = (1.0 - b * b) / (4.0 * b)
+    cx = ax + 0.5 * dx - up * dy
+    cy = ay + 0.5 * dy + up * dx
+    turn = math.atan2(y - cy, x - cx) - math.atan2(ay - cy, ax - cx)
+    if b < 0.0:
+        turn = -turn
+    return (turn % (2.0 * math.pi)) / (4.0 * abs(math.atan(b)))

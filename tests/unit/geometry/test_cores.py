@@ -1,0 +1,31 @@
+"""Work shared out to cores comes back in order, and what fails says so."""
+
+from __future__ import annotations
+
+import pytest
+
+from knifetip.geometry import cores
+
+
+def _fails() -> int:
+    raise ZeroDivisionError
+
+
+def test_runs_cover_everything_once(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(cores, "number", lambda: 3)
+    assert cores.runs(10, 2) == [(0, 3), (3, 6), (6, 10)]
+    assert cores.runs(10, 6) == [(0, 10)]
+    assert cores.runs(0, 6) == [(0, 0)]
+
+
+def test_what_is_done_of_each_run_is_in_the_order_of_the_runs():
+    assert cores.each(lambda run: run * run, [3, 1, 2]) == [9, 1, 4]
+
+
+@pytest.mark.parametrize("machine", [1, 2])
+def test_two_things_at_once_are_told_apart(machine: int, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(cores, "number", lambda: machine)
+    assert cores.both(lambda: "one", lambda: "other") == ("one", "other")
+    for pair in ((_fails, int), (int, _fails)):
+        with pytest.raises(ZeroDivisionError):
+            cores.both(*pair)
