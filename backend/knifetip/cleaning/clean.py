@@ -20,7 +20,7 @@ import numpy as np
 
 from knifetip.cleaning.gap import closed, specks
 from knifetip.cleaning.meeting import Meetings, meetings
-from knifetip.cleaning.overlap import parted
+from knifetip.cleaning.parting import parted
 from knifetip.cleaning.rank import RANK
 from knifetip.cleaning.run import FINE, joined
 from knifetip.errors import GeometryError

@@ -1,0 +1,95 @@
+"""stretch: where on an edge, a line or an arc, something else lies.
+
+rows of edges (k, 5): x and y of start and end (mm), bulge -> lengths, places in lengths of an edge
+
+Compiled, for those who go from edge to edge.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from knifetip.geometry.tolerance import BULGE
+
+
+@njit(cache=True, error_model="numpy")
+def circle_of(rows: Any, i: int) -> tuple[float, float, float, float]:
+    """Centre, radius and sweep of an arc."""
+    b = rows[i, 4]
+    dx = rows[i, 2] - rows[i, 0]
+    dy = rows[i, 3] - rows[i, 1]
+    lean = (1.0 - b * b) / (4.0 * b)
+    cx = 0.5 * (rows[i, 0] + rows[i, 2]) - lean * dy
+    cy = 0.5 * (rows[i, 1] + rows[i, 3]) + lean * dx
+    radius = math.hypot(dx, dy) * (1.0 + b * b) / (4.0 * abs(b))
+    return cx, cy, radius, 4.0 * math.atan(b)
+
+
+@njit(cache=True, error_model="numpy")
+def size_of(rows: Any, i: int) -> float:
+    """Length of a line or an arc."""
+    chord = math.hypot(rows[i, 2] - rows[i, 0], rows[i, 3] - rows[i, 1])
+    b = abs(rows[i, 4])
+    if b < BULGE:
+        return chord
+    return float(chord * (1.0 + b * b) * math.atan(b) / b)
+
+
+@njit(cache=True, error_model="numpy")
+def middle_of(rows: Any, i: int) -> tuple[float, float]:
+    """The middle of a line or an arc."""
+    b = rows[i, 4]
+    return (
+        0.5 * (rows[i, 0] + rows[i, 2]) + 0.5 * b * (rows[i, 3] - rows[i, 1]),
+        0.5 * (rows[i, 1] + rows[i, 3]) - 0.5 * b * (rows[i, 2] - rows[i, 0]),
+    )
+
+
+@njit(cache=True, error_model="numpy")
+def place_of(rows: Any, i: int, x: float, y: float) -> float:
+    """How far along edge i a point lies beside it, in lengths of the edge; of an arc, to ± half
+    the circle from its middle."""
+    if abs(rows[i, 4]) < BULGE:
+        dx = rows[i, 2] - rows[i, 0]
+        dy = rows[i, 3] - rows[i, 1]
+        return float(((x - rows[i, 0]) * dx + (y - rows[i, 1]) * dy) / (dx * dx + dy * dy))
+    cx, cy, _, sweep = circle_of(rows, i)
+    mx, my = middle_of(rows, i)
+    mx -= cx
+    my -= cy
+    x -= cx
+    y -= cy
+    return 0.5 + math.atan2(mx * y - my * x, mx * x + my * y) / sweep
+
+
+@njit(cache=True, error_model="numpy")
+def range_of(rows: Any, i: int, piece: Any) -> tuple[float, float]:
+    """From where to where on edge i a piece lies, in lengths of the edge; not clipped."""
+    if abs(rows[i, 4]) < BULGE:
+        a = place_of(rows, i, piece[0], piece[1])
+        b = place_of(rows, i, piece[2], piece[3])
+        return min(a, b), max(a, b)
+    sweep = 4.0 * math.atan(rows[i, 4])
+    mx = 0.5 * (piece[0] + piece[2]) + 0.5 * piece[4] * (piece[3] - piece[1])
+    my = 0.5 * (piece[1] + piece[3]) - 0.5 * piece[4] * (piece[2] - piece[0])
+    middle = place_of(rows, i, mx, my)
+    round_ = abs(2.0 * math.pi / sweep)
+    # Not by its sweep: a shallow arc that lies as near may have another radius.
+    a = place_of(rows, i, piece[0], piece[1]) - middle
+    b = place_of(rows, i, piece[2], piece[3]) - middle
+    a -= round_ * round(a / round_)
+    b -= round_ * round(b / round_)
+    low, high = min(a, b), max(a, b)
+    best = middle
+    most = -np.inf
+    for turn in range(-1, 2):
+        at = middle + turn * round_
+        common = min(at + high, 1.0) - max(at + low, 0.0)
+        if common > most:
+            most = common
+            best = at
+    return best + low, best + high
