@@ -91,7 +91,7 @@ def is_coded(kind: str, text: str) -> bool:
     return kind in _CODED or "\\" in text or "%%" in text or len(text) > _LONGEST
 
 
-def plain(
+def uncoded(
     kinds: Sequence[str], layers: Sequence[str], texts: Sequence[str], lengths: F64
 ) -> list[Inscription]:
     """Return the words of n texts as ``inscription`` does, of those that are not ``is_coded``.

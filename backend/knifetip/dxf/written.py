@@ -14,7 +14,7 @@ import numpy as np
 
 from knifetip.dxf import fields as f
 from knifetip.dxf.handles import paths_of
-from knifetip.dxf.inscriptions import inscription, is_coded, of_lines, plain
+from knifetip.dxf.inscriptions import inscription, is_coded, of_lines, uncoded
 from knifetip.dxf.tables import Tables
 from knifetip.dxf.walk import IN_PAPER_SPACE, not_read, places
 from knifetip.geometry.columns import I64, Bool
@@ -167,7 +167,7 @@ def inscriptions(tables: Tables, rows: I64) -> tuple[Inscription, ...]:
         for low, size in zip(first, count, strict=True)
     ]
     lengths = tables.found.value[rows][:, f.LENGTHS]
-    found = plain(kinds, layers, texts, lengths)
+    found = uncoded(kinds, layers, texts, lengths)
     pairs = zip(kinds, texts, strict=True)
     for at in [at for at, (kind, text) in enumerate(pairs) if is_coded(kind, text)]:
         flags = int(entity[rows[at], f.FLAGS])
