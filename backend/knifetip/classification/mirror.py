@@ -22,6 +22,8 @@ from knifetip.model.dieline import LineType
 
 #: Two lines nearer than this, as a share of the blank's size, are the same line.
 _NEAR: Final = 1.0 / 500.0
+#: Whether a line type is a fold, by its number: to look it up takes less than to search.
+_FOLDED: Final = np.isin(np.arange(256), FOLDS)
 #: So much of the length of a blank must have an image before it counts as symmetrical.
 _LIKE: Final = 0.9
 _MOST: Final = 50
@@ -39,7 +41,7 @@ def contradicted(ends: F64, shape: Shape, line_type: U8, length: F64) -> Bool:
     odd = np.zeros(len(ends), np.bool_)
     divides = shape.role == Role.DIVIDER
     cut = np.flatnonzero(divides & (line_type == LineType.CUT))
-    fold = np.flatnonzero(divides & np.isin(line_type, FOLDS))
+    fold = np.flatnonzero(divides & _FOLDED[line_type])
     if len(cut) == 0 or len(fold) == 0:
         return odd
     wanted = np.zeros(int(shape.part.max()) + 1, np.bool_)

@@ -317,10 +317,14 @@ def _read(text: F64, box: F64, holds: I64, beside: Bool) -> None:
 
 @njit(cache=True, error_model="numpy", nogil=True)
 def _texts(text: Any, box: Any, holds: Any, beside: Any) -> None:
-    widest = 0.0
+    widest, lowest, highest = 0.0, np.inf, -np.inf
     for t in range(len(text)):
         widest = max(widest, text[t, 3] + 2.0 * text[t, 2])
+        lowest = min(lowest, text[t, 1] - 2.0 * abs(text[t, 2]))
+        highest = max(highest, text[t, 1] + 2.0 * abs(text[t, 2]))
     for c in range(len(box)):
+        if not (box[c, 1] <= highest and lowest <= box[c, 3]):
+            continue
         for t in range(np.searchsorted(text[:, 0], box[c, 0] - widest), len(text)):
             x, y, height, width = text[t]
             if x - widest > box[c, 2]:
