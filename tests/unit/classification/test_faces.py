@@ -60,6 +60,17 @@ def test_what_lies_inside_an_arc_is_found():
     assert sides.area[sides.within[net.part[net.first[2]]]] > 0.0
 
 
+@pytest.mark.parametrize("bend", [1.0, 0.3])
+def test_what_lies_between_an_arc_and_its_chord_is_held_by_their_face(bend: float):
+    # Downwards, where a turn to the left bellies to the left; the chord goes up again.
+    belly = [[[0.0, 50], [0, -50]], [[0, -50], [0, 50]]]
+    ends = np.array([*belly, [[-9, 0], [-7, 1]]])
+    for turn, holds in ((bend, True), (-bend, False)):
+        net, sides = of(ends, np.array([turn, 0.0, 0.0]))
+        within = sides.within[net.part[net.first[2]]]
+        assert (within >= 0 and sides.area[within] > 0.0) == holds
+
+
 @pytest.mark.parametrize("seed", range(40))
 def test_shapely_finds_the_same_faces(seed: int):
     drawing, _, _ = carton(seed)

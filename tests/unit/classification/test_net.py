@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from knifetip.classification.net import built
+from knifetip.classification.net import _loose, built
 
 TOUCH, REACH = 0.05, 1.0
 
@@ -102,3 +102,11 @@ def test_a_speck_far_away_does_not_make_a_tangle_of_the_rest():
     made = built(ends, np.zeros(count), TOUCH, REACH)
     assert made is not None
     assert made.first[-1] >= count
+
+
+def test_loose_is_where_one_line_ends_and_nothing_else_is():
+    # Lines 0-1, 1-2, the first drawn again, 3-4 and 5-6; end 3 lies on a line, one crosses at 6.
+    node = np.array([0, 1, 1, 2, 0, 1, 3, 4, 5, 6], np.int32)
+    twin = np.array([0, 1, 0, 3, 4], np.int32)
+    found = _loose(node, twin, np.array([3], np.int32), np.array([6], np.int32), 8)
+    assert np.flatnonzero(found).tolist() == [0, 2, 4, 5]
