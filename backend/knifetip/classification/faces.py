@@ -17,10 +17,10 @@ from numba import njit
 
 from knifetip.classification.nesting import held, looked_left
 from knifetip.classification.net import Net
+from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.cores import both
 
-_BULGE: Final = 1e-9
 #: Directions are told apart to so many parts of a right angle.
 _FINE: Final = 10_000_000
 
@@ -135,7 +135,7 @@ def _walked(
                 ax, ay = place[a, 0] - x0, place[a, 1] - y0
                 bx, by = place[b, 0] - x0, place[b, 1] - y0
                 twice += ax * by - ay * bx
-                if abs(bend) > _BULGE:
+                if abs(bend) > BULGE:
                     whole = 1.0 + bend * bend
                     sine = 4.0 * bend * (1.0 - bend * bend) / (whole * whole)
                     chord = (bx - ax) * (bx - ax) + (by - ay) * (by - ay)

@@ -8,7 +8,7 @@ A part lies inside the face that is met first on the way left from its leftmost 
 from __future__ import annotations
 
 import math
-from typing import Any, Final, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -16,10 +16,9 @@ from numba import njit
 from knifetip.classification.cutting import WORTH
 from knifetip.classification.grid import Grid
 from knifetip.classification.net import Net
+from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.cores import each, runs
-
-_BULGE: Final = 1e-9
 
 
 class Beside(NamedTuple):
@@ -77,9 +76,9 @@ def _look_left(
             cell = line * side + column
             for k in range(first[cell], first[cell + 1]):
                 i = listed[k]
-                if (ends[i, 0, 0] > x and ends[i, 1, 0] > x) and abs(bulge[i]) <= _BULGE:
+                if (ends[i, 0, 0] > x and ends[i, 1, 0] > x) and abs(bulge[i]) <= BULGE:
                     continue
-                for root in range(1 if abs(bulge[i]) <= _BULGE else 2):
+                for root in range(1 if abs(bulge[i]) <= BULGE else 2):
                     at, up = _met(ends, bulge, i, y, root)
                     if best < at < x:
                         if first_piece[i] == first_piece[i + 1] or part[first_piece[i]] == c:
@@ -126,7 +125,7 @@ def _met(ends: Any, bulge: Any, i: int, y: float, root: int) -> tuple[float, boo
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     bx, by = ends[i, 1, 0], ends[i, 1, 1]
     b = bulge[i]
-    if abs(b) <= _BULGE:
+    if abs(b) <= BULGE:
         if (ay > y) == (by > y):
             return np.nan, False
         return ax + (y - ay) * (bx - ax) / (by - ay), by > ay
@@ -152,7 +151,7 @@ def _share(ends: Any, bulge: Any, i: int, x: float, y: float) -> float:
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
     b = bulge[i]
-    if abs(b) <= _BULGE:
+    if abs(b) <= BULGE:
         along: float = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)
         return along
     up = (1.0 - b * b) / (4.0 * b)

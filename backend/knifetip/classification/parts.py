@@ -98,7 +98,7 @@ class Parts:
         box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (count, 1))
         level = np.ones(count, np.bool_)
         off = 2.0 * GAP * unit
-        _boxes(net.place, net.start, net.end, net.bulge, net.part, off, box, level)
+        _measure(net.place, net.start, net.end, net.bulge, net.part, off, box, level)
         parent = np.where(sides.within >= 0, owner[sides.within], -1)
         frame = _frames(sides, parent, area, many, level, box, owner, bounded)
         bleed = _bleeds(net, parent, frame, many, box, unit)
@@ -146,7 +146,7 @@ class Parts:
 
 
 @njit(cache=True, error_model="numpy")
-def _boxes(
+def _measure(
     place: Any, start: Any, end: Any, bulge: Any, part: Any, off: float, box: Any, level: Any
 ) -> None:
     """Write the box of each part, arcs by their ends and their middles, and which are level.

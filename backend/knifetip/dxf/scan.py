@@ -147,7 +147,7 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
         slots = np.full(1 << 16, -1, np.int32)
         heads = block[:size], base[:size], layer[:size]
         tables = (entity, value, vertex, *heads, spans[run], slots, left[run], others)
-        return bool(scan_tags(text, *runs[run], *tables, state[run]))
+        return bool(scan_tags(text, *runs[run], tables, state[run]))
 
     plain = all(each(passed, range(len(runs))))
     tables = (value, vertex, base)

@@ -134,22 +134,7 @@ def _is_handle(code: int, state: Any) -> bool:
 
 
 @whole
-def scan_tags(
-    data: Any,
-    begins: int,
-    ends: int,
-    entity: Any,
-    value: Any,
-    vertex: Any,
-    block: Any,
-    base: Any,
-    layer: Any,
-    spans: Any,
-    slots: Any,
-    left: Any,
-    others: Any,
-    state: Any,
-) -> bool:
+def scan_tags(data: Any, begins: int, ends: int, tables: Any, state: Any) -> bool:
     """Fill the tables; return whether the file is plain to its end mark, or to where a run ends.
 
     Parameters
@@ -157,17 +142,13 @@ def scan_tags(
     data : (m,) uint8
     begins, ends
         The bytes to pass over: from a group code on, to one or to the end.
-    entity, value, vertex, block, base, layer
-        Those of a ``Scan``.
-    spans, slots
-        Of names, and their hash table.
-    left
-        Places of numbers that are left to ``float``.
-    others
-        Handles of what is no entity.
+    tables
+        Entities, values, vertices, blocks, base points, layers, spans of names, their hash table,
+        places of numbers that are left to ``float``, and handles of what is no entity.
     state : (``STATES``,) int64
         Where the pass begins; of use afterwards are the numbers from ``ENTITIES`` on.
     """
+    entity, value, vertex, block, base, layer, spans, slots, left, others = tables
     size: Any = np.uint64(len(data))
     stop: Any = np.uint64(ends)
     at: Any = np.uint64(begins)
