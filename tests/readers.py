@@ -54,6 +54,11 @@ def difference(a: Drawing | KnifetipError, b: Drawing | KnifetipError) -> str:
         left, right = getattr(a.ledger, name), getattr(b.ledger, name)
         if left != right:
             return f"ledger.{name}: {left} / {right}"
+    for name, one, other in zip(
+        ("standing", "where it stands"), a.ledger.standing, b.ledger.standing, strict=True
+    ):
+        if one.tobytes() != other.tobytes():
+            return f"ledger.{name}: {one.tolist()} / {other.tolist()}"
     for name in ("fate", "length"):
         if getattr(a.ledger, name).tobytes() != getattr(b.ledger, name).tobytes():
             return f"ledger.{name}: {getattr(a.ledger, name)} / {getattr(b.ledger, name)}"

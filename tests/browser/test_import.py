@@ -307,10 +307,10 @@ def test_the_report_adds_up_and_leads_to_whatever_it_names(page: Page, screensho
         "aria-pressed", "true"
     )
     expect(page.get_by_test_id("selection")).to_be_hidden()
-    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "20,20")
+    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "20,20,20,20")
     page.screenshot(path=screenshots / "import-4-report.png")
     page.keyboard.press("Escape")
-    expect(page.get_by_test_id("picture")).not_to_have_attribute("data-pin", "20,20")
+    expect(page.get_by_test_id("picture")).not_to_have_attribute("data-pin", "20,20,20,20")
     # One fate at a time.
     page.get_by_text("Merged", exact=True).last.click()
     expect(page.get_by_test_id("report-dropped")).to_have_count(0)
@@ -341,7 +341,7 @@ def test_a_sheet_of_thousands_of_entities_is_listed_bit_by_bit(page: Page) -> No
     more.click()
     expect(page.get_by_test_id("entity")).to_have_count(200)
     page.get_by_test_id("entity").filter(has_text="“No 150”").click()
-    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "50,1")
+    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "50,1,50,1")
 
 
 def test_the_picture_of_the_report_that_the_docs_show(page: Page, screenshots: Path) -> None:
@@ -352,7 +352,51 @@ def test_the_picture_of_the_report_that_the_docs_show(page: Page, screenshots: P
         page.get_by_role("button", name=folded).first.click()
     page.get_by_text("Text is not cut").click()
     page.get_by_test_id("entity").filter(has_text="Glue here").click()
-    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "3,100")
+    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "3,100,3,100")
     page.keyboard.press("f")
     page.mouse.move(720, 20)
     page.screenshot(path=screenshots / "import-5-docs.png")
+
+
+def test_a_filled_area_that_was_dropped_is_framed_where_it_lies(
+    page: Page, screenshots: Path
+) -> None:
+    corners = ((260.0, 40.0), (340.0, 40.0), (260.0, 90.0), (340.0, 90.0))
+    tags = [
+        (code + step, value)
+        for step, corner in enumerate(corners)
+        for code, value in zip((10, 20), corner, strict=True)
+    ]
+    choose(page, ("filled.dxf", carton(text.entity("SOLID", (8, "ART"), *tags))))
+    page.get_by_text("A filled area has no line of its own").click()
+    page.get_by_test_id("entity").click()
+    expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "260,40,340,90")
+    page.screenshot(path=screenshots / "import-6-area.png")
+
+
+def test_what_was_read_anew_is_taken_back_to_the_rules_as_they_were(page: Page) -> None:
+    rule = """title = "Cole"\n[[rule]]\ntype = "crease"\nlayer = ["INNER"]\n"""
+    put = """async ([text, version]) => (await fetch("/api/profiles/cole", {
+        method: "PUT",
+        headers: { "Content-Type": "application/toml", ...(version && { "If-Match": version }) },
+        body: text,
+    })).status"""
+    assert page.evaluate(put, [rule, None]) == 201
+    page.reload()
+    choose(page, ("cole.dxf", carton(text.line(0.0, 150.0, 400.0, 150.0, (8, "INNER")))))
+    page.get_by_test_id("profile-select").click()
+    page.get_by_role("option", name="Cole").click()
+    expect(page.get_by_test_id("legend-crease")).to_contain_text("1")
+
+    # Somebody else changes the profile: the drawing keeps the rules that it was read by.
+    assert page.evaluate(put, [rule.replace("crease", "half-cut"), '"1"']) == 200
+    page.reload()
+    page.get_by_test_id("bring-up-to-date").click()
+    expect(page.get_by_test_id("legend-half-cut")).to_contain_text("1")
+    expect(page.get_by_test_id("profile-state")).to_be_hidden()
+    page.keyboard.press("Control+z")
+    expect(page.get_by_test_id("legend-crease")).to_contain_text("1")
+    expect(page.get_by_test_id("legend-half-cut")).to_be_hidden()
+    expect(page.get_by_test_id("profile-state")).to_contain_text("has changed")
+    page.keyboard.press("Control+Shift+z")
+    expect(page.get_by_test_id("legend-half-cut")).to_contain_text("1")

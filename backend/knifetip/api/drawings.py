@@ -35,6 +35,7 @@ from knifetip.api.service import (
     bytes_answer,
     fingerprint,
     next_page,
+    not_shipped,
     rules_named,
 )
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing, RequestError
@@ -44,6 +45,7 @@ from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
 from knifetip.jobs.crew import Fault
 from knifetip.jobs.tables import Drawing
+from knifetip.library import own
 from knifetip.model.dieline import LineType
 
 router = APIRouter(prefix="/drawings", tags=["drawings"])
@@ -132,13 +134,18 @@ def get_drawing(here: Here, id: str) -> DrawingOut:
 
 @router.patch("/{id}")
 def change_drawing(here: Here, id: str, patch: DrawingPatch) -> DrawingOut:
-    """Say a drawing's unit, or classify it by another profile."""
+    """Say a drawing's unit, or classify it by another profile, or by one as it was."""
     row = here.store.drawing(id)
     unit = row.unit_given
     if patch.unit is not None:
         unit = "" if patch.unit == "file" else patch.unit
     profile, rules = row.profile, row.rules
-    if patch.profile is not None:
+    if patch.rules:
+        profile, rules = patch.profile or row.profile, patch.rules
+        own.checked_name(profile)
+        not_shipped(here, profile)
+        own.parsed(profile, rules)
+    elif patch.profile is not None:
         profile, rules = patch.profile, rules_named(here, patch.profile)
     overrides = here.store.drawing_column(id, "overrides")
     _, meta = unpacked(here.store.drawing_column(id, "edges"))
@@ -402,6 +409,7 @@ def drawing_out(here: Service, row: Drawing) -> DrawingOut:
             "sha256": row.sha256,
             "profile": row.profile,
             "profile_state": _state_of(here, row),
+            "rules": row.rules,
             "unit_given": row.unit_given or None,
             "ledger": {**ledger, "rows": _ledger(here, row.id)[:_LISTED]},
         }

@@ -13,8 +13,8 @@ from fastapi import APIRouter, Depends, Header, Request, Response
 from pydantic import ValidationError
 
 from knifetip.api.schemas import PreviewOut, ProfileIn, ProfileOut, ProposalOut
-from knifetip.api.service import Here, Service, bytes_answer, on_shelf
-from knifetip.errors import ProfileError, RequestError, WrongState
+from knifetip.api.service import Here, bytes_answer, not_shipped, on_shelf
+from knifetip.errors import ProfileError, RequestError
 from knifetip.jobs import profiling
 from knifetip.jobs.tables import Profile
 from knifetip.library import load, own
@@ -85,7 +85,7 @@ def keep_profile(
     A new one needs no If-Match; to change one, say which version it was made from.
     """
     own.checked_name(name)
-    _not_shipped(here, name)
+    not_shipped(here, name)
     version, anyway = _version(match)
     if "json" in request.headers.get("content-type", "").lower():
         given = _profile_in(body)
@@ -104,7 +104,7 @@ def keep_profile(
 @router.delete("/profiles/{name}", status_code=204)
 def delete_profile(here: Here, name: str, match: IfMatch = None) -> None:
     """Forget a customer's profile; drawings and jobs keep the rules that they were made with."""
-    _not_shipped(here, name)
+    not_shipped(here, name)
     here.store.delete_profile(name, _version(match)[0])
 
 
@@ -150,14 +150,6 @@ def fields_of(profile: ProfileIn) -> dict[str, Any]:
     if profile.extends is not None:
         fields |= {"extends": profile.extends, "overrules": profile.overrules}
     return fields
-
-
-def _not_shipped(here: Service, name: str) -> None:
-    if name in load.names("profiles") and here.store.profile(name) is None:
-        raise WrongState(
-            f"The profile {name!r} is shipped with knifetip and stays as it is.",
-            "Keep yours under another name; it may extend this one.",
-        )
 
 
 def _version(match: str | None) -> tuple[int | None, bool]:

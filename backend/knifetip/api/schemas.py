@@ -9,6 +9,8 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, StrictInt, StrictStr
 
+from knifetip.library.own import LONGEST
+
 LineTypeWord = Literal[
     "unclassified", "cut", "crease", "v-groove", "perforation", "half-cut", "ignored", "combi"
 ]
@@ -74,6 +76,11 @@ class LedgerRow(BaseModel):
     place: list[float] | None = Field(
         default=None,
         description="x, y and height of words (mm; file units while the unit is unknown)",
+    )
+    box: list[float] | None = Field(
+        default=None,
+        description="x min, y min, x max, y max of what gave no line, where the file tells it "
+        "(mm; file units while the unit is unknown)",
     )
 
 
@@ -174,7 +181,7 @@ class ReportGroup(BaseModel):
     fate: FateWord
     reason: str
     what: Literal["edges", "entities"] = Field(
-        description="Edges have a place in the drawing; of entities, only words have one"
+        description="Edges have a place in the drawing; of other entities the ledger tells it"
     )
     kinds: list[str] = Field(description="Kinds of the entities, the most frequent first")
     count: int
@@ -205,6 +212,9 @@ class DrawingOut(BaseModel):
     profile: str
     profile_state: Literal["current", "changed", "deleted"] = Field(
         description="Whether the profile is still as it was when this was classified"
+    )
+    rules: str = Field(
+        description="The customer's profile as it was then (TOML); empty for one that is shipped"
     )
     segments: int
     bounds: tuple[float, float, float, float]
@@ -284,6 +294,11 @@ class DrawingPatch(Strict):
     )
     profile: Name | None = Field(
         default=None, description="The same one again brings it up to date where it has changed"
+    )
+    rules: Annotated[str, Field(max_length=LONGEST)] = Field(
+        default="",
+        description="The customer's profile as it was once, or as it was before it was deleted "
+        "(TOML); without it, as it is now",
     )
 
 

@@ -11,7 +11,7 @@ from typing import Annotated, Any
 
 from fastapi import Depends, Header, Query, Request, Response
 
-from knifetip.errors import LibraryError
+from knifetip.errors import LibraryError, WrongState
 from knifetip.jobs.crew import Crew
 from knifetip.jobs.store import Store
 from knifetip.jobs.work import LIMIT, Workshop
@@ -110,6 +110,15 @@ def rules_named(here: Service, name: str) -> str:
             f"There is no profile {name[:80]!r}.", f"There are {', '.join(known[:40])}."
         )
     return ""
+
+
+def not_shipped(here: Service, name: str) -> None:
+    """Raise WrongState for a profile that is shipped: it stays as it is."""
+    if name in load.names("profiles") and here.store.profile(name) is None:
+        raise WrongState(
+            f"The profile {name!r} is shipped with knifetip and stays as it is.",
+            "Keep yours under another name; it may extend this one.",
+        )
 
 
 def next_page(response: Response, path: str, cursor: int | None, limit: int) -> None:

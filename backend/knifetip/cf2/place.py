@@ -183,6 +183,8 @@ class _Walk:
             child = self._source.subs.get(name)
             if child is None:
                 sheet.dropped[row] = f"there is no subroutine {call.name[:40]}"
+                x, y = linear @ np.array(call.place[:2]) + shift
+                sheet.stands(row, (x, y, x, y))
             elif name in above:
                 sheet.dropped[row] = f"the subroutine {call.name[:40]} contains itself"
             elif not all(math.isfinite(value) for value in call.place):
@@ -201,6 +203,7 @@ class _Walk:
         size = math.sqrt(abs(float(np.linalg.det(linear))))
         for words in section.words:
             x, y = linear @ np.array(words.place[:2]) + shift
+            sheet.stands(int(row_of[words.row]), (x, y, x, y))
             if math.isfinite(x) and math.isfinite(y) and math.isfinite(words.place[2]):
                 self.found.inscriptions.append(
                     Inscription(

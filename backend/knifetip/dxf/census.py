@@ -17,6 +17,8 @@ from ezdxf.lldxf.tagger import binary_tags_loader
 
 from knifetip.dxf.encoding import encoding_of, spelled
 from knifetip.dxf.inscriptions import WORDS, of_tags
+from knifetip.dxf.standing import around
+from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Inscription
 
 #: The first bytes of a binary DXF.
@@ -34,6 +36,7 @@ class Counted:
     layer: str
     paper: bool  #: it stands in paper space
     words: Inscription | None = None
+    box: F64 | None = None  #: (4,) around its points, in its own coordinates, as ``standing`` says
 
 
 @dataclass(slots=True)
@@ -121,7 +124,10 @@ def census(data: bytes) -> Census:
             if kind in WORDS:
                 tags = zip(codes[row + 1 : after], values[row + 1 : after], strict=True)
                 words = of_tags(kind, layer, tags, result.encoding)
-            counted = Counted(kind, handle, layer, paper, words)
+            last = _behind(kind, number, starts, values)
+            span = slice(row + 1, starts[last] if last < len(starts) else len(codes))
+            box = around(kind, codes[span], values[span])
+            counted = Counted(kind, handle, layer, paper, words, box)
             if section == "ENTITIES":
                 result.entities.append(counted)
             elif kind == "BLOCK":
@@ -135,6 +141,15 @@ def census(data: bytes) -> Census:
     result.open_section = section
     _unpack_layouts(result)
     return result
+
+
+def _behind(kind: str, number: int, starts: list[int], values: Sequence[Any]) -> int:
+    """Return which entity comes next, behind the vertices of a POLYLINE."""
+    number += 1
+    if kind == "POLYLINE":
+        while number < len(starts) and _plain(values[starts[number]]) == "VERTEX":
+            number += 1
+    return number
 
 
 def _unpack_layouts(found: Census) -> None:

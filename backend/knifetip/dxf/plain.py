@@ -29,7 +29,7 @@ from knifetip.dxf.scan import scan
 from knifetip.dxf.single import ByEzdxf, Singles
 from knifetip.dxf.tables import NotPlainError, Tables
 from knifetip.dxf.walk import Block, Entry, Reference, Walk, idle
-from knifetip.dxf.written import Inserts, Order, Variant, inscriptions, left_out, written
+from knifetip.dxf.written import Inserts, Order, Variant, boxes, inscriptions, left_out, written
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE
@@ -167,7 +167,8 @@ class PlainReader:
         """Return an entity to walk through."""
         line = self.entity[row]
         kind, handle = self.tables.words[int(line[f.WORD])], self.tables.handles[row]
-        counted = Counted(kind, handle, self.tables.layer(row), bool(line[f.PAPER]))
+        box = None if line[f.PAPER] else boxes(self.tables, np.array([row]))[0]
+        counted = Counted(kind, handle, self.tables.layer(row), bool(line[f.PAPER]), box=box)
         return Entry(counted, handle, self._found(row))
 
     def reference(self, row: int) -> Reference:
@@ -236,8 +237,10 @@ class PlainReader:
         there = np.arange(len(walk.sheet.handle)) + np.repeat(
             ledger[walked] - begin, children[walked] + 1
         )
-        placed = Inserts(spot, block, *self._variants(rows[spot], block))
-        done = self._placed((rows, ledger, before, shown), int(segments.sum()), placed, said)
+        move = np.empty((len(said), 2, 3))
+        inserts(said, self.found.base[block], move)
+        placed = Inserts(spot, block, *self._variants(rows[spot], block), move)
+        done = self._placed((rows, ledger, before, shown), int(segments.sum()), placed)
         # An arc reaches no farther beyond its ends than half their distance.
         farthest = np.maximum(done.ends.max(initial=0.0), -done.ends.min(initial=0.0))
         if not 3.0 * float(farthest) <= reach:
@@ -314,9 +317,7 @@ class PlainReader:
         others = others[self.entity[others, f.KIND] == f.INSERT]
         return found + [self._found(row).repeats() for row in others.tolist()]
 
-    def _placed(
-        self, sheet: tuple[I64, I64, I64, I64], total: int, placed: Inserts, said: F64
-    ) -> Columns:
+    def _placed(self, sheet: tuple[I64, I64, I64, I64], total: int, placed: Inserts) -> Columns:
         """Return the segments of all that is drawn in columns.
 
         Parameters
@@ -325,8 +326,6 @@ class PlainReader:
             Of each entity its row, its row in the ledger, the segments before it, and its own.
         total
             Segments of the drawing.
-        said
-            What the INSERTs say of their place.
         """
         done = Columns(
             np.empty((total, 2, 2)),
@@ -334,8 +333,6 @@ class PlainReader:
             np.empty(total, np.int32),
             np.empty(total, np.int32),
         )
-        move = np.empty((len(said), 2, 3))
-        inserts(said, self.found.base[placed.block], move)
         # Of each INSERT the block's first entity and segment, and where the styles begin.
         low = self._low[placed.block]
         begin = np.array([one.first for one in placed.variants], np.int64)[placed.variant]
@@ -346,7 +343,7 @@ class PlainReader:
                 placed.spot,
                 np.column_stack([low, self.first[low], begin]),
                 self._size[placed.block],
-                move,
+                placed.move,
                 np.concatenate([np.zeros(0, np.int32), *self._variant_styles]),
             ),
             (done.ends, done.bulge, done.row, done.style),

@@ -22,6 +22,7 @@ from knifetip.dxf.attributes import Styles
 from knifetip.dxf.census import Counted
 from knifetip.dxf.entities import READ, REASONS, Drawn, Shape, Undrawable, flat
 from knifetip.dxf.shapes import moved, turning
+from knifetip.dxf.standing import through
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.geometry.columns import F64, frozen
 from knifetip.intake.columns import Style
@@ -223,15 +224,13 @@ class Walk:
             self.sheet.row(handle, counted.kind, counted.layer, IN_PAPER_SPACE)
             return
         if counted.kind not in READ and counted.kind != "INSERT":
-            self.sheet.row(handle, counted.kind, counted.layer, not_read(counted.kind))
+            self._left(counted, handle, here, not_read(counted.kind))
             return
         if found is None:
-            self.sheet.row(
-                handle, counted.kind, counted.layer, "it is damaged, or only the frame of a text"
-            )
+            self._left(counted, handle, here, "it is damaged, or only the frame of a text")
             return
         if found.hidden:
-            self.sheet.row(handle, counted.kind, counted.layer, "it is marked as invisible")
+            self._left(counted, handle, here, "it is marked as invisible")
             return
         try:
             style = found.style(self._styles, around)
@@ -241,17 +240,24 @@ class Walk:
             what = found.drawn()
         except (Undrawable, GeometryError) as reason:
             text = reason.message if isinstance(reason, GeometryError) else str(reason)
-            self.sheet.row(handle, counted.kind, counted.layer, text)
+            self._left(counted, handle, here, text)
             return
         except (ArithmeticError, ValueError, TypeError, LookupError, AttributeError) as reason:
             # ezdxf's own readers stumble over damaged entities in all of these ways.
-            self.sheet.row(handle, counted.kind, counted.layer, f"it is damaged: {reason}")
+            self._left(counted, handle, here, f"it is damaged: {reason}")
             return
         notes = [*self._styles.notes(style.layer), *what.notes]
         if len(here[0]) > 1:
             notes.append(f"drawn {len(here[0])} times")
         row = self.sheet.row(handle, counted.kind, style.layer, "", notes)
         self.placed.append(Placed(row, what.shape, *here, style))
+
+    def _left(self, counted: Counted, handle: str, here: tuple[F64, F64], why: str) -> None:
+        """Enter into the ledger what gives no line, and where it stands."""
+        row = self.sheet.row(handle, counted.kind, counted.layer, why)
+        if counted.box is not None:
+            box = counted.box
+            self.sheet.stands(row, box if here[0] is ON_SHEET else through(box, *here))
 
     def _insert(self, insert: Reference, handle: str, here: tuple[F64, F64], style: Style) -> None:
         name = insert.block

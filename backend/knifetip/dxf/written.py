@@ -15,12 +15,13 @@ import numpy as np
 from knifetip.dxf import fields as f
 from knifetip.dxf.handles import paths_of
 from knifetip.dxf.inscriptions import inscription, is_coded, of_lines, uncoded
+from knifetip.dxf.standing import around_each, through
 from knifetip.dxf.tables import Tables
 from knifetip.dxf.walk import IN_PAPER_SPACE, not_read, places
-from knifetip.geometry.columns import I64, Bool
+from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.intake.sheet import Alike, Sheet, Written
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Inscription, Standing
 from knifetip.model.words import Repeated
 
 
@@ -39,6 +40,7 @@ class Inserts(NamedTuple):
     block: I64  #: (k,)
     variant: I64  #: (k,) which of the variants
     variants: list[Variant]
+    move: F64  #: (k, 2, 3) linear map and shift, from the block to the sheet
 
 
 class Order(NamedTuple):
@@ -96,23 +98,34 @@ def written(tables: Tables, order: Order, inserts: Inserts, walk: Sheet) -> Writ
     for column, words in ((kind, walk.kind), (layer, walk.layer)):
         column[order.walked] = [numbers.setdefault(word, len(numbers)) for word in words]
     there = order.walked.tolist()
+    left = ~order.drawn
+    left[inserts.spot] = False
+    left[np.isin(order.ledger, order.walked)] = False
+    spots = np.flatnonzero(left)
     return Written(
         paths_of(tables.handles, walk.handle, own, insert),
         Repeated(tuple(numbers), kind),
         Repeated(tuple(numbers), layer),
         {there[row]: why for row, why in walk.dropped.items()},
         {there[row]: notes for row, notes in walk.notes.items()},
-        [*_of_sheet(tables, order, inserts), *_of_blocks(order, inserts)],
+        [*_of_sheet(tables, order, inserts, spots), *_of_blocks(order, inserts)],
+        [
+            *(Standing(order.walked[one.rows].astype(np.int32), one.box) for one in walk.standing),
+            *_on_sheet(tables, order, spots),
+            *_in_blocks(tables, order, inserts),
+        ],
     )
 
 
-def _of_sheet(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Alike]:
-    """Say what is said of the entities of the sheet itself."""
+def _of_sheet(tables: Tables, order: Order, inserts: Inserts, spots: I64) -> Iterator[Alike]:
+    """Say what is said of the entities of the sheet itself.
+
+    Parameters
+    ----------
+    spots
+        Those that are left out.
+    """
     entity, rows = tables.found.entity, order.rows
-    left = ~order.drawn
-    left[inserts.spot] = False
-    left[np.isin(order.ledger, order.walked)] = False
-    spots = np.flatnonzero(left)
     paper, sort, word, count = (
         entity[rows[spots], column] for column in (f.PAPER, f.KIND, f.WORD, f.COUNT)
     )
@@ -143,6 +156,40 @@ def _of_blocks(order: Order, inserts: Inserts) -> Iterator[Alike]:
         first = order.ledger[inserts.spot[same]] + 1
         for number, (dropped, notes) in variant.said.items():
             yield Alike(first + number, dropped, notes)
+
+
+def boxes(tables: Tables, rows: I64) -> F64:
+    """Return the boxes around entities in their own coordinates, (n, 4), as ``standing`` says."""
+    entity = tables.found.entity
+    kinds = [tables.words[word] for word in entity[rows, f.WORD].tolist()]
+    spans = entity[rows[:, None], [f.START, f.END]].astype(np.int64)
+    return around_each(tables.found.data, kinds, spans)
+
+
+def _on_sheet(tables: Tables, order: Order, spots: I64) -> Iterator[Standing]:
+    """Say where those entities of the sheet stand that are left out."""
+    spots = spots[tables.found.entity[order.rows[spots], f.PAPER] == 0]
+    if len(spots):
+        yield Standing(order.ledger[spots].astype(np.int32), boxes(tables, order.rows[spots]))
+
+
+def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Standing]:
+    """Say where that stands which INSERTs place and is left out."""
+    of_variant = _grouped(inserts.variant, len(inserts.variants))
+    for variant, same in zip(inserts.variants, of_variant, strict=True):
+        numbers = np.array([number for number, (why, _) in variant.said.items() if why], np.int64)
+        rows = tables.span.get(int(inserts.block[same[0]]), (0, 0))[0] + numbers
+        on_model = tables.found.entity[rows, f.PAPER] == 0
+        numbers, rows = numbers[on_model], rows[on_model]
+        if not len(rows):
+            continue
+        first = np.repeat(order.ledger[inserts.spot[same]] + 1, len(rows))
+        move = np.repeat(inserts.move[same], len(rows), axis=0)
+        box = np.tile(boxes(tables, rows), (len(same), 1))
+        yield Standing(
+            (first + np.tile(numbers, len(same))).astype(np.int32),
+            through(box, move[:, :, :2], move[:, :, 2]),
+        )
 
 
 def _grouped(kind: I64, kinds: int) -> list[I64]:

@@ -20,8 +20,9 @@ from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import POINT
 from knifetip.intake.columns import Columns, Style
+from knifetip.intake.limits import REACH
 from knifetip.intake.sheet import Written
-from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger
+from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger, Standing
 from knifetip.model.unit import Hint
 from knifetip.model.words import Repeated
 
@@ -77,6 +78,7 @@ def assemble(
     first = _survivors(found.ends, found.bulge, alike[found.style], speck, point)
     twice = first != np.arange(len(first))
     fate, reason = _fates(sheet, found, length, speck, twice, first)
+    specks = found.ends[speck], found.row[speck]
     if speck.any() or twice.any():
         keep = ~(speck | twice)
         length = length[keep]
@@ -104,6 +106,7 @@ def assemble(
             fate,
             reason,
             kept_length * size,
+            standing=_standing(sheet, fate, specks, size),
         ),
         unit=known.unit,
         evidence=known.evidence,
@@ -233,6 +236,25 @@ def _fates(
                 )
         reason[row] = reasons.setdefault(said or _kept(notes), len(reasons))
     return fate, Repeated(tuple(reasons), reason)
+
+
+def _standing(sheet: Written, fate: U8, specks: tuple[F64, I32], size: float) -> Standing:
+    """Return where the rows stand that are dropped, as far as that is known.
+
+    Parameters
+    ----------
+    specks
+        Ends (s, 2, 2) and rows (s,) of the segments without length.
+    """
+    ends, row = specks
+    around = np.concatenate([ends.min(axis=1), ends.max(axis=1)], axis=1)
+    rows = np.concatenate([row, *(one.rows for one in sheet.standing)])
+    box = np.concatenate([around, *(one.box for one in sheet.standing)])
+    box = box * size
+    seen = (fate[rows] == Fate.DROPPED) & (np.abs(box) <= REACH).all(axis=1)
+    # Of several specks of a row, one shows where it is.
+    rows, last = np.unique(rows[seen][::-1], return_index=True)
+    return Standing(rows, box[seen][::-1][last])
 
 
 def _kept(notes: Sequence[str]) -> str:

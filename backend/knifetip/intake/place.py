@@ -112,6 +112,30 @@ def too_many(limits: Limits, what: str) -> DrawingTooLarge:
     )
 
 
+def boxes(table: Table, matrix: F64) -> F64:
+    """Return a box around the ends and handles of each path, (p, 4), NaN around none.
+
+    Parameters
+    ----------
+    matrix : (p, 6)
+        From the coordinates of each path to those of the file.
+    """
+    by, numbers = matrix[table.path], table.numbers
+    low = np.full((len(by), 2), np.inf)
+    high = -low
+    for k in range(4):
+        at = _linear(by, numbers[:, 2 * k : 2 * k + 2]) + by[:, 4:]
+        drawn = (table.kind == CUBIC)[:, None] | (k < 2)
+        low = np.where(drawn, np.minimum(low, at), low)
+        high = np.where(drawn, np.maximum(high, at), high)
+    box = np.full((len(matrix), 4), np.nan)
+    if len(by):
+        first = np.flatnonzero(np.diff(table.path, prepend=-1))
+        box[table.path[first], :2] = np.minimum.reduceat(low, first)
+        box[table.path[first], 2:] = np.maximum.reduceat(high, first)
+    return box
+
+
 def _farthest(table: Table, matrix: F64, paths: int) -> F64:
     """Return how far from the origin each path reaches, (paths,), or more; NaN is kept."""
     far = np.zeros(paths)

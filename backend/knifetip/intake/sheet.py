@@ -6,7 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from knifetip.geometry.columns import I64
+import numpy as np
+
+from knifetip.geometry.columns import F64, I64
+from knifetip.model.drawing import Standing
 
 
 class Alike(NamedTuple):
@@ -30,6 +33,7 @@ class Written:
     dropped: dict[int, str] = field(default_factory=dict)  #: row -> why it is left out
     notes: dict[int, list[str]] = field(default_factory=dict)  #: row -> what was done to it
     alike: list[Alike] = field(default_factory=list)  #: no row is in two of them
+    standing: list[Standing] = field(default_factory=list)  #: in file units, NaN where unknown
 
 
 @dataclass(slots=True)
@@ -53,3 +57,7 @@ class Sheet(Written):
         if said := list(notes):
             self.notes[number] = said
         return number
+
+    def stands(self, row: int, box: Sequence[float] | F64) -> None:
+        """Say where a row stands of which no line is made: x min, y min, x max, y max."""
+        self.standing.append(Standing(np.array([row], np.int32), np.array([box], np.float64)))

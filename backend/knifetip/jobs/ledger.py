@@ -1,8 +1,9 @@
-"""ledger: every entity of a file as the page lists it, and where its words stand.
+"""ledger: every entity of a file as the page lists it, and where that stands which gave no line.
 
-    Drawing -> rows of plain data: handle, kind, layer, fate, reason, length; of words, the place
+    Drawing -> rows of plain data: handle, kind, layer, fate, reason, length, box; text and place
 
-An entity that became edges is found by them.  Words become none, so their place goes with them.
+An entity that became edges is found by them.  Words, hatches and the like become none, so the box
+around them goes with them; of words what they say, and how large.
 """
 
 from __future__ import annotations
@@ -42,6 +43,8 @@ def listed(drawing: Drawing) -> list[dict[str, Any]]:
             strict=True,
         )
     ]
+    for row, box in zip(ledger.standing.rows.tolist(), ledger.standing.box.tolist(), strict=True):
+        rows[row]["box"] = [round(side, 6) for side in box]
     for row, found in inscribed(drawing).items():
         rows[row] |= {"text": said(found.text), "place": [found.x, found.y, found.height]}
     return rows

@@ -7,19 +7,19 @@ Every path, text and picture gets its row; paths keep the matrix through which t
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry.affine import Matrix
-from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.intake.colours import index
 from knifetip.intake.columns import Style
 from knifetip.intake.limits import Limits
-from knifetip.intake.place import CUBIC, Paths, Table
+from knifetip.intake.place import Paths, Table, boxes
 from knifetip.intake.sheet import Sheet
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Inscription, Standing
 from knifetip.pdf.colours import Paint
 from knifetip.pdf.document import Box
 from knifetip.pdf.layers import names
@@ -94,48 +94,41 @@ class Drawn:
     def gathered(self) -> tuple[Table, Paths, list[Style]]:
         """Return what is drawn, once the whole page is known."""
         lines = self._lines
-        kind = np.array(self.outline.kind, np.uint8)
-        numbers = np.array(self.outline.numbers, np.float64).reshape(-1, 8)
         size = np.array([line.size for line in lines], np.int64)
         path = np.repeat(np.arange(len(lines), dtype=np.int64), size)
+        numbers = np.array(self.outline.numbers, np.float64).reshape(-1, 8)
+        table = Table(np.array(self.outline.kind, np.uint8), numbers, path)
         matrix = np.array([line.matrix for line in lines], np.float64).reshape(-1, 6)
-        keep = self._shown(kind, numbers, path, matrix) & self._areas()
-        lines = [line for line, kept in zip(lines, keep.tolist(), strict=True) if kept]
+        row = np.array([line.row for line in lines], np.int32)
+        with np.errstate(all="ignore"):
+            box = boxes(table, matrix)
+            keep = self._shown(box) & self._areas()
+        self.sheet.standing.append(Standing(row[~keep], box[~keep]))
         of = keep[path]
         number = np.cumsum(keep) - 1
-        styles, style = self._styled(lines)
-        row = np.array([line.row for line in lines], np.int32)
-        table = Table(kind[of], numbers[of], number[path[of]])
-        return table, Paths(row, style, matrix[keep]), styles
+        table = Table(table.kind[of], numbers[of], number[path[of]])
+        styles, style = self._styled(
+            [line for line, kept in zip(lines, keep.tolist(), strict=True) if kept]
+        )
+        return table, Paths(row[keep], style, matrix[keep]), styles
 
-    def _shown(self, kind: U8, numbers: F64, path: I64, matrix: F64) -> Bool:
-        """Drop the lines that lie beside what is seen of the page."""
+    def _shown(self, box: F64) -> Any:
+        """Drop the lines that lie beside what is seen of the page.
+
+        Parameters
+        ----------
+        box : (p, 4)
+            Around each.
+        """
         clip = np.array([line.clip for line in self._lines], np.float64).reshape(-1, 4)
-        shown = np.ones(len(clip), bool)
-        if not len(path):
-            return shown
-        by = matrix[path]
-        low = np.full((len(path), 2), np.inf)
-        high = -low
-        with np.errstate(all="ignore"):
-            for k in range(4):
-                x, y = numbers[:, 2 * k], numbers[:, 2 * k + 1]
-                at = np.stack([by[:, 0] * x + by[:, 2] * y, by[:, 1] * x + by[:, 3] * y], axis=1)
-                at += by[:, 4:]
-                drawn = (kind == CUBIC)[:, None] | (k < 2)
-                low = np.where(drawn, np.minimum(low, at), low)
-                high = np.where(drawn, np.maximum(high, at), high)
-            first = np.flatnonzero(np.diff(path, prepend=-1))
-            low, high = np.minimum.reduceat(low, first), np.maximum.reduceat(high, first)
-            window = clip[path[first]]
-            beside = ((high < window[:, :2]) | (low > window[:, 2:])).any(axis=1)
-            over = ((low < window[:, :2] - _EDGE) | (high > window[:, 2:] + _EDGE)).any(axis=1)
-        for one in path[first][beside].tolist():
+        low, high = box[:, :2], box[:, 2:]
+        beside = ((high < clip[:, :2]) | (low > clip[:, 2:])).any(axis=1)
+        over = ((low < clip[:, :2] - _EDGE) | (high > clip[:, 2:] + _EDGE)).any(axis=1)
+        for one in np.flatnonzero(beside).tolist():
             self.sheet.dropped[self._lines[one].row] = "it lies outside of what the page shows"
-            shown[one] = False
-        for one in path[first][over & ~beside].tolist():
+        for one in np.flatnonzero(over & ~beside).tolist():
             self._note(self._lines[one].row, "part of it lies outside of what the page shows")
-        return shown
+        return ~beside
 
     def _areas(self) -> Bool:
         """Drop filled areas without a stroke, unless the page has no other lines."""

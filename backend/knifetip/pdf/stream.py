@@ -10,7 +10,7 @@ Source: ISO 32000-1, chapters 8 and 9.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, NamedTuple
 
@@ -51,6 +51,8 @@ _KEPT: Final = 100_000
 #: Unknown operators that get a row.
 _STRANGE: Final = 20
 _NOWHERE: Final[Matrix] = (math.nan, math.nan, math.nan, math.nan, math.nan, math.nan)
+#: A picture fills the square of its own coordinates.
+_PICTURE: Final = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 _NOTHING: Final[Box] = (math.inf, math.inf, -math.inf, -math.inf)
 
 
@@ -115,13 +117,18 @@ class Stream:
         if outline.begun:
             self._left("the page ends before it is drawn")
 
-    def _row(self, kind: str, why: str) -> int:
-        mark = self._marks[-1]
+    def _row(self, kind: str, why: str, points: Sequence[Any] = ()) -> int:
+        """Enter something into the ledger; ``points`` say where it is that is left out."""
+        mark, drawn = self._marks[-1], self._here.drawn
         why = f"it is hidden: the layer {mark.hidden} is switched off" if mark.hidden else why
-        return self._here.drawn.row(self._around.path, kind, mark, why)
+        row = drawn.row(self._around.path, kind, mark, why)
+        if points:
+            drawn.sheet.stands(row, boxed(self._state.matrix, points))
+        return row
 
     def _left(self, why: str) -> None:
-        self._row("path", why)
+        ends = self._here.drawn.outline.ends()
+        self._row("path", why, ends.tolist())
         self._here.drawn.outline.drop()
 
     def _painted(self, closes: bool, strokes: bool, fills: bool) -> None:
@@ -281,9 +288,10 @@ class Stream:
         self._marks.append(mark)
         kind = here.file.entry(node, "/Subtype")
         if kind == "/Image":
-            self._row("image", "a picture is not cut")
+            self._row("image", "a picture is not cut", _PICTURE)
         elif kind != "/Form" or not isinstance(node, StreamObject):
-            self._row("form", f"there is nothing with the name {name[:40]!r} that can be drawn")
+            why = f"there is nothing with the name {name[:40]!r} that can be drawn"
+            self._row("form", why, _PICTURE[:1])
         else:
             key = (raw.idnum, raw.generation) if isinstance(raw, IndirectObject) else id(node)
             if key in around.inside:
@@ -301,10 +309,11 @@ class Stream:
         self._marks.pop()
 
     def _pictured(self, _operator: str, _given: list[Any]) -> None:
-        self._row("image", "a picture is not cut")
+        self._row("image", "a picture is not cut", _PICTURE)
 
     def _shaded(self, _operator: str, _given: list[Any]) -> None:
-        self._row("shading", "an area of colour is not cut")
+        row = self._row("shading", "an area of colour is not cut")
+        self._here.drawn.sheet.stands(row, self._state.clip)
 
     def _text(self, operator: str, _given: list[Any]) -> None:
         if operator == "BT":
@@ -314,9 +323,10 @@ class Stream:
             return
         said = self._words.said(self._state.matrix)
         if said is None:
-            self._row("text", "text is not cut, and its letters are not known")
+            why = "text is not cut, and its letters are not known"
+            self._row("text", why, self._words.begins)
             return
-        row = self._row("text", "text is not cut")
+        row = self._row("text", "text is not cut", self._words.begins)
         mark = self._marks[-1]
         if not mark.hidden:
             layer = self._here.drawn.sheet.layer[row]
@@ -353,7 +363,7 @@ _DOES: Final[dict[str, Callable[[Stream, str, list[Any]], None]]] = {
 }
 
 
-def boxed(matrix: Matrix, points: list[Any]) -> Box:
+def boxed(matrix: Matrix, points: Sequence[Any]) -> Box:
     """Return the box around points through a matrix."""
     a, b, c, d, e, f = matrix
     x = [a * x + c * y + e for x, y in points]

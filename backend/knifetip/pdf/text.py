@@ -153,6 +153,11 @@ class Words:
         """Whether nothing was shown."""
         return self._begin is None
 
+    @property
+    def begins(self) -> list[tuple[float, float]]:
+        """The point where it begins, in the coordinates around the text, if anything was shown."""
+        return [] if self._begin is None else [self._begin[4:]]
+
     def said(self, matrix: Matrix) -> tuple[str, float, float, float] | None:
         """Return the words, where they begin and how high they are; None where they are not read.
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
@@ -75,6 +76,14 @@ _HIDDEN: Final = "it is hidden"
 _RULES: Final = 2000
 
 
+class Unseen(NamedTuple):
+    """What gives no line, and would be here."""
+
+    row: int  #: of the ledger
+    data: str  #: path data
+    matrix: Matrix
+
+
 @dataclass(slots=True)
 class Drawn:
     """n lines as elements, in the order of the file."""
@@ -84,6 +93,7 @@ class Drawn:
     row: list[int] = field(default_factory=list)  #: of the ledger
     style: list[int] = field(default_factory=list)  #: which of ``styles``
     styles: list[Style] = field(default_factory=list)
+    unseen: list[Unseen] = field(default_factory=list)
     inscriptions: list[Inscription] = field(default_factory=list)  #: in file units
 
 
@@ -214,7 +224,8 @@ class _Walk:
             self._inscribed(node, here, layer)
         if node.tag not in shapes.READ:
             why = _REASONS.get(node.tag, f"{node.tag} is not a kind of line that is read")
-            self.sheet.row(handle, node.tag, layer, why)
+            row = self.sheet.row(handle, node.tag, layer, why)
+            self._unseen(row, shapes.frame, node, here)
             return None
         why = here.left_out or ("" if here.look.visible else _HIDDEN)
         look = here.look
@@ -227,9 +238,18 @@ class _Walk:
             except shapes.Undrawable as reason:
                 why = str(reason)
         row = self.sheet.row(handle, node.tag, layer, why)
-        if not why:
+        if why:
+            self._unseen(row, shapes.data, node, here)
+        else:
             self._line(row, data, layer, here)
         return None
+
+    def _unseen(
+        self, row: int, shape: Callable[[Node, shapes.Window], str], node: Node, here: _Here
+    ) -> None:
+        """Keep where something would be that gives no line."""
+        with suppress(shapes.Undrawable):
+            self.drawn.unseen.append(Unseen(row, shape(node, here.window), here.matrix))
 
     def _within(self, node: Node, here: _Here) -> _Here:
         """Return what is around an element, with its own look and transform."""
@@ -288,7 +308,8 @@ class _Walk:
         except ValueError as reason:
             why = why or f"its place cannot be read: {reason}"
         if why or target is None:
-            self.sheet.row(here.path + handle, "use", layer, why)
+            row = self.sheet.row(here.path + handle, "use", layer, why)
+            self._unseen(row, shapes.corner, node, here)
             return None
         here = here._replace(
             matrix=chained(here.matrix, (1.0, 0.0, 0.0, 1.0, x, y)),
@@ -346,6 +367,10 @@ class _Walk:
                 )
         if self._stroked and self._areas:
             gone = set(self._areas)
+            self.drawn.unseen += [
+                Unseen(self.drawn.row[one], self.drawn.data[one], self.drawn.matrix[one])
+                for one in self._areas
+            ]
             kept = [number for number in range(len(self.drawn.row)) if number not in gone]
             for name in ("data", "matrix", "row", "style"):
                 column = getattr(self.drawn, name)

@@ -5,13 +5,16 @@ Sheet, Drawn, scale -> Columns: ends, bulge and the style of each segment, in fi
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from knifetip.intake import place
 from knifetip.intake.columns import Columns
 from knifetip.intake.limits import Limits
 from knifetip.intake.sheet import Sheet
-from knifetip.svg.expand import Drawn
+from knifetip.model.drawing import Standing
+from knifetip.svg.expand import Drawn, Unseen
 from knifetip.svg.path import scanned
 
 
@@ -42,9 +45,21 @@ def columns(sheet: Sheet, drawn: Drawn, scale: float, limits: Limits) -> Columns
         sheet.notes.setdefault(drawn.row[path], []).append(
             f"its path data {where}: drawn up to there, as in a browser"
         )
+    if drawn.unseen:
+        sheet.standing.append(_standing(drawn.unseen, limits))
     paths = place.Paths(
         np.array(drawn.row, np.int32),
         np.array(drawn.style, np.int32),
         np.array(drawn.matrix, np.float64).reshape(-1, 6),
     )
     return place.columns(sheet, table, paths, scale, limits, "SVG")
+
+
+def _standing(unseen: Sequence[Unseen], limits: Limits) -> Standing:
+    """Return where that would be which gives no line."""
+    rows, data, matrices = zip(*unseen, strict=True)
+    matrix = np.array(matrices, np.float64).reshape(-1, 6)
+    table = scanned(data, limits.segments)
+    with np.errstate(all="ignore"):
+        box = np.full((len(rows), 4), np.nan) if table is None else place.boxes(table, matrix)
+    return Standing(np.array(rows, np.int32), box)

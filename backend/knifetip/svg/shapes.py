@@ -33,6 +33,17 @@ def data(node: Node, window: Window) -> str:
     return READ[node.tag](node, window)
 
 
+def frame(node: Node, window: Window) -> str:
+    """Return path data around what has a place and a size, or only a place."""
+    wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
+    return f"{corner(node, window)}l{wide!r} {high!r}"
+
+
+def corner(node: Node, window: Window) -> str:
+    """Return path data that begins where an element has its x and y, and goes nowhere."""
+    return f"M{_size(node, 'x', window[0])!r} {_size(node, 'y', window[1])!r}l0 0"
+
+
 def _size(node: Node, name: str, whole: float, silent: float = 0.0) -> float:
     text = node.attributes.get(name)
     if text is None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from knifetip.model.drawing import Drawing
+from knifetip.model.drawing import Drawing, Standing
 from knifetip.model.unit import factor
 
 
@@ -29,7 +29,12 @@ def rescaled(drawing: Drawing, unit: str) -> Drawing:
         There is no such unit.
     """
     old, new = factor(drawing.unit), factor(unit)
-    ledger = replace(drawing.ledger, length=drawing.ledger.length / old * new)
+    rows, box = drawing.ledger.standing
+    ledger = replace(
+        drawing.ledger,
+        length=drawing.ledger.length / old * new,
+        standing=Standing(rows, box / old * new),
+    )
     return replace(
         drawing,
         # Divided first: what is in mm loses no bit on the way to file units and back.

@@ -195,7 +195,7 @@ export const service = {
   ledger: (id: string, fate: LedgerRow["fate"], signal?: AbortSignal) =>
     get<Schemas["LedgerOut"]>(at("drawings", id, `/ledger?fate=${fate}`), signal),
   upload,
-  settle: (id: string, change: { unit?: Unit | "file"; profile?: string }) =>
+  settle: (id: string, change: { unit?: Unit | "file"; profile?: string; rules?: string }) =>
     send<Drawing>("PATCH", at("drawings", id), change),
   override: (id: string, overrides: readonly Override[]) =>
     send<Drawing>("PATCH", at("drawings", id, "/edges"), { overrides }),

@@ -51,7 +51,7 @@ export interface paths {
         head?: never;
         /**
          * Change Drawing
-         * @description Say a drawing's unit, or classify it by another profile.
+         * @description Say a drawing's unit, or classify it by another profile, or by one as it was.
          */
         patch: operations["change_drawing"];
         trace?: never;
@@ -1092,6 +1092,11 @@ export interface components {
              * @enum {string}
              */
             profile_state: "current" | "changed" | "deleted";
+            /**
+             * Rules
+             * @description The customer's profile as it was then (TOML); empty for one that is shipped
+             */
+            rules: string;
             /** Segments */
             segments: number;
             /** Bounds */
@@ -1132,6 +1137,12 @@ export interface components {
              * @description The same one again brings it up to date where it has changed
              */
             profile?: string | null;
+            /**
+             * Rules
+             * @description The customer's profile as it was once, or as it was before it was deleted (TOML); without it, as it is now
+             * @default
+             */
+            rules: string;
         };
         /**
          * DrawingSummary
@@ -1544,6 +1555,11 @@ export interface components {
              * @description x, y and height of words (mm; file units while the unit is unknown)
              */
             place?: number[] | null;
+            /**
+             * Box
+             * @description x min, y min, x max, y max of what gave no line, where the file tells it (mm; file units while the unit is unknown)
+             */
+            box?: number[] | null;
         };
         /**
          * LineTypeCount
@@ -1824,7 +1840,7 @@ export interface components {
             reason: string;
             /**
              * What
-             * @description Edges have a place in the drawing; of entities, only words have one
+             * @description Edges have a place in the drawing; of other entities the ledger tells it
              * @enum {string}
              */
             what: "edges" | "entities";

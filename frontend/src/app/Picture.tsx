@@ -90,7 +90,7 @@ export function Picture({ onReady }: Props) {
         ref={host}
         className={css.picture}
         data-testid="picture"
-        data-pin={pin === null ? undefined : `${pin.x},${pin.y}`}
+        data-pin={pin === null ? undefined : pin.join()}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: the arrow keys pan it
         tabIndex={0}
         role="img"

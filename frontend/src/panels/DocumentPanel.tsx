@@ -3,7 +3,7 @@
 import { ActionIcon, Select, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconArrowLeft } from "@tabler/icons-react";
 import type { Drawing, Profile } from "../api/client";
-import { bringUpToDate, settle } from "../state/actions";
+import { settle } from "../state/actions";
 import { useDrawing, useProfiles } from "../state/queries";
 import { outcome } from "../state/report";
 import { inches } from "../state/sizes";
@@ -126,7 +126,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
               className={css.link}
               disabled={busy}
               data-testid="bring-up-to-date"
-              onClick={() => void bringUpToDate()}
+              onClick={() => void settle({ profile: drawing.profile })}
             >
               Read it anew
             </button>

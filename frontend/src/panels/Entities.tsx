@@ -2,7 +2,7 @@
 
 import { useMemo, useState } from "react";
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
-import type { Edges } from "../geometry/records";
+import type { Box, Edges } from "../geometry/records";
 import { useLength } from "../state/measure";
 import { useEdges, useLedger } from "../state/queries";
 import { entitiesOf, foundOf } from "../state/report";
@@ -81,8 +81,7 @@ function Entity({ row, edges, drawing }: Props) {
   );
 }
 
-const same = (a: { x: number; y: number } | null, b: { x: number; y: number }): boolean =>
-  a !== null && a.x === b.x && a.y === b.y;
+const same = (a: Box | null, b: Box): boolean => a?.every((side, at) => side === b[at]) ?? false;
 
 /** What its reason says beyond that of the group. */
 const particular = ({ reason, theme }: LedgerRow): string =>

@@ -39,12 +39,15 @@ export function gridLines(
 /** The outline of a box. */
 export function frameLines(box: Box, origin: Point, colour: Rgba): Lines {
   const lines = new LinesUnderWay(origin);
-  const [x0, y0, x1, y1] = box;
+  addFrame(lines, box, colour);
+  return lines.done();
+}
+
+function addFrame(lines: LinesUnderWay, [x0, y0, x1, y1]: Box, colour: Rgba) {
   lines.add(x0, y0, x1, y0, colour);
   lines.add(x1, y0, x1, y1, colour);
   lines.add(x1, y1, x0, y1, colour);
   lines.add(x0, y1, x0, y0, colour);
-  return lines.done();
 }
 
 /** A cross of the axes at a datum, its arms in mm. */
@@ -67,23 +70,28 @@ export function ringLines(
   return lines.done();
 }
 
-/** Of a pin (pixels): its ring, and the arms of the cross that runs from there outwards. */
-const PIN = { ring: 12, arm: 9 };
+/** Of a pin (pixels): its ring, the arms that run from there outwards, and how far off a frame is. */
+const PIN = { ring: 12, arm: 9, gap: 4 };
 
-/** A ring with four arms that point at a place, as large at any scale. */
-export function pinLines(at: Point, origin: Point, mmPerPixel: number, colour: Rgba): Lines {
+/** A ring about a place, or a frame about what is larger, with four arms that point at it. */
+export function pinLines(box: Box, origin: Point, mmPerPixel: number, colour: Rgba): Lines {
   const lines = new LinesUnderWay(origin);
-  const near = PIN.ring * mmPerPixel;
-  const far = (PIN.ring + PIN.arm) * mmPerPixel;
-  addRing(lines, at.x, at.y, near, colour);
-  for (const [x, y] of [
-    [1, 0],
-    [0, 1],
-    [-1, 0],
-    [0, -1],
-  ] as const) {
-    lines.add(at.x + x * near, at.y + y * near, at.x + x * far, at.y + y * far, colour);
+  const [x, y] = [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2];
+  const ring = PIN.ring * mmPerPixel;
+  const arm = PIN.arm * mmPerPixel;
+  let [wide, high] = [(box[2] - box[0]) / 2, (box[3] - box[1]) / 2];
+  if (Math.max(wide, high) <= ring) {
+    wide = high = ring;
+    addRing(lines, x, y, ring, colour);
+  } else {
+    wide += PIN.gap * mmPerPixel;
+    high += PIN.gap * mmPerPixel;
+    addFrame(lines, [x - wide, y - high, x + wide, y + high], colour);
   }
+  lines.add(x + wide, y, x + wide + arm, y, colour);
+  lines.add(x - wide, y, x - wide - arm, y, colour);
+  lines.add(x, y + high, x, y + high + arm, colour);
+  lines.add(x, y - high, x, y - high - arm, colour);
   return lines.done();
 }
 

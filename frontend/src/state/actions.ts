@@ -17,6 +17,7 @@ import {
   changeOf,
   forwards,
   type Keeping,
+  readBy,
   reversed,
   type Said,
   saidOf,
@@ -90,18 +91,9 @@ export function settle(part: { unit?: Unit | "file"; profile?: string }): Promis
     const { drawing } = usePage.getState();
     const before = drawing === null ? undefined : known(drawing);
     if (drawing === null || before === undefined) return;
-    const said = saidOf(before);
-    await changed(await service.settle(drawing, part));
-    usePage.getState().made({ kind: "settled", before: said, after: { ...said, ...part } });
-  });
-}
-
-/** Classify the drawing anew by its profile, which has changed since. */
-export function bringUpToDate(): Promise<void> {
-  return inTurn(async () => {
-    const { drawing } = usePage.getState();
-    const now = drawing === null ? undefined : known(drawing);
-    if (now !== undefined) await changed(await service.settle(now.id, { profile: now.profile }));
+    const after = await service.settle(drawing, part);
+    await changed(after);
+    usePage.getState().made({ kind: "settled", before: saidOf(before), after: saidOf(after) });
   });
 }
 
@@ -139,11 +131,11 @@ async function asItWas(name: string, text: string): Promise<Profile> {
  * `written` says that the service has the text already.
  */
 export async function keepAs(drawing: string, change: Keeping, written = false): Promise<void> {
-  const { name, before, after, profileAfter } = change;
+  const { name, before, after, readAfter } = change;
   if (after === null) {
     const now = await asItWas(name, before ?? "");
     // A drawing that was read by it is read by another first: it would say that it is gone.
-    const answer = await service.settle(drawing, { profile: profileAfter });
+    const answer = await service.settle(drawing, readAfter);
     await service.deleteProfile(name, now.version);
     await changed(answer);
   } else {
@@ -151,7 +143,7 @@ export async function keepAs(drawing: string, change: Keeping, written = false):
       const version = before === null ? null : (await asItWas(name, before)).version;
       await service.keepProfile(name, after, version);
     }
-    await changed(await service.settle(drawing, { profile: profileAfter }));
+    await changed(await service.settle(drawing, readAfter));
   }
   await queries.invalidateQueries({ queryKey: keys.profiles().queryKey });
 }
@@ -166,11 +158,12 @@ async function again(drawing: string, change: Change, back: boolean): Promise<vo
   } else await keepAs(drawing, back ? reversed(change) : change);
 }
 
-/** What of `after` is not as it was: the profile is read anew only where it is another. */
+/** What of `after` is not as it was: the profile is read anew only where it says something else. */
 function differing(before: Said, after: Said): Partial<Said> {
+  const same = before.profile === after.profile && before.rules === after.rules;
   return {
     ...(before.unit === after.unit ? {} : { unit: after.unit }),
-    ...(before.profile === after.profile ? {} : { profile: after.profile }),
+    ...(same ? {} : readBy(after)),
   };
 }
 

@@ -172,19 +172,33 @@ describe("a unit and a profile", () => {
     ]);
   });
 
+  test("a profile that has changed is read anew, and then as it was", async () => {
+    const acme = (rules: string) => drawing({ profile: "acme", rules });
+    queries.setQueryData(keys.drawing("d1").queryKey, acme("old"));
+    told.mockImplementation((_, { rules }) => Promise.resolve(acme(rules || "new")));
+    await settle({ profile: "acme" });
+    await undo();
+    await redo();
+    expect(told.mock.calls.map(([, part]) => part)).toEqual([
+      { profile: "acme" },
+      { profile: "acme", rules: "old" },
+      { profile: "acme", rules: "new" },
+    ]);
+  });
+
   const KEPT: Keeping = {
     kind: "kept",
     name: "acme",
     before: null,
     after: 'title = "Acme"',
-    profileBefore: "default",
-    profileAfter: "acme",
+    readBefore: { profile: "default", rules: "" },
+    readAfter: { profile: "acme" },
   };
 
   test("a new profile is forgotten, once the drawing is read by the one before", async () => {
     usePage.getState().made(KEPT);
     await undo();
-    expect(told).toHaveBeenCalledWith("d1", { profile: "default" });
+    expect(told).toHaveBeenCalledWith("d1", { profile: "default", rules: "" });
     expect(forgotten).toHaveBeenCalledWith("acme", 7);
     await redo();
     expect(texts).toHaveBeenCalledWith("acme", 'title = "Acme"', null);
@@ -192,7 +206,11 @@ describe("a unit and a profile", () => {
   });
 
   test("a changed profile gets back the text that it had", async () => {
-    usePage.getState().made({ ...KEPT, before: 'title = "Old"', profileBefore: "acme" });
+    usePage.getState().made({
+      ...KEPT,
+      before: 'title = "Old"',
+      readBefore: { profile: "acme", rules: 'title = "Old"' },
+    });
     await undo();
     expect(texts).toHaveBeenCalledWith("acme", 'title = "Old"', 7);
     expect(forgotten).not.toHaveBeenCalled();
@@ -200,7 +218,11 @@ describe("a unit and a profile", () => {
 
   test("what somebody else wrote meanwhile is left as it is, and that is told", async () => {
     text.mockResolvedValue('title = "Theirs"');
-    usePage.getState().made({ ...KEPT, before: 'title = "Old"', profileBefore: "acme" });
+    usePage.getState().made({
+      ...KEPT,
+      before: 'title = "Old"',
+      readBefore: { profile: "acme", rules: 'title = "Old"' },
+    });
     await undo();
     expect(texts).not.toHaveBeenCalled();
     expect(usePage.getState().past).toHaveLength(1);

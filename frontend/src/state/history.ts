@@ -25,6 +25,8 @@ export interface Retyping {
 export interface Said {
   readonly unit: Unit | "file";
   readonly profile: string;
+  /** The customer's profile as it was when the drawing was read by it; empty for a shipped one. */
+  readonly rules: string;
 }
 
 /** A drawing got a unit or a profile. */
@@ -40,9 +42,15 @@ export interface Keeping {
   readonly name: string;
   readonly before: string | null;
   readonly after: string | null;
-  /** By which profile the drawing was classified before and after. */
-  readonly profileBefore: string;
-  readonly profileAfter: string;
+  /** By which profile the drawing was classified before and after, and by which text of it. */
+  readonly readBefore: ReadBy;
+  readonly readAfter: ReadBy;
+}
+
+/** A profile, as it is now where no rules are told. */
+export interface ReadBy {
+  readonly profile: string;
+  readonly rules?: string;
 }
 
 export type Change = Retyping | Settling | Keeping;
@@ -81,12 +89,19 @@ export function backwards(change: Retyping): Override[] {
 export const saidOf = (drawing: Drawing): Said => ({
   unit: drawing.unit_given ?? "file",
   profile: drawing.profile,
+  rules: drawing.rules,
+});
+
+/** By which profile a drawing is read, and by which text of it. */
+export const readBy = ({ profile, rules }: Pick<Said, "profile" | "rules">): ReadBy => ({
+  profile,
+  rules,
 });
 
 /** The same change the other way round. */
 export function reversed<C extends Settling | Keeping>(change: C): C {
   const turned = { ...change, before: change.after, after: change.before };
   if (turned.kind !== "kept") return turned;
-  const { profileBefore, profileAfter } = turned;
-  return { ...turned, profileBefore: profileAfter, profileAfter: profileBefore };
+  const { readBefore, readAfter } = turned;
+  return { ...turned, readBefore: readAfter, readAfter: readBefore };
 }

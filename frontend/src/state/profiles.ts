@@ -3,6 +3,7 @@
 import { type Profile, type Proposal, service } from "../api/client";
 import { inTurn, keepAs } from "./actions";
 import { type Draft, draftOf, draftRule, nameOf, sentOf, withRule } from "./draft";
+import { readBy } from "./history";
 import { keys, queries } from "./queries";
 import { usePage } from "./store";
 
@@ -65,8 +66,8 @@ async function keep(name: string, write: () => Promise<string | null>): Promise<
         name,
         before,
         after,
-        profileBefore: now.profile,
-        profileAfter: name,
+        readBefore: readBy(now),
+        readAfter: { profile: name },
       } as const;
       await keepAs(now.id, change, true);
       usePage.getState().made(change);
@@ -108,8 +109,8 @@ export function forgetProfile(profile: Profile): Promise<void> {
       name: profile.name,
       before: await service.profileText(profile.name),
       after: null,
-      profileBefore: profile.name,
-      profileAfter: profile.extends ?? "default",
+      readBefore: readBy(now),
+      readAfter: { profile: profile.extends ?? "default" },
     } as const;
     await keepAs(now.id, change);
     usePage.getState().made(change);

@@ -114,8 +114,16 @@ describe("an entity of the report", () => {
 
   test("is found by the place of its words, with a quarter of the drawing about it", () => {
     expect(foundOf(EDGES, DRAWING, entity({ place: [50, 20, 1] }))).toEqual({
-      pin: { x: 50, y: 20 },
+      pin: [50, 20, 50, 20],
       box: [25, -5, 75, 45],
+    });
+  });
+
+  test("is found by the box around it, which is seen whole", () => {
+    const hatch = entity({ kind: "HATCH", box: [20, 0, 80, 10] });
+    expect(foundOf(EDGES, DRAWING, hatch)).toEqual({
+      pin: [20, 0, 80, 10],
+      box: [5, -40, 95, 50],
     });
   });
 

@@ -1,7 +1,7 @@
 /** The import report: what was kept, merged and dropped, and which edges or entities each means. */
 
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
-import { type Box, type Edges, FATES, type Fate, fateOf, type Point } from "../geometry/records";
+import { type Box, type Edges, FATES, type Fate, fateOf } from "../geometry/records";
 import { rowsOfHandles } from "./rows";
 
 /** The order in which they are read: what is not there first. */
@@ -50,14 +50,16 @@ export const entitiesOf = (ledger: readonly LedgerRow[], group: ReportGroup): Le
     ? []
     : ledger.filter((row) => row.fate === group.fate && (row.theme || row.reason) === group.reason);
 
-/** Where an entity is seen: its edges, those that it lies on, or the place of its words. */
+/** Where an entity is seen: its edges, those that it lies on, or the box around what it is. */
 export type Found =
   | { readonly rows: readonly number[] }
-  | { readonly pin: Point; readonly box: Box }
+  | { readonly pin: Box; readonly box: Box }
   | null;
 
 /** Of words so much is shown to each side (heights of the letters) … */
 const AROUND = 14;
+/** … of all else so much of its size … */
+const BESIDE = 0.75;
 /** … and at least this part of the drawing. */
 const LEAST = 0.25;
 
@@ -67,9 +69,18 @@ export function foundOf(edges: Edges, drawing: Drawing, row: LedgerRow): Found {
   const rows = own.length > 0 || twin === undefined ? own : rowsOfHandles(edges, [twin]);
   if (rows.length > 0) return { rows };
   const [x, y, height = 0] = row.place ?? [];
-  if (x === undefined || y === undefined) return null;
-  const side = Math.max(AROUND * height, LEAST * Math.max(drawing.width, drawing.height));
-  return { pin: { x, y }, box: [x - side, y - side, x + side, y + side] };
+  const [x0 = x, y0 = y, x1 = x, y1 = y] = row.box ?? [];
+  if (x0 === undefined || y0 === undefined || x1 === undefined || y1 === undefined) return null;
+  const side = Math.max(
+    AROUND * height,
+    BESIDE * Math.max(x1 - x0, y1 - y0),
+    LEAST * Math.max(drawing.width, drawing.height),
+  );
+  const [middleX, middleY] = [(x0 + x1) / 2, (y0 + y1) / 2];
+  return {
+    pin: [x0, y0, x1, y1],
+    box: [middleX - side, middleY - side, middleX + side, middleY + side],
+  };
 }
 
 /** A report in a few words: entities and edges that are not there as they were drawn. */

@@ -8,7 +8,7 @@
 import { create } from "zustand";
 import type { Corners, Question } from "../api/client";
 import type { LineState } from "../api/events";
-import type { Box, LineType, Point } from "../geometry/records";
+import type { Box, LineType } from "../geometry/records";
 import { LEFT_TO_THE_MACHINE } from "./corners";
 import type { Change } from "./history";
 
@@ -58,7 +58,7 @@ export interface PageState {
   readonly colourMode: ColourMode;
   readonly focus: Focus;
   /** A place of the drawing that is meant, where no edge is. */
-  readonly pin: Point | null;
+  readonly pin: Box | null;
   readonly past: readonly Change[];
   readonly future: readonly Change[];
   readonly busy: boolean;
@@ -92,7 +92,7 @@ export interface PageState {
   toggleLayer(layer: Layer): void;
   look(rows: readonly number[]): void;
   /** Bring a part of the drawing into view, and mark a place in it. */
-  lookAt(box: Box, pin?: Point): void;
+  lookAt(box: Box, pin?: Box): void;
   /** A change was made: it can be undone, and what was undone is forgotten. */
   made(change: Change): void;
   /** The last change was undone (or done again). */

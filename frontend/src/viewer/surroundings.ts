@@ -18,8 +18,8 @@ export class Surroundings {
   box: Box | null = null;
   /** Corners that were chosen. */
   corners: readonly Point[] = [];
-  /** A place that is meant, where no edge is. */
-  pin: Point | null = null;
+  /** What is meant, where no edge is. */
+  pin: Box | null = null;
 
   private readonly gridLayer = new LineLayer(1, ORDER.grid);
   private readonly frameLayer = new LineLayer(1.25, ORDER.frame);

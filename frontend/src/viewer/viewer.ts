@@ -152,9 +152,9 @@ export class Viewer {
     this.draw();
   }
 
-  /** A place that is meant, where no edge is. */
-  showPin(place: Point | null): void {
-    this.around.pin = place;
+  /** What is meant, where no edge is. */
+  showPin(box: Box | null): void {
+    this.around.pin = box;
     this.draw();
   }
 

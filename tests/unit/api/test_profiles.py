@@ -222,6 +222,15 @@ def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed
     assert again["profile_state"] == "current"
     assert types(client, id)[4] == "perforation"
 
+    # As it was: what was read anew is taken back.
+    before = client.patch(
+        f"/api/drawings/{id}", json={"profile": "changing", "rules": drawing["rules"]}
+    ).json()
+    assert (before["profile_state"], before["rules"]) == ("changed", drawing["rules"])
+    assert types(client, id)[4] == "crease"
+    client.patch(f"/api/drawings/{id}", json={"rules": again["rules"]})
+    assert types(client, id)[4] == "perforation"
+
     client.delete("/api/profiles/changing")
     assert client.get(f"/api/drawings/{id}").json()["profile_state"] == "deleted"
     client.patch(f"/api/drawings/{id}/edges", json={"overrides": [{"type": "cut", "edges": [5]}]})
@@ -229,6 +238,31 @@ def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed
     gone = client.patch(f"/api/drawings/{id}", json={"profile": "changing"})
     assert gone.status_code == 422
     assert "no profile 'changing'" in gone.json()["detail"]
+    # By the text that it had, a drawing is read by it nevertheless.
+    kept = {"profile": "changing", "rules": drawing["rules"]}
+    assert client.patch(f"/api/drawings/{id}", json=kept).json()["profile_state"] == "deleted"
+    assert types(client, id)[4:] == ["crease", "cut"]
+
+
+@pytest.mark.parametrize(
+    ("patch", "status", "words"),
+    [
+        ({"profile": "default", "rules": OURS}, 409, "is shipped with knifetip"),
+        ({"rules": OURS}, 409, "is shipped with knifetip"),
+        ({"profile": "acme", "rules": "title ="}, 422, "is not TOML"),
+        ({"profile": "acme", "rules": 'title = "x"\n[[rule]]\ntype = "glue"'}, 422, "glue"),
+        ({"profile": "../acme", "rules": OURS}, 422, "name"),
+        ({"profile": "acme", "rules": "#" * (257 << 10)}, 422, "262144"),
+        ({"profile": "acme", "rules": 7}, 422, "string"),
+    ],
+)
+def test_rules_that_are_none_change_nothing(
+    client: httpx.Client, patch: dict[str, object], status: int, words: str
+):
+    drawing = uploaded(client, square(extra=INNER))
+    answer = client.patch(f"/api/drawings/{drawing['id']}", json=patch)
+    assert (answer.status_code, words in answer.json()["detail"]) == (status, True), answer.text
+    assert client.get(f"/api/drawings/{drawing['id']}").json()["rules"] == ""
 
 
 def test_a_job_is_made_by_the_rules_it_was_ordered_with(client: httpx.Client):

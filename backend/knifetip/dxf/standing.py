@@ -1,0 +1,172 @@
+"""standing: where an entity stands of which no line is made.
+
+    group codes and numbers of an entity -> box around its points, in its own coordinates
+
+The points are those that say where an entity is: the vertices of a hatch or a solid, the corner of
+a picture.  Directions, scales and seeds are none, though they are written as points are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+from numba import njit
+
+from knifetip.dxf.decimals import EXACT, number
+from knifetip.dxf.lines import NO_CODE, code_at, end_of_line
+from knifetip.dxf.shapes import moved
+from knifetip.geometry.columns import F64, I64, Bool
+
+# What a rule says: which group codes from 10 on are points, as bits; behind which code they begin
+# and before which they end, -1 for the whole entity; whether its x counts to the left under −Z.
+_BITS, _SINCE, _UNTIL, _OWN_PLANE = range(4)
+_Rule = tuple[int, int, int, int]
+
+
+def _rule(*codes: int, since: int = -1, until: int = -1, own_plane: bool = False) -> _Rule:
+    return sum(1 << code - 10 for code in codes), since, until, int(own_plane)
+
+
+_RULES: Final[dict[str, _Rule]] = {
+    "LINE": _rule(10, 11),
+    "SPLINE": _rule(10, 11),
+    "SOLID": _rule(10, 11, 12, 13, own_plane=True),
+    "TRACE": _rule(10, 11, 12, 13, own_plane=True),
+    "3DFACE": _rule(10, 11, 12, 13),
+    "MLINE": _rule(11),
+    "DIMENSION": _rule(10, 11, 13, 14),
+    "OLE2FRAME": _rule(10, 11),
+    # Its place is that of its vertices, which follow as entities of their own.
+    "POLYLINE": _rule(10, since=0, own_plane=True),
+    # Before its paths stands its height, behind them stand seeds.
+    "HATCH": _rule(10, since=91, until=75, own_plane=True),
+    "MPOLYGON": _rule(10, since=91, until=75, own_plane=True),
+    # Elsewhere in it, 10 is a scale.
+    "MULTILEADER": _rule(10, since=300, until=301),
+    "MLEADER": _rule(10, since=300, until=301),
+    **dict.fromkeys(
+        ("ARC", "CIRCLE", "LWPOLYLINE", "INSERT", "TEXT", "ATTRIB", "ATTDEF", "SHAPE"),
+        _rule(10, own_plane=True),
+    ),
+}
+_OTHERS: Final = _rule(10)
+#: What follows is embedded, and says again where the entity is, or something else is.
+_EMBEDDED: Final = 101
+_EXTRUSION_Z: Final = 230
+
+
+def around_each(data: bytes, kinds: Sequence[str], spans: I64) -> F64:
+    """Return the boxes around entities, (k, 4), NaN for those without a point.
+
+    Parameters
+    ----------
+    spans : (k, 2)
+        From which to before which byte each is written, with the vertices that follow it.
+    """
+    rules = np.array([_RULES.get(kind, _OTHERS) for kind in kinds], np.int64).reshape(-1, 4)
+    box, sure = _boxes(np.frombuffer(data, np.uint8), spans, rules)
+    for row in np.flatnonzero(~sure).tolist():
+        lines = data[slice(*spans[row].tolist())].split(b"\n")[2:]
+        codes = [int(code) for code in lines[0:-1:2]]
+        box[row] = around(kinds[row], codes, lines[1::2])
+    return box
+
+
+def around(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
+    """Return the box around an entity, (4,), from its tags; NaN where it has no point."""
+    number_ = [_number(code, value) for code, value in zip(codes, values, strict=True)]
+    rule = _RULES.get(kind, _OTHERS)
+    box: F64 = _around(np.array(codes, np.int64), np.array(number_, np.float64), len(codes), rule)
+    return box
+
+
+def through(box: F64, linear: F64, shift: F64) -> F64:
+    """Return the box around a box, (4,), wherever linear maps (k, 2, 2) and shifts (k, 2) place it.
+
+    With k boxes, (k, 4), each goes through its own map, and k come back.
+    """
+    middle, half = (box[..., :2] + box[..., 2:]) / 2.0, (box[..., 2:] - box[..., :2]) / 2.0
+    at, reach = moved(linear, shift, middle), moved(np.abs(linear), np.zeros(2), half)
+    placed = np.concatenate([at - reach, at + reach], axis=-1)
+    if box.ndim == 2:
+        return placed
+    return np.concatenate([placed[:, :2].min(axis=0), placed[:, 2:].max(axis=0)])
+
+
+def _number(code: int, value: Any) -> float:
+    if not (10 <= code <= 28 or code == _EXTRUSION_Z):
+        return 0.0
+    try:
+        return float(value)
+    except (ValueError, TypeError, OverflowError):
+        return float("nan")
+
+
+@njit(cache=True, error_model="numpy")
+def _around(codes: Any, numbers: Any, count: int, rule: Any) -> Any:
+    """Return the box around the points of one entity, (4,)."""
+    low_x = low_y = np.inf
+    high_x = high_y = -np.inf
+    x, of = np.nan, -1
+    among = rule[_SINCE] < 0
+    left = False
+    for tag in range(count):
+        code = codes[tag]
+        if code == _EMBEDDED:
+            break
+        if code == _EXTRUSION_Z:
+            left = numbers[tag] < 0.0
+        elif not among:
+            among = code == rule[_SINCE]
+        elif code == rule[_UNTIL]:
+            break
+        elif 10 <= code <= 18:
+            wanted = rule[_BITS] >> (code - 10) & 1 == 1
+            x, of = numbers[tag], code if wanted else -1
+        elif 20 <= code <= 28 and of == code - 10:
+            y = numbers[tag]
+            if np.isfinite(x) and np.isfinite(y):
+                low_x, high_x = min(low_x, x), max(high_x, x)
+                low_y, high_y = min(low_y, y), max(high_y, y)
+            of = -1
+    box = np.full(4, np.nan)
+    if low_x <= high_x:
+        if left and rule[_OWN_PLANE] == 1:
+            low_x, high_x = -high_x, -low_x
+        box[0], box[1], box[2], box[3] = low_x, low_y, high_x, high_y
+    return box
+
+
+@njit(cache=True, error_model="numpy")
+def _boxes(data: Any, spans: Any, rules: Any) -> tuple[F64, Bool]:
+    """Return the boxes (k, 4), and for which of them every number could be read, (k,)."""
+    box, sure = np.empty((len(spans), 4)), np.ones(len(spans), np.bool_)
+    longest = 0
+    for row in range(len(spans)):
+        longest = max(longest, spans[row, 1] - spans[row, 0])
+    # A tag has two lines, each with an end, and a code of one digit at least.
+    codes, numbers = np.empty(longest // 3 + 1, np.int64), np.empty(longest // 3 + 1)
+    for row in range(len(spans)):
+        at, size = np.uint64(spans[row, 0]), np.uint64(spans[row, 1])
+        # The first tag says of what kind it is.
+        count = -1
+        while at < size:
+            code, at = code_at(data, at, size)
+            if code == NO_CODE:
+                sure[row] = False
+                break
+            end: Any = end_of_line(data, at, size)
+            value = 0.0
+            if 10 <= code <= 28 or code == _EXTRUSION_Z:
+                value, _, how = number(data, at, end)
+                sure[row] &= how == EXACT
+            if count >= 0:
+                codes[count], numbers[count] = code, value
+            count += 1
+            if end < size and data[end] == 13:
+                end += np.uint64(1)
+            at = end + np.uint64(1)
+        box[row] = _around(codes, numbers, count, rules[row])
+    return box, sure

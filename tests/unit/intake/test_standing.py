@@ -1,0 +1,91 @@
+"""Where that stands of which no line is made, as each format tells it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import cf2_text
+from cf2_text import cf2, sub
+from knifetip.cf2.read import read as read_cf2
+from knifetip.intake.place import CUBIC, LINE, Table, boxes
+from knifetip.model.drawing import Drawing
+from knifetip.pdf.read import read as read_pdf
+from knifetip.svg.read import read as read_svg
+from pdf_text import MM, pdf, stream
+from svg_text import svg
+
+POINT = 25.4 / 72.0
+
+
+def stands(drawing: Drawing) -> dict[str, list[float]]:
+    """The boxes (mm) by the handles of the entities."""
+    rows, found = drawing.ledger.standing
+    handles = list(drawing.ledger.handle)
+    return {handles[row]: box for row, box in zip(rows.tolist(), found.tolist(), strict=True)}
+
+
+@pytest.mark.parametrize(
+    ("inside", "box"),
+    [
+        ('<rect id="a" x="20" y="20" width="30" height="10" fill="#00f" stroke="none"/>', "fill"),
+        ('<image id="a" x="20" y="20" width="30" height="10" href="a.png"/>', "fill"),
+        ('<g transform="translate(20 20)"><image id="a" width="30" height="10"/></g>', "fill"),
+        ('<g display="none"><path id="a" d="M20 20L50 30"/></g>', "fill"),
+        ('<path id="a" d="M20 20L50 30" visibility="hidden"/>', "fill"),
+        ('<use id="a" x="20" y="30" href="b.svg#lid"/>', [20, 70, 20, 70]),
+        ('<text id="a" x="20" y="30" font-size="5">Lid</text>', [20, 70, 20, 70]),
+        ('<image id="a" x="20" width="wide"/>', None),
+        ('<path id="a" d=""/>', None),
+    ],
+)
+def test_of_an_svg(inside: str, box: list[float] | str | None):
+    drawing = read_svg(svg('<path d="M0 0H90"/>', inside))
+    expected = [20, 70, 50, 80] if box == "fill" else box
+    assert stands(drawing) == ({} if expected is None else {"a": pytest.approx(expected)})
+
+
+def test_of_a_pdf():
+    drawing = read_pdf(
+        pdf(
+            "0 0 m 90 0 l S 20 30 10 5 re f 1 0 0 1 5 5 cm 20 30 10 5 re W n",
+            "q 40 0 0 20 7 8 cm /Im0 Do Q BT /F1 9 Tf 3 4 Td (words) Tj ET 500 500 m 600 500 l S",
+            "/Sh0 sh",
+            resources="/XObject <</Im0 6 0 R>>",
+            more=[stream(b"x", "/Subtype /Image")],
+            size=(100.0, 100.0),
+        )
+    )
+    found = {handle: np.array(box) / POINT for handle, box in stands(drawing).items()}
+    assert_allclose(found["#2"], [20, 30, 30, 35], atol=1e-9)  # an area
+    assert_allclose(found["#3"], [25, 35, 35, 40], atol=1e-9)  # what bounds the rest
+    assert_allclose(found["#4"], [12, 13, 52, 33], atol=1e-9)  # a picture
+    assert_allclose(found["#5"], [8, 9, 8, 9], atol=1e-9)  # words
+    assert_allclose(found["#6"], [505, 505, 605, 505], atol=1e-9)  # beside the page
+    assert_allclose(found["#7"], [25, 35, 35, 40], atol=1e-9)  # colour within the bounds
+    assert len(found) == 6
+
+
+def test_of_a_pdf_what_fills_the_page_without_bounds_has_no_place():
+    drawing = read_pdf(pdf("0 0 m 9 0 l S /Sh0 sh", size=(90.0 * MM, 90.0 * MM)))
+    assert stands(drawing) == {"#2": pytest.approx([0.0, 0.0, 90.0, 90.0])}
+
+
+def test_of_a_cf2():
+    carton = sub("LID", cf2_text.line(0, 0, 90, 0), "T,2,1,0,3,4,0,5,4", "Rev. B")
+    drawing = read_cf2(
+        cf2("C,LID,100,50,90,1,1", "C,GONE,7,8,0,1,1", head=("UM", "SCALE,1,1"), subs=carton)
+    )
+    text, gone = stands(drawing).values()
+    assert_allclose(text, [96, 53, 96, 53])
+    assert gone == [7, 8, 7, 8]
+
+
+def test_a_box_is_around_ends_and_handles_and_of_a_line_no_more():
+    numbers = np.array([[0, 0, 4, 0, 9, 9, 9, 9], [0, 0, 4, 0, 1, 5, 3, -2]], np.float64)
+    table = Table(np.array([LINE, CUBIC], np.uint8), numbers, np.array([0, 2]))
+    matrix = np.array([[1, 0, 0, 1, 0, 0]] * 2 + [[0, 1, 1, 0, 10, 0]], np.float64)
+    found = boxes(table, matrix)
+    assert found[[0, 2]].tolist() == [[0, 0, 4, 0], [8, 0, 15, 4]]
+    assert np.isnan(found[1]).all()
