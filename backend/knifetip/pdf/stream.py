@@ -127,9 +127,9 @@ class Stream:
         return row
 
     def _left(self, why: str) -> None:
-        ends = self._here.drawn.outline.ends()
-        self._row("path", why, ends.tolist())
-        self._here.drawn.outline.drop()
+        outline = self._here.drawn.outline
+        self._row("path", why, [] if outline.wrong else outline.ends().tolist())
+        outline.drop()
 
     def _painted(self, closes: bool, strokes: bool, fills: bool) -> None:
         """Keep a path, or enter into the ledger why it is left out."""
