@@ -55,7 +55,8 @@ def watched(*packages: str) -> Iterator[None]:
 
 
 def _as_python(*function: Any, **_options: Any) -> Any:
-    return function[0] if function else lambda kernel: kernel
+    # With the types of a kernel said, it is handed over afterwards.
+    return function[0] if function and callable(function[0]) else lambda kernel: kernel
 
 
 def main(one: Callable[[bytes], object]) -> None:

@@ -10,6 +10,8 @@ colour and by dashes.  A PDF says its size: a unit of its page is 1/72 in, or wh
 
 from __future__ import annotations
 
+from pypdf.errors import PyPdfError
+
 from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.intake.assemble import Known, assemble
 from knifetip.intake.limits import Limits
@@ -19,6 +21,9 @@ from knifetip.model.unit import MILLIMETRES, factor
 from knifetip.pdf.document import AGAIN, File, Page, bounded, first_page
 from knifetip.pdf.drawn import Drawn
 from knifetip.pdf.walk import walk
+
+#: As much of what pypdf says of damage helps somebody.
+_SAID = 120
 
 
 def read(
@@ -57,6 +62,9 @@ def read(
             return _read(data, unit or "", given, limits)
     except KnifetipError:
         raise
+    except PyPdfError as error:
+        said = str(error)[:_SAID].rstrip(".")
+        raise NotADrawing(f"The PDF is damaged: {said or 'it ends too soon'}.", AGAIN) from error
     except Exception as error:
         # pypdf makes no promise on hostile bytes, and a user's file must never end in a traceback.
         raise NotADrawing(
