@@ -10,13 +10,15 @@ a crease opens the other way, and its ends go on in the outline.
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numba import njit
 
+from knifetip.classification.cutting import WORTH
 from knifetip.classification.net import Net
-from knifetip.geometry.columns import Bool
+from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.cores import each, runs
 
 #: An arrowhead is no longer than this (mm), and than this share of the line that it ends.
 _LONG: Final = 12.0
@@ -30,6 +32,23 @@ _OVER: Final = 8.0
 _FULL: Final = 24
 
 
+class _Lines(NamedTuple):
+    """Columns of a ``Net``."""
+
+    place: F64
+    start: I32
+    end: I32
+    edge: I32
+    first: I32
+
+
+class _Around(NamedTuple):
+    """The pieces that meet at each of q places."""
+
+    first: I32  #: (q + 1,) those of each place are first … first + 1 - 1
+    piece: I32
+
+
 def arrows(net: Net, count: int, unit: float) -> Bool:
     """Return which of n edges belong to arrows, (n,).
 
@@ -38,23 +57,30 @@ def arrows(net: Net, count: int, unit: float) -> Bool:
     unit
         How many units of the ends a millimetre has.
     """
-    found = np.zeros(count, np.bool_)
-    _arrows(net.place, net.start, net.end, net.bulge, net.edge, net.same, net.first, unit, found)
+    found, tip = np.zeros(count, np.bool_), np.zeros(len(net.place), np.bool_)
+    lines = _Lines(net.place, net.start, net.end, net.edge, net.first)
+    around = _around(lines, net.same)
+
+    def looked(run: tuple[int, int]) -> None:
+        _heads(lines, net.bulge, around, unit, found, tip, *run)
+
+    each(looked, runs(len(tip), WORTH))
+    if tip.any():
+        _rest(lines, net.same, around, unit, found, tip)
     return found
 
 
 @njit(cache=True, error_model="numpy")
-def _arrows(
-    place: Any, start: Any, end: Any, bulge: Any, edge: Any, same: Any, pieces: Any,
-    unit: float, found: Any,
-) -> None:  # fmt: skip
-    count = len(start)
-    first = np.zeros(len(place) + 1, np.int32)
+def _around(lines: _Lines, same: Any) -> _Around:
+    """Return the pieces at each place."""
+    place, start, end, edge, _ = lines
+    places, count = len(place), len(start)
+    first = np.zeros(places + 1, np.int32)
     for p in range(count):
         if same[p] == p and edge[p] >= 0:
             first[start[p] + 1] += 1
             first[end[p] + 1] += 1
-    for k in range(len(place)):
+    for k in range(places):
         first[k + 1] += first[k]
     put = first[:-1].copy()
     meeting = np.empty(first[-1], np.int32)
@@ -64,13 +90,23 @@ def _arrows(
             put[start[p]] += 1
             meeting[put[end[p]]] = p
             put[end[p]] += 1
+    return _Around(first, meeting)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _heads(
+    lines: _Lines, bulge: Any, around: _Around, unit: float, found: Any, tip: Any,
+    begin: int, stop: int,
+) -> None:  # fmt: skip
+    """Mark the arrowheads at some places, and the lines that they end."""
+    place, start, end, edge, pieces = lines
+    first, meeting = around
     long = _LONG * unit
     head = np.empty(_FULL, np.int32)
     tail = np.empty(_FULL, np.int32)
     way = np.empty(_FULL)
     size = np.empty(_FULL)
-    tip = np.zeros(len(place), np.bool_)
-    for at in range(len(place)):
+    for at in range(begin, stop):
         many = first[at + 1] - first[at]
         if many < 3 or many > _FULL:
             continue
@@ -128,7 +164,14 @@ def _arrows(
                         for m in range(first[one], first[one + 1]):
                             if edge[meeting[m]] >= 0:
                                 found[edge[meeting[m]]] = True
-    # What an arrow begins at and stands over it a little.
+
+
+@njit(cache=True, error_model="numpy")
+def _rest(lines: _Lines, same: Any, around: _Around, unit: float, found: Any, tip: Any) -> None:
+    """Mark what an arrow begins at, and what lies on arrows."""
+    place, start, end, edge, pieces = lines
+    first, meeting = around
+    # It stands over it a little.
     for at in range(len(place)):
         if not tip[at]:
             continue
@@ -149,8 +192,6 @@ def _arrows(
                     if over <= _OVER * unit or (ends_here and over >= whole):
                         found[i] = True
 
-    if not tip.any():
-        return
     # What lies wholly on all this.
     for i in range(len(found)):
         if found[i] or pieces[i] == pieces[i + 1]:

@@ -20,6 +20,7 @@ import numpy as np
 from numba import njit
 
 from knifetip.classification.arrows import arrows
+from knifetip.classification.cutting import WORTH
 from knifetip.classification.faces import Faces, faces
 from knifetip.classification.folding import holding
 from knifetip.classification.net import Net, built
@@ -28,6 +29,7 @@ from knifetip.classification.parts import Parts
 from knifetip.classification.role import Role
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.cores import each, runs
 from knifetip.geometry.tolerance import GAP
 from knifetip.model.drawing import Inscription
 
@@ -146,20 +148,19 @@ def _seen(
 ) -> Shape:
     count, touch = len(bulge), GAP * unit
     sides = faces(net, ends, bulge, touch)
-    real = net.edge >= 0
     length = arc.over(net.chords(), net.bulge)
     parts = Parts.of(net, sides, length, inscriptions, unit)
     role = _roles(net, sides, parts)
-    perimeter = np.bincount(sides.left, length, len(sides.area))
-    perimeter += np.bincount(sides.right, length, len(sides.area))
-    slender = 2.0 * sides.area < _NARROW * unit * perimeter
-    slender &= (sides.area > 0.0) & (perimeter > 5.0 * _NARROW * unit)
-    paired = slender[sides.left] != slender[sides.right]
-    greatest, share, whole, narrow, beside_it = _gathered(
-        net.first, role, paired, length, sides.left, sides.right, len(Role)
-    )
-    part_of = np.full(count, -1, np.int32)
-    part_of[net.edge[real]] = net.part[real]
+    slender = _slender(sides.left, sides.right, length, sides.area, _NARROW * unit)
+    greatest, share, whole = np.empty(count, np.uint8), np.empty(count), np.empty(count)
+    narrow, part_of = np.empty(count, np.bool_), np.empty(count, np.int32)
+    beside_it = np.empty((count, 2), np.int32)
+
+    def gathered(run: tuple[int, int]) -> None:
+        pieces = net.first, net.part, length, role, sides.left, sides.right
+        _gather(*pieces, slender, greatest, share, whole, narrow, part_of, beside_it, *run)
+
+    each(gathered, runs(count, WORTH))
     # An edge too short to be a piece is what the edge before it is, which it goes on from.
     before = np.maximum.accumulate(np.where(whole > 0.0, np.arange(count), 0))
     speck = np.flatnonzero((whole == 0.0) & (whole[before] > 0.0))
@@ -173,9 +174,9 @@ def _seen(
     none = np.zeros(count, np.bool_)
     return Shape(
         False,
-        np.where(whole > 0.0, greatest, Role.UNKNOWN).astype(np.uint8),
+        np.where(whole > 0.0, greatest, np.uint8(Role.UNKNOWN)),
         share,
-        narrow > 0.5 * whole,
+        narrow,
         net.dashed,
         holding(net, sides, role, length, count) if folds else none,
         beside,
@@ -187,46 +188,62 @@ def _seen(
 
 
 @njit(cache=True, error_model="numpy")
-def _gathered(
-    first: Any, role: Any, paired: Any, length: Any, left: Any, right: Any, roles: int
-) -> Any:
-    """Return of each of n edges what its pieces have the most of.
+def _slender(left: Any, right: Any, length: Any, area: Any, narrow: float) -> Any:
+    """Return which faces are long and narrower than this, (f,)."""
+    one, other = np.zeros(len(area)), np.zeros(len(area))
+    for p in range(len(length)):
+        one[left[p]] += length[p]
+        other[right[p]] += length[p]
+    result = np.empty(len(area), np.bool_)
+    for f in range(len(area)):
+        perimeter = one[f] + other[f]
+        long = perimeter > 5.0 * narrow
+        result[f] = area[f] > 0.0 and long and 2.0 * area[f] < narrow * perimeter
+    return result
 
-    Returns
-    -------
-    greatest : (n,)
-        The role of the greater part of its length.
-    share, whole, narrow : (n,)
-        That part of its length, its length, and the length that is paired.
-    sides : (n, 2)
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _gather(
+    first: Any, part: Any, length: Any, role: Any, left: Any, right: Any, slender: Any,
+    greatest: Any, share: Any, whole: Any, narrow: Any, part_of: Any, sides: Any,
+    begin: int, end: int,
+) -> None:  # fmt: skip
+    """Write of some edges what their pieces have the most of.
+
+    Parameters
+    ----------
+    greatest, share, whole
+        The role of the greater part of its length; that part of its length; its length.
+    narrow
+        Whether most of it has a slender face on one side alone.
+    part_of
+        The connected part that it is of, -1 where it has no piece.
+    sides
         Those of its longest piece.
     """
-    count = len(first) - 1
-    greatest = np.zeros(count, np.int64)
-    share, whole, narrow = np.zeros(count), np.zeros(count), np.zeros(count)
-    sides = np.zeros((count, 2), np.int32)
-    of = np.zeros(roles)
-    for i in range(count):
-        longest = 0.0
+    of = np.zeros(256)
+    for i in range(begin, end):
+        part_of[i] = part[first[i]] if first[i] < first[i + 1] else -1
+        longest = total = paired = 0.0
+        best = 0
+        sides[i, 0] = sides[i, 1] = 0
         for p in range(first[i], first[i + 1]):
             of[role[p]] += length[p]
-            whole[i] += length[p]
-            if paired[p]:
-                narrow[i] += length[p]
+            total += length[p]
+            if slender[left[p]] != slender[right[p]]:
+                paired += length[p]
             if length[p] > longest:
                 longest = length[p]
-                sides[i, 0] = left[p]
-                sides[i, 1] = right[p]
+                sides[i, 0], sides[i, 1] = left[p], right[p]
         for p in range(first[i], first[i + 1]):
             kind = role[p]
-            best = of[greatest[i]]
-            if of[kind] > best or (of[kind] == best and kind < greatest[i]):
-                greatest[i] = kind
-        if whole[i] > 0.0:
-            share[i] = of[greatest[i]] / whole[i]
+            if of[kind] > of[best] or (of[kind] == of[best] and kind < best):
+                best = kind
+        greatest[i] = best
+        share[i] = of[best] / total if total > 0.0 else 0.0
+        whole[i], narrow[i] = total, paired > 0.5 * total
         for p in range(first[i], first[i + 1]):
             of[role[p]] = 0.0
-    return greatest, share, whole, narrow, sides
 
 
 def _roles(net: Net, sides: Faces, parts: Parts) -> U8:

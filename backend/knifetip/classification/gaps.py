@@ -125,46 +125,76 @@ def crossed(
     ends: F64, bulge: F64, touch: float, twin: I32, tie: I32, spots: Places, grid: Grid
 ) -> tuple[Partings, I32, Places]:
     """Part ties by the lines that run through the gaps which they close; return as ``tied``."""
-    row, share, cut, tie, point, onward, count = _cross(ends, bulge, touch, twin, tie, spots, grid)
+    is_crossed = np.zeros(len(tie), np.bool_)
+
+    def looked(run: tuple[int, int]) -> None:
+        _look_through(ends, bulge, touch, twin, tie, spots.point, grid, is_crossed, *run)
+
+    each(looked, runs(len(tie), WORTH))
+    row, share, cut, tie, point, onward, count = _cross(
+        ends, bulge, touch, twin, tie, np.flatnonzero(is_crossed), spots, grid
+    )
     return Partings(row, share, cut), tie, Places(point, count, onward, spots.head)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _look_through(
+    ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, point: Any, grid: Grid,
+    is_crossed: Any, begin: int, end: int,
+) -> None:  # fmt: skip
+    """Write of some ties whether a line runs through them."""
+    for k in range(begin, end):
+        is_crossed[k] = _first_through(ends, bulge, touch, twin, tie, point, grid, k)[0] >= 0
+
+
+@njit(cache=True, error_model="numpy")
+def _first_through(
+    ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, point: Any, grid: Grid, k: int
+) -> tuple[int, float, float, float]:
+    """Return the first line that runs through a tie, -1 for none, its share there, and where."""
+    low, size, side, first, listed = grid
+    ax, ay = point[tie[k, 0], 0], point[tie[k, 0], 1]
+    ux, uy = point[tie[k, 1], 0] - ax, point[tie[k, 1], 1] - ay
+    long = math.sqrt(ux * ux + uy * uy)
+    c0 = cell_of(min(ax, ax + ux), low[0], size[0], side)
+    c1 = cell_of(max(ax, ax + ux), low[0], size[0], side)
+    r0 = cell_of(min(ay, ay + uy), low[1], size[1], side)
+    r1 = cell_of(max(ay, ay + uy), low[1], size[1], side)
+    least, through, where = 1.0, -1, 0.0
+    for c in range(c0, c1 + 1):
+        for r in range(r0, r1 + 1):
+            for m in range(first[r * side + c], first[r * side + c + 1]):
+                j = listed[m]
+                if abs(bulge[j]) > BULGE or twin[j] != j:
+                    continue
+                s, t = crossing(ax, ay, ux, uy, ends, j)
+                if not 0.0 < s < least or min(s, 1.0 - s) * long <= touch:
+                    continue
+                if min(t, 1.0 - t) * chord(ends, j) > touch:
+                    least, through, where = s, j, t
+    return through, where, ax + least * ux, ay + least * uy
 
 
 @njit(cache=True, error_model="numpy")
 def _cross(
-    ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, spots: Places, grid: Grid
-) -> Any:
-    low, size, side, first, listed = grid
+    ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, wanted: Any, spots: Places,
+    grid: Grid,
+) -> Any:  # fmt: skip
+    """Part the wanted ties, and what is left of them."""
     point, places, onward, head = spots
     row = np.empty(16, np.int32)
     share = np.empty(16)
     cut = np.empty(16, np.int32)
     cuts = 0
-    ties = len(tie)
-    k = 0
-    while k < ties:
-        ax, ay = point[tie[k, 0], 0], point[tie[k, 0], 1]
-        ux, uy = point[tie[k, 1], 0] - ax, point[tie[k, 1], 1] - ay
-        long = math.sqrt(ux * ux + uy * uy)
-        c0 = cell_of(min(ax, ax + ux), low[0], size[0], side)
-        c1 = cell_of(max(ax, ax + ux), low[0], size[0], side)
-        r0 = cell_of(min(ay, ay + uy), low[1], size[1], side)
-        r1 = cell_of(max(ay, ay + uy), low[1], size[1], side)
-        least, through, where = 1.0, -1, 0.0
-        for c in range(c0, c1 + 1):
-            for r in range(r0, r1 + 1):
-                for m in range(first[r * side + c], first[r * side + c + 1]):
-                    j = listed[m]
-                    if abs(bulge[j]) > BULGE or twin[j] != j:
-                        continue
-                    s, t = crossing(ax, ay, ux, uy, ends, j)
-                    if not 0.0 < s < least or min(s, 1.0 - s) * long <= touch:
-                        continue
-                    if min(t, 1.0 - t) * chord(ends, j) > touch:
-                        least, through, where = s, j, t
+    old = ties = len(tie)
+    turn = 0
+    while turn < len(wanted) + ties - old:
+        k = wanted[turn] if turn < len(wanted) else old + turn - len(wanted)
+        through, where, x, y = _first_through(ends, bulge, touch, twin, tie, point, grid, k)
         if through >= 0:
             if places + 1 >= len(point):
                 point, onward = longer(point), longer(onward)
-            at = placed(ax + least * ux, ay + least * uy, touch, point, places, head, onward)
+            at = placed(x, y, touch, point, places, head, onward)
             if at == places:
                 places += 1
             if cuts == len(row):
@@ -177,7 +207,7 @@ def _cross(
                 tie[ties, 0], tie[ties, 1] = at, tie[k, 1]
                 tie[k, 1] = at
                 ties += 1
-        k += 1
+        turn += 1
     return row[:cuts], share[:cuts], cut[:cuts], tie[:ties], point, onward, places
 
 
