@@ -18,6 +18,7 @@ from numba import njit
 from knifetip.classification.cutting import WORTH
 from knifetip.classification.net import Net
 from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, runs
 
 #: An arrowhead is no longer than this (mm), and than this share of the line that it ends.
@@ -65,8 +66,7 @@ def arrows(net: Net, count: int, unit: float) -> Bool:
         _heads(lines, net.bulge, around, unit, found, tip, *run)
 
     each(looked, runs(len(tip), WORTH))
-    if tip.any():
-        _rest(lines, net.same, around, unit, found, tip)
+    _rest(lines, net.same, around, unit, found, tip)
     return found
 
 
@@ -166,7 +166,7 @@ def _heads(
                                 found[edge[meeting[m]]] = True
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _rest(lines: _Lines, same: Any, around: _Around, unit: float, found: Any, tip: Any) -> None:
     """Mark what an arrow begins at, and what lies on arrows."""
     place, start, end, edge, pieces = lines
@@ -192,6 +192,8 @@ def _rest(lines: _Lines, same: Any, around: _Around, unit: float, found: Any, ti
                     if over <= _OVER * unit or (ends_here and over >= whole):
                         found[i] = True
 
+    if not tip.any():
+        return
     # What lies wholly on all this.
     for i in range(len(found)):
         if found[i] or pieces[i] == pieces[i + 1]:
@@ -203,7 +205,7 @@ def _rest(lines: _Lines, same: Any, around: _Around, unit: float, found: Any, ti
         found[i] = on
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _other(start: Any, end: Any, pieces: Any, i: int, at: int) -> int:
     """The place where an edge ends that begins at a place, -1 where it does not."""
     one, two = start[pieces[i]], end[pieces[i + 1] - 1]
@@ -216,7 +218,7 @@ def _other(start: Any, end: Any, pieces: Any, i: int, at: int) -> int:
     return -1
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _joined(
     start: Any, end: Any, pieces: Any, edge: Any, first: Any, meeting: Any, one: int, two: int
 ) -> bool:
@@ -228,13 +230,13 @@ def _joined(
     return False
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _length(place: Any, start: Any, end: Any, pieces: Any, i: int) -> float:
     a, b = start[pieces[i]], end[pieces[i + 1] - 1]
     return math.hypot(place[b, 0] - place[a, 0], place[b, 1] - place[a, 1])
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _turn(one: float, other: float) -> float:
     """The angle from one direction to another, -π … π."""
     turn = (other - one) % (2.0 * math.pi)

@@ -11,6 +11,7 @@ from knifetip.classification.grid import Grid, cell_of
 from knifetip.classification.places import Places, longer, placed, roomy
 from knifetip.classification.segment import BULGE, chord, crossing, near
 from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, runs
 
 #: Places, and cells of the grid, that one core has looked at before another has begun.
@@ -134,7 +135,7 @@ def _crossed(
     return pair[:found], share[:found]
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _joined(ends: Any, touch: float, pair: Any, share: Any, spots: Places, at: Any) -> int:
     """Write the places where lines cross; return how many places there are."""
     count = spots.known

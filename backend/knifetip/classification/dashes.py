@@ -17,6 +17,7 @@ from knifetip.classification.grid import Grid, by_cell, cell_of
 from knifetip.classification.places import longer
 from knifetip.classification.segment import BULGE, chord, leaves
 from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, runs
 
 
@@ -105,7 +106,7 @@ def _rows(
     return dashed, tie[:ties], gap_of
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _tips(ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, grid: Grid, cell: Any) -> None:
     """Write the cell of each loose end of a line that may be a dash, -1 for other ends."""
     low, size, side, _, _ = grid
@@ -117,7 +118,7 @@ def _tips(ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, grid: Grid, c
             cell[half] = row * side + cell_of(x, low[0], size[0], side)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@whole
 def _link(
     ends: Any, bulge: Any, touch: float, unit: float, grid: Grid, begins: Any, tips: Any,
     place: Any, link: Any, begin: int, end: int,

@@ -24,11 +24,13 @@ from knifetip.classification.cutting import WORTH
 from knifetip.classification.faces import Faces, faces
 from knifetip.classification.folding import holding
 from knifetip.classification.net import Net, built
+from knifetip.classification.order import neighbourly
 from knifetip.classification.overlaid import overlaid
 from knifetip.classification.parts import Parts
 from knifetip.classification.role import Role
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, runs
 from knifetip.geometry.tolerance import GAP
 from knifetip.model.drawing import Inscription
@@ -107,6 +109,17 @@ def shape(
     if not unit_known and count:
         across = ends.reshape(-1, 2)
         unit = float(np.hypot(*(across.max(axis=0) - across.min(axis=0)))) / _ACROSS or 1.0
+    order = neighbourly(ends)
+    if order is None:
+        return _shape(ends, bulge, inscriptions, unit, folds)
+    seen = _shape(ends[order], bulge[order], inscriptions, unit, folds)
+    return seen.among(count, order, Role.UNKNOWN)
+
+
+def _shape(
+    ends: F64, bulge: F64, inscriptions: Sequence[Inscription], unit: float, folds: bool
+) -> Shape:
+    count = len(bulge)
     net = built(ends, bulge, GAP * unit, _REACH * unit)
     if net is None:
         return _nothing(count)
@@ -163,11 +176,14 @@ def _seen(
     each(gathered, runs(count, WORTH))
     # An edge too short to be a piece is what the edge before it is, which it goes on from.
     before = np.maximum.accumulate(np.where(whole > 0.0, np.arange(count), 0))
-    speck = np.flatnonzero((whole == 0.0) & (whole[before] > 0.0))
-    gap = np.hypot(*(ends[before[speck], 1] - ends[speck, 0]).T)
-    speck = speck[gap <= 4.0 * touch]
-    greatest[speck], share[speck] = greatest[before[speck]], share[before[speck]]
-    part_of[speck] = part_of[before[speck]]
+    speck = np.flatnonzero(whole == 0.0)
+    like = before[speck]
+    gap = np.hypot(*(ends[like, 1] - ends[speck, 0]).T)
+    # In a file of another order it is what the longest is that ends there.
+    like = np.where((whole[like] > 0.0) & (gap <= 4.0 * touch), like, _longest(net, length, speck))
+    speck, like = speck[like >= 0], like[like >= 0]
+    greatest[speck], share[speck] = greatest[like], share[like]
+    part_of[speck] = part_of[like]
     whole[speck] = touch
     # The last stands for no part: a drawing of nothing but specks has none.
     beside: Bool = np.append(parts.annotated, np.False_)[part_of]
@@ -246,6 +262,21 @@ def _gather(
             of[role[p]] = 0.0
 
 
+def _longest(net: Net, length: F64, specks: I64) -> I32:
+    """Return of edges without pieces the edge of the longest piece that ends there, -1 for none."""
+    found = np.full(len(net.place), -1, np.int32)
+    if len(specks) == 0:
+        return found[:0]
+    wanted = np.zeros(len(net.place), np.bool_)
+    wanted[net.node[2 * specks]] = True
+    at = np.concatenate([net.start, net.end])
+    piece = np.flatnonzero(wanted[at] & (np.tile(net.edge, 2) >= 0))
+    piece = piece[np.argsort(np.tile(length, 2)[piece], kind="stable")]
+    # Of several at one place the last stays, which is the longest.
+    found[at[piece]] = np.tile(net.edge, 2)[piece]
+    return found[net.node[2 * specks]]
+
+
 def _roles(net: Net, sides: Faces, parts: Parts) -> U8:
     """Return the role of each piece, (p,)."""
     # What a piece of each part is: at its rim, on its own outside, in one face, between two.
@@ -272,7 +303,7 @@ def _roles(net: Net, sides: Faces, parts: Parts) -> U8:
     return role
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _look_up(
     table: Any, where: Any, part: Any, left: Any, right: Any, outside: Any, role: Any
 ) -> None:

@@ -19,6 +19,7 @@ from knifetip.classification.nesting import held, looked_left
 from knifetip.classification.net import Net
 from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import both
 
 #: Directions are told apart to so many parts of a right angle.
@@ -48,7 +49,7 @@ def faces(net: Net, ends: F64, bulge: F64, touch: float) -> Faces:
     return Faces(left, right, area, owner, outside, within)
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _angle(x: float, y: float) -> int:
     """A number that grows with the angle of a direction, the same for all that are nearly one."""
     across = abs(x) + abs(y)
@@ -65,24 +66,12 @@ def _around(place: Any, start: Any, end: Any, bent: Any, same: Any) -> Any:
     """
     pieces, places = len(start), len(place)
     begins = np.zeros(places + 1, np.int32)
-    angle = np.empty(2 * pieces, np.int64)
-    curve = np.empty(2 * pieces)
     for p in range(pieces):
-        if same[p] != p:
-            continue
-        a, b = start[p], end[p]
-        begins[a + 1] += 1
-        begins[b + 1] += 1
-        dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
-        # Along the tangents: the chord, turned by a quarter of the sweep twice.
-        square = bent[p] * bent[p]
-        c, s = (1.0 - square) / (1.0 + square), 2.0 * bent[p] / (1.0 + square)
-        angle[2 * p] = _angle(c * dx + s * dy, c * dy - s * dx)
-        angle[2 * p + 1] = _angle(s * dy - c * dx, -c * dy - s * dx)
-        chord = max(math.sqrt(dx * dx + dy * dy), 1e-300)
-        curve[2 * p] = bent[p] / chord
-        curve[2 * p + 1] = -bent[p] / chord
+        if same[p] == p:
+            begins[start[p] + 1] += 1
+            begins[end[p] + 1] += 1
     begins = np.cumsum(begins).astype(np.int32)
+    angle = np.empty(2 * pieces, np.int64)
     around = np.empty(begins[-1], np.int32)
     put = begins[:-1].copy()
     for p in range(pieces):
@@ -92,16 +81,47 @@ def _around(place: Any, start: Any, end: Any, bent: Any, same: Any) -> Any:
             at = start[p] if half % 2 == 0 else end[p]
             k = put[at]
             put[at] += 1
-            while k > begins[at]:
-                other = around[k - 1]
-                if angle[other] < angle[half] or (
-                    angle[other] == angle[half] and curve[other] <= curve[half]
-                ):
-                    break
-                around[k] = other
-                k -= 1
+            # One and two have no order.
+            if begins[at + 1] - begins[at] > 2:
+                angle[half] = _leaves(place, start, end, bent, half)
+                while k > begins[at]:
+                    other = around[k - 1]
+                    if angle[other] < angle[half] or (
+                        angle[other] == angle[half]
+                        and _curve(place, start, end, bent, other)
+                        <= _curve(place, start, end, bent, half)
+                    ):
+                        break
+                    around[k] = other
+                    k -= 1
             around[k] = half
     return around, begins
+
+
+@whole
+def _leaves(place: Any, start: Any, end: Any, bent: Any, half: int) -> int:
+    """The direction in which half a piece leaves its place, by its tangent, as ``_angle``."""
+    p = half // 2
+    a, b, bend = start[p], end[p], bent[p]
+    dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
+    if bend == 0.0:
+        return _angle(dx, dy) if half % 2 == 0 else _angle(-dx, -dy)
+    # The chord, turned by a quarter of the sweep twice.
+    square = bend * bend
+    c, s = (1.0 - square) / (1.0 + square), 2.0 * bend / (1.0 + square)
+    if half % 2 == 0:
+        return _angle(c * dx + s * dy, c * dy - s * dx)
+    return _angle(s * dy - c * dx, -c * dy - s * dx)
+
+
+@whole
+def _curve(place: Any, start: Any, end: Any, bent: Any, half: int) -> float:
+    """How far half a piece bends to the left of where it leaves."""
+    p = half // 2
+    a, b = start[p], end[p]
+    dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
+    curve: float = bent[p] / max(math.sqrt(dx * dx + dy * dy), 1e-300)
+    return curve if half % 2 == 0 else -curve
 
 
 @njit(cache=True, error_model="numpy", nogil=True)

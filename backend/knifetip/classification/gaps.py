@@ -13,6 +13,7 @@ from knifetip.classification.grid import Grid, cell_of
 from knifetip.classification.places import Places, longer, placed, roomy
 from knifetip.classification.segment import BULGE, chord, crossing, leaves, near, point_at
 from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, runs
 
 #: Both ends of a crease may stop so short of what they were meant to meet (mm).
@@ -49,7 +50,7 @@ def tied(
     return Partings(row, share, cut), tie, spots._replace(known=count)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@whole
 def _look(
     ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, ahead: float, gap_of: Any, grid: Grid,
     partner: Any, where: Any, begin: int, end: int,
@@ -137,7 +138,7 @@ def crossed(
     return Partings(row, share, cut), tie, Places(point, count, onward, spots.head)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@whole
 def _look_through(
     ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, point: Any, grid: Grid,
     is_crossed: Any, begin: int, end: int,
@@ -147,7 +148,7 @@ def _look_through(
         is_crossed[k] = _first_through(ends, bulge, touch, twin, tie, point, grid, k)[0] >= 0
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _first_through(
     ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, point: Any, grid: Grid, k: int
 ) -> tuple[int, float, float, float]:
@@ -211,7 +212,7 @@ def _cross(
     return row[:cuts], share[:cuts], cut[:cuts], tie[:ties], point, onward, places
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _meets(ends: Any, bulge: Any, half: int, far: float, grid: Grid) -> bool:
     """Whether another line lies straight ahead of an end, no farther than ``far``."""
     low, size, side, first, listed = grid

@@ -13,6 +13,7 @@ from numba import njit
 
 from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.compiled import whole
 
 #: At so many pairs of lines in one cell, as a multiple of the edges, a drawing is too tangled.
 _WORK: Final = 400
@@ -64,7 +65,7 @@ def gridded(ends: F64, bulge: F64, touch: float, reach: float) -> Grid | None:
     return grid
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@whole
 def _boxes(ends: Any, bulge: Any, boxes: Any, bounds: Any) -> None:
     """Write the box of each edge, and of all."""
     for i in range(len(bulge)):
@@ -84,7 +85,7 @@ def _boxes(ends: Any, bulge: Any, boxes: Any, bounds: Any) -> None:
             bounds[axis + 2] = max(bounds[axis + 2], boxes[i, axis + 2])
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def cell_of(value: float, low: float, size: float, side: int) -> int:
     """The row or column of cells that a coordinate is in; what lies outside counts to the rim."""
     return min(max(int((value - low) / size), 0), side - 1)

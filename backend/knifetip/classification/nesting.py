@@ -18,6 +18,7 @@ from knifetip.classification.grid import Grid
 from knifetip.classification.net import Net
 from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.compiled import part, whole
 from knifetip.geometry.cores import each, runs
 
 
@@ -60,7 +61,7 @@ def held(beside: Beside, left: I32, right: I32, outside: I32, owner: I32) -> I32
     return within
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@whole
 def _look_left(
     ends: Any, bulge: Any, grid: Grid, place: Any, first_piece: Any, share: Any, part: Any,
     leftmost: Any, touch: float, piece: Any, upward: Any, begin: int, end: int,
@@ -119,7 +120,7 @@ def _within(hit: Any, outside: Any, owner: Any) -> Any:
     return within
 
 
-@njit(cache=True, error_model="numpy", forceinline=True)
+@part
 def _met(ends: Any, bulge: Any, i: int, y: float, root: int) -> tuple[float, bool]:
     """Where a level line meets a segment, NaN for nowhere, and whether that goes upward there."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
@@ -145,7 +146,7 @@ def _met(ends: Any, bulge: Any, i: int, y: float, root: int) -> tuple[float, boo
     return cx + half, (half > 0.0) == (b > 0.0)
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _share(ends: Any, bulge: Any, i: int, x: float, y: float) -> float:
     """At which share of a segment a point on it lies."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]

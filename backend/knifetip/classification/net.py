@@ -43,6 +43,7 @@ class Net:
     edge: I32  #: (p,) the edge that it is of, -1 for a link
     share: F64  #: (p,) where on its edge it begins, 0 … 1
     first: I32  #: (n + 1,) the pieces of each edge are first … first + 1 - 1
+    node: I32  #: (2n,) the places where each edge begins and ends
     same: I32  #: (p,) the first piece that lies where this one lies
     part: I32  #: (p,) the connected part of the drawing that it belongs to
     leftmost: I32  #: (c,) the leftmost place of each part
@@ -102,7 +103,8 @@ def built(ends: F64, bulge: F64, touch: float, reach: float) -> Net | None:
     same, (part, leftmost) = both(
         lambda: alike(start, end, bent, point, touch), lambda: _parts(point, start, end)
     )
-    return Net(grid, point, start, end, bent, edge, share, first, same, part, leftmost, dashed)
+    line = start, end, bent, edge, share, first, node
+    return Net(grid, point, *line, same, part, leftmost, dashed)
 
 
 def _lines(ends: F64, bulge: F64, touch: float) -> tuple[Places, I32, I32]:

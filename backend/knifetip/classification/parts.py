@@ -22,6 +22,7 @@ from knifetip.classification.net import Net
 from knifetip.classification.segment import near, point_at
 from knifetip.classification.words import hint
 from knifetip.geometry.columns import F64, I32, I64, Bool
+from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, runs
 from knifetip.geometry.tolerance import GAP
 from knifetip.model.dieline import LineType
@@ -145,7 +146,7 @@ class Parts:
         )  # fmt: skip
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _measure(
     place: Any, start: Any, end: Any, bulge: Any, part: Any, off: float, box: Any, level: Any
 ) -> None:
@@ -247,6 +248,8 @@ def _bleeds(net: Net, parent: I32, frame: Bool, many: I64, box: F64, unit: float
     )
     fits = (off.min(axis=1) >= low) & (off.max(axis=1) <= high)
     around = around[fits & (many[around] == 1) & ~frame[around]]
+    if len(around) == 0:
+        return bleed
     order, first = _by_part(net.part, count)
     for c in around[np.argsort(-np.diff(first)[around], kind="stable")[:_MOST]].tolist():
         mine = held[slice(*np.searchsorted(holder, [c, c + 1]))]
@@ -274,7 +277,7 @@ def _by_part(part: Any, count: int) -> Any:
     return order, first
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _distances(ends: Any, bulge: Any, among: Any, bent: Any) -> tuple[float, float]:
     """How near to, and how far from, other lines the beginnings and middles of lines are."""
     least, most = np.inf, 0.0
@@ -370,7 +373,7 @@ def _doubtful(
     return blank & ~small & (lost > _DOUBT * closing)
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _drawn(
     edge: Any, part: Any, left: Any, right: Any, outside: Any, length: Any,
     nowhere: Any, closing: Any,
@@ -386,7 +389,7 @@ def _drawn(
             closing[part[p]] += length[p]
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@whole
 def _covered(open_: Any, box: Any, size: Any, blank: Any, nowhere: Any, lost: Any) -> None:
     """Add to what each blank has lost the open parts that lie round most of it."""
     for k in range(len(open_)):

@@ -1,14 +1,28 @@
-"""places: points that are one point, and lines that lie on each other between two of them."""
+"""places: points that are one point, and lines that lie on each other between two of them.
+
+A point is of the nearest place within reach, and makes one where there is none.  Places made later
+may be nearer to it: two lines that end at one point must not end at two places for that, so each
+point stays with the place that it was of first.
+"""
 
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numba import njit
 
 from knifetip.geometry.columns import F64, I32
+from knifetip.geometry.compiled import part, whole
+
+#: Places are looked for in cells so many times as wide as what touches.
+_CELL: Final = 16.0
+#: What ``_nearest`` says beside numbers of places.
+_NONE: Final = -1
+_SEVERAL: Final = -2
+#: Points are one point that differ by less than this part of what touches.
+_FINE: Final = 1000.0
 
 
 class Places(NamedTuple):
@@ -28,7 +42,10 @@ def placed_ends(ends: F64, touch: float) -> tuple[Places, I32]:
         np.empty((2 * count, 2)), 0, np.empty(2 * count, np.int32), np.full(size, -1, np.int32)
     )
     node = np.empty(2 * count, np.int32)
-    found = _place(ends, touch, spots, node)
+    several = np.zeros(2 * count, np.bool_)
+    found, near = _place(ends, touch, spots, node, several)
+    if near:
+        _settle(ends, touch, np.flatnonzero(several).astype(np.int32), node)
     return spots._replace(known=found), node
 
 
@@ -40,19 +57,45 @@ def roomy(spots: Places, more: int) -> Places:
     return Places(point, spots.known, onward, spots.head)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _place(ends: Any, touch: float, spots: Places, node: Any) -> int:
-    count = 0
+@whole
+def _place(ends: Any, touch: float, spots: Places, node: Any, several: Any) -> Any:
+    """Write the place of each end, and whether it had several near; return how many there are."""
+    count = near = 0
     for half in range(len(node)):
         x, y = ends[half // 2, half % 2, 0], ends[half // 2, half % 2, 1]
-        at = placed(x, y, touch, spots.point, count, spots.head, spots.onward)
-        node[half] = at
-        if at == count:
+        at = _nearest(x, y, touch, spots.point, spots.head, spots.onward)
+        if at == _NONE:
+            at = count
+            _add(x, y, touch, spots.point, count, spots.head, spots.onward)
             count += 1
-    return count
+        elif at < 0:
+            at = _SEVERAL - at
+            several[half] = True
+            near += 1
+        node[half] = at
+    return count, near
 
 
 @njit(cache=True, error_model="numpy")
+def _slot(ends: Any, half: int, fine: float, known: Any) -> Any:
+    """Return where an end at the point of this one is kept, or may be."""
+    mask = len(known) - 1
+    x, y = _rounded(ends, half, fine)
+    slot = _hashed(x, y, mask)
+    while known[slot] >= 0 and _rounded(ends, known[slot], fine) != (x, y):
+        slot = (slot + 1) & mask
+    return slot
+
+
+@njit(cache=True, error_model="numpy")
+def _rounded(ends: Any, half: int, fine: float) -> Any:
+    return (
+        np.int64(np.rint(ends[half // 2, half % 2, 0] * fine)),
+        np.int64(np.rint(ends[half // 2, half % 2, 1] * fine)),
+    )
+
+
+@whole
 def _hashed(cx: int, cy: int, mask: int) -> Any:
     key = np.uint64(cx) * np.uint64(0x9E3779B97F4A7C15) ^ np.uint64(cy) * np.uint64(
         0xC2B2AE3D27D4EB4F
@@ -60,34 +103,61 @@ def _hashed(cx: int, cy: int, mask: int) -> Any:
     return np.int64((key ^ (key >> np.uint64(31))) & np.uint64(mask))
 
 
-@njit(cache=True, error_model="numpy", forceinline=True)
+@part
 def placed(x: float, y: float, touch: float, point: Any, count: int, head: Any, onward: Any) -> int:
     """The number of the place at a point: one that is known, or ``count`` for a new one."""
+    at = _nearest(x, y, touch, point, head, onward)
+    if at == _NONE:
+        _add(x, y, touch, point, count, head, onward)
+        return count
+    return at if at >= 0 else _SEVERAL - at
+
+
+@part
+def _nearest(x: float, y: float, touch: float, point: Any, head: Any, onward: Any) -> int:
+    """Return the nearest place that touches a point, as one number: a second takes time.
+
+    ``_NONE`` where there is none; ``_SEVERAL`` less the nearest where several do, and none of them
+    is at the very point.
+    """
     mask = len(head) - 1
-    cell = 16.0 * touch
-    fx, fy = x / cell, y / cell
+    fx, fy = x / (_CELL * touch), y / (_CELL * touch)
     cx, cy = math.floor(fx), math.floor(fy)
-    edge = 1.0 / 16.0
-    x0 = -1 if fx - cx <= edge else 0
-    x1 = 1 if fx - cx >= 1.0 - edge else 0
-    y0 = -1 if fy - cy <= edge else 0
-    y1 = 1 if fy - cy >= 1.0 - edge else 0
+    x0 = -1 if fx - cx <= 1.0 / _CELL else 0
+    x1 = 1 if fx - cx >= 1.0 - 1.0 / _CELL else 0
+    y0 = -1 if fy - cy <= 1.0 / _CELL else 0
+    y1 = 1 if fy - cy >= 1.0 - 1.0 / _CELL else 0
+    nearest, best, many, exact = _NONE, touch * touch, False, False
     for dx in range(x0, x1 + 1):
         for dy in range(y0, y1 + 1):
             at = head[_hashed(cx + dx, cy + dy, mask)]
             while at >= 0:
                 ox = point[at, 0] - x
                 oy = point[at, 1] - y
-                if ox * ox + oy * oy <= touch * touch:
-                    known: int = at
-                    return known
+                away = ox * ox + oy * oy
+                if away <= touch * touch:
+                    many = many or nearest != _NONE
+                    if away <= best:
+                        nearest, best = at, away
+                    if away == 0.0:
+                        exact = True
+                        break
                 at = onward[at]
-    own = _hashed(cx, cy, mask)
-    point[count, 0] = x
-    point[count, 1] = y
-    onward[count] = head[own]
-    head[own] = count
-    return count
+            if exact:
+                break
+        if exact:
+            break
+    return _SEVERAL - nearest if many and not exact else nearest
+
+
+@part
+def _add(x: float, y: float, touch: float, point: Any, number: int, head: Any, onward: Any) -> None:
+    """Keep a new place."""
+    fx, fy = x / (_CELL * touch), y / (_CELL * touch)
+    own = _hashed(math.floor(fx), math.floor(fy), len(head) - 1)
+    point[number, 0], point[number, 1] = x, y
+    onward[number] = head[own]
+    head[own] = number
 
 
 @njit(cache=True, error_model="numpy")
@@ -128,3 +198,26 @@ def alike(start: Any, end: Any, bent: Any, point: Any, touch: float) -> Any:
             behind[p] = heads[slot]
             heads[slot] = p
     return same
+
+
+# With its types said: it is needed by few drawings, and nobody shall wait for it then.
+@njit("(f8[:,:,::1], f8, i4[::1], i4[::1])", cache=True, error_model="numpy", nogil=True)
+def _settle(ends: Any, touch: float, several: Any, node: Any) -> None:
+    """Give all ends at one point, of those that had several places near, the place of the first."""
+    mask = 1
+    while mask < 4 * len(several):
+        mask *= 2
+    mask -= 1
+    # What is rounded otherwise is still one point.
+    fine = _FINE / touch
+    known = np.full(mask + 1, -1, np.int32)
+    place = np.full(mask + 1, -1, np.int32)
+    for half in several:
+        known[_slot(ends, half, fine, known)] = half
+    for half in range(len(node)):
+        slot = _slot(ends, half, fine, known)
+        if known[slot] < 0:
+            continue
+        if place[slot] < 0:
+            place[slot] = node[half]
+        node[half] = place[slot]

@@ -6,7 +6,8 @@ import math
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
+
+from knifetip.geometry.compiled import part, whole
 
 #: What bends less is straight.
 BULGE: Final = 1e-9
@@ -14,7 +15,7 @@ BULGE: Final = 1e-9
 _CLEARLY: Final = 1.000001
 
 
-@njit(cache=True, error_model="numpy", forceinline=True)
+@part
 def near(ends: Any, bulge: Any, i: int, x: float, y: float, far: float) -> tuple[float, float]:
     """Distance from a point to a segment, and at which share of it that is.
 
@@ -40,7 +41,7 @@ def near(ends: Any, bulge: Any, i: int, x: float, y: float, far: float) -> tuple
     return _near_arc(dx, dy, bulge[i], ox, oy, far)
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _near_arc(
     dx: float, dy: float, b: float, x: float, y: float, far: float
 ) -> tuple[float, float]:
@@ -71,7 +72,7 @@ def _near_arc(
     return from_end, 1.0
 
 
-@njit(cache=True, error_model="numpy", forceinline=True)
+@part
 def point_at(ends: Any, bulge: Any, i: int, share: float) -> tuple[float, float]:
     """The point at a share of a segment."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
@@ -87,7 +88,7 @@ def point_at(ends: Any, bulge: Any, i: int, share: float) -> tuple[float, float]
     return cx + c * (ax - cx) - s * (ay - cy), cy + s * (ax - cx) + c * (ay - cy)
 
 
-@njit(cache=True, error_model="numpy", forceinline=True)
+@part
 def leaves(ends: Any, bulge: Any, half: int) -> tuple[float, float]:
     """The direction in which a segment goes on beyond its end number ``half`` % 2."""
     i = half // 2
@@ -103,7 +104,7 @@ def leaves(ends: Any, bulge: Any, half: int) -> tuple[float, float]:
     return (c * dx - s * dy) / long, (s * dx + c * dy) / long
 
 
-@njit(cache=True, error_model="numpy", forceinline=True)
+@part
 def crossing(ax: float, ay: float, ux: float, uy: float, ends: Any, j: int) -> tuple[float, float]:
     """At which shares of itself and of line ``j`` a line from ``ax``, ``ay`` crosses it.
 
@@ -120,7 +121,7 @@ def crossing(ax: float, ay: float, ux: float, uy: float, ends: Any, j: int) -> t
     return s / cross, t / cross
 
 
-@njit(cache=True, error_model="numpy", forceinline=True)
+@part
 def chord(ends: Any, i: int) -> float:
     """How far apart the ends of a segment are."""
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]

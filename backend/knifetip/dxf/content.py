@@ -8,11 +8,11 @@ from knifetip.dxf import fields as f
 from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
 from knifetip.dxf import words as w
-from knifetip.dxf.compiled import part
 from knifetip.dxf.decimals import EXACT, UNSURE
 from knifetip.dxf.structure import mark_odd
 from knifetip.dxf.values import name_at, whole_at
 from knifetip.dxf.words import is_word
+from knifetip.geometry.compiled import part
 
 
 @part

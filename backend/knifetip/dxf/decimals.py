@@ -20,9 +20,9 @@ from typing import Any, Final
 import numpy as np
 from numba import njit
 
-from knifetip.dxf.compiled import ONE, part, whole
 from knifetip.dxf.lines import eight_at
 from knifetip.geometry.columns import F64
+from knifetip.geometry.compiled import ONE, part, whole
 
 #: What ``number`` says of what it found.
 EXACT: Final = 0

@@ -13,8 +13,8 @@ from numba import njit
 
 from knifetip.dxf import fields as f
 from knifetip.dxf import state as s
-from knifetip.dxf.compiled import part
 from knifetip.geometry.columns import I32, I64
+from knifetip.geometry.compiled import part
 from knifetip.model.words import Spelled
 
 #: Handles of more digits are no handles.

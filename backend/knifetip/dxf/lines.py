@@ -9,8 +9,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf.compiled import ONE, part
 from knifetip.geometry.columns import I64
+from knifetip.geometry.compiled import ONE, part
 
 #: What ``code_at`` says where no group code stands.
 NO_CODE: Final = -1

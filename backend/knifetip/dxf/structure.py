@@ -10,9 +10,9 @@ from knifetip.dxf import fields as f
 from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
 from knifetip.dxf import words as w
-from knifetip.dxf.compiled import part
 from knifetip.dxf.values import name_at
 from knifetip.dxf.words import is_word, word_at
+from knifetip.geometry.compiled import part
 
 
 @part

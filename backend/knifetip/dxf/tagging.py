@@ -18,7 +18,6 @@ from knifetip.dxf import fields as f
 from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
 from knifetip.dxf import words as w
-from knifetip.dxf.compiled import ONE, part, whole
 from knifetip.dxf.content import take_decimal, take_tag
 from knifetip.dxf.decimals import WRONG, number
 from knifetip.dxf.handles import take_handle
@@ -26,6 +25,7 @@ from knifetip.dxf.lines import code_at, end_of_line
 from knifetip.dxf.structure import begin, context, pause
 from knifetip.dxf.values import name_at, valid, whole_at
 from knifetip.dxf.words import is_word, word_at
+from knifetip.geometry.compiled import ONE, part, whole
 
 
 @part

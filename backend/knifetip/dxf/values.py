@@ -11,9 +11,9 @@ import numpy as np
 
 from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
-from knifetip.dxf.compiled import part
 from knifetip.dxf.decimals import WRONG, number
 from knifetip.dxf.lines import hashed, same
+from knifetip.geometry.compiled import part
 
 #: More names than this are no layers; so many of them have place in the hash table.
 MOST_NAMES: Final = 20_000

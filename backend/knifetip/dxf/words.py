@@ -6,9 +6,9 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf.compiled import part
 from knifetip.dxf.lines import same
 from knifetip.geometry.columns import I64
+from knifetip.geometry.compiled import part
 
 #: Each has the number of its place.
 _WORDS: Final = (

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from numba import njit
+from knifetip.geometry.compiled import whole
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def root(parent: Any, i: int) -> int:
     """The one that stands for the set that i is in."""
     while parent[i] != i:
@@ -20,14 +20,14 @@ def root(parent: Any, i: int) -> int:
     return i
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def unite(parent: Any, i: int, j: int) -> None:
     """Make one set of those that i and j are in."""
     one, other = root(parent, i), root(parent, j)
     parent[max(one, other)] = min(one, other)
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def settle(parent: Any) -> None:
     """Write for each thing the one that stands for its set."""
     for i in range(len(parent)):

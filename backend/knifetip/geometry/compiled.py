@@ -1,8 +1,7 @@
-"""compiled: how the pass over a file is compiled.
+"""compiled: how kernels are compiled that make no array and keep none.
 
-Without numba's counting of references: no part of the pass makes an array or keeps one, and to
-count them at every call would take longer than the pass itself, by instructions that wait for the
-other cores.
+Without numba's counting of references, which takes longer at every turn than what such a kernel
+does there, by instructions that wait for the other cores.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ _UNCOUNTED: Final[dict[str, Any]] = {"cache": True, "error_model": "numpy", "_nr
 
 
 def part(function: _Function) -> _Function:
-    """Compile what becomes one piece with the whole: calls with a dozen tables take time."""
+    """Compile what becomes one piece with its caller: calls with a dozen tables take time."""
     compiled: _Function = njit(**_UNCOUNTED, forceinline=True)(function)
     return compiled
 

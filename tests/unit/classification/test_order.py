@@ -1,0 +1,115 @@
+"""The order in which a file has its edges says nothing of the carton."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from knifetip import pipeline
+from knifetip.classification.classify import classify
+from knifetip.classification.evidence import shape
+from knifetip.classification.faces import faces
+from knifetip.classification.net import built
+from knifetip.classification.order import neighbourly
+from knifetip.classification.role import Role
+from knifetip.geometry.columns import I64
+from knifetip.geometry.tolerance import GAP
+from knifetip.library import load
+from knifetip.model.drawing import Drawing
+from truth import KNOWN, Known, shares
+
+TOUCH, REACH = GAP, 1.0
+
+
+def in_order(drawing: Drawing, order: I64) -> Drawing:
+    """The same drawing with its edges in another order."""
+    columns = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
+    return replace(drawing, **{name: getattr(drawing, name)[order] for name in columns})
+
+
+def ring(count: int, step: float) -> np.ndarray:
+    """A round of short lines, (n, 2, 2)."""
+    radius = count * step / (2.0 * np.pi)
+    turn = 2.0 * np.pi * np.arange(count) / count
+    points = radius * np.column_stack([np.cos(turn), np.sin(turn)])
+    return np.stack([points, np.roll(points, -1, axis=0)], axis=1)
+
+
+@given(st.floats(0.3, 1.6), st.integers(0, 1000))
+def test_lines_as_short_as_what_touches_hang_together_in_any_order(steps: float, seed: int):
+    ends = ring(200, steps * TOUCH)
+    ends = np.ascontiguousarray(ends[np.random.default_rng(seed).permutation(len(ends))])
+    net = built(ends, np.zeros(len(ends)), TOUCH, REACH)
+    assert net is not None
+    assert len(net.leftmost) == 1
+    # One face within, one without.
+    area = faces(net, ends, np.zeros(len(ends)), TOUCH).area
+    radius = 200 * steps * TOUCH / (2.0 * np.pi)
+    assert area.max() == pytest.approx(np.pi * radius**2, rel=0.1)
+
+
+def test_ends_at_one_point_are_at_one_place_though_another_is_nearer():
+    # The second and the fourth end are one point; a place nearer to it is made between them.
+    away = 0.7 * TOUCH
+    ends = np.array(
+        [
+            [[-9.0, 0.0], [0.0, 0.0]],
+            [[away, 0.0], [9.0, 9.0]],
+            [[1.6 * away, 0.0], [9.0, -9.0]],
+            [[away, 0.0], [9.0, 0.0]],
+        ]
+    )
+    net = built(ends, np.zeros(4), TOUCH, REACH)
+    assert net is not None
+    assert net.node[1] == net.node[2] == net.node[6] != net.node[4]
+
+
+@pytest.mark.corpus
+@pytest.mark.parametrize("known", KNOWN, ids=lambda known: Path(known.path).name)
+def test_what_is_known_is_said_of_a_shuffled_file_too(corpus: Path, known: Known):
+    drawing = pipeline.read_drawing((corpus / known.path).read_bytes())
+    truth = known.truth(drawing)
+    said = classify(drawing, load.profile("default"), load.conventions()).line_type
+    right, _, _ = shares(truth, said, drawing.lengths)
+    order = np.random.default_rng(7).permutation(len(drawing))
+    other = in_order(drawing, order)
+    said = classify(other, load.profile("default"), load.conventions()).line_type
+    right_too, _, wrong = shares(truth[order], said, other.lengths)
+    assert wrong == 0.0
+    assert right_too >= right - 1e-3
+
+
+def sheet(copies: int) -> np.ndarray:
+    """Many small cartons of two panels, line by line as they lie, (5 k, 2, 2)."""
+    corners = np.array([(0, 0), (10, 0), (10, 10), (0, 10)], float)
+    rim = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+    carton = np.concatenate([rim, [[(5, 0), (5, 10)]]])
+    shift = 12.0 * np.stack(np.divmod(np.arange(copies), 100), axis=1)
+    return (carton[None] + shift[:, None, None]).reshape(-1, 2, 2)
+
+
+def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_the_same():
+    whole = sheet(5000)
+    assert neighbourly(whole) is None
+    mixed = np.random.default_rng(0).permutation(len(whole))
+    order = neighbourly(whole[mixed])
+    assert order is not None
+    assert (np.sort(order) == np.arange(len(whole))).all()
+    # In that order what follows is near.
+    leap = np.abs(np.diff(whole[mixed][order, 0], axis=0)).max(axis=1)
+    assert np.median(leap) <= 24.0
+    straight = np.zeros(len(whole))
+    one, other = shape(whole, straight), shape(whole[mixed], straight)
+    assert one.role.reshape(-1, 5).tolist() == [[Role.OUTLINE] * 4 + [Role.DIVIDER]] * 5000
+    assert (one.role[mixed] == other.role).all()
+    assert (one.sides[mixed].shape, set(other.part)) == (other.sides.shape, set(one.part))
+
+
+def test_few_edges_and_edges_at_one_point_keep_their_order():
+    assert neighbourly(np.zeros((10, 2, 2))) is None
+    assert neighbourly(np.ones((30_000, 2, 2))) is None
