@@ -18,6 +18,7 @@ from knifetip.dxf.decimals import EXACT, number
 from knifetip.dxf.lines import NO_CODE, code_at, end_of_line
 from knifetip.dxf.shapes import moved
 from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.geometry.compiled import ONE, whole
 
 # What a rule says: which group codes from 10 on are points, as bits; behind which code they begin
 # and before which they end, -1 for the whole entity; whether its x counts to the left under −Z.
@@ -57,29 +58,32 @@ _EMBEDDED: Final = 101
 _EXTRUSION_Z: Final = 230
 
 
-def around_each(data: bytes, kinds: Sequence[str], spans: I64) -> F64:
+def around_each(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) -> F64:
     """Return the boxes around entities, (k, 4), NaN for those without a point.
 
     Parameters
     ----------
+    kind : (k,)
+        Indices into ``kinds``.
     spans : (k, 2)
         From which to before which byte each is written, with the vertices that follow it.
     """
-    rules = np.array([_RULES.get(kind, _OTHERS) for kind in kinds], np.int64).reshape(-1, 4)
-    box, sure = _boxes(np.frombuffer(data, np.uint8), spans, rules)
+    rules = np.array([_RULES.get(one, _OTHERS) for one in kinds], np.int64).reshape(-1, 4)
+    box, sure = _boxes(np.frombuffer(data, np.uint8), spans, rules[kind])
     for row in np.flatnonzero(~sure).tolist():
         lines = data[slice(*spans[row].tolist())].split(b"\n")[2:]
         codes = [int(code) for code in lines[0:-1:2]]
-        box[row] = around(kinds[row], codes, lines[1::2])
+        box[row] = around(kinds[kind[row]], codes, lines[1::2])
     return box
 
 
 def around(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
     """Return the box around an entity, (4,), from its tags; NaN where it has no point."""
     number_ = [_number(code, value) for code, value in zip(codes, values, strict=True)]
-    rule = _RULES.get(kind, _OTHERS)
-    box: F64 = _around(np.array(codes, np.int64), np.array(number_, np.float64), len(codes), rule)
-    return box
+    rule, box = np.array([_RULES.get(kind, _OTHERS)], np.int64), np.full((1, 4), np.nan)
+    _around(np.array(codes, np.int64), np.array(number_, np.float64), len(codes), rule, 0, box)
+    found: F64 = box[0]
+    return found
 
 
 def through(box: F64, linear: F64, shift: F64) -> F64:
@@ -104,13 +108,14 @@ def _number(code: int, value: Any) -> float:
         return float("nan")
 
 
-@njit(cache=True, error_model="numpy")
-def _around(codes: Any, numbers: Any, count: int, rule: Any) -> Any:
-    """Return the box around the points of one entity, (4,)."""
+@whole
+def _around(codes: Any, numbers: Any, count: int, rules: Any, row: int, box: Any) -> None:
+    """Write the box around the points of one entity, if it has any."""
+    bits, since, until = rules[row, _BITS], rules[row, _SINCE], rules[row, _UNTIL]
     low_x = low_y = np.inf
     high_x = high_y = -np.inf
     x, of = np.nan, -1
-    among = rule[_SINCE] < 0
+    among = since < 0
     left = False
     for tag in range(count):
         code = codes[tag]
@@ -119,11 +124,11 @@ def _around(codes: Any, numbers: Any, count: int, rule: Any) -> Any:
         if code == _EXTRUSION_Z:
             left = numbers[tag] < 0.0
         elif not among:
-            among = code == rule[_SINCE]
-        elif code == rule[_UNTIL]:
+            among = code == since
+        elif code == until:
             break
         elif 10 <= code <= 18:
-            wanted = rule[_BITS] >> (code - 10) & 1 == 1
+            wanted = bits >> (code - 10) & 1 == 1
             x, of = numbers[tag], code if wanted else -1
         elif 20 <= code <= 28 and of == code - 10:
             y = numbers[tag]
@@ -131,42 +136,48 @@ def _around(codes: Any, numbers: Any, count: int, rule: Any) -> Any:
                 low_x, high_x = min(low_x, x), max(high_x, x)
                 low_y, high_y = min(low_y, y), max(high_y, y)
             of = -1
-    box = np.full(4, np.nan)
     if low_x <= high_x:
-        if left and rule[_OWN_PLANE] == 1:
+        if left and rules[row, _OWN_PLANE] == 1:
             low_x, high_x = -high_x, -low_x
-        box[0], box[1], box[2], box[3] = low_x, low_y, high_x, high_y
-    return box
+        box[row, 0], box[row, 1], box[row, 2], box[row, 3] = low_x, low_y, high_x, high_y
 
 
 @njit(cache=True, error_model="numpy")
 def _boxes(data: Any, spans: Any, rules: Any) -> tuple[F64, Bool]:
     """Return the boxes (k, 4), and for which of them every number could be read, (k,)."""
-    box, sure = np.empty((len(spans), 4)), np.ones(len(spans), np.bool_)
+    box, sure = np.full((len(spans), 4), np.nan), np.ones(len(spans), np.bool_)
     longest = 0
     for row in range(len(spans)):
         longest = max(longest, spans[row, 1] - spans[row, 0])
     # A tag has two lines, each with an end, and a code of one digit at least.
     codes, numbers = np.empty(longest // 3 + 1, np.int64), np.empty(longest // 3 + 1)
     for row in range(len(spans)):
-        at, size = np.uint64(spans[row, 0]), np.uint64(spans[row, 1])
-        # The first tag says of what kind it is.
-        count = -1
-        while at < size:
-            code, at = code_at(data, at, size)
-            if code == NO_CODE:
-                sure[row] = False
-                break
-            end: Any = end_of_line(data, at, size)
-            value = 0.0
-            if 10 <= code <= 28 or code == _EXTRUSION_Z:
-                value, _, how = number(data, at, end)
-                sure[row] &= how == EXACT
-            if count >= 0:
-                codes[count], numbers[count] = code, value
-            count += 1
-            if end < size and data[end] == 13:
-                end += np.uint64(1)
-            at = end + np.uint64(1)
-        box[row] = _around(codes, numbers, count, rules[row])
+        count, sure[row] = _tags(data, spans[row, 0], spans[row, 1], codes, numbers)
+        _around(codes, numbers, count, rules, row, box)
     return box, sure
+
+
+@whole
+def _tags(data: Any, low: int, high: int, codes: Any, numbers: Any) -> tuple[int, bool]:
+    """Write the tags of an entity; return how many, and whether every number could be read."""
+    at: Any = np.uint64(low)
+    size: Any = np.uint64(high)
+    sure = True
+    # The first tag says of what kind it is.
+    count = -1
+    while at < size:
+        code, at = code_at(data, at, size)
+        if code == NO_CODE:
+            return max(count, 0), False
+        end: Any = end_of_line(data, at, size)
+        value = 0.0
+        if 10 <= code <= 28 or code == _EXTRUSION_Z:
+            value, _, how = number(data, at, end)
+            sure = sure and how == EXACT
+        if count >= 0:
+            codes[count], numbers[count] = code, value
+        count += 1
+        if end < size and data[end] == 13:
+            end += ONE
+        at = end + ONE
+    return count, sure

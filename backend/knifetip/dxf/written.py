@@ -161,9 +161,10 @@ def _of_blocks(order: Order, inserts: Inserts) -> Iterator[Alike]:
 def boxes(tables: Tables, rows: I64) -> F64:
     """Return the boxes around entities in their own coordinates, (n, 4), as ``standing`` says."""
     entity = tables.found.entity
-    kinds = [tables.words[word] for word in entity[rows, f.WORD].tolist()]
-    spans = entity[rows[:, None], [f.START, f.END]].astype(np.int64)
-    return around_each(tables.found.data, kinds, spans)
+    words, kind = np.unique(entity[rows, f.WORD], return_inverse=True)
+    kinds = [tables.words[word] for word in words.tolist()]
+    spans = np.column_stack([entity[rows, f.START], entity[rows, f.END]]).astype(np.int64)
+    return around_each(tables.found.data, kinds, kind, spans)
 
 
 def _on_sheet(tables: Tables, order: Order, spots: I64) -> Iterator[Standing]:

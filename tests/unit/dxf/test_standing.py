@@ -138,5 +138,5 @@ def test_the_sheet_knows_no_place_on_paper():
 def test_numbers_of_many_digits_are_read_as_python_reads_them():
     x = "0.1000000000000000055511151231257827"
     data = f"0\nPOINT\n8\n0\n10\n{x}\n20\n5\n".encode()
-    found = around_each(data, ["POINT"], np.array([[0, len(data)]]))
+    found = around_each(data, ["POINT"], np.array([0]), np.array([[0, len(data)]]))
     assert found.tolist() == [[0.1, 5.0, 0.1, 5.0]]
