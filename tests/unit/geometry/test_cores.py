@@ -29,3 +29,28 @@ def test_two_things_at_once_are_told_apart(machine: int, monkeypatch: pytest.Mon
     for pair in ((_fails, int), (int, _fails)):
         with pytest.raises(ZeroDivisionError):
             cores.both(*pair)
+
+
+def test_nothing_to_do_is_done():
+    assert cores.each(_fails, []) == []
+
+
+def test_all_runs_are_done_before_the_first_error_is_raised():
+    seen = []
+
+    def done(run: int) -> None:
+        seen.append(run)
+        if run in (1, 2):
+            raise ValueError(run)
+
+    with pytest.raises(ValueError, match="1"):
+        cores.each(done, [0, 1, 2, 3])
+    assert sorted(seen) == [0, 1, 2, 3]
+
+
+def test_work_within_work_waits_for_nobody():
+    def outer(run: int) -> int:
+        return sum(cores.each(lambda inner: run * inner, [1, 2, 3]))
+
+    # More at once than there are cores, each with work of its own to share out.
+    assert cores.each(outer, list(range(40))) == [6 * run for run in range(40)]
