@@ -7,7 +7,7 @@ Every path, text and picture gets its row; paths keep the matrix through which t
 
 from __future__ import annotations
 
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -112,7 +112,7 @@ class Drawn:
         )
         return table, Paths(row[keep], style, matrix[keep]), styles
 
-    def _shown(self, box: F64) -> Any:
+    def _shown(self, box: F64) -> Bool:
         """Drop the lines that lie beside what is seen of the page.
 
         Parameters
@@ -128,7 +128,8 @@ class Drawn:
             self.sheet.dropped[self._lines[one].row] = "it lies outside of what the page shows"
         for one in np.flatnonzero(over & ~beside).tolist():
             self._note(self._lines[one].row, "part of it lies outside of what the page shows")
-        return ~beside
+        shown: Bool = np.logical_not(beside)
+        return shown
 
     def _areas(self) -> Bool:
         """Drop filled areas without a stroke, unless the page has no other lines."""
