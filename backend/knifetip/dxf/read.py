@@ -14,7 +14,8 @@ import io
 import logging
 import re
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from typing import Final
 
 import numpy as np
@@ -24,9 +25,9 @@ from ezdxf.lldxf.tagger import binary_tags_loader
 
 from knifetip.dxf.census import BINARY, Census, census
 from knifetip.dxf.expand import expand
-from knifetip.dxf.markers import UNMARKED, with_markers
 from knifetip.dxf.place import columns, refuse_after, styled
 from knifetip.dxf.plain import PlainReader
+from knifetip.dxf.rewrite import UNMARKED, as_text, lines_only, with_markers
 from knifetip.dxf.tables import NotPlainError
 from knifetip.dxf.units import hints, stated
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
@@ -166,30 +167,48 @@ def _check(data: bytes, counted: Census, limits: Limits) -> None:
 
 
 def _document(data: bytes, counted: Census, limits: Limits) -> Document:
-    """Return what ezdxf makes of the bytes: read as they are, else mended."""
-    attempts: list[Callable[[], Document]]
-    if data.startswith(BINARY):
-        attempts = [lambda: Document.load(binary_tags_loader(data, errors="replace"))]
-    else:
-        if counted.markers and counted.variables.get("$ACADVER", "") <= UNMARKED:
-            data = with_markers(data, every=True)
-        attempts = [lambda: _plain(data, counted.encoding), lambda: _recovered(data)]
-        if counted.unmarked:
-            attempts.append(lambda: _plain(with_markers(data), counted.encoding))
-            attempts.append(lambda: _recovered(with_markers(data)))
-        if counted.markers and "$ACADVER" not in counted.variables:
-            # Without a version ezdxf takes the file for R12, which its entities contradict.
-            head = b"0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n0\nENDSEC\n"
-            attempts.append(lambda: _recovered(head + data))
+    """Return what ezdxf makes of the bytes: read as they are, else mended, else only the lines."""
     reasons: list[str] = []
     until = time.monotonic() + limits.seconds
-    for attempt in attempts:
+    for attempt in _attempts(data, counted):
         refuse_after(until, limits)
         try:
             return attempt()
         except Exception as error:
             reasons.append(_short(error))
     raise NotADrawing(f"The DXF is damaged past repair: {reasons[-1]}.", _AGAIN)
+
+
+def _attempts(data: bytes, counted: Census) -> Iterator[Callable[[], Document]]:
+    """Yield ways to read the bytes, the gentlest first."""
+    if data.startswith(BINARY):
+        yield lambda: Document.load(binary_tags_loader(data, errors="replace"))
+        with suppress(Exception):
+            tags = binary_tags_loader(data, errors="replace")
+            yield from _of_lines(as_text(tags, counted.encoding), counted)
+    else:
+        yield from _of_text(data, counted)
+        yield from _of_lines(data, counted)
+
+
+def _of_lines(data: bytes, counted: Census) -> Iterator[Callable[[], Document]]:
+    lines = lines_only(data)
+    yield from _of_text(lines, counted)
+    yield lambda: _recovered(with_markers(lines, every=True))
+
+
+def _of_text(data: bytes, counted: Census) -> Iterator[Callable[[], Document]]:
+    if counted.markers and counted.variables.get("$ACADVER", "") <= UNMARKED:
+        data = with_markers(data, every=True)
+    yield lambda: _plain(data, counted.encoding)
+    yield lambda: _recovered(data)
+    if counted.unmarked:
+        yield lambda: _plain(with_markers(data), counted.encoding)
+        yield lambda: _recovered(with_markers(data))
+    if counted.markers and "$ACADVER" not in counted.variables:
+        # Without a version ezdxf takes the file for R12, which its entities contradict.
+        head = b"0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n0\nENDSEC\n"
+        yield lambda: _recovered(head + data)
 
 
 def _plain(data: bytes, encoding: str) -> Document:

@@ -19,7 +19,7 @@ from ezdxf.lldxf.tags import group_tags
 
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.entities import Drawn, drawn, mirrored
-from knifetip.dxf.markers import UNMARKED, with_markers
+from knifetip.dxf.rewrite import UNMARKED, with_markers
 from knifetip.dxf.walk import Reference
 from knifetip.intake.columns import Style
 
