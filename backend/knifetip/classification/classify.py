@@ -26,6 +26,7 @@ from knifetip.classification.role import Role
 from knifetip.classification.rules import BY_LAYER, Matches, Styles
 from knifetip.classification.words import hint
 from knifetip.geometry.columns import F64, I64, U8, Bool
+from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
@@ -62,13 +63,12 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         where no rule speaks, 0 for nothing at all.  An edge that is asked is unclassified; its
         confidence is that of the first of its rule's ``alternatives``, the best guess.
     """
-    styles = matching.styles(drawing)
+    lengths, styles = both(lambda: drawing.lengths, lambda: matching.styles(drawing))
     matches = matching.match(styles, rules)
     seen = _evidence(drawing, styles, matches)
     roles = len(Role)
     cell = styles.of * roles + seen.role
     size = len(styles) * roles
-    lengths = drawing.lengths
     length = _summed(cell, lengths, size).reshape(-1, roles)
     count = np.bincount(cell, minlength=size).reshape(-1, roles)
     fits = fitting(styles, matches.rule < 0, length, count, conventions)

@@ -31,9 +31,27 @@ def together(*several: Partings) -> Partings:
     return Partings(*(np.concatenate(column) for column in zip(*several, strict=True)))
 
 
+class Crossings(NamedTuple):
+    """Where two lines cross between their ends."""
+
+    pair: I32  #: (c, 2) the lines
+    share: F64  #: (c, 2) where on each of them, 0 … 1
+
+
+def crossings(ends: F64, bulge: F64, touch: float, grid: Grid, most: int) -> Crossings:
+    """Return where lines cross; of many more than ``most`` not all."""
+
+    def crossed(run: tuple[int, int]) -> Any:
+        return _crossed(ends, bulge, touch, grid, most, *run)
+
+    found = each(crossed, runs(grid.side * grid.side, WORTH))
+    return Crossings(*(np.concatenate(column) for column in zip(*found, strict=True)))
+
+
 def parted(
-    ends: F64, bulge: F64, touch: float, node: I32, spots: Places, grid: Grid, most: int
-) -> tuple[Partings, Partings, Places] | None:
+    ends: F64, bulge: F64, touch: float, node: I32, spots: Places, grid: Grid,
+    crossing: Crossings, most: int,
+) -> tuple[Partings, Partings, Places] | None:  # fmt: skip
     """Return where ends lie on edges, where edges cross, and the places with those of crossings.
 
     Parameters
@@ -47,12 +65,8 @@ def parted(
     def ended(run: tuple[int, int]) -> Any:
         return _ended(ends, bulge, touch, node, spots.point, grid, *run)
 
-    def crossed(run: tuple[int, int]) -> Any:
-        return _crossed(ends, bulge, touch, grid, most, *run)
-
     on = together(*(Partings(*done) for done in each(ended, runs(spots.known, WORTH))))
-    found = each(crossed, runs(grid.side * grid.side, WORTH))
-    pair, share = (np.concatenate(column) for column in zip(*found, strict=True))
+    pair, share = crossing
     if len(on.row) + 2 * len(pair) > most:
         return None
     spots = roomy(spots, len(pair))

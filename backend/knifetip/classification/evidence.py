@@ -23,6 +23,7 @@ from knifetip.classification.arrows import arrows
 from knifetip.classification.cutting import WORTH
 from knifetip.classification.faces import Faces, faces
 from knifetip.classification.folding import holding
+from knifetip.classification.measures import Extents
 from knifetip.classification.net import Net, built
 from knifetip.classification.order import neighbourly
 from knifetip.classification.overlaid import overlaid
@@ -31,7 +32,7 @@ from knifetip.classification.role import Role
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.compiled import whole
-from knifetip.geometry.cores import each, runs
+from knifetip.geometry.cores import both, each, runs
 from knifetip.geometry.tolerance import GAP
 from knifetip.model.drawing import Inscription
 
@@ -160,9 +161,11 @@ def _seen(
     folds: bool,
 ) -> Shape:
     count, touch = len(bulge), GAP * unit
-    sides = faces(net, ends, bulge, touch)
-    length = arc.over(net.chords(), net.bulge)
-    parts = Parts.of(net, sides, length, inscriptions, unit)
+    (length, extents), sides = both(
+        lambda: (arc.over(net.chords(), net.bulge), Extents.of(net, unit)),
+        lambda: faces(net, ends, bulge, touch),
+    )
+    parts = Parts.of(net, sides, length, extents, inscriptions, unit)
     role = _roles(net, sides, parts)
     slender = _slender(sides.left, sides.right, length, sides.area, _NARROW * unit)
     greatest, share, whole = np.empty(count, np.uint8), np.empty(count), np.empty(count)

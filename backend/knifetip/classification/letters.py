@@ -1,6 +1,6 @@
 """letters: words that somebody turned into lines.
 
-    Net, boxes of parts -> which parts are letters
+    boxes of parts, what is drawn of each -> which parts are letters
 
 Letters are small, stand in a row at the distance of letters, and are not alike: five holes in a row
 are, and no word has a hole's shape five times.
@@ -13,8 +13,7 @@ from typing import Any, Final
 import numpy as np
 from numba import njit
 
-from knifetip.classification.net import Net
-from knifetip.geometry.columns import F64, Bool
+from knifetip.geometry.columns import F64, I64, Bool
 
 #: Letters are no higher and no wider than this (mm).
 _HIGH: Final = 25.0
@@ -24,8 +23,14 @@ _FEWEST: Final = 3
 _MOST: Final = 20_000
 
 
-def lettering(net: Net, box: F64, length: F64, unit: float) -> Bool:
-    """Return which of c parts are letters, (c,), by their boxes, (c, 4), and pieces, (p,)."""
+def lettering(box: F64, drawn: F64, pieces: I64, unit: float) -> Bool:
+    """Return which of c parts are letters, (c,), by their boxes, (c, 4), and what is drawn of them.
+
+    Parameters
+    ----------
+    drawn, pieces : (c,)
+        The length of their pieces, and how many these are.
+    """
     count = len(box)
     found = np.zeros(count, np.bool_)
     wide, high = box[:, 2] - box[:, 0], box[:, 3] - box[:, 1]
@@ -33,8 +38,6 @@ def lettering(net: Net, box: F64, length: F64, unit: float) -> Bool:
     small = np.flatnonzero((size <= _HIGH * unit) & (size > 0.5 * unit))
     if not _FEWEST <= len(small) <= _MOST:
         return found
-    drawn = np.bincount(net.part, length, count)
-    pieces = np.bincount(net.part, minlength=count).astype(np.float64)
     shape = np.column_stack([np.minimum(wide, high), size, drawn, pieces])[small]
     word = np.zeros(len(small), np.bool_)
     for axis in range(2):

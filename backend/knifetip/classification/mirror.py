@@ -16,7 +16,7 @@ import numpy as np
 from knifetip.classification.conventions import FOLDS
 from knifetip.classification.evidence import Shape
 from knifetip.classification.role import Role
-from knifetip.geometry.columns import F64, I64, U8, Bool
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.model.dieline import LineType
 
@@ -44,37 +44,40 @@ def contradicted(ends: F64, shape: Shape, line_type: U8, length: F64) -> Bool:
     fold = np.flatnonzero(divides & _FOLDED[line_type])
     if len(cut) == 0 or len(fold) == 0:
         return odd
-    wanted = np.zeros(int(shape.part.max()) + 1, np.bool_)
-    wanted[shape.part[cut]] = True
-    rows = np.flatnonzero((shape.part >= 0) & wanted[shape.part])
+    # Of all parts only those that have such cuts, by numbers of their own.
+    number = np.full(int(shape.part.max()) + 2, -1, np.int32)
+    number[shape.part[cut]] = 0
+    wanted = np.flatnonzero(number == 0)
+    number[wanted] = np.arange(len(wanted), dtype=np.int32)
+    of = number[shape.part]
+    rows = np.flatnonzero(of >= 0)
     box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (len(wanted), 1))
     points = ends[rows].reshape(-1, 2)
-    owner = np.repeat(shape.part[rows], 2)
+    owner = np.repeat(of[rows], 2)
     np.minimum.at(box[:, :2], owner, points)
     np.maximum.at(box[:, 2:], owner, points)
-    box[~wanted] = 0.0
     centre = 0.5 * (box[:, :2] + box[:, 2:])
     size = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
-    fold = fold[wanted[shape.part[fold]]]
+    fold = fold[of[fold] >= 0]
     for axis in range(2):
-        one, other = _images(ends, shape, cut, fold, centre, size, axis)
-        for part in np.unique(shape.part[one])[:_MOST].tolist():
-            own = rows[shape.part[rows] == part]
-            there, _ = _images(ends, shape, own, own, centre, size, axis)
+        one, other = _images(ends, of, cut, fold, centre, size, axis)
+        for part in np.unique(of[one])[:_MOST].tolist():
+            own = rows[of[rows] == part]
+            there, _ = _images(ends, of, own, own, centre, size, axis)
             if length[np.unique(there)].sum() >= _LIKE * length[own].sum():
-                pairs = shape.part[one] == part
+                pairs = of[one] == part
                 odd[one[pairs]] = odd[other[pairs]] = True
     return odd
 
 
 def _images(
-    ends: F64, shape: Shape, rows: I64, among: I64, centre: F64, size: F64, axis: int
+    ends: F64, of: I32, rows: I64, among: I64, centre: F64, size: F64, axis: int
 ) -> tuple[I64, I64]:
     """Return which rows have a mirror image among others, and which that is."""
     found: list[tuple[I64, I64]] = []
     for shift in (0.0, 0.5):
-        seen = _key(ends, shape, rows, centre, size, axis, -1.0, shift)
-        there = _key(ends, shape, among, centre, size, axis, 1.0, shift)
+        seen = _key(ends, of, rows, centre, size, axis, -1.0, shift)
+        there = _key(ends, of, among, centre, size, axis, 1.0, shift)
         first, kind = distinct(np.concatenate([there, seen]))
         place = first[kind[len(among) :]]
         hit = place < len(among)
@@ -86,10 +89,10 @@ def _images(
 
 
 def _key(
-    ends: F64, shape: Shape, rows: I64, centre: F64, size: F64, axis: int, sign: float, shift: float
+    ends: F64, of: I32, rows: I64, centre: F64, size: F64, axis: int, sign: float, shift: float
 ) -> I64:
     """Return whole numbers that are the same for a line and for the image of its image, (k, 5)."""
-    part = shape.part[rows]
+    part = of[rows]
     near = _NEAR * size[part][:, None]
     middle = ends[rows].mean(axis=1) - centre[part]
     middle[:, axis] *= sign

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from knifetip.classification.cutting import parted, together
+from knifetip.classification.cutting import Crossings, crossings, parted, together
 from knifetip.classification.dashes import rows_of_dashes
 from knifetip.classification.gaps import crossed, tied
 from knifetip.classification.grid import Grid, gridded
@@ -79,16 +79,18 @@ def built(ends: F64, bulge: F64, touch: float, reach: float) -> Net | None:
     count = len(bulge)
     if count == 0:
         return None
-    grid, (spots, node, twin) = both(
-        lambda: gridded(ends, bulge, touch, reach), lambda: _lines(ends, bulge, touch)
+    most = 64 * count + 4096
+    found, (spots, node, twin) = both(
+        lambda: _crossing(ends, bulge, touch, reach, most), lambda: _lines(ends, bulge, touch)
     )
-    if grid is None:
-        return None
-    unit = touch / GAP
-    found = parted(ends, bulge, touch, node, spots, grid, 64 * count + 4096)
     if found is None:
         return None
-    on, across, spots = found
+    unit = touch / GAP
+    grid, crossing = found
+    partings = parted(ends, bulge, touch, node, spots, grid, crossing, most)
+    if partings is None:
+        return None
+    on, across, spots = partings
     loose = _loose(node, twin, on.place, across.place, spots.known)
     dashed, dash_ties, gap_of = rows_of_dashes(
         ends, bulge, touch, unit, reach, node, twin, loose, grid
@@ -105,6 +107,14 @@ def built(ends: F64, bulge: F64, touch: float, reach: float) -> Net | None:
     )
     line = start, end, bent, edge, share, first, node
     return Net(grid, point, *line, same, part, leftmost, dashed)
+
+
+def _crossing(
+    ends: F64, bulge: F64, touch: float, reach: float, most: int
+) -> tuple[Grid, Crossings] | None:
+    """Return which edges pass through which cell, and where they cross there."""
+    grid = gridded(ends, bulge, touch, reach)
+    return None if grid is None else (grid, crossings(ends, bulge, touch, grid, most))
 
 
 def _lines(ends: F64, bulge: F64, touch: float) -> tuple[Places, I32, I32]:

@@ -32,12 +32,10 @@ def neighbourly(ends: F64) -> I64 | None:
     """Return an order of n edges, (n, 2, 2), by where they begin; None where theirs is as good."""
     if len(ends) < _MANY:
         return None
-    begin = ends[:, 0]
-    low = begin.min(axis=0)
-    size = float((begin.max(axis=0) - low).max())
+    left, low, size = _frame(ends)
     if _leaps(ends, _FAR * size) <= _LEAPS * len(ends):
         return None
-    order: I64 = _by_cell(ends, low, _CELLS / size)
+    order: I64 = _by_cell(ends, left, low, _CELLS / size)
     return order
 
 
@@ -50,6 +48,18 @@ def _spread(number: int) -> int:
 
 
 # With their types said, for no drawing is so large that it is read to compile them.
+@njit(types.float64[::1](_ENDS), cache=True, error_model="numpy")
+def _frame(ends: Any) -> Any:
+    """Return the least x and the least y of beginnings, and how far they reach."""
+    left = right = ends[0, 0, 0]
+    low = high = ends[0, 0, 1]
+    for i in range(len(ends)):
+        x, y = ends[i, 0, 0], ends[i, 0, 1]
+        left, right = min(left, x), max(right, x)
+        low, high = min(low, y), max(high, y)
+    return np.array([left, low, max(right - left, high - low)])
+
+
 @njit(types.int64(_ENDS, types.float64), cache=True, error_model="numpy")
 def _leaps(ends: Any, far: float) -> int:
     """Return how many edges are far from the one before."""
@@ -60,15 +70,19 @@ def _leaps(ends: Any, far: float) -> int:
     return leaps
 
 
-@njit(types.int64[::1](_ENDS, types.float64[::1], types.float64), cache=True, error_model="numpy")
-def _by_cell(ends: Any, low: Any, scale: float) -> Any:
+@njit(
+    types.int64[::1](_ENDS, types.float64, types.float64, types.float64),
+    cache=True,
+    error_model="numpy",
+)
+def _by_cell(ends: Any, left: float, low: float, scale: float) -> Any:
     """Return the edges in the order of their cells, and the cells in that of Morton."""
     count = len(ends)
     cell = np.empty(count, np.int64)
     first = np.zeros(_CELLS * _CELLS + 1, np.int64)
     for i in range(count):
-        column = min(int((ends[i, 0, 0] - low[0]) * scale), _CELLS - 1)
-        row = min(int((ends[i, 0, 1] - low[1]) * scale), _CELLS - 1)
+        column = min(int((ends[i, 0, 0] - left) * scale), _CELLS - 1)
+        row = min(int((ends[i, 0, 1] - low) * scale), _CELLS - 1)
         cell[i] = _spread(column) | _spread(row) << 1
         first[cell[i] + 1] += 1
     first = np.cumsum(first)

@@ -41,7 +41,7 @@ def distinct(*columns: ArrayLike) -> tuple[I64, I64]:
     return first, kind
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def _kinds(table: Any) -> Any:
     rows = len(table)
     first = np.empty(rows, np.int64)

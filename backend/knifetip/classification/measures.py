@@ -1,0 +1,208 @@
+"""measures: what is measured of each connected part of a drawing.
+
+Net, Faces, inscriptions -> Extents, Measures
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numba import njit
+
+from knifetip.classification.faces import Faces
+from knifetip.classification.letters import lettering
+from knifetip.classification.net import Net
+from knifetip.classification.words import hint
+from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.geometry.compiled import whole
+from knifetip.geometry.cores import each, runs
+from knifetip.geometry.tolerance import GAP
+from knifetip.model.dieline import LineType
+from knifetip.model.drawing import Inscription
+
+#: The name of a kind of line has no more letters than this.
+_NAME: Final = 30
+#: A slot is no wider than this, a round hole in a panel no larger (mm).
+_SLOT: Final = 6.0
+_ROUND: Final = 50.0
+_PLAIN: Final = 8
+#: More texts than this are not looked at.
+_MOST: Final = 300
+#: Pairs of parts and texts that one core has looked at before another has begun.
+_WORTH: Final = 300_000
+
+
+class Extents(NamedTuple):
+    """How far c connected parts reach."""
+
+    box: F64  #: (c, 4) x min, y min, x max, y max; of arcs their ends and their middles
+    level: Bool  #: (c,) it is made of level and upright lines only
+
+    @classmethod
+    def of(cls, net: Net, unit: float) -> Extents:
+        """Return the extents of the parts of a net; ``unit`` as for ``Parts``."""
+        count = len(net.leftmost)
+        box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (count, 1))
+        level = np.ones(count, np.bool_)
+        off = 2.0 * GAP * unit
+        _measure(net.place, net.start, net.end, net.bulge, net.part, off, box, level)
+        return cls(box, level)
+
+
+class Measures(NamedTuple):
+    """What is measured of c connected parts."""
+
+    area: F64  #: (c,) inside its outline
+    size: F64  #: (c,) of its box, from corner to corner
+    drawn: F64  #: (c,) the length of its pieces
+    nowhere: F64  #: (c,) the length of those that lead nowhere
+    closing: F64  #: (c,) the length of those that close its outline
+    narrow: Bool  #: (c,) it is plain, and as narrow as a slot, or round
+    letter: Bool  #: (c,) it stands in a row of small parts that are not alike
+    holds: I64  #: (c,) how many texts stand in it
+    annotated: Bool  #: (c,) a text stands in it, or beside it
+    named: Bool  #: (c,) a text beside it names a kind of line
+
+    @classmethod
+    def of(
+        cls,
+        net: Net,
+        sides: Faces,
+        length: F64,
+        box: F64,
+        inscriptions: Sequence[Inscription],
+        unit: float,
+    ) -> Measures:
+        """Return what is measured of the parts of a net; parameters as of ``Parts``."""
+        count = len(box)
+        area = -sides.area[sides.outside]
+        wide, high = box[:, 2] - box[:, 0], box[:, 3] - box[:, 1]
+        size = np.sqrt(wide * wide + high * high)
+        drawn, nowhere, closing = np.zeros(count), np.zeros(count), np.zeros(count)
+        pieces = np.zeros(count, np.int64)
+        of = net.edge, net.part, sides.left, sides.right, sides.outside
+        _drawn(*of, length, drawn, nowhere, closing, pieces)
+        holds, annotated = _texts(inscriptions, box)
+        kinds = [text for text in inscriptions[:_MOST] if _names_a_line(text.text)]
+        return cls(
+            area,
+            size,
+            drawn,
+            nowhere,
+            closing,
+            _narrow(area, drawn, pieces, size, unit),
+            lettering(box, drawn, pieces, unit),
+            holds,
+            annotated,
+            _texts(kinds, box)[1],
+        )
+
+
+@whole
+def _measure(
+    place: Any, start: Any, end: Any, bulge: Any, part: Any, off: float, box: Any, level: Any
+) -> None:
+    """Write the box of each part, and which are level but for ``off``."""
+    for p in range(len(start)):
+        c, a, b = part[p], start[p], end[p]
+        dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
+        less, more = min(abs(dx), abs(dy)), max(abs(dx), abs(dy))
+        if abs(bulge[p]) > 1e-6 or less > max(0.001 * more, off):
+            level[c] = False
+        for share in (0.0, 0.5, 1.0):
+            bow = 2.0 * share * (1.0 - share) * bulge[p]
+            x = place[a, 0] + share * dx + bow * dy
+            y = place[a, 1] + share * dy - bow * dx
+            box[c, 0] = min(box[c, 0], x)
+            box[c, 1] = min(box[c, 1], y)
+            box[c, 2] = max(box[c, 2], x)
+            box[c, 3] = max(box[c, 3], y)
+
+
+@whole
+def _drawn(
+    edge: Any, part: Any, left: Any, right: Any, outside: Any, length: Any,
+    drawn: Any, nowhere: Any, closing: Any, pieces: Any,
+) -> None:  # fmt: skip
+    """Add up what is drawn of each part, what leads nowhere, and what closes its outline."""
+    for p in range(len(edge)):
+        c = part[p]
+        drawn[c] += length[p]
+        pieces[c] += 1
+        if edge[p] < 0:
+            continue
+        out = outside[c]
+        if left[p] == out and right[p] == out:
+            nowhere[c] += length[p]
+        elif left[p] == out or right[p] == out:
+            closing[c] += length[p]
+
+
+def _narrow(area: F64, drawn: F64, pieces: I64, size: F64, unit: float) -> Bool:
+    """Return which closed parts are plain and as narrow as a slot, or round, (c,)."""
+    across = np.maximum(drawn, 1e-12)
+    round_ = (4.0 * np.pi * area > 0.98 * across * across) & (size <= _ROUND * unit * 2.0**0.5)
+    narrow = (2.0 * area < _SLOT * unit * across) & (size > 2.0 * _SLOT * unit)
+    result: Bool = (round_ | narrow) & (pieces <= _PLAIN)
+    return result
+
+
+def _names_a_line(text: str) -> bool:
+    """Return whether a text is the name of a kind of line, as in a legend, and no more."""
+    return len(text) <= _NAME and hint(text).kind not in (None, LineType.IGNORED)
+
+
+def _placed(inscriptions: Sequence[Inscription]) -> F64:
+    """Return where texts stand, how high and how wide they are, (t, 4), from left to right."""
+    # Letters stand above and to the right of where a text begins.
+    placed = np.array(
+        [
+            (text.x, text.y, text.height, 0.7 * text.height * len(text.text))
+            for text in inscriptions[:_MOST]
+        ]
+    ).reshape(-1, 4)
+    return placed[np.argsort(placed[:, 0], kind="stable")]
+
+
+def _texts(inscriptions: Sequence[Inscription], box: F64) -> tuple[I64, Bool]:
+    """Return how many texts stand in the box of each part, and whether one stands near, (c,)."""
+    text, holds, beside = (
+        _placed(inscriptions),
+        np.zeros(len(box), np.int64),
+        np.zeros(len(box), np.bool_),
+    )
+
+    def read(run: tuple[int, int]) -> None:
+        here = slice(*run)
+        _read(text, box[here], holds[here], beside[here])
+
+    each(read, runs(len(box), _WORTH // (len(text) + 1)))
+    return holds, beside
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def _read(text: Any, box: Any, holds: Any, beside: Any) -> None:
+    widest, lowest, highest = 0.0, np.inf, -np.inf
+    for t in range(len(text)):
+        widest = max(widest, text[t, 3] + 2.0 * text[t, 2])
+        lowest = min(lowest, text[t, 1] - 2.0 * abs(text[t, 2]))
+        highest = max(highest, text[t, 1] + 2.0 * abs(text[t, 2]))
+    for c in range(len(box)):
+        if not (box[c, 1] <= highest and lowest <= box[c, 3]):
+            continue
+        for t in range(np.searchsorted(text[:, 0], box[c, 0] - widest), len(text)):
+            x, y, height, width = text[t]
+            if x - widest > box[c, 2]:
+                break
+            margin = 2.0 * height
+            if box[c, 0] <= x <= box[c, 2] and box[c, 1] <= y <= box[c, 3]:
+                holds[c] += 1
+            if (
+                box[c, 0] <= x + width + margin
+                and x - width - margin <= box[c, 2]
+                and box[c, 1] <= y + margin
+                and y - margin <= box[c, 3]
+            ):
+                beside[c] = True
