@@ -24,7 +24,7 @@ from knifetip.dxf.shapes import (
 )
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def counts(entity: Any, value: Any, vertex: Any) -> Any:
     """Return the rows that each entity takes, 0 for what is not drawn; what is wrong is odd."""
     count = np.zeros(len(entity), np.int64)
@@ -50,7 +50,7 @@ def counts(entity: Any, value: Any, vertex: Any) -> Any:
     return count
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def draw(entity: Any, value: Any, vertex: Any, first: Any, ends: Any, bulge: Any) -> None:
     """Write the rows of every entity, in its own coordinates."""
     for row in range(len(entity)):
@@ -131,7 +131,7 @@ def inserts(said: Any, base: Any, move: Any) -> None:
         move[k, 1, 2] = y - (move[k, 1, 0] * base[k, 0] + move[k, 1, 1] * base[k, 1])
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def place(sheet: Any, drawn: Any, inserts: Any, out: Any) -> None:
     """Write all segments of the sheet, those of its INSERTs where they stand in the file."""
     rows, ledger, first_out, shown = sheet

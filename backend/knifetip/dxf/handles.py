@@ -9,12 +9,11 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.dxf import fields as f
 from knifetip.dxf import state as s
 from knifetip.geometry.columns import I32, I64
-from knifetip.geometry.compiled import part
+from knifetip.geometry.compiled import part, whole
 from knifetip.model.words import Spelled
 
 #: Handles of more digits are no handles.
@@ -107,7 +106,7 @@ def take_handle(data: Any, low: int, high: int, others: Any, state: Any) -> int:
     return s.ON
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _spell(
     data: Any, start: Any, size: Any, block: Any, count: Any, text: Any, end: Any, number: Any
 ) -> bool:
@@ -136,7 +135,7 @@ def _spell(
     return True
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _measure(end: Any, own: Any, insert: Any, out_end: Any) -> int:
     """Write where each path ends; return the size of all."""
     at = 0
@@ -148,7 +147,7 @@ def _measure(end: Any, own: Any, insert: Any, out_end: Any) -> int:
     return at
 
 
-@njit(cache=True, error_model="numpy")
+@whole
 def _join(text: Any, end: Any, own: Any, insert: Any, out: Any) -> None:
     at = 0
     for row in range(len(own)):

@@ -25,12 +25,13 @@ from knifetip.dxf.drawing import counts, distant, draw, inserts, place, style_ke
 from knifetip.dxf.entities import Drawn, Lines, Undrawable
 from knifetip.dxf.inscriptions import WORDS
 from knifetip.dxf.place import columns, refuse_after, refuse_beyond, styled
-from knifetip.dxf.scan import scan
+from knifetip.dxf.scan import Scan, scan
 from knifetip.dxf.single import ByEzdxf, Singles
 from knifetip.dxf.tables import NotPlainError, Tables
 from knifetip.dxf.walk import Block, Entry, Reference, Walk, idle
 from knifetip.dxf.written import Inserts, Order, Variant, boxes, inscriptions, left_out, written
 from knifetip.geometry.columns import F64, I32, I64, Bool
+from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE
 from knifetip.intake.columns import Columns, Style
@@ -77,6 +78,15 @@ class _AsWritten:
         return insert.block.lower(), insert.cells[0] * insert.cells[1]
 
 
+def _drawn(found: Scan) -> tuple[I64, I64, F64, F64]:
+    """Return how many segments each entity has, where they begin, their ends and bulges."""
+    count: I64 = counts(found.entity, found.value, found.vertex)
+    first: I64 = np.concatenate([[0], np.cumsum(count)])
+    ends, bulge = np.empty((first[-1], 2, 2)), np.empty(first[-1])
+    draw(found.entity, found.value, found.vertex, first, ends, bulge)
+    return count, first, ends, bulge
+
+
 class PlainReader:
     """One plain file on its way from what is written to what is drawn.
 
@@ -93,12 +103,14 @@ class PlainReader:
         self.found = found
         self.limits = limits
         self.entity = found.entity
-        self.tables = Tables(found)
         # Each entity in its own coordinates: those of the sheet, or of its block.
-        self.count: I64 = counts(self.entity, found.value, found.vertex)
-        self.first: I64 = np.concatenate([[0], np.cumsum(self.count)])
-        self.ends, self.bulge = np.empty((self.first[-1], 2, 2)), np.empty(self.first[-1])
-        draw(self.entity, found.value, found.vertex, self.first, self.ends, self.bulge)
+        self.count: I64
+        self.first: I64
+        self.ends: F64
+        self.bulge: F64
+        (self.count, self.first, self.ends, self.bulge), self.tables = both(
+            lambda: _drawn(found), lambda: Tables(found)
+        )
         # First entity of each block, and how many.
         spans = [self.tables.span.get(number, (0, 0)) for number in range(len(found.block))]
         self._low, self._size = np.array(spans, np.int64).reshape(-1, 2).T
@@ -240,24 +252,28 @@ class PlainReader:
         move = np.empty((len(said), 2, 3))
         inserts(said, self.found.base[block], move)
         placed = Inserts(spot, block, *self._variants(rows[spot], block), move)
-        done = self._placed((rows, ledger, before, shown), int(segments.sum()), placed)
+        self._name_idle_blocks(walk.sheet, {*walk.used, *map(self._key, np.unique(block).tolist())})
+        last = len(rows) + int(children.sum())
+        idle_ = np.arange(last, last + len(walk.sheet.handle) - len(there))
+        order = Order(rows, ledger, shown > 0, np.concatenate([there, idle_]))
+        texts = rows[self._is_word[self.entity[rows, f.WORD]]]
+        styles = self._entity_styles(rows)
+        sheet = rows, ledger, before, shown
+        done, (lines, words) = both(
+            lambda: self._placed(sheet, styles, int(segments.sum()), placed),
+            lambda: (
+                written(self.tables, order, placed, walk.sheet),
+                inscriptions(self.tables, texts),
+            ),
+        )
         # An arc reaches no farther beyond its ends than half their distance.
         farthest = np.maximum(done.ends.max(initial=0.0), -done.ends.min(initial=0.0))
         if not 3.0 * float(farthest) <= reach:
             raise NotPlainError
         if len(walked):
             done = self._with_walked(done, walk, before[walked], begin, there, scale)
-        self._name_idle_blocks(walk.sheet, {*walk.used, *map(self._key, np.unique(block).tolist())})
-        last = len(rows) + int(children.sum())
-        idle_ = np.arange(last, last + len(walk.sheet.handle) - len(there))
-        order = Order(rows, ledger, shown > 0, np.concatenate([there, idle_]))
-        done, styles = styled(done, list(self._numbers))
-        return Plain(
-            written(self.tables, order, placed, walk.sheet),
-            done,
-            styles,
-            inscriptions(self.tables, rows[self._is_word[self.entity[rows, f.WORD]]]),
-        )
+        done, known = styled(done, list(self._numbers))
+        return Plain(lines, done, known, words)
 
     def _alone(self, rows: I64, reach: float) -> Bool:
         """Return what on the sheet is walked through for its own sake: odd, or far away."""
@@ -317,13 +333,17 @@ class PlainReader:
         others = others[self.entity[others, f.KIND] == f.INSERT]
         return found + [self._found(row).repeats() for row in others.tolist()]
 
-    def _placed(self, sheet: tuple[I64, I64, I64, I64], total: int, placed: Inserts) -> Columns:
+    def _placed(
+        self, sheet: tuple[I64, I64, I64, I64], styles: I32, total: int, placed: Inserts
+    ) -> Columns:
         """Return the segments of all that is drawn in columns.
 
         Parameters
         ----------
         sheet
             Of each entity its row, its row in the ledger, the segments before it, and its own.
+        styles : (e,)
+            The number of the style of each entity that is drawn on the sheet.
         total
             Segments of the drawing.
         """
@@ -338,7 +358,7 @@ class PlainReader:
         begin = np.array([one.first for one in placed.variants], np.int64)[placed.variant]
         place(
             sheet,
-            (self.ends, self.bulge, self.first, self._entity_styles(sheet[0])),
+            (self.ends, self.bulge, self.first, styles),
             (
                 placed.spot,
                 np.column_stack([low, self.first[low], begin]),

@@ -142,7 +142,7 @@ def _around(codes: Any, numbers: Any, count: int, rules: Any, row: int, box: Any
         box[row, 0], box[row, 1], box[row, 2], box[row, 3] = low_x, low_y, high_x, high_y
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def _boxes(data: Any, spans: Any, rules: Any) -> tuple[F64, Bool]:
     """Return the boxes (k, 4), and for which of them every number could be read, (k,)."""
     box, sure = np.full((len(spans), 4), np.nan), np.ones(len(spans), np.bool_)

@@ -19,6 +19,7 @@ from knifetip.dxf.standing import around_each, through
 from knifetip.dxf.tables import Tables
 from knifetip.dxf.walk import IN_PAPER_SPACE, not_read, places
 from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
 from knifetip.intake.sheet import Alike, Sheet, Written
 from knifetip.model.drawing import Inscription, Standing
@@ -102,18 +103,22 @@ def written(tables: Tables, order: Order, inserts: Inserts, walk: Sheet) -> Writ
     left[inserts.spot] = False
     left[np.isin(order.ledger, order.walked)] = False
     spots = np.flatnonzero(left)
+    handles, (alike, standing) = both(
+        lambda: paths_of(tables.handles, walk.handle, own, insert),
+        lambda: (
+            [*_of_sheet(tables, order, inserts, spots), *_of_blocks(order, inserts)],
+            [*_on_sheet(tables, order, spots), *_in_blocks(tables, order, inserts)],
+        ),
+    )
+    walked = [Standing(order.walked[one.rows].astype(np.int32), one.box) for one in walk.standing]
     return Written(
-        paths_of(tables.handles, walk.handle, own, insert),
+        handles,
         Repeated(tuple(numbers), kind),
         Repeated(tuple(numbers), layer),
         {there[row]: why for row, why in walk.dropped.items()},
         {there[row]: notes for row, notes in walk.notes.items()},
-        [*_of_sheet(tables, order, inserts, spots), *_of_blocks(order, inserts)],
-        [
-            *(Standing(order.walked[one.rows].astype(np.int32), one.box) for one in walk.standing),
-            *_on_sheet(tables, order, spots),
-            *_in_blocks(tables, order, inserts),
-        ],
+        alike,
+        walked + standing,
     )
 
 
