@@ -252,19 +252,12 @@ class PlainReader:
         move = np.empty((len(said), 2, 3))
         inserts(said, self.found.base[block], move)
         placed = Inserts(spot, block, *self._variants(rows[spot], block), move)
-        self._name_idle_blocks(walk.sheet, {*walk.used, *map(self._key, np.unique(block).tolist())})
-        last = len(rows) + int(children.sum())
-        idle_ = np.arange(last, last + len(walk.sheet.handle) - len(there))
-        order = Order(rows, ledger, shown > 0, np.concatenate([there, idle_]))
         texts = rows[self._is_word[self.entity[rows, f.WORD]]]
         styles = self._entity_styles(rows)
         sheet = rows, ledger, before, shown
-        done, (lines, words) = both(
+        done, words = both(
             lambda: self._placed(sheet, styles, int(segments.sum()), placed),
-            lambda: (
-                written(self.tables, order, placed, walk.sheet),
-                inscriptions(self.tables, texts),
-            ),
+            lambda: inscriptions(self.tables, texts),
         )
         # An arc reaches no farther beyond its ends than half their distance.
         farthest = np.maximum(done.ends.max(initial=0.0), -done.ends.min(initial=0.0))
@@ -272,8 +265,12 @@ class PlainReader:
             raise NotPlainError
         if len(walked):
             done = self._with_walked(done, walk, before[walked], begin, there, scale)
+        self._name_idle_blocks(walk.sheet, {*walk.used, *map(self._key, np.unique(block).tolist())})
+        last = len(rows) + int(children.sum())
+        idle_ = np.arange(last, last + len(walk.sheet.handle) - len(there))
+        order = Order(rows, ledger, shown > 0, np.concatenate([there, idle_]))
         done, known = styled(done, list(self._numbers))
-        return Plain(lines, done, known, words)
+        return Plain(written(self.tables, order, placed, walk.sheet), done, known, words)
 
     def _alone(self, rows: I64, reach: float) -> Bool:
         """Return what on the sheet is walked through for its own sake: odd, or far away."""
