@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -12,7 +13,7 @@ from knifetip.classification.places import Places, longer, placed, roomy
 from knifetip.classification.segment import BULGE, chord, crossing, near
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.compiled import whole
-from knifetip.geometry.cores import each, runs
+from knifetip.geometry.cores import each, number, runs
 
 #: Places, and cells of the grid, that one core has looked at before another has begun.
 WORTH: Final = 40_000
@@ -62,18 +63,26 @@ def parted(
         Of more partings than this there are none: None.
     """
 
-    def ended(run: tuple[int, int]) -> Any:
-        return _ended(ends, bulge, touch, node, spots.point, grid, *run)
-
-    on = together(*(Partings(*done) for done in each(ended, runs(spots.known, WORTH))))
-    pair, share = crossing
-    if len(on.row) + 2 * len(pair) > most:
+    if 2 * len(crossing.pair) > most:
         return None
+    beside = [
+        partial(_ended, ends, bulge, touch, node, spots.point, grid, *run)
+        for run in runs(spots.known, WORTH, 2 * number())
+    ]
+    (across, spots), *found = each(
+        lambda work: work(), (partial(_joined, ends, touch, crossing, spots), *beside)
+    )
+    on = together(*(Partings(*one) for one in found))
+    return None if len(on.row) + len(across.row) > most else (on, across, spots)
+
+
+def _joined(ends: F64, touch: float, crossing: Crossings, spots: Places) -> tuple[Partings, Places]:
+    """Return how crossings part their lines, and the places with theirs."""
+    pair, share = crossing
     spots = roomy(spots, len(pair))
     at = np.empty(len(pair), np.int32)
-    count = _joined(ends, touch, pair, share, spots, at)
-    across = Partings(pair.ravel(), share.ravel(), np.repeat(at, 2))
-    return on, across, spots._replace(known=count)
+    count = _join(ends, touch, pair, share, spots, at)
+    return Partings(pair.ravel(), share.ravel(), np.repeat(at, 2)), spots._replace(known=count)
 
 
 @njit(cache=True, error_model="numpy", nogil=True)
@@ -150,7 +159,7 @@ def _crossed(
 
 
 @whole
-def _joined(ends: Any, touch: float, pair: Any, share: Any, spots: Places, at: Any) -> int:
+def _join(ends: Any, touch: float, pair: Any, share: Any, spots: Places, at: Any) -> int:
     """Write the places where lines cross; return how many places there are."""
     count = spots.known
     for k in range(len(pair)):

@@ -35,10 +35,13 @@ def rows_of_dashes(
     link = np.full(2 * len(bulge), -1, np.int32)
 
     cell = np.full(2 * len(bulge), -1, np.int32)
-    _tips(ends, bulge, node, twin, loose, grid, cell)
+    each(
+        lambda run: _tips(ends, bulge, node, twin, loose, grid, cell, *run),
+        runs(len(bulge), WORTH),
+    )
     # Few lines have such ends, and each is in one cell only.
     begins, tips = by_cell(cell, grid.side * grid.side, np.arange(len(cell), dtype=np.int32))
-    place = ends.reshape(-1, 2)[tips]
+    place = ends.reshape(-1, 2).take(tips, axis=0)
 
     def linked(run: tuple[int, int]) -> None:
         _link(ends, bulge, touch, unit, grid, begins, tips, place, link, *run)
@@ -107,15 +110,20 @@ def _rows(
 
 
 @whole
-def _tips(ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, grid: Grid, cell: Any) -> None:
-    """Write the cell of each loose end of a line that may be a dash, -1 for other ends."""
+def _tips(
+    ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, grid: Grid, cell: Any,
+    begin: int, end: int,
+) -> None:  # fmt: skip
+    """Write the cell of each loose end of lines that may be dashes; those of others stay."""
     low, size, side, _, _ = grid
-    for half in range(len(node)):
-        i = half // 2
-        if loose[node[half]] and abs(bulge[i]) <= BULGE and twin[i] == i:
-            x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
-            row = cell_of(y, low[1], size[1], side)
-            cell[half] = row * side + cell_of(x, low[0], size[0], side)
+    for i in range(begin, end):
+        if abs(bulge[i]) > BULGE or twin[i] != i:
+            continue
+        for half in range(2 * i, 2 * i + 2):
+            if loose[node[half]]:
+                x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
+                row = cell_of(y, low[1], size[1], side)
+                cell[half] = row * side + cell_of(x, low[0], size[0], side)
 
 
 @whole

@@ -280,38 +280,51 @@ def _longest(net: Net, length: F64, specks: I64) -> I32:
     return found[net.node[2 * specks]]
 
 
+#: What a piece of each kind of part is: at its rim, on its own outside, in one face, between two.
+_BLANK: Final = Role.OUTLINE, Role.STRAY, Role.SLIT, Role.DIVIDER
+_SMALL: Final = Role.MARK, Role.STRAY, Role.MARK, Role.MARK
+_INSIDE: Final = Role.HOLE, Role.FREE, Role.INNER, Role.INNER
+_SLOT: Final = Role.SLOT, Role.FREE, Role.INNER, Role.INNER
+
+
 def _roles(net: Net, sides: Faces, parts: Parts) -> U8:
     """Return the role of each piece, (p,)."""
-    # What a piece of each part is: at its rim, on its own outside, in one face, between two.
-    rim, alone, within, between = range(4)
-    table = np.empty((len(sides.outside), 4), np.uint8)
-    table[:] = Role.OUTLINE, Role.STRAY, Role.SLIT, Role.DIVIDER
-    table[parts.doubtful] = Role.OPEN
-    table[parts.inside] = Role.HOLE, Role.FREE, Role.INNER, Role.INNER
-    table[parts.slot, rim] = Role.SLOT
-    table[parts.small] = np.where(
-        table[parts.small] == Role.STRAY, np.uint8(Role.STRAY), np.uint8(Role.MARK)
+    kinds = (
+        (parts.doubtful, [Role.OPEN] * 4),
+        (parts.inside, _INSIDE),
+        (parts.slot, _SLOT),
+        (parts.small, _SMALL),
+        (parts.flat, [Role.STRAY] * 4),
+        (parts.speck, [Role.SPECK] * 4),
+        (parts.legend, [Role.LEGEND] * 4),
+        (parts.frame, [Role.FRAME] * 4),
+        (parts.bleed, [Role.BLEED] * 4),
+        (parts.around, [Role.AROUND] * 4),
+        (parts.table, [Role.TABLE] * 4),
+        (parts.letter, [Role.LETTER] * 4),
     )
-    table[parts.flat] = Role.STRAY
-    table[parts.speck] = Role.SPECK
-    table[parts.legend] = Role.LEGEND
-    table[parts.frame] = Role.FRAME
-    table[parts.bleed] = Role.BLEED
-    table[parts.around] = Role.AROUND
-    table[parts.table] = Role.TABLE
-    table[parts.letter] = Role.LETTER
+    table = np.array([_BLANK, *(roles for _, roles in kinds)], np.uint8)
+    kind = np.zeros(len(sides.outside), np.uint8)
+    for number, (which, _) in enumerate(kinds, start=1):
+        np.putmask(kind, which, number)
     role = np.empty(len(net.part), np.uint8)
-    where = np.array([between, rim, within, alone])
-    _look_up(table, where, net.part, sides.left, sides.right, sides.outside, role)
+
+    def looked_up(run: tuple[int, int]) -> None:
+        _look_up(table, kind, net.part, sides.left, sides.right, sides.outside, role, *run)
+
+    each(looked_up, runs(len(role), WORTH))
     return role
 
 
 @whole
 def _look_up(
-    table: Any, where: Any, part: Any, left: Any, right: Any, outside: Any, role: Any
-) -> None:
-    for p in range(len(part)):
+    table: Any, kind: Any, part: Any, left: Any, right: Any, outside: Any, role: Any,
+    begin: int, end: int,
+) -> None:  # fmt: skip
+    for p in range(begin, end):
         out = outside[part[p]]
-        at_rim = (left[p] == out) != (right[p] == out)
-        same = left[p] == right[p]
-        role[p] = table[part[p], where[at_rim + 2 * same + (same and left[p] == out)]]
+        if left[p] == right[p]:
+            column = 1 if left[p] == out else 2
+        else:
+            column = 0 if left[p] == out or right[p] == out else 3
+        role[p] = table[kind[part[p]], column]

@@ -23,15 +23,17 @@ def number() -> int:
     return os.cpu_count() or 1
 
 
-def runs(count: int, worth: int) -> list[tuple[int, int]]:
+def runs(count: int, worth: int, most: int | None = None) -> list[tuple[int, int]]:
     """Return runs of ``range(count)`` of one size, one for each core that is ``worth`` its start.
 
     Parameters
     ----------
     worth
         So much one core has done before another has begun.
+    most
+        So many runs, though there be fewer cores: what is done besides takes a part of one.
     """
-    shares = max(1, min(number(), count // worth))
+    shares = max(1, min(most or number(), count // worth))
     return list(pairwise(count * share // shares for share in range(shares + 1)))
 
 
