@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from knifetip.dxf import samples
+from knifetip.geometry.columns import F64, U8
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing, Inscription, Ledger
 
@@ -147,7 +148,7 @@ def tray(rng: np.random.Generator) -> Sheet:
     return sheet
 
 
-def _sampled(parts: list) -> Sheet:  # type: ignore[type-arg]
+def _sampled(parts: list[tuple[samples.Layer, samples.Paths]]) -> Sheet:
     kinds = {"CUT": CUT, "CREASE": CREASE, "V-GROOVE": GROOVE}
     sheet = Sheet()
     for layer, paths in parts:
@@ -253,7 +254,7 @@ def _decorated(sheet: Sheet, rng: np.random.Generator) -> None:
         sheet.line(right - 90.0, low, right - 90.0, low + 36.0, IGNORED)
 
 
-def drawing(seed: int) -> tuple[Drawing, np.ndarray, str]:  # type: ignore[type-arg]
+def drawing(seed: int) -> tuple[Drawing, U8, str]:
     """Return a drawing, what each of its edges is, (n,) LineType, and how it was drawn."""
     rng = np.random.default_rng(seed)
     make = CARTONS[int(rng.integers(len(CARTONS)))]
@@ -310,7 +311,7 @@ def drawing(seed: int) -> tuple[Drawing, np.ndarray, str]:  # type: ignore[type-
     return made, truth.astype(np.uint8), f"{make.__name__} / {scheme}"
 
 
-def mislaid(drawing: Drawing, truth: np.ndarray, kind: LineType, seed: int) -> int | None:  # type: ignore[type-arg]
+def mislaid(drawing: Drawing, truth: U8, kind: LineType, seed: int) -> int | None:
     """Return a row of this kind to be moved to a wrong layer, None where there is none."""
     rows = np.flatnonzero((truth == kind) & (drawing.lengths > 10.0))
     return int(np.random.default_rng(seed).choice(rows)) if len(rows) else None
@@ -323,9 +324,9 @@ def relayered(drawing: Drawing, row: int, layer: str) -> Drawing:
     return replace(drawing, layer=moved)
 
 
-def _dashes(ends, bulge, truth):  # type: ignore[no-untyped-def]
+def _dashes(ends: F64, bulge: F64, truth: U8) -> tuple[F64, F64, U8]:
     """Draw the straight creases as rows of dashes, 6 mm and 3 mm apart."""
-    out: list[tuple[np.ndarray, float, int]] = []  # type: ignore[type-arg]
+    out: list[tuple[F64, float, int]] = []
     for edge, bend, kind in zip(ends, bulge.tolist(), truth.tolist(), strict=True):
         long = float(np.hypot(*(edge[1] - edge[0])))
         if kind != CREASE or bend or long < 40.0:

@@ -134,7 +134,7 @@ def _vertices(draw: Draw) -> list[tuple[float, float, float]]:
 @st.composite
 def _lwpolyline(draw: Draw, new: bool) -> list[list[Tag]]:
     if not new and draw(st.booleans()):
-        return draw(_polyline(new))  # type: ignore[no-any-return]
+        return draw(_polyline(new))
     vertices = _vertices(draw)
     tags: list[Tag] = [(100, "AcDbPolyline"), (90, len(vertices)), (70, draw(st.integers(0, 1)))]
     if (z := _z(draw)) != 0.0:

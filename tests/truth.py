@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from knifetip.geometry.columns import U8
+from knifetip.geometry.columns import F64, U8
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing
 
@@ -97,11 +97,10 @@ def without_style(drawing: Drawing) -> Drawing:
     )
 
 
-def shares(truth: U8, said: U8, weight: np.ndarray) -> tuple[float, float, float]:  # type: ignore[type-arg]
+def shares(truth: U8, said: U8, weight: F64) -> tuple[float, float, float]:
     """Return which shares of the weight are right, asked about, and silently wrong."""
     asked = said == LineType.UNCLASSIFIED
     right = said == truth
     whole = weight.sum() or 1.0
-    return tuple(  # type: ignore[return-value]
-        float(weight[part].sum() / whole) for part in (right & ~asked, asked, ~right & ~asked)
-    )
+    of_right, of_asked = (float(weight[part].sum() / whole) for part in (right & ~asked, asked))
+    return of_right, of_asked, float(weight[~right & ~asked].sum() / whole)

@@ -27,6 +27,7 @@ from knifetip import pipeline
 from knifetip.classification.classify import classify, questions
 from knifetip.cleaning.clean import clean
 from knifetip.errors import KnifetipError
+from knifetip.geometry.columns import F64, I64, U8
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Fate
@@ -180,7 +181,7 @@ def classes(dieline: Dieline) -> str:
 def known() -> Iterator[str]:
     """Yield the table of drawings whose truth is known, and its sums."""
     rules, conventions = load.profile("default"), load.conventions()
-    sums: dict[str, list[tuple[np.ndarray, np.ndarray, np.ndarray]]] = defaultdict(list)  # type: ignore[type-arg]
+    sums: dict[str, list[tuple[U8, U8, F64]]] = defaultdict(list)
     for one in KNOWN:
         whole = pipeline.read_drawing((CORPUS / one.path).read_bytes())
         kinds_of = one.truth(whole)
@@ -195,7 +196,7 @@ def known() -> Iterator[str]:
         yield _shared("**all**", way, *columns, "")
 
 
-def _shared(name: str, way: str, truth, said, length, asked) -> str:  # type: ignore[no-untyped-def]
+def _shared(name: str, way: str, truth: U8, said: U8, length: F64, asked: int | str) -> str:
     part = (*shares(truth, said, np.ones(len(said))), *shares(truth, said, length))
     return f"| {name} | {way} | {' | '.join(f'{100 * x:.1f}' for x in part)} | {asked} |"
 
@@ -215,7 +216,7 @@ def houses() -> Iterator[str]:
     yield AFTER_HOUSES.rstrip("\n")
 
 
-def _house(house: House) -> tuple[np.ndarray, np.ndarray, int, Counter[str]]:  # type: ignore[type-arg]
+def _house(house: House) -> tuple[F64, F64, int, Counter[str]]:
     """Return edges and mm that are right, asked about and wrong, questions, and units."""
     rules = load.profile("default")
     edges, lengths, asked = np.zeros(3), np.zeros(3), 0
@@ -238,7 +239,7 @@ def _house(house: House) -> tuple[np.ndarray, np.ndarray, int, Counter[str]]:  #
     return edges, lengths, asked, units
 
 
-def _housed(name: str, edges, lengths, asked: float, units: Counter[str]) -> str:  # type: ignore[no-untyped-def]
+def _housed(name: str, edges: F64, lengths: F64, asked: float, units: Counter[str]) -> str:
     shares_ = (
         f"{100 * part[0]:.1f} | {100 * part[1]:.1f} | {100 * part[2]:.3f}"
         for part in (edges / edges.sum(), lengths / lengths.sum())
@@ -251,7 +252,7 @@ def own() -> Iterator[str]:
     """Yield the tables of our own cartons."""
     rules, conventions = load.profile("default"), load.conventions()
     decile = np.zeros((10, 2), int)
-    ways: dict[str, np.ndarray] = defaultdict(lambda: np.zeros(6, int))  # type: ignore[type-arg]
+    ways: dict[str, I64] = defaultdict(lambda: np.zeros(6, int))
     wrong: Counter[str] = Counter()
     for seed in range(SEEDS):
         drawing, kinds_of, how = carton(seed)
@@ -314,7 +315,7 @@ def _mislaid(rules: LineRules, conventions: tuple[LineRules, ...]) -> Iterator[s
         )
 
 
-def _way(told: str, row) -> str:  # type: ignore[no-untyped-def]
+def _way(told: str, row: I64) -> str:
     count, right, asked, silent, put, drawings = row.tolist()
     return (
         f"| {told} | {count:,} | {100 * right / count:.2f} | {100 * asked / count:.2f} "

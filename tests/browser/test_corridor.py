@@ -103,7 +103,7 @@ def middle(page: Page) -> dict[str, float]:
 
 def ink(page: Page) -> int:
     """Return how many pixels of the middle of the picture are brighter than its ground."""
-    shot = page.screenshot(clip=middle(page))  # type: ignore[arg-type]
+    shot = page.screenshot(clip=middle(page))
     return page.evaluate(
         """async (text) => {
             const image = new Image();
@@ -175,7 +175,7 @@ def colours(page: Page) -> set[tuple[int, int, int]]:
             const many = [...count].filter(([, pixels]) => pixels > 100);
             return many.map(([colour]) => [colour >> 16, (colour >> 8) & 255, colour & 255]);
         }""",
-        base64.b64encode(page.screenshot(clip=middle(page))).decode(),  # type: ignore[arg-type]
+        base64.b64encode(page.screenshot(clip=middle(page))).decode(),
     )
     return {(red, green, blue) for red, green, blue in found}
 

@@ -113,6 +113,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             app.openapi_schema = _openapi(app)
         return app.openapi_schema
 
+    # FastAPI's own way to describe an API otherwise.
     app.openapi = described  # type: ignore[method-assign]
     return app
 

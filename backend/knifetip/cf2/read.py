@@ -35,7 +35,7 @@ def read(
     data: bytes,
     unit: str | None = None,
     *,
-    limits: Limits = Limits(),  # noqa: B008
+    limits: Limits = Limits(),
 ) -> Drawing:
     """Return the drawing that a CF2 holds.
 

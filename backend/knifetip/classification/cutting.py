@@ -62,7 +62,6 @@ def parted(
     most
         Of more partings than this there are none: None.
     """
-
     if 2 * len(crossing.pair) > most:
         return None
     beside = [

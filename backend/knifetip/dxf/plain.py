@@ -62,6 +62,7 @@ class _AsWritten:
         self._row = row
 
     def style(self, styles: Styles, around: Style | None) -> Style:  # noqa: ARG002
+        # The tables of the file have the same styles.
         return self._reader.tables.style(self._row, around)
 
     def drawn(self) -> Drawn:

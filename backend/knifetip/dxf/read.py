@@ -49,7 +49,7 @@ _EXPORT: Final = "Export the drawing as DXF (ASCII or binary, any version)."
 _AGAIN: Final = "Export it again, or open it in a CAD program, audit it and save it as DXF R2000."
 
 
-def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> Drawing:  # noqa: B008
+def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> Drawing:
     """Return the drawing that a DXF holds.
 
     Parameters

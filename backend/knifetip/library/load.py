@@ -366,6 +366,7 @@ def parse_profile(name: str, fields: Mapping[str, Any]) -> LineRules:
     own = tuple(_rule(number, row) for number, row in enumerate(fields["rule"], 1))
     overrules = fields.get("overrules", False)
     if not isinstance(overrules, bool):
+        # As of all that a profile may say wrong; a TypeError would be ours.
         raise ValueError(f"overrules is {overrules!r}: it is true or false")  # noqa: TRY004
     return LineRules(name, str(fields["title"]), own + inherited if overrules else inherited + own)
 

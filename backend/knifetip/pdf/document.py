@@ -240,9 +240,10 @@ def first_page(file: File) -> Page:
     crop = _box(file, inherited, "/CropBox")
     box = media or crop or EVERYWHERE
     if media and crop:
-        both = tuple(map(max, media[:2], crop[:2])) + tuple(map(min, media[2:], crop[2:]))
+        left, low = map(max, media[:2], crop[:2])
+        right, high = map(min, media[2:], crop[2:])
         # A crop beside the page is a mistake, and shows nothing: programs then show all.
-        box = both if both[0] < both[2] and both[1] < both[3] else media  # type: ignore[assignment]
+        box = (left, low, right, high) if left < right and low < high else media
     widest = max(map(abs, box)) * unit * MILLIMETRES["pt"]
     if math.isfinite(widest) and widest > REACH:
         raise DrawingTooLarge(

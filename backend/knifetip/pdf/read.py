@@ -30,7 +30,7 @@ def read(
     data: bytes,
     unit: str | None = None,
     *,
-    limits: Limits = Limits(),  # noqa: B008
+    limits: Limits = Limits(),
 ) -> Drawing:
     """Return the drawing on the first page of a PDF.
 

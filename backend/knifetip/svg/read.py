@@ -27,7 +27,7 @@ def read(
     data: bytes,
     unit: str | None = None,
     *,
-    limits: Limits = Limits(),  # noqa: B008
+    limits: Limits = Limits(),
 ) -> Drawing:
     """Return the drawing that an SVG holds.
 

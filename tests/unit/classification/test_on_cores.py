@@ -9,7 +9,16 @@ import numpy as np
 import pytest
 from tests import cartons
 
-from knifetip.classification import cutting, dashes, gaps, nesting, parts
+from knifetip.classification import (
+    arrows,
+    cutting,
+    dashes,
+    evidence,
+    gaps,
+    measures,
+    nesting,
+    parts,
+)
 from knifetip.classification.evidence import Shape, shape
 from knifetip.model.drawing import Drawing
 
@@ -18,7 +27,7 @@ def _seen(drawing: Drawing) -> Shape:
     return shape(drawing.ends, drawing.bulge, drawing.inscriptions, bool(drawing.unit))
 
 
-def _five(count: int, _worth: int) -> list[tuple[int, int]]:
+def _five(count: int, _worth: int, _most: int | None = None) -> list[tuple[int, int]]:
     return list(pairwise(count * share // 5 for share in range(6)))
 
 
@@ -26,7 +35,7 @@ def _five(count: int, _worth: int) -> list[tuple[int, int]]:
 def test_several_cores_see_what_one_sees(seed: int, monkeypatch: pytest.MonkeyPatch):
     drawing = cartons.drawing(seed)[0]
     one = _seen(drawing)
-    for module in (cutting, dashes, gaps, nesting, parts):
+    for module in (arrows, cutting, dashes, evidence, gaps, measures, nesting, parts):
         monkeypatch.setattr(module, "runs", _five)
     five = _seen(drawing)
     for column in fields(Shape):

@@ -12,6 +12,8 @@ from hypothesis import HealthCheck, given, settings
 from drawn_dxf import drawings
 from dxf_text import block, dxf, entity, insert, layer, line
 from knifetip.dxf import fields as f
+from knifetip.errors import KnifetipError
+from knifetip.model.drawing import Drawing
 from readers import difference, reading
 
 scan = import_module("knifetip.dxf.scan")
@@ -50,10 +52,10 @@ def in_runs(monkeypatch: pytest.MonkeyPatch):
     return cores
 
 
-def _drawing(data: bytes):  # type: ignore[no-untyped-def]
+def _drawing(data: bytes) -> Drawing | KnifetipError:
     try:
         return reading.read(data)
-    except reading.KnifetipError as refused:
+    except KnifetipError as refused:
         return refused
 
 

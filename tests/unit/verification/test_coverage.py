@@ -166,7 +166,12 @@ def test_a_contour_may_be_cut_the_other_way_round_with_the_corners_turned_in_the
 
 
 def test_a_groove_needs_both_its_passes():
-    back = "G0 X78.5000 Y59.3000 C180.0000\nG1 Y56.0000 Z0.7000\nG1 X38.5000 F12000\nG1 Y59.3000 Z4.0000 F3000\n"  # noqa: E501
+    back = (
+        "G0 X78.5000 Y59.3000 C180.0000\n"
+        "G1 Y56.0000 Z0.7000\n"
+        "G1 X38.5000 F12000\n"
+        "G1 Y59.3000 Z4.0000 F3000\n"
+    )
     findings = found(back, "")
     finding = told("uncut", GROOVE, findings)
     assert finding.measure == pytest.approx(40.0)

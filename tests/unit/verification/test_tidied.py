@@ -25,7 +25,7 @@ LINE = dieline(
 
 
 def bent(made: Cleaned, **changes: object) -> Cleaned:
-    return replace(made, dieline=replace(made.dieline, **changes))  # type: ignore[arg-type]
+    return replace(made, dieline=replace(made.dieline, **changes))
 
 
 def told(made: Cleaned, line: Dieline = LINE) -> str:

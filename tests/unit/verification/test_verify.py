@@ -121,7 +121,7 @@ def test_scrambled_programs_raise_nothing():
 
 def test_what_cannot_be_judged_raises_an_error_that_says_why():
     with pytest.raises(ProgramUnreadable):
-        verify("G0", DIELINE, PLACEMENT, MACHINE, BOARD)  # type: ignore[arg-type]
+        verify("G0", DIELINE, PLACEMENT, MACHINE, BOARD)
     with pytest.raises(GeometryError, match="The placement"):
         verify(LINUXCNC, DIELINE, (float("nan"), 0.0), MACHINE, BOARD)
     with pytest.raises(GeometryError, match="Edge 1 has a coordinate"):
