@@ -25,7 +25,7 @@ from starlette.exceptions import HTTPException
 from knifetip import errors
 from knifetip.api import drawings, events, gateway, jobs, library, machines, profiles
 from knifetip.api.limits import Limits
-from knifetip.api.schemas import Health, Problem, QuestionOut
+from knifetip.api.schemas.common import Health, Problem, QuestionOut
 from knifetip.api.service import Here, Service, Settings
 from knifetip.api.site import Site
 from knifetip.jobs.crew import Crew, Fault, Withdrawn

@@ -13,7 +13,7 @@ import numpy as np
 from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
 from fastapi.responses import JSONResponse
 
-from knifetip.api.schemas import (
+from knifetip.api.schemas.drawings import (
     CleaningOut,
     DrawingOut,
     DrawingPatch,

@@ -9,7 +9,8 @@ from fastapi import APIRouter, Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.jobs import job_out
-from knifetip.api.schemas import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut, JobOut
+from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
+from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.service import Here, bytes_answer, on_shelf
 from knifetip.errors import MachineBusy, WrongState
 from knifetip.jobs.job import ON_TABLE

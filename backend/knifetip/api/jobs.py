@@ -9,14 +9,7 @@ from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.drawings import overridden
-from knifetip.api.schemas import (
-    JobEvent,
-    JobIn,
-    JobOut,
-    JobState,
-    VerdictOut,
-    VerdictSummary,
-)
+from knifetip.api.schemas.jobs import JobEvent, JobIn, JobOut, JobState, VerdictOut, VerdictSummary
 from knifetip.api.service import (
     BINARY,
     Cursor,

@@ -6,12 +6,8 @@ from dataclasses import asdict
 
 from fastapi import APIRouter
 
-from knifetip.api.schemas import (
-    BoardOut,
-    CalibrationIn,
-    CalibrationOut,
-    StationTool,
-)
+from knifetip.api.schemas.library import BoardOut, CalibrationIn, CalibrationOut
+from knifetip.api.schemas.machines import StationTool
 from knifetip.api.service import on_shelf
 from knifetip.library import deflection, load
 from knifetip.library.load import cutter_of

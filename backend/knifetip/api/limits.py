@@ -10,7 +10,7 @@ import contextlib
 from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from knifetip.api.schemas import Problem
+from knifetip.api.schemas.common import Problem
 
 
 class TooLarge(Exception):

@@ -6,7 +6,7 @@ from dataclasses import asdict
 
 from fastapi import APIRouter
 
-from knifetip.api.schemas import MachineOut
+from knifetip.api.schemas.machines import MachineOut
 from knifetip.api.service import Here, on_shelf
 from knifetip.library import load
 from knifetip.model.machine import Machine

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Depends, Header, Request, Response
 from pydantic import ValidationError
 
-from knifetip.api.schemas import PreviewOut, ProfileIn, ProfileOut, ProposalOut
+from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, ProposalOut
 from knifetip.api.service import Here, bytes_answer, not_shipped, on_shelf
 from knifetip.errors import ProfileError, RequestError
 from knifetip.jobs import profiling

@@ -1,0 +1,50 @@
+"""common: what requests and answers of several routes say."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+LineTypeWord = Literal[
+    "unclassified", "cut", "crease", "v-groove", "perforation", "half-cut", "ignored", "combi"
+]
+Name = Annotated[str, Field(min_length=1, max_length=200)]
+Count = Annotated[int, Field(ge=0, le=2**31 - 1)]
+
+
+class Strict(BaseModel):
+    """A request: what it does not know, it refuses."""
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+
+
+class QuestionOut(BaseModel):
+    """Something that somebody must decide before anything is cut."""
+
+    kind: Literal["unit", "line-type", "tool"]
+    text: str
+    choices: list[str]
+    edges: list[int]
+    layer: str
+    colour: int
+
+
+class Problem(BaseModel):
+    """An error as RFC 9457 has it, with the mend and the entities that it is about."""
+
+    type: str = "about:blank"
+    title: str
+    status: int
+    detail: str
+    mend: str = ""
+    source: list[str] = []
+    questions: list[QuestionOut] = []
+
+
+class Health(BaseModel):
+    """Whether the service is alive and ready."""
+
+    status: Literal["ok", "starting"]
+    version: str
+    checks: dict[str, str] = {}

@@ -1,0 +1,49 @@
+"""machines: what is said of machines and their tools."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel
+
+
+class ToolOut(BaseModel):
+    """A tool with the dimensions that the engines use."""
+
+    kind: Literal["knife", "crease-wheel", "v-cutter", "cutter"]
+    dimensions: dict[str, float | bool]
+
+
+class StationOut(BaseModel):
+    """A station: joint position = programmed position + datum."""
+
+    number: int
+    name: str
+    datum: dict[str, float]
+    output: int
+    tool: ToolOut
+
+
+class MachineOut(BaseModel):
+    """A machine of the library and what is on it now."""
+
+    name: str
+    title: str
+    width: float
+    height: float
+    dialect: str
+    origin: tuple[float, float]
+    travel_z: float
+    into_mat: float
+    axes: dict[str, dict[str, float]]
+    stations: list[StationOut]
+    gateway: Literal["connected", "absent"]
+    job: str | None
+
+
+class StationTool(ToolOut):
+    """A tool and where it is mounted."""
+
+    machine: str
+    station: int
+    name: str
