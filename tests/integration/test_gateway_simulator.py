@@ -20,8 +20,8 @@ from knifetip.errors import (
 from knifetip.gateway import grbl, simulator
 from knifetip.gateway.controller import State
 from knifetip.gateway.motion import Limits
-from knifetip.gateway.simulator import Faults
 from knifetip.gateway.stream import stream
+from knifetip.gateway.table import Faults
 from knifetip.gateway.transport import connect
 from knifetip.library import load
 

@@ -51,7 +51,7 @@ def crossings(ends: F64, bulge: F64, touch: float, grid: Grid, most: int) -> Cro
 
 def parted(
     ends: F64, bulge: F64, touch: float, node: I32, spots: Places, grid: Grid,
-    crossing: Crossings, most: int,
+    pairs: Crossings, most: int,
 ) -> tuple[Partings, Partings, Places] | None:  # fmt: skip
     """Return where ends lie on edges, where edges cross, and the places with those of crossings.
 
@@ -62,22 +62,22 @@ def parted(
     most
         Of more partings than this there are none: None.
     """
-    if 2 * len(crossing.pair) > most:
+    if 2 * len(pairs.pair) > most:
         return None
     beside = [
         partial(_ended, ends, bulge, touch, node, spots.point, grid, *run)
         for run in runs(spots.known, WORTH, 2 * number())
     ]
     (across, spots), *found = each(
-        lambda work: work(), (partial(_joined, ends, touch, crossing, spots), *beside)
+        lambda work: work(), (partial(_joined, ends, touch, pairs, spots), *beside)
     )
     on = together(*(Partings(*one) for one in found))
     return None if len(on.row) + len(across.row) > most else (on, across, spots)
 
 
-def _joined(ends: F64, touch: float, crossing: Crossings, spots: Places) -> tuple[Partings, Places]:
+def _joined(ends: F64, touch: float, pairs: Crossings, spots: Places) -> tuple[Partings, Places]:
     """Return how crossings part their lines, and the places with theirs."""
-    pair, share = crossing
+    pair, share = pairs
     spots = roomy(spots, len(pair))
     at = np.empty(len(pair), np.int32)
     count = _join(ends, touch, pair, share, spots, at)

@@ -86,8 +86,8 @@ def built(ends: F64, bulge: F64, touch: float, reach: float) -> Net | None:
     if found is None:
         return None
     unit = touch / GAP
-    grid, crossing = found
-    partings = parted(ends, bulge, touch, node, spots, grid, crossing, most)
+    grid, pairs = found
+    partings = parted(ends, bulge, touch, node, spots, grid, pairs, most)
     if partings is None:
         return None
     on, across, spots = partings

@@ -14,7 +14,7 @@ from knifetip.errors import ControllerError
 from knifetip.gateway import grbl, simulator
 from knifetip.gateway.claim import work
 from knifetip.gateway.journal import Journal
-from knifetip.gateway.simulator import Faults
+from knifetip.gateway.table import Faults
 from knifetip.library import load
 
 MACHINE = load.machine("demo-table")

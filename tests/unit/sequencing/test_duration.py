@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from knifetip import pipeline
-from knifetip.gateway.simulator import Table
+from knifetip.gateway.table import Table
 from knifetip.library import load
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.duration import duration, durations

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from knifetip.gateway.simulator import Faults, Table
+from knifetip.gateway.table import Faults, Table
 from knifetip.library import load
 
 MACHINE = load.machine("demo-table")

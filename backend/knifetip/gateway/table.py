@@ -1,0 +1,446 @@
+"""table: a sample-maker in memory that speaks grbl 1.1 / grblHAL.
+
+    bytes -> Table -> answers, and the table moves
+
+It has the things that a sender must get right: a receive buffer of 128 bytes that really
+overflows, a planner of 15 blocks, an ``ok`` only when a line has left the buffer for the planner,
+soft limits, check mode, holds that decelerate in the middle of an arc, M64 and M65 that act when
+they are read, and alarms that lock.  Time is simulated: ``speed`` seconds of the machine to one
+on the clock, counted only while something moves or dwells.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from array import array
+from collections import deque
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from knifetip.gateway.interpreter import NOTHING, Block, Interpreter, Refused, bare
+from knifetip.gateway.motion import Limits, Move, Planner, Pose
+from knifetip.model.machine import Machine
+
+#: Seconds of the real clock between two steps while the machine moves.
+TICK = 0.002
+#: Real seconds that one step may compute, so that a great speed never starves the port.
+STINT = 0.01
+#: Real seconds for which the machine may catch up after the process was busy.
+LAG = 0.1
+#: An end stop is met this far past the travel (mm or degrees).
+PAST = 1e-4
+#: Blocks in the planner, as ``$I`` and ``Bf`` say.
+BLOCKS = 15
+#: Samples that a trace keeps at most.
+SAMPLES = 500_000
+BANNER = "GrblHAL 1.1f ['$' or '$HELP' for help]"
+
+
+def to_nobody(line: str) -> None:
+    """Where answers go while no sender is connected."""
+
+
+@dataclass(frozen=True, slots=True)
+class Faults:
+    """What goes wrong, counted over lines of programs outside check mode, from 1."""
+
+    drop_ok: frozenset[int] = frozenset()  #: these lines are carried out but not answered
+    errors: Mapping[int, int] = field(default_factory=dict)  #: these are refused, with this code
+    disconnect: int = 0  #: at this line the connection breaks
+    reset_in_arc: int = 0  #: half way along this arc (from 1) the controller resets
+
+
+@dataclass(frozen=True, slots=True)
+class Switched:
+    """A digital output that was switched."""
+
+    time: float
+    output: int
+    on: bool
+    position: Pose
+    moving: bool  #: an axis was moving at that moment
+
+
+@dataclass(slots=True)
+class Trace:
+    """Where the head was: a sample every ``interval`` simulated seconds while it moves."""
+
+    interval: float
+    _values: array[float] = field(default_factory=lambda: array("d"))
+
+    def add(self, time: float, position: Pose) -> None:
+        """Keep a sample, as long as there is room for it."""
+        if len(self._values) < 5 * SAMPLES:
+            self._values.extend((time, *position))
+
+    def samples(self) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
+        """Return (samples, 5): time (s), x, y, z (mm), c (degrees) of the joints."""
+        return np.array(self._values, dtype=np.float64).reshape(-1, 5)
+
+
+class Table:
+    """The controller and its machine, without the network.
+
+    ``receive`` takes the bytes that arrive; what it answers goes to ``answer``.
+    """
+
+    def __init__(
+        self,
+        machine: Machine,
+        *,
+        speed: float = 1.0,
+        faults: Faults | None = None,
+        window: int = 128,
+        sample: float = 0.0,
+    ) -> None:
+        if not speed > 0.0:
+            raise ValueError(f"a speed of {speed} would never move")
+        self.machine = machine
+        self.speed = speed
+        self.faults = faults or Faults()
+        self.window = window
+        self.time = 0.0  #: simulated seconds of motion and dwell
+        self.trace = Trace(sample) if sample > 0.0 else None
+        self.outputs: dict[int, bool] = {}
+        self.switched: deque[Switched] = deque(maxlen=10_000)
+        self.oscillating = False
+        self.lost = 0  #: bytes that overflowed the buffer
+        self.answer: Callable[[str], None] = to_nobody
+        self.hang_up: Callable[[], None] = lambda: None
+        self.awake = asyncio.Event()
+        self._limits = Limits.of(machine)
+        rest: Pose = (0.0, 0.0, machine.travel_z, 0.0)
+        self._planner = Planner(self._limits, BLOCKS, rest)
+        self._interpreter = Interpreter(rest)
+        self._buffer = bytearray()
+        self._state = "Idle"
+        self._critical = False
+        self._check = False
+        self._waiting: tuple[Block, int] | None = None  # read, not yet answered
+        self._dwell = 0.0
+        self._count = 0
+        self._reports = 0
+        self._owed = 0.0
+
+    # -- what it is -----------------------------------------------------------------------------
+
+    @property
+    def position(self) -> Pose:
+        """Where the joints are."""
+        return self._planner.position
+
+    @property
+    def state(self) -> str:
+        """What a status report calls it."""
+        if self._state != "Idle":
+            return self._state
+        if self._check:
+            return "Check"
+        if self._planner.holding:
+            return "Hold:0" if self._planner.halted or not len(self._planner) else "Hold:1"
+        return "Run" if len(self._planner) or self._dwell > 0.0 else "Idle"
+
+    @property
+    def busy(self) -> bool:
+        """Whether time changes anything."""
+        return self._planner.moving or (self._dwell > 0.0 and not self._planner.holding)
+
+    # -- what it hears --------------------------------------------------------------------------
+
+    def receive(self, data: bytes) -> None:
+        """Take bytes from the wire: realtime ones act, the rest waits in the buffer."""
+        for byte in data:
+            if byte == 0x18:
+                self._reset()
+            elif byte == 0x3F:
+                self._report()
+            elif byte == 0x21:
+                self._hold()
+            elif byte == 0x7E:
+                self._planner.holding = False
+            elif byte >= 0x80:
+                if byte == 0x85 and self._state == "Jog":
+                    self._stand()
+            elif len(self._buffer) < self.window:
+                self._buffer.append(byte)
+                if byte == 0x0A:
+                    self._read()
+            else:
+                self.lost += 1
+        self.awake.set()
+
+    def _hold(self) -> None:
+        if self._state == "Idle" and not self._check and (self.busy or len(self._planner)):
+            self._planner.holding = True
+
+    def _stand(self) -> None:
+        """Forget all motion and stand here."""
+        self._planner.clear()
+        self._interpreter.reset(self._planner.position)
+        self._waiting = None
+        self._dwell = 0.0
+        if self._state == "Jog":
+            self._state = "Idle"
+
+    def _reset(self, *, asked: bool = True) -> None:
+        moving = self._planner.moving
+        locked = self._critical or self._state == "Alarm"
+        self._critical = self._check = False
+        self._stand()
+        self._buffer.clear()
+        self.oscillating = False
+        if moving:
+            self._state = "Alarm"
+            if asked:
+                self.answer("ALARM:3")
+        self.answer("")
+        self.answer(BANNER)
+        if locked or moving:
+            self._state = "Alarm"
+            self.answer("[MSG:'$H'|'$X' to unlock]")
+
+    def _report(self) -> None:
+        if self._critical:
+            return
+        self._reports += 1
+        figures = ",".join(f"{axis:.3f}" for axis in self.position)
+        free = BLOCKS - len(self._planner)
+        fields = [
+            self.state,
+            f"MPos:{figures}",
+            f"Bf:{free},{self.window - len(self._buffer)}",
+            f"FS:{self._planner.speed * 60.0:.0f},{int(self.oscillating)}",
+        ]
+        if self._planner.tag:
+            fields.append(f"Ln:{self._planner.tag}")
+        if self._reports % 10 == 1:
+            fields.append("WCO:0.000,0.000,0.000,0.000")
+        self.answer(f"<{'|'.join(fields)}>")
+
+    # -- what it reads --------------------------------------------------------------------------
+
+    def _read(self) -> None:
+        """Carry out lines from the buffer until one must wait, and answer them."""
+        while True:
+            if self._waiting is not None and not self._settled(*self._waiting):
+                return
+            end = self._buffer.find(b"\n")
+            if end < 0 or self._critical:
+                return
+            line = bytes(self._buffer[:end])
+            del self._buffer[: end + 1]
+            self._line(line.rstrip(b"\r"))
+
+    def _line(self, line: bytes) -> None:
+        text = bare(line)
+        if text.startswith(b"$"):
+            self._system(text)
+            return
+        if self._state in ("Alarm", "Jog"):
+            self.answer("error:9")
+            return
+        order = 0
+        if not self._check:
+            self._count += 1
+            order = self._count
+            if order == self.faults.disconnect:
+                self.hang_up()
+                return
+            if order in self.faults.errors:
+                self.answer(f"error:{self.faults.errors[order]}")
+                return
+        try:
+            block = self._interpreter.read(line)
+        except Refused as refused:
+            self.answer(f"error:{refused.code}")
+            return
+        if block.move and not self._within(block.move):
+            self._alarm(2)
+            return
+        if self._check:
+            block = NOTHING
+        self._waiting = (block, order)
+
+    def _settled(self, block: Block, order: int) -> bool:
+        """Carry out what can be carried out of the line that was read; answer it when done."""
+        if block.waits:
+            if len(self._planner) or self._dwell > 0.0:
+                return False
+            if block.dwell:
+                # Once counted down, it is the same line with a dwell of nothing.
+                self._dwell = block.dwell
+                self._waiting = (replace(block, dwell=0.0), order)
+                return False
+            if block.oscillation is not None:
+                self.oscillating = block.oscillation
+        elif block.move and self._planner.full:
+            return False
+        if block.output >= 0:
+            self.outputs[block.output] = block.on
+            self.switched.append(
+                Switched(
+                    self.time, block.output, block.on, self.position, self._planner.speed > 0.0
+                )
+            )
+        if block.move:
+            self._planner.append(block.move, block.number)
+        if block.end:
+            self.oscillating = False
+        if block.pause:
+            self._planner.holding = True
+        self._waiting = None
+        if order not in self.faults.drop_ok or order == 0:
+            self.answer("ok")
+        return True
+
+    def _within(self, move: Move) -> bool:
+        low, high = move.bounds()
+        return all(
+            least >= bottom - PAST and most <= top + PAST
+            for least, most, bottom, top in zip(
+                low, high, self._limits.low, self._limits.high, strict=True
+            )
+        )
+
+    def _alarm(self, code: int) -> None:
+        """A critical alarm: nothing is heard until a reset."""
+        self._stand()
+        self._buffer.clear()
+        self._state = "Alarm"
+        self._critical = True
+        self._check = False
+        self.answer(f"ALARM:{code}")
+        self.answer("[MSG:Reset to continue]")
+
+    def _system(self, text: bytes) -> None:
+        idle = self.state == "Idle" and self._waiting is None
+        if text == b"$X":
+            if self._state == "Alarm":
+                self._state = "Idle"
+                self.answer("[MSG:Caution: Unlocked]")
+        elif text == b"$I":
+            self.answer("[VER:1.1f.knifetip:simulated table]")
+            self.answer(f"[OPT:VNMSL,{BLOCKS},{self.window},4,0]")
+            self.answer("[AXS:4:XYZC]")
+            self.answer("[FIRMWARE:grblHAL]")
+        elif text == b"$C" and (idle or self._check):
+            if self._check:
+                self.answer("[MSG:Disabled]")
+                self.answer("ok")
+                self._reset()
+                return
+            self._check = True
+            self.answer("[MSG:Enabled]")
+        elif text == b"$H" and (idle or self._state == "Alarm"):
+            self._stand()
+            self._planner.position = (0.0, 0.0, self.machine.travel_z, 0.0)
+            self._interpreter.reset(self._planner.position)
+            self._state = "Idle"
+        elif text == b"$$":
+            for line in self._settings():
+                self.answer(line)
+        elif text == b"$G":
+            self.answer("[GC:G0 G54 G17 G21 G90 G94 G49 M5 M9 T0 F0 S0]")
+        elif text.startswith(b"$J="):
+            code = self._jog(text[3:]) if idle or self._state == "Jog" else 8
+            if code:
+                self.answer(f"error:{code}")
+                return
+        elif text != b"$":
+            self.answer("error:8" if text in (b"$C", b"$H") else "error:3")
+            return
+        self.answer("ok")
+
+    def _settings(self) -> list[str]:
+        limits = self._limits
+        rows = ["$10=511", "$13=0", "$20=1", "$22=1", "$32=0"]
+        for axis in range(4):
+            rows.append(f"$11{axis}={limits.velocity[axis] * 60.0:.3f}")
+            rows.append(f"$12{axis}={limits.acceleration[axis]:.3f}")
+            rows.append(f"$13{axis}={limits.high[axis] - limits.low[axis]:.3f}")
+        return rows
+
+    def _jog(self, text: bytes) -> int:
+        """Start a jog; return grbl's error, 0 for none."""
+        jog = Interpreter(self._interpreter.position)
+        try:
+            move = jog.read(b"G1" + text.replace(b"G53", b"")).move
+        except Refused as refused:
+            return 16 if refused.code == 22 else refused.code
+        if move is None:
+            return 16
+        if not self._within(move):
+            return 15
+        self._interpreter.position = move.end
+        self._planner.append(move)
+        if len(self._planner):
+            self._state = "Jog"
+        return 0
+
+    # -- how it moves ---------------------------------------------------------------------------
+
+    def elapse(self, seconds: float) -> None:
+        """Let simulated time pass: move, dwell, and read on as room appears."""
+        left = seconds
+        while left > 0.0:
+            self._read()
+            step = min(left, self.trace.interval) if self.trace else left
+            if len(self._planner) and self._planner.moving:
+                used = self._move(step)
+            elif self._dwell > 0.0 and not self._planner.holding:
+                used = min(step, self._dwell)
+                self._dwell -= used
+            else:
+                return
+            left -= used
+            self.time += used
+            if self.trace:
+                self.trace.add(self.time, self.position)
+        self._read()
+
+    def _move(self, seconds: float) -> float:
+        """Travel along the current move; return the time used."""
+        move = self._planner.current
+        doomed = (
+            move is not None
+            and move.centre is not None
+            and self._planner.arcs_done + 1 == self.faults.reset_in_arc
+        )
+        used = self._planner.advance(min(seconds, 1e-3) if doomed else seconds)
+        if doomed and (self._planner.fraction >= 0.5 or self._planner.current is not move):
+            self.faults = replace(self.faults, reset_in_arc=0)
+            self._reset(asked=False)
+        if self._state == "Jog" and not len(self._planner):
+            self._state = "Idle"
+        return used
+
+    async def run(self) -> None:
+        """Let simulated time follow the clock, for ever."""
+        loop = asyncio.get_running_loop()
+        last = loop.time()
+        while True:
+            if not self.busy:
+                self._owed = 0.0
+                self.awake.clear()
+                await self.awake.wait()
+                # Time in which nothing could move is not caught up with.
+                last = loop.time() - TICK
+                continue
+            now = loop.time()
+            self._owed = min(self._owed + (now - last) * self.speed, LAG * self.speed)
+            last = now
+            self._spend(now + STINT, loop)
+            await asyncio.sleep(TICK if self.busy else 0.0)
+
+    def _spend(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
+        """Use up the simulated time that is owed, or the real time that one step may take."""
+        part = max(self._owed / 16.0, 1e-4)  # looks at the clock now and then
+        while self._owed > 0.0 and self.busy and loop.time() < deadline:
+            step = min(part, self._owed)
+            before = self.time
+            self.elapse(step)
+            self._owed -= step
+            if self.time == before:
+                return
