@@ -24,6 +24,7 @@ from knifetip.classification.fusion import Judge, Verdict
 from knifetip.classification.mirror import contradicted
 from knifetip.classification.role import Role
 from knifetip.classification.rules import BY_LAYER, Matches, Styles
+from knifetip.classification.tally import FLAGS, HOLDS, MIXED, TEXT, Tally
 from knifetip.classification.words import hint
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.cores import both
@@ -38,8 +39,6 @@ KEEP = 255
 
 _BROKEN = ("dash", "hidden", "dot", "strich")
 _AXES = ("center", "centre", "phantom", "mitte")
-#: Flags of a cell beside its style and role.
-_MIXED, _TEXT, _HOLDS, _FLAGS = 1, 2, 4, 8
 
 
 def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules] = ()) -> Dieline:
@@ -66,22 +65,12 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     lengths, styles = both(lambda: drawing.lengths, lambda: matching.styles(drawing))
     matches = matching.match(styles, rules)
     seen = _evidence(drawing, styles, matches)
-    roles = len(Role)
-    cell = styles.of * roles + seen.role
-    size = len(styles) * roles
-    length = _summed(cell, lengths, size).reshape(-1, roles)
-    count = np.bincount(cell, minlength=size).reshape(-1, roles)
-    fits = fitting(styles, matches.rule < 0, length, count, conventions)
-    divides = np.where(seen.role == Role.DIVIDER, lengths, 0.0)
-    dashes = _summed(styles.of, divides * seen.dashed, len(styles))
-    pairs = _summed(styles.of, divides * seen.paired, len(styles))
-    holds = _summed(styles.of, divides * seen.holds, len(styles))
-    judge = Judge.of(styles, rules, matches, length, fits, dashes, pairs, holds)
-    cell = cell * _FLAGS
-    # Two thirds of an edge in one role leave a third in another.
-    cell += _MIXED * ((seen.sure < 0.7) & (seen.role != Role.UNKNOWN))
-    cell += _TEXT * (seen.annotated & (seen.role == Role.STRAY))
-    cell += _HOLDS * (_holding(seen, styles.of, lengths) & (seen.role == Role.DIVIDER))
+    tally = Tally.of(styles.of, len(styles), seen, lengths)
+    fits = fitting(styles, matches.rule < 0, tally.length, tally.edges, conventions)
+    judge = Judge.of(
+        styles, rules, matches, tally.length, fits, tally.dashes, tally.pairs, tally.holds
+    )
+    cell = tally.cells(styles.of, seen)
     first, number = distinct(cell)
     verdicts = [_verdict(judge, key) for key in cell[first].tolist()]
     said = _Said()
@@ -105,8 +94,9 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         text = f"profile {rules.name}: {matches.words[style]}; it lies on a cut"
         kinds[row], sure[row] = meant[row], matches.confidence[style]
         rule[row] = said.number(text, ())
-    against = contradicted(drawing.ends, seen, kinds, lengths)
-    off = parting(seen, kinds)
+    against, off = both(
+        lambda: contradicted(drawing.ends, seen, kinds, lengths), lambda: parting(seen, kinds)
+    )
     for row in np.flatnonzero(against | off).tolist():
         kind, before = LineType(int(kinds[row])), int(rule[row])
         if off[row]:
@@ -146,18 +136,6 @@ class _Said:
         return number
 
 
-def _holding(seen: Shape, style: I64, length: F64) -> Bool:
-    """Return which edges hold a panel, or are dashes as those of their style are that do."""
-    whole = np.bincount(style, length * seen.holds)
-    dashed = np.bincount(style, length * (seen.holds & seen.dashed))
-    result: Bool = seen.holds | (seen.dashed & ((dashed > 0.9 * whole) & (whole > 0.0))[style])
-    return result
-
-
-def _summed(number: I64, length: F64, size: int) -> F64:
-    return np.asarray(np.bincount(number, length, size), np.float64)
-
-
 def _evidence(drawing: Drawing, styles: Styles, matches: Matches) -> Shape:
     """Return what shape tells of the edges that are not said to be something beside the carton.
 
@@ -194,15 +172,15 @@ def _of(drawing: Drawing, some: Bool, folds: bool) -> Shape:
 
 
 def _verdict(judge: Judge, cell: int) -> Verdict:
-    key, flags = divmod(cell, _FLAGS)
+    key, flags = divmod(cell, FLAGS)
     style, role = divmod(key, len(Role))
-    verdict = judge.verdict(style, Role(role), holds=bool(flags & _HOLDS))
+    verdict = judge.verdict(style, Role(role), holds=bool(flags & HOLDS))
     if judge.matches.rule[style] >= 0:
         return verdict
-    if flags & _TEXT and verdict.kind == LineType.IGNORED:
+    if flags & TEXT and verdict.kind == LineType.IGNORED:
         text = f"{verdict.words}, with a text beside it"
         verdict = replace(verdict, sure=1.0 - 0.4 * (1.0 - verdict.sure), words=text)
-    if flags & _MIXED:
+    if flags & MIXED:
         text = f"{verdict.words}, with the greater part of its length"
         verdict = replace(verdict, sure=min(verdict.sure, 0.7), words=text)
     return verdict
