@@ -12,7 +12,9 @@ from typing import Any
 
 from ezdxf.document import Drawing as Document
 from ezdxf.entities import factory
+from ezdxf.entities.ellipse import Ellipse, is_valid_ratio
 from ezdxf.entities.subentity import entity_linker
+from ezdxf.lldxf.const import DXFValueError
 from ezdxf.lldxf.extendedtags import ExtendedTags
 from ezdxf.lldxf.tagger import ascii_tags_loader, tag_compiler
 from ezdxf.lldxf.tags import group_tags
@@ -91,7 +93,8 @@ class Singles:
         Raises
         ------
         Exception
-            Whatever ezdxf raises at damage.
+            Whatever ezdxf raises at damage, and where it would mend this entity when it recovers
+            the file: whether it must, nobody knows who has read no more than one.
         """
         # A point may be followed by its z: ezdxf looks beyond it, and wants something to be there.
         ended = io.BytesIO(with_markers(data + b"0\nEOF\n", every=self._every))
@@ -103,4 +106,7 @@ class Singles:
         ]
         for entity in entities[:-1]:
             linked(entity)
-        return ByEzdxf(entities[0])
+        entity = entities[0]
+        if isinstance(entity, Ellipse) and not is_valid_ratio(entity.dxf.ratio):
+            raise DXFValueError(f"an ellipse of ratio {entity.dxf.ratio:g}")
+        return ByEzdxf(entity)

@@ -136,6 +136,18 @@ def test_a_polyline_that_has_but_the_first_of_its_markers_is_read():
     assert found.ends[:, 0].tolist() == [[0, 0], [5, 0], [5, 7]]
 
 
+@pytest.mark.parametrize("ratio", ["0", "1e-9", "-1e-9", "0.5", "2", "1000000"])
+def test_an_ellipse_that_ezdxf_mends_when_it_recovers_is_read_as_it_reads_it(ratio: str):
+    ellipse = (
+        "0\nELLIPSE\n5\nC1\n100\nAcDbEntity\n8\nCUT\n100\nAcDbEllipse\n10\n0\n20\n0\n"
+        f"11\n5\n21\n0\n40\n{ratio}\n41\n0\n42\n6.28\n"
+    )
+    # Without a version ezdxf takes the file for R12, stumbles over its markers, and recovers it.
+    image = f"0\nIMAGE\n5\nB1\n100\nAcDbEntity\n8\nX\n100\nAcDbRasterImage\n{UNREADABLE['IMAGE']}"
+    data = f"0\nSECTION\n2\nENTITIES\n{LINE}{ellipse}{image}0\nENDSEC\n0\nEOF\n"
+    assert len(read_alike(data.encode()).ends) > 1
+
+
 def test_what_is_no_entity_stays():
     tables = "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nCUT\n0\nENDTAB\n0\nENDSEC\n"
     data = tables.encode() + drawing("AC1015", LINE)
