@@ -312,6 +312,7 @@ class Grbl:
             status = await recovery.make_safe(self, self._safe, self._silence)
             done = True
         except ControllerError as unsafe:
+            self.fault = None  # what is in the way now matters more than what failed first
             raise self._fail(unsafe) from None
         finally:
             self._recovering = False
@@ -472,7 +473,7 @@ class Grbl:
         due = self._due()
         return (
             f"{self.name} has not answered for {self._silence:g} s{due}.",
-            "Look at the table: what was sent may still be carried out.",
+            "Check the cable, then look at the board.",
         )
 
     def _due(self) -> str:
@@ -581,7 +582,7 @@ class Grbl:
                 f"{answers.error_text(code)} (error:{code}).",
                 "Nothing has moved: compile the job again for this controller."
                 if self._checking
-                else "The machine was stopped: look at the table before the job goes on.",
+                else "Look at the board, then compile the job again for this controller.",
             )
             if self._checking:
                 self._refusals.append(refused)
@@ -648,7 +649,8 @@ class Grbl:
 
     def _one_too_many(self) -> ControllerError:
         return ControllerError(
-            f"{self.name} answered more lines than were sent from here.",
+            f"{self.name} answered a line that was not sent from here: an answer was doubled on "
+            "the way, or another program sends to it.",
             "Check the cable, and close any other program that sends to it.",
         )
 

@@ -67,7 +67,7 @@ class Recoverable(Protocol):
 async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
     """Stop whatever runs, discard it, and bring the machine into its safe state.
 
-    Tried again for ``4 * silence`` seconds where the controller does not answer, or the
+    Tried again for ``6 * silence`` seconds where the controller does not answer, or the
     connection is lost.
 
     Raises
@@ -80,7 +80,7 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
         It could not be reached.
     """
     clock = asyncio.get_running_loop()
-    deadline = clock.time() + 4.0 * silence
+    deadline = clock.time() + 6.0 * silence
     while True:
         try:
             await machine.reach()
