@@ -156,7 +156,7 @@ class _Table(threading.Thread):
                 self._api,
                 machine,
                 "embedded",
-                lambda: grbl.dial(address),
+                lambda safe, stop_motion: grbl.dial(address, safe, stop_motion=stop_motion),
                 client=client,
                 journal=self._journal,
             )

@@ -95,7 +95,15 @@ def register(app: typer.Typer) -> None:
 
         table = load.machine(machine)
         stderr.print(f"{table.title}: {controller}, work from {server}", markup=False)
-        asyncio.run(claim.work(server, table, name, lambda: grbl.dial(controller), journal=journal))
+        asyncio.run(
+            claim.work(
+                server,
+                table,
+                name,
+                lambda safe, stop_motion: grbl.dial(controller, safe, stop_motion=stop_motion),
+                journal=journal,
+            )
+        )
 
     @app.command()
     def simulator(

@@ -104,13 +104,22 @@ class Report:
     machine: Pose | None = None  #: MPos
     work: Pose | None = None  #: WPos
     offset: Pose | None = None  #: WCO
-    free: int | None = None  #: first figure of Bf
+    free: int | None = None  #: first figure of Bf: blocks free in the planner
+    room: int | None = None  #: second figure of Bf: bytes free in the receive buffer
     feed: float = 0.0
     number: int = 0  #: Ln
 
 
-def report(line: str) -> Report | None:
-    """Return a status report as a record, or None where the line is damaged."""
+def rotary_axis(letters: str) -> int:
+    """Return the index of the axis that turns the tool, given ``[AXS:n:letters]``'s letters."""
+    return next((letters.index(axis) for axis in "CA" if axis in letters), 3)
+
+
+def report(line: str, rotary: int = 3) -> Report | None:
+    """Parse a status report; None where the line is damaged.
+
+    ``rotary`` is the index of the axis that turns the tool (see ``rotary_axis``).
+    """
     if not (line.startswith("<") and line.endswith(">")):
         return None
     word, *fields = line[1:-1].split("|")
@@ -122,29 +131,29 @@ def report(line: str) -> Report | None:
         state in (State.HOLD, State.DOOR) and detail in ("", "0")
     )
     poses: dict[str, Pose] = {}
-    free, feed, number = None, 0.0, 0
+    free, room, feed, number = None, None, 0.0, 0
     try:
         for field in fields:
             key, _, value = field.partition(":")
             if key in ("MPos", "WPos", "WCO"):
-                poses[key] = _pose(value)
+                poses[key] = _pose(value, rotary)
             elif key == "Bf":
-                free = int(value.split(",")[0])
+                blocks, _, bytes_free = value.partition(",")
+                free, room = int(blocks), int(bytes_free) if bytes_free else None
             elif key in ("FS", "F"):
                 feed = float(value.split(",")[0])
             elif key == "Ln":
                 number = int(value)
     except ValueError:
         return None
-    return Report(
-        state, still, poses.get("MPos"), poses.get("WPos"), poses.get("WCO"), free, feed, number
-    )
+    machine, work, offset = (poses.get(key) for key in ("MPos", "WPos", "WCO"))
+    return Report(state, still, machine, work, offset, free, room, feed, number)
 
 
-def _pose(value: str) -> Pose:
-    """Return up to four axes; those that the controller does not have are 0."""
-    axes = [float(part) for part in value.split(",")][:4]
+def _pose(value: str, rotary: int) -> Pose:
+    """Return X, Y, Z and the rotary axis; those that the controller does not have are 0."""
+    axes = [float(part) for part in value.split(",")]
     if not all(map(math.isfinite, axes)):
         raise ValueError(value)
-    x, y, z, c = axes + [0.0] * (4 - len(axes))
-    return x, y, z, c
+    x, y, z = (axes + [0.0] * 3)[:3]
+    return x, y, z, axes[rotary] if rotary < len(axes) else 0.0

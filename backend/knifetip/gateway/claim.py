@@ -14,6 +14,8 @@ The gateway dials out and nobody dials in.  What it decides by itself:
 - ``resume`` counts only as the answer to a heartbeat that said ``held``, so that a late one
   cannot start the next copy.
 - How a job ended is told until the server has heard it.
+- A controller that still runs a job of ours, after a restart or a lost connection, is stopped and
+  brought into its safe state before anything else.
 """
 
 from __future__ import annotations
@@ -31,7 +33,7 @@ from urllib.parse import urljoin
 import httpx
 
 from knifetip.errors import ControllerError, KnifetipError, ProgramError
-from knifetip.gateway.controller import Controller, State
+from knifetip.gateway.controller import Controller, SafeState, State
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.motion import Limits, Pose
 from knifetip.gateway.stream import Progress, stream
@@ -41,6 +43,9 @@ from knifetip.model.machine import Machine
 PATIENCE = 5.0
 #: First pause, doubled from there (s).
 HASTE = 0.25
+
+#: Opens a controller; True stops a machine that moves, since its program is ours.
+Connect = Callable[[SafeState, bool], Awaitable[Controller]]
 
 _log = logging.getLogger(__name__)
 
@@ -128,7 +133,7 @@ class _Gateway:
         api: str,
         machine: Machine,
         name: str,
-        connect: Callable[[], Awaitable[Controller]],
+        connect: Connect,
         journal: Journal,
         wait: float,
         beat: float,
@@ -142,6 +147,7 @@ class _Gateway:
         self._wait = wait
         self._beat = beat
         self._controller: Controller | None = None
+        self._abandoned = False  # the machine may still be carrying out a job of ours
         self._complaint = ""
 
     # -- the round ------------------------------------------------------------------------------
@@ -149,7 +155,7 @@ class _Gateway:
     async def run(self, jobs: int | None) -> None:
         """Take jobs one after another; for ever, or so many."""
         try:
-            await self._last_time()
+            await asyncio.gather(self._last_time(), self._recover())
             while jobs is None or jobs > 0:
                 await self._ready()
                 claim = await self._claim()
@@ -167,6 +173,17 @@ class _Gateway:
         job, epoch, line = left
         why = f"The gateway was switched off at line {line}; look at the table."
         await self._finish(job, epoch, "interrupted", why, tries=3)
+
+    async def _recover(self) -> None:
+        """Stop a machine that may still be carrying out a job that this gateway was killed in."""
+        if self._journal.unfinished() is None:
+            return
+        self._abandoned = True
+        try:
+            await self._at_hand()
+        except (ControllerError, OSError) as error:
+            self._complaint = str(error)
+            _log.warning("%s", error)
 
     async def _ready(self) -> None:
         """Wait until the controller is there and idle."""
@@ -192,7 +209,9 @@ class _Gateway:
         if self._controller is not None and self._controller.fault is not None:
             await self._let_go()
         if self._controller is None:
-            self._controller = await self._connect()
+            safe = SafeState.of(self._machine)
+            self._controller = await self._connect(safe, self._abandoned)
+            self._abandoned = False
         return self._controller
 
     async def _let_go(self) -> None:
@@ -246,15 +265,17 @@ class _Gateway:
             text,
             controller,
             limits=Limits.of(self._machine),
-            lift=min(self._machine.travel_z, self._machine.z.high),
             check=copy == 0,
             interval=min(self._beat / 2.0, 0.1),
         )
-        async with aclosing(going) as course:
-            async for progress in course:
-                self._note(run, progress, copy)
-                run.obey()
-                await self._wishes(run, progress, controller)
+        try:
+            async with aclosing(going) as course:
+                async for progress in course:
+                    self._note(run, progress, copy)
+                    run.obey()
+                    await self._wishes(run, progress, controller)
+        finally:
+            self._abandoned = controller.fault is not None
 
     def _note(self, run: _Run, progress: Progress, copy: int) -> None:
         run.line = progress.executed
@@ -395,7 +416,7 @@ async def work(
     api: str,
     machine: Machine,
     gateway: str,
-    connect: Callable[[], Awaitable[Controller]],
+    connect: Connect,
     *,
     client: httpx.AsyncClient | None = None,
     headers: Mapping[str, str] | None = None,
@@ -415,8 +436,9 @@ async def work(
     gateway
         The name under which this gateway is seen.
     connect
-        Returns an open controller, for example ``lambda: grbl.dial("127.0.0.1:2323")``; it is
-        called again after every failure.
+        Returns an open controller in its safe state, for example ``lambda safe, stop_motion:
+        grbl.dial("127.0.0.1:2323", safe, stop_motion=stop_motion)``; called again after every
+        failure.
     client
         Used and left open where it is given.
     headers

@@ -13,6 +13,7 @@ from typing import Protocol
 
 from knifetip.errors import ControllerError
 from knifetip.gateway.motion import Pose
+from knifetip.model.machine import Machine
 
 
 class State(StrEnum):
@@ -40,14 +41,45 @@ class Status:
     number: int = 0  #: N word of the line that is executed, 0 where it is not reported
     free: int | None = None  #: blocks free in the planner, where it is reported
     feed: float = 0.0  #: mm/min
+    sent: int = 0  #: lines of programs sent since the controller was opened
+    located: bool = True  #: the work offset is known, so that the position can be relied on
+
+
+@dataclass(frozen=True, slots=True)
+class SafeState:
+    """The state in which a machine harms nothing: tool raised, spindle off, stations raised."""
+
+    outputs: tuple[int, ...]  #: digital outputs that must be off
+    lift: float  #: least Z (program coordinates, mm)
+
+    @classmethod
+    def of(cls, machine: Machine) -> SafeState:
+        """Return the safe state of a machine: all its outputs off, Z at travel height."""
+        outputs = sorted({station.output for station in machine.stations if station.output >= 0})
+        return cls(tuple(outputs), min(machine.travel_z, machine.z.high))
+
+
+class Observer(Protocol):
+    """Compares every status report with what the machine should do."""
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether the last report contradicts the program: another one is wanted at once."""
+        ...
+
+    def observe(self, status: Status) -> ControllerError | None:
+        """Take in a report; an error that is returned becomes the controller's fault."""
+        ...
 
 
 class Controller(Protocol):
     """One machine's controller.
 
     The first failure (alarm, reset, silence, lost connection, refused line) makes every later
-    call raise it again, until ``stop`` or ``open`` has brought the controller into a known state.
+    call raise it again, until ``stop`` or ``open`` has brought the machine into its safe state.
     """
+
+    observer: Observer | None
 
     @property
     def name(self) -> str:
@@ -65,12 +97,23 @@ class Controller(Protocol):
         ...
 
     @property
+    def sent(self) -> int:
+        """Lines of programs sent since it was opened."""
+        ...
+
+    @property
     def capacity(self) -> int | None:
         """Blocks that its planner holds, where it says so."""
         ...
 
     async def open(self) -> None:
-        """Bring it into a known state, or raise: busy, in alarm, silent."""
+        """Take it over and bring the machine into its safe state.
+
+        Raises
+        ------
+        ControllerError
+            It is busy, in alarm, or silent.
+        """
         ...
 
     async def check(self, lines: Iterable[bytes]) -> None:
@@ -85,6 +128,16 @@ class Controller(Protocol):
         """Wait until every line that was sent has been answered."""
         ...
 
+    async def settle(self) -> Status:
+        """Wait until the machine is at rest and every answer is accounted for.
+
+        Raises
+        ------
+        ControllerError
+            Any failure, or an answer that belongs to no line.
+        """
+        ...
+
     async def status(self) -> Status:
         """Ask how it is and return the answer."""
         ...
@@ -97,8 +150,16 @@ class Controller(Protocol):
         """Go on after a hold."""
         ...
 
-    async def stop(self, lift: float | None = None) -> Status:
-        """Hold, forget the rest of the program, raise Z to ``lift`` (if it is lower)."""
+    async def stop(self) -> Status:
+        """Discard the rest of the program and bring the machine into its safe state.
+
+        Works after every failure and clears it; a lost connection is made anew.
+
+        Raises
+        ------
+        ControllerError
+            The machine could not be reached, or does not allow it.
+        """
         ...
 
     async def close(self) -> None:

@@ -5,9 +5,16 @@ status reports and the welcome banner come back.
 
 Characters in flight are counted against the receive buffer, so the planner is never starved and
 the buffer never overflows.  What cannot be undone is refused early: the program is read once in
-check mode before the first byte moves anything.  Every failure ends in one of four errors, none
+check mode before the first byte moves anything.  Every failure ends in one of five errors, none
 in waiting for ever: ``ControllerRejected``, ``ControllerAlarm``, ``ControllerReset`` (a banner that
-nobody asked for) and ``ControllerSilent`` (no answer, or an ``ok`` that was lost).
+nobody asked for), ``ControllerSilent`` (no answer, or an ``ok`` that was lost) and
+``ControllerError`` (the connection is lost, or an ``ok`` too many).  After each of them ``stop``
+brings the machine into its safe state (``recovery``).
+
+A doubled ``ok`` makes the count of free bytes wrong.  It is noticed when an answer comes with no
+line in flight, when the controller reports more bytes in its buffer than are unanswered, and in
+``settle`` at the latest; until then room for the longest line is kept free, so that the buffer
+does not overflow.
 """
 
 from __future__ import annotations
@@ -15,7 +22,7 @@ from __future__ import annotations
 import asyncio
 import re
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Awaitable, Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -27,8 +34,8 @@ from knifetip.errors import (
     ControllerSilent,
     ProgramError,
 )
-from knifetip.gateway import answers
-from knifetip.gateway.controller import State, Status
+from knifetip.gateway import answers, recovery
+from knifetip.gateway.controller import Observer, SafeState, State, Status
 from knifetip.gateway.interpreter import switches
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.transport import Transport, connect
@@ -37,10 +44,17 @@ from knifetip.gateway.transport import Transport, connect
 WINDOW = 128
 #: An answer longer than this is noise (bytes).
 NOISE = 8192
+#: Least seconds between two ``?`` that are sent because a line was answered.
+GLANCE = 0.02
+#: Seconds between two looks at a machine that should come to rest.
+REST = 0.01
+#: Reports in a row that must contradict the count of bytes before it counts as wrong.
+TWICE = 2
 
 _REALTIME = re.compile(rb"[^\x20-\x7e\t\r]|[?!~]")
 _BANNER = re.compile(r"grbl", re.IGNORECASE)
 _OPTIONS = re.compile(r"\[OPT:[^,\]]*,(\d+),(\d+)")
+_AXES = re.compile(r"\[AXS:\d+:([A-Z]+)")
 _DWELL = re.compile(rb"G0?4(?!\d)[^P]*P\s*(\d+\.?\d*)", re.IGNORECASE)
 
 
@@ -61,57 +75,83 @@ class Grbl:
     ----------
     transport
         Open.
+    safe
+        What ``open`` and ``stop`` bring the machine into; None only holds and resets.
+    reconnect
+        Opens the transport anew; None where a lost connection stays lost.
     silence
         Seconds without any answer, or with an answer due and nothing moving, after which the
         controller counts as silent.
     poll
-        Seconds between two ``?``.
+        Most seconds between two ``?``.
     """
 
-    def __init__(self, transport: Transport, *, silence: float = 5.0, poll: float = 0.1) -> None:
+    def __init__(
+        self,
+        transport: Transport,
+        *,
+        safe: SafeState | None = None,
+        reconnect: Callable[[], Awaitable[Transport]] | None = None,
+        silence: float = 5.0,
+        poll: float = 0.1,
+    ) -> None:
         self._transport = transport
+        self._safe = safe
+        self._reconnect = reconnect
         self._silence = silence
         self._poll = poll
         self._window = WINDOW - 1
+        self._rotary = 3
         self._flight: deque[_Sent] = deque()
         self._used = 0
+        self._longest = 0  # line since all answers were accounted for
+        self._most_room = 0  # bytes free in the receive buffer when it was emptiest
+        self._contradictions = 0
         self._info: list[str] = []
         self._news = asyncio.Event()
+        self._wake = asyncio.Event()  # the watch
+        self._glance = False  # a line was answered: ask soon
+        self._doubt = False  # a report contradicts what is known: ask at once
         self._reports = 0
         self._status: Status | None = None
-        self._offset: Pose = (0.0, 0.0, 0.0, 0.0)
+        self._offset: Pose | None = None
         self._heard = 0.0  # when the last report came
         self._moved = 0.0  # when something last happened that excuses an answer due
         self._banners = 0
         self._banner_due = False
         self._checking = False
+        self._recovering = False
+        self._connected = True
+        self._closed = False
         self._refusals: list[ControllerRejected] = []  # in check mode
         self._lock = asyncio.Lock()
         self._tasks: list[asyncio.Task[None]] = []
         self.name = f"grbl at {transport.address}"
         self.fault: ControllerError | None = None
+        self.observer: Observer | None = None
         self.acknowledged = 0
+        self.sent = 0
         self.capacity: int | None = None
+        self.last_alarm = 0  #: code of the alarm it is in, as far as it was heard
 
     # -- opening and closing ------------------------------------------------------------------
 
-    async def open(self, *, unlock: bool = False) -> None:
-        """Take the controller over: at rest, unlocked, buffers empty.
+    async def open(self, *, unlock: bool = False, stop_motion: bool = False) -> None:
+        """Take the controller over: at rest, unlocked, buffers empty, in the safe state.
 
-        It is reset, which at rest loses nothing.  A machine that moves, holds or is locked is
-        left alone: whoever stands there decides.  With ``unlock`` that has been done, and an
-        alarm is taken back without homing (``$X``): the operator vouches for the position.
+        It is reset, which at rest loses nothing; then Z is raised and all outputs are switched
+        off, since a reset leaves them as they are.  A machine that moves or holds is left alone,
+        unless its program is known to be ours (``stop_motion``): then it is stopped.  A machine
+        that is locked is left alone.  With ``unlock`` the operator vouches for the position, and
+        the alarm is taken back without homing (``$X``).
 
         Raises
         ------
         ControllerError
-            It is busy, in alarm, or does not answer.
+            It is busy, in alarm, does not answer, or refuses to switch an output off.
         """
         if not self._tasks:
-            self._tasks = [
-                asyncio.create_task(self._listen(), name="grbl listen"),
-                asyncio.create_task(self._watch(), name="grbl watch"),
-            ]
+            self._listen_and_watch()
         self.fault = None
         self._heard = self._now()
         try:
@@ -120,14 +160,17 @@ class Grbl:
             # After a critical alarm grbl answers nothing until it is reset.
             status = None
         if status and status.state not in (State.IDLE, State.CHECK, State.ALARM):
-            raise ControllerError(
-                f"{self.name} is busy: it says {status.state.value}.",
-                "Let it come to rest, or reset it at the table; nothing was sent.",
-            )
-        await self._reset()
+            if not (stop_motion and status.state in (State.RUN, State.HOLD)):
+                raise ControllerError(
+                    f"{self.name} is busy: it says {status.state.value}.",
+                    "Let it come to rest, or reset it at the table; nothing was sent.",
+                )
+            await self.stop()
+        else:
+            await self.reset()
         status = await self.status()
         if status.state is State.ALARM and unlock:
-            await self._command(b"$X")
+            await self.command(b"$X")
             status = await self.status()
         if status.state is State.ALARM:
             raise self._fail(
@@ -136,18 +179,18 @@ class Grbl:
                     "Home it ($H) or unlock it ($X) at the table.",
                 )
             )
-        for line in await self._command(b"$I"):
+        for line in await self.command(b"$I"):
             if options := _OPTIONS.match(line):
                 self.capacity = int(options[1])
                 self._window = max(int(options[2]), 2) - 1
+            elif axes := _AXES.match(line):
+                self._rotary = answers.rotary_axis(axes[1])
+        await recovery.secure(self, self._safe, self._silence)
 
     async def close(self) -> None:
         """Close the transport; what the controller has in its buffer it still does."""
-        for task in self._tasks:
-            task.cancel()
-        await asyncio.gather(*self._tasks, return_exceptions=True)
-        self._tasks = []
-        await self._transport.close()
+        self._closed = True
+        await self._hang_up()
         self._fail(ControllerError(f"{self.name} was closed."))
 
     # -- lines ----------------------------------------------------------------------------------
@@ -164,7 +207,7 @@ class Grbl:
         ControllerAlarm
             A move would leave the travel; nothing has moved, but the controller is locked.
         """
-        await self._command(b"$C")
+        await self.command(b"$C")
         self._checking = True
         self._refusals.clear()
         try:
@@ -176,7 +219,7 @@ class Grbl:
             await self.drain()
             # Leaving check mode resets the controller, banner and all.
             banners, self._banner_due = self._banners, True
-            await self._command(b"$C")
+            await self.command(b"$C")
             await self._until(lambda: self._banners > banners, "the end of its check mode")
         finally:
             self._checking = False
@@ -203,11 +246,32 @@ class Grbl:
                 f"Line {number} has {len(line)} bytes; {self.name} takes {self._window - 1}.",
                 "Compile the job again with shorter notes.",
             )
+        if not self._checking:
+            self._longest = max(self._longest, len(line) + 1)
         await self._put(_Sent(len(line) + 1, line, number))
 
     async def drain(self) -> None:
         """Wait until every line has been answered."""
         await self._until(lambda: not self._flight)
+
+    async def settle(self) -> Status:
+        """Wait until the machine is at rest and every answer is accounted for.
+
+        A doubled ``ok`` lets the last line count as answered too early: ``$G`` answers with a
+        line of its own before its ``ok``, so an ``ok`` without it belongs to another line.
+        """
+        await self.drain()
+        idle = 0
+        # Once is not enough: a planner may have taken a move and not yet begun it.
+        while idle < 2:
+            status = await self.status()
+            idle = idle + 1 if status.state is State.IDLE else 0
+            if not idle:
+                await asyncio.sleep(REST)
+        if not any(line.startswith("[GC:") for line in await self.command(b"$G")):
+            raise self._fail(self._one_too_many())
+        self._longest = 0
+        return status
 
     async def status(self) -> Status:
         """Ask with ``?`` and return the answer."""
@@ -227,35 +291,118 @@ class Grbl:
         self._raise()
         await self._transport.write(b"~")
 
-    async def stop(self, lift: float | None = None) -> Status:
-        """Hold, wait for rest, reset, and raise Z to ``lift`` where it is lower.
+    async def stop(self) -> Status:
+        """Discard the rest of the program and bring the machine into its safe state.
 
-        A line that was refused, or an answer that was lost, is settled by this; an alarm, a
-        reset or a lost connection is not, and is raised again.
+        Whatever failed before is cleared by this; a lost connection is made anew.
 
         Returns
         -------
         Status
-            Where the machine stands.
+            Where the machine came to rest, or was lifted to.
+
+        Raises
+        ------
+        ControllerError
+            See ``recovery.make_safe``.
         """
-        if isinstance(self.fault, ControllerRejected | ControllerSilent):
-            self.fault = None
-        self._raise()
-        self._heard = self._moved = self._now()
-        await self._transport.write(b"!")
-        with suppress(TimeoutError):
-            async with asyncio.timeout(self._silence):
-                while not (await self.status()).still:
-                    await asyncio.sleep(self._poll / 4.0)
-        await self._reset()
-        status = await self.status()
-        if lift is not None and status.state is State.IDLE and status.position[2] < lift - 1e-3:
-            await self._command(b"$J=G90 G21 Z%.4f F6000" % lift)
-            while (status := await self.status()).state is not State.IDLE:
-                await asyncio.sleep(self._poll / 4.0)
+        self._recovering = True
+        done = False
+        try:
+            status = await recovery.make_safe(self, self._safe, self._silence)
+            done = True
+        except ControllerError as unsafe:
+            self.fault = None  # what is in the way now matters more than what failed first
+            raise self._fail(unsafe) from None
+        finally:
+            self._recovering = False
+            if not done:
+                self._fail(ControllerError(f"{self.name} was not brought into its safe state."))
         return status
 
+    # -- what recovery needs ----------------------------------------------------------------------
+
+    async def reach(self) -> None:
+        """Clear the fault; connect anew where the connection is lost."""
+        if self._closed:
+            raise ControllerError(f"{self.name} was closed.")
+        if not self._connected:
+            if self._reconnect is None:
+                raise ControllerError(
+                    f"The connection to {self.name} is lost.",
+                    "Look at the table: what was in its buffer may still be carried out.",
+                )
+            await self._hang_up()
+            self._transport = await self._reconnect()
+            self._status = None
+            self.last_alarm = 0
+            self._listen_and_watch()
+        self._clear_flight()
+        self._checking = False
+        self.fault = None
+        self._heard = self._moved = self._now()
+
+    async def realtime(self, byte: bytes) -> None:
+        """Send a realtime command."""
+        self._raise()
+        await self._transport.write(byte)
+
+    async def report(self) -> Status:
+        """Ask for a status report and return it; silence is no fault here."""
+        self._raise()
+        return await self._ask(self._silence)
+
+    async def reset(self) -> None:
+        """Soft reset, and wait for the banner."""
+        banners, self._banner_due = self._banners, True
+        self._clear_flight()
+        await self._transport.write(b"\x18")
+        await self._until(lambda: self._banners > banners, "its reset")
+        self._heard = self._moved = self._now()
+
+    async def command(self, text: bytes) -> list[str]:
+        """Send a line of our own; return what came before its ``ok``."""
+        await self.drain()
+        self._info.clear()
+        answer: asyncio.Future[int] = asyncio.get_running_loop().create_future()
+        await self._put(_Sent(len(text) + 1, text, 0, answer))
+        try:
+            async with asyncio.timeout(self._silence):
+                code = await answer
+        except TimeoutError:
+            raise self._fail(ControllerSilent(*self._silent_words())) from None
+        if code:
+            raise ControllerRejected(
+                f"{self.name} refused {text.decode()}: {answers.error_text(code)} (error:{code}).",
+                "Look at the table, then try again.",
+            )
+        return list(self._info)
+
     # -- the inside -----------------------------------------------------------------------------
+
+    def _listen_and_watch(self) -> None:
+        self._connected = True
+        self._tasks = [
+            asyncio.create_task(self._listen(), name="grbl listen"),
+            asyncio.create_task(self._watch(), name="grbl watch"),
+        ]
+
+    async def _hang_up(self) -> None:
+        """End the tasks of this connection and close it."""
+        for task in self._tasks:
+            task.cancel()
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+        self._tasks = []
+        await self._transport.close()
+
+    def _clear_flight(self) -> None:
+        """Forget the lines that a reset discards, and what was counted of them."""
+        for sent in self._flight:
+            if sent.answer and not sent.answer.done():
+                sent.answer.set_exception(ControllerError(f"{self.name} was reset."))
+                sent.answer.exception()  # nobody may be waiting for it any more
+        self._flight.clear()
+        self._used = self._longest = self._contradictions = 0
 
     def _now(self) -> float:
         return asyncio.get_running_loop().time()
@@ -294,25 +441,18 @@ class Grbl:
 
     async def _put(self, sent: _Sent) -> None:
         async with self._lock:
-            await self._until(lambda: self._used + sent.size <= self._window)
+            await self._until(lambda: self._fits(sent))
             if not self._flight:
                 self._moved = self._now()
             self._flight.append(sent)
             self._used += sent.size
+            if sent.number and not self._checking:
+                self.sent += 1
         await self._transport.write(sent.text + b"\n")
 
-    async def _command(self, text: bytes) -> list[str]:
-        """Send a line of our own; return what came before its ``ok``."""
-        await self.drain()
-        self._info.clear()
-        answer: asyncio.Future[int] = asyncio.get_running_loop().create_future()
-        await self._put(_Sent(len(text) + 1, text, 0, answer))
-        if code := await answer:
-            raise ControllerRejected(
-                f"{self.name} refused {text.decode()}: {answers.error_text(code)} (error:{code}).",
-                "Look at the table, then try again.",
-            )
-        return list(self._info)
+    def _fits(self, sent: _Sent) -> bool:
+        """Whether the buffer has room for a line, even if one answer too many was counted."""
+        return not self._flight or self._used + sent.size + self._longest <= self._window
 
     async def _ask(self, patience: float) -> Status:
         seen = self._reports
@@ -329,20 +469,11 @@ class Grbl:
         assert self._status is not None
         return self._status
 
-    async def _reset(self) -> None:
-        """Soft reset, and wait for the banner."""
-        banners, self._banner_due = self._banners, True
-        self._flight.clear()
-        self._used = 0
-        await self._transport.write(b"\x18")
-        await self._until(lambda: self._banners > banners, "its reset")
-        self._heard = self._moved = self._now()
-
     def _silent_words(self) -> tuple[str, str]:
         due = self._due()
         return (
             f"{self.name} has not answered for {self._silence:g} s{due}.",
-            "Look at the table: what was sent may still be carried out.",
+            "Check the cable, then look at the board.",
         )
 
     def _due(self) -> str:
@@ -356,9 +487,9 @@ class Grbl:
         with suppress(ControllerError):
             while True:
                 before = self._now()
-                await asyncio.sleep(self._poll)
+                await self._pause()
                 await self._transport.write(b"?")
-                if self.fault is not None or self._status is None:
+                if self.fault is not None or self._status is None or self._recovering:
                     continue
                 now = self._now()
                 if now - before > self._poll + self._silence / 2.0:
@@ -380,9 +511,22 @@ class Grbl:
                         ControllerSilent(
                             f"{self.name} says {self._status.state.value} for "
                             f"{self._silence:g} s{self._due()}: an answer was lost on the way.",
-                            "Look at the table: up to there the program was carried out.",
+                            "Check the cable, then look at the board.",
                         )
                     )
+
+    async def _pause(self) -> None:
+        """Wait for the next ``?``: less than a poll where a line was answered, or in doubt."""
+        start = self._now()
+        while not self._doubt:
+            due = start + (min(GLANCE, self._poll) if self._glance else self._poll)
+            if (left := due - self._now()) <= 0.0:
+                break
+            self._wake.clear()
+            with suppress(TimeoutError):
+                async with asyncio.timeout(left):
+                    await self._wake.wait()
+        self._glance = self._doubt = False
 
     async def _listen(self) -> None:
         rest = b""
@@ -392,10 +536,11 @@ class Grbl:
                 self._hear(line.strip().decode("ascii", "replace"))
             if len(rest) > NOISE:
                 rest = b""
+        self._connected = False
         self._fail(
             ControllerError(
                 f"The connection to {self.name} is lost{self._due()}.",
-                "Look at the table: what was in its buffer may still have been carried out.",
+                "Check the cable, then look at the board.",
             )
         )
 
@@ -415,16 +560,10 @@ class Grbl:
         self._news.set()
 
     def _answered(self, code: int) -> None:
-        if self._banner_due and not self._flight:
-            return  # an answer from before the reset
         if not self._flight:
-            self._fail(
-                ControllerError(
-                    f"{self.name} answered a line that was not sent from here.",
-                    "Close the other program that sends to it.",
-                )
-            )
-            return
+            if not (self._banner_due or self._recovering):
+                self._fail(self._one_too_many())
+            return  # else an answer from before the reset
         sent = self._flight.popleft()
         self._used -= sent.size
         self._moved = self._now()
@@ -434,13 +573,16 @@ class Grbl:
             return
         if not self._checking:
             self.acknowledged += 1
+            # The machine is about to begin another move: a good moment to see where it is.
+            self._glance = True
+            self._wake.set()
         if code:
             refused = ControllerRejected(
                 f"{self.name} refused line {sent.number} ({_shown(sent.text)}): "
                 f"{answers.error_text(code)} (error:{code}).",
                 "Nothing has moved: compile the job again for this controller."
                 if self._checking
-                else "The machine was stopped: look at the table before the job goes on.",
+                else "Look at the board, then compile the job again for this controller.",
             )
             if self._checking:
                 self._refusals.append(refused)
@@ -448,14 +590,18 @@ class Grbl:
                 self._fail(refused)
 
     def _reported(self, line: str) -> None:
-        report = answers.report(line)
+        report = answers.report(line, self._rotary)
         if report is None:
             return
         if report.offset is not None:
             self._offset = report.offset
+        if report.state is not State.ALARM:
+            self.last_alarm = 0
         position = report.work
+        located = report.work is not None or self._offset is not None
         if position is None and report.machine is not None:
-            x, y, z, c = (m - o for m, o in zip(report.machine, self._offset, strict=True))
+            offset = self._offset or (0.0, 0.0, 0.0, 0.0)
+            x, y, z, c = (m - o for m, o in zip(report.machine, offset, strict=True))
             position = x, y, z, c
         if position is None:
             position = self._status.position if self._status else (0.0, 0.0, 0.0, 0.0)
@@ -469,14 +615,54 @@ class Grbl:
             report.number,
             report.free,
             report.feed,
+            self.sent,
+            located,
+        )
+        if self.fault is not None or self._recovering:
+            return
+        self._count_bytes(report.room)
+        if self.observer is not None:
+            if (error := self.observer.observe(self._status)) is not None:
+                self._fail(error)
+            elif self.observer.doubtful:
+                self._ask_again()
+
+    def _count_bytes(self, room: int | None) -> None:
+        """Fail where the controller holds more bytes than are unanswered.
+
+        A line leaves the buffer before it is answered, so that it may hold fewer, never more.
+        """
+        if room is None or self._banner_due:
+            return
+        self._most_room = max(self._most_room, min(room, self._window + 1))
+        if self._most_room - room <= self._used:
+            self._contradictions = 0
+            return
+        self._contradictions += 1
+        self._ask_again()
+        if self._contradictions >= TWICE:
+            self._fail(self._one_too_many())
+
+    def _ask_again(self) -> None:
+        self._doubt = True
+        self._wake.set()
+
+    def _one_too_many(self) -> ControllerError:
+        return ControllerError(
+            f"{self.name} answered a line that was not sent from here: an answer was doubled on "
+            "the way, or another program sends to it.",
+            "Check the cable, and close any other program that sends to it.",
         )
 
     def _alarmed(self, code: int) -> None:
+        self.last_alarm = code
+        if self._recovering and not self._flight:
+            return  # it was reset while it still moved
         where = self._due() if code == 2 else ""
         self._fail(
             ControllerAlarm(
                 f"{self.name} stopped with ALARM:{code}: {answers.alarm_text(code)}{where}.",
-                "Look at the table, then home it ($H) or unlock it ($X).",
+                "Look at the table and home the machine ($H) before the next job.",
             )
         )
 
@@ -485,8 +671,8 @@ class Grbl:
         if self._banner_due:
             self._banner_due = False
             return
-        if self._status is None:
-            return  # some controllers greet whoever connects
+        if self._status is None or (self._recovering and not self._flight):
+            return  # some controllers greet whoever connects; others were reset before
         self._fail(
             ControllerReset(
                 f"{self.name} was reset{self._due()}.",
@@ -497,18 +683,30 @@ class Grbl:
 
 
 async def dial(
-    address: str, *, silence: float = 5.0, poll: float = 0.1, unlock: bool = False
+    address: str,
+    safe: SafeState | None = None,
+    *,
+    stop_motion: bool = False,
+    silence: float = 5.0,
+    poll: float = 0.1,
+    unlock: bool = False,
 ) -> Grbl:
-    """Connect to a grbl and take it over; with ``unlock`` even out of an alarm.
+    """Connect to a grbl and take it over; see ``Grbl.open``.
 
     Raises
     ------
     ControllerError
-        Nobody answers, or it is busy or in alarm.
+        No answer, or it is busy or in alarm.
     """
-    controller = Grbl(await connect(address), silence=silence, poll=poll)
+    controller = Grbl(
+        await connect(address),
+        safe=safe,
+        reconnect=lambda: connect(address),
+        silence=silence,
+        poll=poll,
+    )
     try:
-        await controller.open(unlock=unlock)
+        await controller.open(unlock=unlock, stop_motion=stop_motion)
     except BaseException:
         await controller.close()
         raise

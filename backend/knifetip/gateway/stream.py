@@ -3,8 +3,9 @@
     stream(program: Program | bytes, controller: Controller) -> AsyncIterator[Progress]
 
 The consumer holds and resumes on the controller itself.  Closing the iterator before its end is
-the cancel: the machine holds, is reset, and Z is raised.  So an exception in the consumer, or
-the end of the process's event loop, stops the machine too; use ``contextlib.aclosing``.
+the cancel: the machine is stopped and brought into its safe state.  So an exception in the
+consumer, or the end of the process's event loop, stops the machine too; use
+``contextlib.aclosing``.
 
 The bytes go out unaltered, one thing is added between them: a line that switches an output waits
 until the machine is at rest.
@@ -15,18 +16,14 @@ Memory does not grow with the length of the program beyond its bytes.
 from __future__ import annotations
 
 import asyncio
+import logging
 import math
 from collections.abc import AsyncGenerator
-from contextlib import suppress
 from dataclasses import dataclass
 
-from knifetip.errors import (
-    ControllerAlarm,
-    ControllerError,
-    ControllerRejected,
-    ControllerSilent,
-)
+from knifetip.errors import ControllerAlarm, ControllerError
 from knifetip.gateway.controller import Controller, State, Status
+from knifetip.gateway.corridor import Corridor
 from knifetip.gateway.executed import Executed, blocks_of, lines_of, seconds_of
 from knifetip.gateway.interpreter import switches
 from knifetip.gateway.motion import Limits, Pose
@@ -34,8 +31,6 @@ from knifetip.model.program import Program
 
 #: Lines read ahead of giving other work its turn.
 TURN = 500
-#: Seconds between two looks at a machine that should come to rest.
-REST = 0.01
 #: Nominal seconds after which the real pace is believed.
 PACE = 1.0
 #: What is taken for the axes where nobody says: 1 m/s, 5 m/s², two turns a second.
@@ -45,6 +40,8 @@ TYPICAL = Limits(
     (-math.inf,) * 4,
     (math.inf,) * 4,
 )
+
+_log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +62,6 @@ async def stream(
     controller: Controller,
     *,
     limits: Limits = TYPICAL,
-    lift: float | None = None,
     check: bool = True,
     interval: float = 0.1,
 ) -> AsyncGenerator[Progress, None]:
@@ -79,8 +75,6 @@ async def stream(
         Open and idle.
     limits
         Of the machine, for the time that is left.
-    lift
-        Z in the program's numbers to raise the tool to after a stop.
     check
         Have the controller read the whole program first, without moving.
 
@@ -92,8 +86,9 @@ async def stream(
     Raises
     ------
     ControllerError
-        The controller is not idle, refused a line, alarmed, was reset, fell silent, or is gone.
-        After a refused line or a lost answer the machine has been stopped and raised.
+        The controller is not idle, refused a line, alarmed, was reset, fell silent, is gone, or
+        left the program's path.  The machine has been brought into its safe state, or the
+        message contains why not, and how many lines may have been carried out.
     ProgramError
         The program holds bytes that would act on the controller.
     """
@@ -106,26 +101,19 @@ async def stream(
         )
     lines, total = await _measure(text, limits, status.position)
     following = Executed(text, limits, status.position)
+    corridor = Corridor(text, status, controller.capacity)
     clock = _Clock(total)
-    base = status.acknowledged
-    feeding = asyncio.create_task(_feed(text, controller, check), name="feed")
-    over = False
+    base = status
+    controller.observer = corridor
+    feeding = asyncio.create_task(_feed(text, controller, corridor, check), name="feed")
     try:
         while True:
-            fed = feeding.done()
-            if fed:
-                feeding.result()
             status = await controller.status()
-            if status.state is State.ALARM:
-                raise controller.fault or ControllerAlarm(
-                    f"{controller.name} says alarm.", "Look at the table, then home or unlock it."
-                )
-            answered = status.acknowledged - base
-            if fed and status.state is State.IDLE and answered >= lines:
-                over = True
-                following.finish(lines)
-                yield _progress(following, status, lines, lines, 0.0)
-                return
+            if feeding.done():
+                feeding.result()
+                break
+            _check_alarm(controller, status)
+            answered = status.acknowledged - base.acknowledged
             if status.state is not State.CHECK:
                 following.update(status, answered, controller.capacity)
             yield _progress(
@@ -133,16 +121,69 @@ async def stream(
             )
             await asyncio.sleep(interval)
     except ControllerError as error:
-        # A line refused in check mode has moved nothing, and leaves no fault behind; a machine
-        # that was reset, alarmed or lost is not commanded any more.
-        settles = isinstance(error, ControllerRejected | ControllerSilent)
-        over = not (settles and controller.fault is error)
+        await _give_up(feeding)
+        if controller.fault is None and controller.sent == base.sent:
+            raise  # refused in check mode: nothing has moved
+        raise await _stop(controller, error, following, base, lines) from error
+    except BaseException as ended:
+        await _give_up(feeding)
+        try:
+            await _safe(controller)
+        except ControllerError as unsafe:
+            if isinstance(ended, asyncio.CancelledError):
+                _log.error("%s", unsafe)
+            else:
+                raise
         raise
-    finally:
-        await _given_up(feeding)
-        if not over:
-            with suppress(ControllerError):
-                await controller.stop(lift)
+    controller.observer = None
+    following.finish(lines)
+    yield _progress(following, status, lines, lines, 0.0)
+
+
+def _check_alarm(controller: Controller, status: Status) -> None:
+    if status.state is State.ALARM:
+        raise controller.fault or ControllerAlarm(
+            f"{controller.name} reports an alarm.", "Look at the table, then home or unlock it."
+        )
+
+
+async def _safe(controller: Controller) -> Status:
+    controller.observer = None
+    return await controller.stop()
+
+
+async def _stop(
+    controller: Controller, error: ControllerError, following: Executed, base: Status, lines: int
+) -> ControllerError:
+    """Bring the machine into its safe state; return the error with what came of the program."""
+    sent = controller.sent - base.sent
+    try:
+        status = await _safe(controller)
+    except ControllerError as unsafe:
+        return type(error)(
+            f"{error.message} {_carried_out(following.lines, sent, lines)} The machine is not "
+            f"safe: {unsafe.message}",
+            unsafe.mend,
+        )
+    height = f"Z {status.position[2]:.1f}"
+    return type(error)(
+        f"{error.message} {_carried_out(following.lines, sent, lines)} The machine was stopped "
+        f"and lifted to {height}, its stations were released.",
+        error.mend,
+    )
+
+
+def _carried_out(executed: int, sent: int, lines: int) -> str:
+    """Return in words how much of the program was carried out, and how much may have been."""
+    rest = sent - executed
+    if sent == 0:
+        return "No line was sent."
+    if rest <= 0:
+        return f"{executed} of {lines} lines were carried out."
+    return (
+        f"{executed} of {lines} lines were carried out, and up to {rest} more, which were in the "
+        "controller's buffer, may have been."
+    )
 
 
 async def _measure(text: bytes, limits: Limits, start: Pose) -> tuple[int, float]:
@@ -156,30 +197,19 @@ async def _measure(text: bytes, limits: Limits, start: Pose) -> tuple[int, float
     return lines, total
 
 
-async def _feed(text: bytes, controller: Controller, check: bool) -> None:
+async def _feed(text: bytes, controller: Controller, corridor: Corridor, check: bool) -> None:
     if check:
         await controller.check(lines_of(text))
     for number, line in enumerate(lines_of(text), 1):
         if switches(line):
             # grblHAL lowers or raises a station when it reads M64 or M65, whatever still moves.
-            await _come_to_rest(controller)
+            corridor.check_rest(await controller.settle())
         await controller.send(line, number)
-    await controller.drain()
+    corridor.check_rest(await controller.settle())
 
 
-async def _come_to_rest(controller: Controller) -> None:
-    """Wait until everything that was sent has been carried out."""
-    await controller.drain()
-    idle = 0
-    # Once is not enough: a planner may have taken a move and not yet begun it.
-    while idle < 2:
-        idle = idle + 1 if (await controller.status()).state is State.IDLE else 0
-        if not idle:
-            await asyncio.sleep(REST)
-
-
-async def _given_up(task: asyncio.Task[None]) -> None:
-    """End the feeding and swallow how it ended: whoever needed that has it already."""
+async def _give_up(task: asyncio.Task[None]) -> None:
+    """End the feeding and discard its error: the caller has it already."""
     task.cancel()
     await asyncio.gather(task, return_exceptions=True)
 

@@ -102,7 +102,12 @@ async def gateway(office, server, **options):
                 "http://office",
                 MACHINE,
                 "table-7",
-                options.pop("connect", lambda: grbl.dial(server.address, silence=0.5, poll=0.02)),
+                options.pop(
+                    "connect",
+                    lambda safe, stop_motion: grbl.dial(
+                        server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
+                    ),
+                ),
                 client=client,
                 wait=0.1,
                 beat=0.01,
@@ -158,10 +163,15 @@ async def test_between_two_copies_it_waits_as_held_for_a_new_sheet():
     office.command = command
     async with table() as server:
         await gateway(office, server)
-        assert len(server.table.switched) == 4
+        assert [event.output for event in server.table.switched if event.on] == [1, 1]
     assert len(waits) >= 5
     assert all(beat["line"] == 11 for beat in waits)
     assert office.finished[0]["outcome"] == "done"
+
+
+def released(table):
+    """Whether station 2 was lowered and raised again."""
+    return [event.on for event in table.switched if event.output == 1][-2:] == [True, False]
 
 
 async def test_a_resume_that_comes_late_does_not_start_the_next_copy():
@@ -179,13 +189,13 @@ async def test_a_resume_that_comes_late_does_not_start_the_next_copy():
     async with table() as server:
 
         async def delayed(beat):
-            while not beat["held"] and len(server.table.switched) < 2:
+            while not beat["held"] and not released(server.table):
                 await asyncio.sleep(0.005)
             await asyncio.sleep(0.1 if not beat["held"] else 0.0)
 
         office.delayed = delayed
         await gateway(office, server)
-        assert len(server.table.switched) == 2
+        assert [event.output for event in server.table.switched if event.on] == [1]
     assert office.finished[0]["outcome"] == "cancelled"
 
 
@@ -269,7 +279,7 @@ async def test_without_the_server_the_machine_goes_on_for_the_lease_and_then_hol
 
 async def test_a_failure_of_the_controller_interrupts_with_its_words():
     office = Office()
-    async with table(faults=Faults(disconnect=7)) as server:
+    async with table(faults=Faults(disconnect=11)) as server:
         await gateway(office, server)
     assert office.finished[0]["outcome"] == "interrupted"
     assert "is lost" in office.finished[0]["why"]
@@ -281,11 +291,11 @@ async def test_a_table_that_is_switched_off_takes_no_job():
 
     async with table() as server:
 
-        async def connect():
+        async def connect(safe, stop_motion):
             calls.append(len(office.claims))
             if len(calls) < 3:
                 raise ControllerError("No controller answers.", "Switch it on.")
-            return await grbl.dial(server.address, silence=0.5, poll=0.02)
+            return await grbl.dial(server.address, safe, silence=0.5, poll=0.02)
 
         await gateway(office, server, connect=connect)
     assert calls == [0, 0, 0]

@@ -17,7 +17,7 @@ from knifetip.errors import (
     ControllerSilent,
     ProgramError,
 )
-from knifetip.gateway.controller import State
+from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.grbl import Grbl
 
 BANNER = "Grbl 1.1h ['$' for help]"
@@ -79,8 +79,8 @@ class Wire:
 
 
 @asynccontextmanager
-async def opened(wire, *, silence=0.2):
-    controller = Grbl(wire, silence=silence, poll=0.02)
+async def opened(wire, *, silence=0.2, safe=None, reconnect=None):
+    controller = Grbl(wire, safe=safe, reconnect=reconnect, silence=silence, poll=0.02)
     try:
         await controller.open()
         yield controller
@@ -130,15 +130,16 @@ async def test_characters_in_flight_never_exceed_the_buffer():
     async with opened(wire) as controller:
         wire.obliging = False
         wire.state = "Run"
-        line = b"G1 X100.0000 Y200.0000 F1200"  # 28 and a newline: four fit into 127
+        # 28 and a newline: four fit into 127, one of them is kept free for a doubled answer.
+        line = b"G1 X100.0000 Y200.0000 F1200"
         sending = [asyncio.create_task(controller.send(line, row)) for row in range(1, 11)]
         await asyncio.sleep(0.02)
-        assert len(wire.lines) == 1 + 4
+        assert len(wire.lines) == 1 + 3
         for answered in range(10):
             wire._due -= 29
             wire.say("ok")
             await asyncio.sleep(0.001)
-            assert len(wire.lines) == 1 + min(10, 5 + answered)
+            assert len(wire.lines) == 1 + min(10, 4 + answered)
         await asyncio.gather(*sending)
         await controller.drain()
         assert wire.most <= 127
@@ -321,9 +322,14 @@ async def test_positions_are_in_the_numbers_of_the_program():
         assert (await controller.status()).position == (10.0, 20.0, 20.0, 90.0)
 
 
-async def test_stopping_holds_resets_and_raises_the_tool():
+RELEASE = ["M5", "M65 P0", "M65 P2"]
+
+
+async def test_stopping_holds_resets_raises_the_tool_and_releases_the_stations():
     wire = Wire()
-    async with opened(wire) as controller:
+    wire.position = "10,20,20,90"
+    async with opened(wire, safe=SafeState((0, 2), 20.0)) as controller:
+        assert wire.lines == ["$I", *RELEASE]
         wire.obliging = False
         wire.state, wire.position = "Run", "10,20,-0.3,90"
         await controller.send(b"G1 X5", 1)
@@ -336,14 +342,82 @@ async def test_stopping_holds_resets_and_raises_the_tool():
                 wire.state = "Idle"
 
         wire.write = write
-        await controller.stop(lift=20.0)
+        await controller.stop()
         assert wire.realtime == b"\x18!\x18"
-        assert wire.lines[-1] == "$J=G90 G21 Z20.0000 F6000"
+        assert wire.lines[-4:] == ["$J=G90 G21 Z20.0000 F6000", *RELEASE]
 
 
 async def test_stopping_high_enough_does_not_lower_the_tool():
     wire = Wire()
+    wire.position = "10,20,30,90"
+    async with opened(wire, safe=SafeState((0, 2), 20.0)) as controller:
+        await controller.stop()
+        assert wire.lines == ["$I", *RELEASE, *RELEASE]
+
+
+async def test_the_takeover_raises_a_tool_that_was_left_low_and_releases_the_stations():
+    wire = Wire()
+    wire.position = "10,20,-0.3,90"
+    async with opened(wire, safe=SafeState((0, 2), 20.0)):
+        assert wire.lines == ["$I", "$J=G90 G21 Z20.0000 F6000", *RELEASE]
+
+
+async def test_an_output_that_the_controller_does_not_have_is_named_and_the_others_released():
+    wire = Wire({"M65 P0": "error:39"})
+    wire.position = "10,20,30,90"
+    with pytest.raises(ControllerRejected, match=r"refused M65 P0: a value out of range"):
+        async with opened(wire, safe=SafeState((0, 2), 20.0)):
+            pass
+    assert wire.lines == ["$I", *RELEASE]
+
+
+@pytest.mark.parametrize("state", ["Run", "Hold:0"])
+async def test_a_machine_that_runs_a_program_of_ours_is_stopped_at_the_takeover(state):
+    wire = Wire(state=state)
+    wire.position = "10,20,30,90"
+    real = wire.write
+
+    async def write(data):
+        await real(data)
+        if data == b"\x18":
+            wire.state = "Idle"
+
+    wire.write = write
+    controller = Grbl(wire, safe=SafeState((0, 2), 20.0), silence=0.2, poll=0.02)
+    await controller.open(stop_motion=True)
+    assert wire.realtime == b"!\x18"
+    assert wire.lines == [*RELEASE, "$I", *RELEASE]
+    await controller.close()
+
+
+@pytest.mark.parametrize("state", ["Jog", "Home", "Door:1"])
+async def test_what_a_person_does_at_the_machine_is_never_stopped_by_a_takeover(state):
+    wire = Wire(state=state)
+    controller = Grbl(wire, silence=0.2, poll=0.02)
+    with pytest.raises(ControllerError, match="is busy"):
+        await controller.open(stop_motion=True)
+    assert wire.realtime == b""
+    await controller.close()
+
+
+async def test_more_bytes_in_the_buffer_than_are_unanswered_is_an_answer_too_many():
+    wire = Wire()
     async with opened(wire) as controller:
-        wire.position = "10,20,30,90"
-        await controller.stop(lift=20.0)
-        assert wire.lines == ["$I"]
+        wire.obliging = False
+        wire.state = "Run"
+        await controller.send(b"G1 X5", 1)
+        wire.say("<Run|MPos:0,0,0,0|Bf:0,122>")
+        await controller.status()
+        assert controller.fault is None
+        wire.say("ok\n<Run|MPos:0,0,0,0|Bf:0,122>\n<Run|MPos:0,0,0,0|Bf:0,122>")
+        async with asyncio.timeout(5.0):
+            while controller.fault is None:
+                await asyncio.sleep(0.001)
+        assert "an answer was doubled" in controller.fault.message
+
+
+async def test_the_tool_s_turn_is_read_from_the_axis_that_the_controller_names():
+    wire = Wire({"$I": "[OPT:V,15,128]\n[AXS:6:XYZABC]\nok"})
+    async with opened(wire) as controller:
+        wire.position = "1,2,3,4,5,90"
+        assert (await controller.status()).position == (1.0, 2.0, 3.0, 90.0)

@@ -1,0 +1,156 @@
+"""corridor: is the machine on the path of the lines that were sent to it?
+
+bytes of the program + every status report -> an error where the position lies off the path
+
+A digit that was changed on the way to the controller is answered ``ok`` like any other line; only
+the position shows it.  Compared are X, Y and Z with the moves that the controller can be
+executing: those sent, and of those answered as many as its planner holds.  At rest the position
+must be the end of the last line sent.
+
+The turn of the tool is not compared: a rotary axis may be reported modulo 360 degrees.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import deque
+
+from knifetip.errors import ControllerError
+from knifetip.gateway.controller import State, Status
+from knifetip.gateway.executed import lines_of
+from knifetip.gateway.interpreter import Interpreter, Refused, bare
+from knifetip.gateway.motion import Move, Pose
+
+#: A position farther than this from every move is off the path (mm).  Reports are rounded to
+#: 0.001 mm and grbl's chords of an arc deviate by 0.01 mm at most.
+OFF = 0.5
+#: Reports in a row that must be off: a single one may have been damaged on the way.
+REPORTS = 3
+#: Moves that a planner holds where the controller does not report it.
+PLANNER = 128
+#: Answers that may be counted too many before it is noticed.
+MARGIN = 4
+
+_MACHINE_COORDINATES = re.compile(rb"G53(?!\d)")
+_STATES = (State.IDLE, State.RUN, State.HOLD)
+
+
+class Corridor:
+    """Follows a program as it is sent, and compares every reported position with it.
+
+    Parameters
+    ----------
+    text
+        The program.
+    start
+        Status at its start.
+    capacity
+        Blocks that the planner holds, if known.
+    """
+
+    def __init__(self, text: bytes, start: Status, capacity: int | None) -> None:
+        self._lines = lines_of(text)
+        self._interpreter = Interpreter(start.position)
+        self._base = start.sent
+        self._held = (capacity or PLANNER) + MARGIN
+        self._moves: deque[tuple[int, Move]] = deque()
+        self._moves.append((0, Move(start.position, start.position)))
+        self._read = 0
+        self._near = 0  # row of the move that the last position was on
+        self._off = 0  # reports in a row
+        self._blind = not start.located  # or a line cannot be interpreted here
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether the last position was off the path."""
+        return self._off > 0
+
+    def observe(self, status: Status) -> ControllerError | None:
+        """Compare a report with the path; return an error after ``REPORTS`` that are off it."""
+        self._take(status.sent - self._base)
+        self._forget(status.acknowledged - self._base)
+        if self._blind or not status.located or status.state not in _STATES:
+            return None
+        distance, line = self._nearest(status.position)
+        if distance <= OFF:
+            self._off = 0
+            return None
+        self._off += 1
+        return _astray(status.position, distance, line) if self._off >= REPORTS else None
+
+    def check_rest(self, status: Status) -> None:
+        """Compare the position of a machine at rest with the end of the last line sent.
+
+        Raises
+        ------
+        ControllerError
+            It is elsewhere.
+        """
+        self._take(status.sent - self._base)
+        if self._blind or not status.located:
+            return
+        line, _ = self._moves[-1]
+        distance = math.dist(status.position[:3], self._interpreter.position[:3])
+        if distance > OFF:
+            raise _astray(status.position, distance, line)
+
+    def _take(self, sent: int) -> None:
+        """Read on to the last line sent."""
+        while self._read < sent and (line := next(self._lines, None)) is not None:
+            self._read += 1
+            try:
+                move = self._interpreter.read(line).move
+            except Refused:
+                self._blind = True
+                continue
+            if move is not None:
+                self._blind = self._blind or bool(_MACHINE_COORDINATES.search(bare(line)))
+                self._moves.append((self._read, move))
+
+    def _forget(self, answered: int) -> None:
+        """Drop moves that must be done: more were answered after them than the planner holds."""
+        while len(self._moves) > self._held and self._moves[self._held][0] <= answered:
+            self._moves.popleft()
+            self._near = max(self._near - 1, 0)
+
+    def _nearest(self, position: Pose) -> tuple[float, int]:
+        """Return distance and line of a move near the position, or of the nearest there is."""
+        least, line = math.inf, 0
+        count = len(self._moves)
+        for step in range(count):
+            # On from where it was: there it is found at once, nearly always.
+            row = (self._near + step) % count
+            number, move = self._moves[row]
+            distance = distance_to(move, position)
+            if distance < least:
+                least, line = distance, number
+            if distance <= OFF:
+                self._near = row
+                break
+        return least, line
+
+
+def distance_to(move: Move, position: Pose) -> float:
+    """Return the distance of a position from a move, in X, Y and Z (mm)."""
+    x, y, z, _ = position
+    start, end = move.start, move.end
+    if move.centre is None:
+        dx, dy, dz = end[0] - start[0], end[1] - start[1], end[2] - start[2]
+        square = dx * dx + dy * dy + dz * dz
+        fraction = 0.0
+        if square > 0.0:
+            along = (x - start[0]) * dx + (y - start[1]) * dy + (z - start[2]) * dz
+            fraction = min(max(along / square, 0.0), 1.0)
+    else:
+        _, fraction = move.nearest((x, y, start[2], start[3]))
+    return math.dist((x, y, z), move.at(fraction)[:3])
+
+
+def _astray(position: Pose, distance: float, line: int) -> ControllerError:
+    x, y, z, _ = position
+    return ControllerError(
+        f"The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f}, {distance:.1f} mm off the program's path "
+        f"near line {line}: a line was changed on its way to the controller, or steps were lost.",
+        "Check the cable and home the machine; the board may be spoiled.",
+    )

@@ -1,0 +1,193 @@
+"""recovery: bring a machine into its safe state after a fault, after a cancel, or at takeover.
+
+hold -> wait for rest -> reset -> unlock (where allowed) -> lift Z -> spindle off -> outputs off
+
+Why in this order, and when an alarm is unlocked: docs/decisions/0019.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import suppress
+from typing import Protocol
+
+from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected, ControllerSilent
+from knifetip.gateway import answers
+from knifetip.gateway.controller import SafeState, State, Status
+
+#: Speed of the lift (mm/min).
+LIFT_FEED = 6000.0
+#: Seconds that the lift may take beyond the limit of silence.
+LIFT_SECONDS = 10.0
+#: Alarms after which the machine is unlocked to lift and release it: soft limit, and reset while
+#: moving.  Every other alarm has a cause at the machine that a person must see to first.
+UNLOCKABLE = frozenset({2, 3})
+#: Pause between two attempts to reach the controller (s).
+PAUSE = 0.25
+#: Seconds between two looks at a machine that should come to rest.
+LOOK = 0.01
+#: Z may be this much below the lift (mm): rounding of reports.
+LEVEL = 1e-3
+
+
+class Recoverable(Protocol):
+    """What recovery needs of a controller that speaks grbl."""
+
+    @property
+    def name(self) -> str:
+        """Where it is, for messages."""
+        ...
+
+    @property
+    def last_alarm(self) -> int:
+        """Code of the last ``ALARM`` heard on this connection, 0 for none."""
+        ...
+
+    async def reach(self) -> None:
+        """Return with the connection up and no fault; connect anew where it is lost."""
+        ...
+
+    async def realtime(self, byte: bytes) -> None:
+        """Send a realtime command."""
+        ...
+
+    async def report(self) -> Status:
+        """Ask for a status report and return it."""
+        ...
+
+    async def reset(self) -> None:
+        """Soft reset; return when the banner has come."""
+        ...
+
+    async def command(self, text: bytes) -> list[str]:
+        """Send a line and return what came before its ``ok``."""
+        ...
+
+
+async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
+    """Stop whatever runs, discard it, and bring the machine into its safe state.
+
+    Tried again for ``6 * silence`` seconds where the controller does not answer, or the
+    connection is lost.
+
+    Raises
+    ------
+    ControllerAlarm
+        An alarm locks the machine that a person must clear.
+    ControllerRejected
+        It refuses to release an output; everything else was done.
+    ControllerError
+        It could not be reached.
+    """
+    clock = asyncio.get_running_loop()
+    deadline = clock.time() + 6.0 * silence
+    while True:
+        try:
+            await machine.reach()
+            await _hold(machine, silence)
+            await machine.reset()
+            # A report that was under way may be from before the reset: the second one is not.
+            await machine.report()
+            status = await machine.report()
+            if status.state is State.ALARM:
+                await _unlock(machine)
+            return await secure(machine, safe, silence)
+        except (ControllerAlarm, ControllerRejected):
+            raise
+        except ControllerError:
+            if clock.time() > deadline:
+                raise
+        await asyncio.sleep(PAUSE)
+
+
+async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
+    """Lift Z, stop the spindle and switch off every output of a machine at rest.
+
+    Z first: a tool that is in the board leaves it along the axis.
+
+    Raises
+    ------
+    ControllerRejected
+        The controller refuses the lift or an output; all others were switched off.
+    ControllerError
+        The machine is not idle, or did not answer.
+    """
+    status = await machine.report()
+    if safe is None:
+        return status
+    if status.state is not State.IDLE:
+        raise ControllerError(
+            f"{machine.name} cannot be made safe: it reports {status.state.value}.",
+            "Lift the tool and raise the stations at the table.",
+        )
+    refusals = []
+    if status.position[2] < safe.lift - LEVEL:
+        try:
+            await machine.command(b"$J=G90 G21 Z%.4f F%.0f" % (safe.lift, LIFT_FEED))
+        except ControllerRejected as refused:
+            refusals.append(refused)
+        status = await _idle(machine, silence + LIFT_SECONDS)
+    for line in (b"M5", *(b"M65 P%d" % output for output in safe.outputs)):
+        try:
+            await machine.command(line)
+        except ControllerRejected as refused:
+            refusals.append(refused)
+    if refusals:
+        raise ControllerRejected(
+            " ".join(refused.message for refused in refusals),
+            "Lift the tool and raise the stations at the table; compare the machine's file with "
+            "the controller's outputs.",
+        )
+    return status
+
+
+async def _hold(machine: Recoverable, silence: float) -> None:
+    """Feed hold, and wait until no axis moves; without reports, for as long as silence lasts."""
+    await machine.realtime(b"!")
+    still = 0
+    with suppress(TimeoutError, ControllerSilent):
+        async with asyncio.timeout(silence):
+            # Twice: one report may have been under way, or be false.
+            while still < 2:
+                still = still + 1 if (await machine.report()).still else 0
+                await asyncio.sleep(LOOK)
+
+
+async def _unlock(machine: Recoverable) -> None:
+    """Take the alarm back where it may be; see ``UNLOCKABLE``."""
+    locked = _locked(machine)
+    if machine.last_alarm not in UNLOCKABLE:
+        raise locked
+    try:
+        await machine.command(b"$X")
+    except ControllerRejected:
+        raise locked from None
+
+
+def _locked(machine: Recoverable) -> ControllerAlarm:
+    code = machine.last_alarm
+    cause = f"ALARM:{code} ({answers.alarm_text(code)})" if code > 0 else "an alarm"
+    return ControllerAlarm(
+        f"{machine.name} is locked by {cause}: the stations may still be lowered.",
+        "Lift the tool and raise the stations at the table, then home ($H) or unlock ($X) it.",
+    )
+
+
+async def _idle(machine: Recoverable, seconds: float) -> Status:
+    """Wait for the end of the lift."""
+    idle = 0
+    try:
+        async with asyncio.timeout(seconds):
+            while True:
+                status = await machine.report()
+                if status.state is State.ALARM:
+                    raise _locked(machine)
+                idle = idle + 1 if status.state is State.IDLE else 0
+                if idle >= 2:
+                    return status
+                await asyncio.sleep(LOOK)
+    except TimeoutError:
+        raise ControllerSilent(
+            f"{machine.name} did not finish its lift within {seconds:g} s.",
+            "Lift the tool and raise the stations at the table.",
+        ) from None

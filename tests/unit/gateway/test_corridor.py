@@ -1,0 +1,102 @@
+"""The path of the lines that were sent: what lies on it, and what stops the machine."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from knifetip.errors import ControllerError
+from knifetip.gateway.controller import State, Status
+from knifetip.gateway.corridor import REPORTS, Corridor, distance_to
+from knifetip.gateway.motion import Move
+
+PROGRAM = b"G21 G90\nG0 Z20\nG0 X100 Y100\nG1 Z-1 F600\nG1 X200\nG3 X200 Y120 J10 F900\nG1 X100\n"
+START = Status(State.IDLE, (0.0, 0.0, 20.0, 0.0), 40, True, sent=40)
+
+
+def report(x, y, z, *, sent=7, answered=7, state=State.RUN, located=True):
+    return Status(state, (x, y, z, 0.0), 40 + answered, False, sent=40 + sent, located=located)
+
+
+def verdict(corridor, status, reports=REPORTS):
+    """Return what came of so many reports of one position."""
+    for _ in range(reports - 1):
+        assert corridor.observe(status) is None
+    return corridor.observe(status)
+
+
+@pytest.mark.parametrize(
+    "place",
+    [(0, 0, 20), (50, 50, 20), (100, 100, 5), (150, 100.4, -1), (210, 110, -1), (150, 120, -1)],
+)
+def test_a_position_on_any_move_that_was_sent_is_right(place):
+    assert verdict(Corridor(PROGRAM, START, 15), report(*place)) is None
+
+
+@pytest.mark.parametrize("place", [(50, 51, 20), (150, 100.6, -1), (205, 105, -1), (150, 100, 0)])
+def test_a_position_off_the_path_is_a_fault_after_three_reports(place):
+    error = verdict(Corridor(PROGRAM, START, 15), report(*place))
+    assert "off the program's path near line" in error.message
+    assert "home the machine" in error.mend
+
+
+def test_a_single_wrong_report_is_borne_and_another_one_is_wanted_at_once():
+    corridor = Corridor(PROGRAM, START, 15)
+    for _ in range(5):
+        assert corridor.observe(report(900, 0, 20)) is None
+        assert corridor.doubtful
+        assert corridor.observe(report(900, 0, 20)) is None
+        assert corridor.observe(report(150, 100, -1)) is None
+        assert not corridor.doubtful
+
+
+def test_a_move_that_was_not_sent_yet_is_off_the_path():
+    assert verdict(Corridor(PROGRAM, START, 15), report(150, 120, -1, sent=6, answered=6))
+    assert verdict(Corridor(PROGRAM, START, 15), report(150, 120, -1)) is None
+
+
+def test_a_move_that_must_be_done_is_off_the_path():
+    rows = b"".join(b"G1 X%d Y%d F900\n" % (100 * (row % 2), row) for row in range(200))
+    corridor = Corridor(rows, START, 4)
+    # Of 150 answered, 4 can be in the planner; some are kept for answers too many.
+    on_row = [
+        verdict(corridor, report(50, row - 0.5, 20, sent=155, answered=150)) is None
+        for row in (152, 148, 138)
+    ]
+    assert on_row == [True, True, False]
+
+
+@pytest.mark.parametrize(
+    "program",
+    [PROGRAM.replace(b"G1 Z-1", b"G53 G1 Z-1"), PROGRAM.replace(b"G1 Z-1", b"G43 H1\nG1 Z-1")],
+    ids=["machine coordinates", "unknown word"],
+)
+def test_a_program_that_cannot_be_followed_is_not_judged(program):
+    assert verdict(Corridor(program, START, 15), report(900, 900, 20)) is None
+
+
+def test_positions_without_a_known_work_offset_are_not_judged():
+    corridor = Corridor(PROGRAM, START, 15)
+    assert verdict(corridor, report(900, 900, 20, located=False)) is None
+
+
+@pytest.mark.parametrize("state", [State.CHECK, State.ALARM, State.JOG])
+def test_only_a_machine_that_carries_out_the_program_is_judged(state):
+    assert verdict(Corridor(PROGRAM, START, 15), report(900, 900, 20, state=state)) is None
+
+
+def test_at_rest_the_position_is_the_end_of_the_last_line():
+    corridor = Corridor(PROGRAM, START, 15)
+    corridor.check_rest(report(100, 120, -1, state=State.IDLE))
+    with pytest.raises(ControllerError, match=r"10\.0 mm off .* near line 7"):
+        corridor.check_rest(report(110, 120, -1, state=State.IDLE))
+
+
+def test_the_distance_from_an_arc_is_that_from_its_circle_and_beyond_it_from_its_ends():
+    arc = Move(
+        (10.0, 0.0, 0.0, 0.0), (-10.0, 0.0, 2.0, 0.0), centre=(0.0, 0.0), sweep=math.pi, rate=1.0
+    )
+    assert distance_to(arc, (0.0, 11.0, 1.0, 0.0)) == pytest.approx(1.0)
+    assert distance_to(arc, (0.0, 10.0, 3.0, 0.0)) == pytest.approx(2.0)
+    assert distance_to(arc, (10.0, -3.0, 0.0, 0.0)) == pytest.approx(3.0)

@@ -1,0 +1,298 @@
+"""Faults on the wire to a controller: each ends with the machine in its safe state.
+
+The table is in memory, and its time passes with every ``?``: nothing depends on the clock but the
+limit of silence.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from contextlib import aclosing
+
+import pytest
+
+from knifetip.errors import (
+    ControllerAlarm,
+    ControllerError,
+    ControllerRejected,
+    ControllerReset,
+    ControllerSilent,
+)
+from knifetip.gateway.controller import SafeState
+from knifetip.gateway.grbl import Grbl
+from knifetip.gateway.motion import Limits
+from knifetip.gateway.stream import stream
+from knifetip.gateway.table import BANNER, Table
+from knifetip.library import load
+
+MACHINE = load.machine("demo-table")
+SAFE = SafeState.of(MACHINE)
+SILENCE = 0.3
+#: Machine seconds to one ``?``.
+STEP = 0.02
+
+PROGRAM = (
+    "G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM64 P1\nG4 P0.15\n"
+    + "".join(
+        f"G0 X{160 + 40 * row}.0000 Y100.0000\nG1 Z-1.0000 F6000.0\n"
+        f"G1 Y{300 + row}.0000 F20000.0\nG1 Z18.5000 F6000.0\n"
+        for row in range(8)
+    )
+    + "G0 Z20.0000\nM65 P1\nM5\nM30\n"
+).encode()
+LINES = PROGRAM.count(b"\n")
+#: A line of the program in the middle of the creases.
+MIDDLE = 18
+
+
+class Wire:
+    """A Transport to a table in memory, and what spoils the lines on it."""
+
+    address = "wire"
+
+    def __init__(self, table):
+        self.table = table
+        self.spoil_answer = lambda line: [line]
+        self.spoil_line = lambda line: line
+        self.open = True
+        self.muted = False
+        self.oks = 0  # outside check mode, of the program
+        self.moves = 0
+        self._disabled = False
+        self.checked = False
+        self._out = asyncio.Queue()
+        table.answer = self._answer
+
+    def _answer(self, line):
+        # Its greeting ends the check; greetings before it are those of the takeover's reset.
+        self._disabled = self._disabled or line == "[MSG:Disabled]"
+        self.checked = self.checked or (self._disabled and line == BANNER)
+        if line == "ok" and self.checked:
+            self.oks += 1
+        for part in self.spoil_answer(line):
+            self.say(part + "\r\n")
+
+    def say(self, text):
+        if self.open and not self.muted:
+            self._out.put_nowait(text.encode("latin-1"))
+
+    def cut(self):
+        self.open = False
+        self.table.answer = lambda line: None
+        self._out.put_nowait(b"")
+
+    async def read(self):
+        return await self._out.get()
+
+    async def write(self, data):
+        if not self.open:
+            return
+        if data == b"?":
+            self.table.elapse(STEP)
+        elif self.checked and re.match(rb"G1 Y", data):
+            self.moves += 1
+            data = self.spoil_line(data)
+        self.table.receive(data)
+
+    async def close(self):
+        self.open = False
+
+
+class Bench:
+    """A table, the wire to it, and a controller that streams the program."""
+
+    def __init__(self):
+        self.table = Table(MACHINE)
+        self.wire = Wire(self.table)
+        self.controller = Grbl(
+            self.wire, safe=SAFE, reconnect=self._reconnect, silence=SILENCE, poll=0.01
+        )
+
+    async def _reconnect(self):
+        self.wire = Wire(self.table)
+        return self.wire
+
+    async def run(self):
+        """Stream the program; return the last Progress."""
+        course = stream(PROGRAM, self.controller, limits=Limits.of(MACHINE), interval=0.001)
+        async with asyncio.timeout(30.0), aclosing(course) as steps:
+            return [progress async for progress in steps][-1]
+
+    def at_answer(self, spoil, number=MIDDLE):
+        """Spoil the answer to one line of the program."""
+
+        def spoil_answer(line):
+            if line == "ok" and self.wire.oks == number and self.wire.checked:
+                self.wire.spoil_answer = lambda line: [line]
+                return spoil(line)
+            return [line]
+
+        self.wire.spoil_answer = spoil_answer
+
+    def at_move(self, spoil, number=3):
+        """Spoil one move on its way to the table."""
+
+        def spoil_line(line):
+            return spoil(line) if self.wire.moves == number else line
+
+        self.wire.spoil_line = spoil_line
+
+    def assert_safe(self):
+        assert self.table.state == "Idle"
+        assert self.table.position[2] == 20.0
+        assert not any(self.table.outputs.values())
+        assert not self.table.oscillating
+        assert self.table.lost == 0
+
+
+@pytest.fixture
+async def bench():
+    bench = Bench()
+    await bench.controller.open()
+    yield bench
+    await bench.controller.close()
+
+
+async def test_the_program_runs_to_its_end_and_its_station_was_lowered(bench):
+    progress = await bench.run()
+    assert progress.executed == progress.lines == LINES
+    assert [event.on for event in bench.table.switched if event.output == 1] == [False, True, False]
+    bench.assert_safe()
+
+
+# -- faults that end the job
+
+
+def stranger_resets(bench):
+    def spoil(line):
+        bench.table.receive(b"\x18")
+        return [line]
+
+    return spoil
+
+
+def mute(bench, line):
+    bench.wire.muted = True
+    asyncio.get_running_loop().call_later(1.5 * SILENCE, setattr, bench.wire, "muted", False)
+    return [line]
+
+
+def cut(bench):
+    bench.wire.cut()
+    return []
+
+
+ANSWERS = {
+    "doubled": (lambda bench: lambda line: [line, line], ControllerError, "was doubled"),
+    "lost": (lambda bench: lambda line: [], ControllerSilent, "an answer was lost"),
+    "garbled": (lambda bench: lambda line: ["\xfe\x81" + line], ControllerSilent, "was lost"),
+    "glued": (lambda bench: lambda line: [line + line], ControllerSilent, "was lost"),
+    "banner": (lambda bench: lambda line: [BANNER, line], ControllerReset, "was reset"),
+    "false alarm": (lambda bench: lambda line: ["ALARM:1", line], ControllerAlarm, "ALARM:1"),
+    "stranger's ok": (lambda bench: lambda line: ["ok", "ok", line], ControllerError, "doubled"),
+    "reset": (stranger_resets, ControllerAlarm, "ALARM:3"),
+    "cut": (lambda bench: lambda line: cut(bench), ControllerError, "connection .* is lost"),
+    "stall": (lambda bench: lambda line: mute(bench, line), ControllerSilent, "not answered"),
+}
+
+
+@pytest.mark.parametrize("kind", ANSWERS)
+async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench, kind):
+    spoil, error, words = ANSWERS[kind]
+    bench.at_answer(spoil(bench))
+    with pytest.raises(error, match=words) as raised:
+        await bench.run()
+    bench.assert_safe()
+    assert "was stopped and lifted to Z 20.0, its stations were released" in raised.value.message
+    assert raised.value.mend
+    # It is in a known state: the next program runs.
+    assert bench.controller.fault is None
+    assert (await bench.run()).executed == LINES
+
+
+@pytest.mark.parametrize("number", range(1, LINES + 1))
+async def test_a_doubled_answer_is_noticed_wherever_it_comes_and_overruns_nothing(bench, number):
+    bench.at_answer(lambda line: [line, line], number)
+    with pytest.raises(ControllerError, match="doubled"):
+        await bench.run()
+    bench.assert_safe()
+
+
+async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench):
+    bench.at_answer(lambda line: cut(bench))
+    with pytest.raises(ControllerError) as raised:
+        await bench.run()
+    executed, lines, more = map(
+        int, re.search(r"(\d+) of (\d+) lines .* up to (\d+) more", raised.value.message).groups()
+    )
+    assert lines == LINES
+    # 15 blocks in the planner, and what fits into 128 bytes.
+    assert executed < MIDDLE <= executed + more <= executed + 15 + 12
+
+
+async def test_a_connection_that_stays_lost_ends_in_words_that_the_machine_is_not_safe(bench):
+    async def nobody():
+        raise ControllerError("No controller answers at wire.", "Switch it on.")
+
+    bench.controller._reconnect = nobody
+    bench.at_answer(lambda line: cut(bench))
+    with pytest.raises(ControllerError, match="The machine is not safe: No controller answers"):
+        await bench.run()
+    assert bench.controller.fault is not None
+
+
+async def test_an_alarm_with_a_cause_at_the_machine_is_left_to_the_operator(bench):
+    def limit_switch(line):
+        bench.table._alarm(1)
+        return [line]
+
+    bench.at_answer(limit_switch)
+    with pytest.raises(ControllerAlarm, match=r"ALARM:1.*stations may still be lowered"):
+        await bench.run()
+    assert bench.table.state == "Alarm"
+
+
+@pytest.mark.parametrize(
+    ("spoil", "error", "words"),
+    [
+        (lambda line: line.replace(b"Y30", b"Y34"), ControllerError, "off the program's path"),
+        (lambda line: line[:-1], ControllerRejected, "refused line"),
+        (lambda line: line + line, ControllerError, "not sent from here"),
+    ],
+    ids=["digit", "newline", "doubled"],
+)
+async def test_a_line_spoilt_on_its_way_never_ends_as_done(bench, spoil, error, words):
+    bench.at_move(spoil)
+    with pytest.raises(error, match=words):
+        await bench.run()
+    bench.assert_safe()
+
+
+# -- faults that are borne
+
+
+@pytest.mark.parametrize(
+    "extra",
+    [
+        "<Idle|MPos:0.000,0.000,20.000,0.000|Bf:15,128|FS:0,0>",
+        "<Run|MPos:900.000,0.000,20.000,0.000|Bf:0,0|FS:0,0>",
+        "".join(map(chr, range(128, 158))),
+        "<Run|MPos:1,2",
+    ],
+    ids=["idle", "elsewhere", "noise", "torn"],
+)
+async def test_a_false_report_and_noise_are_borne(bench, extra):
+    bench.at_answer(lambda line: [extra, line])
+    assert (await bench.run()).executed == LINES
+
+
+async def test_lines_that_come_in_pieces_are_borne(bench):
+    real = bench.wire.say
+
+    def say(text):
+        real(text[:1])
+        real(text[1:])
+
+    bench.wire.say = say
+    assert (await bench.run()).executed == LINES
