@@ -107,6 +107,10 @@ LINUXCNC = b"""\
 G21 G90 G91.1 G17 G40 G49 G94 G54
 G64 P0.0050 Q0.0050
 G0 Z20.0000
+M65 P0
+M65 P1
+M65 P2
+M5
 (station 2 Wheel)
 T2 M6 G43
 M64 P1
@@ -176,6 +180,10 @@ GRBLHAL = b"""\
 (placement X20.0000 Y20.0000)
 G21 G90 G91.1 G17 G40 G49 G94 G54
 G0 Z20.0000
+M65 P0
+M65 P1
+M65 P2
+M5
 M64 P1
 G4 P0.15
 G0 X150.0000 Y34.4000 Z18.5000 C90.0000
@@ -258,5 +266,6 @@ def cutter_program(*lines: str) -> bytes:
 
 def _program(number: int, down: str, up: str, lines: tuple[str, ...]) -> bytes:
     head = "G21 G90 G91.1 G17 G40 G49 G94 G54\nG64 P0.0050 Q0.0050\nG0 Z20.0000"
+    off = "M65 P0\nM65 P1\nM65 P2\nM5"
     body = "\n".join(lines)
-    return f"{head}\nT{number} M6 G43\n{down}\n{body}\nG0 Z20.0000\n{up}\nG49\nM2\n".encode()
+    return f"{head}\n{off}\nT{number} M6 G43\n{down}\n{body}\nG0 Z20.0000\n{up}\nG49\nM2\n".encode()

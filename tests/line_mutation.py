@@ -1,6 +1,7 @@
 """Line mutation: programs with whole lines or words changed, and what that does to the product.
 
     text -> (kind, row, mutant)          text, mutant -> how far the product is moved (mm)
+    text -> what it does to a machine that the job before has left in an unknown state
 
 The interpreter is the one of ``mutation``; here the tip's ways in the board are compared as sets
 whatever their order, with the heading as two more coordinates, so that lines may come and go.
@@ -22,6 +23,7 @@ from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
 from mutation import Move, followed, sunk
 
 _WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
+_COMMENT = re.compile(rb"\([^)\n]*\)|;[^\n]*")
 
 
 def mutants(text: bytes) -> Iterator[tuple[str, int, bytes]]:
@@ -76,6 +78,8 @@ def _words(line: str) -> Iterator[tuple[str, str]]:
         elif letter == "C":
             yield "C turned by 180", changed("C", number, f"C{value + 180.0:.4f}")
             yield "C turned by 90", changed("C", number, f"C{value - 90.0:.4f}")
+            yield "C turned by 360", changed("C", number, f"C{value + 360.0:.4f}")
+            yield "C turned by -360", changed("C", number, f"C{value - 360.0:.4f}")
             yield "C turned by 2", changed("C", number, f"C{value + 2.0:.4f}")
         elif letter == "Z":
             yield "Z in inches", changed("Z", number, f"Z{value / 25.4:.4f}")
@@ -93,6 +97,46 @@ def _words(line: str) -> Iterator[tuple[str, str]]:
             yield "M64 for M65", changed("M", number, f"M{129 - int(value)}")
         elif letter == "S":
             yield "speed halved", changed("S", number, f"S{value / 2.0:g}")
+
+
+def hazard(text: bytes, machine: Machine) -> str:
+    """Return what makes a program dangerous after a cancelled job, empty where nothing does.
+
+    Such a job may have left any output on, the spindle running and a tool in the board.
+    """
+    by_number = {station.number: station for station in machine.stations}
+    unknown = {float(station.output) for station in machine.stations if station.output >= 0}
+    unknown.add(math.inf)  # the spindle
+    lowered: set[float] = set()
+    low = machine.travel_z + min(station.z for station in machine.stations)
+    high = machine.travel_z + max(station.z for station in machine.stations)
+    joint, datum, called = -math.inf, 0.0, 0.0
+    for number, raw in enumerate(_COMMENT.sub(b"", text).decode("ascii").splitlines(), 1):
+        words = dict(_WORD.findall(raw))
+        code, called = float(words.get("M", -1)), float(words.get("T", called))
+        output = float(words.get("P", -1)) if code in (64.0, 65.0) else math.inf
+        if "G43" in raw:
+            datum = by_number[int(called)].z
+        if "G49" in raw:
+            datum = 0.0
+        if code in (3.0, 5.0, 64.0, 65.0):
+            if joint < low - 1e-3:
+                return f"line {number} switches at joint Z {joint:g}"
+            unknown.discard(output)
+            lowered.discard(output)
+            if code == 64.0 and (lowered | unknown) - {math.inf}:
+                return f"line {number} lowers a second station"
+            if code in (3.0, 64.0):
+                lowered.add(output)
+        if words.keys() & set("XYZC"):
+            joint = float(words["Z"]) + datum if "Z" in words else joint
+            sideways = bool(words.keys() & set("XYC"))
+            if unknown and (sideways or joint < high - 1e-3):
+                return f"line {number} moves while {sorted(unknown)} are unknown"
+        if code in (2.0, 30.0):
+            break
+    left = unknown | lowered
+    return f"ends with {sorted(left)} on or unknown" if left else ""
 
 
 def moved(text: bytes, mutant: bytes, machine: Machine, board: Board, dieline: Dieline) -> float:

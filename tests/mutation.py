@@ -61,7 +61,7 @@ def effect(text: bytes, place: int, mutant: bytes, machine: Machine, board: Boar
     the board.  Else by the word: ``comment``, ``feed``, ``output`` (stations, pistons, oscillation,
     dwells), ``rounding`` (G64), ``code`` (other G words), ``line`` (numbers that no longer make a
     program); ``smaller`` for coordinates that move the working tip by less, ``air`` for those that
-    do not move it.
+    do not move it, and ``idle`` for a switching that leaves all outputs as they were at each move.
     """
     if any(found.start() <= place < found.end() for found in _COMMENT.finditer(text)):
         return "comment"
@@ -84,7 +84,22 @@ def effect(text: bytes, place: int, mutant: bytes, machine: Machine, board: Boar
         return "feed"
     if "G64" in line:
         return "rounding"
+    if re.match(r"M6[45]\b", line) and outputs_at_moves(text) == outputs_at_moves(mutant):
+        return "idle"
     return "output" if letter in "MTSP" else "code"
+
+
+def outputs_at_moves(text: bytes) -> list[dict[float, bool]]:
+    """Return which outputs have been switched on and off at each move, and at the end."""
+    outputs: dict[float, bool] = {}
+    result = []
+    for raw in _COMMENT.sub(b"", text).decode("ascii").splitlines():
+        words = {letter: float(number) for letter, number in _WORD.findall(raw)}
+        if words.get("M") in (64.0, 65.0):
+            outputs[words.get("P", -1.0)] = words["M"] == 64.0
+        elif words.keys() & set("XYZC"):
+            result.append(dict(outputs))
+    return [*result, outputs]
 
 
 def shares(
@@ -184,7 +199,10 @@ def _datum(machine: Machine, station: int) -> np.ndarray:
 
 def _way(start: np.ndarray, end: np.ndarray, centre: np.ndarray, code: float) -> Way:
     if code < 2.0:
-        return np.stack([start, end])
+        # A tool that is turned by more than half a turn sweeps all headings between.
+        turn = abs(end[3] - start[3])
+        pieces = 2 if not turn > 180.0 else 2 + int(turn / 10.0)
+        return start + (end - start) * np.linspace(0.0, 1.0, pieces)[:, None]
     (ax, ay), (bx, by) = start[:2] - centre, end[:2] - centre
     first, last = math.atan2(ay, ax), math.atan2(by, bx)
     sweep = (last - first) % (2.0 * math.pi)

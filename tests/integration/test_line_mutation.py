@@ -1,7 +1,8 @@
 """Lines of programs dropped, doubled, swapped and rewritten: what moves the product is refused.
 
-What the judge lets pass must leave the product as it is, within 0.01 mm; ``HARMLESS`` names what
-else may be let pass, and why.
+What the judge lets pass must leave the product as it is, within 0.01 mm, and must be safe on a
+machine that a cancelled job has left with a station lowered; ``HARMLESS`` names what else may be
+let pass, and why.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import numpy as np
 import pytest
 
 from engines import ENGINES
-from line_mutation import moved, mutants
+from line_mutation import hazard, moved, mutants
 from mutation import FELT
 
 #: Of each engine so many mutants are judged, chosen by the seed.
@@ -37,7 +38,31 @@ def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name):
         far = moved(engine.text, mutant, engine.machine, engine.board, engine.line)
         if far > FELT + 1e-6 and (name, kind) not in HARMLESS:
             missed.append((kind, row + 1, far, mutant.splitlines()[row]))
+        if harm := hazard(mutant, engine.machine):
+            missed.append((kind, row + 1, harm, mutant.splitlines()[row]))
     print(name, f"{refused}/{COUNT} refused, harmless:", dict(let_pass))
     assert not missed
     # More than half of all changes matter.
     assert refused > 0.5 * COUNT
+
+
+#: Mutants by which judges have been fooled: whole turns of C, and releases and lifts left out.
+FOOLED = ("C turned by 360", "C turned by -360", "line dropped", "lifted after the next is lowered")
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_every_full_turn_in_the_board_and_every_missing_release_or_lift_is_refused(name):
+    engine = ENGINES[name]
+    assert hazard(engine.text, engine.machine) == ""
+    dangerous = []
+    for kind, row, mutant in mutants(engine.text):
+        if kind not in FOOLED:
+            continue
+        line = engine.text.splitlines()[row]
+        turn = kind.startswith("C") and not line.startswith(b"G0") and b"C" in line
+        if turn or (not kind.startswith("C") and hazard(mutant, engine.machine)):
+            dangerous.append((kind, row, mutant))
+    assert len(dangerous) > 5
+    chosen = np.random.default_rng(SEED).choice(len(dangerous), min(20, len(dangerous)), False)
+    missed = [dangerous[k][:2] for k in chosen if engine.judged(dangerous[k][2]).accepted]
+    assert not missed

@@ -5,6 +5,11 @@
 Header, then station by station its change and its moves, then the end.  Numbers are the head's
 X Y C and the tip's Z; the station's datum comes from the controller's tool table, or is in the
 numbers where there is none.  The same input gives the same bytes: no dates, no names of hosts.
+
+A job that was cancelled may have left a station lowered, its tool in the board and the spindle on.
+Every program therefore begins and ends alike: lift straight up, wait until the head is at rest,
+release all outputs, stop the spindle.  The lift comes first, while the spindle still runs: a tool
+that is released or stopped in the board tears it.
 """
 
 from __future__ import annotations
@@ -120,7 +125,19 @@ def _header(
     yield HEADER
     if dialect.blending:
         yield f"G64 P{blending:.4f} Q{blending:.4f}"
-    yield f"G0 Z{gcode.plain(machine.travel_z)}"
+    # The station that is still lowered, if any, is not known: lift high enough for each of them.
+    highest = machine.travel_z + max(station.z for station in machine.stations)
+    yield f"G0 Z{gcode.plain(min(highest, machine.z.high))}"
+    yield from _all_off(machine, dialect)
+
+
+def _all_off(machine: Machine, dialect: Dialect) -> Iterator[str]:
+    """Release every output of the machine and stop the spindle; the head has been lifted."""
+    if dialect.eager_outputs:
+        yield STILL
+    for output in sorted({station.output for station in machine.stations if station.output >= 0}):
+        yield f"M65 P{output}"
+    yield "M5"
 
 
 def _change(
@@ -128,12 +145,13 @@ def _change(
 ) -> Iterator[str]:
     if dialect.comments:
         yield gcode.comment(f"station {station.number} {station.name}")
-    if dialect.eager_outputs:
-        yield STILL
-    if previous is not None and previous.output >= 0:
-        yield f"M65 P{previous.output}"
-    if previous is not None and _speed(previous):
-        yield "M5"
+    if previous is not None:
+        if dialect.eager_outputs:
+            yield STILL
+        if previous.output >= 0:
+            yield f"M65 P{previous.output}"
+        if _speed(previous):
+            yield "M5"
     if dialect.tool_table:
         yield f"T{station.number} M6 G43"
     if station.output >= 0:
@@ -150,11 +168,7 @@ def _change(
 def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[str]:
     up = machine.travel_z + _added(station, dialect)[2]
     yield f"G0 Z{gcode.plain(up)}"
-    if dialect.eager_outputs:
-        yield STILL
-    if station.output >= 0:
-        yield f"M65 P{station.output}"
-    yield "M5"
+    yield from _all_off(machine, dialect)
     yield "G49"
     yield dialect.end
 

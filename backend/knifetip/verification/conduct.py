@@ -11,7 +11,7 @@ import numpy as np
 
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
-from knifetip.model.tool import Cutter, Knife, VCutter
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.findings import MOST, Findings
 from knifetip.verification.kinematics import LEVEL, Tips
@@ -28,6 +28,10 @@ INSTANT: Final = 2e-6
 TRAVEL: Final = 1e-6
 #: Inside a pass C may turn alone by this, where a tool has no swivel angle of its own (degrees).
 TURN: Final = 1.01
+#: What a tool's swivel angle may be exceeded by: C is printed to 0.0001°.
+EXACT: Final = 0.01
+#: A line may replace an arc that bows by no more than this: controllers reject smaller arcs (mm).
+BOW: Final = 1e-3
 
 
 def lengths(moves: Moves) -> F64:
@@ -193,7 +197,8 @@ def in_the_board(
             line=moves.line[row],
         )
     unknown = np.isnan(moves.end).any(axis=1) | np.isnan(moves.start).any(axis=1)
-    sideways = np.isnan(moves.end[:, 2]) & ~np.isnan(moves.end[:, :2]).all(axis=1)
+    still = (moves.end == moves.start) | (np.isnan(moves.end) & np.isnan(moves.start))
+    sideways = np.isnan(moves.start[:, 2]) & ~still[:, [0, 1, 3]].all(axis=1)
     for row in np.flatnonzero((unknown & (moves.code > 0)) | sideways)[:MOST]:
         found.add(
             "program",
@@ -208,12 +213,9 @@ def in_the_board(
     top = np.minimum(np.maximum(tip.start[:, 2], tip.end[:, 2]), board.caliper)
     share = np.divide(top - lowest, np.abs(drop), out=np.zeros(len(drop)), where=slanted)
     slope = np.zeros(len(machine.stations))
-    widest = np.full(len(machine.stations), TURN)
     for index, station in enumerate(machine.stations):
         if isinstance(station.tool, VCutter):
             slope[index] = station.tool.slope
-        elif isinstance(station.tool, Knife):
-            widest[index] = station.tool.swivel + 0.01
     heading = np.radians(tip.end[:, 3])
     right = np.stack([np.sin(heading), -np.cos(heading)], axis=1)
     wanted = right * (drop * slope[moves.station])[:, None]
@@ -226,17 +228,52 @@ def in_the_board(
             astray[row],
             line=moves.line[row],
         )
-    turn = np.abs(tip.end[:, 3] - tip.start[:, 3])
-    most = np.where(slanted, 0.01, widest[moves.station])
-    alone = stay & (slanted | _standing(moves, tip, machine)) & (turn > most)
-    for row in np.flatnonzero(alone)[:MOST]:
-        found.add(
-            "heading",
-            f"Line {moves.line[row]}: C turns by {turn[row]:.3f}° in the board, where "
-            f"{most[row]:.2f}° is the most.",
-            turn[row],
-            line=moves.line[row],
-        )
+    _turns(moves, tip, machine, stay, slanted, found)
+
+
+def _turns(
+    moves: Moves, tip: Tips, machine: Machine, stay: Bool, slanted: Bool, found: Findings
+) -> None:
+    """Note moves in the board along which C does not turn as the tool's direction of travel does.
+
+    Along a line or an arc both turn evenly, so comparing how far they turn covers the whole move:
+    the headings at its two ends may differ by full turns and still look the same.  A tool turned
+    in one place, or while it goes down or up, has no direction of travel, and turns by itself.
+
+    Parameters
+    ----------
+    stay, slanted : (n,)
+        Feeds in the board, and those among them that change their height.
+    """
+    widest = np.full(len(machine.stations), TURN)
+    most = np.full(len(machine.stations), 180.0)
+    follows = np.ones(len(machine.stations), np.bool_)
+    for index, station in enumerate(machine.stations):
+        if isinstance(station.tool, Knife):
+            widest[index] = station.tool.swivel + EXACT
+        elif isinstance(station.tool, CreaseWheel):
+            most[index] = 90.0
+        # A rotating cutter works alike at every heading, so C does not follow its path.
+        follows[index] = not isinstance(station.tool, Cutter)
+    turn = tip.end[:, 3] - tip.start[:, 3]
+    in_place = slanted | _standing(moves, tip, machine)
+    path = np.where(follows[moves.station] & ~in_place, np.degrees(moves.sweep), 0.0)
+    off = np.abs(turn - path)
+    limit = np.where(slanted, EXACT, widest[moves.station])
+    length = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    straight = stay & ~in_place & (moves.sweep == 0.0) & (length > 0.0)
+    # The angle of an arc over this chord that bows by BOW.
+    limit[straight] += np.degrees(8.0 * BOW / length[straight])
+    limit = np.minimum(limit, most[moves.station] + EXACT)
+    for row in np.flatnonzero(stay & (off > limit))[:MOST]:
+        if in_place[row]:
+            text = f"C turns by {off[row]:.3f}° in the board, where {limit[row]:.2f}° is the most."
+        else:
+            text = (
+                f"C turns by {turn[row]:.3f}° in the board while the path turns by "
+                f"{path[row]:.3f}°."
+            )
+        found.add("heading", f"Line {moves.line[row]}: {text}", off[row], line=moves.line[row])
 
 
 def seconds(moves: Moves, machine: Machine) -> float:

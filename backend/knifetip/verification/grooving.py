@@ -15,7 +15,8 @@ from knifetip.verification.astray import judge_astray
 from knifetip.verification.bench import DEPTH
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.findings import MOST
-from knifetip.verification.intent import run_on
+from knifetip.verification.flanks import torn_cuts
+from knifetip.verification.intent import Edges, run_on
 from knifetip.verification.kinematics import off_line
 from knifetip.verification.outline import run_outs
 from knifetip.verification.overlap import overlaps
@@ -34,6 +35,7 @@ class Grooving(Trial):
         curved = self.edges.curve[:, 0] != 0.0
         for edge in np.flatnonzero(curved)[:MOST] if leaves <= 0.0 else ():
             self.finding("deviation", edge, "is an arc, which no leaning blade can follow.", 0.0)
+        drawn = self.edges
         boundary = self._run_out(blade) if blade else np.zeros((len(self.edges), 2), np.bool_)
         rows = self.matched()
         wide = np.full(len(self.edges), self.tolerance)
@@ -59,6 +61,7 @@ class Grooving(Trial):
             return
         self.headed(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
         self._flanks(rows, final, blade, wide)
+        self._beside_cuts(drawn, blade)
         worked = np.zeros(len(self.edges), np.bool_)
         worked[rows.edge[rows.best]] = True
         inside = ~(boundary | run_on(self.edges).reshape(-1, 2)).all(axis=1)
@@ -177,4 +180,22 @@ class Grooving(Trial):
                 f"its place on the top face; the tolerance is {limit[edge[k]]:g} mm.",
                 float(abs(error[k])),
                 int(work[k]),
+            )
+
+    def _beside_cuts(self, drawn: Edges, blade: VCutter) -> None:
+        """Judge whether a flank goes through the edge of a cut beside the groove."""
+        cuts = self.bench.edges.of(LineType.CUT)
+        reach = self.bench.board.groove_depth * blade.slope
+        out = self.before[:, None] - self.spare
+        out[:, 1] = self.size - drawn.curve[:, 5] - self.before - self.spare[:, 1]
+        torn = torn_cuts(drawn, cuts, reach, out)
+        through = reach - torn.nearest
+        for k in np.flatnonzero(through > self.tolerance)[:MOST]:
+            self.finding(
+                "overcut",
+                int(torn.groove[k]),
+                f"a flank goes {through[k]:.3f} mm through the cut at edge "
+                f"{int(cuts.row[torn.cut[k]])}, which lies {torn.nearest[k]:.3f} mm beside the "
+                f"groove, {torn.place[k]:.1f} mm from its start.",
+                float(through[k]),
             )

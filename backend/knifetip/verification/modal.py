@@ -76,6 +76,17 @@ _AXES: Final = "XYZC"
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class Switches:
+    """k lines that switch an output or the spindle, or call a station, in order."""
+
+    line: I32  #: (k,) 1-based line of the program
+    move: I64  #: (k,) the last move before it, -1 for none
+    lowers: I32  #: (k,) index into ``machine.stations`` of the station that it lowers, or -1
+    beside: Bool  #: (k, stations) which outputs are on, or not stated
+    at_end: Bool  #: (stations + 1,) what is stated when the program ends, as ``Moves.stated``
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class Moves:
     """n moves of the joints, in the order of the program; NaN is a position that nobody stated."""
 
@@ -90,10 +101,12 @@ class Moves:
     station: I32  #: (n,) index into ``machine.stations``, -1 while none is chosen
     piston: Bool  #: (n, stations) output on
     oscillating: Bool  #: (n,) M3
+    stated: Bool  #: (n, stations + 1) each station's output, and last the spindle, on or off
     blend: F64  #: (n,) mm, the larger of G64's P and Q; inf where the path is not bounded
     waited: F64  #: (n,) seconds of G4 since an output was last switched, inf if never
     tabled: bool  #: stations are called by T words, so there is a tool table
     dwell: float  #: seconds of all G4
+    switches: Switches
 
 
 def interpret(words: Words, machine: Machine) -> tuple[Moves, list[tuple[int, str]]]:
@@ -208,6 +221,9 @@ class _State:
         change = blocks.says(_CHANGE)
         self.loaded = _held(self.chosen, change)
         self.on = np.zeros((count, len(stations)), np.bool_)
+        # An output that no line has switched yet is as the job before has left it.
+        self.stated = np.ones((count, len(stations) + 1), np.bool_)
+        self.lowers = np.full(count, -1, np.int32)
         switched = blocks.says(_OUTPUT) | blocks.says(_SPINDLE)
         latest = np.full(count, -1, np.int64)
         by_piston = np.full(count, -1, np.int64)
@@ -216,7 +232,10 @@ class _State:
             mine = blocks.says(_OUTPUT) & (number["P"] == station.output)
             if station.output >= 0:
                 rises = blocks.says(_OUTPUT, 64)
-                self.on[:, index] = _held(rises.astype(np.float64), mine, 0.0) > 0.5
+                held = _held(rises.astype(np.float64), mine)
+                self.on[:, index] = held > 0.5
+                self.stated[:, index] = ~np.isnan(held)
+                self.lowers[mine & rises] = index
                 risen = _last(mine & rises)
                 newer = self.on[:, index] & (risen > latest)
                 by_piston[newer] = index
@@ -227,9 +246,9 @@ class _State:
             if len(fixed) == 1:
                 by_piston[by_piston < 0] = fixed[0]
         self.station = by_table if self.tabled else by_piston
-        self.oscillating: Bool = (
-            _held(blocks.says(_SPINDLE, 3).astype(np.float64), blocks.says(_SPINDLE), 0.0) > 0.5
-        )
+        turning = _held(blocks.says(_SPINDLE, 3).astype(np.float64), blocks.says(_SPINDLE))
+        self.oscillating: Bool = turning > 0.5
+        self.stated[:, -1] = ~np.isnan(turning)
         self.speed = _held(number["S"], blocks.has("S"))
 
         length = blocks.says(_LENGTH)
@@ -359,6 +378,18 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
     fault(here & (state.offset_of >= 0), "ends the program with the offset of a station in force.")
 
 
+def _switches(blocks: _Blocks, state: _State, moving: I64) -> Switches:
+    """Return the lines that switch; ``moving`` are the rows of the moves."""
+    rows = np.flatnonzero(blocks.says(_OUTPUT) | blocks.says(_SPINDLE) | blocks.says(_CHANGE))
+    return Switches(
+        line=blocks.line[rows],
+        move=np.searchsorted(moving, rows) - 1,
+        lowers=state.lowers[rows],
+        beside=state.on[rows] | ~state.stated[rows, :-1],
+        at_end=np.logical_or.reduce(state.stated, axis=0),
+    )
+
+
 def _moves(blocks: _Blocks, state: _State) -> Moves:
     ended = np.cumsum(blocks.says(_END)) > 0
     any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
@@ -383,10 +414,12 @@ def _moves(blocks: _Blocks, state: _State) -> Moves:
         station=state.station[rows].astype(np.int32),
         piston=state.on[rows],
         oscillating=state.oscillating[rows],
+        stated=state.stated[rows],
         blend=state.blend[rows],
         waited=state.waited[rows],
         tabled=state.tabled,
         dwell=state.dwell,
+        switches=_switches(blocks, state, rows),
     )
 
 

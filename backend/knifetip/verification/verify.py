@@ -27,6 +27,7 @@ from knifetip.verification.intent import on_sheet
 from knifetip.verification.kinematics import Tips, Work, tips, work
 from knifetip.verification.modal import Moves, interpret
 from knifetip.verification.parse import obeyed, parse, placement_of
+from knifetip.verification.switching import check_switching
 from knifetip.verification.unreached import drawn
 
 #: The map of a verdict has no more rows.
@@ -132,6 +133,7 @@ def _followed(
     usable = conduct.travel(moves, machine, found)
     conduct.feeds(moves, tip, machine, found)
     conduct.outputs(moves, tip, machine, found)
+    check_switching(moves, machine, board, found)
     conduct.in_the_board(moves, tip, machine, board, tolerance, found)
     usable &= ~np.isnan(tip.start).any(axis=1) & ~np.isnan(tip.end).any(axis=1)
     return moves, tip, work(moves, tip, usable, machine, board)

@@ -35,3 +35,71 @@ def test_a_hole_beside_a_groove_is_refused():
     with pytest.raises(FlankOutside):
         planned(beside, hole, bulge={5: 1.0, 6: 1.0})
     assert planned(beside + np.array([0.0, 2.0]), hole, bulge={5: 1.0, 6: 1.0})
+
+
+@pytest.mark.parametrize("aside", [0.1, 0.5, 0.95, 0.99])
+@pytest.mark.parametrize("far", [False, True])
+def test_a_groove_along_a_cut_is_refused_with_the_cut_and_by_how_much(aside, far):
+    y = 100.0 - aside if far else aside
+    with pytest.raises(FlankOutside) as refused:
+        planned(edges(((25, y), (175, y))))
+    error = refused.value
+    assert f"its flank runs {1.0 - aside:.2f} mm through the cut at edge {2 if far else 0}" in str(
+        error
+    )
+    assert f"lies {aside:.2f} mm beside it, 75.0 mm from where the groove begins" in str(error)
+    assert f"Move them {1.0 - aside:.2f} mm further apart" in error.mend
+    assert error.source == ("4", "2" if far else "0")
+
+
+@pytest.mark.parametrize(
+    "groove",
+    [
+        ((0, 0.5), (200, 0.5)),  # from edge to edge: it meets cuts at both ends
+        ((100, 0.5), (103, 0.5)),  # shorter than what is left out at ends that meet cuts
+    ],
+)
+def test_a_groove_of_any_length_along_the_edge_is_refused(groove):
+    with pytest.raises(FlankOutside):
+        planned(edges(groove))
+
+
+def test_a_slit_inside_the_strip_is_refused_although_it_crosses_no_flank():
+    groove = edges(((20, 50), (180, 50)))
+    for slit in (((60, 50.5), (90, 50.5)), ((90, 49.5), (60, 49.5)), ((60, 49.6), (90, 50.4))):
+        with pytest.raises(FlankOutside, match="cut at edge 5"):
+            planned(groove, (LineType.CUT, edges(slit)))
+
+
+@pytest.mark.parametrize(
+    "slit",
+    [
+        ((180, 30), (180, 70)),  # the groove ends on it
+        ((181, 30), (181, 70)),  # the groove ends just before it
+        ((179, 30), (179, 70)),  # the groove runs out over it
+        ((180, 50), (190, 50)),  # it goes on where the groove ends
+        ((175, 30), (185, 70)),  # at a slant
+        ((99.9, 49.2), (100.1, 50.8)),  # it lies across the groove, between its flanks
+        ((60, 51.01), (90, 51.01)),
+        ((181, 50.5), (190, 50.5)),
+    ],
+)
+def test_a_groove_may_end_on_a_cut_cross_one_or_run_well_beside(slit):
+    assert planned(edges(((20, 50), (180, 50))), (LineType.CUT, edges(slit)))
+
+
+@pytest.mark.parametrize(("gap", "fine"), [(0.99, False), (1.01, True)])
+def test_a_round_cut_counts_by_its_belly_and_not_by_its_chord(gap, fine):
+    # A hole of r 30, whose chords of 45° would stand 2.3 mm off it.
+    hole = (LineType.CUT, edges(((70, 65), (130, 65)), ((130, 65), (70, 65))))
+    groove = edges(((20, 35 - gap), (180, 35 - gap)))
+    if fine:
+        assert planned(groove, hole, bulge={5: 1.0, 6: 1.0})
+    else:
+        with pytest.raises(FlankOutside, match="cut at edge"):
+            planned(groove, hole, bulge={5: 1.0, 6: 1.0})
+
+
+def test_a_groove_that_is_shorter_than_its_ends_may_end_on_cuts_at_both():
+    slits = edges(((100, 40), (100, 60)), ((102, 45), (102, 55)), ((101, 51.2), (103, 51.2)))
+    assert planned(edges(((100, 50), (102, 50))), (LineType.CUT, slits))

@@ -92,6 +92,10 @@ def test_a_program_for_linuxcnc_leaves_datums_to_the_tool_table():
         "G21 G90 G91.1 G17 G40 G49 G94 G54",
         "G64 P0.0050 Q0.0050",
         "G0 Z20.0000",
+        "M65 P0",
+        "M65 P1",
+        "M65 P2",
+        "M5",
         "(station 2 Crease wheel)",
         "T2 M6 G43",
         "M64 P1",
@@ -118,11 +122,13 @@ def test_a_program_for_linuxcnc_leaves_datums_to_the_tool_table():
         "G1 Z20.0000 F6000",
         "G0 Z20.0000",
         "M65 P0",
+        "M65 P1",
+        "M65 P2",
         "M5",
         "G49",
         "M2",
     ]
-    rows = [-1] * 8 + [0, 1, 2, 3] + [-1] * 6 + [4, 5, 6, -1, 7, -1, 8, -1, 9, 10] + [-1] * 5
+    rows = [-1] * 12 + [0, 1, 2, 3] + [-1] * 6 + [4, 5, 6, -1, 7, -1, 8, -1, 9, 10] + [-1] * 7
     assert program.source.tolist() == rows
     assert program.dialect == "linuxcnc"
 
@@ -137,6 +143,10 @@ def test_a_program_for_grblhal_has_the_datums_in_its_numbers():
         "G21 G90 G91.1 G17 G40 G49 G94 G54",
         "G0 Z20.0000",
         "G4 P0",
+        "M65 P0",
+        "M65 P1",
+        "M65 P2",
+        "M5",
         "M64 P1",
         "G4 P0.15",
         "G0 X160.0000 Y50.0000 Z18.5000 C90.0000",
@@ -158,6 +168,8 @@ def test_a_program_for_grblhal_has_the_datums_in_its_numbers():
         "G0 Z20.0000",
         "G4 P0",
         "M65 P0",
+        "M65 P1",
+        "M65 P2",
         "M5",
         "G49",
         "M30",
@@ -165,6 +177,29 @@ def test_a_program_for_grblhal_has_the_datums_in_its_numbers():
     last = read_grbl(program.text)[-1]
     assert not last.outputs
     assert not last.oscillates
+
+
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+def test_every_program_begins_and_ends_by_lifting_and_then_releasing_everything(dialect):
+    # Two stations share output 2, and one is mounted 4 mm above the others.
+    wheel, cutter = TABLE.stations[1], replace(TABLE.stations[2], z=4.0)
+    twin = replace(wheel, number=7, output=2)
+    table = replace(TABLE, stations=(TABLE.stations[0], wheel, cutter, twin))
+    rows = [rapid(1, 1), feed(2, 1), rapid(2, 1)]
+    lines = process(toolpath(*rows), table, dialect).text.decode().splitlines()
+    still = ["G4 P0"] if dialect == "grblhal" else []
+    off = [*still, "M65 P0", "M65 P1", "M65 P2", "M5"]
+    first = lines.index("G0 Z24.0000")
+    assert not any(line.startswith(("G0", "G1", "M")) for line in lines[:first])
+    assert lines[first + 1 : first + 1 + len(off)] == off
+    last = ["G0 Z20.0000", *off, "G49", lines[-1]]
+    assert lines[-len(last) :] == last
+
+
+def test_the_first_lift_stays_within_the_travel():
+    low = replace(TABLE, z=replace(TABLE.z, high=19.0))
+    text = process(toolpath(rapid(1, 1, 10.0)), low, "grblhal").text
+    assert b"G54\nG0 Z19.0000\n" in text
 
 
 def test_leaving_the_oscillating_knife_stops_it_and_lifts_its_piston():
@@ -293,7 +328,7 @@ def test_the_feed_is_said_again_after_inverse_time_although_its_number_is_the_sa
 
 def test_the_end_lifts_the_last_tool_by_its_own_datum():
     text = process(toolpath(rapid(1, 1, station=2)), TABLE, "grblhal").text
-    assert text.endswith(b"G0 Z18.5000\nG4 P0\nM65 P1\nM5\nG49\nM30\n")
+    assert text.endswith(b"G0 Z18.5000\nG4 P0\nM65 P0\nM65 P1\nM65 P2\nM5\nG49\nM30\n")
 
 
 def halts(*rows: tuple) -> list[str]:
@@ -480,7 +515,9 @@ def test_a_router_turns_at_its_speed_before_it_goes_down_and_stops_after(dialect
     head, work = text.split(b"M3 S18000\nG4 P2.5\n")
     assert b"G1 " not in head
     assert b"M5\n" in work
-    assert b"M5" not in head
+    # Only at the head of the program, before the station comes down.
+    assert head.count(b"M5\n") == 1
+    assert head.index(b"M5\n") < head.index(b"M64")
 
 
 def test_the_pause_of_the_pistons_stands_where_the_spindle_is_quicker():

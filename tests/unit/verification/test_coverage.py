@@ -47,7 +47,7 @@ def test_a_crease_that_stops_early_is_short_by_as_much():
     assert finding.measure == pytest.approx(0.84)
     assert finding.text == (
         "Crease, edge 10: 0.840 mm of it are not creased, beginning 34.760 mm from its start. "
-        "Line 14."
+        "Line 18."
     )
 
 

@@ -222,7 +222,7 @@ def test_each_crease_is_judged_by_the_wheel_that_rolls_it():
     back = math.sqrt(0.8 * 19.2) + 0.2
 
     def program(other: float) -> bytes:
-        first = rolled((BACK, 60 - BACK, 0))
+        first = rolled((BACK, 60 - BACK, 0)).replace(b"M65 P2\n", b"M65 P2\nM65 P3\n")
         change = f"""G0 Z20
 M65 P1
 T4 M6 G43

@@ -32,11 +32,11 @@ def test_a_drag_knife_trails_its_axis():
 def test_the_tips_of_the_hand_written_program_stand_where_its_author_put_them():
     _, tip, work = followed(LINUXCNC, MACHINE, BOARD)
     row = {int(line): index for index, line in enumerate(tip.line)}
-    np.testing.assert_allclose(tip.end[row[14]], [90.0, 65.6, 1.4, 90.0], atol=1e-9)
-    np.testing.assert_allclose(tip.end[row[25]], [80.0, 50.0, 0.7, 0.0], atol=1e-9)
+    np.testing.assert_allclose(tip.end[row[18]], [90.0, 65.6, 1.4, 90.0], atol=1e-9)
+    np.testing.assert_allclose(tip.end[row[29]], [80.0, 50.0, 0.7, 0.0], atol=1e-9)
     # Before the plunge the tip stands on the blade's own line: 3.3 higher and 3.3 to the right.
-    np.testing.assert_allclose(tip.end[row[23]], [40.0, 46.7, 4.0, 0.0], atol=1e-9)
-    np.testing.assert_allclose(tip.end[row[29]], [40.0, 50.0, 0.7, 180.0], atol=1e-9)
+    np.testing.assert_allclose(tip.end[row[27]], [40.0, 46.7, 4.0, 0.0], atol=1e-9)
+    np.testing.assert_allclose(tip.end[row[33]], [40.0, 50.0, 0.7, 180.0], atol=1e-9)
     assert [Trade(int(trade)) for trade in np.unique(work.trade)] == list(Trade)[:4]
     ends = work.ends()
     np.testing.assert_allclose(ends[0][0], [90.0, 34.4], atol=1e-9)

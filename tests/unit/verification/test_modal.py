@@ -139,7 +139,7 @@ def test_the_end_leaves_nothing_switched_on():
 
 def test_nothing_moves_after_the_end():
     moves, faults = moves_of(LINUXCNC.decode() + "G0 X500\n")
-    assert (69, "stands after the end of the program.") in faults
+    assert (73, "stands after the end of the program.") in faults
     assert moves.end[-1, 0] == 70.3527
 
 

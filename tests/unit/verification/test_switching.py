@@ -1,0 +1,130 @@
+"""What a job before may have left on: lowered stations, a running spindle, a tool in the board."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from handwritten import BOARD, DIELINE, GRBLHAL, LINUXCNC, MACHINE, PLACEMENT, changed, dieline
+from knifetip.model.machine import Machine
+from knifetip.verification.verify import verify
+
+HEAD = "G0 Z20.0000\nM65 P0\nM65 P1\nM65 P2\nM5\n"
+BOTH = pytest.mark.parametrize("program", [LINUXCNC, GRBLHAL], ids=["linuxcnc", "grblhal"])
+
+
+def said(text: bytes, machine: Machine = MACHINE, *, drawn: bool = True) -> list[str]:
+    line = DIELINE if drawn else dieline()
+    return [finding.text for finding in verify(text, line, PLACEMENT, machine, BOARD).findings]
+
+
+def with_head(program: bytes, head: str) -> bytes:
+    return changed(program, HEAD, head)
+
+
+@BOTH
+@pytest.mark.parametrize(
+    ("gone", "what"),
+    [
+        ("M65 P0\n", "moves before the state of output 0 (M65 P0) is stated"),
+        ("M65 P1\n", "moves before the state of output 1 (M65 P1) is stated"),
+        ("M65 P2\n", "lowers station 2 while station 3 may be lowered; release it first (M65 P2)"),
+        ("M5\n", "moves before the state of the spindle (M5) is stated"),
+        ("G0 Z20.0000\n", "switches at a height that no line before it states; lift to 20.000 mm"),
+    ],
+)
+def test_each_line_of_the_head_is_needed(program, gone, what):
+    assert said(program) == []
+    # The first station's own output is stated again by the line that lowers it.
+    if gone == "M65 P1\n":
+        lines = said(with_head(program, HEAD.replace(gone, "").replace("Z20", "Z20.0\nG0 X1 Z20")))
+    else:
+        lines = said(with_head(program, HEAD.replace(gone, "")))
+    assert any(what in line for line in lines), lines
+
+
+@BOTH
+@pytest.mark.parametrize(
+    ("head", "what"),
+    [
+        # Lower than the travel height, and down again before the stations are released.
+        (HEAD.replace("Z20.0000", "Z19.9000"), "lift to 20.000 mm"),
+        (HEAD.replace("Z20.0000\n", "Z20.0000\nG0 Z3.0000\n"), "moves before the state of output"),
+        # Sideways or turned while a tool may be in the board.
+        (HEAD.replace("Z20.0000", "X5.0000 Z20.0000"), "moves before the state of output 0"),
+        (HEAD.replace("Z20.0000", "Z20.0000 C90.0000"), "moves before the state of output 0"),
+        (HEAD.replace("G0 Z20.0000", "G0 X5.0000\nG0 Z20.0000"), "moves before the state of"),
+        # Released in the board, and lifted afterwards.
+        (HEAD.split("\n", 1)[1] + "G0 Z20.0000\n", "switches at a height that no line before it"),
+        (HEAD.replace("M65 P2\n", "M64 P2\n"), "lowers station 3 while"),
+    ],
+)
+def test_until_everything_is_stated_a_program_may_only_lift(program, head, what):
+    if head.endswith("M64 P2\nM5\n"):
+        what = "lowers station 2 while station 3 may be lowered"
+    lines = said(with_head(program, head))
+    assert any(what in line for line in lines), lines
+
+
+def test_the_first_lift_clears_the_longest_station():
+    long = replace(MACHINE, stations=(replace(MACHINE.stations[0], z=6.0), *MACHINE.stations[1:]))
+    lift = "G21 G90 G91.1 G17 G40 G49 G94 G54\n" + HEAD + "G49\nM2\n"
+    low = said(lift.encode(), long, drawn=False)
+    assert "may only lift straight up, to joint Z 26.000 mm or higher" in low[0]
+    assert "Line 3: switches at joint Z 20.000 mm; lift to 26.000 mm before that." in low
+    assert said(lift.replace("Z20.0000", "Z26.0000").encode(), long, drawn=False) == []
+
+
+@BOTH
+@pytest.mark.parametrize("lift", [None, "G0 Z17.0000"])
+def test_a_station_is_changed_at_the_travel_height(program, lift):
+    text = program.decode()
+    at = text.index("G0 Z", text.index("F30000"))
+    line = text[at : text.index("\n", at) + 1]
+    mutant = text[:at] + ("" if lift is None else lift + "\n") + text[at + len(line) :]
+    assert any("switches at joint Z" in found for found in said(mutant.encode()))
+
+
+@BOTH
+def test_the_lift_before_the_last_release_is_needed(program):
+    text = program.decode()
+    at = text.rindex("G0 Z20.0000\n")
+    lines = said((text[:at] + text[at + 12 :]).encode())
+    assert lines == [lines[0]]
+    assert "switches at joint Z 4.000 mm; lift to 20.000 mm before that." in lines[0]
+
+
+@BOTH
+def test_the_next_station_comes_down_after_the_one_before_is_released(program):
+    text = program.decode()
+    at = text.index("M65 P1\n", text.index("F30000"))
+    down = text.index("M64 P2\n")
+    swapped = text[:at] + "M64 P2\n" + text[at + 7 : down] + "M65 P1\n" + text[down + 7 :]
+    assert any(
+        "lowers station 3 while station 2 may be lowered" in f for f in said(swapped.encode())
+    )
+
+
+@BOTH
+def test_a_spindle_is_not_started_again_in_the_board(program):
+    plunge = "G1 Z1.0000 F6000\nG1 X79.8237 F24000"
+    again = "G1 Z1.0000 F6000\nM5\nM3 S1\nG4 P0.15\nG1 X79.8237 F24000"
+    lines = said(changed(program, plunge, again))
+    assert any("switches at joint Z 1.000 mm" in line for line in lines), lines
+
+
+def test_a_program_without_work_states_everything_too():
+    bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM2\n"
+    assert said(bare, drawn=False) == [
+        "The program ends without stating output 0 (M65 P0).",
+        "The program ends without stating output 1 (M65 P1).",
+        "The program ends without stating output 2 (M65 P2).",
+        "The program ends without stating the spindle (M5).",
+    ]
+
+
+def test_a_station_without_an_output_has_none_to_state():
+    fixed = replace(MACHINE, stations=(replace(MACHINE.stations[0], output=-1),))
+    bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM5\nG4 P0.15\nG0 X5 Y5\nM2\n"
+    assert said(bare, fixed, drawn=False) == []
