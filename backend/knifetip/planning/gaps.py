@@ -5,8 +5,8 @@
 A loose end is linked to the nearest point of any other cut within ``CONTOUR_GAP``, and to the
 nearest loose end that lies ahead of it, within 60° of the direction in which its cut ends: where
 two contours run close beside each other the nearest point is on the neighbour, and their own other
-ends are ahead.  A point of the same chain of cuts counts only where the way to it along the chain is
-three times as long as the gap, so that no end is linked to the corner it comes from.
+ends are ahead.  A point of the same chain of cuts counts only where the way to it along the chain
+is three times as long as the gap, so that no end is linked to the corner it comes from.
 
 A link is no cut.  It only closes a contour for ``layers``, where a link too many does no harm: the
 work inside such a contour comes earlier than it had to.
