@@ -51,6 +51,9 @@ def links(ends: F64, bulge: F64) -> F64:
     tip, row = near(np.tile(points[tips], 2), arc.bounds(start, end, bulge), CONTOUR_GAP)
     share = arc.nearest(start[row], end[row], bulge[row], points[tips[tip]])
     place = arc.point_at(start[row], end[row], bulge[row], share)
+    for side in range(2):
+        there = np.hypot(*(place - ends[row, side]).T) <= JOIN
+        place[there], share[there] = ends[row[there], side], float(side)
     node = nodes(points).astype(np.int64)
     by_node = np.argsort(node, kind="stable")
     begin = np.searchsorted(node[by_node], np.arange(node.max() + 2))

@@ -13,7 +13,7 @@ Linear in the number of edges but for sorting: the ray walks through a grid of c
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -68,6 +68,13 @@ def subdivide(ends: F64, bulge: F64) -> Subdivision:
         none = np.zeros(0, np.int64)
         return Subdivision(none.reshape(0, 2), np.zeros(0, np.bool_), none, none, none)
     node = nodes(ends.reshape(-1, 2)).astype(np.int64)
+    first, twin, swapped = _twins(node.reshape(-1, 2), ends, bulge)
+    if len(first) < count:
+        # Of edges that lie on each other one divides the plane, and the others lie beside the same.
+        found = subdivide(ends[first], bulge[first])
+        face = found.face[twin]
+        face[swapped] = face[swapped][:, ::-1]
+        return replace(found, face=face, component=found.component[twin])
     face, faces = _walked(_onward(node, ends, bulge))
     # What hangs together meets in one point, so that no ray passes between.
     place = np.empty((int(node.max()) + 1, 2))
@@ -81,6 +88,18 @@ def subdivide(ends: F64, bulge: F64) -> Subdivision:
     sides = face.reshape(-1, 2)
     holder, depth = _nested(start, end, bulge, sides, outside, component)
     return Subdivision(sides, outside, component, holder, depth)
+
+
+def _twins(node: I64, ends: F64, bulge: F64) -> tuple[I64, I64, Bool]:
+    """Return the first of the edges that lie on each other, (m,), and for each edge which, (n,).
+
+    The third is whether an edge runs against the first one of its place, (n,).
+    """
+    middle = arc.point_at(ends[:, 0], ends[:, 1], bulge, np.full(len(bulge), 0.5))
+    key = np.column_stack([node.min(axis=1), node.max(axis=1), nodes(middle)])
+    _, first, twin = np.unique(key, axis=0, return_index=True, return_inverse=True)
+    twin = twin.ravel()
+    return first, twin, node[first[twin], 0] != node[:, 0]
 
 
 def _onward(node: I64, ends: F64, bulge: F64) -> I64:

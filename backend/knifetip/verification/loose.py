@@ -55,6 +55,8 @@ _NOTHING: Final = 1e-6
 _ASIDE: Final = 0.317 * JOINED
 #: A stretch on an edge that is shorter than this only crosses the edge (mm).
 _LONG: Final = 0.1
+#: Beside a corner of 28° a cutter leaves so many times its radius of either edge untouched.
+_CORNER: Final = 4.0
 #: Where along other work it is looked at, in shares.
 _PROBES: Final = (0.1, 0.5, 0.9)
 
@@ -66,13 +68,15 @@ class _Net:
     curve: F64  #: (p, 6)
     edge: I64  #: (p,) the cut, -1 for a link
     begin: F64  #: (p,) mm along the cut
-    face: I64  #: (p, 2) on the left and on the right
+    face: I64  #: (p, 2) on the left and on the right; of a twin in any order
     count: int  #: f
+    alone: I64  #: (q,) the pieces but for those that lie on an earlier one
 
     def located(self, points: F64) -> I64:
         """Return the face that each point, (m, 2) mm, lies in."""
-        met, rising = _left_of(points, np.full(len(points), -1), self.curve, self.edge)
-        side = self.face[met, np.where(rising, 1, 0)]
+        alone = self.alone
+        met, rising = _left_of(points, np.full(len(points), -1), self.curve[alone], alone)
+        side = self.face[alone[met], np.where(rising, 1, 0)]
         result: I64 = np.where(met < 0, 0, side)
         return result
 
@@ -87,6 +91,7 @@ class _Stretches:
     line: I64  #: (k,)
     through: Bool  #: (k,)
     way: I64  #: (k,) row of the work
+    reach: float  #: mm, the radius of the widest cutter, 0 for knives
 
 
 def judge_order(bench: Bench, work: Work) -> None:
@@ -98,7 +103,7 @@ def judge_order(bench: Bench, work: Work) -> None:
     done = _worked(bench, work, cuts)
     complete = _completed(
         net.edge, net.begin, net.begin + net.curve[:, 5], done.edge, done.low, done.high,
-        np.where(done.through, done.line, -1), len(cuts),
+        np.where(done.through, done.line, -1), len(cuts), done.reach,
     )  # fmt: skip
     order = np.argsort(-complete, kind="stable")
     free = _freed(order, complete, net.face, net.count)
@@ -184,12 +189,14 @@ def _worked(bench: Bench, work: Work, cuts: Edges) -> _Stretches:
     ]  # fmt: skip
     mill = work.trade == Trade.MILL
     bounds = outline(cuts) if mill.any() else None
+    widest = 0.0
     for index in np.unique(work.station[mill]):
         held = bench.machine.stations[int(index)]
         assert bounds is not None
         assert isinstance(held.tool, Cutter)
         give = next((one for one in bench.board.deflection if one.tool == held.name), None)
         reach = np.full(2, held.tool.radius) - ((give.x, give.y) if give else 0.0)
+        widest = max(widest, float(reach.max()))
         beside = equidistants(bounds, reach)
         rows = np.flatnonzero(mill & (work.station == index))
         length = beside.curve[:, 5]
@@ -207,29 +214,35 @@ def _worked(bench: Bench, work: Work, cuts: Edges) -> _Stretches:
     way = way[long].astype(np.int64)
     return _Stretches(
         edge[long].astype(np.int64), low[long], high[long], work.line[way].astype(np.int64),
-        through[long], way,
+        through[long], way, widest,
     )  # fmt: skip
 
 
 @njit(cache=True)
 def _completed(
-    owner: Any, begin: Any, end: Any, edge: Any, low: Any, high: Any, line: Any, count: int
-) -> Any:
-    """Return the line that completes each piece, infinite for none; before all others for links."""
+    owner: Any, begin: Any, end: Any, edge: Any, low: Any, high: Any, line: Any, count: int,
+    reach: float,
+) -> Any:  # fmt: skip
+    """Return the line that completes each piece, infinite for none; before all others for links.
+
+    A cutter does not come to all of a piece beside an inner corner, and to none of a short one, and
+    passes round both: what is left so is no hold.
+    """
     first = np.searchsorted(edge, np.arange(count + 1))
-    complete = np.full(len(owner), math.inf)
+    complete = np.full(len(owner), 0.0 if reach > 0.0 else math.inf)
     for p in range(len(owner)):
         if owner[p] < 0:
             complete[p] = -1.0
             continue
         a, b = begin[p], end[p]
-        most = min(GAP, 0.5 * (b - a))
+        most = _CORNER * reach if reach > 0.0 else min(GAP, 0.5 * (b - a))
         covered = np.empty((first[owner[p] + 1] - first[owner[p]] + 1, 2))
         many = 0
         for k in range(first[owner[p]], first[owner[p] + 1]):
             left, right = max(low[k], a), min(high[k], b)
             if line[k] < 0 or right <= left:
                 continue
+            complete[p] = math.inf
             many, _ = added(covered, many, left, right)
             bare, at = 0.0, a
             for j in range(many):
@@ -261,15 +274,18 @@ def _net(cuts: Edges) -> _Net:
     curve = np.concatenate([cuts.curve, links])
     piece, edge, begin = _split(curve)
     edge = np.where(edge < len(cuts), edge, -1)
-    # Only lengths count below: rows and line types are those of no drawing.
     nothing = np.zeros(len(piece), np.int32)
     ends = np.stack([point_at(piece, nothing), point_at(piece, piece[:, 5])], axis=1)
     outward = np.stack([azimuth_at(piece, nothing) + 180.0, azimuth_at(piece, piece[:, 5])], axis=1)
-    cycle, swept, component = walks(
-        Edges(nothing, piece, nothing, ends.reshape(-1, 2), outward.ravel(), nothing.astype(float))
+    row = np.arange(len(piece), dtype=np.int32)
+    alone, twin, first = drawn_once(
+        Edges(row, piece, nothing, ends.reshape(-1, 2), outward.ravel(), nothing.astype(float))
     )
-    face, count = _nested(piece, cycle.reshape(-1, 2), swept < _NOTHING, component)
-    return _Net(piece, edge, begin, face, count)
+    cycle, swept, component = walks(alone)
+    face = np.empty((len(piece), 2), np.int64)
+    face[alone.row], count = _nested(alone.curve, cycle.reshape(-1, 2), swept < _NOTHING, component)
+    face[twin] = face[first]
+    return _Net(piece, edge, begin, face, count, alone.row.astype(np.int64))
 
 
 def _links(cuts: Edges) -> F64:
@@ -285,7 +301,11 @@ def _links(cuts: Edges) -> F64:
     near = overlaps(lines(points, points), cuts.curve, nothing, size, GAP)
     tip, edge, place = near.curve.astype(np.int64), near.edge.astype(np.int64), near.place[:, 0]
     one, other = pairs_within(points, points, GAP)
-    target = np.concatenate([point_at(cuts.curve[edge], place), points[other]])
+    target = point_at(cuts.curve[edge], place)
+    for side in range(2):
+        there = np.hypot(*(target - cuts.ends[2 * edge + side]).T) <= JOINED
+        target[there] = cuts.ends[2 * edge[there] + side]
+    target = np.concatenate([target, points[other]])
     ends_at = np.where(tips[other] % 2 == 0, 0.0, size[tips[other] // 2])
     tip = np.concatenate([tip, one])
     edge = np.concatenate([edge, tips[other] // 2])
