@@ -2,11 +2,10 @@
 
     cuts -> links from their loose ends to what each of them was meant to meet
 
-A loose end is linked to the nearest point of any other cut within ``CONTOUR_GAP``, and to the
-nearest loose end that lies ahead of it, within 60° of the direction in which its cut ends: where
-two contours run close beside each other the nearest point is on the neighbour, and their own other
-ends are ahead.  A point of the same chain of cuts counts only where the way to it along the chain
-is three times as long as the gap, so that no end is linked to the corner it comes from.
+A loose end is linked to the nearest point of any other cut within ``CONTOUR_GAP``, and to all other
+loose ends within it: where two contours run close beside each other the nearest point is on the
+neighbour.  A point of the same chain of cuts counts only where the way to it along the chain is
+three times as long as the gap, so that no end is linked to the corner it comes from.
 
 A link is no cut.  It only closes a contour for ``layers``, where a link too many does no harm: the
 work inside such a contour comes earlier than it had to.
@@ -21,14 +20,12 @@ import numpy as np
 from numba import njit
 
 from knifetip.geometry import arc
-from knifetip.geometry.chain import nodes, outward
+from knifetip.geometry.chain import nodes
 from knifetip.geometry.columns import F64
 from knifetip.geometry.grid import touching
 from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
 from knifetip.planning.near import near
 
-#: The cosine of the angle within which a loose end lies ahead.
-_AHEAD: Final = 0.5
 #: The way along a chain is so many times as long as the gap that closes it, at least.
 _ROUND: Final = 3.0
 
@@ -57,13 +54,19 @@ def links(ends: F64, bulge: F64) -> F64:
     node = nodes(points).astype(np.int64)
     by_node = np.argsort(node, kind="stable")
     begin = np.searchsorted(node[by_node], np.arange(node.max() + 2))
-    first = np.searchsorted(tip, np.arange(len(tips) + 1))
-    target = _targets(
-        tips, first, row, share, place, points, outward(ends, bulge).reshape(-1, 2),
-        arc.length(start, end, bulge), loose, node, by_node, begin,
+    one, other = near(np.tile(points[tips], 2), np.tile(points[tips], 2), CONTOUR_GAP)
+    tip, row = np.concatenate([tip, one]), np.concatenate([row, tips[other] // 2])
+    share = np.concatenate([share, tips[other] % 2])
+    place = np.concatenate([place, points[tips[other]]])
+    to_end = np.arange(len(tip)) >= len(tip) - len(one)
+    order = np.argsort(tip, kind="stable")
+    first = np.searchsorted(tip[order], np.arange(len(tips) + 1))
+    linked = _linked(
+        tips, first, row[order], share[order], place[order], to_end[order], points,
+        arc.length(start, end, bulge), node, by_node, begin,
     )  # fmt: skip
-    found = np.concatenate([np.stack([points[tips], target[:, side]], axis=1) for side in range(2)])
-    found = found[~np.isnan(found).any(axis=(1, 2))]
+    kept = order[linked]
+    found = np.stack([points[tips[tip[kept]]], place[kept]], axis=1)
     # Two ends that are linked to each other have one link.
     swap = (found[:, 0, 0] > found[:, 1, 0]) | (
         (found[:, 0, 0] == found[:, 1, 0]) & (found[:, 0, 1] > found[:, 1, 1])
@@ -73,14 +76,14 @@ def links(ends: F64, bulge: F64) -> F64:
 
 
 @njit(cache=True)
-def _targets(
-    tips: Any, first: Any, row: Any, share: Any, place: Any, points: Any, out: Any, length: Any,
-    loose: Any, node: Any, by_node: Any, begin: Any,
+def _linked(
+    tips: Any, first: Any, row: Any, share: Any, place: Any, to_end: Any, points: Any, length: Any,
+    node: Any, by_node: Any, begin: Any,
 ) -> Any:  # fmt: skip
-    """Return the nearest point and the nearest loose end ahead of each tip, (t, 2, 2), or NaN."""
-    target = np.full((len(tips), 2, 2), np.nan)
+    """Return which candidates are links: all loose ends, and of other points the nearest."""
+    linked = np.zeros(len(row), np.bool_)
     seen = np.full(len(length), -1, np.int64)
-    #: The way from the tip to the start of an edge of its chain, and whether it is run backwards.
+    # The way from the tip to where an edge of its chain begins, and whether it is run backwards.
     way = np.empty(len(length))
     back = np.empty(len(length), np.bool_)
     for t in range(len(tips)):
@@ -95,27 +98,20 @@ def _targets(
                 break
             one, other = by_node[begin[at]], by_node[begin[at] + 1]
             half = other if one == half ^ 1 else one
-        x, y = points[tip, 0], points[tip, 1]
-        nearest, ahead = CONTOUR_GAP, CONTOUR_GAP
+        nearest, best = CONTOUR_GAP, -1
         for k in range(first[t], first[t + 1]):
-            edge = row[k]
-            if edge != tip // 2:
-                gap = math.hypot(place[k, 0] - x, place[k, 1] - y)
-                if gap <= nearest and _apart(edge, share[k], gap, t, seen, way, back, length):
-                    nearest = gap
-                    target[t, 0, 0], target[t, 0, 1] = place[k, 0], place[k, 1]
-            for side in range(2):
-                end = 2 * edge + side
-                if not loose[end] or end == tip:
-                    continue
-                dx, dy = points[end, 0] - x, points[end, 1] - y
-                gap = math.hypot(dx, dy)
-                if gap > ahead or not _apart(edge, float(side), gap, t, seen, way, back, length):
-                    continue
-                if dx * out[tip, 0] + dy * out[tip, 1] <= -_AHEAD * gap:
-                    ahead = gap
-                    target[t, 1, 0], target[t, 1, 1] = points[end, 0], points[end, 1]
-    return target
+            gap = math.hypot(place[k, 0] - points[tip, 0], place[k, 1] - points[tip, 1])
+            if gap <= JOIN or gap > CONTOUR_GAP:
+                continue
+            if not _apart(row[k], share[k], gap, t, seen, way, back, length):
+                continue
+            if to_end[k]:
+                linked[k] = True
+            elif row[k] != tip // 2 and gap <= nearest:
+                nearest, best = gap, k
+        if best >= 0:
+            linked[best] = True
+    return linked
 
 
 @njit(cache=True)

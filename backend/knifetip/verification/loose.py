@@ -112,12 +112,18 @@ def judge_order(bench: Bench, work: Work) -> None:
 
 
 def _judge_cuts(bench: Bench, cuts: Edges, net: _Net, done: _Stretches, free: F64) -> None:
-    """Judge the work on cuts: of the pieces of each stretch the one that was freed first."""
+    """Judge the work on cuts: of the pieces of each stretch the one that is held longest.
+
+    A line drawn across others is made in one go, and may lie in board that is held and in board
+    that is loose; pieces shorter than ``GAP`` do not hold it.
+    """
     pieces = np.flatnonzero(net.edge >= 0)
     first = np.searchsorted(net.edge[pieces], np.arange(len(cuts) + 1))
     held = free[net.face[pieces]].max(axis=1)
     begin = net.begin[pieces]
-    until = _least(done.edge, done.low, done.high, first, begin, begin + net.curve[pieces, 5], held)
+    until = _held_until(
+        done.edge, done.low, done.high, first, begin, begin + net.curve[pieces, 5], held
+    )
     late = np.flatnonzero(done.line > until)
     late = late[np.unique(done.edge[late], return_index=True)[1]]
     for k in late[:MOST]:
@@ -255,14 +261,19 @@ def _completed(
 
 
 @njit(cache=True)
-def _least(edge: Any, low: Any, high: Any, first: Any, begin: Any, end: Any, held: Any) -> Any:
-    """Return until which line the pieces of each stretch are held, the least of them."""
-    until = np.full(len(edge), math.inf)
+def _held_until(edge: Any, low: Any, high: Any, first: Any, begin: Any, end: Any, held: Any) -> Any:
+    """Return until which line each stretch is held: by a short piece only if it has no other."""
+    until = np.full(len(edge), -1.0)
     for k in range(len(edge)):
-        for p in range(first[edge[k]], first[edge[k] + 1]):
-            shared = min(high[k], end[p]) - max(low[k], begin[p])
-            if shared >= min(_LONG, 0.5 * (end[p] - begin[p])):
-                until[k] = min(until[k], held[p])
+        for least in (GAP, 0.0):
+            for p in range(first[edge[k]], first[edge[k] + 1]):
+                shared = min(high[k], end[p]) - max(low[k], begin[p])
+                if shared >= min(_LONG, 0.5 * (end[p] - begin[p])) and end[p] - begin[p] > least:
+                    until[k] = max(until[k], held[p])
+            if until[k] >= 0.0:
+                break
+        if until[k] < 0.0:
+            until[k] = math.inf
     return until
 
 
@@ -493,8 +504,8 @@ def _freed(order: Any, complete: Any, face: Any, count: int) -> Any:
     parent = np.arange(count)
     onward = np.arange(count)
     for p in order:
-        if complete[p] < 0.0:
-            # Only links are left: what they alone part from the rest is too small to be judged.
+        if complete[p] <= 0.0:
+            # What only links part from the rest, or pieces that no cutter reaches, is too small.
             break
         a, b = face[p, 0], face[p, 1]
         while parent[a] != a:
