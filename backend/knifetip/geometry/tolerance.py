@@ -13,6 +13,11 @@ ANGLE: Final = 1.0
 JOIN: Final = 0.002
 #: Ends of edges nearer than this were meant to touch (mm).
 GAP: Final = 0.05
+#: A cut that ends so near to another one goes on to it when contours are looked for (mm): a gap
+#: left in drawing or a nick, too narrow to hold a part in place.  Two edges that each stop 1.5 mm
+#: short of their square corner are 2.1 mm apart.  Only the order of work depends on this, never
+#: what is cut, so it may be generous.
+CONTOUR_GAP: Final = 2.2
 #: Edges nearer than this to each other all along are one edge drawn twice (mm): no farther than
 #: the tip may be from its line.
 SAME: Final = 0.01

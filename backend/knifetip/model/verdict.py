@@ -13,7 +13,7 @@ from knifetip.geometry.columns import F64, I32, frozen
 class Finding:
     """One thing that is wrong, with its place and measure."""
 
-    #: deviation, overcut, uncut, stray, depth, heading, feed, travel or program
+    #: deviation, overcut, uncut, stray, depth, heading, order, feed, travel or program
     kind: str
     text: str  #: in the user's words
     measure: float  #: mm, or degrees for a heading

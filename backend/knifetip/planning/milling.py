@@ -1,12 +1,12 @@
 """Milling: what a cutter (router or beam) needs to know that a knife does not.
 
-    Dieline, rows of cuts of one trade -> Operations[Cutter], open cuts first
+    Dieline, rows of cuts -> Operations[Cutter], layer by layer, open cuts first
 
-A cutter removes a disc, so its centre runs beside the line, in the waste: outside a blank, inside a
-hole.  It stands left of travel (a blank is travelled clockwise, a hole counter-clockwise): with a
-spindle that turns clockwise that is climb cutting.  A slit, with one blank on both its sides, is
-cut on the line, and each side loses r.  An edge that two blanks share is refused: there is no place
-for the disc that spares both, and none that is as good as another.
+A cutter removes a disc, so its centre runs beside the line, in the waste: outside a blank or a part
+in a hole, inside a hole.  It stands left of travel (a part is travelled clockwise, a hole
+counter-clockwise): with a spindle that turns clockwise that is climb cutting.  A slit, with one
+blank on both its sides, is cut on the line, and each side loses r.  An edge that two blanks share
+is refused: there is no place for the disc that spares both, and none that is as good as another.
 """
 
 from __future__ import annotations
@@ -30,7 +30,9 @@ from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Cutter
 from knifetip.planning.bridges import ends_of_others, places
 from knifetip.planning.corners import bends, chosen, found
-from knifetip.planning.outer import faces, noded
+from knifetip.planning.layers import cut_layers
+from knifetip.planning.noding import noded
+from knifetip.planning.outer import faces
 from knifetip.planning.reached import by_disc
 
 #: More passes than this are a mistake in the tool's ``step``.
@@ -45,7 +47,7 @@ def milled(
     station: Station,
     corners: Corners,
 ) -> list[Operation]:
-    """Return the operations that mill some cuts, all inner ones or all that bound a blank.
+    """Return the operations that mill some cuts, layer by layer from the innermost.
 
     Every contour is chained by itself, so that two may touch in one point.
 
@@ -66,9 +68,12 @@ def milled(
     ends, bulge = dieline.ends[rows], dieline.bulge[rows]
     sides, face, shared = _beside(dieline)
     _refuse_shared(rows[shared[rows]], cutter)
-    chains = chain(ends, bulge, group=face[rows])
+    layer = cut_layers(ends, bulge, face[rows])
+    chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face[rows])
     paths = _snapped(chains.paths(ends, bulge))
     source = rows[chains.order]
+    number = layer[chains.order][chains.first[:-1]]
+    avoid = ends_of_others(dieline, rows[sides[rows] != 0])
     waste = (np.where(chains.flipped, -1, 1) * sides[source])[paths.first[:-1]]
     inside = paths.closed & (waste == 0)
     side = np.where(inside, np.where(_area(paths) > 0.0, 1, -1), waste)
@@ -79,14 +84,13 @@ def milled(
     passes = 1 if cutter.step == 0.0 else min(_MOST, int(np.ceil(through / cutter.step - 1e-9)))
     depth = through * np.arange(1, passes + 1) / passes
     operations = []
-    for stands in (0, 1):
-        which = np.flatnonzero(np.abs(side) == stands).astype(np.int32)
-        if len(which) == 0:
-            continue
+    turn = 2 * (number.max(initial=0) - number) + np.abs(side)
+    for place in np.unique(turn):
+        which = np.flatnonzero(turn == place).astype(np.int32)
         some, kept = taken(paths, which)
         end = np.where(some.closed, End.CLOSED, End.FREE).astype(np.uint8)
         held = some.closed & (waste[which] != 0)
-        bridges = _bridges(some, held, board, cutter, source[kept], dieline, rows)
+        bridges = _bridges(some, held, board, cutter, source[kept], avoid)
         operations.append(
             Operation(
                 paths=some,
@@ -105,7 +109,7 @@ def milled(
                 start=end,
                 finish=end,
                 source=source[kept],
-                side=stands,
+                side=int(place % 2),
                 bridges=bridges,
                 bridge_width=board.bridge_width,
                 corner=corners.type,
@@ -126,8 +130,7 @@ def _bridges(
     board: Board,
     cutter: Cutter,
     source: I32,
-    dieline: Dieline,
-    rows: I32,
+    avoid: F64,
 ) -> F64:
     """Return the segment of each bridge, and how far along it its middle is (mm), (k, 2).
 
@@ -136,7 +139,6 @@ def _bridges(
     if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
         return np.zeros((0, 2))
     gap = board.bridge_width + 2.0 * cutter.radius
-    avoid = ends_of_others(dieline, rows)
     # A slot that two discs do not fit into side by side is cleared by the way along its other side.
     room = by_disc(paths, 2.0 * cutter.radius)
     path, place = places(paths, held, gap, board.bridge_spacing, source, avoid, room)

@@ -3,13 +3,15 @@
     Dieline (in sheet coordinates), Machine, Board -> Operations
 
 The list is in working order: creases and V-grooves while the board is whole and lies firmly, then
-what is cut part of the way, then inner cuts, and last the outer contours that set the blank free.
+what is cut part of the way, then the cuts, layer by layer from the innermost: what lies inside a
+contour is cut before the contour is.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -17,7 +19,7 @@ import numpy as np
 from knifetip.errors import NoToolForLineType, PlanError
 from knifetip.geometry.azimuth import azimuth
 from knifetip.geometry.chain import chain, outward, run_on
-from knifetip.geometry.columns import F64, I8, I32, U8, Bool
+from knifetip.geometry.columns import F64, I8, I32, I64, U8, Bool
 from knifetip.geometry.grid import touching
 from knifetip.geometry.path import (
     Paths,
@@ -41,8 +43,9 @@ from knifetip.planning.corners import check
 from knifetip.planning.creases import doubled, split_at_cuts
 from knifetip.planning.dashes import distinct, once
 from knifetip.planning.flank import check_flanks
+from knifetip.planning.layers import cut_layers
 from knifetip.planning.milling import chosen_at, milled
-from knifetip.planning.outer import outside
+from knifetip.planning.outer import Faces, faces
 from knifetip.planning.reached import everywhere
 
 #: The tools that each line type needs.
@@ -115,22 +118,21 @@ def plan(
     line_type = dieline.line_type
     cuts = np.flatnonzero(line_type == LineType.CUT).astype(np.int32)
     cuts = cuts[distinct(dieline.ends[cuts], dieline.bulge[cuts])]
-    side = outside(dieline.ends[cuts], dieline.bulge[cuts])
+    lies = faces(dieline.ends[cuts], dieline.bulge[cuts])
+    side = lies.side
     outline = Outline.of(dieline.ends[cuts], dieline.bulge[cuts], side)
-    bounding = side != 0
 
     def rows(*types: LineType) -> I32:
         return np.flatnonzero(np.isin(line_type, types)).astype(np.int32)
 
-    work: list[tuple[LineType, I32, Callable[..., Operation]]] = [
+    work: list[tuple[LineType, I32, Callable[..., Operation | list[Operation]]]] = [
         (LineType.CREASE, rows(LineType.CREASE, LineType.COMBI), _creases),
         (LineType.V_GROOVE, rows(LineType.V_GROOVE), partial(_grooves, outline)),
         (LineType.HALF_CUT, rows(LineType.HALF_CUT), _half_cuts),
         (LineType.PERFORATION, rows(LineType.PERFORATION, LineType.COMBI), _perforations),
-        (LineType.CUT, cuts[~bounding], _cuts),
-        (LineType.CUT, cuts[bounding], partial(_contours, side[bounding])),
+        (LineType.CUT, cuts, partial(_cuts, lies)),
     ]
-    operations = []
+    operations: list[Operation] = []
     for kind, listed, make in work:
         if len(listed):
             station = _station(machine, _needs(kind, machine)[0], board)
@@ -144,7 +146,8 @@ def plan(
             if isinstance(station.tool, Cutter):
                 operations += milled(dieline, listed, machine, board, station, corners or Corners())
             else:
-                operations.append(make(dieline, listed, machine, board, station))
+                made = make(dieline, listed, machine, board, station)
+                operations += made if isinstance(made, list) else [made]
     return operations if corners is None else chosen_at(operations, corners)
 
 
@@ -197,8 +200,10 @@ def _operation(
     )
 
 
-def _joined(dieline: Dieline, rows: I32, kink: float) -> tuple[Paths, I32]:
-    chains = chain(dieline.ends[rows], dieline.bulge[rows], kink)
+def _joined(
+    dieline: Dieline, rows: I32, kink: float, group: I64 | None = None
+) -> tuple[Paths, I32]:
+    chains = chain(dieline.ends[rows], dieline.bulge[rows], kink, group=group)
     return chains.paths(dieline.ends[rows], dieline.bulge[rows]), rows[chains.order]
 
 
@@ -303,19 +308,53 @@ def _grooves(
     )
 
 
-def _contours(
-    side: I8, dieline: Dieline, rows: I32, machine: Machine, board: Board, station: Station
-) -> Operation:
-    """The cuts that set a blank free; ``side`` says where the waste is, as ``outer.outside``."""
-    through = board.caliper + machine.into_mat
-    return _knifed(LineType.CUT, dieline, rows, through, machine, board, station, side)
-
-
 def _cuts(
-    dieline: Dieline, rows: I32, machine: Machine, board: Board, station: Station
-) -> Operation:
+    lies: Faces, dieline: Dieline, rows: I32, machine: Machine, board: Board, station: Station
+) -> list[Operation]:
+    """Return the cuts layer by layer, in each those that bound no part first.
+
+    ``lies`` is what ``outer.faces`` returns for the rows.
+    """
+    side = lies.side
+    layer = cut_layers(dieline.ends[rows], dieline.bulge[rows], lies.face)
     through = board.caliper + machine.into_mat
-    return _knifed(LineType.CUT, dieline, rows, through, machine, board, station)
+    place = (layer.max(initial=0) - layer) * 2 + (side != 0)
+    operations = []
+    for bounds in (False, True):
+        some = np.flatnonzero((side != 0) == bounds)
+        if len(some):
+            made = _knifed(
+                LineType.CUT, dieline, rows[some], through, machine, board, station,
+                side[some] if bounds else None, layer[some],
+            )  # fmt: skip
+            operations += _by_place(made, rows, place)
+    operations.sort(key=lambda made: made[0])
+    return [operation for _, operation in operations]
+
+
+def _by_place(operation: Operation, rows: I32, place: I64) -> list[tuple[int, Operation]]:
+    """Return an operation in several, the paths of each of whose edges are of one place."""
+    of_row = np.zeros(int(rows.max()) + 1, np.int64)
+    of_row[rows] = place
+    paths = operation.paths
+    own = of_row[operation.source[paths.first[:-1]]]
+    parts = []
+    for number in np.unique(own):
+        which = np.flatnonzero(own == number).astype(np.int32)
+        some, segment = taken(paths, which)
+        part = replace(
+            operation,
+            paths=some,
+            depth=operation.depth[segment],
+            start=operation.start[which],
+            finish=operation.finish[which],
+            source=operation.source[segment],
+            run_out=operation.run_out[which],
+            k_at=operation.k_at[segment],
+            corner_at=operation.corner_at[segment],
+        )
+        parts.append((int(number), part))
+    return parts
 
 
 def _half_cuts(
@@ -333,9 +372,13 @@ def _knifed(
     board: Board,
     station: Station,
     waste: I8 | None = None,
+    group: I64 | None = None,
 ) -> Operation:
-    """Cuts by a knife; those round a blank, where ``waste`` says on which side of each edge."""
-    paths, source = _joined(dieline, rows, 180.0)
+    """Cuts by a knife; those round a part, where ``waste`` says on which side of each edge.
+
+    Edges of different groups are not joined.
+    """
+    paths, source = _joined(dieline, rows, 180.0, group)
     held = np.zeros(len(paths), np.bool_)
     side = 0
     if waste is not None and board.bridge_width > 0.0 and board.bridge_spacing > 0.0:

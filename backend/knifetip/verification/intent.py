@@ -270,6 +270,11 @@ class Chains:
         return rows, np.where(self.flipped[rows], curve[rows, 5] - along, along)
 
 
+def joints(edges: Edges) -> I64:
+    """Return the end that each end is joined to, (2n,), -1 for none: alone, at any angle."""
+    return _links(edges, 180.0)[0]
+
+
 def straight_on(edges: Edges) -> Bool:
     """Return for the ends of edges, (2n,), whether another one goes straight on."""
     return _links(edges, STRAIGHT)[1]

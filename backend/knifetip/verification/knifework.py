@@ -183,7 +183,7 @@ class Knifework(Trial):
             far, near = (ends[1], ends[0]) if last else (ends[0], ends[1])
             on = np.zeros(len(mine), np.bool_)
             on[overlaps(lines(far, far), cuts, nothing, size, self.tolerance).curve] = True
-            waste = ~on & (inside(far, bounds) != 1)
+            waste = ~on & (inside(far, bounds) % 2 == 0)
             meets = np.zeros(len(mine), np.bool_)
             touch = overlaps(lines(near, near), cuts, nothing, size, self.tolerance)
             meets[touch.curve[bounds.outer[touch.edge]]] = True

@@ -44,8 +44,8 @@ class Outline:
 
     @property
     def outer(self) -> Bool:
-        """(n,) Whether an edge bounds a blank from outside."""
-        result: Bool = self.closing & (self.depth == 0)
+        """(n,) Whether an edge bounds a blank, or a part inside a hole, from outside."""
+        result: Bool = self.closing & (self.depth % 2 == 0)
         return result
 
 
@@ -55,6 +55,29 @@ def outline(edges: Edges) -> Outline:
     if count == 0:
         none = np.zeros(0, np.bool_)
         return Outline(edges, none, np.zeros(0, np.int64), none, np.zeros(0, np.int64))
+    cycle, swept, component = walks(edges)
+    # A cycle is the outside of its component if it is clockwise, or encloses nothing.
+    outside = (swept < _NOTHING)[cycle].reshape(-1, 2)
+    closing = outside[:, 0] != outside[:, 1]
+    depth = _depths(edges.curve, closing, component)[component]
+    # Half-edge 0 has its face on the edge's left.  In a hole the board is outside.
+    left = ~outside[:, 0] ^ (depth % 2 == 1)
+    return Outline(edges, closing, depth, left, component)
+
+
+def walks(edges: Edges) -> tuple[I64, F64, I64]:
+    """Return the walks round the faces between edges that share their ends.
+
+    Returns
+    -------
+    cycle : (2n,)
+        The walk that goes along each half-edge, from start to end of an edge and back, with its
+        face on the left.
+    swept : (w,)
+        Twice the area of each walk (mm²): not positive for the walk round a component.
+    component : (n,)
+    """
+    count = len(edges)
     a, b = pairs_within(edges.ends, edges.ends, JOINED)
     node = _named(a, b, 2 * count)
     curve = np.repeat(edges.curve, 2, axis=0)
@@ -65,19 +88,12 @@ def outline(edges: Edges) -> Outline:
     bend = np.where(back, -bend, bend)
     order = np.lexsort((bend, leaves, node))
     cycle, swept = _walked(order, node[order], _swept(edges))
-    # A cycle is the outside of its component if it is clockwise, or encloses nothing.
-    outside = (swept < _NOTHING)[cycle].reshape(-1, 2)
-    closing = outside[:, 0] != outside[:, 1]
     component = _named(
         np.concatenate([node, np.arange(2 * count)]),
         np.concatenate([np.arange(2 * count), np.arange(2 * count) ^ 1]),
         2 * count,
     )[::2]
-    component = np.unique(component, return_inverse=True)[1].astype(np.int64)
-    depth = _depths(edges.curve, closing, component)[component]
-    # Half-edge 0 has its face on the edge's left.  In a hole the board is outside.
-    left = ~outside[:, 0] ^ (depth % 2 == 1)
-    return Outline(edges, closing, depth, left, component)
+    return cycle, swept, np.unique(component, return_inverse=True)[1].ravel().astype(np.int64)
 
 
 def _named(a: I64, b: I64, count: int) -> I64:

@@ -33,7 +33,7 @@ def overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) -> Rows
     if len(curves) == 0 or len(edges) == 0:
         pairs, spans = np.zeros((0, 2), np.int32), np.zeros((0, 5))
     else:
-        corner, size, shape = _laid_out(edges, limit)
+        corner, size, shape = laid_out(edges, limit)
         pairs, spans, rows = _found(
             np.ascontiguousarray(curves),
             np.ascontiguousarray(edges),
@@ -49,7 +49,8 @@ def overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) -> Rows
     return in_order(pairs, spans, curves)
 
 
-def _laid_out(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
+def laid_out(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
+    """Return the corner, the cell size (mm) and the columns and rows of a grid over edges."""
     straight = edges[:, 0] == 0.0
     reach = np.where(straight, 0.0, edges[:, 3])
     ends = edges[:, 1:3] + np.where(straight, edges[:, 5], 0.0)[:, None] * np.where(
@@ -67,7 +68,7 @@ def _laid_out(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
 
 
 @njit(cache=True)
-def _cells(
+def cells_of(
     curve: Any, margin: float, corner: Any, size: float, wide: int, high: int, out: Any
 ) -> Any:
     """Write the cells that a curve's surroundings touch to ``out``, repeats included."""
@@ -146,7 +147,7 @@ def _found(
         for edge in range(len(edges)):
             if high[edge] < low[edge]:
                 continue
-            cells, many = _cells(edges[edge], 0.0, corner, size, wide, tall, cells)
+            cells, many = cells_of(edges[edge], 0.0, corner, size, wide, tall, cells)
             for k in range(many):
                 cell = cells[k]
                 if seen[cell] == edge:
@@ -170,7 +171,7 @@ def _found(
     met = np.full(len(edges), -1, np.int64)
     hits = np.empty((16, 5))
     for curve in range(len(curves)):
-        cells, many = _cells(curves[curve], limit, corner, size, wide, tall, cells)
+        cells, many = cells_of(curves[curve], limit, corner, size, wide, tall, cells)
         for k in range(many):
             for place in range(count[cells[k]], count[cells[k] + 1]):
                 edge = listed[place]

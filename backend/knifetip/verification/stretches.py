@@ -124,7 +124,7 @@ def _best(curve_of: Any, spans: Any, length: Any, until: Any) -> Any:
         for row in range(begin, end):
             right = min(spans[row, 1], until[curve])
             left = min(spans[row, 0], right)
-            many, gained = _added(covered, many, left, right)
+            many, gained = added(covered, many, left, right)
             # An edge drawn twice is worked twice by one way.
             twin = spans[row, 4] <= spans[begin, 4] + 1e-6
             whole = right - left > BRIEF or (short and spans[row, 1] <= until[curve])
@@ -134,7 +134,7 @@ def _best(curve_of: Any, spans: Any, length: Any, until: Any) -> Any:
 
 
 @njit(cache=True)
-def _added(covered: Any, many: int, left: float, right: float) -> Any:
+def added(covered: Any, many: int, left: float, right: float) -> Any:
     """Put a stretch into a sorted list of disjoint ones; return their number and what was new."""
     first = 0
     while first < many and covered[first, 1] < left:
@@ -177,7 +177,7 @@ def _left(curve_of: Any, along: Any, length: Any) -> Any:
         covered = np.empty((row - begin + 1, 2))
         many = 0
         for k in range(begin, row):
-            many, _ = _added(covered, many, along[k, 0], along[k, 1])
+            many, _ = added(covered, many, along[k, 0], along[k, 1])
         if length[curve] < 1e-9:
             if row == begin:
                 which[count] = curve

@@ -25,6 +25,7 @@ from knifetip.verification.coverage import compare
 from knifetip.verification.findings import MOST, Findings
 from knifetip.verification.intent import on_sheet
 from knifetip.verification.kinematics import Tips, Work, tips, work
+from knifetip.verification.loose import judge_order
 from knifetip.verification.modal import Moves, interpret
 from knifetip.verification.parse import obeyed, parse, placement_of
 from knifetip.verification.switching import check_switching
@@ -86,6 +87,7 @@ def verify(
     _unclassified(dieline, found)
     bench = Bench(edges, machine, board, tolerance, figures, found)
     compare(bench, ways)
+    judge_order(bench, ways)
     return Verdict(
         accepted=len(found) == 0,
         tolerance=tolerance,

@@ -1,0 +1,163 @@
+"""What lies inside a contour is made before the contour: planned, judged, and swapped by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import nested
+from knifetip import compensate, plan, process, sequence, verify
+from knifetip.library import load
+from knifetip.model.dieline import LineType
+from shapes import closed, dieline, edges
+
+KNIFE, ROUTER = load.machine("demo-table"), load.machine("router-table")
+BOARD, THICK = load.board("greyboard-2.0"), load.board("greyboard-3.0")
+CUT, CREASE = LineType.CUT, LineType.CREASE
+
+
+def made(line, machine=KNIFE, board=BOARD, order=None):
+    operations = plan(line, machine, board)
+    if order is not None:
+        operations = [operations[place] for place in order]
+    return sequence([compensate(operation) for operation in operations], machine)
+
+
+def judged(line, toolpath, machine=KNIFE, board=BOARD):
+    return verify(
+        process(toolpath, machine, machine.dialect).text, line, (0.0, 0.0), machine, board
+    )
+
+
+def out_of_order(sheet, toolpath):
+    """Return the pairs of which the inner contour is worked after the outer one is complete."""
+    rows = np.flatnonzero(toolpath.source >= 0)
+    contour = sheet.contour[toolpath.source[rows]]
+    last = {one: rows[contour == one].max() for one in np.unique(contour)}
+    return [(inner, outer) for inner, outer in sheet.pairs if last[inner] > last[outer]]
+
+
+def box(x, y, wide, high):
+    return closed((x, y), (x + wide, y), (x + wide, y + high), (x, y + high))
+
+
+@pytest.mark.parametrize("gap", [0.0, 0.4, 1.4])
+def test_a_knife_cuts_every_contour_after_what_lies_inside_it(gap):
+    count = 0
+    for seed in range(8):
+        sheet = nested.sheet(seed, room=6.0, least=15.0, gap=gap)
+        toolpath = made(sheet.line)
+        assert out_of_order(sheet, toolpath) == []
+        verdict = judged(sheet.line, toolpath)
+        assert verdict.accepted, verdict.findings[:2]
+        count += len(sheet.pairs)
+    assert count >= 500
+
+
+def test_a_router_mills_every_contour_after_what_lies_inside_it():
+    count = 0
+    for seed in range(14):
+        sheet = nested.sheet(seed, room=14.0, least=30.0)
+        toolpath = made(sheet.line, ROUTER, THICK)
+        assert out_of_order(sheet, toolpath) == []
+        verdict = judged(sheet.line, toolpath, ROUTER, THICK)
+        assert verdict.accepted, verdict.findings[:2]
+        count += len(sheet.pairs)
+    assert count >= 250
+
+
+NEST = dieline(
+    *((CUT, box(*one)) for one in ((100, 100, 420, 320), (190, 160, 240, 200))),
+    *((CUT, box(*one)) for one in ((220, 190, 180, 140), (270, 225, 70, 60))),
+)
+SWAPS = [(1, 0, 2, 3), (0, 2, 1, 3), (0, 1, 3, 2), (3, 2, 1, 0)]
+
+
+@pytest.mark.parametrize(("machine", "board"), [(KNIFE, BOARD), (ROUTER, THICK)], ids=str)
+def test_an_inner_contour_behind_its_outer_one_is_refused(machine, board):
+    assert judged(NEST, made(NEST, machine, board), machine, board).accepted
+    for order in SWAPS:
+        verdict = judged(NEST, made(NEST, machine, board, order), machine, board)
+        kinds = {finding.kind for finding in verdict.findings}
+        assert kinds == {"order"}, order
+        first = verdict.findings[0]
+        assert first.edge >= 0
+        assert first.line > 0
+        assert "cut loose" in first.text
+
+
+@pytest.mark.parametrize("gap", [0.05, 0.4, 1.4])
+def test_a_blank_with_gaps_that_is_cut_before_what_lies_inside_it_is_refused(gap):
+    g = gap
+    blank = edges(
+        ((100 + g, 100), (300, 100)), ((300, 100), (300, 150 - g / 2)),
+        ((300, 150 + g / 2), (300, 300 - g)), ((300, 300), (100, 300)), ((100, 300), (100, 100)),
+    )  # fmt: skip
+    line = dieline(
+        (CUT, blank), (CUT, box(130, 150, 20, 20)), (CREASE, edges(((200, 100), (200, 300))))
+    )
+    assert judged(line, made(line)).accepted
+    assert judged(line, made(line, order=(1, 0, 2))).accepted, "a crease before the blank is legal"
+    hole = judged(line, made(line, order=(0, 2, 1)))
+    assert {finding.edge for finding in hole.findings} == {5, 6, 7, 8}
+    crease = judged(line, made(line, order=(1, 2, 0)))
+    assert {finding.edge for finding in crease.findings} == {9}
+
+
+@pytest.mark.parametrize("kind", [CREASE, LineType.HALF_CUT, LineType.PERFORATION])
+def test_other_work_on_a_part_that_is_loose_is_refused(kind):
+    line = dieline((CUT, box(100, 100, 200, 100)), (kind, edges(((150, 120), (150, 180)))))
+    assert judged(line, made(line)).accepted
+    late = judged(line, made(line, order=(1, 0)))
+    assert {(finding.kind, finding.edge) for finding in late.findings} == {("order", 4)}
+    waste = dieline((CUT, box(100, 100, 200, 100)), (kind, edges(((350, 120), (350, 180)))))
+    assert judged(waste, made(waste, order=(1, 0))).accepted
+
+
+def test_parts_that_share_an_edge_and_a_ladder_are_cut_from_inside():
+    rungs = edges(*(((100, y), (300, y)) for y in (140, 180, 220)))
+    line = dieline(
+        (CUT, box(100, 100, 200, 160)), (CUT, rungs), (CUT, box(150, 150, 20, 20)),
+        (CUT, edges(((300, 120), (340, 120)), ((340, 120), (340, 200)), ((340, 200), (300, 200)))),
+    )  # fmt: skip
+    verdict = judged(line, made(line))
+    assert verdict.accepted, verdict.findings[:2]
+    assert not judged(line, made(line, order=(1, 0, *range(2, len(plan(line, KNIFE, BOARD)))))
+                      ).accepted  # fmt: skip
+
+
+def test_a_grid_of_lines_drawn_across_each_other_is_cut_in_an_order_that_holds():
+    across = [((90, y), (230, y)) for y in (100, 140, 180, 220)]
+    up = [((x, 90), (x, 230)) for x in (100, 140, 180, 220)]
+    line = dieline((CUT, edges(*across, *up)))
+    toolpath = made(line)
+    assert judged(line, toolpath).accepted
+    operations = plan(line, KNIFE, BOARD)
+    backwards = sequence([compensate(one) for one in operations[::-1]], KNIFE)
+    assert {one.kind for one in judged(line, backwards).findings} == {"order"}
+
+
+def test_a_hole_that_touches_its_contour_in_a_vertex_comes_first():
+    hole = closed((100, 100), (160, 120), (120, 160))
+    line = dieline((CUT, box(100, 100, 200, 100)), (CUT, hole), (CUT, box(125, 125, 5, 5)))
+    verdict = judged(line, made(line))
+    assert verdict.accepted, verdict.findings[:2]
+    assert [sorted(set(one.source.tolist())) for one in plan(line, KNIFE, BOARD)] == [
+        [7, 8, 9, 10], [4, 5, 6], [0, 1, 2, 3],
+    ]  # fmt: skip
+
+
+def test_bridges_hold_parts_at_every_depth():
+    held = replace(BOARD, bridge_width=0.8, bridge_spacing=150.0)
+    toolpath = made(NEST, board=held)
+    verdict = judged(NEST, toolpath, board=held)
+    assert verdict.accepted, verdict.findings[:2]
+    tracks = {
+        edge // 4: len(np.unique(toolpath.track[toolpath.source // 4 == edge // 4]))
+        for edge in (0, 4, 8, 12)
+    }
+    assert tracks[1] == tracks[3] == 1
+    assert tracks[0] > 2
+    assert tracks[2] > 2

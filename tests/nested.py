@@ -1,0 +1,109 @@
+"""nested: sheets of contours inside contours, and which lies in which by shapely's account."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from shapely.geometry import Polygon
+
+from knifetip.geometry.columns import F64, I64
+from knifetip.model.dieline import Dieline, LineType
+from shapes import dieline
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A dieline, the contour of each of its edges, and the pairs of contours (inner, outer)."""
+
+    line: Dieline
+    contour: I64  #: (n,)
+    pairs: list[tuple[int, int]]
+
+
+def sheet(seed: int, *, room: float, least: float, gap: float = 0.0) -> Sheet:
+    """Return contours nested at random, in random order and direction.
+
+    Parameters
+    ----------
+    room : mm
+        Between a contour and what lies inside it.
+    least : mm
+        No contour is smaller.
+    gap : mm
+        Up to so much is missing at corners and in the middle of edges.
+    """
+    chance = np.random.default_rng(seed)
+    corners: list[F64] = []
+    _fill(chance, 10.0, 10.0, 700.0, 500.0, room, least, corners, 0)
+    groups = [_edges(one, chance, gap) for one in corners]
+    order = chance.permutation(sum(len(one) for one in groups))
+    ends = np.concatenate(groups)[order]
+    back = chance.random(len(ends)) < 0.5
+    ends[back] = ends[back][:, ::-1]
+    contour = np.repeat(np.arange(len(groups)), [len(one) for one in groups])[order]
+    shapes = [Polygon(one) for one in corners]
+    pairs = [
+        (inner, outer)
+        for inner in range(len(shapes))
+        for outer in range(len(shapes))
+        if inner != outer and shapes[outer].contains(shapes[inner])
+    ]
+    return Sheet(dieline((LineType.CUT, ends)), contour, pairs)
+
+
+def _fill(
+    chance: np.random.Generator,
+    x: float,
+    y: float,
+    wide: float,
+    high: float,
+    room: float,
+    least: float,
+    corners: list[F64],
+    depth: int,
+) -> None:
+    """Put contours into a rectangle, split at random, and others into those."""
+    if wide < least or high < least:
+        return
+    if chance.random() < 0.6 and max(wide, high) > 2.5 * least + room:
+        share = chance.uniform(0.35, 0.65)
+        if wide > high:
+            left = wide * share - room / 2.0
+            _fill(chance, x, y, left, high, room, least, corners, depth)
+            x, wide = x + left + room, wide - left - room
+        else:
+            low = high * share - room / 2.0
+            _fill(chance, x, y, wide, low, room, least, corners, depth)
+            y, high = y + low + room, high - low - room
+        _fill(chance, x, y, wide, high, room, least, corners, depth)
+        return
+    slant = chance.uniform(0.0, 0.15) * min(wide, high) if chance.random() < 0.5 else 0.0
+    corners.append(
+        np.array([(x + slant, y), (x + wide, y), (x + wide - slant, y + high), (x, y + high)])
+    )
+    if depth < 6:
+        inset = room + slant
+        _fill(
+            chance, x + inset, y + room, wide - 2.0 * inset, high - 2.0 * room, room, least,
+            corners, depth + 1,
+        )  # fmt: skip
+
+
+def _edges(corners: F64, chance: np.random.Generator, gap: float) -> F64:
+    edges = []
+    for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        unit = (end - start) / math.hypot(*(end - start))
+        size = chance.uniform(0.2, 1.0) * gap
+        kind = chance.integers(0, 4) if gap > 0.0 else 0
+        if kind == 1:
+            start = start + size * unit
+        elif kind == 2:
+            end = end - size * unit
+        elif kind == 3:
+            middle = start + (end - start) * chance.uniform(0.3, 0.7)
+            edges.append((start, middle - size / 2.0 * unit))
+            start = middle + size / 2.0 * unit
+        edges.append((start, end))
+    return np.array(edges)
