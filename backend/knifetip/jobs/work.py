@@ -22,7 +22,7 @@ from dbos import DBOS, DBOSConfig, SetWorkflowID
 from knifetip.errors import JobError, KnifetipError, OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.crew import Crew, Fault, Withdrawn
-from knifetip.jobs.store import Store
+from knifetip.jobs.store import LEASE, Store
 
 QUEUE = "compile"
 LIMIT = 120.0  #: seconds that a reading or a compile may take
@@ -49,6 +49,7 @@ class Workshop:
     compiles: bool = True  #: False in a server whose workers are other processes
     at_once: int = 1
     limit: float = LIMIT
+    gateways: bool = True  #: False in a process that gateways do not report to
 
     _stopping: threading.Event = field(default_factory=threading.Event)
     _sweeping: threading.Thread | None = None
@@ -102,9 +103,16 @@ class Workshop:
     def _sweep(self) -> None:
         # What waits since before this process was born is taken up without delay.
         patience = 0.0
+        began = last = time.time()
         while not self._stopping.is_set():
+            now = time.time()
+            if not 0.0 <= now - last < LEASE / 2.0:
+                began = now  # this process was suspended, or its clock was set
+            last = now
+            # Gateways that could not reach this process get a lease's time to report again.
+            heard = self.gateways and now - began > LEASE
             try:
-                for job, attempt in self.store.sweep(patience):
+                for job, attempt in self.store.sweep(patience, gateways=heard):
                     self.submit(job, attempt)
                 patience = 2.0
             except Exception:

@@ -25,7 +25,7 @@ from knifetip.errors import (
     WrongState,
 )
 from knifetip.jobs import migrations
-from knifetip.jobs.store import ATTEMPTS, LEASE, Result, Store
+from knifetip.jobs.store import ATTEMPTS, LEASE, Report, Result, Store
 from knifetip.jobs.tables import Base, Drawing, Job
 
 LINES = 231
@@ -274,7 +274,7 @@ def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(store: Store
     assert again is not None
     assert again.epoch > job.epoch
     with pytest.raises(StaleEpoch, match=f"epoch {job.epoch}"):
-        store.heartbeat(job.id, job.epoch, line=5)
+        store.heartbeat(job.id, job.epoch, Report(line=5))
     with pytest.raises(StaleEpoch):
         store.finish(job.id, job.epoch, "done", "")
     assert store.job(job.id).state == "running"
@@ -282,7 +282,7 @@ def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(store: Store
 
 def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(store: Store, clock: Clock):
     job = running(store)
-    store.heartbeat(job.id, job.epoch, line=199)
+    store.heartbeat(job.id, job.epoch, Report(line=199))
     clock.now += LEASE - 0.1
     store.sweep()
     assert store.job(job.id).state == "running"
@@ -298,7 +298,7 @@ def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock):
     job = running(store)
     for line in range(20):
         clock.now += LEASE / 2
-        assert store.heartbeat(job.id, job.epoch, line=line) == "continue"
+        assert store.heartbeat(job.id, job.epoch, Report(line=line)) == "continue"
         store.sweep()
     assert store.job(job.id).state == "running"
 
@@ -312,7 +312,7 @@ def test_a_finish_that_is_said_twice_does_no_harm(store: Store):
 
 def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(store: Store):
     job = running(store)
-    store.heartbeat(job.id, job.epoch, line=100)
+    store.heartbeat(job.id, job.epoch, Report(line=100))
     store.finish(job.id, job.epoch, "interrupted", "a belt tore")
     again = store.requeue(job.id)
     assert (again.state, again.line, again.reason) == ("queued", 0, "")
@@ -325,23 +325,25 @@ def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(stor
 
 def test_copies_that_were_cut_before_an_interruption_count(store: Store):
     job = running(store, copies=3)
-    store.heartbeat(job.id, job.epoch, line=LINES, copies_done=1, held=True)
+    store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
     assert store.events_of(job.id)[-1].why == "copy 1 of 3 is done: put a new sheet on the table"
     store.finish(job.id, job.epoch, "interrupted", "")
     store.requeue(job.id)
     again = store.claim("table", "gateway")
     assert again is not None
-    store.heartbeat(again.id, again.epoch, line=LINES, copies_done=1, held=True)
+    store.heartbeat(again.id, again.epoch, Report(line=LINES, copies_done=1, held=True))
     assert store.job(job.id).copies_done == 2
 
 
 def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store):
     job = running(store, copies=3)
-    store.heartbeat(job.id, job.epoch, line=LINES, copies_done=1, held=True)
+    store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
     store.resume(job.id)
-    assert store.heartbeat(job.id, job.epoch, line=LINES, copies_done=1, held=True) == "resume"
+    assert (
+        store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True)) == "resume"
+    )
     # The second copy was so short that no heartbeat fell into it.
-    answer = store.heartbeat(job.id, job.epoch, line=LINES, copies_done=2, held=True)
+    answer = store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=2, held=True))
     assert answer == "continue"
     assert store.events_of(job.id)[-1].why.startswith("copy 2 of 3 is done")
 
@@ -352,13 +354,13 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store):
 def test_hold_and_resume_go_through_the_gateway(store: Store):
     job = running(store)
     assert store.hold(job.id).state == "running"
-    assert store.heartbeat(job.id, job.epoch, line=5) == "hold"
-    assert store.heartbeat(job.id, job.epoch, line=6) == "hold"
-    assert store.heartbeat(job.id, job.epoch, line=6, held=True) == "continue"
+    assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "hold"
+    assert store.heartbeat(job.id, job.epoch, Report(line=6)) == "hold"
+    assert store.heartbeat(job.id, job.epoch, Report(line=6, held=True)) == "continue"
     assert store.job(job.id).state == "held"
     assert store.resume(job.id).wish == "resume"
-    assert store.heartbeat(job.id, job.epoch, line=6, held=True) == "resume"
-    assert store.heartbeat(job.id, job.epoch, line=7) == "continue"
+    assert store.heartbeat(job.id, job.epoch, Report(line=6, held=True)) == "resume"
+    assert store.heartbeat(job.id, job.epoch, Report(line=7)) == "continue"
     assert store.job(job.id).state == "running"
 
 
@@ -368,7 +370,7 @@ def test_a_running_job_is_cancelled_by_its_gateway(store: Store):
     with pytest.raises(WrongState, match="being cancelled"):
         store.resume(job.id)
     assert store.cancel(job.id).wish == "cancel"
-    assert store.heartbeat(job.id, job.epoch, line=5) == "cancel"
+    assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "cancel"
     assert store.finish(job.id, job.epoch, "cancelled", "").state == "cancelled"
 
 
