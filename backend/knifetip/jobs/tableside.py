@@ -96,7 +96,7 @@ class Tableside(Orders):
                 )
         return found
 
-    def claim(self, machine: str, gateway: str, *, manual: bool = False) -> Job | None:
+    def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
         """Give the next queued job of a machine to a gateway, or None if there is none.
 
         With ``manual`` the job stays ``queued``: the gateway sends nothing to the machine until a
