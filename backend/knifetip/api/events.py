@@ -139,7 +139,9 @@ class Stream:
             newest = await asyncio.to_thread(store.last_event)
             missed: list[str] = []
             if not self._listeners:
-                self._last, self._told, self._waits = newest, {}, {}
+                self._last, self._told = newest, {}
+                # What queued jobs wait for now is no news: who listens has asked for the jobs.
+                await asyncio.to_thread(self._queued, ())
             if after is not None and after < self._last:
                 missed = await asyncio.to_thread(self._missed, after, self._last)
             self._listeners.add(queue)

@@ -236,7 +236,8 @@ def test_queued_jobs_state_whether_they_wait_for_their_turn_or_for_the_machine(
     assert (waits, reason.endswith("interrupted.")) == ("machine", True)
     assert hint == "Mark that job finished, queue it again or scrap it first."
     client.post(f"/api/jobs/{claimed['job']}/finish")
-    assert of(following)[:2] == ("machine", f"Waiting until {title} takes it.")
+    assert of(following)[0] == "machine"
+    assert "taken by" not in of(following)[1]
     for id in (following, last):
         client.post(f"/api/jobs/{id}/cancel")
 
