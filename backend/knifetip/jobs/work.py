@@ -22,7 +22,8 @@ from dbos import DBOS, DBOSConfig, SetWorkflowID
 from knifetip.errors import JobError, KnifetipError, OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.crew import Crew, Fault, Withdrawn
-from knifetip.jobs.store import LEASE, Store
+from knifetip.jobs.grace import Grace
+from knifetip.jobs.store import Store
 
 QUEUE = "compile"
 LIMIT = 120.0  #: seconds that a reading or a compile may take
@@ -103,16 +104,11 @@ class Workshop:
     def _sweep(self) -> None:
         # What waits since before this process was born is taken up without delay.
         patience = 0.0
-        began = last = time.time()
+        grace = Grace()
         while not self._stopping.is_set():
-            now = time.time()
-            if not 0.0 <= now - last < LEASE / 2.0:
-                began = now  # this process was suspended, or its clock was set
-            last = now
-            # Gateways that could not reach this process get a lease's time to report again.
-            heard = self.gateways and now - began > LEASE
+            listened = grace.over(self.store.clock())
             try:
-                for job, attempt in self.store.sweep(patience, gateways=heard):
+                for job, attempt in self.store.sweep(patience, gateways=self.gateways and listened):
                     self.submit(job, attempt)
                 patience = 2.0
             except Exception:

@@ -30,7 +30,7 @@ export function ConfirmationCard({ job }: { job: Job }) {
       <dl className={jobCss.setUp}>
         <dt>Board</dt>
         <dd>
-          {board === undefined ? job.board : `${board.title} · ${board.caliper} mm`}
+          {board?.title || job.board}
           {job.copies > 1 && ` · copy ${job.copies_done + 1} of ${job.copies}`}
         </dd>
         {job.tools.length > 0 && (
