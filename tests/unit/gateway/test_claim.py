@@ -13,7 +13,9 @@ import pytest
 from knifetip.errors import ControllerError
 from knifetip.gateway import grbl, simulator
 from knifetip.gateway.claim import work
+from knifetip.gateway.controller import State
 from knifetip.gateway.journal import Journal
+from knifetip.gateway.stream import Progress
 from knifetip.gateway.table import Faults
 from knifetip.library import load
 
@@ -400,24 +402,24 @@ async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine():
     assert office.finished[0]["line"] == 0
 
 
-@pytest.mark.parametrize("state", ["switched off", "jogged"])
-async def test_a_table_that_is_not_at_rest_gives_a_waiting_job_back(state):
+@pytest.mark.parametrize(
+    ("sent", "why"), [(b"!", "not idle: it reports hold"), (b"\x18", "was reset")]
+)
+async def test_a_table_that_is_not_at_rest_gives_a_waiting_job_back(sent, why):
     office = Office(confirm=True)
     async with table() as server:
 
         def command(beat):
-            if len(office.beats) == 5 and state == "jogged":
-                server.table.speed = 0.1
-                server.table.receive(b"$J=G90 G21 X500 F6000\n")
-            if len(office.beats) == 5 and state == "switched off":
-                server.table.receive(b"\x18")
-            return "wait" if len(office.beats) < 200 else "start"
+            if len(office.beats) == 5:
+                server.table.receive(sent)
+            return "wait" if len(office.beats) < 500 else "start"
 
         office.command = command
         await gateway(office, server)
+        assert not server.table.switched
     (report,) = office.finished
     assert (report["outcome"], report["line"]) == ("returned", 0)
-    assert report["why"]
+    assert why in report["why"]
 
 
 async def test_a_gateway_that_is_switched_off_while_it_waits_gives_its_claim_back():
@@ -492,14 +494,23 @@ async def test_the_journal_records_each_copy_and_the_outcome_before_the_report(t
     assert rows[0]["copies"] == 2
 
 
-async def test_a_withdrawal_after_the_last_line_does_not_make_a_finished_cut_interrupted():
+async def test_a_withdrawal_after_the_last_line_does_not_make_a_finished_cut_interrupted(
+    monkeypatch,
+):
     office = Office()
 
-    def command(beat):
-        office.stale = beat["line"] == 11
-        return "cancel" if beat["line"] == 11 else "continue"
+    async def stream(*_args, **_options):
+        at = (0.0,) * 4
+        yield Progress(5, 11, 11, at, State.RUN, -1, 1.0)
+        office.stale = True
+        beats = len(office.beats)
+        while len(office.beats) == beats:
+            await asyncio.sleep(0.01)
+        await asyncio.sleep(0.05)
+        yield Progress(11, 11, 11, at, State.IDLE, -1, 0.0)
 
-    office.command = command
+    monkeypatch.setattr("knifetip.gateway.claim.stream", stream)
     async with table() as server:
         await gateway(office, server)
+    assert office.beats[-1]["line"] == 5
     assert office.finished[0]["outcome"] == "done"
