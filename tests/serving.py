@@ -74,14 +74,21 @@ def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict:
     return answer.json()
 
 
-def until(client: httpx.Client, job: str, *states: str, seconds: float = 60.0) -> dict:
-    """Wait until a job is in one of these states, and return it."""
+def until(
+    client: httpx.Client, job: str, *states: str, seconds: float = 60.0, confirm: bool = False
+) -> dict:
+    """Wait until a job is in one of these states, and return it.
+
+    With ``confirm`` be the operator, too, who confirms that its sheet lies on the table.
+    """
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
         found = client.get(f"/api/jobs/{job}").json()
         if found["state"] in states:
             return found
         assert found["state"] not in ENDS, found
+        if confirm and found["waiting_for"] == "confirmation":
+            client.post(f"/api/jobs/{job}/confirm")
         time.sleep(0.02)
     raise AssertionError(f"job {job} is not {' or '.join(states)} after {seconds} s: {found}")
 

@@ -124,14 +124,29 @@ def ink(page: Page) -> int:
 
 
 @pytest.mark.parametrize(
-    ("sample", "board", "types"),
+    ("sample", "board", "types", "tools"),
     [
-        ("tuck-end-carton.dxf", "Folding boxboard 0.4 mm", ("cut", "crease")),
-        ("rigid-box-blank.dxf", "Greyboard 2.0 mm", ("cut", "v-groove")),
+        (
+            "tuck-end-carton.dxf",
+            "Folding boxboard 0.4 mm",
+            ("cut", "crease"),
+            ("Oscillating knife", "Crease wheel"),
+        ),
+        (
+            "rigid-box-blank.dxf",
+            "Greyboard 2.0 mm",
+            ("cut", "v-groove"),
+            ("Oscillating knife", "V-cutter"),
+        ),
     ],
 )
-def test_a_dropped_dieline_is_compiled_sent_and_done(
-    page: Page, screenshots: Path, sample: str, board: str, types: tuple[str, ...]
+def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
+    page: Page,
+    screenshots: Path,
+    sample: str,
+    board: str,
+    types: tuple[str, ...],
+    tools: tuple[str, ...],
 ) -> None:
     stem = sample.removesuffix(".dxf")
     drop(page, sample, samples()[sample])
@@ -146,7 +161,17 @@ def test_a_dropped_dieline_is_compiled_sent_and_done(
     page.screenshot(path=screenshots / f"{stem}-2-verified.png")
 
     page.get_by_test_id("send").click()
+    # Nothing moves before somebody at the table has confirmed what lies on it.
+    expect(page.get_by_test_id("job-state")).to_have_text("To confirm")
+    card = page.get_by_test_id("confirmation")
+    expect(card).to_contain_text("Waiting for the operator")
+    for word in (board, *tools):
+        expect(card).to_contain_text(word)
+    page.screenshot(path=screenshots / f"{stem}-3-confirm.png")
+    expect(page.get_by_test_id("confirm")).to_have_text("Table is clear, start")
+    page.get_by_test_id("confirm").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Running")
+    expect(card).to_be_hidden()
     page.get_by_test_id("hold").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Held")
     page.screenshot(path=screenshots / f"{stem}-3-held.png")
@@ -154,6 +179,57 @@ def test_a_dropped_dieline_is_compiled_sent_and_done(
     expect(page.get_by_test_id("done")).to_be_visible(timeout=120_000)
     expect(page.get_by_test_id("job-state")).to_have_text("Done")
     page.screenshot(path=screenshots / f"{stem}-4-done.png")
+
+
+def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_first(
+    page: Page, screenshots: Path
+) -> None:
+    drop(page, "rigid-box-blank.dxf", samples()["rigid-box-blank.dxf"])
+    page.get_by_test_id("copies").fill("2")
+    compile_on(page, "Greyboard 2.0 mm")
+    page.get_by_test_id("send").click()
+    page.get_by_test_id("confirm").click()
+    state = page.get_by_test_id("job-state")
+    expect(state).to_have_text("New sheet", timeout=120_000)
+    card = page.get_by_test_id("confirmation")
+    expect(card).to_contain_text("Copy 1 of 2 is done.")
+    expect(page.get_by_test_id("resume")).to_be_hidden()
+    page.screenshot(path=screenshots / "copies-1-sheet.png")
+    expect(page.get_by_test_id("confirm")).to_have_text("New sheet is on, start copy 2")
+    page.get_by_test_id("confirm").click()
+    expect(state).to_have_text("Running")
+    page.get_by_test_id("hold").click()
+    expect(state).to_have_text("Held")
+
+    # Another job meanwhile: it waits for its machine, and states why.
+    page.get_by_test_id("copies").fill("1")
+    before = str(page.get_by_test_id("program").get_attribute("href"))
+    page.get_by_test_id("compile").click()
+    expect(page.get_by_test_id("program")).not_to_have_attribute("href", before)
+    page.get_by_test_id("send").click()
+    expect(page.get_by_test_id("waiting")).to_contain_text("is taken by job")
+
+    # The first is cancelled: not before it has been asked.
+    page.get_by_test_id("queue-row").filter(has_text="2 copies").first.click()
+    expect(state).to_have_text("Held")
+    page.get_by_test_id("cancel").click()
+    expect(page.get_by_test_id("ask")).to_contain_text("lifts the tool and releases its stations")
+    page.screenshot(path=screenshots / "copies-2-cancel.png")
+    page.get_by_test_id("ask-no").click()
+    expect(page.get_by_test_id("ask")).to_be_hidden()
+    expect(state).to_have_text("Held")
+    page.get_by_test_id("cancel").click()
+    page.get_by_test_id("ask-yes").click()
+    expect(state).to_have_text("Cancelled")
+
+    # Now the next one waits for its confirmation, in the queue, too.
+    queued = page.get_by_test_id("queue").get_by_test_id("confirmation")
+    expect(queued).to_contain_text("Greyboard 2.0 mm")
+    page.screenshot(path=screenshots / "copies-3-queue.png")
+    queued.get_by_test_id("confirm").click()
+    expect(queued).to_be_hidden()
+    page.get_by_test_id("queue-row").first.click()
+    expect(page.get_by_test_id("done")).to_be_visible(timeout=120_000)
 
 
 def colours(page: Page) -> set[tuple[int, int, int]]:

@@ -36,7 +36,7 @@ def runs_to_its_end(shop: httpx.Client, named: Named, corpus: Path | None) -> No
         answer = shop.patch(f"/api/drawings/{drawing['id']}/edges", json={"overrides": said})
         assert answer.json()["questions"] == []
     job = ordered(shop, drawing["id"], board=named.board, release=True)["id"]
-    done = until(shop, job, "done")
+    done = until(shop, job, "done", confirm=True)
     assert done["verdict"]["accepted"]
     assert (done["line"], done["progress"]) == (done["lines"], 1.0)
 
@@ -77,7 +77,7 @@ def test_a_carton_in_another_format_runs_to_its_end(shop: httpx.Client, data: by
     assert {edge["type"] for edge in edges} == {"cut", "crease"}
     assert shop.get(f"/api/drawings/{drawing['id']}/file").content == data
     job = ordered(shop, drawing["id"], release=True)["id"]
-    done = until(shop, job, "done")
+    done = until(shop, job, "done", confirm=True)
     assert done["verdict"]["accepted"]
     assert (done["line"], done["progress"]) == (done["lines"], 1.0)
 
@@ -86,10 +86,15 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client):
     drawing = uploaded(shop, square())["id"]
     job = ordered(shop, drawing, copies=3, release=True)["id"]
     for copy in (1, 2):
-        while until(shop, job, "held", "running")["copies_done"] < copy:
+        while until(shop, job, "held", "running", confirm=True)["copies_done"] < copy:
             time.sleep(0.02)
-        shop.post(f"/api/jobs/{job}/resume")
-    done = until(shop, job, "done")
+        waiting = until(shop, job, "held")
+        assert waiting["waiting_for"] == "sheet"
+        assert waiting["reason"] == f"Copy {copy} of 3 is done."
+        assert waiting["mend"] == "Put a new sheet of e-flute (1.6 mm) on the table and confirm."
+        # The older command and the confirmation do the same.
+        shop.post(f"/api/jobs/{job}/{'resume' if copy == 1 else 'confirm'}")
+    done = until(shop, job, "done", confirm=True)
     assert done["copies_done"] == 3
     whys = [event["why"] for event in shop.get(f"/api/jobs/{job}/events").json()]
     assert "copy 1 of 3 is done: put a new sheet on the table" in whys
@@ -99,8 +104,44 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client):
 def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client):
     drawing = uploaded(shop, square(side=1000.0))["id"]
     job = ordered(shop, drawing, copies=2, release=True)["id"]
-    until(shop, job, "held")
+    until(shop, job, "held", confirm=True)
     shop.post(f"/api/jobs/{job}/cancel")
     cancelled = until(shop, job, "cancelled")
     assert cancelled["copies_done"] == 1
     assert shop.get("/api/machines/demo-table").json()["job"] is None
+
+
+def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Client):
+    drawing = uploaded(shop, square())["id"]
+    first, second = (ordered(shop, drawing, release=True)["id"] for _ in range(2))
+    until(shop, first, "done", confirm=True)
+    deadline = time.monotonic() + 20.0
+    while (found := shop.get(f"/api/jobs/{second}").json())["waiting_for"] != "confirmation":
+        assert time.monotonic() < deadline, found
+        time.sleep(0.02)
+    assert found["state"] == "queued"
+    assert found["reason"] == (
+        "Waiting for the operator at Demo table 1600 × 1200: table clear, board e-flute (1.6 mm), "
+        "tools: Oscillating knife (station 1)."
+    )
+    assert found["mend"] == "Confirm to start."
+    assert found["tools"] == [{"station": 1, "name": "Oscillating knife", "kind": "knife"}]
+    time.sleep(1.0)
+    assert shop.get(f"/api/jobs/{second}").json()["state"] == "queued"
+    assert shop.get("/api/machines/demo-table").json()["job"] is None
+    shop.post(f"/api/jobs/{second}/confirm", json={"board": "e-flute", "by": "Kim"})
+    until(shop, second, "done")
+    events = shop.get(f"/api/jobs/{second}/events").json()
+    said = [(event["state"], event["who"], event["why"]) for event in events]
+    assert ("queued", "operator Kim", "confirmed: table clear, board e-flute") in said
+
+
+def test_a_job_that_waits_is_cancelled_at_once_and_the_next_one_is_offered(shop: httpx.Client):
+    drawing = uploaded(shop, square())["id"]
+    first, second = (ordered(shop, drawing, release=True)["id"] for _ in range(2))
+    deadline = time.monotonic() + 20.0
+    while shop.get(f"/api/jobs/{first}").json()["waiting_for"] != "confirmation":
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    assert shop.post(f"/api/jobs/{first}/cancel").json()["state"] == "cancelled"
+    assert until(shop, second, "done", confirm=True)["copies_done"] == 1

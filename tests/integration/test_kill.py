@@ -55,23 +55,24 @@ def test_killed_while_it_is_queued_it_is_queued_and_then_runs_to_its_end(databas
     sha256 = until(first.client, job, "queued")["program_sha256"]
     first.kill()
     with Running(database, speed=200.0) as client:
-        assert until(client, job, "done")["program_sha256"] == sha256
-        # Queued once: it was neither compiled again nor given back by anybody.
-        assert course(client, job)[-3:] == ["queued", "running", "done"]
-        assert course(client, job).count("queued") == 1
+        assert until(client, job, "done", confirm=True)["program_sha256"] == sha256
+        # Queued once, claimed and confirmed: neither compiled again nor given back.
+        assert course(client, job)[-5:] == ["queued"] * 3 + ["running", "done"]
+        assert course(client, job).count("queued") == 3
 
 
 def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path):
     first = Running(database, speed=0.2)
     drawing = uploaded(first.client, square())["id"]
     job = ordered(first.client, drawing, release=True)["id"]
-    until(first.client, job, "running")
+    until(first.client, job, "running", confirm=True)
     while not (line := first.client.get(f"/api/jobs/{job}").json()["line"]):
         time.sleep(0.02)
     first.kill()
     with Running(database, speed=200.0) as client:
         found = until(client, job, "interrupted")
         assert found["line"] >= line > 0
+        assert f"Interrupted at line {found['line']} of {found['lines']}. " in found["reason"]
         assert "switched off" in found["reason"]
         # The table is not given to another before somebody has looked at it.
         other = ordered(client, drawing, release=True)["id"]
@@ -79,19 +80,19 @@ def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path):
         time.sleep(1.0)
         assert client.get(f"/api/jobs/{other}").json()["state"] == "queued"
         client.post(f"/api/jobs/{job}/requeue")
-        until(client, other, "done")
-        until(client, job, "done")
+        until(client, job, "done", confirm=True)
+        until(client, other, "done", confirm=True)
         assert course(client, job).count("interrupted") == 1
 
 
 def test_a_gateway_that_never_comes_back_leaves_an_interrupted_job(database: Path):
     first = Running(database, speed=0.2)
     job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
-    until(first.client, job, "running")
+    until(first.client, job, "running", confirm=True)
     first.kill()
     with Running(database, simulator=False) as client:
-        found = until(client, job, "interrupted", seconds=15.0)
-        assert "fell silent at line" in found["reason"]
+        found = until(client, job, "interrupted", seconds=20.0)
+        assert "fell silent" in found["reason"]
 
 
 def test_killed_at_any_moment_it_loses_no_job(database: Path):
@@ -101,6 +102,8 @@ def test_killed_at_any_moment_it_loses_no_job(database: Path):
     drawing = uploaded(server.client, square())["id"]
     for _ in range(2):
         jobs += [ordered(server.client, drawing, release=True)["id"] for _ in range(3)]
+        until(server.client, jobs[-3], "queued")
+        until(server.client, jobs[-3], "running", "done", confirm=True)
         time.sleep(random.uniform(0.0, 0.6))
         server.kill()
         server = Running(database, speed=200.0)
@@ -110,6 +113,8 @@ def test_killed_at_any_moment_it_loses_no_job(database: Path):
                 assert found["state"] not in ("refused", "cancelled", "scrapped")
                 if found["state"] == "interrupted":
                     server.client.post(f"/api/jobs/{job}/requeue")
+                if found["waiting_for"] == "confirmation":
+                    server.client.post(f"/api/jobs/{job}/confirm")
                 time.sleep(0.05)
         listed = server.client.get("/api/jobs").json()
         assert sorted(job["id"] for job in listed) == sorted(jobs)
@@ -120,7 +125,7 @@ def test_killed_at_any_moment_it_loses_no_job(database: Path):
 def test_stopped_in_order_its_machine_stands(database: Path):
     first = Running(database, speed=0.2)
     job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
-    until(first.client, job, "running")
+    until(first.client, job, "running", confirm=True)
     began = time.monotonic()
     assert first.stop() == 0
     assert time.monotonic() - began < 20.0
@@ -128,3 +133,19 @@ def test_stopped_in_order_its_machine_stands(database: Path):
         found = client.get(f"/api/jobs/{job}").json()
         assert found["state"] == "interrupted"
         assert "switched off" in found["reason"]
+
+
+def test_a_claim_that_waited_when_the_power_went_is_confirmed_anew(database: Path):
+    first = Running(database, speed=200.0)
+    job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
+    while first.client.get(f"/api/jobs/{job}").json()["waiting_for"] != "confirmation":
+        time.sleep(0.02)
+    first.kill()
+    with Running(database, speed=200.0) as client:
+        deadline = time.monotonic() + 20.0
+        while course(client, job).count("queued") < 3:
+            assert time.monotonic() < deadline, course(client, job)
+            time.sleep(0.05)
+        assert client.get(f"/api/jobs/{job}").json()["state"] == "queued"
+        until(client, job, "done", confirm=True)
+        assert "interrupted" not in course(client, job)

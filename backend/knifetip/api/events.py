@@ -13,14 +13,15 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
-from collections.abc import AsyncIterator, Sequence
+import time
+from collections.abc import AsyncIterator, Collection, Sequence
 from typing import Annotated
 
 from fastapi import APIRouter, Header, Query, Request
 from fastapi.responses import StreamingResponse
 
 from knifetip.api.drawings import summary_out
-from knifetip.api.jobs import job_out
+from knifetip.api.jobs import job_out, jobs_out
 from knifetip.api.service import Service
 from knifetip.errors import NoSuchJob
 from knifetip.jobs.job import State
@@ -29,6 +30,7 @@ from knifetip.jobs.tables import Event
 router = APIRouter(tags=["events"])
 
 _TICK = 0.2  # seconds between two looks for news
+_REFRESH = 2.0  # seconds between two looks at what queued jobs wait for, where nothing happened
 _QUIET = 15.0  # seconds after which a silent line says that it is alive
 _BACKLOG = 1000  # messages that a slow listener may owe before it is hung up on
 _MOVING = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
@@ -45,6 +47,8 @@ class Stream:
         self._door = asyncio.Lock()
         self._last = 0
         self._told: dict[str, tuple[object, ...]] = {}
+        self._waits: dict[str, tuple[str, str, str]] = {}
+        self._refreshed = 0.0
 
     async def run(self) -> None:
         """Tell the listeners, for ever."""
@@ -79,22 +83,43 @@ class Stream:
             for row in moving
         }
         messages += [
-            _message("job", job_out(row).model_dump_json())
+            _message("job", job_out(self._service.store, row).model_dump_json())
             for row in moving
             if self._told.get(row.id) != told[row.id]
         ]
         self._told = told
+        if events or time.monotonic() - self._refreshed >= _REFRESH:
+            messages += self._queued({event.subject for event in events})
         return messages
+
+    def _queued(self, sent: Collection[str]) -> list[str]:
+        """Return messages for queued jobs that wait for something else than before.
+
+        Another job, or a gateway that comes or goes, changes that without an event of their own.
+        """
+        self._refreshed = time.monotonic()
+        rows = self._service.store.jobs((State.QUEUED.value,), limit=500)
+        shown = jobs_out(self._service.store, rows)
+        waits: dict[str, tuple[str, str, str]] = {
+            job.id: (job.waiting_for, job.reason, job.mend) for job in shown
+        }
+        news = [
+            _message("job", job.model_dump_json())
+            for job in shown
+            if job.id not in sent and self._waits.get(job.id, waits[job.id]) != waits[job.id]
+        ]
+        self._waits = waits
+        return news
 
     def _messages(self, events: Sequence[Event]) -> list[str]:
         newest = {(event.kind, event.subject): event.id for event in events}
         ids = [subject for kind, subject in newest if kind == "job"]
-        jobs = {row.id: row for row in self._service.store.jobs(ids=ids, limit=len(ids) or 1)}
+        store = self._service.store
+        jobs = {job.id: job for job in jobs_out(store, store.jobs(ids=ids, limit=len(ids) or 1))}
         messages = []
         for (kind, subject), number in sorted(newest.items(), key=lambda item: item[1]):
             if kind == "job" and subject in jobs:
-                said = job_out(jobs[subject]).model_dump_json()
-                messages.append(_message("job", said, number))
+                messages.append(_message("job", jobs[subject].model_dump_json(), number))
             elif kind == "drawing":
                 messages.append(self._drawing(subject, number))
         return messages
@@ -115,6 +140,8 @@ class Stream:
             missed: list[str] = []
             if not self._listeners:
                 self._last, self._told = newest, {}
+                # What queued jobs wait for now is no news: who listens has asked for the jobs.
+                await asyncio.to_thread(self._queued, ())
             if after is not None and after < self._last:
                 missed = await asyncio.to_thread(self._missed, after, self._last)
             self._listeners.add(queue)

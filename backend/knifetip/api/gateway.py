@@ -13,9 +13,10 @@ from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, 
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.service import Here, bytes_answer, on_shelf
 from knifetip.errors import MachineBusy, WrongState
-from knifetip.jobs.job import ON_TABLE
-from knifetip.jobs.store import LEASE
+from knifetip.jobs.job import ON_TABLE, State
+from knifetip.jobs.store import LEASE, Report
 from knifetip.jobs.tables import Job
+from knifetip.library import load
 
 router = APIRouter(prefix="/gateway", tags=["gateway"])
 
@@ -25,7 +26,10 @@ _SEEN = 2.0  # seconds between two notes that a gateway is there
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "Nothing to do"}})
 async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Response:
-    """Wait for the next job of a machine and take it; 204 when there is none in that time."""
+    """Wait for the next job of a machine and take it; 204 when there is none in that time.
+
+    With ``confirm`` the job stays queued until the operator has confirmed it.
+    """
     on_shelf("machines", wanted.machine)
     until = time.monotonic() + wanted.wait
     noted = -_SEEN
@@ -46,6 +50,7 @@ async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Respon
                 sha256=job.program_sha256,
                 lines=job.lines,
                 copies=job.copies - job.copies_done,
+                confirm=job.state == State.QUEUED,
             )
         left = until - time.monotonic()
         if left <= 0:
@@ -56,16 +61,17 @@ async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Respon
 
 def _next(here: Here, wanted: ClaimIn) -> Job | None:
     try:
-        return here.store.claim(wanted.machine, wanted.gateway)
+        manual = load.machine(wanted.machine, files=False).feed == "manual"
+        return here.store.claim(wanted.machine, wanted.gateway, manual=manual)
     except MachineBusy:
         return None
 
 
 @router.get("/program/{id}", response_class=PlainTextResponse)
 def get_gateway_program(here: Here, request: Request, id: str) -> Response:
-    """Return the program of a job that is on a table."""
+    """Return the program of a job that a gateway has claimed."""
     job = here.store.job(id)
-    if job.state not in ON_TABLE:
+    if job.state not in ON_TABLE and not job.confirmation:
         raise WrongState(f"Job {id} is {job.state}, so no machine runs it.", "Claim it first.")
     text = here.store.job_column(id, "program")
     return bytes_answer(request, text, job.program_sha256, "text/plain; charset=utf-8")
@@ -73,20 +79,31 @@ def get_gateway_program(here: Here, request: Request, id: str) -> Response:
 
 @router.post("/heartbeat")
 def heartbeat(here: Here, said: HeartbeatIn) -> HeartbeatOut:
-    """Say what the machine did, and hear what the operator wants; renews the lease."""
+    """Report what the machine did and get the next command; renews the lease."""
     command = here.store.heartbeat(
         said.job,
         said.epoch,
-        line=said.line,
-        copies_done=said.copies_done,
-        held=said.held,
-        position=said.position,
-        seconds_left=said.seconds_left,
+        Report(
+            line=said.line,
+            copies_done=said.copies_done,
+            held=said.held,
+            waiting=said.waiting,
+            position=said.position,
+            seconds_left=said.seconds_left,
+        ),
     )
     return HeartbeatOut.model_validate({"command": command, "lease": LEASE})
 
 
 @router.post("/finish")
 def finish(here: Here, said: FinishIn) -> JobOut:
-    """Say how a job ended."""
-    return job_out(here.store.finish(said.job, said.epoch, said.outcome, said.why))
+    """Report how a job ended; the last owner's late report corrects an interrupted job."""
+    row = here.store.finish(
+        said.job,
+        said.epoch,
+        said.outcome,
+        said.why,
+        line=said.line,
+        copies_done=said.copies_done,
+    )
+    return job_out(here.store, row)

@@ -1,7 +1,8 @@
-"""jobs: order, look at, release, hold, resume, cancel, queue again, scrap."""
+"""jobs: order, look at, release, confirm, hold, resume, cancel, finish, queue again, scrap."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -9,7 +10,15 @@ from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.drawings import overridden
-from knifetip.api.schemas.jobs import JobEvent, JobIn, JobOut, JobState, VerdictOut, VerdictSummary
+from knifetip.api.schemas.jobs import (
+    ConfirmIn,
+    JobEvent,
+    JobIn,
+    JobOut,
+    JobState,
+    VerdictOut,
+    VerdictSummary,
+)
 from knifetip.api.service import (
     BINARY,
     Cursor,
@@ -22,10 +31,12 @@ from knifetip.api.service import (
     on_shelf,
     rules_named,
 )
+from knifetip.api.waiting import Waiting, waiting_of
 from knifetip.errors import OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
 from knifetip.jobs.job import State
+from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
@@ -39,7 +50,7 @@ def order_job(here: Here, response: Response, order: JobIn, key: Key = None) -> 
     if row is None:
         row = _ordered(here, order, key, request)
     response.headers["Location"] = f"/api/jobs/{row.id}"
-    return job_out(row)
+    return job_out(here.store, row)
 
 
 def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
@@ -101,13 +112,13 @@ def list_jobs(
     last = rows[-1].serial if len(rows) == limit else None
     filters = "".join(f"state={word}&" for word in states)
     next_page(response, f"/api/jobs?{filters}", last, limit)
-    return [job_out(row) for row in rows]
+    return jobs_out(here.store, rows)
 
 
 @router.get("/{id}")
 def get_job(here: Here, id: str) -> JobOut:
     """Look at a job."""
-    return job_out(here.store.job(id))
+    return job_out(here.store, here.store.job(id))
 
 
 @router.get("/{id}/events")
@@ -188,44 +199,81 @@ def get_toolpath(here: Here, request: Request, id: str) -> Response:
 @router.post("/{id}/release")
 def release_job(here: Here, id: str) -> JobOut:
     """Queue a job that is ready."""
-    return job_out(here.store.release(id))
+    return job_out(here.store, here.store.release(id))
+
+
+@router.post("/{id}/confirm")
+def confirm_job(here: Here, id: str, found: ConfirmIn | None = None) -> JobOut:
+    """Confirm at the machine: table clear, this board, these tools.  The machine starts.
+
+    The same confirms the new sheet between two copies.  A confirmation counts for the gateway's
+    present claim; 409 while the job does not wait for one, or where another board is named.
+    """
+    said = found or ConfirmIn()
+    return job_out(here.store, here.store.confirm(id, said.board or "", said.by))
 
 
 @router.post("/{id}/hold")
 def hold_job(here: Here, id: str) -> JobOut:
     """Ask the machine to hold; the job is ``held`` when it stands."""
-    return job_out(here.store.hold(id))
+    return job_out(here.store, here.store.hold(id))
 
 
 @router.post("/{id}/resume")
 def resume_job(here: Here, id: str) -> JobOut:
-    """Ask the machine to go on."""
-    return job_out(here.store.resume(id))
+    """Ask the machine to go on; between two copies this confirms the new sheet."""
+    return job_out(here.store, here.store.resume(id))
 
 
 @router.post("/{id}/cancel")
 def cancel_job(here: Here, id: str) -> JobOut:
     """Cancel a job: at once before it runs, as soon as the machine stands while it does."""
-    return job_out(here.store.cancel(id))
+    return job_out(here.store, here.store.cancel(id))
+
+
+@router.post("/{id}/finish")
+def finish_job(here: Here, id: str) -> JobOut:
+    """Declare an interrupted job finished: all its sheets were found complete."""
+    return job_out(here.store, here.store.declare_finished(id))
 
 
 @router.post("/{id}/requeue")
 def requeue_job(here: Here, id: str) -> JobOut:
     """Queue an interrupted job again, from its beginning: the table has been seen to."""
-    return job_out(here.store.requeue(id))
+    return job_out(here.store, here.store.requeue(id))
 
 
 @router.post("/{id}/scrap")
 def scrap_job(here: Here, id: str) -> JobOut:
     """Give an interrupted job up, and its table free."""
-    return job_out(here.store.scrap(id))
+    return job_out(here.store, here.store.scrap(id))
 
 
-def job_out(row: Job) -> JobOut:
+def job_out(store: Store, row: Job) -> JobOut:
     """Return a job as the API shows it."""
-    names = set(JobOut.model_fields) - {"verdict", "progress"}
-    fields: dict[str, Any] = {name: getattr(row, name) for name in names}
-    return JobOut.model_validate({**fields, "verdict": row.judged, "progress": progress(row)})
+    return jobs_out(store, [row])[0]
+
+
+def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
+    """Return jobs as the API shows them."""
+    return [_job_out(row, waits) for row, waits in zip(rows, waiting_of(store, rows), strict=True)]
+
+
+def _job_out(row: Job, waits: Waiting) -> JobOut:
+    computed = {"verdict", "progress", "waiting_for"}
+    fields: dict[str, Any] = {
+        name: getattr(row, name) for name in set(JobOut.model_fields) - computed
+    }
+    if waits.waiting_for:
+        fields |= {"reason": waits.reason, "mend": waits.hint}
+    return JobOut.model_validate(
+        {
+            **fields,
+            "waiting_for": waits.waiting_for,
+            "verdict": row.judged,
+            "progress": progress(row),
+        }
+    )
 
 
 def progress(row: Job) -> float:

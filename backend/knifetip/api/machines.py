@@ -8,13 +8,11 @@ from fastapi import APIRouter
 
 from knifetip.api.schemas.machines import MachineOut
 from knifetip.api.service import Here, on_shelf
+from knifetip.api.waiting import ABSENT
 from knifetip.library import load
 from knifetip.model.machine import Machine
 
 router = APIRouter(prefix="/machines", tags=["machines"])
-
-#: Seconds without a word after which a gateway is absent.
-ABSENT = 6.0
 
 
 @router.get("")
@@ -48,6 +46,7 @@ def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineO
             "origin": machine.origin,
             "travel_z": machine.travel_z,
             "into_mat": machine.into_mat,
+            "feed": machine.feed,
             "axes": {axis: asdict(getattr(machine, axis)) for axis in "xyzc"},
             "stations": [
                 {

@@ -28,6 +28,7 @@ def described(machine: Machine) -> dict[str, Any]:
         "clearance": machine.clearance,
         "into_mat": machine.into_mat,
         "settle": machine.settle,
+        "feed": machine.feed,
         "axes": {axis: asdict(getattr(machine, axis)) for axis in "xyzc"},
         "stations": [_station(station) for station in machine.stations],
     }
@@ -67,7 +68,7 @@ def register(app: typer.Typer) -> None:
         if json:
             show(data)
             return
-        typer.echo(f"{chosen.title} ({chosen.name}), speaks {chosen.dialect}")
+        typer.echo(f"{chosen.title} ({chosen.name}), speaks {chosen.dialect}, {chosen.feed} feed")
         for row in data["stations"]:
             tool = dict(row["tool"])
             datum = ", ".join(f"{axis} {value:g}" for axis, value in row["datum"].items())

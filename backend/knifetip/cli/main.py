@@ -6,7 +6,7 @@ import sys
 
 import typer
 
-from knifetip.cli import calibrate, drawing, machine, profile, program, service
+from knifetip.cli import calibrate, drawing, job, machine, profile, program, service
 from knifetip.cli.terminal import UNUSABLE, say
 from knifetip.errors import KnifetipError
 
@@ -18,7 +18,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for _commands in (drawing, program, profile, machine, calibrate, service):
+for _commands in (drawing, program, profile, machine, calibrate, job, service):
     _commands.register(app)
 
 

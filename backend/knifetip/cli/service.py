@@ -68,7 +68,7 @@ def register(app: typer.Typer) -> None:
 
         store = Store(database)
         store.migrate()
-        workshop = Workshop(store, Crew(processes), name, True, processes)
+        workshop = Workshop(store, Crew(processes), name, True, processes, gateways=False)
         stopping = threading.Event()
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda _number, _frame: stopping.set())
@@ -89,18 +89,23 @@ def register(app: typer.Typer) -> None:
         journal: Annotated[
             Path | None, typer.Option(help="File of what was sent and executed.")
         ] = None,
+        key: Annotated[
+            str, typer.Option(envvar="KNIFETIP_KEY", help="Key for the server, where it asks one.")
+        ] = "",
     ) -> None:
-        """Stand beside a table: claim its jobs and stream them to its controller."""
+        """Claim the jobs of a machine and stream them to its controller."""
         from knifetip.gateway import claim, grbl
 
         table = load.machine(machine)
         stderr.print(f"{table.title}: {controller}, work from {server}", markup=False)
+        headers = {"Authorization": f"Bearer {key}"} if key else {}
         asyncio.run(
             claim.work(
                 server,
                 table,
                 name,
                 lambda safe, stop_motion: grbl.dial(controller, safe, stop_motion=stop_motion),
+                headers=headers,
                 journal=journal,
             )
         )

@@ -1,19 +1,23 @@
 """claim: take jobs from the server, run them on the machine, and report what happened.
 
     POST {api}/api/gateway/claim      -> a job with epoch, lease, program and its SHA-256
-    POST {api}/api/gateway/heartbeat  -> continue, hold, resume or cancel
-    POST {api}/api/gateway/finish     <- done, interrupted or cancelled
+    POST {api}/api/gateway/heartbeat  -> wait, start, continue, hold, resume or cancel
+    POST {api}/api/gateway/finish     <- done, interrupted, cancelled or returned
 
 The gateway dials out and nobody dials in.  What it decides by itself:
 
 - It asks for work only while the controller is there and idle: a table that is switched off
   takes no job.
+- A claim that must be confirmed sends nothing to the machine before the server has answered a
+  heartbeat with ``start``.  While it waits the controller must stay idle; otherwise the claim is
+  given back, and the operator confirms anew.
 - While the server cannot be reached the machine goes on until the lease has run out, then
   holds.  It never goes on by itself: the operator resumes, or the server says that the job is
   no longer ours (409) and the machine is stopped and raised.
 - ``resume`` counts only as the answer to a heartbeat that said ``held``, so that a late one
   cannot start the next copy.
-- How a job ended is told until the server has heard it.
+- How a job ended is recorded in the journal and reported until the server has answered, after a
+  restart too: ``done`` only if the journal has every copy executed to its last line.
 - A controller that still runs a job of ours, after a restart or a lost connection, is stopped and
   brought into its safe state before anything else.
 """
@@ -25,7 +29,7 @@ import hashlib
 import logging
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import aclosing, suppress
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 from urllib.parse import urljoin
@@ -60,6 +64,7 @@ class _Claim:
     program: str
     sha256: str
     copies: int
+    confirm: bool  #: the operator must confirm before anything is sent to the machine
 
     @classmethod
     def of(cls, answer: Mapping[str, Any]) -> _Claim:
@@ -70,6 +75,7 @@ class _Claim:
             str(answer["program"]),
             str(answer["sha256"]),
             int(answer.get("copies", 1)),
+            bool(answer.get("confirm", False)),
         )
 
 
@@ -81,6 +87,10 @@ class _Cancelled(Exception):
     """The operator gave the job up."""
 
 
+class _Returned(Exception):
+    """The claim is given back: the machine cannot be started, and nothing was sent to it."""
+
+
 class _Run:
     """What the heartbeats say of a job, and what they bring back."""
 
@@ -88,6 +98,8 @@ class _Run:
         self.claim = claim
         self.line = 0
         self.copies_done = 0
+        self.begun = False  #: a copy is under way, of which ``line`` lines are executed
+        self.waiting = claim.confirm  #: for the operator's confirmation; nothing is sent yet
         self.held = False
         self.position: Pose | None = None
         self.seconds_left: float | None = None
@@ -104,6 +116,7 @@ class _Run:
             "line": self.line,
             "copies_done": self.copies_done,
             "held": self.held,
+            "waiting": self.waiting,
             "position": self.position,
             "seconds_left": self.seconds_left,
         }
@@ -112,6 +125,8 @@ class _Run:
         """Take the answer to a heartbeat that said ``held`` or not."""
         if command == "cancel":
             self.cancelled = True
+        elif command == "start":
+            self.waiting = False
         elif command == "hold" or (command == "resume" and held):
             self.wish = command
         self.heard.set()
@@ -122,6 +137,29 @@ class _Run:
             raise _Stale
         if self.cancelled:
             raise _Cancelled
+
+
+@dataclass(frozen=True, slots=True)
+class _Ended:
+    """How a job ended, as it is reported."""
+
+    job: str
+    epoch: int
+    outcome: str
+    why: str
+    line: int  #: executed lines of the copy that was under way; 0 between two copies
+    copies_done: int  #: under this claim
+
+    @classmethod
+    def of(cls, run: _Run, outcome: str, why: str) -> _Ended:
+        line = run.line if run.begun or outcome == "done" else 0
+        return cls(run.claim.job, run.claim.epoch, outcome, why, line, run.copies_done)
+
+
+def _withdrawn(run: _Run) -> str:
+    if run.waiting:
+        return "The server took the job back before its start; nothing was sent to the machine."
+    return "The server took the job back; the machine was stopped."
 
 
 class _Gateway:
@@ -167,12 +205,16 @@ class _Gateway:
             await self._let_go()
 
     async def _last_time(self) -> None:
-        """Tell the server about a job that this gateway was switched off in."""
+        """Report the job that this gateway was switched off in, until the server has answered."""
         if (left := self._journal.unfinished()) is None:
             return
-        job, epoch, line = left
-        why = f"The gateway was switched off at line {line}; look at the table."
-        await self._finish(job, epoch, "interrupted", why, tries=3)
+        outcome, why = left.outcome, left.why
+        if not outcome and left.copies_done >= left.copies:
+            outcome, why = "done", "The gateway was switched off before it could report."
+        elif not outcome:
+            outcome, why = "interrupted", "The gateway was switched off."
+        ended = _Ended(left.job, left.epoch, outcome, why, left.line, left.copies_done)
+        await self._finish(ended)
 
     async def _recover(self) -> None:
         """Stop a machine that may still be carrying out a job that this gateway was killed in."""
@@ -227,37 +269,59 @@ class _Gateway:
         outcome, why = "interrupted", ""
         try:
             try:
+                await self._confirmed(run)
                 await self._copies(run)
                 outcome = "done"
+            except _Returned as reason:
+                outcome, why = "returned", str(reason)
             except _Cancelled:
                 outcome, why = "cancelled", f"Cancelled by the operator at line {run.line}."
             except _Stale:
-                self._journal.end(claim.job, claim.epoch, "dropped", "no longer ours")
-                _log.warning("Job %s is no longer ours; the machine was stopped.", claim.job)
-                return
+                # The server may still take this report: as evidence of where the machine stopped.
+                why = _withdrawn(run)
+                _log.warning("Job %s: %s", claim.job, why)
             except (KnifetipError, OSError) as error:
                 why = str(error)
             except asyncio.CancelledError:
-                why = f"The gateway was switched off at line {run.line}; the machine was stopped."
+                if run.waiting:
+                    outcome, why = "returned", "The gateway was switched off."
+                else:
+                    why = "The gateway was switched off; the machine was stopped."
                 with suppress(asyncio.CancelledError):
-                    await self._finish(claim.job, claim.epoch, outcome, why, tries=1)
+                    await self._finish(_Ended.of(run, outcome, why), tries=1)
                 raise
         finally:
             beating.cancel()
             await asyncio.gather(beating, return_exceptions=True)
-        await self._finish(claim.job, claim.epoch, outcome, why)
+        await self._finish(_Ended.of(run, outcome, why))
+
+    async def _confirmed(self, run: _Run) -> None:
+        """Wait until the operator has confirmed the job; the controller must stay idle."""
+        while run.waiting:
+            run.heard.clear()
+            await run.heard.wait()
+            run.obey()
+            try:
+                controller = await self._at_hand()
+                state = (await controller.status()).state
+            except (ControllerError, OSError) as error:
+                raise _Returned(str(error)) from error
+            if state is not State.IDLE:
+                raise _Returned(f"{controller.name} is not idle: it reports {state.value}.")
 
     async def _copies(self, run: _Run) -> None:
         claim = run.claim
         text = await self._program(claim)
         lines = text.count(b"\n")
-        self._journal.begin(claim.job, claim.epoch, claim.sha256, lines)
+        self._journal.begin(claim.job, claim.epoch, claim.sha256, lines, claim.copies)
         for copy in range(claim.copies):
             if copy:
                 await self._new_sheet(run)
-            run.line = 0
+            run.line, run.begun = 0, True
             await self._one_copy(run, text, copy)
+            self._journal.copy(claim.job, copy + 1)
             run.copies_done, run.line, run.seconds_left = copy + 1, lines, 0.0
+            run.begun = False
 
     async def _one_copy(self, run: _Run, text: bytes, copy: int) -> None:
         controller = await self._at_hand()
@@ -272,8 +336,10 @@ class _Gateway:
             async with aclosing(going) as course:
                 async for progress in course:
                     self._note(run, progress, copy)
-                    run.obey()
-                    await self._wishes(run, progress, controller)
+                    if progress.executed < progress.lines:
+                        # After the last line there is nothing left to stop or to hold.
+                        run.obey()
+                        await self._wishes(run, progress, controller)
         finally:
             self._abandoned = controller.fault is not None
 
@@ -388,11 +454,11 @@ class _Gateway:
                 run.answered(str(said["command"]), bool(body["held"]))
             await asyncio.sleep(self._beat)
 
-    async def _finish(
-        self, job: str, epoch: int, outcome: str, why: str, tries: int | None = None
-    ) -> None:
-        """Tell how a job ended, again and again until it is heard (or so many times)."""
-        body = {"job": job, "epoch": epoch, "outcome": outcome, "why": why}
+    async def _finish(self, ended: _Ended, tries: int | None = None) -> None:
+        """Report how a job ended until the server has answered (or so many times)."""
+        job, epoch, outcome, why = ended.job, ended.epoch, ended.outcome, ended.why
+        self._journal.outcome(job, outcome, why)
+        body = asdict(ended)
         pause = HASTE
         while True:
             try:
@@ -404,7 +470,7 @@ class _Gateway:
                         _log.warning("Job %s: %s %s", job, answer.status_code, answer.text[:200])
                     break
             except httpx.HTTPError as error:
-                _log.warning("Job %s is %s, and nobody hears it: %r", job, outcome, error)
+                _log.warning("Job %s is %s; the server does not answer: %r", job, outcome, error)
             if tries is not None and (tries := tries - 1) <= 0:
                 return
             await asyncio.sleep(pause)
@@ -442,7 +508,7 @@ async def work(
     client
         Used and left open where it is given.
     headers
-        For every request, for example an API key.
+        For every request, for example an API key; ``X-Knifetip: gateway`` is always sent.
     journal
         File of what was acknowledged and executed.
     wait
@@ -453,7 +519,7 @@ async def work(
         Return after so many jobs.
     """
     own = httpx.AsyncClient() if client is None else client
-    own.headers.update(headers or {})
+    own.headers.update({"X-Knifetip": "gateway", **(headers or {})})
     try:
         record = Journal(journal)
         await _Gateway(own, api, machine, gateway, connect, record, wait, beat).run(jobs)

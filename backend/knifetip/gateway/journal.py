@@ -3,7 +3,7 @@
 events -> JSON lines, appended and flushed; the last job that has no end, read back after a crash
 
 The server has its own record.  This one survives a server that cannot be reached, and a gateway
-that was switched off while the machine was cutting.
+that was switched off while the machine was cutting or before its report had arrived.
 """
 
 from __future__ import annotations
@@ -11,10 +11,26 @@ from __future__ import annotations
 import json
 import os
 import time
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 #: A journal longer than this (bytes) is set aside as ``.1`` when the next job begins.
 LONG = 8_000_000
+
+
+@dataclass(slots=True)
+class Unfinished:
+    """A job that was begun and whose end the server has not acknowledged."""
+
+    job: str
+    epoch: int
+    lines: int = 0
+    copies: int = 1
+    copies_done: int = 0  #: executed to their last line
+    line: int = 0  #: executed lines of the copy that was under way
+    outcome: str = ""  #: how it ended, where it ended before the report was lost
+    why: str = ""
 
 
 class Journal:
@@ -23,18 +39,27 @@ class Journal:
     def __init__(self, path: Path | None) -> None:
         self._path = path
         self._last: tuple[object, ...] = ()
+        if path is not None and path.exists():
+            _end_last_line(path)
 
-    def begin(self, job: str, epoch: int, sha256: str, lines: int) -> None:
-        """A job was claimed; nothing has moved yet."""
+    def begin(self, job: str, epoch: int, sha256: str, lines: int, copies: int = 1) -> None:
+        """Record that a job starts; nothing has moved yet."""
         if self._path is not None and self._path.exists() and self._path.stat().st_size > LONG:
             self._path.replace(self._path.with_name(self._path.name + ".1"))
         self._append(
-            {"event": "begin", "job": job, "epoch": epoch, "sha256": sha256, "lines": lines},
+            {
+                "event": "begin",
+                "job": job,
+                "epoch": epoch,
+                "sha256": sha256,
+                "lines": lines,
+                "copies": copies,
+            },
             safe=True,
         )
 
     def line(self, job: str, copy: int, executed: int, acknowledged: int) -> None:
-        """So far the machine has come."""
+        """Record how far the machine has come."""
         now = (job, copy, executed, acknowledged)
         if now != self._last:
             self._last = now
@@ -48,32 +73,33 @@ class Journal:
                 }
             )
 
+    def copy(self, job: str, copies_done: int) -> None:
+        """Record that a copy was executed to its last line and the machine is at rest."""
+        self._append({"event": "copy", "job": job, "copies_done": copies_done}, safe=True)
+
+    def outcome(self, job: str, outcome: str, why: str) -> None:
+        """Record how a job ended, before it is reported to the server."""
+        self._append({"event": "outcome", "job": job, "outcome": outcome, "why": why}, safe=True)
+
     def end(self, job: str, epoch: int, outcome: str, why: str) -> None:
-        """How it ended, as far as this gateway knows."""
+        """Record that the server has answered the report of how a job ended."""
         self._append(
             {"event": "end", "job": job, "epoch": epoch, "outcome": outcome, "why": why},
             safe=True,
         )
 
-    def unfinished(self) -> tuple[str, int, int] | None:
-        """Return job, epoch and executed lines of a job that has no end, or None."""
+    def unfinished(self) -> Unfinished | None:
+        """Return the last job that was begun, if it has no end."""
         if self._path is None or not self._path.exists():
             return None
-        job, epoch, executed, running = "", 0, 0, False
+        found: Unfinished | None = None
         with self._path.open("rb") as file:
             for raw in file:
                 try:
-                    row = json.loads(raw)
-                    event = row["event"]
-                    if event == "begin":
-                        job, epoch, executed, running = row["job"], int(row["epoch"]), 0, True
-                    elif event == "line" and row["job"] == job:
-                        executed = int(row["executed"])
-                    elif event == "end" and row["job"] == job:
-                        running = False
+                    found = _followed(found, json.loads(raw))
                 except (ValueError, KeyError, TypeError):
                     continue  # the power went in the middle of a line
-        return (job, epoch, executed) if running else None
+        return found
 
     def _append(self, row: dict[str, object], *, safe: bool = False) -> None:
         if self._path is None:
@@ -83,3 +109,30 @@ class Journal:
             if safe:
                 file.flush()
                 os.fsync(file.fileno())
+
+
+def _end_last_line(path: Path) -> None:
+    """End a line that the power cut short, so that the next one can be read."""
+    with path.open("r+b") as file:
+        if file.seek(0, os.SEEK_END) and file.seek(-1, os.SEEK_END) >= 0 and file.read(1) != b"\n":
+            file.write(b"\n")
+
+
+def _followed(found: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
+    """Return what is unfinished after one more row of the journal."""
+    event = row["event"]
+    if event == "begin":
+        return Unfinished(
+            row["job"], int(row["epoch"]), int(row["lines"]), int(row.get("copies", 1))
+        )
+    if found is None or row["job"] != found.job:
+        return found
+    if event == "line":
+        found.line = int(row["executed"])
+    elif event == "copy":
+        found.copies_done, found.line = int(row["copies_done"]), 0
+    elif event == "outcome":
+        found.outcome, found.why = str(row["outcome"]), str(row["why"])
+    elif event == "end":
+        return None
+    return found

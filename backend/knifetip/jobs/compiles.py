@@ -29,6 +29,8 @@ class Result:
     verdict: bytes  #: see ``columns``
     judged: dict[str, Any]  #: the verdict in four figures
     source: list[str] = field(default_factory=list)
+    #: stations that the program uses, in their order: number, name, kind
+    tools: list[dict[str, Any]] = field(default_factory=list)
 
 
 class Compiles(Orders):
@@ -92,6 +94,7 @@ class Compiles(Orders):
             "toolpath": result.toolpath,
             "verdict": result.verdict,
             "judged": result.judged,
+            "tools": result.tools,
             "seconds": result.judged["seconds"],
             "stage": "",
             "progress": 1.0,

@@ -5,8 +5,12 @@
     cancelled from any state before done
 
 A compile may be repeated; a cut may not, since the board is gone and a blade may be in it.  So
-nothing but an operator leads out of ``interrupted``, and a job that a silent gateway had never
-goes back to the queue by itself.
+only an operator returns a job from ``interrupted`` to the queue.  The last owner's late report may
+correct an interrupted job, up to ``done``, but never starts it again.
+
+On a machine that is fed by hand a gateway claims a queued job and waits: the job stays ``queued``
+until an operator has confirmed the sheet (see ``Confirmation``).  Nothing is sent before, so such
+a claim is given back when its lease runs out.
 """
 
 from __future__ import annotations
@@ -42,6 +46,15 @@ class Who(StrEnum):
     CLOCK = "clock"  #: a lease that ran out
 
 
+class Confirmation(StrEnum):
+    """What the operator has to confirm before the machine may move, under the present claim."""
+
+    NONE = ""  #: nothing: no gateway has claimed the job, or its machine feeds itself
+    AWAITED = "awaited"  #: claimed; table clear, board and tools are to be confirmed
+    GIVEN = "given"  #: confirmed for this claim
+    SHEET = "sheet"  #: a copy is done; the next sheet is to be confirmed
+
+
 #: States in which a job's board lies on the table: one job to a machine.
 ON_TABLE = (State.RUNNING, State.HELD, State.INTERRUPTED)
 
@@ -70,6 +83,8 @@ TRANSITIONS: dict[tuple[State, State], frozenset[Who]] = {
     (State.HELD, State.CANCELLED): frozenset({Who.GATEWAY}),
     (State.INTERRUPTED, State.QUEUED): frozenset({Who.OPERATOR}),
     (State.INTERRUPTED, State.SCRAPPED): frozenset({Who.OPERATOR}),
+    # The gateway: its late report that the whole program was executed.
+    (State.INTERRUPTED, State.DONE): frozenset({Who.OPERATOR, Who.GATEWAY}),
 }
 
 

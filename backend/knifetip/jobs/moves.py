@@ -57,13 +57,14 @@ class Moves(Database):
     def _refusal(
         self, session: Session, id: str, goal: str, epoch: int | None
     ) -> NoSuchJob | WrongState | StaleEpoch:
-        found = session.execute(sa.select(Job.state, Job.epoch).where(Job.id == id)).first()
+        columns = sa.select(Job.state, Job.epoch, Job.mend).where(Job.id == id)
+        found = session.execute(columns).first()
         if found is None:
             return NoSuchJob(f"There is no job {short(id)}.", "GET /api/jobs lists them.")
-        state, current = found
+        state, current, hint = found
         if epoch is not None and epoch != current:
             return stale(id, state, current, epoch)
-        return WrongState(f"Job {id} is {state}, so it cannot become {goal}.", mend(state))
+        return WrongState(f"Job {id} is {state}, so it cannot become {goal}.", hint or mend(state))
 
     def _note(
         self, session: Session, kind: str, subject: str, state: str, who: str, why: str
@@ -126,13 +127,13 @@ def mend(state: str) -> str:
     """Return what can be done about a job in this state."""
     match state:
         case State.INTERRUPTED:
-            return "Look at the table, then queue it again or scrap it."
+            return "Look at the table, then mark it finished, queue it again or scrap it."
         case State.RECEIVED | State.COMPILING:
             return "Wait until it is ready."
         case State.READY:
             return "Release it first."
         case State.QUEUED:
-            return "Wait until a gateway has claimed it."
+            return "Wait until its machine has taken it."
         case State.RUNNING | State.HELD:
             return "Hold, resume or cancel it."
         case _:

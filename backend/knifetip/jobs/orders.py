@@ -9,7 +9,7 @@ import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
 from knifetip.errors import NoSuchJob, WrongState
-from knifetip.jobs.job import LEASED, State, Who, new_id, sources
+from knifetip.jobs.job import LEASED, Confirmation, State, Who, new_id, sources
 from knifetip.jobs.moves import Moves, mend, rows, same_request, short
 from knifetip.jobs.tables import Drawing, Event, Job
 
@@ -65,6 +65,9 @@ class Orders(Moves):
             epoch=0,
             owner="",
             lease=0.0,
+            owner_epoch=0,
+            confirmation=Confirmation.NONE.value,
+            tools=[],
             wish="",
             stage="",
             progress=0.0,
@@ -171,7 +174,7 @@ class Orders(Moves):
         return self.job(id)
 
     def requeue(self, id: str) -> Job:
-        """Queue an interrupted job again: the operator has seen to the table."""
+        """Queue an interrupted job again, at its former place: the table has been cleared."""
         with self._writing() as session:
             self._move(
                 session,
@@ -180,7 +183,7 @@ class Orders(Moves):
                 Who.OPERATOR,
                 "queued again",
                 only=(State.INTERRUPTED,),
-                queued=self.clock(),
+                lease=0.0,
                 line=0,
                 position=None,
                 reason="",
@@ -196,12 +199,101 @@ class Orders(Moves):
             self._move(session, id, State.SCRAPPED, Who.OPERATOR, "scrapped", wish="")
         return self.job(id)
 
+    def declare_finished(self, id: str) -> Job:
+        """End an interrupted job as done: an operator found all its sheets complete."""
+        with self._writing() as session:
+            row = self._fresh(session, id)
+            self._move(
+                session,
+                id,
+                State.DONE,
+                Who.OPERATOR,
+                f"declared finished at line {row.line} of {row.lines}",
+                line=row.lines,
+                copies_done=row.copies,
+                reason="",
+                mend="",
+                wish="",
+                lease=0.0,
+                seconds_left=0.0,
+            )
+        return self.job(id)
+
+    def confirm(self, id: str, board: str = "", by: str = "") -> Job:
+        """Confirm that the table is clear and the job's board and tools are in place.
+
+        Starts a job that a gateway has claimed, the next copy of one that waits for a sheet, or
+        lets one go on that was started without a confirmation.  To confirm twice changes nothing.
+
+        Parameters
+        ----------
+        board
+            The board that lies on the table, where the operator names it.
+        by
+            Who confirms, for the record.
+
+        Raises
+        ------
+        WrongState
+            The job does not wait for a confirmation, or for another board.
+        """
+        with self._writing() as session:
+            row = self._fresh(session, id)
+            if board and board != row.board:
+                raise WrongState(
+                    f"Job {id} is for the board {row.board}, not {short(board)}.",
+                    f"Put {row.board} on the table.",
+                )
+            confirmed = row.confirmation == Confirmation.GIVEN and row.wish != "cancel"
+            going = row.state in (State.QUEUED, State.RUNNING) or row.wish == "resume"
+            if confirmed and going:
+                return row
+            self._check_waiting(row)
+            sheet = row.confirmation == Confirmation.SHEET
+            wish = "" if row.state == State.QUEUED else "resume"
+            session.execute(
+                sa.update(Job)
+                .where(Job.id == id)
+                .values(confirmation=Confirmation.GIVEN.value, wish=wish, updated=self.clock())
+                .execution_options(synchronize_session=False)
+            )
+            what = "new sheet" if sheet else "table clear"
+            why = f"confirmed: {what}, board {row.board}"
+            self._note(session, "job", id, row.state, f"{Who.OPERATOR} {by}".strip(), why)
+            return self._fresh(session, id)
+
+    def _check_waiting(self, row: Job) -> None:
+        """Raise WrongState unless the job waits for the operator's confirmation."""
+        if row.wish == "cancel":
+            raise WrongState(f"Job {row.id} is being cancelled.", "Wait until the machine stops.")
+        if row.confirmation in (Confirmation.AWAITED, Confirmation.SHEET):
+            if row.state == State.QUEUED and row.lease < self.clock():
+                raise WrongState(
+                    f"The gateway {row.owner} that claimed job {row.id} does not answer.",
+                    "Switch on the machine and its gateway, then confirm when the job waits again.",
+                )
+            return
+        match row.state:
+            case State.QUEUED:
+                detail, hint = (
+                    f"Job {row.id} is queued, and its machine {row.machine} has not taken it yet.",
+                    "Confirm it when its turn has come; its reason states what it waits for.",
+                )
+            case State.HELD:
+                detail, hint = f"Job {row.id} is held, not waiting for a sheet.", "Resume it."
+            case State.RUNNING:
+                detail, hint = f"Job {row.id} is running.", "There is nothing to confirm."
+            case _:
+                detail = f"Job {row.id} is {row.state}, so it waits for no confirmation."
+                hint = row.mend or mend(row.state)
+        raise WrongState(detail, hint)
+
     def hold(self, id: str) -> Job:
         """Ask the gateway to hold; the job is ``held`` when the machine stands."""
         return self._wish(id, "hold", (State.RUNNING,), already=State.HELD)
 
     def resume(self, id: str) -> Job:
-        """Ask the gateway to go on."""
+        """Ask the gateway to go on; between two copies this confirms the new sheet."""
         return self._wish(id, "resume", (State.HELD, State.RUNNING))
 
     def cancel(self, id: str) -> Job:
@@ -210,7 +302,15 @@ class Orders(Moves):
         with self._writing() as session:
             state = session.scalar(sa.select(Job.state).where(Job.id == id).with_for_update())
             if state in before or state not in LEASED:
-                self._move(session, id, State.CANCELLED, Who.OPERATOR, "cancelled", stage="")
+                self._move(
+                    session,
+                    id,
+                    State.CANCELLED,
+                    Who.OPERATOR,
+                    "cancelled",
+                    stage="",
+                    confirmation=Confirmation.NONE.value,
+                )
                 return self._fresh(session, id)
         return self._wish(id, "cancel", LEASED)
 
@@ -219,12 +319,20 @@ class Orders(Moves):
     ) -> Job:
         with self._writing() as session:
             row = self._fresh(session, id)
+            changes = {"wish": wish, "updated": self.clock()}
+            if wish == "resume" and row.confirmation == Confirmation.AWAITED:
+                raise WrongState(
+                    f"Job {id} was started without a confirmation of its sheet.",
+                    "Look at the table, then confirm the job or cancel it.",
+                )
+            if wish == "resume" and row.confirmation == Confirmation.SHEET:
+                changes["confirmation"] = Confirmation.GIVEN.value
             if row.state != already and row.wish != wish:
                 changed = rows(
                     session,
                     sa.update(Job)
                     .where(Job.id == id, Job.state.in_(states), Job.wish != "cancel")
-                    .values(wish=wish, updated=self.clock()),
+                    .values(**changes),
                 )
                 if not changed and row.wish == "cancel":
                     raise WrongState(

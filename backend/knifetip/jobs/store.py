@@ -14,9 +14,9 @@ from knifetip.jobs.database import dialect_url
 from knifetip.jobs.drawings import Drawings
 from knifetip.jobs.moves import LEASE
 from knifetip.jobs.profiles import Profiles
-from knifetip.jobs.tableside import Tableside
+from knifetip.jobs.tableside import Queue, Report, Tableside
 
-__all__ = ["ATTEMPTS", "LEASE", "Result", "Store", "dialect_url"]
+__all__ = ["ATTEMPTS", "LEASE", "Queue", "Report", "Result", "Store", "dialect_url"]
 
 
 class Store(Drawings, Profiles, Compiles, Tableside):

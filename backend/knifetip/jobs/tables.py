@@ -11,6 +11,10 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
+#: Jobs that keep others from their machine: on its table, or claimed and waiting for the operator.
+_RESERVES_TABLE = sa.text(
+    "state IN ('running', 'held', 'interrupted') OR (state = 'queued' AND confirmation <> '')"
+)
 _SERIAL = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
 
 
@@ -65,8 +69,8 @@ class Job(Base):
             "one_job_on_a_table",
             "machine",
             unique=True,
-            sqlite_where=sa.text("state IN ('running', 'held', 'interrupted')"),
-            postgresql_where=sa.text("state IN ('running', 'held', 'interrupted')"),
+            sqlite_where=_RESERVES_TABLE,
+            postgresql_where=_RESERVES_TABLE,
         ),
         sa.Index("job_by_state", "state", "machine"),
     )
@@ -96,6 +100,11 @@ class Job(Base):
     epoch: Mapped[int]  #: grows with each owner: what an earlier owner says is refused
     owner: Mapped[str] = mapped_column(sa.String(200))  #: the worker or gateway that has it
     lease: Mapped[float] = mapped_column(sa.Double)  #: until when it has it
+    owner_epoch: Mapped[int] = mapped_column(default=0)  #: of the last gateway that claimed it
+    #: what the operator must confirm under this claim: see ``Confirmation``
+    confirmation: Mapped[str] = mapped_column(sa.String(8), default="")
+    #: stations that the program uses, in their order: number, name, kind
+    tools: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON, default=list)
     wish: Mapped[str] = mapped_column(sa.String(8))  #: hold, resume or cancel, until it is done
     stage: Mapped[str] = mapped_column(sa.String(80))
     progress: Mapped[float] = mapped_column(sa.Double)

@@ -2,18 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
 
 from knifetip.errors import MachineBusy
 from knifetip.jobs.compiles import ATTEMPTS
-from knifetip.jobs.job import LEASED, ON_TABLE, State, Who
-from knifetip.jobs.moves import LEASE, mend, stale
+from knifetip.jobs.interruption import interruption
+from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State, Who
+from knifetip.jobs.moves import LEASE, rows, stale
 from knifetip.jobs.orders import Orders
 from knifetip.jobs.tables import Gateway, Job
+
+#: A job that a gateway has claimed and that waits for the operator's confirmation.
+_WAITING = sa.and_(Job.state == State.QUEUED, Job.confirmation != Confirmation.NONE)
+#: The order in which the jobs of a machine are claimed.
+_TURN = (Job.priority.desc(), Job.queued, Job.serial)
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What a gateway reports of a job that it runs."""
+
+    line: int  #: lines of the present copy that the machine has executed
+    copies_done: int = 0  #: under this claim
+    held: bool = False
+    waiting: bool = False  #: nothing is sent yet: the gateway waits for the command to start
+    position: Sequence[float] | None = None
+    seconds_left: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Queue:
+    """The queue of one machine: what keeps its jobs waiting."""
+
+    first: str  #: the job that is claimed next; empty if none waits unclaimed
+    ahead: str  #: the job that is on the table, or claimed and not confirmed; empty if none is
+    ahead_state: str
+    connected: bool  #: a gateway was heard lately
 
 
 class Tableside(Orders):
@@ -28,7 +58,9 @@ class Tableside(Orders):
         """Return the machines whose gateway was heard within so many seconds."""
         now = self.clock()
         asking = sa.select(Gateway.machine).where(Gateway.seen > now - within)
-        working = sa.select(Job.machine).where(Job.state.in_(LEASED), Job.lease > now)
+        working = sa.select(Job.machine).where(
+            sa.or_(Job.state.in_(LEASED), _WAITING), Job.lease > now
+        )
         with self._reading() as session:
             return {*session.scalars(asking), *session.scalars(working)}
 
@@ -38,72 +70,106 @@ class Tableside(Orders):
         with self._reading() as session:
             return {row.machine: row.id for row in session.execute(query)}
 
-    def claim(self, machine: str, gateway: str) -> Job | None:
+    def queues(self, machines: Collection[str], within: float) -> dict[str, Queue]:
+        """Return what keeps the queued jobs of these machines waiting.
+
+        Parameters
+        ----------
+        within
+            Seconds without a request after which a gateway counts as absent.
+        """
+        connected = self.connected(within)
+        ahead = sa.select(Job.machine, Job.id, Job.state).where(
+            Job.machine.in_(machines), sa.or_(Job.state.in_(ON_TABLE), _WAITING)
+        )
+        found: dict[str, Queue] = {}
+        with self._reading() as session:
+            taken = {row.machine: row for row in session.execute(ahead)}
+            for machine in machines:
+                first = session.scalar(_following(machine).with_only_columns(Job.id)) or ""
+                other = taken.get(machine)
+                found[machine] = Queue(
+                    first,
+                    "" if other is None else other.id,
+                    "" if other is None else other.state,
+                    machine in connected,
+                )
+        return found
+
+    def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
         """Give the next queued job of a machine to a gateway, or None if there is none.
 
-        ``running`` is committed when this returns, before a byte goes to the controller.
+        With ``manual`` the job stays ``queued``: the gateway sends nothing to the machine until a
+        heartbeat is answered with ``start``.  A gateway that claims again while it waits gets the
+        same job under a new epoch, to be confirmed anew.  Otherwise ``running`` is committed when
+        this returns, before a byte goes to the controller.
 
         Raises
         ------
         MachineBusy
-            Another job is on the table of this machine.
+            Another job is on the table of this machine, or waits there under another gateway.
         """
-        following = (
-            sa.select(Job)
-            .where(Job.machine == machine, Job.state == State.QUEUED)
-            .order_by(Job.priority.desc(), Job.queued, Job.serial)
-            .limit(1)
-        )
+        waiting = sa.select(Job).where(Job.machine == machine, _WAITING)
         with self._reading() as session:
-            if session.scalar(following) is None:
+            if not session.scalar(sa.select(waiting.exists() | _following(machine).exists())):
                 return None
         try:
             with self._writing() as session:
-                row = session.scalar(following.with_for_update(skip_locked=True))
+                row = session.scalar(waiting.with_for_update())
+                if row is not None and row.owner != gateway:
+                    if row.lease >= self.clock():
+                        raise _busy(machine, row.id)
+                    self._give_back(session, row, Who.CLOCK, _SILENT.format(row.owner))
+                    row = None
+                if row is None:
+                    following = _following(machine).execution_options(populate_existing=True)
+                    row = session.scalar(following.with_for_update(skip_locked=True))
                 if row is None:
                     return None
                 id = row.id
-                self._move(
-                    session,
-                    id,
-                    State.RUNNING,
-                    Who.GATEWAY,
-                    "claimed",
-                    name=gateway,
-                    epoch=row.epoch,
-                    changes_epoch=row.epoch + 1,
-                    owner=gateway,
-                    lease=self.clock() + LEASE,
-                    wish="",
-                    line=0,
-                    position=None,
-                    copies_before=row.copies_done,
-                )
+                self._claimed(session, row, gateway, manual)
         except IntegrityError as reason:
-            other = self.on_table().get(machine, "another job")
-            raise MachineBusy(
-                f"Job {other} is on the table of {machine}.",
-                "One job at a time: finish it, queue it again or scrap it.",
-            ) from reason
+            raise _busy(machine, self.on_table().get(machine, "")) from reason
         return self.job(id)
 
-    def heartbeat(
-        self,
-        id: str,
-        epoch: int,
-        *,
-        line: int,
-        copies_done: int = 0,
-        held: bool = False,
-        position: Sequence[float] | None = None,
-        seconds_left: float | None = None,
-    ) -> str:
-        """Take a gateway's word, renew its lease and say what the operator wants.
+    def _claimed(self, session: Session, row: Job, gateway: str, manual: bool) -> None:
+        changes: dict[str, Any] = {
+            "epoch": row.epoch + 1,
+            "owner": gateway,
+            "owner_epoch": row.epoch + 1,
+            "lease": self.clock() + LEASE,
+            "wish": "",
+            "line": 0,
+            "position": None,
+            "copies_before": row.copies_done,
+        }
+        if manual:
+            changes |= {"confirmation": Confirmation.AWAITED.value, "updated": self.clock()}
+            self._change(session, row, changes)
+            why = "claimed, waits for the operator's confirmation"
+            self._note(session, "job", row.id, State.QUEUED, f"{Who.GATEWAY} {gateway}", why)
+            return
+        changes |= {"changes_epoch": changes.pop("epoch"), "confirmation": Confirmation.NONE.value}
+        self._move(
+            session,
+            row.id,
+            State.RUNNING,
+            Who.GATEWAY,
+            "claimed",
+            name=gateway,
+            epoch=row.epoch,
+            **changes,
+        )
+
+    def heartbeat(self, id: str, epoch: int, report: Report) -> str:
+        """Take a gateway's report, renew its lease and return what it is to do.
 
         Returns
         -------
         str
-            ``continue``, ``hold``, ``resume`` or ``cancel``.
+            ``wait`` or ``start`` to a gateway that waits for the operator's confirmation, else
+            ``continue``, ``hold`` or ``resume``; ``cancel`` to either.  When this returns
+            ``start``, ``running`` is committed.
 
         Raises
         ------
@@ -112,68 +178,189 @@ class Tableside(Orders):
         """
         with self._writing() as session:
             row = self._fresh(session, id)
-            if row.epoch != epoch or row.state not in LEASED:
+            if row.epoch != epoch or not (row.state in LEASED or _waits(row)):
                 raise stale(id, row.state, row.epoch, epoch)
-            heard: dict[str, Any] = {
-                "line": min(line, row.lines),
-                "copies_done": min(row.copies_before + copies_done, row.copies),
-                "position": None if position is None else list(position),
-                "seconds_left": seconds_left,
-                "lease": self.clock() + LEASE,
-            }
-            new_copy = held and heard["copies_done"] > row.copies_done
-            wish = row.wish
-            # A wish to go on is spent by going on: it must not start the copy after the next.
-            if wish == ("hold" if held else "resume") or (new_copy and wish == "resume"):
-                wish = ""
-            heard["wish"] = wish
-            goal = State.HELD if held else State.RUNNING
-            why = f"at line {line}"
-            if new_copy:
-                done = f"copy {heard['copies_done']} of {row.copies} is done"
-                why = f"{done}: put a new sheet on the table"
-            if goal != row.state:
-                self._move(
-                    session, id, goal, Who.GATEWAY, why, name=row.owner, epoch=epoch, **heard
-                )
-            else:
-                session.execute(sa.update(Job).where(Job.id == id).values(**heard))
-                if new_copy:
-                    self._note(session, "job", id, goal, f"{Who.GATEWAY} {row.owner}", why)
+            if report.waiting:
+                return self._awaits(session, row)
+            if row.state == State.QUEUED:
+                row = self._started(session, row)
+            return self._runs(session, row, report)
+
+    def _awaits(self, session: Session, row: Job) -> str:
+        """Answer a gateway that has sent nothing to the machine yet."""
+        renewed: dict[str, Any] = {"lease": self.clock() + LEASE}
+        if row.wish == "cancel":
+            self._change(session, row, renewed)
+            return "cancel"
+        if row.confirmation == Confirmation.AWAITED:
+            self._change(session, row, renewed)
+            return "wait"
+        # Where the job is running already, the answer with the start was lost on the way.
+        starts = row.wish == "resume" or (row.state != State.HELD and row.wish != "hold")
+        goal = State.RUNNING if starts else State.HELD
+        renewed["wish"] = ""
+        if row.state == State.QUEUED:
+            self._started(session, row, **renewed)
+        elif row.state != goal:
+            why = "started" if starts else "held before the first line"
+            self._gateway_moves(session, row, goal, why, **renewed)
+        else:
+            self._change(session, row, renewed)
+        return "start" if starts else "wait"
+
+    def _started(self, session: Session, row: Job, **changes: Any) -> Job:
+        """Move a claimed job to ``running``: confirmed, or because its gateway runs it anyway."""
+        confirmed = row.confirmation == Confirmation.GIVEN
+        why = "started" if confirmed else "started without the operator's confirmation"
+        self._gateway_moves(session, row, State.RUNNING, why, **changes)
+        return self._fresh(session, row.id)
+
+    def _gateway_moves(
+        self, session: Session, row: Job, goal: State, why: str, **changes: Any
+    ) -> None:
+        self._move(
+            session, row.id, goal, Who.GATEWAY, why, name=row.owner, epoch=row.epoch, **changes
+        )
+
+    def _runs(self, session: Session, row: Job, report: Report) -> str:
+        """Keep what a gateway reports of a running job; return the operator's command."""
+        copies_done = min(row.copies_before + report.copies_done, row.copies)
+        copy_done = row.copies_done < copies_done < row.copies
+        confirmation, wish = row.confirmation, row.wish
+        # A wish is spent when it is done; a resume must not start the copy after the next, too.
+        if wish == ("hold" if report.held else "resume") or (copy_done and wish == "resume"):
+            wish = ""
+        if copy_done and confirmation == Confirmation.GIVEN:
+            confirmation = Confirmation.SHEET
+        elif copy_done and confirmation == Confirmation.NONE and report.held:
+            # The machine feeds the next sheet itself, unless the operator wants it to stop.
+            wish = "resume" if row.wish in ("", "resume") else wish
+        heard: dict[str, Any] = {
+            "line": min(report.line, row.lines),
+            "copies_done": copies_done,
+            "position": None if report.position is None else list(report.position),
+            "seconds_left": report.seconds_left,
+            "lease": self.clock() + LEASE,
+            "confirmation": confirmation,
+            "wish": wish,
+        }
+        goal = State.HELD if report.held else State.RUNNING
+        why = f"at line {report.line}"
+        if copy_done:
+            why = f"copy {copies_done} of {row.copies} is done"
+            if confirmation == Confirmation.SHEET:
+                why += ": put a new sheet on the table"
+        if goal != row.state:
+            self._gateway_moves(session, row, goal, why, **heard)
+        else:
+            self._change(session, row, heard)
+            if copy_done:
+                self._note(session, "job", row.id, goal, f"{Who.GATEWAY} {row.owner}", why)
+        unconfirmed = confirmation == Confirmation.AWAITED or (
+            confirmation == Confirmation.SHEET and not report.held
+        )
+        if unconfirmed and wish != "cancel":
+            return "hold"
         return wish or "continue"
 
-    def finish(self, id: str, epoch: int, outcome: str, why: str) -> Job:
-        """Take a gateway's word for how a job ended; to say it twice does no harm.
+    def finish(
+        self,
+        id: str,
+        epoch: int,
+        outcome: str,
+        why: str,
+        *,
+        line: int | None = None,
+        copies_done: int | None = None,
+    ) -> Job:
+        """Take a gateway's report of how a job ended; a repeated report changes nothing.
+
+        The last owner may report late.  While the job is still ``interrupted`` its report is
+        evidence: ``done`` ends the job, anything else corrects the line and the reason.
+
+        Parameters
+        ----------
+        outcome
+            ``done``, ``interrupted`` or ``cancelled``; ``returned`` gives a claim back that was
+            never started, with nothing sent to the machine.
+        line, copies_done
+            The last line that was executed and the copies that were finished under this claim,
+            where they are known better than by the last heartbeat.
 
         Raises
         ------
         StaleEpoch
             The job is no longer this gateway's.
         """
-        goal = State(outcome)
+        returned = outcome == "returned"
+        goal = State.INTERRUPTED if returned else State(outcome)
         with self._writing() as session:
             row = self._fresh(session, id)
-            if row.epoch == epoch and row.state == goal:
+            repeated = row.state == goal and goal is not State.INTERRUPTED
+            if repeated and epoch in (row.epoch, row.owner_epoch):
                 return row
-            if row.epoch != epoch or row.state not in LEASED:
+            late = row.state == State.INTERRUPTED and epoch == row.owner_epoch
+            owned = row.epoch == epoch and (row.state in LEASED or _waits(row))
+            if not (late or owned):
                 raise stale(id, row.state, row.epoch, epoch)
-            ended: dict[str, Any] = {"wish": "", "lease": 0.0, "seconds_left": None}
-            if goal is State.DONE:
-                ended |= {"line": row.lines, "copies_done": row.copies, "seconds_left": 0.0}
-            if goal is State.INTERRUPTED:
-                ended |= {
-                    "reason": why or f"The gateway gave up at line {row.line}.",
-                    "mend": mend(State.INTERRUPTED),
-                }
-            self._move(
-                session, id, goal, Who.GATEWAY, why or outcome, name=row.owner, epoch=epoch, **ended
-            )
-        return self.job(id)
+            if returned and row.state == State.QUEUED:
+                self._give_back(session, row, Who.GATEWAY, why or "given back, nothing was sent")
+                return self._fresh(session, id)
+            if row.state == State.QUEUED:
+                row = self._started(session, row)
+            if goal is State.CANCELLED and late:
+                goal = State.INTERRUPTED
+            done = None if copies_done is None else row.copies_before + copies_done
+            self._ended(session, row, goal, why, line, done)
+            return self._fresh(session, id)
 
-    def sweep(self, patience: float = 2.0) -> list[tuple[str, int]]:
+    def _ended(
+        self,
+        session: Session,
+        row: Job,
+        goal: State,
+        why: str,
+        line: int | None,
+        copies_done: int | None,
+    ) -> None:
+        ended: dict[str, Any] = {
+            "wish": "",
+            "lease": 0.0,
+            "seconds_left": None,
+            "confirmation": Confirmation.NONE.value,
+        }
+        late = row.state == State.INTERRUPTED
+        reported = why or str(goal)
+        if goal is State.DONE:
+            ended |= {"line": row.lines, "copies_done": row.copies, "seconds_left": 0.0}
+            ended |= {"reason": "", "mend": ""}
+            if late:
+                reported = f"reported late: {why or 'every line was executed'}"
+        elif goal is State.INTERRUPTED:
+            left = interruption(row, why or "The gateway gave the job up.", line, copies_done)
+            ended |= {"reason": left.reason, "mend": left.hint}
+            ended |= {"line": left.line, "copies_done": left.copies_done}
+            reported = left.reason
+            if late:
+                if left.reason != row.reason:
+                    self._change(session, row, ended)
+                    who = f"{Who.GATEWAY} {row.owner}"
+                    self._note(session, "job", row.id, goal, who, f"reported late: {reported}")
+                return
+        elif line is not None:
+            ended["line"] = min(line, row.lines)
+        self._gateway_moves(session, row, goal, reported, **ended)
+
+    def sweep(self, patience: float = 2.0, *, gateways: bool = True) -> list[tuple[str, int]]:
         """Take back what silent owners had; return the jobs that wait for a worker.
 
-        A job on a table becomes ``interrupted``, never ``queued``.  A compile is tried again.
+        A job on a table becomes ``interrupted``, never ``queued``; a claim that was not confirmed
+        is given back.  A compile is tried again.
+
+        Parameters
+        ----------
+        gateways
+            Whether silent gateways count; False while they could not reach this service.
 
         Returns
         -------
@@ -181,9 +368,11 @@ class Tableside(Orders):
             Received more than ``patience`` seconds ago, and still not begun.
         """
         now = self.clock()
-        silent = sa.select(Job.id).where(Job.state.in_((*LEASED, State.COMPILING)), Job.lease < now)
+        leased = Job.state == State.COMPILING
+        if gateways:
+            leased = sa.or_(leased, Job.state.in_(LEASED), _WAITING)
         with self._reading() as session:
-            ids = list(session.scalars(silent))
+            ids = list(session.scalars(sa.select(Job.id).where(leased, Job.lease < now)))
         for id in ids:
             self._take_back(id, now)
         waiting = sa.select(Job.id, Job.attempt).where(
@@ -198,20 +387,25 @@ class Tableside(Orders):
             if row is None or row.lease >= now:
                 return
             if row.state in LEASED:
-                why = f"The gateway {row.owner} fell silent at line {row.line} of {row.lines}."
+                left = interruption(row, _SILENT.format(row.owner) + _MAY_GO_ON)
                 self._move(
                     session,
                     id,
                     State.INTERRUPTED,
                     Who.CLOCK,
-                    why,
+                    left.reason,
                     epoch=row.epoch,
                     changes_epoch=row.epoch + 1,
-                    reason=why,
-                    mend=mend(State.INTERRUPTED),
+                    line=left.line,
+                    copies_done=left.copies_done,
+                    reason=left.reason,
+                    mend=left.hint,
                     seconds_left=None,
                     wish="",
+                    confirmation=Confirmation.NONE.value,
                 )
+            elif _waits(row):
+                self._give_back(session, row, Who.CLOCK, _SILENT.format(row.owner))
             elif row.state == State.COMPILING and row.attempt < ATTEMPTS:
                 self._move(
                     session,
@@ -237,3 +431,57 @@ class Tableside(Orders):
                     mend="Send a smaller drawing, or show us this one.",
                     stage="",
                 )
+
+    def _give_back(self, session: Session, row: Job, who: Who, why: str) -> None:
+        """Return a claimed job that was never started to its place in the queue."""
+        name = row.owner if who is Who.GATEWAY else ""
+        self._change(
+            session,
+            row,
+            {
+                "epoch": row.epoch + 1,
+                "owner": "",
+                "lease": 0.0,
+                "wish": "",
+                "confirmation": Confirmation.NONE.value,
+                "updated": self.clock(),
+            },
+        )
+        why = f"claim given back: {why}"
+        self._note(session, "job", row.id, State.QUEUED, f"{who} {name}".strip(), why)
+
+    def _change(self, session: Session, row: Job, changes: dict[str, Any]) -> None:
+        """Change columns of a row that was read for update in this transaction."""
+        statement = sa.update(Job).where(Job.id == row.id, Job.epoch == row.epoch)
+        statement = statement.execution_options(synchronize_session=False)
+        if not rows(session, statement.values(**changes)):
+            raise stale(row.id, row.state, row.epoch + 1, row.epoch)
+
+
+_SILENT = "The gateway {} fell silent."
+_MAY_GO_ON = " The machine may have executed more lines than it reported."
+
+
+def _following(machine: str) -> sa.Select[Job]:
+    return (
+        sa.select(Job)
+        .where(
+            Job.machine == machine,
+            Job.state == State.QUEUED,
+            Job.confirmation == Confirmation.NONE,
+        )
+        .order_by(*_TURN)
+        .limit(1)
+    )
+
+
+def _waits(row: Job) -> bool:
+    """Return True if a gateway has claimed the job and waits for the operator."""
+    return row.state == State.QUEUED and row.confirmation != Confirmation.NONE
+
+
+def _busy(machine: str, job: str) -> MachineBusy:
+    return MachineBusy(
+        f"{f'Job {job}' if job else 'Another job'} is on the table of {machine}.",
+        "One job at a time: finish it, queue it again or scrap it.",
+    )

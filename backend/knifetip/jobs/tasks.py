@@ -367,6 +367,7 @@ def compile(
         ),
         judged=judged,
         source=sorted({str(finding["handle"]) for finding in findings if finding["handle"]})[:200],
+        tools=_tools(made, table),
     )
 
 
@@ -385,6 +386,16 @@ def rehearse(_progress: Progress) -> None:
     from knifetip.warming import warm
 
     warm()
+
+
+def _tools(made: Compiled, machine: Machine) -> list[dict[str, Any]]:
+    """Return the stations that a tool path uses, in the order of their numbers."""
+    used = set(np.unique(made.toolpath.tool).tolist())
+    return [
+        {"station": station.number, "name": station.name, "kind": load.kind_of(station.tool)}
+        for station in sorted(machine.stations, key=lambda one: one.number)
+        if station.number in used
+    ]
 
 
 def _toolpath(made: Compiled, machine: Machine) -> bytes:

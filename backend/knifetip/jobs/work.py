@@ -22,6 +22,7 @@ from dbos import DBOS, DBOSConfig, SetWorkflowID
 from knifetip.errors import JobError, KnifetipError, OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.crew import Crew, Fault, Withdrawn
+from knifetip.jobs.grace import Grace
 from knifetip.jobs.store import Store
 
 QUEUE = "compile"
@@ -49,6 +50,7 @@ class Workshop:
     compiles: bool = True  #: False in a server whose workers are other processes
     at_once: int = 1
     limit: float = LIMIT
+    gateways: bool = True  #: False in a process that gateways do not report to
 
     _stopping: threading.Event = field(default_factory=threading.Event)
     _sweeping: threading.Thread | None = None
@@ -102,9 +104,11 @@ class Workshop:
     def _sweep(self) -> None:
         # What waits since before this process was born is taken up without delay.
         patience = 0.0
+        grace = Grace()
         while not self._stopping.is_set():
+            listened = grace.over(self.store.clock())
             try:
-                for job, attempt in self.store.sweep(patience):
+                for job, attempt in self.store.sweep(patience, gateways=self.gateways and listened):
                     self.submit(job, attempt)
                 patience = 2.0
             except Exception:

@@ -32,6 +32,9 @@ _TOOLS: dict[str, type[Knife] | type[CreaseWheel] | type[VCutter] | type[Cutter]
     "cutter": Cutter,
 }
 
+#: How a sheet gets onto a table: laid on by a person, or by the machine itself.
+FEEDS = ("manual", "automatic")
+
 #: More passes along one groove than this, or bridges nearer than this (mm), are a slip of the pen.
 _MOST_PASSES = 50
 _LEAST_SPACING = 10.0
@@ -294,7 +297,14 @@ def parse_machine(name: str, fields: Mapping[str, Any]) -> Machine:
         clearance=_positive(fields["clearance"], "clearance"),
         into_mat=_not_negative(fields["into_mat"], "into_mat"),
         settle=_not_negative(fields["settle"], "settle"),
+        feed=_feed(fields.get("feed", "manual")),
     )
+
+
+def _feed(value: Any) -> str:
+    if value not in FEEDS:
+        raise ValueError(f"feed is {value!r}: it is {' or '.join(FEEDS)}")
+    return str(value)
 
 
 def parse_board(name: str, fields: Mapping[str, Any]) -> Board:

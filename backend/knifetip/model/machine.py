@@ -53,6 +53,7 @@ class Machine:
     clearance: float  #: height of the tip above the board where plunging begins (mm)
     into_mat: float  #: how deep a through cut goes into the mat (mm)
     settle: float  #: seconds to wait after a piston or the oscillation is switched
+    feed: str = "manual"  #: how a sheet gets onto the table: ``manual`` or ``automatic``
 
     def station(self, number: int) -> Station:
         """Return the station with this T number.

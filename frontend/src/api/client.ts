@@ -40,7 +40,15 @@ export type Verdict = Schemas["VerdictOut"];
 export type VerdictSummary = Schemas["VerdictSummary"];
 
 /** What the operator can ask of a job. */
-export type JobCommand = "release" | "hold" | "resume" | "cancel" | "requeue" | "scrap";
+export type JobCommand =
+  | "release"
+  | "confirm"
+  | "hold"
+  | "resume"
+  | "cancel"
+  | "finish"
+  | "requeue"
+  | "scrap";
 
 /** The service said no, or did not answer. */
 export class ServiceError extends Error {

@@ -284,6 +284,29 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/jobs/{id}/confirm": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Confirm Job
+         * @description Confirm at the machine: table clear, this board, these tools.  The machine starts.
+         *
+         *     The same confirms the new sheet between two copies.  A confirmation counts for the gateway's
+         *     present claim; 409 while the job does not wait for one, or where another board is named.
+         */
+        post: operations["confirm_job"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/jobs/{id}/hold": {
         parameters: {
             query?: never;
@@ -315,7 +338,7 @@ export interface paths {
         put?: never;
         /**
          * Resume Job
-         * @description Ask the machine to go on.
+         * @description Ask the machine to go on; between two copies this confirms the new sheet.
          */
         post: operations["resume_job"];
         delete?: never;
@@ -338,6 +361,26 @@ export interface paths {
          * @description Cancel a job: at once before it runs, as soon as the machine stands while it does.
          */
         post: operations["cancel_job"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/jobs/{id}/finish": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Finish Job
+         * @description Declare an interrupted job finished: all its sheets were found complete.
+         */
+        post: operations["finish_job"];
         delete?: never;
         options?: never;
         head?: never;
@@ -649,6 +692,8 @@ export interface paths {
         /**
          * Claim
          * @description Wait for the next job of a machine and take it; 204 when there is none in that time.
+         *
+         *     With ``confirm`` the job stays queued until the operator has confirmed it.
          */
         post: operations["claim"];
         delete?: never;
@@ -666,7 +711,7 @@ export interface paths {
         };
         /**
          * Get Gateway Program
-         * @description Return the program of a job that is on a table.
+         * @description Return the program of a job that a gateway has claimed.
          */
         get: operations["get_gateway_program"];
         put?: never;
@@ -688,7 +733,7 @@ export interface paths {
         put?: never;
         /**
          * Heartbeat
-         * @description Say what the machine did, and hear what the operator wants; renews the lease.
+         * @description Report what the machine did and get the next command; renews the lease.
          */
         post: operations["heartbeat"];
         delete?: never;
@@ -708,7 +753,7 @@ export interface paths {
         put?: never;
         /**
          * Finish
-         * @description Say how a job ended.
+         * @description Report how a job ended; the last owner's late report corrects an interrupted job.
          */
         post: operations["finish"];
         delete?: never;
@@ -891,6 +936,12 @@ export interface components {
             lines: number;
             /** Copies */
             copies: number;
+            /**
+             * Confirm
+             * @description Send nothing to the machine: heartbeats with `waiting` until one is answered with `start`
+             * @default false
+             */
+            confirm: boolean;
         };
         /**
          * ClaimIn
@@ -991,6 +1042,23 @@ export interface components {
             off: number;
             /** Text */
             text: string;
+        };
+        /**
+         * ConfirmIn
+         * @description What the operator found on the table; each of it may be left out.
+         */
+        ConfirmIn: {
+            /**
+             * Board
+             * @description The board that lies there; another than the job's is refused
+             */
+            board?: string | null;
+            /**
+             * By
+             * @description Who confirms, for the record
+             * @default
+             */
+            by: string;
         };
         /**
          * CornerAt
@@ -1265,14 +1333,25 @@ export interface components {
             epoch: number;
             /**
              * Outcome
+             * @description returned: the claim is given back, nothing was sent to the machine
              * @enum {string}
              */
-            outcome: "done" | "interrupted" | "cancelled";
+            outcome: "done" | "interrupted" | "cancelled" | "returned";
             /**
              * Why
              * @default
              */
             why: string;
+            /**
+             * Line
+             * @description The last line executed, where it is not the last heartbeat's
+             */
+            line?: number | null;
+            /**
+             * Copies Done
+             * @description Under this claim
+             */
+            copies_done?: number | null;
         };
         /**
          * Health
@@ -1315,6 +1394,12 @@ export interface components {
              * @default false
              */
             held: boolean;
+            /**
+             * Waiting
+             * @description Nothing has been sent to the machine yet: the gateway waits for `start`
+             * @default false
+             */
+            waiting: boolean;
             /** Position */
             position?: [
                 number,
@@ -1327,14 +1412,14 @@ export interface components {
         };
         /**
          * HeartbeatOut
-         * @description What the operator wants.
+         * @description What the gateway is to do.
          */
         HeartbeatOut: {
             /**
              * Command
              * @enum {string}
              */
-            command: "continue" | "hold" | "resume" | "cancel";
+            command: "wait" | "start" | "continue" | "hold" | "resume" | "cancel";
             /** Lease */
             lease: number;
         };
@@ -1440,6 +1525,19 @@ export interface components {
             /** Updated */
             updated: number;
             /**
+             * Waiting For
+             * @description What keeps it from going on, with the words in reason and mend: the operator's confirmation of table, board and tools; of the next sheet; the machine; its turn in the queue
+             * @default
+             * @enum {string}
+             */
+            waiting_for: "" | "confirmation" | "sheet" | "machine" | "turn";
+            /**
+             * Tools
+             * @description Stations that the program uses; empty before it is compiled
+             * @default []
+             */
+            tools: components["schemas"]["JobTool"][];
+            /**
              * Wish
              * @description What the operator asked for and the machine has not done yet
              * @default
@@ -1484,6 +1582,18 @@ export interface components {
             /** Program Sha256 */
             program_sha256: string;
             verdict: components["schemas"]["VerdictSummary"] | null;
+        };
+        /**
+         * JobTool
+         * @description A station that a job's program uses.
+         */
+        JobTool: {
+            /** Station */
+            station: number;
+            /** Name */
+            name: string;
+            /** Kind */
+            kind: string;
         };
         /**
          * LayerOut
@@ -1600,6 +1710,12 @@ export interface components {
             travel_z: number;
             /** Into Mat */
             into_mat: number;
+            /**
+             * Feed
+             * @description manual: every job and every copy waits until an operator has confirmed that its sheet lies on the table
+             * @enum {string}
+             */
+            feed: "manual" | "automatic";
             /** Axes */
             axes: {
                 [key: string]: {
@@ -2815,6 +2931,41 @@ export interface operations {
             };
         };
     };
+    confirm_job: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["ConfirmIn"] | null;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobOut"];
+                };
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     hold_job: {
         parameters: {
             query?: never;
@@ -2878,6 +3029,37 @@ export interface operations {
         };
     };
     cancel_job: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobOut"];
+                };
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    finish_job: {
         parameters: {
             query?: never;
             header?: never;

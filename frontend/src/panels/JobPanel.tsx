@@ -2,6 +2,7 @@
 
 import { Button, Progress } from "@mantine/core";
 import {
+  IconCheck,
   IconCircleCheckFilled,
   IconDownload,
   IconPlayerPauseFilled,
@@ -11,14 +12,24 @@ import {
   IconSend2,
   IconTrash,
 } from "@tabler/icons-react";
-import type { ReactNode } from "react";
+import { type ReactNode, useState } from "react";
 import { type Job, type JobCommand, service } from "../api/client";
 import { command } from "../state/actions";
-import { commandsOf, hasProgram, isCompiling, isOnTable, STATE_LOOKS } from "../state/jobs";
+import {
+  askBefore,
+  commandsOf,
+  hasProgram,
+  isCompiling,
+  isOnTable,
+  needsOperator,
+  STATE_LOOKS,
+} from "../state/jobs";
 import { useEdges, useJob } from "../state/queries";
 import { rowsOfHandles } from "../state/rows";
 import { usePage } from "../state/store";
 import { count, duration } from "../state/words";
+import { AskDialog } from "./AskDialog";
+import { ConfirmationCard } from "./ConfirmationCard";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 import { Section } from "./Section";
@@ -43,7 +54,9 @@ export function JobPanel() {
     <Section title="Job" aside={<StateBadge job={job} testId="job-state" />}>
       <div style={{ display: "grid", gap: 12 }}>
         {isCompiling(job) && <Compiling job={job} />}
-        {(isOnTable(job) || job.state === "queued") && <Running job={job} />}
+        {needsOperator(job) && <ConfirmationCard job={job} />}
+        {job.state === "queued" && !needsOperator(job) && <Waiting job={job} />}
+        {isOnTable(job) && <Running job={job} />}
         <Ending job={job} />
         <Controls job={job} />
         <VerdictCard job={job} />
@@ -83,14 +96,16 @@ function Compiling({ job }: { job: Job }) {
   );
 }
 
+function Waiting({ job }: { job: Job }) {
+  return (
+    <div className={jobCss.callout} data-tone="grey" role="status" data-testid="waiting">
+      {job.reason || `Waiting for ${job.machine}.`}
+      {job.mend !== "" && <div className={css.mend}>{job.mend}</div>}
+    </div>
+  );
+}
+
 function Running({ job }: { job: Job }) {
-  if (job.state === "queued") {
-    return (
-      <div className={jobCss.callout} data-tone="grey" role="status">
-        Waiting for the table. It starts as soon as {job.machine} is free.
-      </div>
-    );
-  }
   const held = job.state === "held";
   const left = job.seconds_left;
   return (
@@ -135,9 +150,11 @@ function Ending({ job }: { job: Job }) {
       </div>
     );
   }
+  // What it waits for has a card of its own.
+  if (job.waiting_for !== "") return null;
   const fallback =
     job.state === "interrupted"
-      ? "The run was interrupted; nobody knows how far the tool came."
+      ? "Run interrupted; tool position unknown."
       : job.state === "cancelled"
         ? "The job was cancelled."
         : "";
@@ -146,7 +163,7 @@ function Ending({ job }: { job: Job }) {
   const { tone } = STATE_LOOKS[job.state];
   const mend =
     job.mend === "" && job.state === "interrupted"
-      ? "Look at the table. Queue the job again with a fresh board, or scrap it."
+      ? "Look at the table, then mark the job finished, queue it again or scrap it."
       : job.mend;
   const rows = edges === undefined ? [] : rowsOfHandles(edges, job.source);
   return (
@@ -180,6 +197,13 @@ const LOOKS: Readonly<
     variant: "filled",
     testId: "send",
   },
+  confirm: {
+    title: "Confirm",
+    icon: <IconCheck size={16} />,
+    colour: "green",
+    variant: "filled",
+    testId: "confirm",
+  },
   hold: {
     title: "Hold",
     icon: <IconPlayerPauseFilled size={16} />,
@@ -201,6 +225,13 @@ const LOOKS: Readonly<
     variant: "subtle",
     testId: "cancel",
   },
+  finish: {
+    title: "It is finished",
+    icon: <IconCheck size={16} />,
+    colour: "green",
+    variant: "light",
+    testId: "finish",
+  },
   requeue: {
     title: "Queue again",
     icon: <IconRefresh size={16} />,
@@ -219,10 +250,25 @@ const LOOKS: Readonly<
 
 function Controls({ job }: { job: Job }) {
   const busy = usePage((page) => page.busy);
+  const [asking, setAsking] = useState<JobCommand | null>(null);
   const words = commandsOf(job);
+  // The job goes on while the question is open: what can no longer be done is no longer asked.
+  const open = asking !== null && words.includes(asking) ? askBefore(job, asking) : null;
   if (words.length === 0) return null;
+  const send = (word: JobCommand) => {
+    if (askBefore(job, word) === null) void command(job.id, word);
+    else setAsking(word);
+  };
   return (
-    <div style={{ display: "flex", gap: 8 }}>
+    <div style={{ display: "flex", flexWrap: "wrap", gap: 8 }}>
+      <AskDialog
+        ask={open}
+        onYes={() => {
+          setAsking(null);
+          if (asking !== null) void command(job.id, asking);
+        }}
+        onNo={() => setAsking(null)}
+      />
       {words.map((word, at) => {
         const { title, icon, colour, variant, testId } = LOOKS[word];
         return (
@@ -235,7 +281,7 @@ function Controls({ job }: { job: Job }) {
             disabled={busy}
             // Asked for, and the machine has not done it yet.
             loading={job.wish === word}
-            onClick={() => void command(job.id, word)}
+            onClick={() => send(word)}
             data-testid={testId}
           >
             {title}

@@ -3,10 +3,11 @@
 import { Progress } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { Job } from "../api/client";
-import { isCompiling, isOnTable, isOver } from "../state/jobs";
+import { isCompiling, isOnTable, isOver, needsOperator } from "../state/jobs";
 import { useJobs } from "../state/queries";
 import { usePage } from "../state/store";
 import { ago, duration } from "../state/words";
+import { ConfirmationCard } from "./ConfirmationCard";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 import { Section } from "./Section";
@@ -18,7 +19,7 @@ const STEP = 30;
 
 /** On a table, then waiting, then ready, then over; the latest first among those. */
 function order(job: Job): number {
-  if (isOnTable(job) || job.state === "interrupted") return 0;
+  if (isOnTable(job) || needsOperator(job) || job.state === "interrupted") return 0;
   if (job.state === "queued") return 1;
   return isOver(job) ? 3 : 2;
 }
@@ -26,6 +27,8 @@ function order(job: Job): number {
 export function QueuePanel() {
   const list = useJobs();
   const { data: jobs, error } = list;
+  // The job that is looked at has its card in its own panel.
+  const current = usePage((page) => page.job);
   const [most, setMost] = useState(STEP);
   const [now, setNow] = useState(() => Date.now() / 1000);
   useEffect(() => {
@@ -43,7 +46,14 @@ export function QueuePanel() {
       <div data-testid="queue">
         {error && <p className={css.note}>{error.message}</p>}
         {listed.slice(0, most).map((job) => (
-          <Row key={job.id} job={job} now={now} />
+          <div key={job.id}>
+            <Row job={job} now={now} />
+            {needsOperator(job) && job.id !== current && (
+              <div className={jobCss.inRow}>
+                <ConfirmationCard job={job} />
+              </div>
+            )}
+          </div>
         ))}
         {jobs !== undefined && jobs.length === 0 && (
           <p className={css.note} style={{ padding: "0 8px", margin: "0 0 8px" }}>

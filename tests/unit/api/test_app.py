@@ -167,6 +167,7 @@ BODIES = {
         "overrides": [],
         "release": False,
     },
+    "/api/jobs/nothing/confirm": {"board": "e-flute", "by": "Kim"},
     "/api/gateway/claim": {"gateway": "g", "machine": "demo-table", "wait": 0.0},
     "/api/gateway/heartbeat": {
         "job": "nothing",
@@ -174,10 +175,18 @@ BODIES = {
         "line": 1,
         "copies_done": 0,
         "held": False,
+        "waiting": False,
         "position": [0.0, 0.0, 0.0, 0.0],
         "seconds_left": 1.0,
     },
-    "/api/gateway/finish": {"job": "nothing", "epoch": 1, "outcome": "done", "why": ""},
+    "/api/gateway/finish": {
+        "job": "nothing",
+        "epoch": 1,
+        "outcome": "done",
+        "why": "",
+        "line": 1,
+        "copies_done": 0,
+    },
 }
 
 

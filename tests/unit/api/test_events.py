@@ -99,6 +99,11 @@ def test_progress_is_heard_without_a_number(client: httpx.Client):
     with listening(client) as heard:
         claim = {"gateway": "g", "machine": "demo-table", "wait": 0.0}
         epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
+        while of(heard, job, "queued").data["waiting_for"] != "confirmation":
+            pass
+        client.post(f"/api/jobs/{job}/confirm")
+        waits = {"job": job, "epoch": epoch, "line": 0, "waiting": True}
+        client.post("/api/gateway/heartbeat", json=waits)
         of(heard, job, "running")
         beat = {"job": job, "epoch": epoch, "line": 7, "position": [1.0, 2.0, 3.0, 4.0]}
         client.post("/api/gateway/heartbeat", json=beat)
@@ -124,3 +129,18 @@ def test_a_deleted_drawing_is_heard(client: httpx.Client):
         client.delete(f"/api/drawings/{drawing}")
         said = heard.get(timeout=10.0)
         assert (said.kind, said.data) == ("deleted", {"drawing": drawing})
+
+
+def test_a_queued_job_is_heard_when_it_waits_for_something_else(client: httpx.Client):
+    drawing = uploaded(client, square())["id"]
+    first, second = (
+        until(client, ordered(client, drawing, release=True)["id"], "queued")["id"]
+        for _ in range(2)
+    )
+    with listening(client) as heard:
+        assert client.get(f"/api/jobs/{second}").json()["waiting_for"] == "turn"
+        client.post(f"/api/jobs/{first}/cancel")
+        said = of(heard, second, "queued")
+        # Nothing happened to it: another job went away.
+        assert (said.number, said.data["waiting_for"]) == (None, "machine")
+        client.post(f"/api/jobs/{second}/cancel")

@@ -36,12 +36,26 @@ def queued(client: httpx.Client) -> dict:
 
 
 @pytest.fixture
-def claimed(client: httpx.Client, queued: dict) -> Iterator[dict]:
+def waiting(client: httpx.Client, queued: dict) -> Iterator[dict]:
+    """A job that is claimed and waits for the operator."""
     job = claim(client).json()
-    assert job["job"] == queued["id"]
+    assert (job["job"], job["confirm"]) == (queued["id"], True)
     yield job
-    if client.get(f"/api/jobs/{job['job']}").json()["state"] in ("running", "held"):
-        finish(client, job)
+    match client.get(f"/api/jobs/{job['job']}").json()["state"]:
+        case "running" | "held":
+            finish(client, job)
+        case "queued":
+            client.post(f"/api/jobs/{job['job']}/cancel")
+        case "interrupted":
+            client.post(f"/api/jobs/{job['job']}/scrap")
+
+
+@pytest.fixture
+def claimed(client: httpx.Client, waiting: dict) -> dict:
+    """A job that is claimed, confirmed and started."""
+    assert client.post(f"/api/jobs/{waiting['job']}/confirm").status_code == 200
+    assert beat(client, waiting, 0, waiting=True).json()["command"] == "start"
+    return waiting
 
 
 def test_a_claim_with_nothing_to_do_waits_and_answers_204(client: httpx.Client):
@@ -72,7 +86,8 @@ def test_a_second_gateway_gets_nothing_while_the_table_is_taken(
     client.post(f"/api/jobs/{claimed['job']}/scrap")
     got = claim(client, "another")
     assert got.json()["job"] == other["id"]
-    finish(client, got.json())
+    assert finish(client, got.json(), "returned").json()["state"] == "queued"
+    client.post(f"/api/jobs/{other['id']}/cancel")
 
 
 def test_heartbeats_move_the_job_and_bring_the_operators_wishes(
@@ -131,6 +146,7 @@ def test_an_interrupted_job_runs_again_when_the_operator_says_so(
     again = claim(client).json()
     assert again["job"] == claimed["job"]
     assert again["epoch"] > claimed["epoch"]
+    assert client.get(f"/api/jobs/{again['job']}").json()["waiting_for"] == "confirmation"
     assert finish(client, again).json()["state"] == "done"
 
 
@@ -141,3 +157,136 @@ def test_a_program_is_given_out_only_while_its_job_is_on_a_table(
     assert answer.status_code == 409
     assert "is queued" in answer.json()["detail"]
     client.post(f"/api/jobs/{queued['id']}/cancel")
+
+
+def confirm(client: httpx.Client, job: dict, **said: str) -> httpx.Response:
+    return client.post(f"/api/jobs/{job['job']}/confirm", json=said)
+
+
+def test_a_claimed_job_waits_for_the_operator_and_states_what_for(
+    client: httpx.Client, waiting: dict
+):
+    assert beat(client, waiting, 0, waiting=True).json()["command"] == "wait"
+    job = client.get(f"/api/jobs/{waiting['job']}").json()
+    assert (job["state"], job["waiting_for"], job["mend"]) == (
+        "queued",
+        "confirmation",
+        "Confirm to start.",
+    )
+    assert job["reason"] == (
+        "Waiting for the operator at Demo table 1600 × 1200: table clear, board e-flute (1.6 mm), "
+        "tools: Oscillating knife (station 1)."
+    )
+    assert client.get(f"/api/machines/{MACHINE}").json()["job"] is None
+    assert client.get(f"/api/machines/{MACHINE}").json()["gateway"] == "connected"
+    # A gateway may have the program at hand before it starts.
+    assert client.get(waiting["program"]).status_code == 200
+    (listed,) = [one for one in client.get("/api/jobs").json() if one["id"] == job["id"]]
+    assert listed == job
+
+
+def test_a_confirmation_without_a_body_starts_the_job(client: httpx.Client, waiting: dict):
+    assert client.post(f"/api/jobs/{waiting['job']}/confirm").json()["waiting_for"] == "machine"
+    assert client.get(f"/api/jobs/{waiting['job']}").json()["reason"].startswith("Confirmed")
+    assert beat(client, waiting, 0, waiting=True).json()["command"] == "start"
+    job = client.get(f"/api/jobs/{waiting['job']}").json()
+    assert (job["state"], job["waiting_for"], job["reason"]) == ("running", "", "")
+
+
+def test_another_board_is_refused_and_a_field_that_is_unknown_too(
+    client: httpx.Client, waiting: dict
+):
+    other = confirm(client, waiting, board="greyboard-2.0", by="Kim")
+    assert other.status_code == 409
+    assert other.json()["mend"] == "Put e-flute on the table."
+    assert confirm(client, waiting, colour="red").status_code == 422
+    assert beat(client, waiting, 0, waiting=True).json()["command"] == "wait"
+    assert confirm(client, waiting, board="e-flute", by="Kim").status_code == 200
+
+
+def test_a_job_that_no_machine_has_taken_cannot_be_confirmed(client: httpx.Client, queued: dict):
+    answer = client.post(f"/api/jobs/{queued['id']}/confirm")
+    assert answer.status_code == 409
+    assert "has not taken it yet" in answer.json()["detail"]
+    client.post(f"/api/jobs/{queued['id']}/cancel")
+
+
+def test_queued_jobs_state_whether_they_wait_for_their_turn_or_for_the_machine(
+    client: httpx.Client, claimed: dict
+):
+    drawing = uploaded(client, square())["id"]
+    following, last = (
+        until(client, ordered(client, drawing, release=True)["id"], "queued")["id"]
+        for _ in range(2)
+    )
+
+    def of(id: str) -> tuple[str, str, str]:
+        job = client.get(f"/api/jobs/{id}").json()
+        return job["waiting_for"], job["reason"], job["mend"]
+
+    title = "Demo table 1600 × 1200"
+    assert of(following) == (
+        "machine",
+        f"{title} is taken by job {claimed['job']}, which is running.",
+        "",
+    )
+    assert of(last) == ("turn", f"Waiting for its turn at {title}; other jobs come first.", "")
+    finish(client, claimed, "interrupted")
+    waits, reason, hint = of(following)
+    assert (waits, reason.endswith("interrupted.")) == ("machine", True)
+    assert hint == "Mark that job finished, queue it again or scrap it first."
+    client.post(f"/api/jobs/{claimed['job']}/finish")
+    assert of(following)[0] == "machine"
+    assert "taken by" not in of(following)[1]
+    for id in (following, last):
+        client.post(f"/api/jobs/{id}/cancel")
+
+
+def test_a_gateway_that_runs_without_a_confirmation_is_heard_and_held(
+    client: httpx.Client, waiting: dict
+):
+    answer = beat(client, waiting, 1)
+    assert (answer.status_code, answer.json()["command"]) == (200, "hold")
+    job = client.get(f"/api/jobs/{waiting['job']}").json()
+    assert (job["state"], job["waiting_for"]) == ("running", "confirmation")
+    assert "without the operator's confirmation" in job["reason"]
+    assert client.post(f"/api/jobs/{waiting['job']}/resume").status_code == 409
+    assert confirm(client, waiting).status_code == 200
+    assert beat(client, waiting, 2).json()["command"] == "continue"
+
+
+def test_a_waiting_job_that_is_cancelled_is_taken_from_its_gateway(
+    client: httpx.Client, waiting: dict
+):
+    assert client.post(f"/api/jobs/{waiting['job']}/cancel").json()["state"] == "cancelled"
+    assert beat(client, waiting, 0, waiting=True).status_code == 409
+
+
+def test_the_same_gateway_gets_its_waiting_job_again_and_no_other_does(
+    client: httpx.Client, waiting: dict
+):
+    confirm(client, waiting)
+    assert claim(client, "another").status_code == 204
+    again = claim(client).json()
+    assert (again["job"], again["epoch"]) == (waiting["job"], waiting["epoch"] + 1)
+    assert beat(client, waiting, 0, waiting=True).status_code == 409
+    assert beat(client, again, 0, waiting=True).json()["command"] == "wait"
+
+
+def test_the_last_owner_reports_late_that_an_interrupted_job_is_done(
+    client: httpx.Client, claimed: dict
+):
+    beat(client, claimed, 3)
+    said = {"job": claimed["job"], "epoch": claimed["epoch"], "outcome": "interrupted"}
+    job = client.post("/api/gateway/finish", json={**said, "why": "A belt tore.", "line": 5}).json()
+    assert job["reason"] == f"Interrupted at line 5 of {claimed['lines']}. A belt tore."
+    assert "queue the job again" in job["mend"].lower()
+    done = finish(client, claimed).json()
+    assert (done["state"], done["line"], done["reason"]) == ("done", claimed["lines"], "")
+
+
+def test_an_operator_finishes_an_interrupted_job_and_no_other(client: httpx.Client, claimed: dict):
+    assert client.post(f"/api/jobs/{claimed['job']}/finish").status_code == 409
+    finish(client, claimed, "interrupted")
+    done = client.post(f"/api/jobs/{claimed['job']}/finish").json()
+    assert (done["state"], done["progress"]) == ("done", 1.0)

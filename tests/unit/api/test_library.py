@@ -9,6 +9,7 @@ pytestmark = pytest.mark.xdist_group("server")
 def test_the_demo_table_shows_its_stations_with_their_dimensions(client: httpx.Client):
     (machine,) = [row for row in client.get("/api/machines").json() if row["name"] == "demo-table"]
     assert (machine["width"], machine["height"]) == (1600.0, 1200.0)
+    assert machine["feed"] == "manual"
     wheel = machine["stations"][1]
     assert wheel["datum"] == {"x": 60.0, "y": 0.0, "z": -1.5, "c": 0.0}
     assert wheel["tool"]["kind"] == "crease-wheel"

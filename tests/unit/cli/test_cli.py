@@ -184,8 +184,10 @@ def test_a_picture_is_no_drawing(knifetip, tmp_path):
 
 def test_machine_states_the_tools_as_the_engines_use_them(knifetip):
     code, out, _ = knifetip("machine", "demo-table", "--json")
-    stations = {row["number"]: row for row in json.loads(out)["stations"]}
+    machine = json.loads(out)
+    stations = {row["number"]: row for row in machine["stations"]}
     assert code == 0
+    assert machine["feed"] == "manual"
     assert stations[3]["tool"]["back"] == 6.0
     assert stations[3]["tool"]["half_width"] == 1.5
     assert stations[3]["tool"]["length"] == pytest.approx(6.0 * 2**0.5)

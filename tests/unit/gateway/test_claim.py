@@ -13,7 +13,9 @@ import pytest
 from knifetip.errors import ControllerError
 from knifetip.gateway import grbl, simulator
 from knifetip.gateway.claim import work
+from knifetip.gateway.controller import State
 from knifetip.gateway.journal import Journal
+from knifetip.gateway.stream import Progress
 from knifetip.gateway.table import Faults
 from knifetip.library import load
 
@@ -37,7 +39,7 @@ M30
 class Office:
     """The server, as far as a gateway sees it."""
 
-    def __init__(self, program=PROGRAM, *, copies=1, lease=5.0, sha256=None):
+    def __init__(self, program=PROGRAM, *, copies=1, lease=5.0, sha256=None, confirm=False):
         self.program = program
         self.claim = {
             "job": "job-1",
@@ -47,7 +49,9 @@ class Office:
             "sha256": sha256 or hashlib.sha256(program).hexdigest(),
             "lines": program.count(b"\n"),
             "copies": copies,
+            "confirm": confirm,
         }
+        self.headers = []
         self.claims = []
         self.beats = []
         self.finished = []
@@ -60,6 +64,7 @@ class Office:
     async def __call__(self, request):
         if not self.reachable:
             raise httpx.ConnectError("no route", request=request)
+        self.headers.append(request.headers)
         body = json.loads(request.content) if request.content else {}
         path = request.url.path
         if path == "/api/gateway/claim":
@@ -122,10 +127,20 @@ async def test_a_job_is_claimed_run_and_finished():
         await gateway(office, server)
         assert server.table.position == (560.0, 100.0, 20.0, 0.0)
     assert office.claims == [{"gateway": "table-7", "machine": "demo-table", "wait": 0.1}]
-    assert office.finished == [{"job": "job-1", "epoch": 3, "outcome": "done", "why": ""}]
+    assert office.finished == [
+        {
+            "job": "job-1",
+            "epoch": 3,
+            "outcome": "done",
+            "why": "",
+            "line": 11,
+            "copies_done": 1,
+        }
+    ]
     lines = [beat["line"] for beat in office.beats]
     assert lines == sorted(lines)
     assert all(beat["epoch"] == 3 and not beat["held"] for beat in office.beats)
+    assert all(headers["X-Knifetip"] == "gateway" for headers in office.headers)
 
 
 async def test_positions_are_those_of_the_head_on_the_sheet():
@@ -232,7 +247,7 @@ async def test_cancel_stops_the_machine_raises_the_tool_and_says_so():
     assert "line 6" in office.finished[0]["why"]
 
 
-async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_dropped():
+async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_with_its_line():
     office = Office()
 
     def command(beat):
@@ -244,7 +259,10 @@ async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_dropped():
         await gateway(office, server)
         assert 160.0 < server.table.position[0] < 560.0
         assert server.table.position[2] == 20.0
-    assert office.finished == []
+    # The server takes it as evidence while the job is interrupted, and refuses it otherwise.
+    (report,) = office.finished
+    assert (report["outcome"], report["line"], report["epoch"]) == ("interrupted", 6, 3)
+    assert "the machine was stopped" in report["why"]
 
 
 async def test_without_the_server_the_machine_goes_on_for_the_lease_and_then_holds():
@@ -325,7 +343,8 @@ async def test_switching_the_gateway_off_stops_the_machine_and_says_so():
         assert server.table.position[2] == 20.0
         assert server.table.position[0] < 560.0
     assert office.finished[0]["outcome"] == "interrupted"
-    assert "switched off at line 6" in office.finished[0]["why"]
+    assert "switched off" in office.finished[0]["why"]
+    assert office.finished[0]["line"] == 6
 
 
 async def test_the_journal_has_every_step_and_an_end(tmp_path):
@@ -351,6 +370,157 @@ async def test_a_job_cut_off_by_the_power_is_told_at_the_next_start(tmp_path):
         await gateway(office, server, journal=path)
     first, second = office.finished
     assert (first["job"], first["epoch"], first["outcome"]) == ("job-0", 9, "interrupted")
-    assert "line 17" in first["why"]
+    assert (first["line"], first["copies_done"]) == (17, 0)
     assert second["outcome"] == "done"
     assert journal.unfinished() is None
+
+
+# The operator starts
+
+
+async def test_nothing_is_sent_to_the_machine_before_the_start():
+    office = Office(confirm=True)
+    waits = []
+    async with table() as server:
+
+        def command(beat):
+            if not beat["waiting"]:
+                return "continue"
+            waits.append(server.table.time)
+            return "start" if len(waits) == 20 else "wait"
+
+        office.command = command
+        await gateway(office, server)
+    assert waits == [0.0] * 20
+    assert [beat["waiting"] for beat in office.beats[:21]] == [True] * 20 + [False]
+    assert office.finished[0]["outcome"] == "done"
+
+
+async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine():
+    office = Office(confirm=True)
+
+    def command(beat):
+        office.stale = len(office.beats) == 5
+        return "wait"
+
+    office.command = command
+    async with table() as server:
+        await gateway(office, server)
+        assert server.table.time == 0.0
+    assert len(office.beats) == 6
+    assert "nothing was sent" in office.finished[0]["why"]
+    assert office.finished[0]["line"] == 0
+
+
+@pytest.mark.parametrize(
+    ("sent", "why"), [(b"!", "not idle: it reports hold"), (b"\x18", "was reset")]
+)
+async def test_a_table_that_is_not_at_rest_gives_a_waiting_job_back(sent, why):
+    office = Office(confirm=True)
+    async with table() as server:
+
+        def command(beat):
+            if len(office.beats) == 5:
+                server.table.receive(sent)
+            return "wait" if len(office.beats) < 500 else "start"
+
+        office.command = command
+        await gateway(office, server)
+        assert not server.table.switched
+    (report,) = office.finished
+    assert (report["outcome"], report["line"]) == ("returned", 0)
+    assert why in report["why"]
+
+
+async def test_a_gateway_that_is_switched_off_while_it_waits_gives_its_claim_back():
+    office = Office(confirm=True)
+    office.command = lambda _: "wait"
+    async with table() as server:
+        working = asyncio.create_task(gateway(office, server))
+        async with asyncio.timeout(10.0):
+            while len(office.beats) < 3:
+                await asyncio.sleep(0.01)
+        working.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await working
+        assert server.table.time == 0.0
+    assert office.finished[0]["outcome"] == "returned"
+
+
+# What the journal proves
+
+
+async def test_a_job_that_was_cut_to_its_end_is_reported_done_at_the_next_start(tmp_path):
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.begin("job-0", 9, "00", 40, copies=2)
+    journal.copy("job-0", 1)
+    journal.line("job-0", 1, 40, 40)
+    journal.copy("job-0", 2)
+    office = Office()
+    office.deaf = 2
+    async with table(speed=100.0) as server:
+        await gateway(office, server, journal=path)
+    first, second = office.finished
+    assert (first["job"], first["epoch"], first["outcome"]) == ("job-0", 9, "done")
+    assert second["job"] == "job-1"
+
+
+async def test_a_job_of_which_a_copy_is_missing_is_not_reported_done(tmp_path):
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.begin("job-0", 9, "00", 40, copies=2)
+    journal.line("job-0", 0, 40, 40)
+    journal.copy("job-0", 1)
+    office = Office()
+    async with table(speed=100.0) as server:
+        await gateway(office, server, journal=path)
+    first = office.finished[0]
+    assert (first["outcome"], first["line"], first["copies_done"]) == ("interrupted", 0, 1)
+
+
+async def test_an_outcome_that_was_not_heard_is_reported_in_its_own_words(tmp_path):
+    path = tmp_path / "journal"
+    journal = Journal(path)
+    journal.begin("job-0", 9, "00", 40)
+    journal.line("job-0", 0, 17, 20)
+    journal.outcome("job-0", "interrupted", "A belt tore.")
+    office = Office()
+    async with table(speed=100.0) as server:
+        await gateway(office, server, journal=path)
+    first = office.finished[0]
+    assert (first["outcome"], first["why"], first["line"]) == ("interrupted", "A belt tore.", 17)
+
+
+async def test_the_journal_records_each_copy_and_the_outcome_before_the_report(tmp_path):
+    office = Office(copies=2)
+    office.command = lambda beat: "resume" if beat["held"] else "continue"
+    path = tmp_path / "journal"
+    async with table() as server:
+        await gateway(office, server, journal=path)
+    rows = [json.loads(row) for row in path.read_text().splitlines()]
+    steps = [row["event"] for row in rows if row["event"] != "line"]
+    assert steps == ["begin", "copy", "copy", "outcome", "end"]
+    assert rows[0]["copies"] == 2
+
+
+async def test_a_withdrawal_after_the_last_line_does_not_make_a_finished_cut_interrupted(
+    monkeypatch,
+):
+    office = Office()
+
+    async def stream(*_args, **_options):
+        at = (0.0,) * 4
+        yield Progress(5, 11, 11, at, State.RUN, -1, 1.0)
+        office.stale = True
+        beats = len(office.beats)
+        while len(office.beats) == beats:
+            await asyncio.sleep(0.01)
+        await asyncio.sleep(0.05)
+        yield Progress(11, 11, 11, at, State.IDLE, -1, 0.0)
+
+    monkeypatch.setattr("knifetip.gateway.claim.stream", stream)
+    async with table() as server:
+        await gateway(office, server)
+    assert office.beats[-1]["line"] == 5
+    assert office.finished[0]["outcome"] == "done"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from knifetip.gateway import journal as module
-from knifetip.gateway.journal import Journal
+from knifetip.gateway.journal import Journal, Unfinished
 
 
 def test_a_job_that_began_and_did_not_end_is_found_with_its_line(tmp_path):
@@ -14,7 +14,7 @@ def test_a_job_that_began_and_did_not_end_is_found_with_its_line(tmp_path):
     journal.begin("b", 7, "00", 50)
     journal.line("b", 0, 12, 20)
     journal.line("b", 0, 31, 40)
-    assert Journal(path).unfinished() == ("b", 7, 31)
+    assert Journal(path).unfinished() == Unfinished("b", 7, lines=50, line=31)
 
 
 def test_a_job_that_ended_is_not_unfinished(tmp_path):
@@ -32,7 +32,10 @@ def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path):
     journal.line("a", 0, 12, 20)
     with path.open("ab") as file:
         file.write(b'{"event": "line", "job": "a", "exec')
-    assert journal.unfinished() == ("a", 1, 12)
+    assert journal.unfinished() == Unfinished("a", 1, lines=50, line=12)
+    # The next line is not appended to the broken one.
+    Journal(path).outcome("a", "done", "")
+    assert Journal(path).unfinished() == Unfinished("a", 1, lines=50, line=12, outcome="done")
 
 
 def test_the_same_line_is_written_once(tmp_path):
@@ -58,3 +61,35 @@ def test_without_a_path_nothing_is_kept():
     journal = Journal(None)
     journal.begin("a", 1, "00", 50)
     assert journal.unfinished() is None
+
+
+def test_copies_and_an_outcome_that_was_not_heard_are_found(tmp_path):
+    journal = Journal(tmp_path / "journal")
+    journal.begin("a", 1, "00", 50, copies=2)
+    journal.line("a", 0, 50, 50)
+    journal.copy("a", 1)
+    assert journal.unfinished() == Unfinished("a", 1, lines=50, copies=2, copies_done=1)
+    journal.line("a", 1, 7, 9)
+    journal.outcome("a", "cancelled", "by the operator")
+    assert journal.unfinished() == Unfinished(
+        "a",
+        1,
+        lines=50,
+        copies=2,
+        copies_done=1,
+        line=7,
+        outcome="cancelled",
+        why="by the operator",
+    )
+
+
+def test_a_journal_of_before_copies_were_recorded_is_read(tmp_path):
+    path = tmp_path / "journal"
+    path.write_text(
+        '{"event": "begin", "job": "a", "epoch": 1, "sha256": "00", "lines": 50}\n'
+        '{"event": "line", "job": "a", "copy": 0, "executed": 50, "acknowledged": 50}\n'
+    )
+    left = Journal(path).unfinished()
+    # That the last line was reported is no proof that the machine came to rest after it.
+    assert left == Unfinished("a", 1, lines=50, line=50)
+    assert left.copies_done < left.copies

@@ -19,13 +19,15 @@ def test_nothing_leads_out_of_the_four_ends():
     assert {a for a, _ in TRANSITIONS} == set(State) - ends
 
 
-def test_only_an_operator_leads_out_of_interrupted():
+def test_only_an_operator_returns_an_interrupted_job_to_the_queue():
     leaving = {
         end: movers for (start, end), movers in TRANSITIONS.items() if start == "interrupted"
     }
     assert leaving == {
         State.QUEUED: frozenset({Who.OPERATOR}),
         State.SCRAPPED: frozenset({Who.OPERATOR}),
+        # The last owner's late report is evidence; it starts nothing.
+        State.DONE: frozenset({Who.OPERATOR, Who.GATEWAY}),
     }
 
 

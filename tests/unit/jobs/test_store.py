@@ -25,7 +25,7 @@ from knifetip.errors import (
     WrongState,
 )
 from knifetip.jobs import migrations
-from knifetip.jobs.store import ATTEMPTS, LEASE, Result, Store
+from knifetip.jobs.store import ATTEMPTS, LEASE, Report, Result, Store
 from knifetip.jobs.tables import Base, Drawing, Job
 
 LINES = 231
@@ -52,6 +52,7 @@ REFUSED = Result(
 )
 
 
+WAITING = Report(line=0, waiting=True)
 MIGRATIONS = Path(migrations.__file__).parent
 
 
@@ -109,9 +110,25 @@ def queued(store: Store, **more: object) -> Job:
 
 def running(store: Store, **more: object) -> Job:
     queued(store, **more)
-    job = store.claim("table", "gateway")
+    job = store.claim("table", "gateway", manual=False)
     assert job is not None
     return job
+
+
+def waiting(store: Store, **more: object) -> Job:
+    """Return a job that a gateway has claimed on a machine that is fed by hand."""
+    queued(store, **more)
+    job = store.claim("table", "gateway", manual=True)
+    assert job is not None
+    return job
+
+
+def fed(store: Store, **more: object) -> Job:
+    """Return a job that runs on a machine that is fed by hand, confirmed."""
+    job = waiting(store, **more)
+    store.confirm(job.id)
+    assert store.heartbeat(job.id, job.epoch, WAITING) == "start"
+    return store.job(job.id)
 
 
 def course(store: Store, id: str) -> list[str]:
@@ -141,7 +158,7 @@ def test_a_job_that_was_not_ordered_to_be_queued_waits_to_be_released(store: Sto
     job = compiling(store)
     store.compiled(job.id, job.epoch, RESULT)
     assert store.job(job.id).state == "ready"
-    assert store.claim("table", "gateway") is None
+    assert store.claim("table", "gateway", manual=False) is None
     assert store.release(job.id).state == "queued"
 
 
@@ -188,11 +205,11 @@ def test_a_job_that_does_not_exist_is_named(store: Store):
 
 def test_two_claims_on_one_machine_give_one_job(store: Store):
     first, second = queued(store), queued(store)
-    claimed = store.claim("table", "one")
+    claimed = store.claim("table", "one", manual=False)
     assert claimed is not None
     assert claimed.id == first.id
     with pytest.raises(MachineBusy, match=first.id):
-        store.claim("table", "two")
+        store.claim("table", "two", manual=False)
     assert store.job(second.id).state == "queued"
 
 
@@ -212,6 +229,7 @@ def test_postgresql_is_told_the_same_index():
     said = str(CreateIndex(index).compile(dialect=postgresql.dialect()))
     assert "UNIQUE" in said
     assert "WHERE state IN ('running', 'held', 'interrupted')" in said
+    assert "OR (state = 'queued' AND confirmation <> '')" in said
 
 
 def test_ten_gateways_that_claim_at_once_get_one_job(store: Store):
@@ -224,7 +242,7 @@ def test_ten_gateways_that_claim_at_once_get_one_job(store: Store):
     def claim(name: str) -> None:
         start.wait()
         try:
-            got.append(store.claim("table", name))
+            got.append(store.claim("table", name, manual=False))
         except MachineBusy as reason:
             refused.append(reason)
 
@@ -241,7 +259,7 @@ def test_ten_gateways_that_claim_at_once_get_one_job(store: Store):
 def test_machines_do_not_wait_for_each_other(store: Store):
     running(store)
     other = queued(store, machine="other")
-    claimed = store.claim("other", "gateway")
+    claimed = store.claim("other", "gateway", manual=False)
     assert claimed is not None
     assert claimed.id == other.id
 
@@ -254,7 +272,7 @@ def test_a_claim_takes_the_highest_priority_and_then_the_oldest(store: Store, cl
     queued(store, priority=5)
     order = []
     for _ in range(3):
-        job = store.claim("table", "gateway")
+        job = store.claim("table", "gateway", manual=False)
         assert job is not None
         order.append(job.id)
         store.finish(job.id, job.epoch, "done", "")
@@ -270,11 +288,11 @@ def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(store: Store
     clock.now += LEASE + 0.1
     store.sweep()
     store.requeue(job.id)
-    again = store.claim("table", "other gateway")
+    again = store.claim("table", "other gateway", manual=False)
     assert again is not None
     assert again.epoch > job.epoch
     with pytest.raises(StaleEpoch, match=f"epoch {job.epoch}"):
-        store.heartbeat(job.id, job.epoch, line=5)
+        store.heartbeat(job.id, job.epoch, Report(line=5))
     with pytest.raises(StaleEpoch):
         store.finish(job.id, job.epoch, "done", "")
     assert store.job(job.id).state == "running"
@@ -282,7 +300,7 @@ def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(store: Store
 
 def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(store: Store, clock: Clock):
     job = running(store)
-    store.heartbeat(job.id, job.epoch, line=199)
+    store.heartbeat(job.id, job.epoch, Report(line=199))
     clock.now += LEASE - 0.1
     store.sweep()
     assert store.job(job.id).state == "running"
@@ -290,7 +308,10 @@ def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(store: Store, c
     store.sweep()
     job = store.job(job.id)
     assert job.state == "interrupted"
-    assert job.reason == "The gateway gateway fell silent at line 199 of 231."
+    assert job.reason == (
+        "Interrupted at line 199 of 231. The gateway gateway fell silent. The machine may have "
+        "executed more lines than it reported."
+    )
     assert store.on_table() == {"table": job.id}
 
 
@@ -298,7 +319,7 @@ def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock):
     job = running(store)
     for line in range(20):
         clock.now += LEASE / 2
-        assert store.heartbeat(job.id, job.epoch, line=line) == "continue"
+        assert store.heartbeat(job.id, job.epoch, Report(line=line)) == "continue"
         store.sweep()
     assert store.job(job.id).state == "running"
 
@@ -306,17 +327,18 @@ def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock):
 def test_a_finish_that_is_said_twice_does_no_harm(store: Store):
     job = running(store)
     store.finish(job.id, job.epoch, "interrupted", "a belt tore")
-    assert store.finish(job.id, job.epoch, "interrupted", "a belt tore").reason == "a belt tore"
+    again = store.finish(job.id, job.epoch, "interrupted", "a belt tore")
+    assert again.reason == "Interrupted at line 0 of 231. a belt tore"
     assert course(store, job.id).count("interrupted") == 1
 
 
 def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(store: Store):
     job = running(store)
-    store.heartbeat(job.id, job.epoch, line=100)
+    store.heartbeat(job.id, job.epoch, Report(line=100))
     store.finish(job.id, job.epoch, "interrupted", "a belt tore")
     again = store.requeue(job.id)
     assert (again.state, again.line, again.reason) == ("queued", 0, "")
-    job = store.claim("table", "gateway")
+    job = store.claim("table", "gateway", manual=False)
     assert job is not None
     store.finish(job.id, job.epoch, "interrupted", "")
     assert store.scrap(job.id).state == "scrapped"
@@ -324,26 +346,374 @@ def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(stor
 
 
 def test_copies_that_were_cut_before_an_interruption_count(store: Store):
-    job = running(store, copies=3)
-    store.heartbeat(job.id, job.epoch, line=LINES, copies_done=1, held=True)
+    job = fed(store, copies=3)
+    store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
     assert store.events_of(job.id)[-1].why == "copy 1 of 3 is done: put a new sheet on the table"
     store.finish(job.id, job.epoch, "interrupted", "")
     store.requeue(job.id)
-    again = store.claim("table", "gateway")
+    again = store.claim("table", "gateway", manual=False)
     assert again is not None
-    store.heartbeat(again.id, again.epoch, line=LINES, copies_done=1, held=True)
+    store.heartbeat(again.id, again.epoch, Report(line=LINES, copies_done=1, held=True))
     assert store.job(job.id).copies_done == 2
 
 
 def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store):
-    job = running(store, copies=3)
-    store.heartbeat(job.id, job.epoch, line=LINES, copies_done=1, held=True)
+    job = fed(store, copies=3)
+    store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
     store.resume(job.id)
-    assert store.heartbeat(job.id, job.epoch, line=LINES, copies_done=1, held=True) == "resume"
+    assert (
+        store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True)) == "resume"
+    )
     # The second copy was so short that no heartbeat fell into it.
-    answer = store.heartbeat(job.id, job.epoch, line=LINES, copies_done=2, held=True)
+    answer = store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=2, held=True))
     assert answer == "continue"
     assert store.events_of(job.id)[-1].why.startswith("copy 2 of 3 is done")
+
+
+# The operator starts
+
+
+def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store):
+    job = waiting(store)
+    assert (job.state, job.owner, job.confirmation) == ("queued", "gateway", "awaited")
+    assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    assert store.on_table() == {}
+    confirmed = store.confirm(job.id, board="e-flute", by="Kim")
+    assert (confirmed.state, confirmed.confirmation) == ("queued", "given")
+    assert store.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.job(job.id).state == "running"
+    # The answer with the start may be lost: it is repeated, and recorded once.
+    assert store.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.heartbeat(job.id, job.epoch, Report(line=1)) == "continue"
+    assert course(store, job.id)[3:] == ["queued", "queued", "queued", "running"]
+    who = [(event.who, event.why) for event in store.events_of(job.id)][-2:]
+    assert who == [
+        ("operator Kim", "confirmed: table clear, board e-flute"),
+        ("gateway gateway", "started"),
+    ]
+
+
+def test_a_confirmation_that_is_repeated_changes_nothing(store: Store):
+    job = waiting(store)
+    store.confirm(job.id)
+    events = len(course(store, job.id))
+    assert store.confirm(job.id).confirmation == "given"
+    assert len(course(store, job.id)) == events
+    store.heartbeat(job.id, job.epoch, WAITING)
+    assert store.confirm(job.id).state == "running"
+    assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "continue"
+
+
+def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store):
+    job = queued(store)
+    with pytest.raises(WrongState, match="has not taken it yet"):
+        store.confirm(job.id)
+    job = fed(store)
+    store.hold(job.id)
+    store.heartbeat(job.id, job.epoch, Report(line=5, held=True))
+    with pytest.raises(WrongState, match="not waiting for a sheet") as caught:
+        store.confirm(job.id)
+    assert caught.value.mend == "Resume it."
+    store.cancel(job.id)
+    with pytest.raises(WrongState, match="being cancelled"):
+        store.confirm(job.id)
+    store.finish(job.id, job.epoch, "cancelled", "")
+    with pytest.raises(WrongState, match="is cancelled"):
+        store.confirm(job.id)
+
+
+def test_a_job_on_a_machine_that_feeds_itself_has_nothing_to_confirm(store: Store):
+    job = running(store)
+    with pytest.raises(WrongState, match="is running"):
+        store.confirm(job.id)
+
+
+def test_another_board_on_the_table_is_refused(store: Store):
+    job = waiting(store)
+    with pytest.raises(WrongState, match=r"for the board e-flute, not 'greyboard-2\.0'"):
+        store.confirm(job.id, board="greyboard-2.0")
+    assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
+
+
+def test_a_machine_whose_job_waits_gives_no_other_job_to_another_gateway(store: Store):
+    first = waiting(store)
+    second = queued(store, priority=50)
+    with pytest.raises(MachineBusy, match="table"):
+        store.claim("table", "other", manual=True)
+    with pytest.raises(MachineBusy):
+        store.claim("table", "other", manual=False)
+    again = store.claim("table", "gateway", manual=True)
+    assert again is not None
+    assert (again.id, again.epoch) == (first.id, first.epoch + 1)
+    with pytest.raises(StaleEpoch):
+        store.heartbeat(first.id, first.epoch, WAITING)
+    assert store.job(second.id).state == "queued"
+
+
+def test_the_database_itself_refuses_a_second_claim_that_waits(store: Store, tmp_path: Path):
+    waiting(store)
+    second = queued(store)
+    direct = sqlite3.connect(f"{tmp_path}/shop.sqlite")
+    with closing(direct), pytest.raises(sqlite3.IntegrityError, match="UNIQUE"):
+        direct.execute("UPDATE job SET confirmation = 'awaited' WHERE id = ?", (second.id,))
+
+
+def test_a_confirmation_counts_for_its_claim_only(store: Store):
+    job = waiting(store)
+    store.confirm(job.id)
+    again = store.claim("table", "gateway", manual=True)
+    assert again is not None
+    assert store.heartbeat(again.id, again.epoch, WAITING) == "wait"
+
+
+def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(store: Store, clock: Clock):
+    job = waiting(store)
+    store.confirm(job.id)
+    clock.now += LEASE + 0.1
+    store.sweep()
+    with pytest.raises(StaleEpoch):
+        store.heartbeat(job.id, job.epoch, WAITING)
+    row = store.job(job.id)
+    assert (row.state, row.confirmation, row.owner) == ("queued", "", "")
+    assert store.events_of(job.id)[-1].why == ("claim given back: The gateway gateway fell silent.")
+    again = store.claim("table", "other", manual=True)
+    assert again is not None
+    assert (again.id, again.confirmation) == (job.id, "awaited")
+
+
+def test_a_waiting_claim_that_has_run_out_is_not_confirmed_and_goes_to_another_gateway(
+    store: Store, clock: Clock
+):
+    job = waiting(store)
+    clock.now += LEASE + 0.1
+    with pytest.raises(WrongState, match="does not answer"):
+        store.confirm(job.id)
+    again = store.claim("table", "other", manual=True)
+    assert again is not None
+    assert (again.id, again.owner) == (job.id, "other")
+    assert again.epoch > job.epoch
+
+
+def test_a_heartbeat_keeps_a_waiting_claim_alive_and_its_machine_connected(
+    store: Store, clock: Clock
+):
+    job = waiting(store)
+    for _ in range(5):
+        clock.now += LEASE / 2
+        assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
+        store.sweep()
+        assert store.connected(1.0) == {"table"}
+    assert store.job(job.id).owner == "gateway"
+
+
+def test_a_waiting_job_is_cancelled_at_once_and_its_gateway_drops_it(store: Store):
+    job = waiting(store)
+    assert store.cancel(job.id).state == "cancelled"
+    with pytest.raises(StaleEpoch):
+        store.heartbeat(job.id, job.epoch, WAITING)
+    other = queued(store)
+    claimed = store.claim("table", "gateway", manual=True)
+    assert claimed is not None
+    assert claimed.id == other.id
+
+
+def test_a_claim_that_its_gateway_returns_is_queued_and_never_interrupted(store: Store):
+    job = waiting(store)
+    row = store.finish(job.id, job.epoch, "returned", "The controller is not idle.")
+    assert (row.state, row.confirmation, row.epoch) == ("queued", "", job.epoch + 1)
+    with pytest.raises(StaleEpoch):
+        store.finish(job.id, job.epoch, "returned", "")
+
+
+def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: Store):
+    job = fed(store)
+    row = store.finish(job.id, job.epoch, "returned", "Nothing was sent.")
+    assert (row.state, row.reason) == (
+        "interrupted",
+        "Interrupted at line 0 of 231. Nothing was sent.",
+    )
+
+
+def test_a_gateway_that_runs_without_a_confirmation_is_held_until_somebody_confirms(store: Store):
+    job = waiting(store)
+    assert store.heartbeat(job.id, job.epoch, Report(line=1)) == "hold"
+    assert store.job(job.id).state == "running"
+    assert store.events_of(job.id)[-1].why == "started without the operator's confirmation"
+    assert store.heartbeat(job.id, job.epoch, Report(line=2, held=True)) == "hold"
+    with pytest.raises(WrongState, match="without a confirmation"):
+        store.resume(job.id)
+    store.confirm(job.id)
+    assert store.heartbeat(job.id, job.epoch, Report(line=2, held=True)) == "resume"
+    assert store.heartbeat(job.id, job.epoch, Report(line=3)) == "continue"
+
+
+def test_a_hold_between_confirmation_and_start_keeps_the_machine_waiting(store: Store):
+    job = fed(store)
+    store.hold(job.id)
+    assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    assert store.job(job.id).state == "held"
+    assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    store.resume(job.id)
+    assert store.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.job(job.id).state == "running"
+    store.cancel(job.id)
+    assert store.heartbeat(job.id, job.epoch, WAITING) == "cancel"
+
+
+@pytest.mark.parametrize("command", ["confirm", "resume"])
+def test_a_new_sheet_is_confirmed_by_either_command(store: Store, command: str):
+    job = fed(store, copies=2)
+    between = Report(line=LINES, copies_done=1, held=True)
+    assert store.heartbeat(job.id, job.epoch, between) == "continue"
+    assert (store.job(job.id).state, store.job(job.id).confirmation) == ("held", "sheet")
+    getattr(store, command)(job.id)
+    assert store.confirm(job.id).wish == "resume"
+    assert store.heartbeat(job.id, job.epoch, between) == "resume"
+    assert store.heartbeat(job.id, job.epoch, Report(line=1, copies_done=1)) == "continue"
+
+
+def test_a_copy_that_begins_without_its_sheet_confirmed_is_held(store: Store):
+    job = fed(store, copies=2)
+    assert store.heartbeat(job.id, job.epoch, Report(line=1, copies_done=1)) == "hold"
+    assert store.heartbeat(job.id, job.epoch, Report(line=2, copies_done=1)) == "hold"
+    store.confirm(job.id)
+    assert store.heartbeat(job.id, job.epoch, Report(line=2, copies_done=1)) == "continue"
+
+
+def test_a_machine_that_feeds_itself_goes_on_to_the_next_copy_unless_it_is_held(store: Store):
+    job = running(store, copies=3)
+    between = Report(line=LINES, copies_done=1, held=True)
+    assert store.heartbeat(job.id, job.epoch, between) == "resume"
+    assert store.heartbeat(job.id, job.epoch, Report(line=5, copies_done=1)) == "continue"
+    store.hold(job.id)
+    between = Report(line=LINES, copies_done=2, held=True)
+    assert store.heartbeat(job.id, job.epoch, between) == "continue"
+    assert store.job(job.id).state == "held"
+
+
+def test_an_interrupted_job_that_is_queued_again_keeps_its_place(store: Store, clock: Clock):
+    job = running(store)
+    clock.now += 1.0
+    queued(store)
+    store.finish(job.id, job.epoch, "interrupted", "")
+    store.requeue(job.id)
+    again = store.claim("table", "gateway", manual=True)
+    assert again is not None
+    assert again.id == job.id
+
+
+# The last owner's report
+
+
+def interrupted(store: Store, clock: Clock, line: int, **more: object) -> Job:
+    """Return a job whose gateway fell silent at a line."""
+    job = fed(store, **more)
+    store.heartbeat(job.id, job.epoch, Report(line=line))
+    clock.now += LEASE + 0.1
+    store.sweep()
+    assert store.job(job.id).state == "interrupted"
+    return job
+
+
+def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock):
+    job = interrupted(store, clock, 56, copies=2)
+    row = store.finish(job.id, job.epoch, "done", "")
+    assert (row.state, row.line, row.copies_done) == ("done", LINES, 2)
+    assert (row.reason, row.mend) == ("", "")
+    last = store.events_of(job.id)[-1]
+    assert (last.who, last.why) == ("gateway gateway", "reported late: every line was executed")
+    assert store.finish(job.id, job.epoch, "done", "").state == "done"
+    assert store.on_table() == {}
+
+
+@pytest.mark.parametrize("outcome", ["interrupted", "cancelled"])
+def test_a_late_report_of_another_end_corrects_the_line(store: Store, clock: Clock, outcome: str):
+    job = interrupted(store, clock, 56)
+    row = store.finish(job.id, job.epoch, outcome, "A belt tore.", line=77)
+    assert (row.state, row.line) == ("interrupted", 77)
+    assert row.reason == "Interrupted at line 77 of 231. A belt tore."
+    events = len(course(store, job.id))
+    store.finish(job.id, job.epoch, outcome, "A belt tore.", line=77)
+    assert len(course(store, job.id)) == events
+
+
+def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, clock: Clock):
+    job = interrupted(store, clock, 56)
+    with pytest.raises(StaleEpoch):
+        store.heartbeat(job.id, job.epoch, Report(line=60))
+    with pytest.raises(StaleEpoch):
+        store.finish(job.id, job.epoch - 1, "done", "")
+    store.requeue(job.id)
+    with pytest.raises(StaleEpoch):
+        store.finish(job.id, job.epoch, "done", "")
+    again = store.claim("table", "gateway", manual=False)
+    assert again is not None
+    store.finish(again.id, again.epoch, "interrupted", "")
+    with pytest.raises(StaleEpoch):
+        store.finish(job.id, job.epoch, "done", "")
+    store.scrap(job.id)
+    with pytest.raises(StaleEpoch):
+        store.finish(again.id, again.epoch, "done", "")
+
+
+def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
+    store: Store, clock: Clock
+):
+    job = interrupted(store, clock, LINES)
+    row = store.job(job.id)
+    assert row.reason.startswith("Interrupted at line 231 of 231. ")
+    assert "again" not in row.mend
+    assert "finished" in row.mend
+    with pytest.raises(WrongState) as caught:
+        store.cancel(job.id)
+    assert "again" not in caught.value.mend
+
+
+def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: Clock):
+    job = fed(store, copies=3)
+    store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
+    clock.now += LEASE + 0.1
+    store.sweep()
+    row = store.job(job.id)
+    assert (row.line, row.copies_done) == (0, 1)
+    assert row.reason.startswith("Interrupted after copy 1 of 3, before a line of the next. ")
+    assert "remaining copies" in row.mend
+    # The gateway knows better: the second was cut to its end.
+    row = store.finish(job.id, job.epoch, "interrupted", "", line=0, copies_done=2)
+    assert row.copies_done == 2
+    assert row.reason.startswith("Interrupted after copy 2 of 3")
+
+
+def test_a_copy_that_was_cut_to_its_last_line_is_counted(store: Store, clock: Clock):
+    job = interrupted(store, clock, LINES, copies=3)
+    assert (store.job(job.id).line, store.job(job.id).copies_done) == (0, 1)
+
+
+def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: Clock):
+    job = interrupted(store, clock, 200, copies=2)
+    row = store.declare_finished(job.id)
+    assert (row.state, row.line, row.copies_done, row.reason) == ("done", LINES, 2, "")
+    last = store.events_of(job.id)[-1]
+    assert (last.who, last.why) == ("operator", "declared finished at line 200 of 231")
+    with pytest.raises(WrongState, match="is done"):
+        store.declare_finished(job.id)
+
+
+@pytest.mark.parametrize("state", ["ready", "queued", "running"])
+def test_only_an_interrupted_job_can_be_declared_finished(store: Store, state: str):
+    job = {"ready": compiling, "queued": queued, "running": running}[state](store)
+    with pytest.raises(WrongState):
+        store.declare_finished(job.id)
+
+
+def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(
+    store: Store, clock: Clock
+):
+    job = running(store)
+    clock.now += LEASE + 0.1
+    store.sweep(gateways=False)
+    assert store.job(job.id).state == "running"
+    assert store.heartbeat(job.id, job.epoch, Report(line=9)) == "continue"
 
 
 # What the operator wants
@@ -352,13 +722,13 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store):
 def test_hold_and_resume_go_through_the_gateway(store: Store):
     job = running(store)
     assert store.hold(job.id).state == "running"
-    assert store.heartbeat(job.id, job.epoch, line=5) == "hold"
-    assert store.heartbeat(job.id, job.epoch, line=6) == "hold"
-    assert store.heartbeat(job.id, job.epoch, line=6, held=True) == "continue"
+    assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "hold"
+    assert store.heartbeat(job.id, job.epoch, Report(line=6)) == "hold"
+    assert store.heartbeat(job.id, job.epoch, Report(line=6, held=True)) == "continue"
     assert store.job(job.id).state == "held"
     assert store.resume(job.id).wish == "resume"
-    assert store.heartbeat(job.id, job.epoch, line=6, held=True) == "resume"
-    assert store.heartbeat(job.id, job.epoch, line=7) == "continue"
+    assert store.heartbeat(job.id, job.epoch, Report(line=6, held=True)) == "resume"
+    assert store.heartbeat(job.id, job.epoch, Report(line=7)) == "continue"
     assert store.job(job.id).state == "running"
 
 
@@ -368,7 +738,7 @@ def test_a_running_job_is_cancelled_by_its_gateway(store: Store):
     with pytest.raises(WrongState, match="being cancelled"):
         store.resume(job.id)
     assert store.cancel(job.id).wish == "cancel"
-    assert store.heartbeat(job.id, job.epoch, line=5) == "cancel"
+    assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "cancel"
     assert store.finish(job.id, job.epoch, "cancelled", "").state == "cancelled"
 
 
@@ -377,7 +747,8 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
     store.finish(job.id, job.epoch, "interrupted", "")
     with pytest.raises(WrongState) as caught:
         store.cancel(job.id)
-    assert caught.value.mend == "Look at the table, then queue it again or scrap it."
+    assert caught.value.mend == store.job(job.id).mend
+    assert caught.value.mend.startswith("Look at the table. Queue the job again")
 
 
 # Compiles
@@ -520,6 +891,25 @@ def test_a_database_of_before_corners_could_be_chosen_keeps_its_jobs(store: Stor
     store.migrate()
     kept = store.job(job.id)
     assert (kept.state, kept.corners) == ("queued", None)
+
+
+def test_a_database_of_before_confirmations_keeps_what_runs_and_who_runs_it(store: Store):
+    job = running(store)
+    settings = Config()
+    settings.set_main_option("script_location", str(MIGRATIONS))
+    engine = sa.create_engine(store.url)
+    with engine.begin() as connection:
+        settings.attributes["connection"] = connection
+        command.downgrade(settings, "0003")
+    engine.dispose()
+    store.migrate()
+    kept = store.job(job.id)
+    assert (kept.state, kept.confirmation, kept.tools) == ("running", "given", [])
+    assert kept.owner_epoch == job.epoch
+    second = queued(store)
+    with pytest.raises(MachineBusy, match=job.id):
+        store.claim("table", "other", manual=True)
+    assert store.job(second.id).state == "queued"
 
 
 @pytest.mark.parametrize("url", ["nonsense", "sqlite://", "sqlite:///:memory:", "mysql://h/d", ""])

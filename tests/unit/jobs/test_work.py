@@ -134,3 +134,22 @@ def test_an_attempt_that_was_given_to_another_is_left_alone(store, workshop, job
     compiles_by(crew_tasks.refuse)
     workshop.compile(job.id, 2)
     assert store.job(job.id).state == "received"
+
+
+@pytest.mark.parametrize("gateways", [True, False])
+def test_only_a_process_that_gateways_reach_takes_jobs_from_them(
+    store, workshop, monkeypatch, gateways: bool
+):
+    asked: list[bool] = []
+    monkeypatch.setattr("knifetip.jobs.work.Grace.over", lambda _grace, _now: len(asked) >= 1)
+
+    def sweep(_patience: float, *, gateways: bool) -> list[tuple[str, int]]:
+        asked.append(gateways)
+        if len(asked) == 2:
+            workshop._stopping.set()
+        return []
+
+    monkeypatch.setattr(store, "sweep", sweep)
+    workshop.gateways = gateways
+    workshop._sweep()
+    assert asked == [False, gateways]

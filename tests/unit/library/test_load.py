@@ -130,6 +130,14 @@ def test_a_machine_of_ones_own_keeps_its_figures(put):
     assert (machine.x.high, machine.origin) == (1400.0, (20.0, 20.0))
 
 
+def test_a_machine_is_fed_by_hand_unless_its_file_states_otherwise(put):
+    assert load.machine(put(MACHINE)).feed == "manual"
+    own = MACHINE.replace("into_mat = 0.3", 'into_mat = 0.3\nfeed = "automatic"')
+    assert own != MACHINE
+    assert load.machine(put(own)).feed == "automatic"
+    assert {load.machine(name).feed for name in load.names("machines")} == {"manual"}
+
+
 def test_a_profile_of_ones_own_keeps_the_order_of_its_rules(put):
     first, second = load.profile(put(PROFILE)).rules
     assert (first.line_type, first.layer, first.colour) == (
@@ -234,6 +242,12 @@ def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str):
             "into_mat = -0.3",
             "into_mat is -0.3, and must not be less than 0",
         ),
+        (
+            "into_mat = 0.3",
+            'into_mat = 0.3\nfeed = "robot"',
+            "feed is 'robot': it is manual or automatic",
+        ),
+        ("into_mat = 0.3", "into_mat = 0.3\nfeed = [1]", "feed is [1]"),
         ("[[station]]", "[station]", ""),
         ("datum = {", "datum = 5 # {", ""),
     ],

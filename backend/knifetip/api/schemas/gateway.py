@@ -27,6 +27,11 @@ class Claim(BaseModel):
     sha256: str
     lines: int
     copies: int
+    confirm: bool = Field(
+        default=False,
+        description="Send nothing to the machine: heartbeats with `waiting` until one is answered "
+        "with `start`",
+    )
 
 
 class HeartbeatIn(Strict):
@@ -37,14 +42,18 @@ class HeartbeatIn(Strict):
     line: Count
     copies_done: Count = 0
     held: bool = False
+    waiting: bool = Field(
+        default=False,
+        description="Nothing has been sent to the machine yet: the gateway waits for `start`",
+    )
     position: tuple[float, float, float, float] | None = None
     seconds_left: float | None = None
 
 
 class HeartbeatOut(BaseModel):
-    """What the operator wants."""
+    """What the gateway is to do."""
 
-    command: Literal["continue", "hold", "resume", "cancel"]
+    command: Literal["wait", "start", "continue", "hold", "resume", "cancel"]
     lease: float
 
 
@@ -53,5 +62,11 @@ class FinishIn(Strict):
 
     job: Name
     epoch: Count
-    outcome: Literal["done", "interrupted", "cancelled"]
+    outcome: Literal["done", "interrupted", "cancelled", "returned"] = Field(
+        description="returned: the claim is given back, nothing was sent to the machine"
+    )
     why: str = Field(default="", max_length=2000)
+    line: Count | None = Field(
+        default=None, description="The last line executed, where it is not the last heartbeat's"
+    )
+    copies_done: Count | None = Field(default=None, description="Under this claim")

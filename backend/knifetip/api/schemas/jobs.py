@@ -66,6 +66,23 @@ class JobIn(Strict):
     release: bool = Field(default=False, description="Queue it as soon as it is ready")
 
 
+class ConfirmIn(Strict):
+    """What the operator found on the table; each of it may be left out."""
+
+    board: Name | None = Field(
+        default=None, description="The board that lies there; another than the job's is refused"
+    )
+    by: str = Field(default="", max_length=100, description="Who confirms, for the record")
+
+
+class JobTool(BaseModel):
+    """A station that a job's program uses."""
+
+    station: int
+    name: str
+    kind: str
+
+
 class VerdictSummary(BaseModel):
     """The verdict in figures (mm, s)."""
 
@@ -101,6 +118,15 @@ class JobOut(BaseModel):
     priority: int
     created: float
     updated: float
+    waiting_for: Literal["", "confirmation", "sheet", "machine", "turn"] = Field(
+        default="",
+        description="What keeps it from going on, with the words in reason and mend: the "
+        "operator's confirmation of table, board and tools; of the next sheet; the machine; its "
+        "turn in the queue",
+    )
+    tools: list[JobTool] = Field(
+        default=[], description="Stations that the program uses; empty before it is compiled"
+    )
     wish: Literal["", "hold", "resume", "cancel"] = Field(
         default="", description="What the operator asked for and the machine has not done yet"
     )

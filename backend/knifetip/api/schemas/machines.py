@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import BaseModel
+from pydantic import BaseModel, Field
 
 
 class ToolOut(BaseModel):
@@ -35,6 +35,10 @@ class MachineOut(BaseModel):
     origin: tuple[float, float]
     travel_z: float
     into_mat: float
+    feed: Literal["manual", "automatic"] = Field(
+        description="manual: every job and every copy waits until an operator has confirmed that "
+        "its sheet lies on the table"
+    )
     axes: dict[str, dict[str, float]]
     stations: list[StationOut]
     gateway: Literal["connected", "absent"]

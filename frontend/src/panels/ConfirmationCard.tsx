@@ -1,0 +1,64 @@
+/** What has to lie on the table and stand in the stations before a job starts, to be confirmed. */
+
+import { Button } from "@mantine/core";
+import { IconPlayerPlayFilled } from "@tabler/icons-react";
+import type { Job } from "../api/client";
+import { command } from "../state/actions";
+import { useBoards } from "../state/queries";
+import { usePage } from "../state/store";
+import jobCss from "./job.module.css";
+import css from "./panels.module.css";
+
+function buttonOf(job: Job): string {
+  if (job.waiting_for === "sheet") return `New sheet is on, start copy ${job.copies_done + 1}`;
+  return job.state === "queued" ? "Table is clear, start" : "Table is clear, go on";
+}
+
+export function ConfirmationCard({ job }: { job: Job }) {
+  const { data: boards } = useBoards();
+  const busy = usePage((page) => page.busy);
+  const board = boards?.find(({ name }) => name === job.board);
+  return (
+    <div
+      className={jobCss.callout}
+      data-tone="amber"
+      role="status"
+      data-testid="confirmation"
+      data-waiting-for={job.waiting_for}
+    >
+      <div data-testid="waiting">{job.reason}</div>
+      <dl className={jobCss.setUp}>
+        <dt>Board</dt>
+        <dd>
+          {board?.title || job.board}
+          {job.copies > 1 && ` · copy ${job.copies_done + 1} of ${job.copies}`}
+        </dd>
+        {job.tools.length > 0 && (
+          <>
+            <dt>Tools</dt>
+            <dd>
+              {job.tools.map(({ station, name }) => (
+                <div key={station} className={jobCss.tool}>
+                  <span className={jobCss.stationNumber}>{station}</span> {name}
+                </div>
+              ))}
+            </dd>
+          </>
+        )}
+      </dl>
+      <Button
+        fullWidth
+        size="lg"
+        color="green"
+        mt={10}
+        leftSection={<IconPlayerPlayFilled size={20} aria-hidden />}
+        disabled={busy}
+        onClick={() => void command(job.id, "confirm")}
+        data-testid="confirm"
+      >
+        {buttonOf(job)}
+      </Button>
+      {job.mend !== "" && <div className={css.mend}>{job.mend}</div>}
+    </div>
+  );
+}

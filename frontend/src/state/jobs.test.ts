@@ -1,0 +1,54 @@
+import { describe, expect, it } from "vitest";
+import type { Job } from "../api/client";
+import { askBefore, commandsOf, lookOf, needsOperator } from "./jobs";
+
+const job = (change: Partial<Job>): Job =>
+  ({ state: "ready", waiting_for: "", line: 0, lines: 100, copies: 1, ...change }) as Job;
+
+describe("what the operator is offered", () => {
+  it("asks for the confirmation and offers no resume beside it", () => {
+    const waiting = job({ state: "queued", waiting_for: "confirmation" });
+    expect(needsOperator(waiting)).toBe(true);
+    expect(commandsOf(waiting)).toEqual(["cancel"]);
+    expect(commandsOf(job({ state: "held", waiting_for: "sheet" }))).toEqual(["cancel"]);
+    expect(commandsOf(job({ state: "held" }))).toEqual(["resume", "cancel"]);
+    expect(needsOperator(job({ state: "queued", waiting_for: "turn" }))).toBe(false);
+  });
+
+  it("does not offer to cut again what was executed to its last line", () => {
+    expect(commandsOf(job({ state: "interrupted", line: 99 }))).toContain("requeue");
+    expect(commandsOf(job({ state: "interrupted", line: 100 }))).toEqual(["finish", "scrap"]);
+    // Before it is compiled a job has no lines, and none was executed.
+    expect(commandsOf(job({ state: "interrupted", lines: 0 }))).toContain("requeue");
+  });
+
+  it("names what is waited for instead of the state", () => {
+    expect(lookOf(job({ state: "queued", waiting_for: "confirmation" })).title).toBe("To confirm");
+    expect(lookOf(job({ state: "held", waiting_for: "sheet" })).title).toBe("New sheet");
+    expect(lookOf(job({ state: "queued", waiting_for: "turn" })).title).toBe("Queued");
+  });
+});
+
+describe("what is asked before it is sent", () => {
+  it("states what a cancel does while the board is on the table, and only then", () => {
+    for (const state of ["running", "held"] as const) {
+      const ask = askBefore(job({ state }), "cancel");
+      expect(ask?.text).toContain("holds, lifts the tool and releases its stations");
+      expect(ask?.text).toContain("probably lost");
+    }
+    expect(askBefore(job({ state: "queued" }), "cancel")).toBeNull();
+  });
+
+  it("asks before an interrupted job is scrapped or declared finished", () => {
+    const interrupted = job({ state: "interrupted", copies: 3 });
+    expect(askBefore(interrupted, "scrap")?.text).toContain("given up");
+    expect(askBefore(interrupted, "finish")?.text).toContain("All 3 sheets are complete");
+    expect(askBefore(interrupted, "requeue")).toBeNull();
+  });
+
+  it("sends hold, resume and confirm at once", () => {
+    for (const word of ["hold", "resume", "confirm"] as const) {
+      expect(askBefore(job({ state: "running" }), word)).toBeNull();
+    }
+  });
+});

@@ -1,0 +1,146 @@
+"""What a job waits for, as a field and in words, from the rows of a database."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from knifetip.api.waiting import ABSENT, Waiting, waiting_of
+from knifetip.jobs.store import LEASE, Report, Result, Store
+from knifetip.jobs.tables import Job
+
+TITLE = "Demo table 1600 × 1200"
+TOOLS = [
+    {"station": 1, "name": "Oscillating knife", "kind": "knife"},
+    {"station": 2, "name": "Crease wheel", "kind": "crease-wheel"},
+]
+
+
+class Clock:
+    now = 1000.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def clock() -> Clock:
+    return Clock()
+
+
+@pytest.fixture
+def store(tmp_path: Path, clock: Clock) -> Iterator[Store]:
+    store = Store(f"sqlite:///{tmp_path}/shop.sqlite", clock)
+    store.migrate()
+    yield store
+    store.close()
+
+
+def queued(store: Store, **more: object) -> Job:
+    drawing = store.add_drawing(
+        name="tray.dxf",
+        content=b"",
+        sha256="0" * 64,
+        unit_given="mm",
+        profile="default",
+        overrides=b"",
+        summary={},
+        edges=b"",
+        ledger=b"",
+    )
+    fields = {"machine": "demo-table", "board": "e-flute", **more}
+    row = store.add_job(drawing, profile="default", overrides=b"", release=True, **fields)
+    job = store.begin_compile(row.id, 1, "worker")
+    assert job is not None
+    judged = {"seconds": 1.0, "accepted": True}
+    made = Result(True, "", b"M30\n", "ab", 90, b"", b"", judged, tools=TOOLS)
+    store.compiled(row.id, job.epoch, made)
+    return store.job(row.id)
+
+
+def claimed(store: Store) -> Job:
+    job = store.claim("demo-table", "gateway", manual=True)
+    assert job is not None
+    return job
+
+
+def waits(store: Store, job: Job) -> Waiting:
+    (found,) = waiting_of(store, [store.job(job.id)])
+    return found
+
+
+def test_the_operator_is_told_board_tools_and_stations(store: Store):
+    job = queued(store)
+    claimed(store)
+    assert waits(store, job) == (
+        "confirmation",
+        f"Waiting for the operator at {TITLE}: table clear, board e-flute (1.6 mm), tools: "
+        "Oscillating knife (station 1), Crease wheel (station 2).",
+        "Confirm to start.",
+    )
+    store.confirm(job.id)
+    assert waits(store, job) == ("machine", f"Confirmed; {TITLE} is starting.", "")
+
+
+def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock):
+    job = queued(store)
+    absent = ("machine", f"No gateway of {TITLE} asks for work.")
+    assert waits(store, job)[:2] == absent
+    store.saw_gateway("demo-table", "gateway")
+    assert waits(store, job) == ("machine", f"Waiting until {TITLE} takes it.", "")
+    clock.now += ABSENT + 0.1
+    assert waits(store, job)[:2] == absent
+
+
+def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their_turn(
+    store: Store, clock: Clock
+):
+    jobs = [queued(store) for _ in range(3)]
+    job = claimed(store)
+    assert job.id == jobs[0].id
+    assert waits(store, jobs[1]) == (
+        "machine",
+        f"{TITLE} is taken by job {job.id}, which waits for its confirmation.",
+        "",
+    )
+    assert waits(store, jobs[2]).waiting_for == "turn"
+    store.confirm(job.id)
+    store.heartbeat(job.id, job.epoch, Report(line=1))
+    assert waits(store, jobs[1]).reason.endswith("which is running.")
+    clock.now += LEASE + 1.0
+    store.sweep()
+    assert waits(store, jobs[1]).hint.startswith("Mark that job finished")
+    assert waits(store, jobs[2]).waiting_for == "turn"
+
+
+def test_between_two_copies_the_next_sheet_is_asked_for(store: Store):
+    job = queued(store, copies=2)
+    held = claimed(store)
+    store.confirm(job.id)
+    store.heartbeat(job.id, held.epoch, Report(line=0, waiting=True))
+    assert waits(store, job) == Waiting()
+    store.heartbeat(job.id, held.epoch, Report(line=90, copies_done=1, held=True))
+    assert waits(store, job) == (
+        "sheet",
+        "Copy 1 of 2 is done.",
+        "Put a new sheet of e-flute (1.6 mm) on the table and confirm.",
+    )
+    store.confirm(job.id)
+    assert waits(store, job) == Waiting()
+
+
+def test_a_board_and_a_machine_that_the_library_has_no_more_are_named(store: Store):
+    job = queued(store, machine="gone", board="old-board")
+    store.claim("gone", "gateway", manual=True)
+    assert "at gone: table clear, board old-board, tools:" in waits(store, job).reason
+
+
+def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store):
+    job = queued(store)
+    claimed(store)
+    row = store.job(job.id)
+    row.tools = []
+    (found,) = waiting_of(store, [row])
+    assert found.reason.endswith("table clear, board e-flute (1.6 mm).")
