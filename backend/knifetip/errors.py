@@ -28,6 +28,7 @@
     │   ├── ControllerReset       it was reset in the middle of a job
     │   └── ControllerSilent      it stopped answering
     ├── RequestError              a request that can be read, but is about nothing
+    ├── SettingsError             a server cannot be started with these settings
     └── JobError                  the job is not in a state that allows this
         ├── NoSuchJob             no job, drawing or other thing of this name
         ├── WrongState            this transition is not allowed from here
@@ -215,6 +216,10 @@ class ControllerSilent(ControllerError):
 
 class RequestError(KnifetipError):
     """A request that can be read, but is about nothing."""
+
+
+class SettingsError(KnifetipError):
+    """A server cannot be started with these settings."""
 
 
 class JobError(KnifetipError):

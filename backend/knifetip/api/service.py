@@ -11,6 +11,7 @@ from typing import Annotated, Any
 
 from fastapi import Depends, Header, Query, Request, Response
 
+from knifetip.api.access import AccessRules
 from knifetip.errors import LibraryError, WrongState
 from knifetip.jobs.crew import Crew
 from knifetip.jobs.store import Store
@@ -32,6 +33,7 @@ class Settings:
     upload: int = 64 * MEGABYTE  #: bytes of a drawing
     body: int = 16 * MEGABYTE  #: bytes of any other request
     page: Path = Path(__file__).parent / "page"  #: the built page
+    access: AccessRules = field(default_factory=AccessRules)  #: who may use it
 
 
 @dataclass(slots=True)
