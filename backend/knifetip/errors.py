@@ -28,6 +28,7 @@
     │   ├── ControllerReset       it was reset in the middle of a job
     │   └── ControllerSilent      it stopped answering
     ├── RequestError              a request that can be read, but is about nothing
+    ├── ServerBusy                too many requests wait for a process already
     ├── SettingsError             a server cannot be started with these settings
     └── JobError                  the job is not in a state that allows this
         ├── NoSuchJob             no job, drawing or other thing of this name
@@ -216,6 +217,24 @@ class ControllerSilent(ControllerError):
 
 class RequestError(KnifetipError):
     """A request that can be read, but is about nothing."""
+
+
+class ServerBusy(KnifetipError):
+    """Too many requests wait for a process already; nothing of this one was kept.
+
+    ``seconds`` is after how long to try again.
+    """
+
+    def __init__(self, waiting: int, seconds: int) -> None:
+        super().__init__(
+            f"{waiting} requests wait for a free process already, so this one was not begun.",
+            f"Send it again in {seconds} s.",
+        )
+        self.waiting = waiting
+        self.seconds = seconds
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (self.waiting, self.seconds))
 
 
 class SettingsError(KnifetipError):

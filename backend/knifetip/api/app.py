@@ -27,6 +27,7 @@ from knifetip.api.access import Access
 from knifetip.api.headers import SecurityHeaders
 from knifetip.api.limits import Limits
 from knifetip.api.problems import PROBLEM, problem
+from knifetip.api.queue import WorkQueue
 from knifetip.api.schemas.common import Health, Problem
 from knifetip.api.service import Here, Service, Settings
 from knifetip.api.site import Site
@@ -46,6 +47,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
     errors.KeyReused: 422,
     errors.StaleVersion: 412,
     errors.StoreError: 503,
+    errors.ServerBusy: 503,
     errors.ControllerError: 502,
 }
 
@@ -67,7 +69,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             max(1, chosen.crew - 1),
             chosen.limit,
         )
-        service = Service(chosen, store, crew, workshop)
+        # One more than the processes: while it reads a request, none of them is idle.
+        work = WorkQueue(chosen.crew + 1, chosen.waiting)
+        service = Service(chosen, store, crew, workshop, work)
         app.state.service = service
         app.state.stream = events.Stream(service)
         await asyncio.to_thread(store.migrate)
@@ -82,6 +86,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             streaming.cancel()
             await asyncio.gather(streaming, return_exceptions=True)
             await asyncio.to_thread(workshop.stop)
+            work.close()
+            service.threads.close()
             store.close()
 
     app = FastAPI(
@@ -122,16 +128,16 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     return app
 
 
-def _health() -> Health:
-    """Say that the process is alive."""
+async def _health() -> Health:
+    """Return that the process is alive."""
     return Health(status="ok", version=version("knifetip"))
 
 
-def _ready(here: Here, response: Response) -> Health:
-    """Say whether requests can be served: 503 while not."""
+async def _ready(here: Here, response: Response) -> Health:
+    """Return whether requests can be served: 503 while not."""
     checks = {"database": "ok", "workers": "ok" if here.ready else "starting"}
     try:
-        here.store.alive()
+        await here.threads.reports(here.store.alive)
     except sqlalchemy.exc.SQLAlchemyError as reason:
         checks["database"] = type(reason).__name__
     good = all(check == "ok" for check in checks.values())
@@ -159,6 +165,7 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
         mend=error.mend,
         source=error.source,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
+        headers={"Retry-After": str(error.seconds)} if isinstance(error, errors.ServerBusy) else {},
     )
 
 

@@ -6,13 +6,14 @@ import hashlib
 import json
 import unicodedata
 import zlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Annotated, Any, Literal
 
 import numpy as np
 from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
-from fastapi.responses import JSONResponse
+from fastapi.responses import StreamingResponse
 
+from knifetip.api.queue import queued
 from knifetip.api.schemas.drawings import (
     CleaningOut,
     DrawingOut,
@@ -57,10 +58,12 @@ _MEDIA_TYPES = {
     "svg": "application/octet-stream",
     "pdf": "application/octet-stream",
 }
+_PIECE = 1000  # edges that are put into JSON at once
 _LISTED = 2000  # ledger rows in a drawing's own answer
 
 
 @router.post("", status_code=201)
+@queued
 def upload_drawing(
     here: Here,
     response: Response,
@@ -133,6 +136,7 @@ def get_drawing(here: Here, id: str) -> DrawingOut:
 
 
 @router.patch("/{id}")
+@queued
 def change_drawing(here: Here, id: str, patch: DrawingPatch) -> DrawingOut:
     """Say a drawing's unit, or classify it by another profile, or by one as it was."""
     row = here.store.drawing(id)
@@ -172,10 +176,11 @@ def get_edges(
     block = here.store.drawing_column(id, "edges")
     if format == "columns":
         return bytes_answer(request, block, f"{id}-{row.version}", "application/octet-stream")
-    return JSONResponse({"edges": edges_out(block)})
+    return StreamingResponse(edges_json(block), media_type="application/json")
 
 
 @router.patch("/{id}/edges")
+@queued
 def override_edges(here: Here, id: str, patch: EdgesPatch) -> DrawingOut:
     """Give edges a line type; the later override lies on top."""
     row = here.store.drawing(id)
@@ -197,6 +202,7 @@ def get_ledger(here: Here, id: str, fate: FateWord | None = None) -> LedgerOut:
 
 
 @router.get("/{id}/cleaning")
+@queued
 def get_cleaning(here: Here, id: str) -> CleaningOut:
     """List what cleaning makes of the edges before they are planned: joined, moved, dropped."""
     edges = here.store.drawing_column(id, "edges")
@@ -357,42 +363,69 @@ def drawing_name(given: str) -> str:
     return shown or "drawing.dxf"
 
 
-def edges_out(block: bytes) -> list[dict[str, Any]]:
-    """Return edges as plain data (``EdgeOut``)."""
+def edges_json(block: bytes) -> Iterator[bytes]:
+    """Yield the JSON of ``EdgesOut`` in pieces: no call holds the interpreter for long."""
     columns, meta = unpacked(block)
-    ends = columns["ends"].tolist()
-    alternatives = meta.get("alternatives", [])
+    count = len(columns["ends"])
     # A block of an older knifetip does not say what became of the edges.
-    fates, reasons = meta.get("fates", ["kept"]), meta.get("reasons", [""])
-    unsaid = np.zeros(len(ends), np.int32)
+    unsaid = np.zeros(count, np.int32)
     columns = {"fate": unsaid, "reason": unsaid, **columns}
-    listed = {name: columns[name].tolist() for name in columns if name != "ends"}
+    meta = {"fates": ["kept"], "reasons": [""], "alternatives": [], **meta}
+    yield b'{"edges":['
+    for first in range(0, count, _PIECE):
+        rows = _edge_rows(columns, meta, first, min(first + _PIECE, count))
+        text = json.dumps(rows, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+        yield (("," if first else "") + text[1:-1]).encode()
+    yield b"]}"
+
+
+def _edge_rows(
+    columns: dict[str, Any], meta: dict[str, Any], first: int, last: int
+) -> list[dict[str, Any]]:
+    """Return edges ``first`` … ``last - 1`` as plain data (``EdgeOut``)."""
+    listed = {name: column[first:last].tolist() for name, column in columns.items()}
+    alternatives = meta["alternatives"]
     return [
         {
-            "row": row,
-            "handle": meta["handles"][row],
-            "layer": meta["layers"][listed["layer"][row]],
-            "colour": listed["colour"][row],
-            "linetype": meta["linetypes"][listed["linetype"][row]],
-            "type": meta["types"][listed["line_type"][row]],
-            "rule": meta["rules"][listed["rule"][row]],
-            "confidence": listed["confidence"][row],
-            "alternatives": alternatives[listed["rule"][row]] if alternatives else [],
-            "fate": fates[listed["fate"][row]],
-            "reason": reasons[listed["reason"][row]],
-            "length": listed["length"][row],
+            "row": first + at,
+            "handle": meta["handles"][first + at],
+            "layer": meta["layers"][listed["layer"][at]],
+            "colour": listed["colour"][at],
+            "linetype": meta["linetypes"][listed["linetype"][at]],
+            "type": meta["types"][listed["line_type"][at]],
+            "rule": meta["rules"][listed["rule"][at]],
+            "confidence": listed["confidence"][at],
+            "alternatives": alternatives[listed["rule"][at]] if alternatives else [],
+            "fate": meta["fates"][listed["fate"][at]],
+            "reason": meta["reasons"][listed["reason"][at]],
+            "length": listed["length"][at],
             "start": start,
             "end": end,
-            "bulge": listed["bulge"][row],
+            "bulge": listed["bulge"][at],
         }
-        for row, (start, end) in enumerate(ends)
+        for at, (start, end) in enumerate(listed["ends"])
     ]
 
 
-def _ledger(here: Service, id: str) -> list[dict[str, Any]]:
-    rows: list[dict[str, Any]] = json.loads(
-        zlib.decompress(here.store.drawing_column(id, "ledger"))
-    )
+def _ledger(here: Service, id: str, most: int | None = None) -> list[dict[str, Any]]:
+    """Return the rows of a drawing's ledger, or only so many of them."""
+    text = zlib.decompress(here.store.drawing_column(id, "ledger")).decode()
+    rows: list[dict[str, Any]] = json.loads(text) if most is None else _first(text, most)
+    return rows
+
+
+def _first(text: str, most: int) -> list[dict[str, Any]]:
+    """Return the first elements of a JSON list, without reading the others."""
+    scan = json.JSONDecoder().raw_decode
+    rows: list[dict[str, Any]] = []
+    at = 1
+    while len(rows) < most:
+        while at < len(text) and text[at] in " ,]":
+            at += 1
+        if at >= len(text):
+            break
+        row, at = scan(text, at)
+        rows.append(row)
     return rows
 
 
@@ -411,7 +444,7 @@ def drawing_out(here: Service, row: Drawing) -> DrawingOut:
             "profile_state": _state_of(here, row),
             "rules": row.rules,
             "unit_given": row.unit_given or None,
-            "ledger": {**ledger, "rows": _ledger(here, row.id)[:_LISTED]},
+            "ledger": {**ledger, "rows": _ledger(here, row.id, _LISTED)},
         }
     )
 

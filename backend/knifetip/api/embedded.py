@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import gc
 import ipaddress
 import logging
 import socket
@@ -242,6 +243,10 @@ class _Server(uvicorn.Server):
         await super().startup(sockets)
         if self.should_exit:
             return
+        # The collector would look through all that was imported again and again, and for that
+        # time (0.3 s of a core) no thread runs, not even one that answers a heartbeat.
+        gc.collect()
+        gc.freeze()
         if self.table is not None:
             self.table.start()
         if self.samples:

@@ -9,6 +9,7 @@ from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.drawings import overridden
+from knifetip.api.queue import queued
 from knifetip.api.schemas.jobs import JobEvent, JobIn, JobOut, JobState, VerdictOut, VerdictSummary
 from knifetip.api.service import (
     BINARY,
@@ -32,6 +33,7 @@ router = APIRouter(prefix="/jobs", tags=["jobs"])
 
 
 @router.post("", status_code=201)
+@queued
 def order_job(here: Here, response: Response, order: JobIn, key: Key = None) -> JobOut:
     """Order a job; 409 with ``questions`` while something about it is undecided."""
     request = fingerprint(order.model_dump_json())

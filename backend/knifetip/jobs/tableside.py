@@ -110,7 +110,7 @@ class Tableside(Orders):
         StaleEpoch
             The job is no longer this gateway's: stop the machine.
         """
-        with self._writing() as session:
+        with self._writing(urgent=True) as session:
             row = self._fresh(session, id)
             if row.epoch != epoch or row.state not in LEASED:
                 raise stale(id, row.state, row.epoch, epoch)
@@ -151,7 +151,7 @@ class Tableside(Orders):
             The job is no longer this gateway's.
         """
         goal = State(outcome)
-        with self._writing() as session:
+        with self._writing(urgent=True) as session:
             row = self._fresh(session, id)
             if row.epoch == epoch and row.state == goal:
                 return row
