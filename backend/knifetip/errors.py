@@ -37,6 +37,7 @@
         ├── StoreError            the database cannot be used
         ├── KeyReused             an Idempotency-Key that came with another request before
         ├── StaleVersion          somebody else changed it since it was looked at
+        │   └── StaleRevision         a drawing was changed since the request was made for it
         └── MachineBusy           another job is on this machine's table
 
 Everything that a user can cause is one of these. The API sends the same words as problem+json.
@@ -267,6 +268,25 @@ class KeyReused(JobError):
 
 class StaleVersion(JobError):
     """Somebody else changed it since it was looked at."""
+
+
+class StaleRevision(StaleVersion):
+    """The drawing was changed since it was looked at.
+
+    ``revision`` is the drawing's now.
+    """
+
+    def __init__(self, drawing: str, revision: int, named: str) -> None:
+        super().__init__(
+            f"Drawing {drawing} is at revision {revision}, and the request names {named}.",
+            "Look at the drawing again; if that is what you want, repeat the request.",
+        )
+        self.drawing = drawing
+        self.revision = revision
+        self.named = named
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (self.drawing, self.revision, self.named))
 
 
 class MachineBusy(JobError):

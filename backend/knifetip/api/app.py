@@ -165,6 +165,7 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
         mend=error.mend,
         source=error.source,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
+        revision=error.revision if isinstance(error, errors.StaleRevision) else None,
         headers={"Retry-After": str(error.seconds)} if isinstance(error, errors.ServerBusy) else {},
     )
 

@@ -6,7 +6,8 @@ import hashlib
 import json
 import unicodedata
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -14,6 +15,7 @@ from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
 from fastapi.responses import StreamingResponse
 
 from knifetip.api.queue import queued
+from knifetip.api.revisions import IfMatch, IfNoneMatch, check_match, etag, is_known
 from knifetip.api.schemas.drawings import (
     CleaningOut,
     DrawingOut,
@@ -39,7 +41,14 @@ from knifetip.api.service import (
     not_shipped,
     rules_named,
 )
-from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing, RequestError
+from knifetip.errors import (
+    DrawingTooLarge,
+    KnifetipError,
+    NotADrawing,
+    RequestError,
+    StaleRevision,
+    WrongState,
+)
 from knifetip.geometry.columns import U8
 from knifetip.intake.kind import kind_of
 from knifetip.jobs import tasks
@@ -58,6 +67,8 @@ _MEDIA_TYPES = {
     "svg": "application/octet-stream",
     "pdf": "application/octet-stream",
 }
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "As it was"}}
+_TRIES = 3  # of a change to a drawing that others change at the same time
 _PIECE = 1000  # edges that are put into JSON at once
 _LISTED = 2000  # ledger rows in a drawing's own answer
 
@@ -113,9 +124,11 @@ def added(
             key=key,
             fingerprint=request,
         )
+    drawing = drawing_out(here, row)
     if response is not None:
         response.headers["Location"] = f"/api/drawings/{row.id}"
-    return drawing_out(here, row)
+        response.headers["ETag"] = _etag_of(drawing)
+    return drawing
 
 
 @router.get("")
@@ -129,33 +142,42 @@ def list_drawings(
     return [summary_out(row) for row in rows]
 
 
-@router.get("/{id}")
-def get_drawing(here: Here, id: str) -> DrawingOut:
+@router.get("/{id}", response_model=DrawingOut, responses=_NOT_MODIFIED)
+def get_drawing(
+    here: Here, response: Response, id: str, known: IfNoneMatch = None
+) -> DrawingOut | Response:
     """Look at a drawing."""
-    return drawing_out(here, here.store.drawing(id))
+    row = here.store.drawing_with(id, "ledger")
+    headers = {"ETag": etag(row.version, _state_of(here, row)), "Cache-Control": "no-cache"}
+    if is_known(headers["ETag"], known):
+        return Response(status_code=304, headers=headers)
+    response.headers.update(headers)
+    return drawing_out(here, row)
 
 
 @router.patch("/{id}")
 @queued
-def change_drawing(here: Here, id: str, patch: DrawingPatch) -> DrawingOut:
+def change_drawing(
+    here: Here, response: Response, id: str, patch: DrawingPatch, match: IfMatch = None
+) -> DrawingOut:
     """Say a drawing's unit, or classify it by another profile, or by one as it was."""
-    row = here.store.drawing(id)
-    unit = row.unit_given
-    if patch.unit is not None:
-        unit = "" if patch.unit == "file" else patch.unit
-    profile, rules = row.profile, row.rules
-    if patch.rules:
-        profile, rules = patch.profile or row.profile, patch.rules
-        own.checked_name(profile)
-        not_shipped(here, profile)
-        own.parsed(profile, rules)
-    elif patch.profile is not None:
-        profile, rules = patch.profile, rules_named(here, patch.profile)
-    overrides = here.store.drawing_column(id, "overrides")
-    _, meta = unpacked(here.store.drawing_column(id, "edges"))
-    carried = tasks.Carried(overrides, meta["handles"])
-    chosen = (profile, rules)
-    return _kept(here, row, unit, chosen, carried, f"unit {unit or 'open'}, profile {profile}")
+
+    def decide(row: Drawing) -> _Decision:
+        unit = row.unit_given
+        if patch.unit is not None:
+            unit = "" if patch.unit == "file" else patch.unit
+        profile, rules = row.profile, row.rules
+        if patch.rules:
+            profile, rules = patch.profile or row.profile, patch.rules
+            own.checked_name(profile)
+            not_shipped(here, profile)
+            own.parsed(profile, rules)
+        elif patch.profile is not None:
+            profile, rules = patch.profile, rules_named(here, patch.profile)
+        why = f"unit {unit or 'open'}, profile {profile}"
+        return _Decision(unit, profile, rules, row.overrides, why)
+
+    return _changed(here, response, id, match, decide)
 
 
 @router.delete("/{id}", status_code=204)
@@ -164,7 +186,7 @@ def delete_drawing(here: Here, id: str) -> None:
     here.store.delete_drawing(id)
 
 
-@router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY})
+@router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY, **_NOT_MODIFIED})
 def get_edges(
     here: Here,
     request: Request,
@@ -172,32 +194,36 @@ def get_edges(
     format: Annotated[Literal["json", "columns"], Query()] = "json",
 ) -> Response:
     """List the edges, as JSON or as binary columns (``format=columns``)."""
-    row = here.store.drawing(id)
-    block = here.store.drawing_column(id, "edges")
+    row = here.store.drawing_with(id, "edges")
     if format == "columns":
-        return bytes_answer(request, block, f"{id}-{row.version}", "application/octet-stream")
-    return StreamingResponse(edges_json(block), media_type="application/json")
+        return bytes_answer(request, row.edges, str(row.version), "application/octet-stream")
+    headers = {"ETag": etag(row.version), "Cache-Control": "no-cache"}
+    if is_known(headers["ETag"], request.headers.get("if-none-match")):
+        return Response(status_code=304, headers=headers)
+    pieces = edges_json(row.edges)
+    return StreamingResponse(pieces, media_type="application/json", headers=headers)
 
 
 @router.patch("/{id}/edges")
 @queued
-def override_edges(here: Here, id: str, patch: EdgesPatch) -> DrawingOut:
+def override_edges(
+    here: Here, response: Response, id: str, patch: EdgesPatch, match: IfMatch = None
+) -> DrawingOut:
     """Give edges a line type; the later override lies on top."""
-    row = here.store.drawing(id)
-    block = here.store.drawing_column(id, "edges")
-    before = here.store.drawing_column(id, "overrides")
-    after = overridden(block, before, patch.overrides)
-    _, meta = unpacked(block)
-    carried = tasks.Carried(after, meta["handles"])
-    why = f"{len(patch.overrides)} override{'s' * (len(patch.overrides) != 1)}"
-    return _kept(here, row, row.unit_given, (row.profile, row.rules), carried, why)
+
+    def decide(row: Drawing) -> _Decision:
+        overrides = overridden(row.edges, row.overrides, patch.overrides)
+        why = f"{len(patch.overrides)} override{'s' * (len(patch.overrides) != 1)}"
+        return _Decision(row.unit_given, row.profile, row.rules, overrides, why)
+
+    return _changed(here, response, id, match, decide)
 
 
 @router.get("/{id}/ledger")
 def get_ledger(here: Here, id: str, fate: FateWord | None = None) -> LedgerOut:
     """List what became of every entity of the file, or only of those of one fate."""
-    row = here.store.drawing(id)
-    rows = [one for one in _ledger(here, id) if fate in (None, one["fate"])]
+    row = here.store.drawing_with(id, "ledger")
+    rows = [one for one in _ledger(row) if fate in (None, one["fate"])]
     return LedgerOut.model_validate({**row.summary["ledger"], "rows": rows})
 
 
@@ -254,30 +280,65 @@ def read(
         raise
 
 
-def _kept(
+@dataclass(frozen=True, slots=True)
+class _Decision:
+    """What a change makes of a drawing."""
+
+    unit: str
+    profile: str
+    rules: str
+    overrides: bytes
+    why: str
+
+
+def _changed(
     here: Service,
-    row: Drawing,
-    unit: str,
-    chosen: tuple[str, str],
-    carried: tasks.Carried,
-    why: str,
+    response: Response,
+    id: str,
+    match: str | None,
+    decide: Callable[[Drawing], _Decision],
 ) -> DrawingOut:
-    profile, rules = chosen
-    content = here.store.drawing_column(row.id, "content")
-    reading = read(here, row.name, content, unit, profile, rules, carried)
-    changed = here.store.change_drawing(
-        row.id,
-        row.version,
-        why,
-        unit_given=unit,
-        profile=profile,
-        rules=rules,
-        overrides=reading.overrides,
-        summary=reading.summary,
-        edges=reading.edges,
-        ledger=reading.ledger,
-    )
-    return drawing_out(here, changed)
+    """Change a drawing as was decided about its newest revision.
+
+    Raises
+    ------
+    StaleRevision
+        The request was made for another revision.
+    WrongState
+        The drawing is changed again and again meanwhile.
+    """
+    for _ in range(_TRIES):
+        row = here.store.drawing_with(id, "content", "overrides", "edges")
+        check_match(match, row)
+        made = decide(row)
+        carried = tasks.Carried(made.overrides, unpacked(row.edges)[1]["handles"])
+        reading = read(here, row.name, row.content, made.unit, made.profile, made.rules, carried)
+        try:
+            changed = here.store.change_drawing(
+                row.id,
+                row.version,
+                made.why,
+                unit_given=made.unit,
+                profile=made.profile,
+                rules=made.rules,
+                overrides=reading.overrides,
+                summary=reading.summary,
+                edges=reading.edges,
+                ledger=reading.ledger,
+            )
+        except StaleRevision:
+            # Who names no revision wants the change whatever else was changed meanwhile.
+            if match is not None and match.strip() != "*":
+                raise
+            continue
+        drawing = drawing_out(here, changed)
+        response.headers["ETag"] = _etag_of(drawing)
+        return drawing
+    raise WrongState(f"Drawing {id} is being changed again and again.", "Try again in a moment.")
+
+
+def _etag_of(drawing: DrawingOut) -> str:
+    return etag(drawing.revision, drawing.profile_state)
 
 
 def overridden(block: bytes, before: bytes, overrides: Sequence[Override]) -> bytes:
@@ -407,9 +468,9 @@ def _edge_rows(
     ]
 
 
-def _ledger(here: Service, id: str, most: int | None = None) -> list[dict[str, Any]]:
+def _ledger(row: Drawing, most: int | None = None) -> list[dict[str, Any]]:
     """Return the rows of a drawing's ledger, or only so many of them."""
-    text = zlib.decompress(here.store.drawing_column(id, "ledger")).decode()
+    text = zlib.decompress(row.ledger).decode()
     rows: list[dict[str, Any]] = json.loads(text) if most is None else _first(text, most)
     return rows
 
@@ -430,13 +491,14 @@ def _first(text: str, most: int) -> list[dict[str, Any]]:
 
 
 def drawing_out(here: Service, row: Drawing) -> DrawingOut:
-    """Return a drawing as the API shows it."""
+    """Return a drawing, read with its ledger, as the API shows it."""
     ledger = row.summary["ledger"]
     return DrawingOut.model_validate(
         {
             **row.summary,
             "unit": row.summary["unit"] or None,
             "id": row.id,
+            "revision": row.version,
             "name": row.name,
             "created": row.created,
             "sha256": row.sha256,
@@ -444,7 +506,7 @@ def drawing_out(here: Service, row: Drawing) -> DrawingOut:
             "profile_state": _state_of(here, row),
             "rules": row.rules,
             "unit_given": row.unit_given or None,
-            "ledger": {**ledger, "rows": _ledger(here, row.id, _LISTED)},
+            "ledger": {**ledger, "rows": _ledger(row, _LISTED)},
         }
     )
 
@@ -461,6 +523,7 @@ def summary_out(row: Drawing) -> DrawingSummary:
     """Return a drawing as a list shows it."""
     return DrawingSummary(
         id=row.id,
+        revision=row.version,
         name=row.name,
         created=row.created,
         unit=row.summary["unit"] or None,
