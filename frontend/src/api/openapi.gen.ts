@@ -726,7 +726,7 @@ export interface paths {
         };
         /**
          * Health
-         * @description Say that the process is alive.
+         * @description Return that the process is alive.
          */
         get: operations["health"];
         put?: never;
@@ -746,7 +746,7 @@ export interface paths {
         };
         /**
          * Ready
-         * @description Say whether requests can be served: 503 while not.
+         * @description Return whether requests can be served: 503 while not.
          */
         get: operations["ready"];
         put?: never;
@@ -1067,6 +1067,11 @@ export interface components {
         DrawingOut: {
             /** Id */
             id: string;
+            /**
+             * Revision
+             * @description Counts the drawing's changes; its ETag
+             */
+            revision: number;
             /** Name */
             name: string;
             /** Created */
@@ -1151,6 +1156,11 @@ export interface components {
         DrawingSummary: {
             /** Id */
             id: string;
+            /**
+             * Revision
+             * @description Counts the drawing's changes; its ETag
+             */
+            revision: number;
             /** Name */
             name: string;
             /** Created */
@@ -1366,6 +1376,11 @@ export interface components {
         JobIn: {
             /** Drawing */
             drawing: string;
+            /**
+             * Revision
+             * @description Of the drawing that was looked at; 412 if it has changed since
+             */
+            revision?: number | null;
             /**
              * Machine
              * @default demo-table
@@ -2218,6 +2233,12 @@ export interface components {
              * @default []
              */
             questions: components["schemas"]["QuestionOut"][];
+            /**
+             * Revision
+             * @description Of the drawing now, where the request named an older one
+             * @default null
+             */
+            revision: number | null;
         };
     };
     responses: never;
@@ -2300,7 +2321,10 @@ export interface operations {
     get_drawing: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of what the client has already; 304 if that is still so */
+                "If-None-Match"?: string | null;
+            };
             path: {
                 id: string;
             };
@@ -2316,6 +2340,13 @@ export interface operations {
                 content: {
                     "application/json": components["schemas"]["DrawingOut"];
                 };
+            };
+            /** @description As it was */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description What went wrong, and what to do about it */
             default: {
@@ -2360,7 +2391,10 @@ export interface operations {
     change_drawing: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the revision that the change was made for; 412 if it is not the newest. Without it the change applies to whatever there is. */
+                "If-Match"?: string | null;
+            };
             path: {
                 id: string;
             };
@@ -2415,6 +2449,13 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
+            /** @description As it was */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
             /** @description What went wrong, and what to do about it */
             default: {
                 headers: {
@@ -2429,7 +2470,10 @@ export interface operations {
     override_edges: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the revision that the change was made for; 412 if it is not the newest. Without it the change applies to whatever there is. */
+                "If-Match"?: string | null;
+            };
             path: {
                 id: string;
             };
