@@ -20,33 +20,46 @@ from fastapi import FastAPI
 
 import dxf_text as text
 from knifetip.api.app import create_app
-from knifetip.api.service import Settings
+from knifetip.api.service import Service, Settings
 
 ENDS = {"done", "refused", "interrupted", "scrapped", "cancelled"}
 
 
+class LocalClient(httpx.Client):
+    """A client of a server in this process."""
+
+    app: FastAPI
+
+    @property
+    def service(self) -> Service:
+        """The server's parts."""
+        return service_of(self.app)
+
+
 @contextmanager
-def served(settings: Settings) -> Iterator[httpx.Client]:
+def served(settings: Settings) -> Iterator[LocalClient]:
     """Yield a client of a running server."""
+    app = create_app(settings)
     server = uvicorn.Server(
-        uvicorn.Config(create_app(settings), port=0, log_level="error", timeout_graceful_shutdown=1)
+        uvicorn.Config(app, port=0, log_level="error", timeout_graceful_shutdown=1)
     )
     thread = threading.Thread(target=server.run)
     thread.start()
     while not server.started and thread.is_alive():
         time.sleep(0.02)
     port = server.servers[0].sockets[0].getsockname()[1]
-    client = httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0, trust_env=False)
+    client = LocalClient(base_url=f"http://127.0.0.1:{port}", timeout=60.0, trust_env=False)
+    client.app = app
     try:
         yield client
     finally:
         client.close()
-        service_of(server.config.app).stopping.set()
+        client.service.stopping.set()
         server.should_exit = True
         thread.join()
 
 
-def service_of(app: object):
+def service_of(app: object) -> Service:
     assert isinstance(app, FastAPI)
     return app.state.service
 

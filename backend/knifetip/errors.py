@@ -28,6 +28,8 @@
     │   ├── ControllerReset       it was reset in the middle of a job
     │   └── ControllerSilent      it stopped answering
     ├── RequestError              a request that can be read, but is about nothing
+    ├── ServerBusy                too many requests wait for a process already
+    ├── SettingsError             a server cannot be started with these settings
     └── JobError                  the job is not in a state that allows this
         ├── NoSuchJob             no job, drawing or other thing of this name
         ├── WrongState            this transition is not allowed from here
@@ -35,6 +37,7 @@
         ├── StoreError            the database cannot be used
         ├── KeyReused             an Idempotency-Key that came with another request before
         ├── StaleVersion          somebody else changed it since it was looked at
+        │   └── StaleRevision         a drawing was changed since the request was made for it
         └── MachineBusy           another job is on this machine's table
 
 Everything that a user can cause is one of these. The API sends the same words as problem+json.
@@ -217,6 +220,28 @@ class RequestError(KnifetipError):
     """A request that can be read, but is about nothing."""
 
 
+class ServerBusy(KnifetipError):
+    """Too many requests wait for a process already; nothing of this one was kept.
+
+    ``seconds`` is after how long to try again.
+    """
+
+    def __init__(self, waiting: int, seconds: int) -> None:
+        super().__init__(
+            f"{waiting} requests wait for a free process already, so this one was not begun.",
+            f"Send it again in {seconds} s.",
+        )
+        self.waiting = waiting
+        self.seconds = seconds
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (self.waiting, self.seconds))
+
+
+class SettingsError(KnifetipError):
+    """A server cannot be started with these settings."""
+
+
 class JobError(KnifetipError):
     """The job is not in a state that allows this."""
 
@@ -243,6 +268,25 @@ class KeyReused(JobError):
 
 class StaleVersion(JobError):
     """Somebody else changed it since it was looked at."""
+
+
+class StaleRevision(StaleVersion):
+    """The drawing was changed since it was looked at.
+
+    ``revision`` is the drawing's now.
+    """
+
+    def __init__(self, drawing: str, revision: int, named: str) -> None:
+        super().__init__(
+            f"Drawing {drawing} is at revision {revision}, and the request names {named}.",
+            "Look at the drawing again; if that is what you want, repeat the request.",
+        )
+        self.drawing = drawing
+        self.revision = revision
+        self.named = named
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (self.drawing, self.revision, self.named))
 
 
 class MachineBusy(JobError):

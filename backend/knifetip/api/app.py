@@ -6,11 +6,10 @@ Settings -> FastAPI, with its database migrated and its workers started while it
 from __future__ import annotations
 
 import asyncio
-import http
 import inspect
 import logging
 import re
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from importlib.metadata import version
 from typing import Any
@@ -24,15 +23,18 @@ from starlette.exceptions import HTTPException
 
 from knifetip import errors
 from knifetip.api import drawings, events, gateway, jobs, library, machines, profiles
+from knifetip.api.access import Access
+from knifetip.api.headers import SecurityHeaders
 from knifetip.api.limits import Limits
-from knifetip.api.schemas.common import Health, Problem, QuestionOut
+from knifetip.api.problems import PROBLEM, problem
+from knifetip.api.queue import WorkQueue
+from knifetip.api.schemas.common import Health, Problem
 from knifetip.api.service import Here, Service, Settings
 from knifetip.api.site import Site
 from knifetip.jobs.crew import Crew, Fault, Withdrawn
 from knifetip.jobs.store import Store
 from knifetip.jobs.work import Workshop
 
-PROBLEM = "application/problem+json"
 _log = logging.getLogger("knifetip.api")
 
 #: Status of each error; the nearest ancestor counts.
@@ -45,6 +47,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
     errors.KeyReused: 422,
     errors.StaleVersion: 412,
     errors.StoreError: 503,
+    errors.ServerBusy: 503,
     errors.ControllerError: 502,
 }
 
@@ -66,7 +69,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             max(1, chosen.crew - 1),
             chosen.limit,
         )
-        service = Service(chosen, store, crew, workshop)
+        # One more than the processes: while it reads a request, none of them is idle.
+        work = WorkQueue(chosen.crew + 1, chosen.waiting)
+        service = Service(chosen, store, crew, workshop, work)
         app.state.service = service
         app.state.stream = events.Stream(service)
         await asyncio.to_thread(store.migrate)
@@ -81,6 +86,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             streaming.cancel()
             await asyncio.gather(streaming, return_exceptions=True)
             await asyncio.to_thread(workshop.stop)
+            work.close()
+            service.threads.close()
             store.close()
 
     app = FastAPI(
@@ -99,7 +106,10 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_api_route("/healthz", _health, response_model=Health, tags=["health"])
     app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])
     app.router.default = Site(chosen.page)
+    # The last one is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
+    app.add_middleware(Access, rules=chosen.access)
+    app.add_middleware(SecurityHeaders)
     app.add_exception_handler(errors.KnifetipError, _knifetip_problem)
     app.add_exception_handler(RequestValidationError, _request_problem)
     app.add_exception_handler(HTTPException, _http_problem)
@@ -118,50 +128,21 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     return app
 
 
-def _health() -> Health:
-    """Say that the process is alive."""
+async def _health() -> Health:
+    """Return that the process is alive."""
     return Health(status="ok", version=version("knifetip"))
 
 
-def _ready(here: Here, response: Response) -> Health:
-    """Say whether requests can be served: 503 while not."""
+async def _ready(here: Here, response: Response) -> Health:
+    """Return whether requests can be served: 503 while not."""
     checks = {"database": "ok", "workers": "ok" if here.ready else "starting"}
     try:
-        here.store.alive()
+        await here.threads.reports(here.store.alive)
     except sqlalchemy.exc.SQLAlchemyError as reason:
         checks["database"] = type(reason).__name__
     good = all(check == "ok" for check in checks.values())
     response.status_code = 200 if good else 503
     return Health(status="ok" if good else "starting", version=version("knifetip"), checks=checks)
-
-
-def problem(
-    status: int,
-    detail: str,
-    *,
-    kind: str = "about:blank",
-    title: str = "",
-    mend: str = "",
-    source: Sequence[str] = (),
-    questions: Sequence[dict[str, Any]] = (),
-    headers: Mapping[str, str] | None = None,
-) -> Response:
-    """Return an error as RFC 9457 has it."""
-    body = Problem(
-        type=kind,
-        title=title or http.HTTPStatus(status).phrase,
-        status=status,
-        detail=_said(detail),
-        mend=_said(mend),
-        source=[_said(place) for place in source],
-        questions=[QuestionOut.model_validate(question) for question in questions],
-    )
-    return Response(body.model_dump_json(), status, headers=dict(headers or {}), media_type=PROBLEM)
-
-
-def _said(text: str) -> str:
-    # A caller's lone surrogates cannot be said in UTF-8.
-    return text.encode("utf-8", "replace").decode("utf-8")
 
 
 def status_of(error: errors.KnifetipError) -> int:
@@ -184,6 +165,8 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
         mend=error.mend,
         source=error.source,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
+        revision=error.revision if isinstance(error, errors.StaleRevision) else None,
+        headers={"Retry-After": str(error.seconds)} if isinstance(error, errors.ServerBusy) else {},
     )
 
 

@@ -6,13 +6,16 @@ import hashlib
 import json
 import unicodedata
 import zlib
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 import numpy as np
 from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
-from fastapi.responses import JSONResponse
+from fastapi.responses import StreamingResponse
 
+from knifetip.api.queue import queued
+from knifetip.api.revisions import IfMatch, IfNoneMatch, check_match, etag, is_known
 from knifetip.api.schemas.drawings import (
     CleaningOut,
     DrawingOut,
@@ -38,7 +41,14 @@ from knifetip.api.service import (
     not_shipped,
     rules_named,
 )
-from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing, RequestError
+from knifetip.errors import (
+    DrawingTooLarge,
+    KnifetipError,
+    NotADrawing,
+    RequestError,
+    StaleRevision,
+    WrongState,
+)
 from knifetip.geometry.columns import U8
 from knifetip.intake.kind import kind_of
 from knifetip.jobs import tasks
@@ -57,10 +67,14 @@ _MEDIA_TYPES = {
     "svg": "application/octet-stream",
     "pdf": "application/octet-stream",
 }
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "As it was"}}
+_TRIES = 3  # of a change to a drawing that others change at the same time
+_PIECE = 1000  # edges that are put into JSON at once
 _LISTED = 2000  # ledger rows in a drawing's own answer
 
 
 @router.post("", status_code=201)
+@queued
 def upload_drawing(
     here: Here,
     response: Response,
@@ -110,9 +124,11 @@ def added(
             key=key,
             fingerprint=request,
         )
+    drawing = drawing_out(here, row)
     if response is not None:
         response.headers["Location"] = f"/api/drawings/{row.id}"
-    return drawing_out(here, row)
+        response.headers["ETag"] = _etag_of(drawing)
+    return drawing
 
 
 @router.get("")
@@ -126,32 +142,42 @@ def list_drawings(
     return [summary_out(row) for row in rows]
 
 
-@router.get("/{id}")
-def get_drawing(here: Here, id: str) -> DrawingOut:
+@router.get("/{id}", response_model=DrawingOut, responses=_NOT_MODIFIED)
+def get_drawing(
+    here: Here, response: Response, id: str, known: IfNoneMatch = None
+) -> DrawingOut | Response:
     """Look at a drawing."""
-    return drawing_out(here, here.store.drawing(id))
+    row = here.store.drawing_with(id, "ledger")
+    headers = {"ETag": etag(row.version, _state_of(here, row)), "Cache-Control": "no-cache"}
+    if is_known(headers["ETag"], known):
+        return Response(status_code=304, headers=headers)
+    response.headers.update(headers)
+    return drawing_out(here, row)
 
 
 @router.patch("/{id}")
-def change_drawing(here: Here, id: str, patch: DrawingPatch) -> DrawingOut:
+@queued
+def change_drawing(
+    here: Here, response: Response, id: str, patch: DrawingPatch, match: IfMatch = None
+) -> DrawingOut:
     """Say a drawing's unit, or classify it by another profile, or by one as it was."""
-    row = here.store.drawing(id)
-    unit = row.unit_given
-    if patch.unit is not None:
-        unit = "" if patch.unit == "file" else patch.unit
-    profile, rules = row.profile, row.rules
-    if patch.rules:
-        profile, rules = patch.profile or row.profile, patch.rules
-        own.checked_name(profile)
-        not_shipped(here, profile)
-        own.parsed(profile, rules)
-    elif patch.profile is not None:
-        profile, rules = patch.profile, rules_named(here, patch.profile)
-    overrides = here.store.drawing_column(id, "overrides")
-    _, meta = unpacked(here.store.drawing_column(id, "edges"))
-    carried = tasks.Carried(overrides, meta["handles"])
-    chosen = (profile, rules)
-    return _kept(here, row, unit, chosen, carried, f"unit {unit or 'open'}, profile {profile}")
+
+    def decide(row: Drawing) -> _Decision:
+        unit = row.unit_given
+        if patch.unit is not None:
+            unit = "" if patch.unit == "file" else patch.unit
+        profile, rules = row.profile, row.rules
+        if patch.rules:
+            profile, rules = patch.profile or row.profile, patch.rules
+            own.checked_name(profile)
+            not_shipped(here, profile)
+            own.parsed(profile, rules)
+        elif patch.profile is not None:
+            profile, rules = patch.profile, rules_named(here, patch.profile)
+        why = f"unit {unit or 'open'}, profile {profile}"
+        return _Decision(unit, profile, rules, row.overrides, why)
+
+    return _changed(here, response, id, match, decide)
 
 
 @router.delete("/{id}", status_code=204)
@@ -160,7 +186,7 @@ def delete_drawing(here: Here, id: str) -> None:
     here.store.delete_drawing(id)
 
 
-@router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY})
+@router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY, **_NOT_MODIFIED})
 def get_edges(
     here: Here,
     request: Request,
@@ -168,35 +194,41 @@ def get_edges(
     format: Annotated[Literal["json", "columns"], Query()] = "json",
 ) -> Response:
     """List the edges, as JSON or as binary columns (``format=columns``)."""
-    row = here.store.drawing(id)
-    block = here.store.drawing_column(id, "edges")
+    row = here.store.drawing_with(id, "edges")
     if format == "columns":
-        return bytes_answer(request, block, f"{id}-{row.version}", "application/octet-stream")
-    return JSONResponse({"edges": edges_out(block)})
+        return bytes_answer(request, row.edges, str(row.version), "application/octet-stream")
+    headers = {"ETag": etag(row.version), "Cache-Control": "no-cache"}
+    if is_known(headers["ETag"], request.headers.get("if-none-match")):
+        return Response(status_code=304, headers=headers)
+    pieces = edges_json(row.edges)
+    return StreamingResponse(pieces, media_type="application/json", headers=headers)
 
 
 @router.patch("/{id}/edges")
-def override_edges(here: Here, id: str, patch: EdgesPatch) -> DrawingOut:
+@queued
+def override_edges(
+    here: Here, response: Response, id: str, patch: EdgesPatch, match: IfMatch = None
+) -> DrawingOut:
     """Give edges a line type; the later override lies on top."""
-    row = here.store.drawing(id)
-    block = here.store.drawing_column(id, "edges")
-    before = here.store.drawing_column(id, "overrides")
-    after = overridden(block, before, patch.overrides)
-    _, meta = unpacked(block)
-    carried = tasks.Carried(after, meta["handles"])
-    why = f"{len(patch.overrides)} override{'s' * (len(patch.overrides) != 1)}"
-    return _kept(here, row, row.unit_given, (row.profile, row.rules), carried, why)
+
+    def decide(row: Drawing) -> _Decision:
+        overrides = overridden(row.edges, row.overrides, patch.overrides)
+        why = f"{len(patch.overrides)} override{'s' * (len(patch.overrides) != 1)}"
+        return _Decision(row.unit_given, row.profile, row.rules, overrides, why)
+
+    return _changed(here, response, id, match, decide)
 
 
 @router.get("/{id}/ledger")
 def get_ledger(here: Here, id: str, fate: FateWord | None = None) -> LedgerOut:
     """List what became of every entity of the file, or only of those of one fate."""
-    row = here.store.drawing(id)
-    rows = [one for one in _ledger(here, id) if fate in (None, one["fate"])]
+    row = here.store.drawing_with(id, "ledger")
+    rows = [one for one in _ledger(row) if fate in (None, one["fate"])]
     return LedgerOut.model_validate({**row.summary["ledger"], "rows": rows})
 
 
 @router.get("/{id}/cleaning")
+@queued
 def get_cleaning(here: Here, id: str) -> CleaningOut:
     """List what cleaning makes of the edges before they are planned: joined, moved, dropped."""
     edges = here.store.drawing_column(id, "edges")
@@ -248,30 +280,65 @@ def read(
         raise
 
 
-def _kept(
+@dataclass(frozen=True, slots=True)
+class _Decision:
+    """What a change makes of a drawing."""
+
+    unit: str
+    profile: str
+    rules: str
+    overrides: bytes
+    why: str
+
+
+def _changed(
     here: Service,
-    row: Drawing,
-    unit: str,
-    chosen: tuple[str, str],
-    carried: tasks.Carried,
-    why: str,
+    response: Response,
+    id: str,
+    match: str | None,
+    decide: Callable[[Drawing], _Decision],
 ) -> DrawingOut:
-    profile, rules = chosen
-    content = here.store.drawing_column(row.id, "content")
-    reading = read(here, row.name, content, unit, profile, rules, carried)
-    changed = here.store.change_drawing(
-        row.id,
-        row.version,
-        why,
-        unit_given=unit,
-        profile=profile,
-        rules=rules,
-        overrides=reading.overrides,
-        summary=reading.summary,
-        edges=reading.edges,
-        ledger=reading.ledger,
-    )
-    return drawing_out(here, changed)
+    """Change a drawing as was decided about its newest revision.
+
+    Raises
+    ------
+    StaleRevision
+        The request was made for another revision.
+    WrongState
+        The drawing is changed again and again meanwhile.
+    """
+    for _ in range(_TRIES):
+        row = here.store.drawing_with(id, "content", "overrides", "edges")
+        check_match(match, row)
+        made = decide(row)
+        carried = tasks.Carried(made.overrides, unpacked(row.edges)[1]["handles"])
+        reading = read(here, row.name, row.content, made.unit, made.profile, made.rules, carried)
+        try:
+            changed = here.store.change_drawing(
+                row.id,
+                row.version,
+                made.why,
+                unit_given=made.unit,
+                profile=made.profile,
+                rules=made.rules,
+                overrides=reading.overrides,
+                summary=reading.summary,
+                edges=reading.edges,
+                ledger=reading.ledger,
+            )
+        except StaleRevision:
+            # Who names no revision wants the change whatever else was changed meanwhile.
+            if match is not None and match.strip() != "*":
+                raise
+            continue
+        drawing = drawing_out(here, changed)
+        response.headers["ETag"] = _etag_of(drawing)
+        return drawing
+    raise WrongState(f"Drawing {id} is being changed again and again.", "Try again in a moment.")
+
+
+def _etag_of(drawing: DrawingOut) -> str:
+    return etag(drawing.revision, drawing.profile_state)
 
 
 def overridden(block: bytes, before: bytes, overrides: Sequence[Override]) -> bytes:
@@ -357,53 +424,81 @@ def drawing_name(given: str) -> str:
     return shown or "drawing.dxf"
 
 
-def edges_out(block: bytes) -> list[dict[str, Any]]:
-    """Return edges as plain data (``EdgeOut``)."""
+def edges_json(block: bytes) -> Iterator[bytes]:
+    """Yield the JSON of ``EdgesOut`` in pieces: no call holds the interpreter for long."""
     columns, meta = unpacked(block)
-    ends = columns["ends"].tolist()
-    alternatives = meta.get("alternatives", [])
+    count = len(columns["ends"])
     # A block of an older knifetip does not say what became of the edges.
-    fates, reasons = meta.get("fates", ["kept"]), meta.get("reasons", [""])
-    unsaid = np.zeros(len(ends), np.int32)
+    unsaid = np.zeros(count, np.int32)
     columns = {"fate": unsaid, "reason": unsaid, **columns}
-    listed = {name: columns[name].tolist() for name in columns if name != "ends"}
+    meta = {"fates": ["kept"], "reasons": [""], "alternatives": [], **meta}
+    yield b'{"edges":['
+    for first in range(0, count, _PIECE):
+        rows = _edge_rows(columns, meta, first, min(first + _PIECE, count))
+        text = json.dumps(rows, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+        yield (("," if first else "") + text[1:-1]).encode()
+    yield b"]}"
+
+
+def _edge_rows(
+    columns: dict[str, Any], meta: dict[str, Any], first: int, last: int
+) -> list[dict[str, Any]]:
+    """Return edges ``first`` … ``last - 1`` as plain data (``EdgeOut``)."""
+    listed = {name: column[first:last].tolist() for name, column in columns.items()}
+    alternatives = meta["alternatives"]
     return [
         {
-            "row": row,
-            "handle": meta["handles"][row],
-            "layer": meta["layers"][listed["layer"][row]],
-            "colour": listed["colour"][row],
-            "linetype": meta["linetypes"][listed["linetype"][row]],
-            "type": meta["types"][listed["line_type"][row]],
-            "rule": meta["rules"][listed["rule"][row]],
-            "confidence": listed["confidence"][row],
-            "alternatives": alternatives[listed["rule"][row]] if alternatives else [],
-            "fate": fates[listed["fate"][row]],
-            "reason": reasons[listed["reason"][row]],
-            "length": listed["length"][row],
+            "row": first + at,
+            "handle": meta["handles"][first + at],
+            "layer": meta["layers"][listed["layer"][at]],
+            "colour": listed["colour"][at],
+            "linetype": meta["linetypes"][listed["linetype"][at]],
+            "type": meta["types"][listed["line_type"][at]],
+            "rule": meta["rules"][listed["rule"][at]],
+            "confidence": listed["confidence"][at],
+            "alternatives": alternatives[listed["rule"][at]] if alternatives else [],
+            "fate": meta["fates"][listed["fate"][at]],
+            "reason": meta["reasons"][listed["reason"][at]],
+            "length": listed["length"][at],
             "start": start,
             "end": end,
-            "bulge": listed["bulge"][row],
+            "bulge": listed["bulge"][at],
         }
-        for row, (start, end) in enumerate(ends)
+        for at, (start, end) in enumerate(listed["ends"])
     ]
 
 
-def _ledger(here: Service, id: str) -> list[dict[str, Any]]:
-    rows: list[dict[str, Any]] = json.loads(
-        zlib.decompress(here.store.drawing_column(id, "ledger"))
-    )
+def _ledger(row: Drawing, most: int | None = None) -> list[dict[str, Any]]:
+    """Return the rows of a drawing's ledger, or only so many of them."""
+    text = zlib.decompress(row.ledger).decode()
+    rows: list[dict[str, Any]] = json.loads(text) if most is None else _first(text, most)
+    return rows
+
+
+def _first(text: str, most: int) -> list[dict[str, Any]]:
+    """Return the first elements of a JSON list, without reading the others."""
+    scan = json.JSONDecoder().raw_decode
+    rows: list[dict[str, Any]] = []
+    at = 1
+    while len(rows) < most:
+        while at < len(text) and text[at] in " ,]":
+            at += 1
+        if at >= len(text):
+            break
+        row, at = scan(text, at)
+        rows.append(row)
     return rows
 
 
 def drawing_out(here: Service, row: Drawing) -> DrawingOut:
-    """Return a drawing as the API shows it."""
+    """Return a drawing, read with its ledger, as the API shows it."""
     ledger = row.summary["ledger"]
     return DrawingOut.model_validate(
         {
             **row.summary,
             "unit": row.summary["unit"] or None,
             "id": row.id,
+            "revision": row.version,
             "name": row.name,
             "created": row.created,
             "sha256": row.sha256,
@@ -411,7 +506,7 @@ def drawing_out(here: Service, row: Drawing) -> DrawingOut:
             "profile_state": _state_of(here, row),
             "rules": row.rules,
             "unit_given": row.unit_given or None,
-            "ledger": {**ledger, "rows": _ledger(here, row.id)[:_LISTED]},
+            "ledger": {**ledger, "rows": _ledger(row, _LISTED)},
         }
     )
 
@@ -428,6 +523,7 @@ def summary_out(row: Drawing) -> DrawingSummary:
     """Return a drawing as a list shows it."""
     return DrawingSummary(
         id=row.id,
+        revision=row.version,
         name=row.name,
         created=row.created,
         unit=row.summary["unit"] or None,

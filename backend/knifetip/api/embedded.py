@@ -10,11 +10,14 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import gc
+import ipaddress
 import logging
 import socket
 import threading
 import time
 from collections.abc import Callable
+from contextlib import ExitStack
 from pathlib import Path
 from types import FrameType
 
@@ -23,6 +26,8 @@ import sqlalchemy as sa
 import uvicorn
 from fastapi import FastAPI
 
+from knifetip.api import keys
+from knifetip.api.access import AccessRules, is_loopback
 from knifetip.api.app import create_app
 from knifetip.api.drawings import added
 from knifetip.api.service import Service, Settings
@@ -49,6 +54,9 @@ def serve(
     simulator: bool = True,
     speed: float = 1.0,
     compiles: bool = True,
+    key: str = "",
+    key_file: Path | None = None,
+    hosts: tuple[str, ...] = (),
     told: Callable[[str], None] = _said,
 ) -> None:
     """Serve until SIGINT or SIGTERM.
@@ -65,6 +73,12 @@ def serve(
         Seconds of the simulated table to one of the clock.
     compiles
         False where the compile workers are other processes.
+    key
+        Who is not on this machine must have it; without one nobody else is served.
+    key_file
+        File that holds the key, made with a random one if it does not exist.
+    hosts
+        Names, or NAME:PORT, under which the server may be asked besides its addresses.
     told
         Hears the server's URL as soon as it answers.
 
@@ -72,47 +86,79 @@ def serve(
     ------
     StoreError
         The database cannot be used, or the port is taken.
+    SettingsError
+        A key or a host is none, or the key's file cannot be used.
     """
-    settings = Settings(database=database, compiles=compiles, name="embedded")
-    app = create_app(settings)
-    with _listening(host, port) as door:
+    key = keys.chosen(key, key_file)
+    with ExitStack() as open_sockets:
+        sockets = _listening(host, port)
+        for one in sockets:
+            open_sockets.enter_context(one)
+        addresses = [one.getsockname()[0] for one in sockets]
+        rules = AccessRules(key, keys.checked_hosts(hosts), all(map(is_loopback, addresses)))
+        settings = Settings(database=database, compiles=compiles, name="embedded", access=rules)
+        taken = sockets[0].getsockname()[1]
         shown = f"[{host}]" if ":" in host else host
-        server = _Server(app, f"http://{shown}:{door.getsockname()[1]}", told, samples)
+        lines = [f"knifetip is at http://{shown}:{taken}"]
+        if not rules.loopback_only:
+            lines.append(_how_to_open(taken, key, key_file))
+        server = _Server(create_app(settings), lines, told, samples)
         if simulator:
-            journal = _beside(database)
-            server.table = _Table(_local(host), door.getsockname()[1], speed, journal)
-        server.run(sockets=[door])
+            server.table = _Table(_local(host), taken, speed, _beside(database))
+        server.run(sockets=sockets)
     if not server.started:
         raise StoreError(
             f"The server did not start on {database}.", "The lines above say what was in the way."
         )
 
 
-def _listening(host: str, port: int) -> socket.socket:
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    door = socket.socket(family)
-    door.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+def _listening(host: str, port: int) -> list[socket.socket]:
+    """Return the sockets to listen on: the host's, and a loopback one where it is none."""
+    first = _bound(host, port)
+    address, taken = first.getsockname()[:2]
+    if is_loopback(address) or ipaddress.ip_address(address).is_unspecified:
+        return [first]
+    # The page of this machine's own user, and the gateway beside the server, need no key there.
     try:
-        door.bind((host, port))
-        door.listen(128)
+        return [first, _bound("::1" if ":" in address else "127.0.0.1", taken)]
+    except StoreError:
+        first.close()
+        raise
+
+
+def _bound(host: str, port: int) -> socket.socket:
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    listener = socket.socket(family)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((host, port))
+        listener.listen(128)
     except OSError as reason:
-        door.close()
+        listener.close()
         raise StoreError(
             f"{host}:{port} cannot be listened on: {reason.strerror or reason}.",
             "Stop what uses it, or take another with --port.",
         ) from reason
-    return door
+    return listener
 
 
 def _local(host: str) -> str:
-    """Return where a process on this machine reaches a server that listens on ``host``."""
-    match host:
-        case "0.0.0.0" | "":
-            return "127.0.0.1"
-        case "::":
-            return "[::1]"
-        case _:
-            return f"[{host}]" if ":" in host else host
+    """Return the loopback address at which a server that listens on ``host`` is reached."""
+    if host.startswith("127."):
+        return host
+    return "[::1]" if ":" in host else "127.0.0.1"
+
+
+def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
+    """Return what the start log of a server on the network says of its key."""
+    if not key:
+        return (
+            "There is no key: only this machine is served, at its loopback address. Start with "
+            "--key-file PATH or --key KEY to serve others."
+        )
+    if key_file is None:
+        return f"Other machines need the key: open http://localhost:{port} and sign in."
+    return f"Open http://localhost:{port}/?key={key}"
 
 
 def _beside(database: str) -> Path | None:
@@ -172,7 +218,9 @@ class _Table(threading.Thread):
 class _Server(uvicorn.Server):
     """Uvicorn, which on the way out lets the table finish its sentence first."""
 
-    def __init__(self, app: FastAPI, url: str, told: Callable[[str], None], samples: bool) -> None:
+    def __init__(
+        self, app: FastAPI, lines: list[str], told: Callable[[str], None], samples: bool
+    ) -> None:
         super().__init__(
             uvicorn.Config(
                 app,
@@ -184,7 +232,7 @@ class _Server(uvicorn.Server):
             )
         )
         self.app = app
-        self.url = url
+        self.lines = lines
         self.told = told
         self.samples = samples
         self.table: _Table | None = None
@@ -195,11 +243,16 @@ class _Server(uvicorn.Server):
         await super().startup(sockets)
         if self.should_exit:
             return
+        # The collector would look through all that was imported again and again, and for that
+        # time (0.3 s of a core) no thread runs, not even one that answers a heartbeat.
+        gc.collect()
+        gc.freeze()
         if self.table is not None:
             self.table.start()
         if self.samples:
             threading.Thread(target=_add_samples, args=(self._service,), daemon=True).start()
-        self.told(f"knifetip is at {self.url}")
+        for line in self.lines:
+            self.told(line)
 
     @property
     def _service(self) -> Service:

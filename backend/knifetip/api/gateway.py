@@ -36,11 +36,11 @@ async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Respon
     while not here.stopping.is_set():
         if time.monotonic() - noted >= _SEEN:
             noted = time.monotonic()
-            await asyncio.to_thread(here.store.saw_gateway, wanted.machine, wanted.gateway)
+            await here.threads.claims(here.store.saw_gateway, wanted.machine, wanted.gateway)
         # A caller who hung up would leave a job running that nobody has.
         if await request.is_disconnected():
             break
-        job = await asyncio.to_thread(_next, here, wanted)
+        job = await here.threads.claims(_next, here, wanted)
         if job is not None:
             return Claim(
                 job=job.id,
@@ -68,19 +68,20 @@ def _next(here: Here, wanted: ClaimIn) -> Job | None:
 
 
 @router.get("/program/{id}", response_class=PlainTextResponse)
-def get_gateway_program(here: Here, request: Request, id: str) -> Response:
+async def get_gateway_program(here: Here, request: Request, id: str) -> Response:
     """Return the program of a job that a gateway has claimed."""
-    job = here.store.job(id)
+    job = await here.threads.claims(here.store.job, id)
     if job.state not in ON_TABLE and not job.confirmation:
         raise WrongState(f"Job {id} is {job.state}, so no machine runs it.", "Claim it first.")
-    text = here.store.job_column(id, "program")
+    text = await here.threads.claims(here.store.job_column, id, "program")
     return bytes_answer(request, text, job.program_sha256, "text/plain; charset=utf-8")
 
 
 @router.post("/heartbeat")
-def heartbeat(here: Here, said: HeartbeatIn) -> HeartbeatOut:
+async def heartbeat(here: Here, said: HeartbeatIn) -> HeartbeatOut:
     """Report what the machine did and get the next command; renews the lease."""
-    command = here.store.heartbeat(
+    command = await here.threads.reports(
+        here.store.heartbeat,
         said.job,
         said.epoch,
         Report(
@@ -96,8 +97,12 @@ def heartbeat(here: Here, said: HeartbeatIn) -> HeartbeatOut:
 
 
 @router.post("/finish")
-def finish(here: Here, said: FinishIn) -> JobOut:
+async def finish(here: Here, said: FinishIn) -> JobOut:
     """Report how a job ended; the last owner's late report corrects an interrupted job."""
+    return await here.threads.reports(_finished, here, said)
+
+
+def _finished(here: Here, said: FinishIn) -> JobOut:
     row = here.store.finish(
         said.job,
         said.epoch,

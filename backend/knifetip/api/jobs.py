@@ -10,6 +10,8 @@ from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.drawings import overridden
+from knifetip.api.queue import queued
+from knifetip.api.revisions import check_revision
 from knifetip.api.schemas.jobs import (
     ConfirmIn,
     JobEvent,
@@ -43,6 +45,7 @@ router = APIRouter(prefix="/jobs", tags=["jobs"])
 
 
 @router.post("", status_code=201)
+@queued
 def order_job(here: Here, response: Response, order: JobIn, key: Key = None) -> JobOut:
     """Order a job; 409 with ``questions`` while something about it is undecided."""
     request = fingerprint(order.model_dump_json())
@@ -56,20 +59,20 @@ def order_job(here: Here, response: Response, order: JobIn, key: Key = None) -> 
 def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
     on_shelf("machines", order.machine)
     on_shelf("boards", order.board)
-    drawing = here.store.drawing(order.drawing)
+    # One revision: what was asked about, what is kept and what is compiled.
+    drawing = here.store.drawing_with(order.drawing, "content", "overrides", "edges")
+    check_revision(order.revision, drawing)
     # What was looked at is what is made, whatever became of the profile since.
     profile, rules = drawing.profile, drawing.rules
     if order.profile is not None:
         profile, rules = order.profile, rules_named(here, order.profile)
-    overrides = here.store.drawing_column(drawing.id, "overrides")
+    overrides = drawing.overrides
     if order.overrides:
-        edges = here.store.drawing_column(drawing.id, "edges")
-        overrides = overridden(edges, overrides, order.overrides)
-    content = here.store.drawing_column(drawing.id, "content")
+        overrides = overridden(drawing.edges, overrides, order.overrides)
     corners = None if order.corners is None else order.corners.model_dump()
     questions = here.crew.run(
         tasks.ask,
-        content,
+        drawing.content,
         drawing.unit_given,
         profile,
         overrides,

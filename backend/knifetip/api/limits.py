@@ -1,4 +1,4 @@
-"""limits: refuses requests that are too large, or that another site's page sends, at the door.
+"""limits: refuses requests that are too large.
 
 A request's size is known before it is read where the client says it, and counted where not.
 """
@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import contextlib
 
+from fastapi import Response
 from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from knifetip.api.schemas.common import Problem
+from knifetip.api.problems import problem
 
 
 class TooLarge(Exception):
@@ -26,25 +27,18 @@ class Limits:
         self.body = body
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request on, as long as it is small enough and our own."""
+        """Pass a request on, as long as it is small enough."""
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
         headers = Request(scope).headers
-        if (
-            scope["method"] not in ("GET", "HEAD", "OPTIONS")
-            and headers.get("sec-fetch-site") == "cross-site"
-        ):
-            await _refuse(send, 403, "A page of another site sent this.", "Use this server's own.")
-            return
         multipart = headers.get("content-type", "").lower().startswith("multipart/form-data")
         # The parts of a form have heads of their own: a little more than the file in it.
         limit = self.upload + 65536 if multipart else self.body
-        mend = "Send a smaller drawing." if multipart else "Send it in several requests."
-        told = f"A request may have {limit >> 20} MB here."
+        refusal = _refusal(limit, multipart)
         declared = headers.get("content-length", "")
         if declared.isdecimal() and int(declared) > limit:
-            await _refuse(send, 413, told, mend)
+            await refusal(scope, receive, send)
             return
         received = 0
         refused = False
@@ -69,16 +63,14 @@ class Limits:
         with contextlib.suppress(TooLarge):
             await self.app(scope, counted, passed)
         if refused and not begun:
-            await _refuse(send, 413, told, mend)
+            await refusal(scope, receive, send)
 
 
-async def _refuse(send: Send, status: int, detail: str, mend: str) -> None:
-    title = "Content Too Large" if status == 413 else "Forbidden"
-    body = Problem(title=title, status=status, detail=detail, mend=mend).model_dump_json().encode()
-    headers = [
-        (b"content-type", b"application/problem+json"),
-        (b"content-length", str(len(body)).encode()),
-        (b"connection", b"close"),
-    ]
-    await send({"type": "http.response.start", "status": status, "headers": headers})
-    await send({"type": "http.response.body", "body": body})
+def _refusal(limit: int, multipart: bool) -> Response:
+    return problem(
+        413,
+        f"A request may have {limit >> 20} MB here.",
+        title="Content Too Large",
+        mend="Send a smaller drawing." if multipart else "Send it in several requests.",
+        headers={"Connection": "close"},
+    )

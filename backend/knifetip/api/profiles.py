@@ -12,6 +12,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Depends, Header, Request, Response
 from pydantic import ValidationError
 
+from knifetip.api.queue import queued
 from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, ProposalOut
 from knifetip.api.service import Here, bytes_answer, not_shipped, on_shelf
 from knifetip.errors import ProfileError, RequestError
@@ -109,6 +110,7 @@ def delete_profile(here: Here, name: str, match: IfMatch = None) -> None:
 
 
 @router.post("/drawings/{id}/preview")
+@queued
 def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
     """Say what a profile would do to a drawing; nothing is kept."""
     row = here.store.drawing(id)
@@ -126,6 +128,7 @@ def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
 
 
 @router.post("/drawings/{id}/learned")
+@queued
 def learn_from_corrections(here: Here, id: str) -> list[ProposalOut]:
     """Propose rules that would have said what somebody corrected by hand; nothing is kept."""
     row = here.store.drawing(id)

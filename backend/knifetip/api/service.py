@@ -11,6 +11,9 @@ from typing import Annotated, Any
 
 from fastapi import Depends, Header, Query, Request, Response
 
+from knifetip.api.access import AccessRules
+from knifetip.api.queue import WAITING, WorkQueue
+from knifetip.api.threads import GatewayThreads
 from knifetip.errors import LibraryError, WrongState
 from knifetip.jobs.crew import Crew
 from knifetip.jobs.store import Store
@@ -28,10 +31,12 @@ class Settings:
     compiles: bool = True  #: False where the compile workers are other processes
     name: str = ""  #: of this process among its peers, the same after a restart
     crew: int = 2  #: processes that read and compile
+    waiting: int = WAITING  #: requests that may wait for one of them
     limit: float = LIMIT  #: seconds that a reading or a compile may take
     upload: int = 64 * MEGABYTE  #: bytes of a drawing
     body: int = 16 * MEGABYTE  #: bytes of any other request
     page: Path = Path(__file__).parent / "page"  #: the built page
+    access: AccessRules = field(default_factory=AccessRules)  #: who may use it
 
 
 @dataclass(slots=True)
@@ -42,11 +47,14 @@ class Service:
     store: Store
     crew: Crew
     workshop: Workshop
+    work: WorkQueue
+    threads: GatewayThreads = field(default_factory=GatewayThreads)
     stopping: threading.Event = field(default_factory=threading.Event)
     ready: bool = False
 
 
-def _service(request: Request) -> Service:
+# Not a plain function: FastAPI would run it on a thread of the pool that everything else waits for.
+async def _service(request: Request) -> Service:
     service: Service = request.app.state.service
     return service
 

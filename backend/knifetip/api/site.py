@@ -10,6 +10,12 @@ from starlette.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Receive, Scope, Send
 
+#: The page loads nothing from elsewhere.  Its widgets set styles in the document itself.
+PAGE_POLICY = (
+    "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+    "font-src 'self' data:; worker-src 'self' blob:; object-src 'none'; base-uri 'none'; "
+    "form-action 'self'; frame-ancestors 'self'"
+)
 _UNBUILT = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><title>knifetip</title>
 <body style="font: 16px/1.5 system-ui; max-width: 40rem; margin: 4rem auto; padding: 0 1rem">
@@ -47,7 +53,10 @@ class Site:
         page = file is None or file.name == "index.html"
         file = file or self._file("/index.html")
         if file is None:
-            return HTMLResponse(_UNBUILT, headers={"Cache-Control": "no-store"})
+            return HTMLResponse(
+                _UNBUILT,
+                headers={"Cache-Control": "no-store", "Content-Security-Policy": PAGE_POLICY},
+            )
         response = FileResponse(
             file,
             stat_result=file.stat(),
@@ -55,9 +64,8 @@ class Site:
                 "Cache-Control": (
                     _FOREVER if path.startswith("/assets/") and not page else "no-cache"
                 ),
-                "X-Content-Type-Options": "nosniff",
+                "Content-Security-Policy": PAGE_POLICY,
                 "X-Frame-Options": "SAMEORIGIN",
-                "Referrer-Policy": "same-origin",
             },
         )
         if response.headers["etag"] == headers.get("if-none-match"):

@@ -40,6 +40,27 @@ def register(app: typer.Typer) -> None:
         compiles: Annotated[
             bool, typer.Option(help="Compile in this process; else in `knifetip worker`.")
         ] = True,
+        key: Annotated[
+            str,
+            typer.Option(
+                envvar="KNIFETIP_KEY", help="Key that requests from other machines must have."
+            ),
+        ] = "",
+        key_file: Annotated[
+            Path | None,
+            typer.Option(
+                envvar="KNIFETIP_KEY_FILE",
+                help="File of the key; made with a random key if it does not exist.",
+            ),
+        ] = None,
+        allow_host: Annotated[
+            list[str] | None,
+            typer.Option(
+                envvar="KNIFETIP_ALLOW_HOST",
+                help="NAME or NAME:PORT by which requests may name this server besides its "
+                "addresses; may be repeated.",
+            ),
+        ] = None,
     ) -> None:
         """Serve the page and the API, with everything embedded, until Ctrl-C."""
         from knifetip.api import embedded  # a second of imports that the other commands spare
@@ -52,6 +73,9 @@ def register(app: typer.Typer) -> None:
             simulator=simulator,
             speed=speed,
             compiles=compiles,
+            key=key,
+            key_file=key_file,
+            hosts=tuple(allow_host or ()),
             told=lambda text: stderr.print(text, markup=False),
         )
 

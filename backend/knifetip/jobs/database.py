@@ -18,6 +18,7 @@ from sqlalchemy import event as on
 from sqlalchemy.orm import Session
 
 from knifetip.errors import StoreError
+from knifetip.jobs.turns import NoTurns, Turns
 
 _MIGRATIONS = Path(__file__).parent / "migrations"
 _MIGRATING = 0x6B6E_6966  # PostgreSQL's advisory lock of the migration
@@ -75,8 +76,10 @@ class Database:
         self.clock = clock
         _check(self.url)
         self._engine = sa.create_engine(self.url, pool_size=10, max_overflow=40)
+        self._turns: Turns | NoTurns = NoTurns()
         if self._engine.dialect.name == "sqlite":
             _sqlite(self._engine)
+            self._turns = Turns()
         self._writer = self._engine.execution_options(writes=True)
 
     def migrate(self) -> None:
@@ -99,8 +102,13 @@ class Database:
             yield session
 
     @contextmanager
-    def _writing(self) -> Iterator[Session]:
-        with Session(self._writer, expire_on_commit=False) as session, session.begin():
+    def _writing(self, *, urgent: bool = False) -> Iterator[Session]:
+        """Begin a transaction that writes; ``urgent`` ones come before all others that wait."""
+        with (
+            self._turns.turn(urgent),
+            Session(self._writer, expire_on_commit=False) as session,
+            session.begin(),
+        ):
             yield session
 
     def alive(self) -> bool:

@@ -6,8 +6,9 @@ from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import undefer
 
-from knifetip.errors import NoSuchJob, WrongState
+from knifetip.errors import NoSuchJob, StaleRevision, WrongState
 from knifetip.jobs.job import Who, new_id
 from knifetip.jobs.moves import Moves, rows, same_request, short
 from knifetip.jobs.tables import Drawing, Job
@@ -67,17 +68,24 @@ class Drawings(Moves):
         return row
 
     def drawing_of(self, key: str, fingerprint: str) -> Drawing | None:
-        """Return the drawing that a request with this Idempotency-Key made, or None."""
+        """Return the drawing that a request with this Idempotency-Key made, with its ledger."""
         with self._reading() as session:
-            row = session.scalar(sa.select(Drawing).where(Drawing.key == key))
+            row = session.scalar(
+                sa.select(Drawing).where(Drawing.key == key).options(undefer(Drawing.ledger))
+            )
         return None if row is None else same_request(row, key, fingerprint)
 
     def drawing(self, id: str) -> Drawing:
         """Return a drawing without its large columns."""
+        return self.drawing_with(id)
+
+    def drawing_with(self, id: str, *columns: str) -> Drawing:
+        """Return a drawing with these of its large columns, all of the same revision."""
+        large = [undefer(getattr(Drawing, column)) for column in columns]
         with self._reading() as session:
-            row = session.scalar(sa.select(Drawing).where(Drawing.id == id))
+            row = session.scalar(sa.select(Drawing).where(Drawing.id == id).options(*large))
         if row is None:
-            raise NoSuchJob(f"There is no drawing {short(id)}.", "GET /api/drawings lists them.")
+            raise _no_drawing(id)
         return row
 
     def drawing_column(self, id: str, column: str) -> bytes:
@@ -93,12 +101,14 @@ class Drawings(Moves):
             return list(session.scalars(query))
 
     def change_drawing(self, id: str, version: int, why: str, **changes: Any) -> Drawing:
-        """Change a drawing that is still as it was at ``version``.
+        """Change a drawing that is still as it was at ``version``; return it with its ledger.
 
         Raises
         ------
-        WrongState
-            Somebody else changed it in between.
+        NoSuchJob
+            It was deleted in between.
+        StaleRevision
+            It was changed in between.
         """
         with self._writing() as session:
             changed = rows(
@@ -108,11 +118,15 @@ class Drawings(Moves):
                 .values(version=version + 1, **changes),
             )
             if not changed:
-                raise WrongState(
-                    f"Drawing {id} was changed by somebody else at the same moment.", "Try again."
-                )
+                now = session.scalar(sa.select(Drawing.version).where(Drawing.id == id))
+                if now is None:
+                    raise _no_drawing(id)
+                raise StaleRevision(id, now, str(version))
             self._note(session, "drawing", id, "changed", str(Who.OPERATOR), why)
-        return self.drawing(id)
+            # As this change left it: another may follow before anything else is read.
+            return session.scalars(
+                sa.select(Drawing).where(Drawing.id == id).options(undefer(Drawing.ledger))
+            ).one()
 
     def delete_drawing(self, id: str) -> None:
         """Forget a drawing that no job was made from."""
@@ -125,3 +139,7 @@ class Drawings(Moves):
                 )
             session.execute(sa.delete(Drawing).where(Drawing.id == id))
             self._note(session, "drawing", id, "deleted", str(Who.OPERATOR), "")
+
+
+def _no_drawing(id: str) -> NoSuchJob:
+    return NoSuchJob(f"There is no drawing {short(id)}.", "GET /api/drawings lists them.")

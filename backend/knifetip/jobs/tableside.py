@@ -176,7 +176,7 @@ class Tableside(Orders):
         StaleEpoch
             The job is no longer this gateway's: stop the machine.
         """
-        with self._writing() as session:
+        with self._writing(urgent=True) as session:
             row = self._fresh(session, id)
             if row.epoch != epoch or not (row.state in LEASED or _waits(row)):
                 raise stale(id, row.state, row.epoch, epoch)
@@ -294,7 +294,7 @@ class Tableside(Orders):
         """
         returned = outcome == "returned"
         goal = State.INTERRUPTED if returned else State(outcome)
-        with self._writing() as session:
+        with self._writing(urgent=True) as session:
             row = self._fresh(session, id)
             repeated = row.state == goal and goal is not State.INTERRUPTED
             if repeated and epoch in (row.epoch, row.owner_epoch):

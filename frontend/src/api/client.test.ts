@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
-import { nextOf, problemOf, ServiceError, service } from "./client";
+import { nextOf, problemOf, retryAfter, revisionOf, ServiceError, service } from "./client";
 
 const answers = (body: string, init: ResponseInit) =>
   vi.stubGlobal(
@@ -34,7 +34,14 @@ describe("what goes wrong", () => {
     const question = { kind: "unit", text: "?", choices: ["mm"], edges: [], layer: "", colour: 0 };
     answers(JSON.stringify({ detail: "1 question", questions: [question] }), { status: 409 });
     await expect(
-      service.compile({ drawing: "d", machine: "m", board: "b", copies: 1, corners: null }),
+      service.compile({
+        drawing: "d",
+        revision: 1,
+        machine: "m",
+        board: "b",
+        copies: 1,
+        corners: null,
+      }),
     ).rejects.toMatchObject({ problem: { questions: [question] } });
   });
 
@@ -93,4 +100,68 @@ describe("a list", () => {
     "is not led astray by %s",
     (link) => expect(nextOf(link)).toBeNull(),
   );
+});
+
+describe("a request", () => {
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.unstubAllGlobals();
+  });
+
+  test("shows that the page sent it, and for which revision", async () => {
+    const asked = vi.fn(async () => new Response("{}"));
+    vi.stubGlobal("fetch", asked);
+    await service.override("d", [], 7);
+    await service.settle("d", {}, null);
+    await service.command("j", "release");
+    const sent = asked.mock.calls.map((call) => (call as unknown[])[1] as RequestInit);
+    expect(sent[0]?.headers).toMatchObject({ "X-Knifetip": "page", "If-Match": '"7"' });
+    expect(sent[1]?.headers).not.toHaveProperty("If-Match");
+    expect(sent[2]?.headers).toEqual({ "X-Knifetip": "page" });
+  });
+
+  test("that a busy service refused is sent again when it says so", async () => {
+    vi.useFakeTimers();
+    const busy = { status: 503, headers: { "Retry-After": "3" } };
+    const asked = vi
+      .fn()
+      .mockResolvedValueOnce(new Response("{}", busy))
+      .mockResolvedValueOnce(new Response("{}", { ...busy, status: 429 }))
+      .mockResolvedValue(new Response('{"id":"j"}'));
+    vi.stubGlobal("fetch", asked);
+    const answer = service.command("j", "release");
+    await vi.advanceTimersByTimeAsync(2900);
+    expect(asked).toHaveBeenCalledTimes(1);
+    await vi.advanceTimersByTimeAsync(8000);
+    expect(asked).toHaveBeenCalledTimes(3);
+    await expect(answer).resolves.toEqual({ id: "j" });
+  });
+
+  test("is given up after a while, and at once where the service names no time", async () => {
+    expect(retryAfter(503, "1", 1)).toBeGreaterThanOrEqual(1);
+    expect(retryAfter(503, "999", 1)).toBeLessThanOrEqual(40);
+    expect(retryAfter(503, "1", 6)).toBeNull();
+    expect(retryAfter(503, null, 1)).toBeNull();
+    expect(retryAfter(500, "1", 1)).toBeNull();
+    vi.stubGlobal("fetch", async () => new Response("{}", { status: 503 }));
+    await expect(service.command("j", "hold")).rejects.toMatchObject({ problem: { status: 503 } });
+  });
+
+  test("without a session leads to where one signs in", async () => {
+    const reload = vi.fn();
+    vi.stubGlobal("location", { reload });
+    vi.stubGlobal("fetch", async () => new Response("{}", { status: 401 }));
+    await expect(service.jobs()).rejects.toMatchObject({ problem: { status: 401 } });
+    expect(reload).toHaveBeenCalledOnce();
+  });
+
+  test.each([
+    ['"12"', 12],
+    ['W/"12"', 12],
+    ['"12-changed"', 12],
+    ['"x"', null],
+    [null, null],
+  ])("is answered with the revision in its ETag: %s", (etag, revision) => {
+    expect(revisionOf(etag)).toBe(revision);
+  });
 });

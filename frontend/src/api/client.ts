@@ -17,6 +17,8 @@ export type DrawingSummary = Schemas["DrawingSummary"];
 export type Finding = Schemas["FindingOut"];
 export type Job = Schemas["JobOut"];
 export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> & {
+  /** Of the drawing that is shown; null where that is not known. */
+  revision: number | null;
   copies: number;
   corners: Corners | null;
 };
@@ -61,6 +63,11 @@ export class ServiceError extends Error {
   get mend(): string {
     return this.problem.mend;
   }
+
+  /** The drawing was changed since the request was made for it. */
+  get stale(): boolean {
+    return this.problem.type === "urn:knifetip:problem:stale-revision";
+  }
 }
 
 const SILENT: Problem = {
@@ -71,7 +78,29 @@ const SILENT: Problem = {
   mend: "See whether it is still running, then try again.",
   source: [],
   questions: [],
+  revision: null,
 };
+
+/** No page of another origin can send this header without asking first. */
+const OWN = { "X-Knifetip": "page" } as const;
+
+/** How often a request is sent that a busy service refused, and how long (s) it waits at most. */
+const TRIES = 6;
+const LONGEST_WAIT = 30;
+
+/** Seconds after which to send a request again that was refused unbegun; null for never. */
+export function retryAfter(status: number, header: string | null, tried: number): number | null {
+  const seconds = Number.parseInt(header ?? "", 10);
+  if ((status !== 503 && status !== 429) || Number.isNaN(seconds) || tried >= TRIES) return null;
+  // Pages that were refused together do not come back together.
+  return Math.min(Math.max(seconds, 1), LONGEST_WAIT) * (1 + Math.random() / 4);
+}
+
+const sleep = (seconds: number): Promise<void> =>
+  new Promise((resolve) => setTimeout(resolve, seconds * 1000));
+
+/** The session is over: the service answers the page's address with where to sign in. */
+const signIn = (): void => globalThis.location?.reload();
 
 /** What an answer that is not a success says, however badly it says it. */
 export function problemOf(status: number, title: string, body: string): Problem {
@@ -102,17 +131,24 @@ export function problemOf(status: number, title: string, body: string): Problem 
 }
 
 async function request(path: string, init?: RequestInit): Promise<Response> {
-  let answer: Response;
-  try {
-    answer = await fetch(path, init);
-  } catch (cause) {
-    if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
-    throw new ServiceError(SILENT);
+  const headers = { ...OWN, ...(init?.headers as Record<string, string> | undefined) };
+  for (let tried = 1; ; tried++) {
+    let answer: Response;
+    try {
+      answer = await fetch(path, { ...init, headers });
+    } catch (cause) {
+      if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
+      throw new ServiceError(SILENT);
+    }
+    if (answer.ok) return answer;
+    const wait = retryAfter(answer.status, answer.headers.get("Retry-After"), tried);
+    if (wait === null) {
+      if (answer.status === 401) signIn();
+      throw new ServiceError(problemOf(answer.status, answer.statusText, await answer.text()));
+    }
+    await sleep(wait);
+    init?.signal?.throwIfAborted();
   }
-  if (!answer.ok) {
-    throw new ServiceError(problemOf(answer.status, answer.statusText, await answer.text()));
-  }
-  return answer;
 }
 
 /** Part of a list, the newest first. */
@@ -133,18 +169,31 @@ const page = async <T>(path: string, signal?: AbortSignal): Promise<Page<T>> => 
   return { rows: (await answer.json()) as T[], next: nextOf(answer.headers.get("Link")) };
 };
 
+/** JSON is not kept by the browser: a newer service may have more to tell of the same revision. */
 const get = async <T>(path: string, signal?: AbortSignal): Promise<T> =>
-  (await request(path, signal ? { signal } : {})).json() as Promise<T>;
+  (await request(path, { cache: "no-store", ...(signal ? { signal } : {}) })).json() as Promise<T>;
 
-const send = async <T>(method: string, path: string, body?: unknown): Promise<T> => {
+const send = async <T>(
+  method: string,
+  path: string,
+  body?: unknown,
+  headers: Record<string, string> = {},
+): Promise<T> => {
   const answer = await request(path, {
     method,
     ...(body === undefined
-      ? {}
-      : { headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) }),
+      ? { headers }
+      : {
+          headers: { "Content-Type": "application/json", ...headers },
+          body: JSON.stringify(body),
+        }),
   });
   return answer.json() as Promise<T>;
 };
+
+/** Makes a change apply to this revision only. */
+const ifMatch = (revision: number | null): Record<string, string> =>
+  revision === null ? {} : { "If-Match": `"${revision}"` };
 
 /** Send a profile as the text or the data that it is; `version` is the one that was looked at. */
 const keep = async (
@@ -157,11 +206,26 @@ const keep = async (
     method: "PUT",
     headers: {
       "Content-Type": text ? "application/toml" : "application/json",
-      ...(version === null ? {} : { "If-Match": `"${version}"` }),
+      ...ifMatch(version),
     },
     body: text ? body : JSON.stringify(body),
   });
   return answer.json() as Promise<Profile>;
+};
+
+/** The revision that an ETag names; null for none. */
+export function revisionOf(etag: string | null): number | null {
+  const [, digits] = /^(?:W\/)?"(\d+)/.exec(etag ?? "") ?? [];
+  return digits === undefined ? null : Number.parseInt(digits, 10);
+}
+
+/** The edges, and the revision of the drawing that they are of. */
+const edges = async (id: string, signal?: AbortSignal): Promise<Edges> => {
+  const path = at("drawings", id, "/edges?format=columns");
+  const answer = await request(path, signal ? { signal } : {});
+  const revision = revisionOf(answer.headers.get("ETag"));
+  const read = edgesOf(await answer.arrayBuffer());
+  return revision === null ? read : { ...read, revision };
 };
 
 const bytes = async (path: string, signal?: AbortSignal): Promise<ArrayBuffer> =>
@@ -171,20 +235,30 @@ const at = (kind: string, id: string, rest = ""): string =>
   `/api/${kind}/${encodeURIComponent(id)}${rest}`;
 
 /** Send a file; `onProgress` hears how much of it (0 … 1) is up. */
-function upload(file: File, onProgress: (fraction: number) => void): Promise<Drawing> {
+async function upload(file: File, onProgress: (fraction: number) => void): Promise<Drawing> {
+  for (let tried = 1; ; tried++) {
+    const door = await sendFile(file, onProgress);
+    if (door.status >= 200 && door.status < 300) return JSON.parse(door.responseText) as Drawing;
+    const wait = retryAfter(door.status, door.getResponseHeader("Retry-After"), tried);
+    if (wait === null) {
+      if (door.status === 401) signIn();
+      throw new ServiceError(problemOf(door.status, door.statusText, door.responseText));
+    }
+    await sleep(wait);
+  }
+}
+
+function sendFile(file: File, onProgress: (fraction: number) => void): Promise<XMLHttpRequest> {
   // fetch does not tell how much of a body it has sent; this old door does.
   return new Promise((resolve, reject) => {
     const door = new XMLHttpRequest();
     door.open("POST", "/api/drawings");
+    for (const [name, value] of Object.entries(OWN)) door.setRequestHeader(name, value);
     door.upload.onprogress = (event) => {
       if (event.lengthComputable) onProgress(event.loaded / event.total);
     };
     door.onerror = () => reject(new ServiceError(SILENT));
-    door.onload = () => {
-      if (door.status >= 200 && door.status < 300)
-        resolve(JSON.parse(door.responseText) as Drawing);
-      else reject(new ServiceError(problemOf(door.status, door.statusText, door.responseText)));
-    };
+    door.onload = () => resolve(door);
     const form = new FormData();
     form.append("file", file, file.name);
     door.send(form);
@@ -198,15 +272,17 @@ export const service = {
   drawings: (signal?: AbortSignal, from: string = FIRST.drawings) =>
     page<DrawingSummary>(from, signal),
   drawing: (id: string, signal?: AbortSignal) => get<Drawing>(at("drawings", id), signal),
-  edges: async (id: string, signal?: AbortSignal): Promise<Edges> =>
-    edgesOf(await bytes(at("drawings", id, "/edges?format=columns"), signal)),
+  edges,
   ledger: (id: string, fate: LedgerRow["fate"], signal?: AbortSignal) =>
     get<Schemas["LedgerOut"]>(at("drawings", id, `/ledger?fate=${fate}`), signal),
   upload,
-  settle: (id: string, change: { unit?: Unit | "file"; profile?: string; rules?: string }) =>
-    send<Drawing>("PATCH", at("drawings", id), change),
-  override: (id: string, overrides: readonly Override[]) =>
-    send<Drawing>("PATCH", at("drawings", id, "/edges"), { overrides }),
+  settle: (
+    id: string,
+    change: { unit?: Unit | "file"; profile?: string; rules?: string },
+    revision: number | null,
+  ) => send<Drawing>("PATCH", at("drawings", id), change, ifMatch(revision)),
+  override: (id: string, overrides: readonly Override[], revision: number | null) =>
+    send<Drawing>("PATCH", at("drawings", id, "/edges"), { overrides }, ifMatch(revision)),
 
   jobs: (signal?: AbortSignal, from: string = FIRST.jobs) => page<Job>(from, signal),
   job: (id: string, signal?: AbortSignal) => get<Job>(at("jobs", id), signal),
@@ -228,8 +304,7 @@ export const service = {
   profileUrl: (name: string) => at("profiles", name, ".toml"),
   keepProfile: keep,
   deleteProfile: async (name: string, version: number): Promise<void> => {
-    const headers = { "If-Match": `"${version}"` };
-    await request(at("profiles", name), { method: "DELETE", headers });
+    await request(at("profiles", name), { method: "DELETE", headers: ifMatch(version) });
   },
   preview: (id: string, profile: ProfileDraft) =>
     send<Preview>("POST", at("drawings", id, "/preview"), profile),

@@ -771,7 +771,7 @@ export interface paths {
         };
         /**
          * Health
-         * @description Say that the process is alive.
+         * @description Return that the process is alive.
          */
         get: operations["health"];
         put?: never;
@@ -791,7 +791,7 @@ export interface paths {
         };
         /**
          * Ready
-         * @description Say whether requests can be served: 503 while not.
+         * @description Return whether requests can be served: 503 while not.
          */
         get: operations["ready"];
         put?: never;
@@ -1135,6 +1135,11 @@ export interface components {
         DrawingOut: {
             /** Id */
             id: string;
+            /**
+             * Revision
+             * @description Counts the drawing's changes; its ETag
+             */
+            revision: number;
             /** Name */
             name: string;
             /** Created */
@@ -1219,6 +1224,11 @@ export interface components {
         DrawingSummary: {
             /** Id */
             id: string;
+            /**
+             * Revision
+             * @description Counts the drawing's changes; its ETag
+             */
+            revision: number;
             /** Name */
             name: string;
             /** Created */
@@ -1451,6 +1461,11 @@ export interface components {
         JobIn: {
             /** Drawing */
             drawing: string;
+            /**
+             * Revision
+             * @description Of the drawing that was looked at; 412 if it has changed since
+             */
+            revision?: number | null;
             /**
              * Machine
              * @default demo-table
@@ -2334,6 +2349,12 @@ export interface components {
              * @default []
              */
             questions: components["schemas"]["QuestionOut"][];
+            /**
+             * Revision
+             * @description Of the drawing now, where the request named an older one
+             * @default null
+             */
+            revision: number | null;
         };
     };
     responses: never;
@@ -2416,7 +2437,10 @@ export interface operations {
     get_drawing: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of what the client has already; 304 if that is still so */
+                "If-None-Match"?: string | null;
+            };
             path: {
                 id: string;
             };
@@ -2432,6 +2456,13 @@ export interface operations {
                 content: {
                     "application/json": components["schemas"]["DrawingOut"];
                 };
+            };
+            /** @description As it was */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
             };
             /** @description What went wrong, and what to do about it */
             default: {
@@ -2476,7 +2507,10 @@ export interface operations {
     change_drawing: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the revision that the change was made for; 412 if it is not the newest. Without it the change applies to whatever there is. */
+                "If-Match"?: string | null;
+            };
             path: {
                 id: string;
             };
@@ -2531,6 +2565,13 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
+            /** @description As it was */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
             /** @description What went wrong, and what to do about it */
             default: {
                 headers: {
@@ -2545,7 +2586,10 @@ export interface operations {
     override_edges: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the revision that the change was made for; 412 if it is not the newest. Without it the change applies to whatever there is. */
+                "If-Match"?: string | null;
+            };
             path: {
                 id: string;
             };

@@ -18,6 +18,7 @@ import { ReportsList } from "../panels/ReportsList";
 import { ShortcutsDialog } from "../panels/ShortcutsDialog";
 import { UnderWay } from "../panels/UnderWay";
 import { UnitPanel } from "../panels/UnitPanel";
+import { heardDrawing } from "../state/actions";
 import { follow, useDrawing } from "../state/queries";
 import { usePage } from "../state/store";
 import css from "./app.module.css";
@@ -38,7 +39,7 @@ export function App() {
   const { error } = useDrawing();
 
   useEffect(() => {
-    const ends = [followAddress(), follow(), listenToKeys(() => picture.current)];
+    const ends = [followAddress(), follow(heardDrawing), listenToKeys(() => picture.current)];
     return () => {
       for (const end of ends) end();
     };

@@ -56,6 +56,8 @@ export interface Edges extends Segments {
   /** (n,) index into `reasons` */
   readonly reason: Int32Array;
   readonly reasons: readonly string[];
+  /** Of the drawing, where the service told it. */
+  readonly revision?: number;
 }
 
 /** What became of an edge when the drawing was cleaned: the index is the code in the column. */

@@ -1,7 +1,7 @@
 /** What went wrong, with the mend, until it is read. */
 
 import { Button, CloseButton } from "@mantine/core";
-import { IconAlertTriangleFilled } from "@tabler/icons-react";
+import { IconAlertTriangleFilled, IconInfoCircleFilled } from "@tabler/icons-react";
 import { useEdges } from "../state/queries";
 import { useReports } from "../state/reports";
 import { rowsOfHandles } from "../state/rows";
@@ -17,11 +17,15 @@ export function ReportsList() {
   const { data: edges } = useEdges();
   return (
     <div className={reportCss.reports} role="alert" aria-live="assertive">
-      {list.map(({ id, title, detail, mend, source }) => {
+      {list.map(({ id, title, detail, mend, source, notice }) => {
         const rows = edges === undefined ? [] : rowsOfHandles(edges, source);
         return (
           <div key={id} className={reportCss.report} data-testid="report">
-            <IconAlertTriangleFilled size={18} color="var(--bad)" aria-hidden />
+            {notice === true ? (
+              <IconInfoCircleFilled size={18} color="var(--accent)" aria-hidden />
+            ) : (
+              <IconAlertTriangleFilled size={18} color="var(--bad)" aria-hidden />
+            )}
             <div>
               <div style={{ color: "var(--ink-0)", fontWeight: 600 }}>{title}</div>
               <div>{detail}</div>

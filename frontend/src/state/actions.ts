@@ -11,6 +11,7 @@ import {
 import type { LineType } from "../geometry/records";
 import { mills } from "./corners";
 import { useEditing } from "./editing";
+import { changedRows, difference, undoable } from "./elsewhere";
 import {
   backwards,
   type Change,
@@ -23,7 +24,7 @@ import {
   saidOf,
 } from "./history";
 import { heardJob, keys, queries } from "./queries";
-import { report } from "./reports";
+import { report, useReports } from "./reports";
 import { usePage } from "./store";
 
 let last: Promise<void> = Promise.resolve();
@@ -35,6 +36,7 @@ export function inTurn(act: () => Promise<void>): Promise<void> {
   usePage.getState().set({ busy: true });
   last = last
     .then(act)
+    .catch(failed)
     .catch(report)
     .finally(() => {
       waiting--;
@@ -85,13 +87,99 @@ async function changed(drawing: Drawing): Promise<void> {
 
 const known = (id: string): Drawing | undefined => queries.getQueryData(keys.drawing(id).queryKey);
 
+/** The revision that is shown: that of the picture, or of the panels where they are older. */
+function shownRevision(id: string): number | null {
+  const edges = queries.getQueryData(keys.edges(id).queryKey);
+  const shown = [known(id)?.revision, edges?.revision].filter((one) => one !== undefined);
+  return shown.length === 0 ? null : Math.min(...shown);
+}
+
+/** Tell why something was not done; where the drawing has changed elsewhere, show how. */
+async function failed(cause: unknown): Promise<void> {
+  const { drawing } = usePage.getState();
+  const stale = cause instanceof ServiceError && cause.stale;
+  if (!stale || drawing === null || !(await catchUp(drawing, true))) report(cause);
+}
+
+/**
+ * Show the open drawing as it is now, and tell what others changed; false where it is the same.
+ *
+ * `refused` says that something of our own was not done because of it.
+ */
+async function catchUp(id: string, refused = false): Promise<boolean> {
+  const before = known(id);
+  const shown = shownRevision(id);
+  if (before === undefined) return false;
+  const seen = queries.getQueryData(keys.edges(id).queryKey);
+  const [after, edges] = await Promise.all([service.drawing(id), service.edges(id)]);
+  if (after.revision === shown && after.profile_state === before.profile_state) return false;
+  const rows = seen === undefined ? null : changedRows(seen, edges);
+  await Promise.all(
+    [keys.drawing(id).queryKey, keys.edges(id).queryKey].map((queryKey) =>
+      queries.cancelQueries({ queryKey }),
+    ),
+  );
+  queries.setQueryData(keys.drawing(id).queryKey, after);
+  queries.setQueryData(keys.edges(id).queryKey, edges);
+  if (after.revision === shown) return false;
+  const page = usePage.getState();
+  const { length } = page.past;
+  const left = undoable(page.past, rows);
+  page.rebase(left);
+  page.set({ asked: [], proposed: [] });
+  closeOldJob();
+  useReports.getState().add({
+    title: refused ? "Not done: changed elsewhere" : "Changed elsewhere",
+    detail: `${after.name} was changed elsewhere: ${difference(before, after, rows)}.`,
+    mend: [
+      refused ? "Look at it, and repeat what you wanted if it still holds." : "",
+      left.length < length ? "What you did before that can no longer be undone." : "",
+    ]
+      .join(" ")
+      .trim(),
+    source: [],
+    notice: !refused,
+  });
+  const old = [keys.ledgers(id), keys.learned(id).queryKey];
+  await Promise.all(old.map((queryKey) => queries.invalidateQueries({ queryKey })));
+  return true;
+}
+
+/** A job that waits or is over is of the drawing as it was; one on a table stays in view. */
+function closeOldJob(): void {
+  const { job, openJob } = usePage.getState();
+  const state = job === null ? undefined : queries.getQueryData(keys.job(job).queryKey)?.state;
+  if (state !== "running" && state !== "held" && state !== "interrupted") openJob(null);
+}
+
+/** A drawing was changed, by this page or elsewhere; null where any may have been. */
+export function heardDrawing(heard: Pick<Drawing, "id" | "revision"> | null): Promise<void> {
+  const { drawing } = usePage.getState();
+  if (drawing === null || (heard !== null && heard.id !== drawing)) return Promise.resolve();
+  // After what is under way: the answer to a change of our own brings its revision.
+  return inTurn(async () => {
+    if (usePage.getState().drawing !== drawing) return;
+    if (known(drawing) === undefined) {
+      // What is on its way may be from before the change.
+      await Promise.all(
+        [keys.drawing(drawing).queryKey, keys.edges(drawing).queryKey].map((queryKey) =>
+          queries.invalidateQueries({ queryKey }),
+        ),
+      );
+      return;
+    }
+    if (heard === null || heard.revision > (shownRevision(drawing) ?? heard.revision))
+      await catchUp(drawing);
+  });
+}
+
 /** Say the unit of the drawing, or by which profile it is read. */
 export function settle(part: { unit?: Unit | "file"; profile?: string }): Promise<void> {
   return inTurn(async () => {
     const { drawing } = usePage.getState();
     const before = drawing === null ? undefined : known(drawing);
     if (drawing === null || before === undefined) return;
-    const after = await service.settle(drawing, part);
+    const after = await service.settle(drawing, part, shownRevision(drawing));
     await changed(after);
     usePage.getState().made({ kind: "settled", before: saidOf(before), after: saidOf(after) });
   });
@@ -105,7 +193,7 @@ export function retype(rows: readonly number[], to: LineType | null): Promise<vo
     const edges = queries.getQueryData(keys.edges(drawing).queryKey);
     if (edges === undefined) return;
     const change = changeOf(edges, rows, to);
-    await changed(await service.override(drawing, forwards(change)));
+    await changed(await service.override(drawing, forwards(change), shownRevision(drawing)));
     usePage.getState().made(change);
   });
 }
@@ -122,6 +210,7 @@ async function asItWas(name: string, text: string): Promise<Profile> {
     mend: "Look at its rules; nothing was taken back.",
     source: [],
     questions: [],
+    revision: null,
   });
 }
 
@@ -135,7 +224,7 @@ export async function keepAs(drawing: string, change: Keeping, written = false):
   if (after === null) {
     const now = await asItWas(name, before ?? "");
     // A drawing that was read by it is read by another first: it would say that it is gone.
-    const answer = await service.settle(drawing, readAfter);
+    const answer = await service.settle(drawing, readAfter, shownRevision(drawing));
     await service.deleteProfile(name, now.version);
     await changed(answer);
   } else {
@@ -143,7 +232,7 @@ export async function keepAs(drawing: string, change: Keeping, written = false):
       const version = before === null ? null : (await asItWas(name, before)).version;
       await service.keepProfile(name, after, version);
     }
-    await changed(await service.settle(drawing, readAfter));
+    await changed(await service.settle(drawing, readAfter, shownRevision(drawing)));
   }
   await queries.invalidateQueries({ queryKey: keys.profiles().queryKey });
 }
@@ -151,10 +240,11 @@ export async function keepAs(drawing: string, change: Keeping, written = false):
 async function again(drawing: string, change: Change, back: boolean): Promise<void> {
   if (change.kind === "types") {
     const overrides = back ? backwards(change) : forwards(change);
-    await changed(await service.override(drawing, overrides));
+    await changed(await service.override(drawing, overrides, shownRevision(drawing)));
   } else if (change.kind === "settled") {
     const { before, after } = back ? reversed(change) : change;
-    await changed(await service.settle(drawing, differing(before, after)));
+    const part = differing(before, after);
+    await changed(await service.settle(drawing, part, shownRevision(drawing)));
   } else await keepAs(drawing, back ? reversed(change) : change);
 }
 
@@ -205,7 +295,8 @@ export function compile(machine: string, board: string): Promise<void> {
     const milled = mills(machines?.find(({ name }) => name === machine));
     const corners = milled ? usePage.getState().corners : null;
     try {
-      const job = await service.compile({ drawing, machine, board, copies, corners });
+      const revision = shownRevision(drawing);
+      const job = await service.compile({ drawing, revision, machine, board, copies, corners });
       heardJob(job);
       usePage.getState().openJob(job.id);
     } catch (cause) {

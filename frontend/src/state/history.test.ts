@@ -198,11 +198,11 @@ describe("a unit and a profile", () => {
   test("a new profile is forgotten, once the drawing is read by the one before", async () => {
     usePage.getState().made(KEPT);
     await undo();
-    expect(told).toHaveBeenCalledWith("d1", { profile: "default", rules: "" });
+    expect(told).toHaveBeenCalledWith("d1", { profile: "default", rules: "" }, null);
     expect(forgotten).toHaveBeenCalledWith("acme", 7);
     await redo();
     expect(texts).toHaveBeenCalledWith("acme", 'title = "Acme"', null);
-    expect(told).toHaveBeenLastCalledWith("d1", { profile: "acme" });
+    expect(told).toHaveBeenLastCalledWith("d1", { profile: "acme" }, null);
   });
 
   test("a changed profile gets back the text that it had", async () => {

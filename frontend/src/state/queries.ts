@@ -197,22 +197,46 @@ export function heardJob(job: Job): void {
 const isJob = (data: unknown): data is Job =>
   typeof data === "object" && data !== null && "id" in data && "state" in data && "stage" in data;
 
-/** Follow the service's events until the returned function is called. */
-export function follow(): () => void {
+const isDrawing = (data: unknown): data is DrawingSummary =>
+  typeof data === "object" && data !== null && "id" in data && "revision" in data;
+
+/** Of what belongs to a drawing, forget what is not shown: it is asked for again when it is. */
+function forget(id: string): void {
+  for (const queryKey of [ask.drawing(id).queryKey, ask.edges(id).queryKey, ask.ledgers(id)])
+    queries.removeQueries({ queryKey, type: "inactive" });
+}
+
+/**
+ * Follow the service's events until the returned function is called.
+ *
+ * `onDrawing` hears which drawing has changed, or null where anything may have.
+ */
+export function follow(
+  onDrawing: (drawing: Pick<DrawingSummary, "id" | "revision"> | null) => void,
+): () => void {
   let broken = false;
   return listen("/api/events", ["job", "drawing", "deleted"], {
     onEvent: (name, data) => {
       if (name === "job" && isJob(data)) heardJob(data);
-      // Another page, or an order by REST, brought a drawing or took it away.
-      else void queries.invalidateQueries({ queryKey: ask.drawings().queryKey });
+      else {
+        // Another page, or an order by REST, brought a drawing, changed it or took it away.
+        void queries.invalidateQueries({ queryKey: ask.drawings().queryKey });
+        if (name === "drawing" && isDrawing(data)) {
+          forget(data.id);
+          onDrawing(data);
+        }
+      }
     },
     onLine: (line) => {
       usePage.getState().set({ line });
       if (line === "broken") broken = true;
       else if (line === "open" && broken) {
         broken = false;
-        // What happened while nobody listened.
-        void queries.invalidateQueries();
+        // What happened while nobody listened; the drawing that is open is compared first.
+        void queries.invalidateQueries({
+          predicate: ({ queryKey }) => queryKey[0] !== "drawing" && queryKey[0] !== "edges",
+        });
+        onDrawing(null);
       }
     },
   });

@@ -9,6 +9,8 @@ export interface Report {
   readonly detail: string;
   readonly mend: string;
   readonly source: readonly string[];
+  /** Something happened that is no fault. */
+  readonly notice?: boolean;
 }
 
 interface Reports {

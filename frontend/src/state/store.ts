@@ -98,6 +98,8 @@ export interface PageState {
   /** The last change was undone (or done again). */
   undone(): void;
   redone(): void;
+  /** Others changed the drawing: only these steps can still be undone. */
+  rebase(past: readonly Change[]): void;
   set(part: Partial<PageValues>): void;
 }
 
@@ -239,5 +241,6 @@ export const usePage = create<PageState>()((put) => ({
       const next = future.at(-1);
       return next === undefined ? {} : { past: [...past, next], future: future.slice(0, -1) };
     }),
+  rebase: (past) => put({ past, future: [] }),
   set: (part) => put(part),
 }));

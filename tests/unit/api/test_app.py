@@ -102,6 +102,20 @@ def test_a_page_of_another_site_cannot_order_anything(client: httpx.Client):
     problem(answer, 403)
 
 
+def test_a_rebound_name_cannot_read_anything(client: httpx.Client):
+    for path in ("/", "/api/jobs", "/api/events", "/healthz"):
+        problem(client.get(path, headers={"Host": "rebound.example"}), 421)
+
+
+@pytest.mark.parametrize("path", ["/api/jobs", "/api/nothing", "/healthz"])
+def test_answers_of_the_api_are_framed_run_and_guessed_by_no_page(client: httpx.Client, path: str):
+    headers = client.get(path).headers
+    assert headers["x-content-type-options"] == "nosniff"
+    assert headers["x-frame-options"] == "DENY"
+    assert "frame-ancestors 'none'" in headers["content-security-policy"]
+    assert headers["cross-origin-resource-policy"] == "same-origin"
+
+
 @pytest.mark.parametrize(
     ("method", "path", "status"),
     [
@@ -256,7 +270,8 @@ def test_what_is_no_json_is_a_problem(client: httpx.Client, path: str, raw: byte
 )
 def test_a_form_without_a_file_is_a_problem(client: httpx.Client, content: bytes, kind: str):
     answer = client.post("/api/drawings", content=content, headers={"Content-Type": kind})
-    assert answer.status_code in (400, 422)
+    # What any page can send as a plain form is refused before it is read.
+    assert answer.status_code in ((415,) if kind.endswith("urlencoded") else (400, 422))
     problem(answer, answer.status_code)
 
 

@@ -16,6 +16,9 @@ def test_the_page_is_served_at_its_own_routes_and_asked_for_anew(client: httpx.C
     answer = client.get(path)
     assert "the built page" in answer.text
     assert answer.headers["cache-control"] == "no-cache"
+    assert "script-src" not in answer.headers["content-security-policy"]
+    assert answer.headers["content-security-policy"].startswith("default-src 'self';")
+    assert answer.headers["x-frame-options"] == "SAMEORIGIN"
     again = client.get(path, headers={"If-None-Match": answer.headers["etag"]})
     assert again.status_code == 304
 

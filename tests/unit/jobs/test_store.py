@@ -20,6 +20,7 @@ from knifetip.errors import (
     MachineBusy,
     NoSuchJob,
     StaleEpoch,
+    StaleRevision,
     StaleVersion,
     StoreError,
     WrongState,
@@ -824,9 +825,26 @@ def test_a_key_answers_with_the_first_result_and_refuses_another_request(store: 
 def test_a_change_to_a_drawing_that_changed_meanwhile_is_refused(store: Store):
     row = drawing(store)
     assert store.change_drawing(row.id, row.version, "first", overrides=b"\x01").version == 2
-    with pytest.raises(WrongState, match="somebody else"):
+    with pytest.raises(StaleRevision, match="revision 2") as stale:
         store.change_drawing(row.id, row.version, "second", overrides=b"\x02")
+    assert stale.value.revision == 2
     assert store.drawing_column(row.id, "overrides") == b"\x01"
+
+
+def test_a_change_to_a_drawing_that_was_deleted_meanwhile_is_refused(store: Store):
+    row = drawing(store)
+    store.delete_drawing(row.id)
+    with pytest.raises(NoSuchJob):
+        store.change_drawing(row.id, row.version, "late", overrides=b"\x01")
+
+
+def test_what_is_read_of_a_drawing_is_of_one_revision(store: Store):
+    row = drawing(store)
+    store.change_drawing(row.id, 1, "second", overrides=b"\x02", edges=b"two", unit_given="in")
+    read = store.drawing_with(row.id, "overrides", "edges")
+    store.change_drawing(row.id, 2, "third", overrides=b"\x03", edges=b"three", unit_given="mm")
+    seen = (read.version, read.overrides, read.edges, read.unit_given)
+    assert seen == (2, b"\x02", b"two", "in")
 
 
 def test_a_drawing_with_jobs_is_kept(store: Store):

@@ -40,6 +40,9 @@ class Problem(BaseModel):
     mend: str = ""
     source: list[str] = []
     questions: list[QuestionOut] = []
+    revision: int | None = Field(
+        default=None, description="Of the drawing now, where the request named an older one"
+    )
 
 
 class Health(BaseModel):

@@ -149,10 +149,14 @@ class ReportOut(BaseModel):
     groups: list[ReportGroup]
 
 
+Revision = Annotated[int, Field(description="Counts the drawing's changes; its ETag")]
+
+
 class DrawingOut(BaseModel):
     """A drawing that was read and classified."""
 
     id: str
+    revision: Revision
     name: str
     created: float
     sha256: str
@@ -183,6 +187,7 @@ class DrawingSummary(BaseModel):
     """A drawing in a list."""
 
     id: str
+    revision: Revision
     name: str
     created: float
     unit: Unit | None

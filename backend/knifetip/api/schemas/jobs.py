@@ -54,6 +54,9 @@ class JobIn(Strict):
     """An order: this drawing, on this board, on this machine."""
 
     drawing: Name
+    revision: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(
+        default=None, description="Of the drawing that was looked at; 412 if it has changed since"
+    )
     machine: Name = "demo-table"
     board: Name
     profile: Name | None = None

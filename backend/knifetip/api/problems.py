@@ -1,0 +1,44 @@
+"""problems: error answers as application/problem+json (RFC 9457)."""
+
+from __future__ import annotations
+
+import http
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from fastapi import Response
+
+from knifetip.api.schemas.common import Problem, QuestionOut
+
+PROBLEM = "application/problem+json"
+
+
+def problem(
+    status: int,
+    detail: str,
+    *,
+    kind: str = "about:blank",
+    title: str = "",
+    mend: str = "",
+    source: Sequence[str] = (),
+    questions: Sequence[dict[str, Any]] = (),
+    revision: int | None = None,
+    headers: Mapping[str, str] | None = None,
+) -> Response:
+    """Return an error as RFC 9457 has it; ``title`` defaults to the phrase of the status."""
+    body = Problem(
+        type=kind,
+        title=title or http.HTTPStatus(status).phrase,
+        status=status,
+        detail=_encodable(detail),
+        mend=_encodable(mend),
+        source=[_encodable(place) for place in source],
+        questions=[QuestionOut.model_validate(question) for question in questions],
+        revision=revision,
+    )
+    return Response(body.model_dump_json(), status, headers=dict(headers or {}), media_type=PROBLEM)
+
+
+def _encodable(text: str) -> str:
+    # Lone surrogates of a request cannot be encoded as UTF-8.
+    return text.encode("utf-8", "replace").decode("utf-8")

@@ -1,0 +1,126 @@
+"""signin: how a browser gets a session, by the link with the key or by typing the key.
+
+    GET /?key=KEY  or  POST /sign-in (key=KEY)  ->  a session cookie, and on to the page
+
+A session is ``EXPIRY.SIGNATURE``, signed with the key: the server stores none, and a new key ends
+all of them.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import html
+from urllib.parse import parse_qs, urlencode
+
+from fastapi import Response
+from fastapi.responses import HTMLResponse
+from starlette.requests import Request
+
+PATH = "/sign-in"
+LIFETIME = 30 * 24 * 3600  #: seconds that a session lasts
+_LONGEST = 4096  # bytes of the form
+_HEADERS = {
+    "Cache-Control": "no-store",
+    "Referrer-Policy": "same-origin",
+    "Content-Security-Policy": (
+        "default-src 'none'; style-src 'unsafe-inline'; form-action 'self'; base-uri 'none'; "
+        "frame-ancestors 'none'"
+    ),
+}
+_PAGE = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><title>knifetip: sign in</title>
+<meta name="viewport" content="width=device-width, initial-scale=1">{refresh}
+<body style="font: 16px/1.5 system-ui; max-width: 24rem; margin: 4rem auto; padding: 0 1rem">
+<h1>knifetip</h1>
+<form method="post" action="{path}">
+<p><label for="key">Key</label><br>
+<input id="key" name="key" type="password" autocomplete="current-password" required autofocus
+style="font: inherit; width: 100%; box-sizing: border-box; padding: 0.4rem"></p>
+<p role="alert">{fault}</p>
+<button style="font: inherit; padding: 0.4rem 1rem">Sign in</button>
+</form>
+<p>The server's start log has the key, or a link with it.</p>
+</html>
+"""
+_REFRESH = '<meta http-equiv="refresh" content="0{to}">'
+
+
+def cookie_name(key: str) -> str:
+    """Return the name of the session's cookie.
+
+    Cookies of one host are shared by all its ports, so each key has a name of its own.
+    """
+    return f"knifetip-{hashlib.sha256(b'cookie ' + key.encode()).hexdigest()[:8]}"
+
+
+def session(key: str, now: float) -> str:
+    """Return a new session's cookie."""
+    expiry = str(int(now) + LIFETIME)
+    return f"{expiry}.{_signature(key, expiry)}"
+
+
+def is_session(cookie: str, key: str, now: float) -> bool:
+    """Return whether a cookie is a session of this key that has not expired."""
+    expiry, _, signature = cookie.partition(".")
+    if not (expiry.isascii() and expiry.isdecimal() and len(expiry) < 16):
+        return False
+    expected = _signature(key, expiry).encode()
+    right = hmac.compare_digest(signature.encode("utf-8", "replace"), expected)
+    return right and int(expiry) > now
+
+
+def _signature(key: str, expiry: str) -> str:
+    return hmac.new(key.encode(), f"session {expiry}".encode(), hashlib.sha256).hexdigest()
+
+
+async def given_key(request: Request) -> str | None:
+    """Return the key that a browser gives in a link or in the form, or None if it gives none."""
+    path = request.url.path
+    if request.method == "GET" and path != "/api" and not path.startswith("/api/"):
+        return request.query_params.get("key")
+    if request.method != "POST" or path != PATH:
+        return None
+    body = b""
+    async for block in request.stream():
+        body += block
+        if len(body) > _LONGEST:
+            return ""
+    fields = parse_qs(body.decode("ascii", "replace"))
+    return fields.get("key", [""])[0].strip()
+
+
+def wants_page(request: Request) -> bool:
+    """Return whether a request asks for a page rather than for data."""
+    return "text/html" in request.headers.get("accept", "")
+
+
+def welcome(request: Request, key: str, now: float) -> Response:
+    """Return the session's cookie and a page that leads on, to an address without the key."""
+    # Not a redirect: after a link on another site a browser would follow it without the cookie.
+    path = "/" if request.method == "POST" else "/" + request.url.path.lstrip("/")
+    rest = urlencode([one for one in request.query_params.multi_items() if one[0] != "key"])
+    url = f"{path}?{rest}" if rest else path
+    refresh = _REFRESH.format(to=f"; url={html.escape(url)}")
+    answer = HTMLResponse(
+        f'<!doctype html><html lang="en"><meta charset="utf-8"><title>knifetip</title>{refresh}'
+        f'<p><a href="{html.escape(url)}">Signed in</a></p></html>',
+        headers=_HEADERS,
+    )
+    answer.set_cookie(
+        cookie_name(key),
+        session(key, now),
+        max_age=LIFETIME,
+        path="/",
+        secure=request.url.scheme == "https",
+        httponly=True,
+        samesite="strict",
+    )
+    return answer
+
+
+def page(fault: str = "", *, again: bool = False) -> Response:
+    """Return the page where a key is typed; ``again`` makes the browser ask once more first."""
+    refresh = _REFRESH.format(to="") if again else ""
+    body = _PAGE.format(path=PATH, fault=html.escape(fault), refresh=refresh)
+    return HTMLResponse(body, 401, headers=_HEADERS)

@@ -1,0 +1,188 @@
+import { QueryObserver } from "@tanstack/react-query";
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+import { type Drawing, type Job, ServiceError, service } from "../api/client";
+import type { Edges } from "../geometry/records";
+import { compile, heardDrawing, retype } from "./actions";
+import { changedRows, difference, undoable } from "./elsewhere";
+import type { Change, Retyping } from "./history";
+import { keys, queries } from "./queries";
+import { useReports } from "./reports";
+import { usePage } from "./store";
+
+/** Three edges of these types, all by one rule. */
+const edgesOf = (types: readonly number[], revision: number): Edges => ({
+  ends: new Float64Array(types.length * 4),
+  bulge: new Float64Array(types.length),
+  lineType: Uint8Array.from(types),
+  layer: new Int32Array(types.length),
+  colour: new Int32Array(types.length),
+  linetype: new Int32Array(types.length),
+  rule: new Int32Array(types.length),
+  confidence: new Float64Array(types.length),
+  length: new Float64Array(types.length),
+  handles: types.map((_, row) => `H${row}`),
+  layers: ["0"],
+  rules: ["layer CUT"],
+  linetypes: ["Continuous"],
+  alternatives: [],
+  fate: new Uint8Array(types.length),
+  reason: new Int32Array(types.length),
+  reasons: [""],
+  revision,
+});
+
+const drawingOf = (revision: number, more: Partial<Drawing> = {}): Drawing =>
+  ({
+    id: "d1",
+    revision,
+    name: "tray.dxf",
+    unit: "mm",
+    profile: "default",
+    profile_state: "current",
+    rules: "",
+    ...more,
+  }) as Drawing;
+
+const retyping = (rows: number[]): Retyping => ({
+  kind: "types",
+  rows,
+  to: "cut",
+  before: rows.map(() => null),
+});
+
+const SETTLED = { kind: "settled" } as Change;
+
+describe("what differs", () => {
+  test("is listed by row while the edges are the same", () => {
+    expect(changedRows(edgesOf([1, 2, 1], 1), edgesOf([1, 4, 1], 2))).toEqual([1]);
+    expect(changedRows(edgesOf([1, 2], 1), edgesOf([1, 2], 2))).toEqual([]);
+    expect(changedRows(edgesOf([1, 2], 1), edgesOf([1, 2, 1], 2))).toBeNull();
+    const ruled = { ...edgesOf([1, 2], 2), rules: ["override"] };
+    expect(changedRows(edgesOf([1, 2], 1), ruled)).toEqual([0, 1]);
+    const renamed = { ...edgesOf([1, 2], 2), handles: ["H1", "H0"] };
+    expect(changedRows(edgesOf([1, 2], 1), renamed)).toBeNull();
+  });
+
+  test("is told in words", () => {
+    expect(difference(drawingOf(1), drawingOf(2), [4])).toBe("1 edge has another type");
+    expect(difference(drawingOf(1), drawingOf(2), [])).toBe("nothing that is shown differs");
+    const after = drawingOf(2, { unit: "in", profile: "acme" });
+    expect(difference(drawingOf(1), after, null)).toBe(
+      "its unit is in, it is classified by the profile acme, its edges are new",
+    );
+  });
+});
+
+test("only steps that overwrite nothing of others can be undone", () => {
+  const past = [retyping([0]), retyping([1, 2]), retyping([3])];
+  expect(undoable(past, [2])).toEqual(past.slice(2));
+  expect(undoable(past, [9])).toEqual(past);
+  expect(undoable(past, [3])).toEqual([]);
+  expect(undoable(past, [])).toEqual(past);
+  expect(undoable(past, null)).toEqual([]);
+  expect(undoable([past[0] as Change, SETTLED, past[2] as Change], [9])).toEqual([past[2]]);
+});
+
+describe("a drawing that is changed elsewhere", () => {
+  const drawing = vi.spyOn(service, "drawing");
+  const edges = vi.spyOn(service, "edges");
+  const override = vi.spyOn(service, "override");
+  const order = vi.spyOn(service, "compile");
+
+  beforeEach(() => {
+    queries.clear();
+    queries.setQueryData(keys.drawing("d1").queryKey, drawingOf(1));
+    queries.setQueryData(keys.edges("d1").queryKey, edgesOf([1, 2, 1], 1));
+    drawing.mockReset().mockResolvedValue(drawingOf(2));
+    edges.mockReset().mockResolvedValue(edgesOf([1, 4, 1], 2));
+    override.mockReset();
+    order.mockReset();
+    usePage.getState().open(null);
+    usePage.getState().open("d1", "j1");
+    for (const { id } of useReports.getState().list) useReports.getState().dismiss(id);
+  });
+  afterEach(() => queries.clear());
+
+  const shown = () => queries.getQueryData(keys.edges("d1").queryKey)?.lineType;
+  const told = () => useReports.getState().list;
+  const stale = () =>
+    new ServiceError({
+      type: "urn:knifetip:problem:stale-revision",
+      title: "",
+      status: 412,
+      detail: "Drawing d1 is at revision 2, and the request names 1.",
+      mend: "",
+      source: [],
+      questions: [],
+      revision: 2,
+    });
+
+  test("is shown as it is now, and that is told", async () => {
+    usePage.getState().made(retyping([0]));
+    usePage.getState().made(retyping([1]));
+    await heardDrawing({ id: "d1", revision: 2 });
+    expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
+    expect(queries.getQueryData(keys.drawing("d1").queryKey)?.revision).toBe(2);
+    expect(told()).toMatchObject([{ title: "Changed elsewhere", notice: true }]);
+    expect(told()[0]?.detail).toContain("1 edge has another type");
+    expect(told()[0]?.mend).toContain("undone");
+    expect(usePage.getState().past).toEqual([]);
+    expect(usePage.getState().job).toBeNull();
+  });
+
+  test("leaves a job in view that is on a table", async () => {
+    queries.setQueryData(keys.job("j1").queryKey, { id: "j1", state: "held" } as Job);
+    await heardDrawing({ id: "d1", revision: 2 });
+    expect(usePage.getState().job).toBe("j1");
+  });
+
+  test("is not asked for again because of a change of our own, or of another drawing", async () => {
+    override.mockImplementation(async () => {
+      // The event is heard before the answer.
+      void heardDrawing({ id: "d1", revision: 2 });
+      return drawingOf(2);
+    });
+    const leave = new QueryObserver(queries, keys.edges("d1")).subscribe(() => undefined);
+    await retype([1], "perforation");
+    await heardDrawing({ id: "d2", revision: 9 });
+    await heardDrawing({ id: "d1", revision: 2 });
+    expect(drawing).not.toHaveBeenCalled();
+    expect(told()).toEqual([]);
+    expect(usePage.getState().past).toHaveLength(1);
+    leave();
+  });
+
+  test("is compared after the line was broken", async () => {
+    await heardDrawing(null);
+    expect(told()).toHaveLength(1);
+    await heardDrawing(null);
+    expect(drawing).toHaveBeenCalledTimes(2);
+    expect(told()).toHaveLength(1);
+  });
+
+  test("is changed and ordered only as it is shown", async () => {
+    override.mockRejectedValue(stale());
+    await retype([0], "crease");
+    expect(override).toHaveBeenCalledWith("d1", [{ type: "crease", edges: [0] }], 1);
+    expect(told()).toMatchObject([{ title: "Not done: changed elsewhere" }]);
+    expect(told()[0]?.detail).toContain("1 edge has another type");
+    expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
+    expect(usePage.getState().past).toEqual([]);
+
+    drawing.mockResolvedValue(drawingOf(3));
+    edges.mockResolvedValue(edgesOf([1, 1, 1], 3));
+    order.mockRejectedValue(stale());
+    await compile("demo-table", "e-flute");
+    expect(order.mock.calls[0]?.[0]).toMatchObject({ drawing: "d1", revision: 2 });
+    expect(shown()).toEqual(Uint8Array.of(1, 1, 1));
+    expect(told()).toHaveLength(1);
+  });
+
+  test("with a picture older than the panels is ordered as the picture shows it", async () => {
+    queries.setQueryData(keys.drawing("d1").queryKey, drawingOf(2));
+    order.mockRejectedValue(stale());
+    await compile("demo-table", "e-flute");
+    expect(order.mock.calls[0]?.[0]).toMatchObject({ revision: 1 });
+    expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
+  });
+});

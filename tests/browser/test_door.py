@@ -1,0 +1,218 @@
+"""Two tabs on one drawing, a busy server, and a browser on another machine that signs in."""
+
+from __future__ import annotations
+
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import httpx
+import pytest
+from playwright.sync_api import Browser, Page, Route, expect
+
+import dxf_text as text
+
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+
+CORNERS = ((0.0, 0.0), (400.0, 0.0), (400.0, 300.0), (0.0, 300.0), (0.0, 0.0))
+FOLDS = tuple(text.line(x, 0.0, x, 300.0, (8, "CREASE")) for x in (100.0, 200.0, 300.0))
+CARTON = text.dxf(*(text.line(*a, *b, (8, "CUT")) for a, b in pairwise(CORNERS)), *FOLDS)
+ALL_FOLDS = [{"type": "perforation", "layer": "CREASE"}]
+ONE_FOLD = [{"type": "half-cut", "edges": [4]}]
+
+
+def rest(url: str) -> httpx.Client:
+    return httpx.Client(base_url=url, timeout=60.0, trust_env=False)
+
+
+@pytest.fixture
+def api(page: Page) -> Iterator[httpx.Client]:
+    with rest(re.sub(r"/(#.*)?$", "", page.url)) as client:
+        yield client
+
+
+@pytest.fixture
+def drawing(api: httpx.Client) -> str:
+    """The id of a drawing that was read."""
+    answer = api.post("/api/drawings", files={"file": ("folds.dxf", CARTON)})
+    assert answer.status_code == 201, answer.text
+    return answer.json()["id"]
+
+
+def opened(page: Page, drawing: str) -> None:
+    page.evaluate("(id) => { location.hash = `#/drawings/${id}` }", drawing)
+    expect(page.get_by_role("heading", name="folds.dxf")).to_be_visible(timeout=60_000)
+    expect(page.get_by_test_id("line-types")).to_contain_text("Crease")
+
+
+def board(page: Page) -> None:
+    page.get_by_test_id("board-select").click()
+    page.get_by_role("option", name="E-flute").first.click()
+
+
+def test_a_tab_shows_within_two_seconds_what_another_one_changed(
+    page: Page, drawing: str, api: httpx.Client, screenshots: Path
+) -> None:
+    other = page.context.new_page()
+    other.goto(page.url)
+    opened(page, drawing)
+    opened(other, drawing)
+    types = page.get_by_test_id("line-types")
+    began = time.monotonic()
+    api.patch(f"/api/drawings/{drawing}/edges", json={"overrides": ALL_FOLDS}).raise_for_status()
+    for tab in (page, other):
+        expect(tab.get_by_test_id("line-types")).to_contain_text("Perforation", timeout=10_000)
+        expect(tab.get_by_test_id("line-types")).not_to_contain_text("Crease")
+        notice = tab.get_by_test_id("report").filter(has_text="Changed elsewhere")
+        expect(notice).to_contain_text("3 edges have another type")
+    # Two seconds, and what a busy machine needs to look.
+    assert time.monotonic() - began < 8.0
+    page.screenshot(path=screenshots / "changed-elsewhere.png")
+    # A change made in one tab is shown in the other, and is no news in its own.
+    page.get_by_test_id("report").get_by_label("Dismiss").click()
+    page.get_by_test_id("canvas").click(position={"x": 5, "y": 5})
+    page.keyboard.press("Control+a")
+    page.keyboard.press("h")
+    expect(types).to_contain_text("Half-cut")
+    expect(other.get_by_test_id("line-types")).to_contain_text("Half-cut")
+    expect(page.get_by_test_id("report")).to_have_count(0)
+    other.close()
+
+
+def test_an_order_of_what_is_no_longer_there_is_refused(
+    page: Page, drawing: str, api: httpx.Client
+) -> None:
+    opened(page, drawing)
+    board(page)
+    # The news does not come through: the page shows what it was.
+    page.route("**/api/events*", lambda route: route.abort())
+    page.evaluate("() => undefined")
+    sent: list[object] = []
+
+    def late(route: Route) -> None:
+        if route.request.method == "POST":
+            sent.append(route.request.post_data_json)
+            if len(sent) == 1:
+                change = {"overrides": ONE_FOLD}
+                api.patch(f"/api/drawings/{drawing}/edges", json=change).raise_for_status()
+        route.continue_()
+
+    page.route("**/api/jobs", late)
+    jobs = len(api.get("/api/jobs?limit=500").json())
+    page.get_by_test_id("compile").click()
+    report = page.get_by_test_id("report")
+    expect(report).to_contain_text("Not done: changed elsewhere")
+    expect(report).to_contain_text("1 edge has another type")
+    expect(page.get_by_test_id("line-types")).to_contain_text("Half-cut")
+    assert len(api.get("/api/jobs?limit=500").json()) == jobs
+    page.get_by_test_id("compile").click()
+    expect(page.get_by_test_id("verdict")).to_be_visible(timeout=120_000)
+    assert [order["revision"] for order in sent] == [1, 2]
+
+
+def test_a_file_that_a_busy_server_refuses_is_sent_again(page: Page) -> None:
+    refused = 0
+
+    def busy(route: Route) -> None:
+        nonlocal refused
+        if route.request.method == "POST" and refused < 2:
+            refused += 1
+            route.fulfill(
+                status=503,
+                headers={"Retry-After": "1", "Content-Type": "application/problem+json"},
+                body='{"title": "Busy", "status": 503, "detail": "16 requests wait."}',
+            )
+        else:
+            route.continue_()
+
+    page.route("**/api/drawings", busy)
+    page.get_by_test_id("file-input").set_input_files(
+        [{"name": "folds.dxf", "mimeType": "image/vnd.dxf", "buffer": CARTON}]
+    )
+    expect(page.get_by_role("heading", name="folds.dxf")).to_be_visible(timeout=60_000)
+    assert refused == 2
+    assert page.get_by_test_id("report").count() == 0
+
+
+def own_address() -> str:
+    """Return an address of this machine that is no loopback one; skips where there is none."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+        try:
+            # No packet is sent: this only looks up by which address one would go.
+            asked.connect(("192.0.2.1", 9))
+            address = asked.getsockname()[0]
+        except OSError:
+            address = "127.0.0.1"
+    if address.startswith("127."):
+        pytest.skip("this machine has no address but loopback ones")
+    return address
+
+
+def test_another_machine_signs_in_by_link_or_by_key_and_then_works(
+    browser: Browser, built: None, tmp_path: Path
+) -> None:
+    address = own_address()
+    with socket.socket() as free:
+        free.bind((address, 0))
+        port = free.getsockname()[1]
+    command = [sys.executable, "-m", "knifetip.cli", "serve", "--host", address]
+    command += ["--port", str(port), "--key-file", str(tmp_path / "key"), "--no-samples"]
+    command += ["--database", f"sqlite:///{tmp_path}/a.sqlite"]
+    with (tmp_path / "log").open("wb") as log:
+        process = subprocess.Popen(command, cwd=tmp_path, stdout=log, stderr=log)
+    try:
+        base = f"http://{address}:{port}"
+        ready(base, process, tmp_path / "log")
+        key = (tmp_path / "key").read_text().strip()
+        assert f"/?key={key}" in (tmp_path / "log").read_text().replace("\n", "")
+        with rest(base) as stranger:
+            assert stranger.get("/api/jobs").status_code == 401
+            machine = stranger.get(
+                "/api/machines/demo-table", headers={"Authorization": f"Bearer {key}"}
+            )
+            # The gateway beside the server needs no key: it comes over the loopback address.
+            assert machine.json()["connected"] is True
+        for way in ("link", "form"):
+            context = browser.new_context()
+            page = context.new_page()
+            page.set_default_timeout(30_000)
+            page.goto(f"{base}/?key={key}" if way == "link" else base)
+            if way == "form":
+                page.get_by_label("Key").fill(key)
+                page.get_by_role("button", name="Sign in").click()
+            page.get_by_test_id("file-input").set_input_files(
+                [{"name": "folds.dxf", "mimeType": "image/vnd.dxf", "buffer": CARTON}]
+            )
+            expect(page.get_by_role("heading", name="folds.dxf")).to_be_visible(timeout=60_000)
+            assert key not in page.url
+            assert key not in str(context.cookies())
+            # A page elsewhere that links here: the cookie is held back, and then sent.
+            page.goto("data:text/html,<a href='" + base + "/'>knifetip</a>")
+            page.get_by_role("link").click()
+            expect(page.get_by_test_id("file-input")).to_be_attached()
+            context.close()
+    finally:
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(20)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+
+def ready(base: str, process: subprocess.Popen[bytes], log: Path) -> None:
+    deadline = time.monotonic() + 60.0
+    while time.monotonic() < deadline and process.poll() is None:
+        try:
+            if httpx.get(f"{base}/readyz", trust_env=False).status_code == 200:
+                return
+        except httpx.HTTPError:
+            pass
+        time.sleep(0.2)
+    pytest.fail(log.read_text())

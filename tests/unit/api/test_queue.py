@@ -1,0 +1,179 @@
+"""What waits for a process is bounded, and keeps nothing waiting that gateways report."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+
+import httpx
+import pytest
+
+from knifetip.api import queue
+from knifetip.api.queue import WorkQueue
+from knifetip.errors import ServerBusy
+from serving import LocalClient, ordered, square, until, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+
+async def test_calls_are_made_in_order_and_so_many_at_once():
+    work = WorkQueue(2, 10)
+    inside, most, order = 0, 0, []
+    lock = threading.Lock()
+
+    def call(number: int) -> int:
+        nonlocal inside, most
+        with lock:
+            inside += 1
+            most = max(most, inside)
+            order.append(number)
+        time.sleep(0.01)
+        with lock:
+            inside -= 1
+        return number
+
+    found = await asyncio.gather(*[work.run(lambda n=n: call(n)) for n in range(12)])
+    assert found == list(range(12))
+    assert order == list(range(12))
+    assert most == 2
+    work.close()
+
+
+async def test_one_more_than_may_wait_is_refused_and_told_when_to_come_again():
+    work = WorkQueue(1, 2)
+    gate = threading.Event()
+    made: list[int] = []
+
+    def call(number: int) -> None:
+        gate.wait(10.0)
+        made.append(number)
+
+    waiting = [asyncio.create_task(work.run(lambda n=n: call(n))) for n in range(3)]
+    await asyncio.sleep(0.05)
+    with pytest.raises(ServerBusy) as refused:
+        await work.run(lambda: call(99))
+    assert refused.value.waiting == 2
+    assert 1 <= refused.value.seconds <= 60
+    gate.set()
+    await asyncio.gather(*waiting)
+    assert made == [0, 1, 2]
+    # There is room again, also after a call that failed.
+    with pytest.raises(ZeroDivisionError):
+        await work.run(lambda: 1 // 0)
+    for _ in range(3):
+        await work.run(lambda: call(7))
+    work.close()
+
+
+async def test_the_wait_that_is_told_follows_what_calls_take():
+    work = WorkQueue(1, 1)
+    for _ in range(20):
+        await work.run(lambda: time.sleep(0.001))
+    assert work._seconds < 0.1
+    gate = threading.Event()
+    waiting = [asyncio.create_task(work.run(lambda: gate.wait(10.0))) for _ in range(2)]
+    await asyncio.sleep(0.05)
+    with pytest.raises(ServerBusy) as refused:
+        await work.run(gate.set)
+    assert refused.value.seconds == 1
+    gate.set()
+    await asyncio.gather(*waiting)
+    work.close()
+
+
+@contextmanager
+def held(client: httpx.Client, count: int) -> Iterator[list[httpx.Response]]:
+    """Keep the only thread of a queue busy, and send so many uploads besides."""
+    answers: list[httpx.Response] = []
+    with ThreadPoolExecutor(count) as pool:
+        sent = [
+            pool.submit(client.post, "/api/drawings", files={"file": (f"{n}.dxf", square())})
+            for n in range(count)
+        ]
+        yield answers
+        answers += [one.result() for one in sent]
+
+
+def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
+    client: LocalClient, monkeypatch: pytest.MonkeyPatch
+):
+    gate = threading.Event()
+    gate.set()
+    timed = WorkQueue._timed
+
+    def slow(self: WorkQueue, call):
+        gate.wait(30.0)
+        return timed(self, call)
+
+    monkeypatch.setattr(queue.WorkQueue, "_timed", slow)
+    monkeypatch.setattr(client.service, "work", WorkQueue(1, 3))
+    job = ordered(client, uploaded(client, square())["id"], release=True)
+    until(client, job["id"], "queued")
+    claim = {"gateway": "g", "machine": "demo-table", "wait": 5.0}
+    epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
+    before = len(client.get("/api/drawings").json())
+    gate.clear()
+    # More than the common pool of threads has: all of it would wait.
+    with held(client, 60) as answers:
+        deadline = time.monotonic() + 20.0
+        busy = None
+        while time.monotonic() < deadline:
+            busy = client.post("/api/drawings", files={"file": ("late.dxf", square())})
+            if busy.status_code == 503:
+                break
+        assert busy is not None
+        assert busy.status_code == 503
+        assert busy.headers["content-type"] == "application/problem+json"
+        assert int(busy.headers["retry-after"]) >= 1
+        assert busy.json()["type"] == "urn:knifetip:problem:server-busy"
+        beat = {"job": job["id"], "epoch": epoch, "line": 1}
+        assert client.post("/api/gateway/heartbeat", json=beat).json()["command"] == "continue"
+        assert client.get("/healthz").status_code == 200
+        assert client.get("/readyz").status_code == 200
+        assert client.get(f"/api/jobs/{job['id']}").status_code == 200
+        gate.set()
+    statuses = [answer.status_code for answer in answers]
+    assert set(statuses) == {201, 503}
+    # What was refused left nothing behind.
+    after = len(client.get("/api/drawings?limit=500").json())
+    assert after - before == statuses.count(201)
+    done = {"job": job["id"], "epoch": epoch, "outcome": "done"}
+    assert client.post("/api/gateway/finish", json=done).status_code == 200
+
+
+def test_gateways_have_threads_that_nothing_else_takes(
+    client: LocalClient, monkeypatch: pytest.MonkeyPatch
+):
+    job = ordered(client, uploaded(client, square())["id"], release=True)
+    until(client, job["id"], "queued")
+    gate = threading.Event()
+    monkeypatch.setattr(client.service.store, "drawings", lambda *_: gate.wait(30.0) and [])
+    with ThreadPoolExecutor(50) as pool:
+        # All threads of the common pool wait, as they would for a database that is slow.
+        stuck = [pool.submit(client.get, "/api/drawings") for _ in range(50)]
+        time.sleep(0.5)
+        try:
+            own = httpx.Client(base_url=client.base_url, timeout=5.0, trust_env=False)
+            with own, ThreadPoolExecutor(8) as gateways:
+                ask = {"gateway": "idle", "machine": "router-table", "wait": 3.0}
+                idle = [gateways.submit(own.post, "/api/gateway/claim", json=ask) for _ in range(8)]
+                claim = {"gateway": "g", "machine": "demo-table", "wait": 3.0}
+                epoch = own.post("/api/gateway/claim", json=claim).json()["epoch"]
+                program = own.get(f"/api/gateway/program/{job['id']}")
+                assert program.status_code == 200
+                beat = {"job": job["id"], "epoch": epoch, "line": 1}
+                for _ in range(3):
+                    assert own.post("/api/gateway/heartbeat", json=beat).status_code == 200
+                assert own.get("/readyz").status_code == 200
+                assert own.get("/healthz").status_code == 200
+                done = {"job": job["id"], "epoch": epoch, "outcome": "done"}
+                assert own.post("/api/gateway/finish", json=done).status_code == 200
+                assert {one.result().status_code for one in idle} == {204}
+            assert not any(one.done() for one in stuck)
+        finally:
+            gate.set()
+        assert {one.result().status_code for one in stuck} == {200}

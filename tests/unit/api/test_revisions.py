@@ -1,0 +1,202 @@
+"""What was looked at is what is changed and ordered: the revision of a drawing."""
+
+from __future__ import annotations
+
+import time
+
+import httpx
+import numpy as np
+import pytest
+
+from knifetip.api import revisions
+from knifetip.jobs import tasks
+from knifetip.model.dieline import LineType
+from serving import LocalClient, ordered, square, until, uploaded
+
+pytestmark = pytest.mark.xdist_group("server")
+
+CREASE = {"overrides": [{"type": "crease", "edges": [0]}]}
+CUT = {"overrides": [{"type": "cut", "edges": [0]}]}
+
+
+def stale(answer: httpx.Response, revision: int) -> None:
+    """Assert that a request was refused because the drawing is at this revision."""
+    assert answer.status_code == 412, answer.text
+    said = answer.json()
+    assert said["type"] == "urn:knifetip:problem:stale-revision"
+    assert said["revision"] == revision
+    assert said["mend"]
+
+
+def test_a_drawing_has_a_revision_that_counts_its_changes(client: httpx.Client):
+    upload = client.post("/api/drawings", files={"file": ("a.dxf", square())})
+    path = upload.headers["location"]
+    assert upload.headers["etag"] == '"1"'
+    assert upload.json()["revision"] == 1
+    for path_of in (path, f"{path}/edges", f"{path}/edges?format=columns"):
+        assert client.get(path_of).headers["etag"] == '"1"'
+    changed = client.patch(f"{path}/edges", json=CREASE)
+    assert changed.headers["etag"] == '"2"'
+    assert changed.json()["revision"] == 2
+    assert client.patch(path, json={"unit": "in"}).headers["etag"] == '"3"'
+    assert client.get(path).json()["revision"] == 3
+    listed = client.get("/api/drawings?limit=1").json()[0]
+    assert (listed["id"], listed["revision"]) == (changed.json()["id"], 3)
+
+
+@pytest.mark.parametrize("where", ["", "/edges", "/edges?format=columns"])
+def test_what_the_client_has_already_is_not_sent_again(client: httpx.Client, where: str):
+    id = uploaded(client, square())["id"]
+    path = f"/api/drawings/{id}{where}"
+    tag = client.get(path).headers["etag"]
+    for known in (tag, f'"9", {tag}', f"W/{tag}"):
+        again = client.get(path, headers={"If-None-Match": known})
+        assert (again.status_code, again.content) == (304, b"")
+        assert again.headers["etag"] == tag
+    client.patch(f"/api/drawings/{id}/edges", json=CREASE)
+    fresh = client.get(path, headers={"If-None-Match": tag})
+    assert fresh.status_code == 200
+    assert fresh.headers["etag"] == '"2"'
+
+
+def test_a_profile_that_changed_changes_the_answer_and_not_the_revision(client: httpx.Client):
+    profile = 'title = "Mine"\n[[rule]]\ntype = "cut"\nlayer = ["CUT"]\n'
+    toml = {"Content-Type": "application/toml"}
+    kept = client.put("/api/profiles/etagged", content=profile, headers=toml)
+    assert kept.status_code == 201, kept.text
+    drawing = uploaded(client, square(), profile="etagged")
+    path = f"/api/drawings/{drawing['id']}"
+    tag = client.get(path).headers["etag"]
+    other = {**toml, "If-Match": kept.headers["etag"]}
+    client.put("/api/profiles/etagged", content=profile.replace("cut", "crease"), headers=other)
+    again = client.get(path, headers={"If-None-Match": tag})
+    assert again.status_code == 200
+    assert again.json()["profile_state"] == "changed"
+    assert again.json()["revision"] == drawing["revision"]
+    match = {"If-Match": again.headers["etag"]}
+    assert client.patch(f"{path}/edges", json=CREASE, headers=match).status_code == 200
+
+
+@pytest.mark.parametrize(
+    ("where", "change"), [("", {"unit": "in"}), ("/edges", CREASE)], ids=["drawing", "edges"]
+)
+def test_a_change_made_for_an_older_revision_is_refused(
+    client: httpx.Client, where: str, change: dict
+):
+    id = uploaded(client, square())["id"]
+    path = f"/api/drawings/{id}{where}"
+    first = client.patch(path, json=change, headers={"If-Match": '"1"'})
+    assert first.status_code == 200
+    for old in ('"1"', "1", '"stale"', '"12"', "", '""', '"1", "7"'):
+        stale(client.patch(path, json=change, headers={"If-Match": old}), 2)
+    assert client.get(f"/api/drawings/{id}").json()["revision"] == 2
+    for now in (first.headers["etag"], "*", '"7", "4"', 'W/"5"'):
+        assert client.patch(path, json=change, headers={"If-Match": now}).status_code == 200
+    # Who names none wants the change whatever there is.
+    assert client.patch(path, json=change).json()["revision"] == 7
+
+
+def test_an_order_of_an_older_revision_is_refused(client: httpx.Client):
+    id = uploaded(client, square())["id"]
+    client.patch(f"/api/drawings/{id}/edges", json=CREASE)
+    jobs = len(client.get("/api/jobs?limit=500").json())
+    order = {"drawing": id, "board": "e-flute"}
+    stale(client.post("/api/jobs", json={**order, "revision": 1}), 2)
+    stale(client.post("/api/jobs", json={**order, "revision": 3}), 2)
+    assert len(client.get("/api/jobs?limit=500").json()) == jobs
+    assert client.post("/api/jobs", json={**order, "revision": 2}).status_code == 201
+    assert client.post("/api/jobs", json=order).status_code == 201
+
+
+@pytest.mark.parametrize("wrong", [0, -1, "x", 1.5, 2**40, [1]])
+def test_what_is_no_revision_is_refused(client: httpx.Client, wrong: object):
+    id = uploaded(client, square())["id"]
+    order = {"drawing": id, "board": "e-flute", "revision": wrong}
+    assert client.post("/api/jobs", json=order).status_code == 422
+
+
+def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
+    client: LocalClient, monkeypatch: pytest.MonkeyPatch
+):
+    id = uploaded(client, square())["id"]
+    run = client.service.crew.run
+    between: list[int] = []
+
+    def changed_meanwhile(task, *arguments, **named):
+        if task is tasks.ask:
+            store = client.service.store
+            row = store.drawing_with(id, "overrides")
+            flipped = bytes([LineType.of("crease")]) + row.overrides[1:]
+            store.change_drawing(id, row.version, "x", overrides=flipped, unit_given="in")
+            between.append(row.version)
+        return run(task, *arguments, **named)
+
+    monkeypatch.setattr(client.service.crew, "run", changed_meanwhile)
+    job = ordered(client, id, revision=1)
+    assert between == [1]
+    row = client.service.store.job(job["id"])
+    kept = np.frombuffer(client.service.store.job_column(job["id"], "overrides"), np.uint8)
+    assert row.unit_given == ""
+    assert (kept == tasks.NONE).all()
+    program = until(client, job["id"], "ready")
+    assert program["seconds"] > 0
+
+
+def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
+    client: LocalClient, monkeypatch: pytest.MonkeyPatch
+):
+    id = uploaded(client, square())["id"]
+    run = client.service.crew.run
+    others = [3]
+
+    def changed_meanwhile(task, *arguments, **named):
+        found = run(task, *arguments, **named)
+        if task is tasks.read and others[0]:
+            others[0] -= 1
+            store = client.service.store
+            row = store.drawing_with(id, "overrides")
+            mine = row.overrides[:1] + bytes([LineType.of("crease")]) + row.overrides[2:]
+            store.change_drawing(id, row.version, "x", overrides=mine)
+        return found
+
+    monkeypatch.setattr(client.service.crew, "run", changed_meanwhile)
+    path = f"/api/drawings/{id}/edges"
+    stale(client.patch(path, json=CREASE, headers={"If-Match": '"1"'}), 2)
+    others[0] = 2
+    assert client.patch(path, json=CREASE).json()["revision"] == 5
+    types = [edge["type"] for edge in client.get(path).json()["edges"]]
+    assert types[:2] == ["crease", "crease"]
+    others[0] = 3
+    again = client.patch(path, json=CUT)
+    assert again.status_code == 409
+    assert "Try again" in again.json()["mend"]
+
+
+def test_a_change_is_told_to_those_who_listen_with_its_revision(client: httpx.Client):
+    id = uploaded(client, square())["id"]
+    deadline = time.monotonic() + 10.0
+    with client.stream("GET", "/api/events") as stream:
+        lines = stream.iter_lines()
+        next(lines)
+        assert client.patch(f"/api/drawings/{id}/edges", json=CREASE).status_code == 200
+        for line in lines:
+            if f'"id":"{id}"' in line:
+                assert '"revision":2' in line
+                return
+            assert time.monotonic() < deadline
+
+
+@pytest.mark.parametrize(
+    ("tag", "known", "expected"),
+    [
+        ('"1"', None, False),
+        ('"1"', '"1"', True),
+        ('"1"', '"11"', False),
+        ('"1"', '"2","1"', True),
+        ('"1"', "*", True),
+        ('"1-changed"', '"1"', False),
+        ('"1"', '"1-changed"', False),
+    ],
+)
+def test_tags_are_compared_whole(tag: str, known: str | None, expected: bool):
+    assert revisions.is_known(tag, known) is expected
