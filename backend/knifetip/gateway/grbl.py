@@ -65,7 +65,7 @@ class _Sent:
     size: int
     text: bytes
     number: int  #: in the program, from 1; 0 for a command of our own
-    answer: asyncio.Future[int] | None = None  #: error code, 0 for ok
+    answer: asyncio.Future[tuple[int, list[str]]] | None = None  #: error code, lines before it
 
 
 class Grbl:
@@ -364,11 +364,12 @@ class Grbl:
         """Send a line of our own; return what came before its ``ok``."""
         await self.drain()
         self._info.clear()
-        answer: asyncio.Future[int] = asyncio.get_running_loop().create_future()
+        answer: asyncio.Future[tuple[int, list[str]]]
+        answer = asyncio.get_running_loop().create_future()
         await self._put(_Sent(len(text) + 1, text, 0, answer))
         try:
             async with asyncio.timeout(self._silence):
-                code = await answer
+                code, info = await answer
         except TimeoutError:
             raise self._fail(ControllerSilent(*self._silent_words())) from None
         if code:
@@ -376,7 +377,7 @@ class Grbl:
                 f"{self.name} refused {text.decode()}: {answers.error_text(code)} (error:{code}).",
                 "Look at the table, then try again.",
             )
-        return list(self._info)
+        return info
 
     # -- the inside -----------------------------------------------------------------------------
 
@@ -569,7 +570,7 @@ class Grbl:
         self._moved = self._now()
         if sent.answer is not None:
             if not sent.answer.done():
-                sent.answer.set_result(code)
+                sent.answer.set_result((code, list(self._info)))
             return
         if not self._checking:
             self.acknowledged += 1

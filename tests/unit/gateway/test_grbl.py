@@ -416,6 +416,22 @@ async def test_more_bytes_in_the_buffer_than_are_unanswered_is_an_answer_too_man
         assert "an answer was doubled" in controller.fault.message
 
 
+async def test_settling_waits_for_rest_and_for_the_answer_to_its_own_question():
+    wire = Wire({"$G": "[GC:G0 G54]\nok"})
+    async with opened(wire) as controller:
+        await controller.send(b"G1 X5", 1)
+        assert (await controller.settle()).state is State.IDLE
+        assert wire.lines == ["$I", "G1 X5", "$G"]
+
+
+async def test_the_answer_of_another_line_to_that_question_is_an_answer_too_many():
+    # The ok of a line that was counted as answered before, then the answer itself.
+    wire = Wire({"$G": "ok\n[GC:G0 G54]"})
+    async with opened(wire) as controller:
+        with pytest.raises(ControllerError, match="an answer was doubled"):
+            await controller.settle()
+
+
 async def test_the_tool_s_turn_is_read_from_the_axis_that_the_controller_names():
     wire = Wire({"$I": "[OPT:V,15,128]\n[AXS:6:XYZABC]\nok"})
     async with opened(wire) as controller:
