@@ -24,7 +24,7 @@ from numba import njit
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Cutter
 from knifetip.verification.bench import DEPTH, Bench
-from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.equidistants import equidistants
 from knifetip.verification.findings import MOST
 from knifetip.verification.intent import (
@@ -189,7 +189,7 @@ def _worked(bench: Bench, work: Work, cuts: Edges) -> _Stretches:
     knife = np.flatnonzero(work.trade == Trade.CUT)
     near = overlaps(work.curve[knife], cuts.curve, np.zeros(len(cuts)), size, bench.tolerance)
     keep = near.best
-    columns = [
+    columns: list[tuple[I32 | I64, F64, F64, I64, Bool]] = [
         (near.edge[keep], near.place[keep].min(axis=1), near.place[keep].max(axis=1),
          knife[near.curve[keep]], np.ones(int(keep.sum()), np.bool_)),
     ]  # fmt: skip
@@ -287,12 +287,12 @@ def _net(cuts: Edges) -> _Net:
     curve = np.concatenate([cuts.curve, links])
     piece, edge, begin = _split(curve)
     edge = np.where(edge < len(cuts), edge, -1)
-    nothing = np.zeros(len(piece), np.int32)
-    ends = np.stack([point_at(piece, nothing), point_at(piece, piece[:, 5])], axis=1)
-    outward = np.stack([azimuth_at(piece, nothing) + 180.0, azimuth_at(piece, piece[:, 5])], axis=1)
+    nothing, zero = np.zeros(len(piece), np.int32), np.zeros(len(piece))
+    ends = np.stack([point_at(piece, zero), point_at(piece, piece[:, 5])], axis=1)
+    outward = np.stack([azimuth_at(piece, zero) + 180.0, azimuth_at(piece, piece[:, 5])], axis=1)
     row = np.arange(len(piece), dtype=np.int32)
     alone, twin, first = drawn_once(
-        Edges(row, piece, nothing, ends.reshape(-1, 2), outward.ravel(), nothing.astype(float))
+        Edges(row, piece, nothing, ends.reshape(-1, 2), outward.ravel(), zero)
     )
     cycle, swept, component = walks(alone)
     face = np.empty((len(piece), 2), np.int64)
