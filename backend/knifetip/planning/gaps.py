@@ -2,10 +2,12 @@
 
     cuts -> links from their loose ends to what each of them was meant to meet
 
-A loose end is linked to the nearest point of any other cut within ``CONTOUR_GAP``, and to all other
-loose ends within it: where two contours run close beside each other the nearest point is on the
-neighbour.  A point of the same chain of cuts counts only where the way to it along the chain is
-three times as long as the gap, so that no end is linked to the corner it comes from.
+A loose end is linked to the nearest point of any other cut within ``CONTOUR_GAP``, and to its
+relative neighbours among the loose ends within it, those to which no third loose end is nearer than
+both are to each other: where two contours run close beside each other the nearest point is on the
+neighbour.  What links between all pairs would join is so joined by few links.  A point of the same
+chain of cuts counts only where the way to it along the chain is three times as long as the gap, so
+that no end is linked to the corner it comes from.
 
 A link is no cut.  It only closes a contour for ``layers``, where a link too many does no harm: the
 work inside such a contour comes earlier than it had to.
@@ -80,7 +82,7 @@ def _linked(
     tips: Any, first: Any, row: Any, share: Any, place: Any, to_end: Any, points: Any, length: Any,
     node: Any, by_node: Any, begin: Any,
 ) -> Any:  # fmt: skip
-    """Return which candidates are links: all loose ends, and of other points the nearest."""
+    """Return which candidates are links: neighbours among loose ends, the nearest other point."""
     linked = np.zeros(len(row), np.bool_)
     seen = np.full(len(length), -1, np.int64)
     # The way from the tip to where an edge of its chain begins, and whether it is run backwards.
@@ -106,12 +108,26 @@ def _linked(
             if not _apart(row[k], share[k], gap, t, seen, way, back, length):
                 continue
             if to_end[k]:
-                linked[k] = True
+                linked[k] = not _between(k, gap, first[t], first[t + 1], place, to_end, points[tip])
             elif row[k] != tip // 2 and gap <= nearest:
                 nearest, best = gap, k
         if best >= 0:
             linked[best] = True
     return linked
+
+
+@njit(cache=True)
+def _between(k: int, gap: float, low: int, high: int, place: Any, to_end: Any, tip: Any) -> bool:
+    """Whether another loose end is nearer to both ends of a gap than they are to each other."""
+    for other in range(low, high):
+        if (
+            to_end[other]
+            and math.hypot(place[other, 0] - tip[0], place[other, 1] - tip[1]) < gap
+            and math.hypot(place[other, 0] - place[k, 0], place[other, 1] - place[k, 1]) < gap
+            and (place[other, 0] != tip[0] or place[other, 1] != tip[1])
+        ):
+            return True
+    return False
 
 
 @njit(cache=True)

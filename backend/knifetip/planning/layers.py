@@ -20,7 +20,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.tolerance import CONTOUR_GAP
 from knifetip.planning.gaps import links
 from knifetip.planning.noding import noded_throughout
 from knifetip.planning.subdivision import subdivide
@@ -55,20 +57,21 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     sides = face.ravel()
     by_face = np.argsort(sides, kind="stable")
     first = np.searchsorted(sides[by_face], np.arange(len(found.outside) + 2))
+    size = arc.length(pieces[:, 0], pieces[:, 1], bent)
     alone = np.arange(count)
     work = np.unique(np.where(contour < 0, alone, count + contour), return_inverse=True)[1].ravel()
     owner = np.append(work, -1)[np.where(row < count, row, -1)]
-    layer, ordered = _peeled(face, owner, by_face // 2, first, int(work.max()) + 1)
+    layer, ordered = _peeled(face, owner, size, by_face // 2, first, int(work.max()) + 1)
     if not ordered:
         work = alone
         owner = np.where(row < count, row, -1)
-        layer, _ = _peeled(face, owner, by_face // 2, first, count)
+        layer, _ = _peeled(face, owner, size, by_face // 2, first, count)
     result: I64 = layer[work]
     return result
 
 
 @njit(cache=True)
-def _peeled(face: Any, row: Any, piece_of: Any, first: Any, count: int) -> Any:
+def _peeled(face: Any, row: Any, size_of: Any, piece_of: Any, first: Any, count: int) -> Any:
     """Return the layer of each of ``count`` pieces of work, and whether all could be put in order.
 
     Parameters
@@ -77,6 +80,8 @@ def _peeled(face: Any, row: Any, piece_of: Any, first: Any, count: int) -> Any:
         The faces on the sides of stretches; 0 is the plane outside.
     row : (m,)
         The work that each stretch is part of, -1 for links.
+    size_of : (m,) mm
+        How long each stretch is: one shorter than ``CONTOUR_GAP`` does not hold its edge.
     piece_of, first
         The stretches beside each face, and where each face's begin.
     """
@@ -100,7 +105,8 @@ def _peeled(face: Any, row: Any, piece_of: Any, first: Any, count: int) -> Any:
     reached = np.empty(len(held), np.int64)
     queue = np.empty(count, np.int64)
     begun = np.empty(len(row), np.int64)
-    started = tried = done = 0
+    brief = np.empty(len(row), np.int64)
+    started = tried = scraps = tried_brief = done = 0
     faces = 1
     held[0] = True
     reached[0] = 0
@@ -117,8 +123,12 @@ def _peeled(face: Any, row: Any, piece_of: Any, first: Any, count: int) -> Any:
                 if ready[piece] or edge < 0:
                     continue
                 ready[piece] = True
-                begun[started] = edge
-                started += 1
+                if size_of[piece] > CONTOUR_GAP:
+                    begun[started] = edge
+                    started += 1
+                else:
+                    brief[scraps] = edge
+                    scraps += 1
                 waiting[edge] -= 1
                 if waiting[edge] == 0:
                     queue[size] = edge
@@ -130,6 +140,10 @@ def _peeled(face: Any, row: Any, piece_of: Any, first: Any, count: int) -> Any:
             for place in range(tried, started):
                 size = _queued(begun[place], layer, waiting, queue, size)
             tried = started
+            if size == done:
+                for place in range(tried_brief, scraps):
+                    size = _queued(brief[place], layer, waiting, queue, size)
+                tried_brief = scraps
             if size == done:
                 for edge in range(count):
                     size = _queued(edge, layer, waiting, queue, size)

@@ -24,7 +24,7 @@ from numba import njit
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Cutter
 from knifetip.verification.bench import DEPTH, Bench
-from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.equidistants import equidistants
 from knifetip.verification.findings import MOST
 from knifetip.verification.intent import (
@@ -189,7 +189,7 @@ def _worked(bench: Bench, work: Work, cuts: Edges) -> _Stretches:
     knife = np.flatnonzero(work.trade == Trade.CUT)
     near = overlaps(work.curve[knife], cuts.curve, np.zeros(len(cuts)), size, bench.tolerance)
     keep = near.best
-    columns = [
+    columns: list[tuple[I32 | I64, F64, F64, I64, Bool]] = [
         (near.edge[keep], near.place[keep].min(axis=1), near.place[keep].max(axis=1),
          knife[near.curve[keep]], np.ones(int(keep.sum()), np.bool_)),
     ]  # fmt: skip
@@ -246,9 +246,11 @@ def _completed(
         many = 0
         for k in range(first[owner[p]], first[owner[p] + 1]):
             left, right = max(low[k], a), min(high[k], b)
-            if line[k] < 0 or right <= left:
+            if right <= left:
                 continue
             complete[p] = math.inf
+            if line[k] < 0:
+                continue
             many, _ = added(covered, many, left, right)
             bare, at = 0.0, a
             for j in range(many):
@@ -285,12 +287,12 @@ def _net(cuts: Edges) -> _Net:
     curve = np.concatenate([cuts.curve, links])
     piece, edge, begin = _split(curve)
     edge = np.where(edge < len(cuts), edge, -1)
-    nothing = np.zeros(len(piece), np.int32)
-    ends = np.stack([point_at(piece, nothing), point_at(piece, piece[:, 5])], axis=1)
-    outward = np.stack([azimuth_at(piece, nothing) + 180.0, azimuth_at(piece, piece[:, 5])], axis=1)
+    nothing, zero = np.zeros(len(piece), np.int32), np.zeros(len(piece))
+    ends = np.stack([point_at(piece, zero), point_at(piece, piece[:, 5])], axis=1)
+    outward = np.stack([azimuth_at(piece, zero) + 180.0, azimuth_at(piece, piece[:, 5])], axis=1)
     row = np.arange(len(piece), dtype=np.int32)
     alone, twin, first = drawn_once(
-        Edges(row, piece, nothing, ends.reshape(-1, 2), outward.ravel(), nothing.astype(float))
+        Edges(row, piece, nothing, ends.reshape(-1, 2), outward.ravel(), zero)
     )
     cycle, swept, component = walks(alone)
     face = np.empty((len(piece), 2), np.int64)
@@ -300,7 +302,10 @@ def _net(cuts: Edges) -> _Net:
 
 
 def _links(cuts: Edges) -> F64:
-    """Return the lines that close gaps: from loose ends to all loose ends and the nearest cut."""
+    """Return the lines that close gaps: from loose ends to the nearest cut, and to each other.
+
+    Of two loose ends with a third between them, nearer to both, the third is linked to both.
+    """
     a, b = pairs_within(cuts.ends, cuts.ends, JOINED)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
     at = overlaps(lines(cuts.ends, cuts.ends), cuts.curve, nothing, size, JOINED)
@@ -312,6 +317,12 @@ def _links(cuts: Edges) -> F64:
     near = overlaps(lines(points, points), cuts.curve, nothing, size, GAP)
     tip, edge, place = near.curve.astype(np.int64), near.edge.astype(np.int64), near.place[:, 0]
     one, other = pairs_within(points, points, GAP)
+    kept = one != other
+    one, other = one[kept], other[kept]
+    kept = np.argsort(one, kind="stable")
+    one, other = one[kept], other[kept]
+    kept = _next_to(one, other, points, np.searchsorted(one, np.arange(len(tips) + 1)))
+    one, other = one[kept], other[kept]
     target = point_at(cuts.curve[edge], place)
     for side in range(2):
         there = np.hypot(*(target - cuts.ends[2 * edge + side]).T) <= JOINED
@@ -339,6 +350,22 @@ def _links(cuts: Edges) -> F64:
     both[swap] = both[swap][:, [2, 3, 0, 1]]
     both = np.unique(both, axis=0)
     return lines(both[:, :2], both[:, 2:])
+
+
+@njit(cache=True)
+def _next_to(one: Any, other: Any, points: Any, first: Any) -> Any:
+    """Return of pairs of points, (k,), which have no third one in the lens between them."""
+    kept = np.ones(len(one), np.bool_)
+    for k in range(len(one)):
+        ax, ay = points[one[k], 0], points[one[k], 1]
+        bx, by = points[other[k], 0], points[other[k], 1]
+        apart = (ax - bx) ** 2 + (ay - by) ** 2
+        for place in range(first[one[k]], first[one[k] + 1]):
+            x, y = points[other[place], 0], points[other[place], 1]
+            if max((x - ax) ** 2 + (y - ay) ** 2, (x - bx) ** 2 + (y - by) ** 2) < apart:
+                kept[k] = False
+                break
+    return kept
 
 
 def _split(curve: F64) -> tuple[F64, I64, F64]:
