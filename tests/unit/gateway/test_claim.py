@@ -6,6 +6,7 @@ import asyncio
 import hashlib
 import json
 from contextlib import asynccontextmanager
+from dataclasses import replace
 
 import httpx
 import pytest
@@ -412,24 +413,45 @@ async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine():
     assert office.finished[0]["line"] == 0
 
 
-@pytest.mark.parametrize(
-    ("sent", "why"), [(b"!", "not idle: it reports hold"), (b"\x18", "was reset")]
-)
-async def test_a_table_that_is_not_at_rest_gives_a_waiting_job_back(sent, why):
+async def test_a_table_that_is_jogged_gives_a_waiting_job_back():
+    office = Office(confirm=True)
+    office.command = lambda _: "wait" if len(office.beats) < 500 else "start"
+    async with table() as server:
+
+        async def connect():
+            controller = await grbl.dial(server.address, silence=0.5, poll=0.02)
+            true_status = controller.status
+
+            async def status():
+                jogged = len(office.beats) >= 5
+                found = await true_status()
+                return replace(found, state=State.JOG) if jogged else found
+
+            controller.status = status
+            return controller
+
+        await gateway(office, server, connect=connect)
+        assert server.table.time == 0.0
+    (report,) = office.finished
+    assert (report["outcome"], report["line"]) == ("returned", 0)
+    assert "not idle: it reports jog" in report["why"]
+
+
+async def test_a_controller_that_fails_while_a_job_waits_gives_it_back():
     office = Office(confirm=True)
     async with table() as server:
 
-        def command(beat):
+        def command(_):
             if len(office.beats) == 5:
-                server.table.receive(sent)
+                server.table.receive(b"\x18")
             return "wait" if len(office.beats) < 500 else "start"
 
         office.command = command
         await gateway(office, server)
-        assert not server.table.switched
+        assert server.table.time == 0.0
     (report,) = office.finished
     assert (report["outcome"], report["line"]) == ("returned", 0)
-    assert why in report["why"]
+    assert "was reset" in report["why"]
 
 
 async def test_a_gateway_that_is_switched_off_while_it_waits_gives_its_claim_back():
