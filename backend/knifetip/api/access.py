@@ -305,9 +305,10 @@ class Access:
             return None
         if _is_api(facts.path) or facts.method != "GET" or not signin.wants_page(request):
             return _problem(refused)
-        # A link on another site: browsers hold back a SameSite=Strict cookie on that first
-        # request, and send it with the next, which this page makes.
-        return signin.page(again=facts.fetch_site == "cross-site")
+        # After a link on another site a browser holds back a SameSite=Strict cookie, and sends it
+        # with the next request, which this page makes.  Over plain HTTP no header tells of that.
+        own = facts.fetch_site in ("same-origin", "none")
+        return signin.page(again="" if own else signin.next_try(request))
 
 
 def _problem(refused: Refusal) -> Response:

@@ -43,7 +43,7 @@ style="font: inherit; width: 100%; box-sizing: border-box; padding: 0.4rem"></p>
 <p>The server's start log has the key, or a link with it.</p>
 </html>
 """
-_REFRESH = '<meta http-equiv="refresh" content="0{to}">'
+_AGAIN = "again"  # in the query of a second try
 
 
 def cookie_name(key: str) -> str:
@@ -101,7 +101,7 @@ def welcome(request: Request, key: str, now: float) -> Response:
     path = "/" if request.method == "POST" else "/" + request.url.path.lstrip("/")
     rest = urlencode([one for one in request.query_params.multi_items() if one[0] != "key"])
     url = f"{path}?{rest}" if rest else path
-    refresh = _REFRESH.format(to=f"; url={html.escape(url)}")
+    refresh = _refresh(url)
     answer = HTMLResponse(
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>knifetip</title>{refresh}'
         f'<p><a href="{html.escape(url)}">Signed in</a></p></html>',
@@ -119,8 +119,21 @@ def welcome(request: Request, key: str, now: float) -> Response:
     return answer
 
 
-def page(fault: str = "", *, again: bool = False) -> Response:
-    """Return the page where a key is typed; ``again`` makes the browser ask once more first."""
-    refresh = _REFRESH.format(to="") if again else ""
+def next_try(request: Request) -> str:
+    """Return the address for a second try of the same request; empty if this is the second."""
+    # Another address: to load the same one again would count as the first site's request still.
+    if _AGAIN in request.query_params:
+        return ""
+    path = "/" + request.url.path.lstrip("/")
+    return f"{path}?{urlencode([*request.query_params.multi_items(), (_AGAIN, '1')])}"
+
+
+def page(fault: str = "", *, again: str = "") -> Response:
+    """Return the page where a key is typed; the browser asks for ``again`` first, if given."""
+    refresh = _refresh(again) if again else ""
     body = _PAGE.format(path=PATH, fault=html.escape(fault), refresh=refresh)
     return HTMLResponse(body, 401, headers=_HEADERS)
+
+
+def _refresh(url: str) -> str:
+    return f'<meta http-equiv="refresh" content="0; url={html.escape(url)}">'

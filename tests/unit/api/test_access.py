@@ -346,12 +346,18 @@ async def test_a_program_without_a_key_gets_a_problem_and_no_page():
             assert answer.json()["mend"]
 
 
-async def test_after_a_link_on_another_site_the_browser_asks_again_with_its_cookie():
+async def test_after_a_link_on_another_site_the_browser_asks_once_more_with_its_cookie():
     async with asking(KEYED) as browser:
-        linked = await browser.get("/", headers={**HTML, "Sec-Fetch-Site": "cross-site"})
-        assert "refresh" in linked.text
-        again = await browser.get("/", headers={**HTML, "Sec-Fetch-Site": "same-origin"})
-        assert "refresh" not in again.text
+        foreign = {**HTML, "Sec-Fetch-Site": "cross-site"}
+        linked = await browser.get("/deep/?a=1", headers=foreign)
+        assert 'content="0; url=/deep/?a=1&amp;again=1"' in linked.text
+        # Never in a circle.
+        assert "refresh" not in (await browser.get("/?a=1&again=1", headers=foreign)).text
+        # Over plain HTTP a browser does not tell where a link was.
+        assert "refresh" in (await browser.get("/", headers=HTML)).text
+        for site in ("same-origin", "none"):
+            own = {**HTML, "Sec-Fetch-Site": site}
+            assert "refresh" not in (await browser.get("/", headers=own)).text
 
 
 async def test_a_request_through_a_proxy_is_not_of_this_machine():
