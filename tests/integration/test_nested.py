@@ -11,6 +11,7 @@ import nested
 from knifetip import compensate, plan, process, sequence, verify
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from knifetip.model.toolpath import Motion
 from shapes import closed, dieline, edges
 
 KNIFE, ROUTER = load.machine("demo-table"), load.machine("router-table")
@@ -160,3 +161,14 @@ def test_bridges_hold_parts_at_every_depth():
     assert tracks[1] == tracks[3] == 1
     assert tracks[0] > 2
     assert tracks[2] > 2
+
+
+def test_the_last_pass_of_a_hole_ends_where_its_waste_comes_loose():
+    line = dieline((CUT, box(100, 100, 200, 100)), (CUT, box(130, 130, 60, 40)))
+    toolpath = made(line, ROUTER, THICK)
+    assert judged(line, toolpath, ROUTER, THICK).accepted
+    deepest = toolpath.pose[1:, 2] == toolpath.pose[:, 2].min()
+    out = (toolpath.motion == Motion.LEAD_OUT) & (toolpath.source >= 4)
+    assert out.any(), "the passes before come out of the waste"
+    assert not (out & deepest).any()
+    assert ((toolpath.motion == Motion.LEAD_OUT) & (toolpath.source < 4) & deepest).any()

@@ -4,7 +4,8 @@
 
 The same for a router and for the kerf of a beam, r = kerf / 2.  The offset is set up on a straight
 block longer than r before the contour and cancelled on one after it, so the tool goes down and
-comes up in the waste; where there is no room for that, on the equidistant itself.  Contours are
+comes up in the waste; where there is no room for that, on the equidistant itself.  The last pass of
+a hole sets its waste free, so there the tool comes up where the contour closes.  Contours are
 milled in several passes; a cut with no side is milled on the line, there and back.
 
 Source: radius paper, eqs 1–5 (in ``geometry.offset``); set up and cancel to the perpendicular or
@@ -178,17 +179,24 @@ def radius(operation: Operation) -> Toolpath:
         source[at], kind[at] = operation.source[rows[order]], motion[order]
         down[at] = (place == 0) & ((number == 0) | ~stays[owner])
         up[at] = (place == size[owner] - 1) & ((number == passes - 1) | ~stays[owner])
+    kept = np.ones(total, np.bool_)
+    hole = way.paths.closed & (operation.side * way.paths.areas > 0.0)
+    final = passes * paths.first[:-1][owner] + (passes - 1) * size[owner] + place
+    kept[final] = ~hole[owner] | (motion != Motion.LEAD_OUT)
+    # What is cut last of a track is what the tool comes up from.
+    up[:-1] |= kept[:-1] & ~kept[1:]
     upright = np.zeros(total)
+    track: I32 = np.repeat(np.arange(len(paths), dtype=np.int32), passes * size)
     return Strokes.flat(
-        start=np.column_stack([start, z, upright]),
-        end=np.column_stack([end, z, upright]),
-        bulge=bulge,
-        down=down,
-        up=up,
-        track=np.repeat(np.arange(len(paths), dtype=np.int32), passes * size),
-        source=source,
+        start=np.column_stack([start, z, upright])[kept],
+        end=np.column_stack([end, z, upright])[kept],
+        bulge=bulge[kept],
+        down=down[kept],
+        up=up[kept],
+        track=track[kept],
+        source=source[kept],
         height=operation.caliper + operation.clearance,
-        motion=kind,
+        motion=kind[kept],
     ).laid(operation)
 
 

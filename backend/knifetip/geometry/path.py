@@ -49,6 +49,19 @@ class Paths:
         return np.bincount(self.path_of, along, minlength=len(self)).astype(np.float64)
 
     @property
+    def areas(self) -> F64:
+        """(p,) Signed area that each path goes round (mm²), > 0 counter-clockwise."""
+        # From a point of the path itself, so that far from the origin no digits are lost.
+        origin = self.start[self.first[:-1]][self.path_of]
+        a, b = self.start - origin, self.end - origin
+        swept = arc.sweep(self.bulge)
+        radius = arc.radius(self.start, self.end, self.bulge)
+        segment = np.where(np.isfinite(radius), radius, 0.0) ** 2 * (swept - np.sin(swept))
+        twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] + segment
+        area: F64 = np.bincount(self.path_of, twice, minlength=len(self)) / 2.0
+        return area
+
+    @property
     def closed(self) -> Bool:
         """(p,) Whether each path ends where it began."""
         gap = self.start[self.first[:-1]] - self.end[self.first[1:] - 1]

@@ -76,7 +76,7 @@ def milled(
     avoid = ends_of_others(dieline, rows[sides[rows] != 0])
     waste = (np.where(chains.flipped, -1, 1) * sides[source])[paths.first[:-1]]
     inside = paths.closed & (waste == 0)
-    side = np.where(inside, np.where(_area(paths) > 0.0, 1, -1), waste)
+    side = np.where(inside, np.where(paths.areas > 0.0, 1, -1), waste)
     # Left of travel, all of them.
     paths, order = reversed_where(paths, side < 0)
     source = source[order]
@@ -211,16 +211,3 @@ def _snapped(paths: Paths) -> Paths:
     near = (gap < JOIN) & ((last > first + 1) | (np.abs(paths.bulge[first]) > 0.0))
     end[last[near]] = paths.start[first[near]]
     return Paths(paths.start, end, paths.bulge, paths.first)
-
-
-def _area(paths: Paths) -> F64:
-    """Return the signed area that each path goes round (mm²), > 0 counter-clockwise."""
-    # From a point of the path itself, so that far from the origin no digits are lost.
-    origin = paths.start[paths.first[:-1]][paths.path_of]
-    a, b = paths.start - origin, paths.end - origin
-    swept = arc.sweep(paths.bulge)
-    radius = arc.radius(paths.start, paths.end, paths.bulge)
-    segment = np.where(np.isfinite(radius), radius, 0.0) ** 2 * (swept - np.sin(swept))
-    twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] + segment
-    area: F64 = np.bincount(paths.path_of, twice, minlength=len(paths)) / 2.0
-    return area
