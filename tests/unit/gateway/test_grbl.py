@@ -416,6 +416,18 @@ async def test_more_bytes_in_the_buffer_than_are_unanswered_is_an_answer_too_man
         assert "an answer was doubled" in controller.fault.message
 
 
+async def test_an_alarm_that_is_over_does_not_unlock_a_later_one():
+    wire = Wire()
+    async with opened(wire) as controller:
+        wire.say("<Alarm|MPos:0,0,0,0>\nALARM:3")
+        async with asyncio.timeout(5.0):
+            while controller.last_alarm != 3:
+                await asyncio.sleep(0.001)
+            wire.say("<Idle|MPos:0,0,0,0>")
+            while controller.last_alarm != 0:
+                await asyncio.sleep(0.001)
+
+
 async def test_settling_waits_for_rest_and_for_the_answer_to_its_own_question():
     wire = Wire({"$G": "[GC:G0 G54]\nok"})
     async with opened(wire) as controller:
