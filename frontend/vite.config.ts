@@ -1,6 +1,8 @@
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
 
+const API = process.env.KNIFETIP_API ?? "http://127.0.0.1:8080";
+
 export default defineConfig({
   plugins: [react()],
   build: {
@@ -20,7 +22,8 @@ export default defineConfig({
     },
   },
   server: {
-    proxy: { "/api": process.env.KNIFETIP_API ?? "http://127.0.0.1:8080" },
+    // The service answers only to pages of its own origin.
+    proxy: { "/api": { target: API, changeOrigin: true, headers: { Origin: API } } },
   },
   test: { environment: "node", include: ["src/**/*.test.ts"] },
 });

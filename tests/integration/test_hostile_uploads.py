@@ -115,8 +115,11 @@ def connected(server: Running) -> Iterator[socket.socket]:
         yield line
 
 
-def request(*headers: str) -> bytes:
-    lines = ("POST /api/drawings HTTP/1.1", "Host: a", f"Content-Type: {_FORM}", *headers)
+def request(server: Running, *headers: str) -> bytes:
+    host = f"Host: {server.client.base_url.netloc.decode()}"
+    lines = (
+        "POST /api/drawings HTTP/1.1", host, f"Content-Type: {_FORM}", "X-Knifetip: test", *headers
+    )  # fmt: skip
     return "\r\n".join([*lines, "", ""]).encode()
 
 
@@ -133,7 +136,7 @@ def test_half_a_gigabyte_in_pieces_is_refused_after_the_first_64_megabytes(serve
     piece = b"999\nnothing\n" * 87_381
     sent = 0
     with unharmed(server), connected(server) as line:
-        line.sendall(request("Transfer-Encoding: chunked"))
+        line.sendall(request(server, "Transfer-Encoding: chunked"))
         with suppress(ConnectionError):
             for part in [_HEAD, *[piece] * 500, _TAIL]:
                 line.sendall(b"%x\r\n%b\r\n" % (len(part), part))
@@ -148,13 +151,13 @@ def test_half_a_gigabyte_in_pieces_is_refused_after_the_first_64_megabytes(serve
 
 def test_half_a_gigabyte_that_is_announced_is_refused_before_it_comes(server: Running):
     with unharmed(server), connected(server) as line:
-        line.sendall(request(f"Content-Length: {500 * _MEGABYTE}"))
+        line.sendall(request(server, f"Content-Length: {500 * _MEGABYTE}"))
         assert answered(line).startswith(b"HTTP/1.1 413")
 
 
 def test_less_than_was_announced_is_waited_for_and_forgotten_with_the_connection(server: Running):
     with unharmed(server), connected(server) as line:
-        line.sendall(request("Content-Length: 1000000") + _HEAD + square())
+        line.sendall(request(server, "Content-Length: 1000000") + _HEAD + square())
         line.settimeout(0.5)
         assert answered(line) == b""
 
@@ -162,7 +165,7 @@ def test_less_than_was_announced_is_waited_for_and_forgotten_with_the_connection
 def test_more_than_was_announced_is_no_second_request(server: Running):
     whole = _HEAD + square() + _TAIL
     with unharmed(server), connected(server) as line:
-        line.sendall(request(f"Content-Length: {len(whole) - 20}") + whole)
+        line.sendall(request(server, f"Content-Length: {len(whole) - 20}") + whole)
         line.settimeout(2.0)
         said = answered(line)
     # The form has no end; what follows it is not HTTP.
@@ -173,7 +176,7 @@ def test_more_than_was_announced_is_no_second_request(server: Running):
 @pytest.mark.parametrize("length", ["-1", "1e3", "9" * 5000, "5, 6", ""])
 def test_a_length_that_is_none_is_a_bad_request(server: Running, length: str):
     with unharmed(server), connected(server) as line:
-        line.sendall(request(f"Content-Length: {length}") + _HEAD)
+        line.sendall(request(server, f"Content-Length: {length}") + _HEAD)
         line.settimeout(2.0)
         assert answered(line).startswith(b"HTTP/1.1 4")
 
@@ -182,7 +185,7 @@ def test_fifty_who_stop_in_the_middle_keep_nobody_waiting(server: Running):
     with unharmed(server):
         lines = [connected(server) for _ in range(50)]
         for line in lines:
-            line.__enter__().sendall(request("Content-Length: 60000000") + _HEAD + b"0\n" * 1000)
+            line.__enter__().sendall(request(server, "Content-Length: 60000000") + _HEAD + b"0\n" * 1000)
         assert uploaded(server.client, square())["segments"] == 4
         for line in lines:
             line.__exit__(None, None, None)

@@ -312,5 +312,8 @@ class Access:
 
 
 def _problem(refused: Refusal) -> Response:
-    headers = {"WWW-Authenticate": "Bearer"} if refused.status == 401 else {}
+    # The body was not read: without an end of the connection it would still be received.
+    headers = {"Connection": "close"}
+    if refused.status == 401:
+        headers["WWW-Authenticate"] = "Bearer"
     return problem(refused.status, refused.detail, mend=refused.mend, headers=headers)

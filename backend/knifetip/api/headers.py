@@ -25,7 +25,8 @@ class SecurityHeaders:
         """Pass a request on, and add the headers to its answer."""
 
         async def passed(message: Message) -> None:
-            if message["type"] == "http.response.start":
+            # A browser puts the headers of a 304 in place of those that it has kept.
+            if message["type"] == "http.response.start" and message["status"] != 304:
                 headers = MutableHeaders(scope=message)
                 for name, value in DEFAULTS.items():
                     headers.setdefault(name, value)

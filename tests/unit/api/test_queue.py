@@ -115,6 +115,7 @@ def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
     until(client, job["id"], "queued")
     claim = {"gateway": "g", "machine": "demo-table", "wait": 5.0}
     epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
+    assert client.post(f"/api/jobs/{job['id']}/confirm").status_code == 200
     before = len(client.get("/api/drawings").json())
     gate.clear()
     # More than the common pool of threads has: all of it would wait.

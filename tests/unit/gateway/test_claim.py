@@ -418,8 +418,10 @@ async def test_a_table_that_is_jogged_gives_a_waiting_job_back():
     office.command = lambda _: "wait" if len(office.beats) < 500 else "start"
     async with table() as server:
 
-        async def connect():
-            controller = await grbl.dial(server.address, silence=0.5, poll=0.02)
+        async def connect(safe, stop_motion):
+            controller = await grbl.dial(
+                server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
+            )
             true_status = controller.status
 
             async def status():
