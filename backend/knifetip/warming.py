@@ -35,6 +35,11 @@ _NAMELESS: Final[tuple[_Line, ...]] = (
 _UNTIDY: Final[tuple[_Line, ...]] = (
     *((0, 0, 100, 0), (50, 0, 150, 0), (150.02, 0, 150.02, 50), (70, 70, 70.01, 70)),
 )
+#: A hole in a blank whose outline does not quite close.
+_NESTED: Final[tuple[_Line, ...]] = (
+    *((0, 0, 100, 0), (100, 0, 100, 80), (100, 80, 0, 80), (0, 80, 0, 0.5)),
+    *((30, 30, 60, 30), (60, 30, 60, 50), (60, 50, 30, 50), (30, 50, 30, 30)),
+)
 #: The walls of a notch cross by a tenth of a micrometre on their way down: it is told where.
 _TORN: Final = (
     *((0, 0), (100, 0), (100, 60), (50.0001, 60), (49.9999, 30), (50.0001, 30)),
@@ -77,6 +82,8 @@ def drawings() -> None:
     rules = load.profile("default")
     dieline(read_drawing(_dxf("ENTITIES", _lines(_NAMELESS)), "mm"), rules)
     clean(dieline(read_drawing(_dxf("ENTITIES", _lines(_UNTIDY, "CUT")), "mm"), rules))
+    nested = read_drawing(_dxf("ENTITIES", _lines(_NESTED, "CUT")), "mm")
+    compiled(nested, dieline(nested, rules), load.machine("demo-table"), load.board("fbb-0.4"))
     _made("tuck-end-carton.dxf", "fbb-0.4", "demo-table")
     _made("rigid-box-blank.dxf", "greyboard-2.0", "demo-table")
 

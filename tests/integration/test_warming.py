@@ -5,10 +5,9 @@ from __future__ import annotations
 import subprocess
 import sys
 
-#: What no request calls: paper tests and the judge of geometry do, and whoever knows the sheet
-#: around a blank, which the service does not.
+#: What no request calls: tests of the papers do, and callers that have the outline of the sheet,
+#: which the service does not have.
 _NOT_ASKED_FOR = {
-    "geometry.intersect._pairs",
     "geometry.transition._all",
     "sequencing.turning._clear_ways",
     "sequencing.turning._outside",

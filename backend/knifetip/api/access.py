@@ -312,8 +312,5 @@ class Access:
 
 
 def _problem(refused: Refusal) -> Response:
-    # The body was not read: without an end of the connection it would still be received.
-    headers = {"Connection": "close"}
-    if refused.status == 401:
-        headers["WWW-Authenticate"] = "Bearer"
+    headers = {"WWW-Authenticate": "Bearer"} if refused.status == 401 else {}
     return problem(refused.status, refused.detail, mend=refused.mend, headers=headers)
