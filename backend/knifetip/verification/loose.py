@@ -124,9 +124,12 @@ def _judge_cuts(bench: Bench, cuts: Edges, net: _Net, done: _Stretches, free: F6
     until = _held_until(
         done.edge, done.low, done.high, first, begin, begin + net.curve[pieces, 5], held
     )
-    late = np.flatnonzero(done.line > until)
-    late = late[np.unique(done.edge[late], return_index=True)[1]]
-    for k in late[:MOST]:
+    late = done.line > until
+    if done.reach == 0.0:
+        # A knife runs on over its end, into a cut that may be made already.
+        late &= _fresh(done.edge, done.low, done.high)
+    some = np.flatnonzero(late)
+    for k in some[np.unique(done.edge[some], return_index=True)[1]][:MOST]:
         edge = int(done.edge[k])
         place = point_at(
             cuts.curve[edge : edge + 1], np.array([0.5 * (done.low[k] + done.high[k])])
@@ -260,6 +263,24 @@ def _completed(
                 complete[p] = line[k]
                 break
     return complete
+
+
+@njit(cache=True)
+def _fresh(edge: Any, low: Any, high: Any) -> Any:
+    """Return which stretches, by edge and then by line, are new for half of their length."""
+    fresh = np.zeros(len(edge), np.bool_)
+    begin = 0
+    while begin < len(edge):
+        end = begin
+        while end < len(edge) and edge[end] == edge[begin]:
+            end += 1
+        covered = np.empty((end - begin + 1, 2))
+        many = 0
+        for k in range(begin, end):
+            many, gained = added(covered, many, low[k], high[k])
+            fresh[k] = gained >= 0.5 * (high[k] - low[k])
+        begin = end
+    return fresh
 
 
 @njit(cache=True)
