@@ -91,7 +91,7 @@ def test_a_gateway_that_never_comes_back_leaves_an_interrupted_job(database: Pat
     until(first.client, job, "running", confirm=True)
     first.kill()
     with Running(database, simulator=False) as client:
-        found = until(client, job, "interrupted", seconds=20.0)
+        found = until(client, job, "interrupted", seconds=40.0)
         assert "fell silent" in found["reason"]
 
 
