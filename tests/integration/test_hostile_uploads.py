@@ -184,8 +184,9 @@ def test_a_length_that_is_none_is_a_bad_request(server: Running, length: str):
 def test_fifty_who_stop_in_the_middle_keep_nobody_waiting(server: Running):
     with unharmed(server):
         lines = [connected(server) for _ in range(50)]
+        begun = request(server, "Content-Length: 60000000") + _HEAD + b"0\n" * 1000
         for line in lines:
-            line.__enter__().sendall(request(server, "Content-Length: 60000000") + _HEAD + b"0\n" * 1000)
+            line.__enter__().sendall(begun)
         assert uploaded(server.client, square())["segments"] == 4
         for line in lines:
             line.__exit__(None, None, None)
