@@ -195,7 +195,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     expect(card).to_contain_text("Copy 1 of 2 is done.")
     expect(page.get_by_test_id("resume")).to_be_hidden()
     page.screenshot(path=screenshots / "copies-1-sheet.png")
-    expect(page.get_by_test_id("confirm")).to_have_text("New sheet is on, start copy 2")
+    expect(page.get_by_test_id("confirm")).to_have_text("New sheet is on, start")
     page.get_by_test_id("confirm").click()
     expect(state).to_have_text("Running")
     page.get_by_test_id("hold").click()

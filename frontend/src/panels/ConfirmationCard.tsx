@@ -10,7 +10,7 @@ import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 
 function buttonOf(job: Job): string {
-  if (job.waiting_for === "sheet") return `New sheet is on, start copy ${job.copies_done + 1}`;
+  if (job.waiting_for === "sheet") return "New sheet is on, start";
   return job.state === "queued" ? "Table is clear, start" : "Table is clear, go on";
 }
 
@@ -46,6 +46,7 @@ export function ConfirmationCard({ job }: { job: Job }) {
           </>
         )}
       </dl>
+      {job.mend !== "" && <div className={css.mend}>{job.mend}</div>}
       <Button
         fullWidth
         size="lg"
@@ -58,7 +59,6 @@ export function ConfirmationCard({ job }: { job: Job }) {
       >
         {buttonOf(job)}
       </Button>
-      {job.mend !== "" && <div className={css.mend}>{job.mend}</div>}
     </div>
   );
 }
