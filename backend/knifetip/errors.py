@@ -14,6 +14,7 @@
     │   ├── OpenQuestions         edges or units that somebody must decide first
     │   ├── NoToolForLineType     no station of the machine makes this line type
     │   ├── FlankOutside          a V-groove so near a cut that its flank leaves the board
+    │   ├── NoRoomForBridges      a contour has no places for the bridges that the board asks for
     │   └── TravelExceeded        a head would leave the machine's travel
     ├── CompensationError         an engine refuses an edge
     │   ├── CurvedGroove          a V-groove along an arc
@@ -45,10 +46,8 @@ Everything that a user can cause is one of these. The API sends the same words a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
-from numpy.typing import ArrayLike
+from collections.abc import Iterable, Sequence
+from itertools import islice
 
 
 class KnifetipError(Exception):
@@ -117,8 +116,8 @@ class GeometryError(KnifetipError):
 class ZeroLengthEdge(GeometryError):
     """An edge too short to have an azimuth."""
 
-    def __init__(self, rows: ArrayLike) -> None:
-        listed = [str(row) for row in np.atleast_1d(np.asarray(rows))[:10]]
+    def __init__(self, rows: Iterable[int]) -> None:
+        listed = [str(row) for row in islice(rows, 10)]
         super().__init__(
             f"Edge {', '.join(listed)} has no length, so it has no azimuth.",
             "Delete it from the drawing, or raise the speck tolerance.",

@@ -1,25 +1,84 @@
-"""The commands, put together, and how errors leave the house."""
+"""The commands of the command line, and how errors leave it."""
 
 from __future__ import annotations
 
 import sys
+from importlib import import_module
+from typing import Any, Final, NamedTuple
 
 import typer
+from typer.core import TyperCommand, TyperGroup
 
-from knifetip.cli import calibrate, drawing, job, machine, profile, program, service
-from knifetip.cli.terminal import UNUSABLE, say
 from knifetip.errors import KnifetipError
 
-app = typer.Typer(
+
+class _Command(NamedTuple):
+    module: str  #: the one of this package that registers it
+    help: str  #: the first sentence of its help
+
+
+# A command's module, and all that it imports, is only loaded to run that command.
+COMMANDS: Final[dict[str, _Command]] = {
+    "read": _Command("drawing", "Say what is in a drawing, and what became of every entity."),
+    "classify": _Command("drawing", "Say of every edge what it is, and by which rule."),
+    "clean": _Command(
+        "drawing",
+        "Say what is put in order before a drawing is made: of each edge, what became of it.",
+    ),
+    "samples": _Command("drawing", "Draw the sample cartons that come with knifetip."),
+    "program": _Command(
+        "program", "Write the program that makes a drawing, once the judge has accepted it."
+    ),
+    "verify": _Command("program", "Judge whether a program cuts what was drawn."),
+    "machine": _Command(
+        "machine", "Show a machine: its stations, their datums and their tools' dimensions."
+    ),
+    "calibrate": _Command(
+        "calibrate",
+        "Say how far a cutter gives way, from a contour cut without any deflection set.",
+    ),
+    "job": _Command(
+        "job", "The jobs of a server: list, show, confirm, hold, resume, cancel, finish, …"
+    ),
+    "serve": _Command(
+        "service", "Serve the page and the API, with everything embedded, until Ctrl-C."
+    ),
+    "worker": _Command("service", "Compile the jobs of a database until Ctrl-C."),
+    "gateway": _Command(
+        "service", "Stand beside a table: claim its jobs and stream them to its controller."
+    ),
+    "simulator": _Command(
+        "service", "Be a table: listen where a controller would, and move as it would."
+    ),
+    "profile": _Command("profile", "Classification profiles: list, show, export, import."),
+}
+
+
+def loaded(name: str) -> Any:
+    """Return a command with its parameters, from the module that registers it."""
+    app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
+    app.callback()(lambda: None)  # without one, an app of one command is that command
+    import_module(f"knifetip.cli.{COMMANDS[name].module}").register(app)
+    group: Any = typer.main.get_command(app)
+    return group.commands[name]
+
+
+class _Commands(TyperGroup):
+    """The commands by name and first sentence; the one that is called is loaded."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Return the name of the command that is called, the command, and its arguments."""
+        name, _, rest = super().resolve_command(ctx, args)
+        return name, None if name is None else loaded(name), rest
+
+
+app = _Commands(
     name="knifetip",
     help="Puts the tip of the knife on the line: carton dielines in, compensated programs out.",
+    commands={name: TyperCommand(name, help=one.help) for name, one in COMMANDS.items()},
     no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for _commands in (drawing, program, profile, machine, calibrate, job, service):
-    _commands.register(app)
 
 
 def main() -> None:
@@ -27,6 +86,8 @@ def main() -> None:
     try:
         app()
     except KnifetipError as error:
+        from knifetip.cli.terminal import UNUSABLE, say  # most commands do not fail
+
         say(error)
         sys.exit(UNUSABLE)
     except KeyboardInterrupt:
