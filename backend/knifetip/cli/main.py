@@ -45,7 +45,7 @@ COMMANDS: Final[dict[str, _Command]] = {
     ),
     "worker": _Command("service", "Compile the jobs of a database until Ctrl-C."),
     "gateway": _Command(
-        "service", "Stand beside a table: claim its jobs and stream them to its controller."
+        "service", "Claim the jobs of a machine and stream them to its controller."
     ),
     "simulator": _Command(
         "service", "Be a table: listen where a controller would, and move as it would."
