@@ -6,10 +6,9 @@ import json
 import re
 from pathlib import Path
 
-import typer
 import yaml
 
-from knifetip.cli.main import app
+from knifetip.cli.main import loaded
 
 ROOT = Path(__file__).resolve().parents[3]
 DOCKERFILE = (ROOT / "backend" / "Dockerfile").read_text()
@@ -18,7 +17,7 @@ COMPOSE = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
 
 def test_the_start_command_is_one_that_the_command_line_takes():
     words = json.loads(re.findall(r"^CMD (\[.*\])$", DOCKERFILE, re.M)[-1])
-    command = typer.main.get_command(app).commands[words[0]]
+    command = loaded(words[0])
     with command.make_context(words[0], words[1:]) as context:
         assert context.params["host"] == "0.0.0.0"
         assert context.params["database"].startswith("sqlite:////data/")
