@@ -152,13 +152,13 @@ def test_gateways_have_threads_that_nothing_else_takes(
     job = ordered(client, uploaded(client, square())["id"], release=True)
     until(client, job["id"], "queued")
     gate = threading.Event()
-    monkeypatch.setattr(client.service.store, "drawings", lambda *_: gate.wait(30.0) and [])
+    monkeypatch.setattr(client.service.store, "drawings", lambda *_: gate.wait(100.0) and [])
     with ThreadPoolExecutor(50) as pool:
         # All threads of the common pool wait, as they would for a database that is slow.
-        stuck = [pool.submit(client.get, "/api/drawings") for _ in range(50)]
+        stuck = [pool.submit(client.get, "/api/drawings", timeout=120.0) for _ in range(50)]
         time.sleep(0.5)
         try:
-            own = httpx.Client(base_url=client.base_url, timeout=5.0, trust_env=False)
+            own = httpx.Client(base_url=client.base_url, timeout=25.0, trust_env=False)
             with own, ThreadPoolExecutor(8) as gateways:
                 ask = {"gateway": "idle", "machine": "router-table", "wait": 3.0}
                 idle = [gateways.submit(own.post, "/api/gateway/claim", json=ask) for _ in range(8)]
