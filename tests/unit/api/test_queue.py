@@ -113,7 +113,7 @@ def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
     monkeypatch.setattr(client.service, "work", WorkQueue(1, 3))
     job = ordered(client, uploaded(client, square())["id"], release=True)
     until(client, job["id"], "queued")
-    claim = {"gateway": "g", "machine": "demo-table", "wait": 5.0}
+    claim = {"gateway": "g", "machine": "demo-table", "wait": 20.0}
     epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
     assert client.post(f"/api/jobs/{job['id']}/confirm").status_code == 200
     before = len(client.get("/api/drawings").json())
@@ -162,7 +162,7 @@ def test_gateways_have_threads_that_nothing_else_takes(
             with own, ThreadPoolExecutor(8) as gateways:
                 ask = {"gateway": "idle", "machine": "router-table", "wait": 3.0}
                 idle = [gateways.submit(own.post, "/api/gateway/claim", json=ask) for _ in range(8)]
-                claim = {"gateway": "g", "machine": "demo-table", "wait": 3.0}
+                claim = {"gateway": "g", "machine": "demo-table", "wait": 20.0}
                 epoch = own.post("/api/gateway/claim", json=claim).json()["epoch"]
                 program = own.get(f"/api/gateway/program/{job['id']}")
                 assert program.status_code == 200
