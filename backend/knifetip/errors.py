@@ -1,4 +1,4 @@
-"""Every way that knifetip says no: one class to a cause, each with place, measure and mend.
+"""Every way that knifetip says no: one class to a cause, each with place, measure and hint.
 
     KnifetipError
     ├── ReadError                 the bytes are not a drawing that can be used
@@ -57,31 +57,31 @@ class KnifetipError(Exception):
     ----------
     message
         One sentence that names the place and the measure.
-    mend
+    hint
         One sentence that says what the user can do.
     source
         Handles of the entities, or rows of the edges, that it is about.
     """
 
-    def __init__(self, message: str, mend: str = "", source: Sequence[str] = ()) -> None:
+    def __init__(self, message: str, hint: str = "", source: Sequence[str] = ()) -> None:
         super().__init__(message)
         self.message = message
-        self.mend = mend
+        self.hint = hint
         self.source = tuple(source)
 
     def __reduce__(self) -> tuple[object, ...]:
         # Errors cross from the compile process to the server: keep all three parts on the way.
-        return (_rebuild, (type(self), self.message, self.mend, self.source))
+        return (_rebuild, (type(self), self.message, self.hint, self.source))
 
     def __str__(self) -> str:
-        return f"{self.message} {self.mend}".strip()
+        return f"{self.message} {self.hint}".strip()
 
 
 def _rebuild(
-    kind: type[KnifetipError], message: str, mend: str, source: tuple[str, ...]
+    kind: type[KnifetipError], message: str, hint: str, source: tuple[str, ...]
 ) -> KnifetipError:
     error = kind.__new__(kind)
-    KnifetipError.__init__(error, message, mend, source)
+    KnifetipError.__init__(error, message, hint, source)
     return error
 
 

@@ -109,7 +109,7 @@ def knife_edges() -> Bench:
 
 def clean_sheet() -> Bench:
     """Clean a sheet on which there is nothing to do."""
-    return "20,000 panels, nothing to mend", 100_000, _cleaned(0.0, False), {}, 7
+    return "20,000 panels, nothing to repair", 100_000, _cleaned(0.0, False), {}, 7
 
 
 def clean_damaged() -> Bench:

@@ -1,4 +1,4 @@
-"""The reader of CF2: no bytes may end in anything but a Drawing or a KnifetipError with a mend.
+"""The reader of CF2: no bytes may end in anything but a Drawing or a KnifetipError with a hint.
 
 How to run it: see ``fuzzing``.
 """

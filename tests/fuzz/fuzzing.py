@@ -77,7 +77,7 @@ def main(one: Callable[[bytes], object]) -> None:
 
 
 def read_or_refused(read: Callable[[bytes], Drawing], data: bytes) -> Drawing | None:
-    """Return the drawing, or None where it is refused with a reason and a mend.
+    """Return the drawing, or None where it is refused with a reason and a hint.
 
     Raises
     ------
@@ -99,5 +99,5 @@ def read_or_refused(read: Callable[[bytes], Drawing], data: bytes) -> Drawing | 
 
 def known(refused: KnifetipError) -> None:
     """Check that a refusal says what to do, and knows what it refuses."""
-    assert refused.mend, refused.message
+    assert refused.hint, refused.message
     assert "stumbles" not in refused.message, repr(refused.__cause__)

@@ -91,7 +91,7 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client):
         waiting = until(shop, job, "held")
         assert waiting["waiting_for"] == "sheet"
         assert waiting["reason"] == f"Copy {copy} of 3 is done."
-        assert waiting["mend"] == "Put a new sheet of e-flute (1.6 mm) on the table and confirm."
+        assert waiting["hint"] == "Put a new sheet of e-flute (1.6 mm) on the table and confirm."
         # The older command and the confirmation do the same.
         shop.post(f"/api/jobs/{job}/{'resume' if copy == 1 else 'confirm'}")
     done = until(shop, job, "done", confirm=True)
@@ -124,7 +124,7 @@ def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Cli
         "Waiting for the operator at Demo table 1600 × 1200: table clear, board e-flute (1.6 mm), "
         "tools: Oscillating knife (station 1)."
     )
-    assert found["mend"] == "Confirm to start."
+    assert found["hint"] == "Confirm to start."
     assert found["tools"] == [{"station": 1, "name": "Oscillating knife", "kind": "knife"}]
     time.sleep(1.0)
     assert shop.get(f"/api/jobs/{second}").json()["state"] == "queued"

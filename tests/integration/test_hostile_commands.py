@@ -18,9 +18,9 @@ def check_refused(result: tuple[int, str, str], word: str) -> None:
     assert code == 3
     assert out == ""
     assert "Traceback" not in err
-    told, mend = err.strip().split("\n")
+    told, hint = err.strip().split("\n")
     assert word in told
-    assert mend
+    assert hint
 
 
 @pytest.mark.parametrize("name", hostile.REFUSED)

@@ -63,7 +63,7 @@ def check_problem(answer: httpx.Response, status: int, word: str) -> None:
     assert answer.headers["content-type"] == "application/problem+json"
     said = answer.json()
     assert word in said["detail"]
-    assert said["mend"]
+    assert said["hint"]
     assert len(answer.content) < 10_000
     assert "Traceback" not in answer.text
 

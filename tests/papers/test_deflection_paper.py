@@ -58,10 +58,10 @@ def test_11_12_from_one_measured_point_to_every_other():
 def test_12_is_singular_where_the_paper_divides_by_nothing():
     with pytest.raises(CompensationError, match="δx") as flat:
         calibrated(np.array([[1.0, 0.0]]), np.array([[0.0, 0.05]]), 1)
-    assert "runs along Y" in flat.value.mend
+    assert "runs along Y" in flat.value.hint
     with pytest.raises(CompensationError, match="δy") as upright:
         calibrated(np.array([[0.0, 1.0]]), np.array([[-0.1, 0.0]]), 1)
-    assert "runs along X" in upright.value.mend
+    assert "runs along X" in upright.value.hint
 
 
 def test_two_points_along_the_axes_serve_where_neither_would_alone():

@@ -110,7 +110,7 @@ def check_import(data: bytes, unit: str) -> bool:
         if reading.summary["unit"]:
             tasks.cleaned(lambda _stage, _share: None, reading.edges)
         return True
-    assert refused.mend
+    assert refused.hint
     assert "stumbles" not in refused.message, refused.__cause__
     return False
 

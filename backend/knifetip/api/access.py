@@ -73,7 +73,7 @@ class Refusal:
 
     status: int
     detail: str
-    mend: str
+    hint: str
     wrong_key: bool = False
 
 
@@ -115,7 +115,7 @@ def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
     """Refuse a change that a page of another origin may have sent."""
     if facts.method in _SAFE:
         return None
-    mend = "Send it from this server's own page, or from a program that is no browser."
+    hint = "Send it from this server's own page, or from a program that is no browser."
     same = False
     for origin in facts.origins:
         scheme, separator, rest = origin.partition("://")
@@ -126,9 +126,9 @@ def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
             and _with_port(named, scheme.lower()) == _with_port(host, facts.scheme)
         )
         if not same:
-            return Refusal(403, f"A page of {origin[:100]} sent this.", mend)
+            return Refusal(403, f"A page of {origin[:100]} sent this.", hint)
     if facts.fetch_site not in (None, "same-origin", "none"):
-        return Refusal(403, "A page of another origin sent this.", mend)
+        return Refusal(403, "A page of another origin sent this.", hint)
     if same or facts.marked or facts.authorization is not None:
         return None
     # Every browser's User-Agent begins like this, and no page can change it without asking first.
@@ -313,4 +313,4 @@ class Access:
 
 def _problem(refused: Refusal) -> Response:
     headers = {"WWW-Authenticate": "Bearer"} if refused.status == 401 else {}
-    return problem(refused.status, refused.detail, mend=refused.mend, headers=headers)
+    return problem(refused.status, refused.detail, hint=refused.hint, headers=headers)

@@ -162,7 +162,7 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
         error.message,
         kind=f"urn:knifetip:problem:{word}",
         title=(inspect.getdoc(kind) or "").split("\n")[0].rstrip("."),
-        mend=error.mend,
+        hint=error.hint,
         source=error.source,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
         revision=error.revision if isinstance(error, errors.StaleRevision) else None,
@@ -182,7 +182,7 @@ async def _request_problem(_request: Request, error: Exception) -> Response:
         f"The request cannot be read: {told[:1000]}.",
         kind="urn:knifetip:problem:request",
         title="The request cannot be read",
-        mend="See /api/openapi.json for what is expected.",
+        hint="See /api/openapi.json for what is expected.",
         source=places,
     )
 
@@ -192,24 +192,24 @@ async def _http_problem(request: Request, error: Exception) -> Response:
     match error.status_code:
         case 404:
             detail = f"There is nothing at {request.url.path[:200]}."
-            mend = "See /api/openapi.json for what there is."
+            hint = "See /api/openapi.json for what there is."
         case 405:
             detail = f"{request.method} is not for {request.url.path[:200]}."
-            mend = "See /api/openapi.json for what is."
+            hint = "See /api/openapi.json for what is."
         case _:
-            detail, mend = str(error.detail)[:1000], ""
-    return problem(error.status_code, detail, mend=mend, headers=error.headers)
+            detail, hint = str(error.detail)[:1000], ""
+    return problem(error.status_code, detail, hint=hint, headers=error.headers)
 
 
 async def _stopping_problem(_request: Request, _error: Exception) -> Response:
-    return problem(503, "The server is stopping.", mend="Try again in a moment.")
+    return problem(503, "The server is stopping.", hint="Try again in a moment.")
 
 
 async def _database_problem(request: Request, error: Exception) -> Response:
     if isinstance(error, sqlalchemy.exc.DataError):
         return problem(422, "The request holds text or numbers that cannot be kept.")
     _log.error("%s %s", request.method, request.url.path, exc_info=error)
-    return problem(503, "The database does not answer.", mend="Try again in a moment.")
+    return problem(503, "The database does not answer.", hint="Try again in a moment.")
 
 
 async def _unforeseen_problem(request: Request, error: Exception) -> Response:
@@ -217,7 +217,7 @@ async def _unforeseen_problem(request: Request, error: Exception) -> Response:
     return problem(
         500,
         "Something happened that nobody foresaw; nothing was cut.",
-        mend="The server's log has the details.",
+        hint="The server's log has the details.",
     )
 
 

@@ -101,7 +101,7 @@ class Stream:
         rows = self._service.store.jobs((State.QUEUED.value,), limit=500)
         shown = jobs_out(self._service.store, rows)
         waits: dict[str, tuple[str, str, str]] = {
-            job.id: (job.waiting_for, job.reason, job.mend) for job in shown
+            job.id: (job.waiting_for, job.reason, job.hint) for job in shown
         }
         news = [
             _message("job", job.model_dump_json())

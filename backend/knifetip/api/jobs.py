@@ -268,7 +268,7 @@ def _job_out(row: Job, waits: Waiting) -> JobOut:
         name: getattr(row, name) for name in set(JobOut.model_fields) - computed
     }
     if waits.waiting_for:
-        fields |= {"reason": waits.reason, "mend": waits.hint}
+        fields |= {"reason": waits.reason, "hint": waits.hint}
     return JobOut.model_validate(
         {
             **fields,

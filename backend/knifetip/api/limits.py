@@ -71,6 +71,6 @@ def _refusal(limit: int, multipart: bool) -> Response:
         413,
         f"A request may have {limit >> 20} MB here.",
         title="Content Too Large",
-        mend="Send a smaller drawing." if multipart else "Send it in several requests.",
+        hint="Send a smaller drawing." if multipart else "Send it in several requests.",
         headers={"Connection": "close"},
     )

@@ -80,7 +80,7 @@ class JobClient:
         problem = content if isinstance(content, dict) else {}
         raise JobError(
             str(problem.get("detail") or f"{url} answered {answer.status_code}."),
-            str(problem.get("mend", "")),
+            str(problem.get("hint", "")),
         )
 
     def job(self, id: str) -> dict[str, Any]:
@@ -201,6 +201,6 @@ def _describe(row: dict[str, Any]) -> None:
             f"  line {row['line']} of {row['lines']}, copies {row['copies_done']} of "
             f"{row['copies']}"
         )
-    for text in (row["reason"], row["mend"]):
+    for text in (row["reason"], row["hint"]):
         if text:
             typer.echo(f"  {text}")

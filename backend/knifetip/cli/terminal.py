@@ -36,8 +36,8 @@ def say(error: KnifetipError) -> None:
             stderr.print(f"? {question['text']}", markup=False)
         return
     stderr.print(f"knifetip: {error.message}", markup=False, style="bold red")
-    if error.mend:
-        stderr.print(error.mend, markup=False)
+    if error.hint:
+        stderr.print(error.hint, markup=False)
 
 
 def ask(questions: Sequence[Question]) -> None:

@@ -77,7 +77,7 @@ def centres(operation: Operation) -> Centres:
         except (CompensationError, GeometryError) as reason:
             edges = [str(operation.source[int(row)]) for row in reason.source]
             named = f"At edge {' and edge '.join(edges)}: " if edges else ""
-            raise CompensationError(named + reason.message, reason.mend, edges) from None
+            raise CompensationError(named + reason.message, reason.hint, edges) from None
         paths, segment, unreached = beside.paths, beside.source, beside.unreached
         _refuse_lost(operation, cutter, segment)
         paths, rows = deflected(paths, operation.side, *operation.deflection)

@@ -93,7 +93,7 @@ class Singles:
         Raises
         ------
         Exception
-            Whatever ezdxf raises at damage, and where it would mend this entity when it recovers
+            Whatever ezdxf raises at damage, and where it would repair this entity when it recovers
             the file: whether it must, nobody knows who has read no more than one.
         """
         # A point may be followed by its z: ezdxf looks beyond it, and wants something to be there.

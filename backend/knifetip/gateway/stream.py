@@ -163,13 +163,13 @@ async def _stop(
         return type(error)(
             f"{error.message} {_carried_out(following.lines, sent, lines)} The machine is not "
             f"safe: {unsafe.message}",
-            unsafe.mend,
+            unsafe.hint,
         )
     height = f"Z {status.position[2]:.1f}"
     return type(error)(
         f"{error.message} {_carried_out(following.lines, sent, lines)} The machine was stopped "
         f"and lifted to {height}, its stations were released.",
-        error.mend,
+        error.hint,
     )
 
 

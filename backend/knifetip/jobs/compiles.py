@@ -112,7 +112,7 @@ class Compiles(Orders):
                     epoch=epoch,
                     reason=result.reason,
                     source=result.source,
-                    mend="Change the drawing, the line types or the board; nothing was cut.",
+                    hint="Change the drawing, the line types or the board; nothing was cut.",
                     **kept,
                 )
                 return
@@ -132,7 +132,7 @@ class Compiles(Orders):
         id: str,
         epoch: int,
         reason: str,
-        mend: str,
+        hint: str,
         source: Sequence[str] = (),
         questions: Sequence[dict[str, Any]] = (),
     ) -> None:
@@ -146,7 +146,7 @@ class Compiles(Orders):
                 reason,
                 epoch=epoch,
                 reason=reason,
-                mend=mend,
+                hint=hint,
                 source=list(source),
                 questions=list(questions),
                 stage="",

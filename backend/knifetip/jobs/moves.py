@@ -57,14 +57,16 @@ class Moves(Database):
     def _refusal(
         self, session: Session, id: str, goal: str, epoch: int | None
     ) -> NoSuchJob | WrongState | StaleEpoch:
-        columns = sa.select(Job.state, Job.epoch, Job.mend).where(Job.id == id)
+        columns = sa.select(Job.state, Job.epoch, Job.hint).where(Job.id == id)
         found = session.execute(columns).first()
         if found is None:
             return NoSuchJob(f"There is no job {short(id)}.", "GET /api/jobs lists them.")
         state, current, hint = found
         if epoch is not None and epoch != current:
             return stale(id, state, current, epoch)
-        return WrongState(f"Job {id} is {state}, so it cannot become {goal}.", hint or mend(state))
+        return WrongState(
+            f"Job {id} is {state}, so it cannot become {goal}.", hint or hint_for(state)
+        )
 
     def _note(
         self, session: Session, kind: str, subject: str, state: str, who: str, why: str
@@ -123,7 +125,7 @@ def short(id: str) -> str:
     return repr(id if len(id) <= 40 else id[:40] + "…")
 
 
-def mend(state: str) -> str:
+def hint_for(state: str) -> str:
     """Return what can be done about a job in this state."""
     match state:
         case State.INTERRUPTED:

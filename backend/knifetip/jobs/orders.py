@@ -10,7 +10,7 @@ from sqlalchemy.exc import IntegrityError
 
 from knifetip.errors import NoSuchJob, WrongState
 from knifetip.jobs.job import LEASED, Confirmation, State, Who, new_id, sources
-from knifetip.jobs.moves import Moves, mend, rows, same_request, short
+from knifetip.jobs.moves import Moves, hint_for, rows, same_request, short
 from knifetip.jobs.tables import Drawing, Event, Job
 
 
@@ -58,7 +58,7 @@ class Orders(Moves):
             updated=now,
             queued=0.0,
             reason="",
-            mend="",
+            hint="",
             source=[],
             questions=[],
             attempt=1,
@@ -187,7 +187,7 @@ class Orders(Moves):
                 line=0,
                 position=None,
                 reason="",
-                mend="",
+                hint="",
                 wish="",
                 seconds_left=None,
             )
@@ -212,7 +212,7 @@ class Orders(Moves):
                 line=row.lines,
                 copies_done=row.copies,
                 reason="",
-                mend="",
+                hint="",
                 wish="",
                 lease=0.0,
                 seconds_left=0.0,
@@ -285,7 +285,7 @@ class Orders(Moves):
                 detail, hint = f"Job {row.id} is running.", "There is nothing to confirm."
             case _:
                 detail = f"Job {row.id} is {row.state}, so it waits for no confirmation."
-                hint = row.mend or mend(row.state)
+                hint = row.hint or hint_for(row.state)
         raise WrongState(detail, hint)
 
     def hold(self, id: str) -> Job:
@@ -343,7 +343,7 @@ class Orders(Moves):
                     raise WrongState(
                         f"Job {id} is {row.state}, and {wish} is for a job that is "
                         f"{' or '.join(states)}.",
-                        mend(row.state),
+                        hint_for(row.state),
                     )
                 self._note(session, "job", id, row.state, str(Who.OPERATOR), f"asked to {wish}")
         return self.job(id)

@@ -93,7 +93,7 @@ class Job(Base):
     updated: Mapped[float] = mapped_column(sa.Double)
     queued: Mapped[float] = mapped_column(sa.Double)  #: when; 0 before
     reason: Mapped[str] = mapped_column(sa.Text)  #: why it was refused or interrupted
-    mend: Mapped[str] = mapped_column(sa.Text)
+    hint: Mapped[str] = mapped_column(sa.Text)
     source: Mapped[list[str]] = mapped_column(sa.JSON)
     questions: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON)
     attempt: Mapped[int]  #: of the compile

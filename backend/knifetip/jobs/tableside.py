@@ -333,12 +333,12 @@ class Tableside(Orders):
         reported = why or str(goal)
         if goal is State.DONE:
             ended |= {"line": row.lines, "copies_done": row.copies, "seconds_left": 0.0}
-            ended |= {"reason": "", "mend": ""}
+            ended |= {"reason": "", "hint": ""}
             if late:
                 reported = f"reported late: {why or 'every line was executed'}"
         elif goal is State.INTERRUPTED:
             left = interruption(row, why or "The gateway gave the job up.", line, copies_done)
-            ended |= {"reason": left.reason, "mend": left.hint}
+            ended |= {"reason": left.reason, "hint": left.hint}
             ended |= {"line": left.line, "copies_done": left.copies_done}
             reported = left.reason
             if late:
@@ -399,7 +399,7 @@ class Tableside(Orders):
                     line=left.line,
                     copies_done=left.copies_done,
                     reason=left.reason,
-                    mend=left.hint,
+                    hint=left.hint,
                     seconds_left=None,
                     wish="",
                     confirmation=Confirmation.NONE.value,
@@ -428,7 +428,7 @@ class Tableside(Orders):
                     why,
                     epoch=row.epoch,
                     reason=why,
-                    mend="Send a smaller drawing, or show us this one.",
+                    hint="Send a smaller drawing, or show us this one.",
                     stage="",
                 )
 

@@ -188,7 +188,7 @@ class Workshop:
     ) -> None:
         with contextlib.suppress(JobError):
             self.store.refuse(
-                id, epoch, reason.message, reason.mend, reason.source, questions or ()
+                id, epoch, reason.message, reason.hint, reason.source, questions or ()
             )
 
 

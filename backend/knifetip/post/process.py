@@ -224,7 +224,7 @@ def _check(toolpath: Toolpath) -> None:
     if len(toolpath) == 0:
         raise ProgramError("The toolpath has no moves.", "Classify an edge as something to make.")
 
-    def refuse(wrong: Bool, what: str, mend: str) -> None:
+    def refuse(wrong: Bool, what: str, hint: str) -> None:
         if wrong.any():
             row = int(np.argmax(wrong))
             edge = int(toolpath.source[row])
@@ -234,7 +234,7 @@ def _check(toolpath: Toolpath) -> None:
             )
             raise ProgramError(
                 f"{_place(toolpath, row)} {what}: from ({here}) to ({there}), {values}.",
-                mend,
+                hint,
                 [str(edge)] if edge >= 0 else [],
             )
 

@@ -10,13 +10,13 @@ const answers = (body: string, init: ResponseInit) =>
 afterEach(() => vi.unstubAllGlobals());
 
 describe("what goes wrong", () => {
-  test("keeps the service's own words, the mend and the entities", async () => {
+  test("keeps the service's own words, the hint and the entities", async () => {
     answers(
       JSON.stringify({
         title: "The job cannot be made",
         status: 409,
         detail: "LWPOLYLINE 2F4 on layer CREASE has no azimuth.",
-        mend: "Join its vertices.",
+        hint: "Join its vertices.",
         source: ["2F4"],
       }),
       { status: 409 },
@@ -25,7 +25,7 @@ describe("what goes wrong", () => {
     expect(failure).toBeInstanceOf(ServiceError);
     const { problem, message } = failure as ServiceError;
     expect(message).toBe("LWPOLYLINE 2F4 on layer CREASE has no azimuth.");
-    expect(problem.mend).toBe("Join its vertices.");
+    expect(problem.hint).toBe("Join its vertices.");
     expect(problem.source).toEqual(["2F4"]);
     expect(problem.questions).toEqual([]);
   });
@@ -69,7 +69,7 @@ describe("what goes wrong", () => {
     (body) => {
       const problem = problemOf(502, "Bad Gateway", body);
       expect(problem.detail).toBe("knifetip answered 502 Bad Gateway.");
-      expect(problem.mend).not.toBe("");
+      expect(problem.hint).not.toBe("");
     },
   );
 });

@@ -1,7 +1,7 @@
 /**
  * The service, as functions: one to an endpoint, each answering with what the service promises.
  *
- * Everything that goes wrong is a `ServiceError` with the service's own words: what, and the mend.
+ * Everything that goes wrong is a `ServiceError` with the service's own words: what, and the hint.
  */
 
 import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
@@ -60,8 +60,8 @@ export class ServiceError extends Error {
     super(problem.detail || problem.title);
   }
 
-  get mend(): string {
-    return this.problem.mend;
+  get hint(): string {
+    return this.problem.hint;
   }
 
   /** The drawing was changed since the request was made for it. */
@@ -75,7 +75,7 @@ const SILENT: Problem = {
   title: "No answer",
   status: 0,
   detail: "knifetip does not answer.",
-  mend: "See whether it is still running, then try again.",
+  hint: "See whether it is still running, then try again.",
   source: [],
   questions: [],
   revision: null,
@@ -109,7 +109,7 @@ export function problemOf(status: number, title: string, body: string): Problem 
     status,
     title: title || `Status ${status}`,
     detail: `knifetip answered ${status}${title ? ` ${title}` : ""}.`,
-    mend: status >= 500 ? "Try again; if it stays, look into the server's log." : "",
+    hint: status >= 500 ? "Try again; if it stays, look into the server's log." : "",
   };
   let said: unknown;
   try {
@@ -123,7 +123,7 @@ export function problemOf(status: number, title: string, body: string): Problem 
     ...plain,
     ...known,
     detail: typeof known.detail === "string" ? known.detail : plain.detail,
-    mend: typeof known.mend === "string" ? known.mend : plain.mend,
+    hint: typeof known.hint === "string" ? known.hint : plain.hint,
     source: known.source ?? [],
     questions: known.questions ?? [],
     status,

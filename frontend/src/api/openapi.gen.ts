@@ -1513,8 +1513,8 @@ export interface components {
             state: "received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled";
             /** Reason */
             reason: string;
-            /** Mend */
-            mend: string;
+            /** Hint */
+            hint: string;
             /** Source */
             source: string[];
             /** Questions */
@@ -1541,7 +1541,7 @@ export interface components {
             updated: number;
             /**
              * Waiting For
-             * @description What keeps it from going on, with the words in reason and mend: the operator's confirmation of table, board and tools; of the next sheet; the machine; its turn in the queue
+             * @description What keeps it from going on, with the words in reason and hint: the operator's confirmation of table, board and tools; of the next sheet; the machine; its turn in the queue
              * @default
              * @enum {string}
              */
@@ -1597,6 +1597,12 @@ export interface components {
             /** Program Sha256 */
             program_sha256: string;
             verdict: components["schemas"]["VerdictSummary"] | null;
+            /**
+             * Mend
+             * @deprecated
+             * @description The former name of hint
+             */
+            readonly mend: string;
         };
         /**
          * JobTool
@@ -2320,7 +2326,7 @@ export interface components {
         };
         /**
          * Problem
-         * @description An error as RFC 9457 has it, with the mend and the entities that it is about.
+         * @description An error as RFC 9457 has it, with the hint and the entities that it is about.
          */
         Problem: {
             /**
@@ -2335,10 +2341,10 @@ export interface components {
             /** Detail */
             detail: string;
             /**
-             * Mend
+             * Hint
              * @default
              */
-            mend: string;
+            hint: string;
             /**
              * Source
              * @default []

@@ -12,7 +12,7 @@ export function NoDrawing({ error }: { error: Error }) {
       <div className={css.welcome}>
         <h1>This drawing cannot be shown</h1>
         <p>
-          {error.message} {error instanceof ServiceError && error.mend}
+          {error.message} {error instanceof ServiceError && error.hint}
         </p>
         <Button variant="default" onClick={() => open(null)}>
           All drawings

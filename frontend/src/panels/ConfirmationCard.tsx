@@ -46,7 +46,7 @@ export function ConfirmationCard({ job }: { job: Job }) {
           </>
         )}
       </dl>
-      {job.mend !== "" && <div className={css.mend}>{job.mend}</div>}
+      {job.hint !== "" && <div className={css.hint}>{job.hint}</div>}
       <Button
         fullWidth
         size="lg"

@@ -100,7 +100,7 @@ function Waiting({ job }: { job: Job }) {
   return (
     <div className={jobCss.callout} data-tone="grey" role="status" data-testid="waiting">
       {job.reason || `Waiting for ${job.machine}.`}
-      {job.mend !== "" && <div className={css.mend}>{job.mend}</div>}
+      {job.hint !== "" && <div className={css.hint}>{job.hint}</div>}
     </div>
   );
 }
@@ -146,7 +146,7 @@ function Ending({ job }: { job: Job }) {
             {job.copies === 1 ? "Cut and done" : `${count(job.copies, "copy", "copies")} cut`}
           </span>
         </div>
-        <div className={css.mend}>The table is free for the next job.</div>
+        <div className={css.hint}>The table is free for the next job.</div>
       </div>
     );
   }
@@ -161,10 +161,10 @@ function Ending({ job }: { job: Job }) {
   const said = job.reason || fallback;
   if (said === "") return null;
   const { tone } = STATE_LOOKS[job.state];
-  const mend =
-    job.mend === "" && job.state === "interrupted"
+  const hint =
+    job.hint === "" && job.state === "interrupted"
       ? "Look at the table, then mark the job finished, queue it again or scrap it."
-      : job.mend;
+      : job.hint;
   const rows = edges === undefined ? [] : rowsOfHandles(edges, job.source);
   return (
     <div
@@ -174,7 +174,7 @@ function Ending({ job }: { job: Job }) {
       role={tone === "red" ? "alert" : "status"}
     >
       {said}
-      {mend !== "" && <div className={css.mend}>{mend}</div>}
+      {hint !== "" && <div className={css.hint}>{hint}</div>}
       {rows.length > 0 && (
         <Button mt={8} size="compact-xs" variant="default" onClick={() => look(rows)}>
           Show {count(rows.length, "edge")}

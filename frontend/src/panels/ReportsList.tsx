@@ -1,4 +1,4 @@
-/** What went wrong, with the mend, until it is read. */
+/** What went wrong, with the hint, until it is read. */
 
 import { Button, CloseButton } from "@mantine/core";
 import { IconAlertTriangleFilled, IconInfoCircleFilled } from "@tabler/icons-react";
@@ -17,7 +17,7 @@ export function ReportsList() {
   const { data: edges } = useEdges();
   return (
     <div className={reportCss.reports} role="alert" aria-live="assertive">
-      {list.map(({ id, title, detail, mend, source, notice }) => {
+      {list.map(({ id, title, detail, hint, source, notice }) => {
         const rows = edges === undefined ? [] : rowsOfHandles(edges, source);
         return (
           <div key={id} className={reportCss.report} data-testid="report">
@@ -29,7 +29,7 @@ export function ReportsList() {
             <div>
               <div style={{ color: "var(--ink-0)", fontWeight: 600 }}>{title}</div>
               <div>{detail}</div>
-              {mend !== "" && <div className={css.mend}>{mend}</div>}
+              {hint !== "" && <div className={css.hint}>{hint}</div>}
               {rows.length > 0 && (
                 <Button mt={8} size="compact-xs" variant="default" onClick={() => look(rows)}>
                   Show {count(rows.length, "edge")}

@@ -131,7 +131,7 @@ async function catchUp(id: string, refused = false): Promise<boolean> {
   useReports.getState().add({
     title: refused ? "Not done: changed elsewhere" : "Changed elsewhere",
     detail: `${after.name} was changed elsewhere: ${difference(before, after, rows)}.`,
-    mend: [
+    hint: [
       refused ? "Look at it, and repeat what you wanted if it still holds." : "",
       left.length < length ? "What you did before that can no longer be undone." : "",
     ]
@@ -207,7 +207,7 @@ async function asItWas(name: string, text: string): Promise<Profile> {
     title: "The profile has changed",
     status: 412,
     detail: `Somebody else changed the profile ${now.title} since.`,
-    mend: "Look at its rules; nothing was taken back.",
+    hint: "Look at its rules; nothing was taken back.",
     source: [],
     questions: [],
     revision: null,

@@ -111,7 +111,7 @@ describe("a drawing that is changed elsewhere", () => {
       title: "",
       status: 412,
       detail: "Drawing d1 is at revision 2, and the request names 1.",
-      mend: "",
+      hint: "",
       source: [],
       questions: [],
       revision: 2,
@@ -125,7 +125,7 @@ describe("a drawing that is changed elsewhere", () => {
     expect(queries.getQueryData(keys.drawing("d1").queryKey)?.revision).toBe(2);
     expect(told()).toMatchObject([{ title: "Changed elsewhere", notice: true }]);
     expect(told()[0]?.detail).toContain("1 edge has another type");
-    expect(told()[0]?.mend).toContain("undone");
+    expect(told()[0]?.hint).toContain("undone");
     expect(usePage.getState().past).toEqual([]);
     expect(usePage.getState().job).toBeNull();
   });

@@ -7,7 +7,7 @@ export interface Report {
   readonly id: number;
   readonly title: string;
   readonly detail: string;
-  readonly mend: string;
+  readonly hint: string;
   readonly source: readonly string[];
   /** Something happened that is no fault. */
   readonly notice?: boolean;
@@ -33,10 +33,10 @@ export const useReports = create<Reports>()((put) => ({
   dismiss: (id) => put(({ list }) => ({ list: list.filter((report) => report.id !== id) })),
 }));
 
-const fromProblem = ({ title, detail, mend, source }: Problem): Omit<Report, "id"> => ({
+const fromProblem = ({ title, detail, hint, source }: Problem): Omit<Report, "id"> => ({
   title,
   detail,
-  mend,
+  hint,
   source,
 });
 
@@ -44,8 +44,8 @@ export function report(cause: unknown): void {
   const { add } = useReports.getState();
   if (cause instanceof ServiceError) add(fromProblem(cause.problem));
   else if (cause instanceof Error) {
-    add({ title: "The page failed", detail: cause.message, mend: "Load it again.", source: [] });
+    add({ title: "The page failed", detail: cause.message, hint: "Load it again.", source: [] });
   } else {
-    add({ title: "The page failed", detail: String(cause), mend: "Load it again.", source: [] });
+    add({ title: "The page failed", detail: String(cause), hint: "Load it again.", source: [] });
   }
 }

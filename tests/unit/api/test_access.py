@@ -161,7 +161,7 @@ def test_plain_forms_are_no_requests_of_the_api(kind, expected):
 def test_without_a_key_only_this_machine_is_served():
     assert status(OPEN, CURL) == 200
     assert status(OPEN, LAN) == 403
-    assert "--key" in refusal(OPEN, LAN, NOW).mend
+    assert "--key" in refusal(OPEN, LAN, NOW).hint
     # A page that is led to this machine by its address, and a stranger who names it localhost.
     assert status(OPEN, replace(LAN, peer="127.0.0.1", server=("127.0.0.1", 8080))) == 421
     assert status(OPEN, replace(LAN, peer="192.168.1.20")) == 403
@@ -343,7 +343,7 @@ async def test_a_program_without_a_key_gets_a_problem_and_no_page():
             assert answer.status_code == 401
             assert answer.headers["content-type"] == "application/problem+json"
             assert answer.headers["www-authenticate"] == "Bearer"
-            assert answer.json()["mend"]
+            assert answer.json()["hint"]
 
 
 async def test_after_a_link_on_another_site_the_browser_asks_once_more_with_its_cookie():

@@ -62,7 +62,7 @@ def test_a_file_that_is_no_drawing_is_a_problem_that_names_it(client: httpx.Clie
         return
     said = problem(answer, 422)
     assert "a.dxf" in said["detail"]
-    assert said["mend"]
+    assert said["hint"]
 
 
 def test_70_megabytes_are_refused_before_they_are_read(client: httpx.Client):

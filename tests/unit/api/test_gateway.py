@@ -168,7 +168,7 @@ def test_a_claimed_job_waits_for_the_operator_and_states_what_for(
 ):
     assert beat(client, waiting, 0, waiting=True).json()["command"] == "wait"
     job = client.get(f"/api/jobs/{waiting['job']}").json()
-    assert (job["state"], job["waiting_for"], job["mend"]) == (
+    assert (job["state"], job["waiting_for"], job["hint"]) == (
         "queued",
         "confirmation",
         "Confirm to start.",
@@ -198,7 +198,7 @@ def test_another_board_is_refused_and_a_field_that_is_unknown_too(
 ):
     other = confirm(client, waiting, board="greyboard-2.0", by="Kim")
     assert other.status_code == 409
-    assert other.json()["mend"] == "Put e-flute on the table."
+    assert other.json()["hint"] == "Put e-flute on the table."
     assert confirm(client, waiting, colour="red").status_code == 422
     assert beat(client, waiting, 0, waiting=True).json()["command"] == "wait"
     assert confirm(client, waiting, board="e-flute", by="Kim").status_code == 200
@@ -222,7 +222,7 @@ def test_queued_jobs_state_whether_they_wait_for_their_turn_or_for_the_machine(
 
     def of(id: str) -> tuple[str, str, str]:
         job = client.get(f"/api/jobs/{id}").json()
-        return job["waiting_for"], job["reason"], job["mend"]
+        return job["waiting_for"], job["reason"], job["hint"]
 
     title = "Demo table 1600 × 1200"
     assert of(following) == (
@@ -280,7 +280,7 @@ def test_the_last_owner_reports_late_that_an_interrupted_job_is_done(
     said = {"job": claimed["job"], "epoch": claimed["epoch"], "outcome": "interrupted"}
     job = client.post("/api/gateway/finish", json={**said, "why": "A belt tore.", "line": 5}).json()
     assert job["reason"] == f"Interrupted at line 5 of {claimed['lines']}. A belt tore."
-    assert "queue the job again" in job["mend"].lower()
+    assert "queue the job again" in job["hint"].lower()
     done = finish(client, claimed).json()
     assert (done["state"], done["line"], done["reason"]) == ("done", claimed["lines"], "")
 

@@ -84,7 +84,7 @@ def test_a_drawing_larger_than_the_table_is_refused_with_its_measure(client: htt
     drawing = uploaded(client, square(side=5000.0))["id"]
     job = until(client, ordered(client, drawing)["id"], "refused")
     assert "5000.0 × 5000.0 mm" in job["reason"]
-    assert job["mend"] != ""
+    assert job["hint"] != ""
     for part in ("program", "toolpath", "verdict"):
         assert client.get(f"/api/jobs/{job['id']}/{part}").status_code == 409
 
@@ -148,7 +148,7 @@ def test_what_is_not_in_the_library_is_named(
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", field: value})
     assert answer.status_code == 422
     assert words in answer.json()["detail"]
-    assert answer.json()["mend"].startswith("There are ")
+    assert answer.json()["hint"].startswith("There are ")
 
 
 def milled(client: httpx.Client, **fields: object) -> dict:
@@ -197,7 +197,7 @@ def test_a_corner_that_is_not_there_refuses_the_job_with_its_place(client: httpx
     assert job["state"] == "refused"
     assert job["reason"].startswith("No corner of a milled contour is within 0.5 mm of (3, 0)")
     assert "3.00 mm away" in job["reason"]
-    assert "(0.00, 0.00)" in job["mend"]
+    assert "(0.00, 0.00)" in job["hint"]
 
 
 def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.Client):
@@ -207,7 +207,7 @@ def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.
     assert answer.status_code == 422
     assert answer.headers["content-type"] == "application/problem+json"
     assert "does not cut with a cutter" in answer.json()["detail"]
-    assert answer.json()["mend"] == "Leave the corners out, or choose a machine that mills."
+    assert answer.json()["hint"] == "Leave the corners out, or choose a machine that mills."
 
 
 @pytest.mark.parametrize(

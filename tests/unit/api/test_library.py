@@ -56,7 +56,7 @@ def test_directions_that_say_too_little_are_answered_with_what_to_measure(client
     assert answer.status_code == 422
     assert answer.headers["content-type"] == "application/problem+json"
     assert "runs along X at every measured point" in answer.json()["detail"]
-    assert answer.json()["mend"].startswith("Measure one more point where the contour runs along Y")
+    assert answer.json()["hint"].startswith("Measure one more point where the contour runs along Y")
 
 
 def test_the_wrong_side_is_noticed(client: httpx.Client):

@@ -81,13 +81,13 @@ def test_nobody_overwrites_what_somebody_else_changed(client: httpx.Client):
     assert keep(client, "shared").status_code == 201
     again = keep(client, "shared")
     assert again.status_code == 409
-    assert 'If-Match: "1"' in again.json()["mend"]
+    assert 'If-Match: "1"' in again.json()["hint"]
     changed = keep(client, "shared", OURS.replace("Acme", "B"), **{"If-Match": '"1"'})
     assert (changed.status_code, changed.json()["version"]) == (200, 2)
     late = keep(client, "shared", OURS.replace("Acme", "C"), **{"If-Match": '"1"'})
     assert late.status_code == 412
     assert "version 2" in late.json()["detail"]
-    assert 'If-Match: "2"' in late.json()["mend"]
+    assert 'If-Match: "2"' in late.json()["hint"]
     assert client.get("/api/profiles/shared").json()["title"] == "B"
     body = {"title": "D", "rules": [], "version": 2}
     assert client.put("/api/profiles/shared", json=body).json()["version"] == 3
@@ -169,7 +169,7 @@ def test_what_is_no_profile_is_refused_with_rule_and_field(
     said = answer.json()
     assert words in said["detail"]
     assert said["source"][: len(source)] == source
-    assert said["mend"]
+    assert said["hint"]
     assert client.get("/api/profiles/wrong").status_code == 404
 
 

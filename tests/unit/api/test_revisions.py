@@ -25,7 +25,7 @@ def stale(answer: httpx.Response, revision: int) -> None:
     said = answer.json()
     assert said["type"] == "urn:knifetip:problem:stale-revision"
     assert said["revision"] == revision
-    assert said["mend"]
+    assert said["hint"]
 
 
 def test_a_drawing_has_a_revision_that_counts_its_changes(client: httpx.Client):
@@ -169,7 +169,7 @@ def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
     others[0] = 3
     again = client.patch(path, json=CUT)
     assert again.status_code == 409
-    assert "Try again" in again.json()["mend"]
+    assert "Try again" in again.json()["hint"]
 
 
 def test_a_change_is_told_to_those_who_listen_with_its_revision(client: httpx.Client):

@@ -231,7 +231,7 @@ def refused(data: bytes, kind: type[KnifetipError] = NotADrawing, **limits: int)
     with pytest.raises(kind) as caught:
         read(data, limits=Limits(**limits))
     assert time.process_time() - begun < 10.0
-    assert caught.value.mend
+    assert caught.value.hint
     return caught.value.message
 
 
@@ -308,7 +308,7 @@ def read_or_refused(data: bytes) -> Drawing | None:
         return read(data)
     except KnifetipError as error:
         refusal = error
-    assert refusal.mend
+    assert refusal.hint
     assert "stumbles" not in refusal.message, refusal.__cause__
     return None
 

@@ -23,7 +23,7 @@ JOB = {
     "copies_done": 0,
     "waiting_for": "confirmation",
     "reason": "Waiting for the operator at Demo table: table clear, board e-flute.",
-    "mend": "Confirm to start.",
+    "hint": "Confirm to start.",
 }
 
 
@@ -135,7 +135,7 @@ def test_cancel_of_a_running_job_states_what_happens(knifetip, office: Office, m
 
 
 def test_a_refusal_is_printed_in_the_servers_words(knifetip, office: Office):
-    office.answer = (409, {"detail": "Job abc is done.", "mend": "Order it again."})
+    office.answer = (409, {"detail": "Job abc is done.", "hint": "Order it again."})
     code, out, said = knifetip("job", "confirm", "abc", "--server", office.url)
     assert (code, out) == (3, "")
     assert "Job abc is done." in said

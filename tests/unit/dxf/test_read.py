@@ -57,7 +57,7 @@ def test_every_drawing_by_other_hands_is_read_or_refused_as_listed(corpus: Path)
             drawing = read(data)
         except KnifetipError as error:
             refused[name] = type(error)
-            mends.append(error.mend)
+            mends.append(error.hint)
             continue
         ledger = drawing.ledger
         assert all(ledger.reason), name
@@ -375,7 +375,7 @@ def test_insert_that_cannot_be_placed_is_dropped(text, reason):
 def test_what_is_no_dxf_is_refused_with_what_it_is(data, word):
     with pytest.raises(NotADrawing, match=word) as caught:
         read(data)
-    assert caught.value.mend
+    assert caught.value.hint
 
 
 def test_file_that_is_cut_short_is_refused():

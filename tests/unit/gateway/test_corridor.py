@@ -38,7 +38,7 @@ def test_a_position_on_any_move_that_was_sent_is_right(place):
 def test_a_position_off_the_path_is_a_fault_after_three_reports(place):
     error = verdict(Corridor(PROGRAM, START, 15), report(*place))
     assert "off the program's path near line" in error.message
-    assert "home the machine" in error.mend
+    assert "home the machine" in error.hint
 
 
 def test_a_single_wrong_report_is_borne_and_another_one_is_wanted_at_once():

@@ -112,7 +112,7 @@ async def test_a_machine_in_alarm_is_not_unlocked_from_here():
     with pytest.raises(ControllerAlarm, match="locked") as alarm:
         async with opened(wire):
             pass
-    assert "$H" in alarm.value.mend
+    assert "$H" in alarm.value.hint
     assert "$X" not in wire.lines
 
 
@@ -183,7 +183,7 @@ async def test_check_mode_names_the_first_wrong_line_and_leaves_no_fault():
     async with opened(wire) as controller:
         with pytest.raises(ControllerRejected, match=r"line 2 \(G1 X5\)") as refused:
             await controller.check([b"G21", b"G1 X5", b"G43"])
-        assert "Nothing has moved" in refused.value.mend
+        assert "Nothing has moved" in refused.value.hint
         assert controller.fault is None
         assert controller.acknowledged == 0
         assert (await controller.status()).state is State.IDLE

@@ -89,7 +89,7 @@ async def test_after_any_other_alarm_nothing_is_unlocked(code):
     with pytest.raises(ControllerAlarm, match="stations may still be lowered") as alarm:
         await make_safe(machine, SAFE, 0.2)
     assert machine.done == ["!", "reset"]
-    assert "raise the stations at the table" in alarm.value.mend
+    assert "raise the stations at the table" in alarm.value.hint
 
 
 async def test_a_machine_that_must_be_homed_first_stays_locked():

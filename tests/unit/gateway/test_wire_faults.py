@@ -205,7 +205,7 @@ async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench, kind):
         await bench.run()
     bench.assert_safe()
     assert "was stopped and lifted to Z 20.0, its stations were released" in raised.value.message
-    assert raised.value.mend
+    assert raised.value.hint
     # It is in a known state: the next program runs.
     assert bench.controller.fault is None
     assert (await bench.run()).executed == LINES

@@ -66,8 +66,8 @@ def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str):
     with pytest.raises(NotADrawing) as caught:
         kind_of(data)
     assert what in caught.value.message
-    assert "DXF" in caught.value.mend
-    assert "CF2, SVG or PDF" in caught.value.mend
+    assert "DXF" in caught.value.hint
+    assert "CF2, SVG or PDF" in caught.value.hint
 
 
 @pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG), PDF])

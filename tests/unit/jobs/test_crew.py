@@ -52,7 +52,7 @@ def test_a_process_is_kept_for_the_next_task(crew: Crew):
 def test_an_error_comes_back_with_mend_and_source(crew: Crew):
     with pytest.raises(CurvedGroove) as caught:
         crew.run(crew_tasks.refuse, limit=30.0)
-    assert caught.value.mend == "Make it straight."
+    assert caught.value.hint == "Make it straight."
     assert caught.value.source == ("2F4",)
 
 

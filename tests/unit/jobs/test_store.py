@@ -414,7 +414,7 @@ def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store):
     store.heartbeat(job.id, job.epoch, Report(line=5, held=True))
     with pytest.raises(WrongState, match="not waiting for a sheet") as caught:
         store.confirm(job.id)
-    assert caught.value.mend == "Resume it."
+    assert caught.value.hint == "Resume it."
     store.cancel(job.id)
     with pytest.raises(WrongState, match="being cancelled"):
         store.confirm(job.id)
@@ -620,7 +620,7 @@ def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock):
     job = interrupted(store, clock, 56, copies=2)
     row = store.finish(job.id, job.epoch, "done", "")
     assert (row.state, row.line, row.copies_done) == ("done", LINES, 2)
-    assert (row.reason, row.mend) == ("", "")
+    assert (row.reason, row.hint) == ("", "")
     last = store.events_of(job.id)[-1]
     assert (last.who, last.why) == ("gateway gateway", "reported late: every line was executed")
     assert store.finish(job.id, job.epoch, "done", "").state == "done"
@@ -663,11 +663,11 @@ def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
     job = interrupted(store, clock, LINES)
     row = store.job(job.id)
     assert row.reason.startswith("Interrupted at line 231 of 231. ")
-    assert "again" not in row.mend
-    assert "finished" in row.mend
+    assert "again" not in row.hint
+    assert "finished" in row.hint
     with pytest.raises(WrongState) as caught:
         store.cancel(job.id)
-    assert "again" not in caught.value.mend
+    assert "again" not in caught.value.hint
 
 
 def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: Clock):
@@ -678,7 +678,7 @@ def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: 
     row = store.job(job.id)
     assert (row.line, row.copies_done) == (0, 1)
     assert row.reason.startswith("Interrupted after copy 1 of 3, before a line of the next. ")
-    assert "remaining copies" in row.mend
+    assert "remaining copies" in row.hint
     # The gateway knows better: the second was cut to its end.
     row = store.finish(job.id, job.epoch, "interrupted", "", line=0, copies_done=2)
     assert row.copies_done == 2
@@ -748,8 +748,8 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
     store.finish(job.id, job.epoch, "interrupted", "")
     with pytest.raises(WrongState) as caught:
         store.cancel(job.id)
-    assert caught.value.mend == store.job(job.id).mend
-    assert caught.value.mend.startswith("Look at the table. Queue the job again")
+    assert caught.value.hint == store.job(job.id).hint
+    assert caught.value.hint.startswith("Look at the table. Queue the job again")
 
 
 # Compiles
@@ -934,7 +934,7 @@ def test_a_database_of_before_confirmations_keeps_what_runs_and_who_runs_it(stor
 def test_a_database_that_cannot_be_used_is_refused_with_a_mend(url: str):
     with pytest.raises(StoreError) as caught:
         Store(url)
-    assert "sqlite:///FILE" in caught.value.mend
+    assert "sqlite:///FILE" in caught.value.hint
 
 
 def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Store):
@@ -945,7 +945,7 @@ def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Sto
     assert store.keep_profile("acme", "B", "title = 'B'", 1).version == 2
     with pytest.raises(StaleVersion, match=r"at version 2.*from version 1") as caught:
         store.keep_profile("acme", "C", "", 1)
-    assert 'If-Match: "2"' in caught.value.mend
+    assert 'If-Match: "2"' in caught.value.hint
     kept = store.profile("acme")
     assert kept is not None
     assert (kept.title, kept.text) == ("B", "title = 'B'")

@@ -68,7 +68,7 @@ def test_a_refusal_keeps_reason_mend_and_source(store, workshop, job, compiles_b
     compiles_by(crew_tasks.refuse)
     workshop.compile(job.id, 1)
     job = store.job(job.id)
-    assert (job.state, job.reason, job.mend, job.source) == (
+    assert (job.state, job.reason, job.hint, job.source) == (
         "refused",
         "Edge 7 is an arc.",
         "Make it straight.",

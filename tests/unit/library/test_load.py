@@ -203,7 +203,7 @@ def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str):
     with pytest.raises(LibraryError, match="cannot be read") as caught:
         load.board(put(BOARD.replace(old, new)))
     assert told in caught.value.message
-    assert caught.value.mend
+    assert caught.value.hint
 
 
 @pytest.mark.parametrize(
@@ -357,7 +357,7 @@ def test_a_file_that_is_not_utf8_is_refused(tmp_path: Path):
 def test_an_unknown_name_is_told_what_there_is(shelf, name: str):
     with pytest.raises(KnifetipError) as caught:
         shelf(name)
-    assert caught.value.mend
+    assert caught.value.hint
 
 
 CUTTER = """kind = "cutter"

@@ -69,4 +69,4 @@ def test_a_path_is_no_name(name: str):
 def test_hostile_text_is_refused_at_once(text: str):
     with pytest.raises(KnifetipError) as caught:
         own.parsed("hostile", text)
-    assert caught.value.mend
+    assert caught.value.hint

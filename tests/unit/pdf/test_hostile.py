@@ -96,7 +96,7 @@ def test_what_is_no_drawing_is_refused_with_what_to_do(data: bytes, words: str):
     with pytest.raises(NotADrawing) as caught:
         read(data, limits=FEW)
     assert words in caught.value.message
-    assert caught.value.mend
+    assert caught.value.hint
 
 
 @pytest.mark.parametrize(
@@ -118,7 +118,7 @@ def test_what_is_too_large_is_refused_with_what_to_do(data: bytes, words: str):
     with pytest.raises(DrawingTooLarge) as caught:
         read(data, limits=FEW)
     assert words in caught.value.message
-    assert caught.value.mend
+    assert caught.value.hint
 
 
 def test_a_bomb_does_not_fill_the_memory():
@@ -219,7 +219,7 @@ def sound(data: bytes) -> None:
         refused = reason
     if refused is not None:
         assert refused.message
-        assert refused.mend
+        assert refused.hint
         return
     assert np.isfinite(drawing.ends).all()
     assert (np.abs(drawing.bulge) <= 1.0).all()

@@ -62,7 +62,7 @@ def test_a_place_is_the_drawings_and_not_the_sheets():
 def test_a_place_with_no_corner_is_refused_with_the_nearest_ones():
     with pytest.raises(PlanError, match=r"within 0\.5 mm of \(299, 100\).* 1\.00 mm away") as said:
         outer(Corners(at=(CornerAt(299, 100, "C"),)))
-    assert "(300.00, 100.00)" in said.value.mend
+    assert "(300.00, 100.00)" in said.value.hint
 
 
 def test_an_inside_corner_has_nothing_to_choose():

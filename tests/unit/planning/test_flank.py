@@ -48,7 +48,7 @@ def test_a_groove_along_a_cut_is_refused_with_the_cut_and_by_how_much(aside, far
         error
     )
     assert f"lies {aside:.2f} mm beside it, 75.0 mm from where the groove begins" in str(error)
-    assert f"Move them {1.0 - aside:.2f} mm further apart" in error.mend
+    assert f"Move them {1.0 - aside:.2f} mm further apart" in error.hint
     assert error.source == ("4", "2" if far else "0")
 
 

@@ -111,7 +111,7 @@ def test_an_edge_that_two_blanks_share_is_refused_and_with_a_gap_between_them_ea
     shared = dieline((LineType.CUT, BLANK), (LineType.CUT, edges(((100, 0), (100, 100)))))
     with pytest.raises(PlanError, match=r"share edge 4, and the cutter takes 6 mm") as refused:
         plan(shared, ROUTED, BOARD)
-    assert "6 mm apart" in refused.value.mend
+    assert "6 mm apart" in refused.value.hint
     apart = dieline(
         (LineType.CUT, closed((0, 0), (97, 0), (97, 100), (0, 100))),
         (LineType.CUT, closed((103, 0), (200, 0), (200, 100), (103, 100))),
@@ -222,4 +222,4 @@ def test_where_only_slots_are_left_for_bridges_the_job_is_refused_with_the_mend(
     held = replace(BOARD, bridge_width=0.8, bridge_spacing=120.0)
     with pytest.raises(NoRoomForBridges, match="narrow slots") as told:
         plan(dieline((LineType.CUT, slotted)), ROUTED, held)
-    assert "a longer spacing" in told.value.mend
+    assert "a longer spacing" in told.value.hint

@@ -31,13 +31,13 @@ class QuestionOut(BaseModel):
 
 
 class Problem(BaseModel):
-    """An error as RFC 9457 has it, with the mend and the entities that it is about."""
+    """An error as RFC 9457 has it, with the hint and the entities that it is about."""
 
     type: str = "about:blank"
     title: str
     status: int
     detail: str
-    mend: str = ""
+    hint: str = ""
     source: list[str] = []
     questions: list[QuestionOut] = []
     revision: int | None = Field(

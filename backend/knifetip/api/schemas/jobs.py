@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, Field
+from pydantic import BaseModel, Field, computed_field
 
 from knifetip.api.schemas.common import Name, QuestionOut, Strict
 from knifetip.api.schemas.drawings import Override
@@ -108,7 +108,7 @@ class JobOut(BaseModel):
     id: str
     state: JobState
     reason: str
-    mend: str
+    hint: str
     source: list[str]
     questions: list[QuestionOut]
     drawing: str
@@ -123,7 +123,7 @@ class JobOut(BaseModel):
     updated: float
     waiting_for: Literal["", "confirmation", "sheet", "machine", "turn"] = Field(
         default="",
-        description="What keeps it from going on, with the words in reason and mend: the "
+        description="What keeps it from going on, with the words in reason and hint: the "
         "operator's confirmation of table, board and tools; of the next sheet; the machine; its "
         "turn in the queue",
     )
@@ -145,6 +145,13 @@ class JobOut(BaseModel):
     corners: Corners | None
     program_sha256: str
     verdict: VerdictSummary | None
+
+    @computed_field(  # type: ignore[prop-decorator]
+        description="The former name of hint", json_schema_extra={"deprecated": True}
+    )
+    @property
+    def mend(self) -> str:
+        return self.hint
 
 
 class JobEvent(BaseModel):
