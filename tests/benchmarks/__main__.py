@@ -16,6 +16,7 @@ from typing import Any
 
 from rich.console import Console
 from rich.table import Table
+
 from tests.benchmarks import rooms
 
 Timed = Callable[[], object]

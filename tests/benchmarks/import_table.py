@@ -15,13 +15,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from tests.cartons import drawing as carton
-from tests.cartons import mislaid, relayered
-from tests.conftest import CORPUS, ROOT
-from tests.dielines import KINDS
-from tests.house_files import drawn, truth
-from tests.houses import HOUSES, House
-from tests.truth import KNOWN, shares, without_names, without_style
 
 from knifetip import pipeline
 from knifetip.classification.classify import classify, questions
@@ -32,6 +25,13 @@ from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Fate
 from knifetip.model.profile import LineRules
+from tests.conftest import CORPUS, ROOT
+from tests.support.cartons.house_files import drawn, truth
+from tests.support.cartons.houses import HOUSES, House
+from tests.support.cartons.kinds import KINDS
+from tests.support.cartons.random_drawings import drawing as carton
+from tests.support.cartons.random_drawings import mislaid, relayered
+from tests.support.truth.known_types import KNOWN, shares, without_names, without_style
 
 SEEDS = 3000
 #: Languages of the houses' layer names.
@@ -79,7 +79,7 @@ BY_HOUSE = """
 
 {kinds} kinds of cartons (slotted cases with slots and with slits, trays, tuck ends, mailers,
 displays, pillows, bags, crash locks, folders …), each drawn as a file in the style of each of
-{houses} houses (`tests/dielines.py`, `tests/houses.py`): layer names of CAD programs and of
+{houses} houses (`tests/support/cartons`): layer names of CAD programs and of
 {tongues} languages, colours, one style for all; with dimensions inside and outside, frames,
 legends, crosses, bleeds, words turned to lines, glue marks; in pieces, with gaps, with creases
 that stop short, three and six at once; and with headers that lie about the unit. Read from the
@@ -106,8 +106,8 @@ DECILES = """
 
 Slotted cases, trays, tuck-end and sleeve cartons, rolled trays and grooved blanks, with holes,
 slits, perforations and half-cuts, drawn with frames, title blocks, dimensions, dashes, doubled
-lines and ends 0.02 mm off (`tests/cartons.py`). Confidence is that of the guess, whether it was
-asked about or not; what is below 0.8 is asked.
+lines and ends 0.02 mm off (`tests/support/cartons/random_drawings.py`). Confidence is that of the
+guess, whether it was asked about or not; what is below 0.8 is asked.
 
 | confidence | edges | wrong guesses | error rate |
 |---|--:|--:|--:|

@@ -19,7 +19,6 @@ from pathlib import Path
 from shutil import copyfile
 
 import numpy as np
-from tests.controllers import linuxcnc_machine
 
 from knifetip.compensation.corner import durations, lengths
 from knifetip.geometry import arc
@@ -27,6 +26,7 @@ from knifetip.geometry.columns import F64
 from knifetip.geometry.offset import equidistant
 from knifetip.geometry.path import Paths
 from knifetip.geometry.transition import Corner
+from tests.controllers import linuxcnc_machine
 
 DOCS = Path(__file__).resolve().parents[2] / "backend" / "docs"
 SIDE = 30.0  #: mm

@@ -25,12 +25,12 @@ import ezdxf
 import numpy as np
 from ezdxf.layouts import BaseLayout
 from ezdxf.math import bulge_to_arc
-from tests.cartons import CARTONS
 
 from knifetip.classification.classify import classify
 from knifetip.dxf.read import read
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from tests.support.cartons.random_drawings import CARTONS
 
 try:
     import pyogrio

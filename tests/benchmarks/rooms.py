@@ -10,9 +10,6 @@ from typing import TypeAlias
 
 import ezdxf
 import numpy as np
-from tests.benchmarks.offset import offset_arcs, offset_lines, offset_million, offset_one
-from tests.benchmarks.reading import classify_nested, classify_sheet, read_sheet
-from tests.benchmarks.turning import order_shortest
 
 from knifetip import pipeline
 from knifetip.classification.classify import classify
@@ -25,6 +22,9 @@ from knifetip.planning.plan import plan
 from knifetip.post.process import process
 from knifetip.sequencing.nearest import nearest_neighbour
 from knifetip.verification.verify import verify
+from tests.benchmarks.offset import offset_arcs, offset_lines, offset_million, offset_one
+from tests.benchmarks.reading import classify_nested, classify_sheet, read_sheet
+from tests.benchmarks.turning import order_shortest
 
 Bench: TypeAlias = tuple[str, int, Callable[[], object], dict[str, Callable[[], object]], int]
 

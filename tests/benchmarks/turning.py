@@ -15,8 +15,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from tests.named import NAMED, SAMPLES, Named
-from tests.shapes import closed, dieline
 
 from knifetip.compensation.compensate import compensate
 from knifetip.geometry.columns import F64
@@ -30,6 +28,8 @@ from knifetip.sequencing.duration import duration
 from knifetip.sequencing.order import Way, greedy, link_times, shortest
 from knifetip.sequencing.sequence import sequence
 from knifetip.sequencing.turning import retracted
+from tests.support.shapes import closed, dieline
+from tests.support.truth.named import NAMED, SAMPLES, Named
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "backend" / "docs" / "turning.md"

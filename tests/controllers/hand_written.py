@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from controllers.linuxcnc_rs274 import TipTool
 from knifetip.library.load import machine
 from knifetip.model.dieline import LineType
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.process import process
+from tests.controllers.linuxcnc_rs274 import TipTool
 
 TABLE = machine("demo-table")
 CALIPER = 2.0

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from controllers.hand_written import BLANK, TABLE, Hand, knife, wheel
-from controllers.linuxcnc_machine import absent, running
-from controllers.linuxcnc_rs274 import beside_and_past
 from knifetip.post.tool_table import tool_table
+from tests.controllers.hand_written import BLANK, TABLE, Hand, knife, wheel
+from tests.controllers.linuxcnc_machine import absent, running
+from tests.controllers.linuxcnc_rs274 import beside_and_past
 
 WHY_NOT = absent()
 

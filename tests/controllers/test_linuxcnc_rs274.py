@@ -10,7 +10,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from controllers.hand_written import (
+from knifetip.model.dieline import LineType
+from knifetip.model.toolpath import Motion
+from knifetip.post.process import process
+from tests.controllers.hand_written import (
     BLANK,
     CREASES,
     GROOVE,
@@ -25,10 +28,7 @@ from controllers.hand_written import (
     together,
     wheel,
 )
-from controllers.linuxcnc_rs274 import ABSENT, ARC, RS274, judge, read_program
-from knifetip.model.dieline import LineType
-from knifetip.model.toolpath import Motion
-from knifetip.post.process import process
+from tests.controllers.linuxcnc_rs274 import ABSENT, ARC, RS274, judge, read_program
 
 pytestmark = [
     pytest.mark.controller,

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from controllers.linuxcnc_rs274 import ABSENT, RS274, Report, TipTool, judge
 from knifetip import pipeline
 from knifetip.library import load
 from knifetip.model.dieline import LineType
-from named import NAMED, SAMPLES, Named
+from tests.controllers.linuxcnc_rs274 import ABSENT, RS274, Report, TipTool, judge
+from tests.support.truth.named import NAMED, SAMPLES, Named
 
 pytestmark = [
     pytest.mark.controller,

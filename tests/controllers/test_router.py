@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 import shapely
 
-from controllers.linuxcnc_rs274 import ABSENT, ARC, RS274, TRAVERSE, TipTool, read_program
 from knifetip import compensate, plan, process, sequence
 from knifetip.library import load
 from knifetip.model.dieline import LineType
-from shapes import closed, dieline, edges
+from tests.controllers.linuxcnc_rs274 import ABSENT, ARC, RS274, TRAVERSE, TipTool, read_program
+from tests.support.shapes import closed, dieline, edges
 
 pytestmark = [pytest.mark.controller, pytest.mark.skipif(RS274 is None, reason=ABSENT)]
 

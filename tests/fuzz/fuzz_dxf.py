@@ -11,9 +11,8 @@ import traceback
 from tests.fuzz.fuzzing import main, watched
 
 with watched("knifetip.dxf", "ezdxf"):
-    from tests.readers import difference, read_by_both
-
     from knifetip.errors import KnifetipError
+    from tests.support.truth.readers import difference, read_by_both
 
 
 def one(data: bytes) -> None:

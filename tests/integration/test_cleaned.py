@@ -12,7 +12,7 @@ from knifetip import pipeline
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
-from named import SAMPLES, Named
+from tests.support.truth.named import SAMPLES, Named
 
 TABLE = load.machine("demo-table")
 

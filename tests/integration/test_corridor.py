@@ -9,11 +9,9 @@ from pathlib import Path
 import httpx
 import pytest
 
-import cf2_text
-import pdf_text
-import svg_text
-from named import NAMED, SAMPLES, Named
-from serving import Running, ordered, square, until, uploaded
+from tests.support.serving.server import Running, ordered, square, until, uploaded
+from tests.support.truth.named import NAMED, SAMPLES, Named
+from tests.support.writers import cf2_text, pdf_text, svg_text
 
 pytestmark = pytest.mark.xdist_group("server")
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-import hostile
+from tests.support.writers import hostile
 
 _MAKE = ("--machine", "demo-table", "--board", "e-flute", "-o", "made.ngc")
 _SMALL = [name for name in hostile.REFUSED if "60 MB" not in name]

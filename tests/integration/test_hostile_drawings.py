@@ -9,13 +9,13 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-import dxf_text as text
 from knifetip import pipeline
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry.columns import F64
 from knifetip.library import load
 from knifetip.model.dieline import Dieline
 from knifetip.model.drawing import Drawing
+from tests.support.writers import dxf_text as text
 
 #: What is quadratic takes a minute and more for so many edges, or all the memory there is.
 _MANY = 30_000

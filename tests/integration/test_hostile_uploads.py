@@ -14,9 +14,8 @@ from pathlib import Path
 import httpx
 import pytest
 
-import hostile
-import svg_text
-from serving import Running, square, uploaded
+from tests.support.serving.server import Running, square, uploaded
+from tests.support.writers import hostile, svg_text
 
 pytestmark = pytest.mark.xdist_group("server")
 

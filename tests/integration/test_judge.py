@@ -11,8 +11,8 @@ from knifetip.compensation import crease, knife, tracks, vgroove
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.verdict import Verdict
-from named import SAMPLES
-from shapes import closed, dieline, edges
+from tests.support.shapes import closed, dieline, edges
+from tests.support.truth.named import SAMPLES
 
 CARTON, TRAY, RIGID = SAMPLES
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import httpx
 import pytest
 
-import dxf_text as text
-from serving import Running, ordered, square, until, uploaded
+from tests.support.serving.server import Running, ordered, square, until, uploaded
+from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
 

@@ -12,9 +12,9 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from engines import ENGINES
-from line_mutation import hazard, moved, mutants
-from mutation import FELT
+from tests.support.programs.digit_mutation import FELT
+from tests.support.programs.engines import ENGINES
+from tests.support.programs.line_mutation import hazard, moved, mutants
 
 #: Of each engine so many mutants are judged, chosen by the seed.
 COUNT, SEED = 110, 3

@@ -8,8 +8,8 @@ import pytest
 
 from knifetip import pipeline
 from knifetip.library import load
-from mutation import shares, told
-from named import NAMED, SAMPLES, Named
+from tests.support.programs.digit_mutation import shares, told
+from tests.support.truth.named import NAMED, SAMPLES, Named
 
 MACHINE = load.machine("demo-table")
 

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import nested
 from knifetip import compensate, plan, process, sequence, verify
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.toolpath import Motion
-from shapes import closed, dieline, edges
+from tests.support.cartons import nested_contours
+from tests.support.shapes import closed, dieline, edges
 
 KNIFE, ROUTER = load.machine("demo-table"), load.machine("router-table")
 BOARD, THICK = load.board("greyboard-2.0"), load.board("greyboard-3.0")
@@ -48,7 +48,7 @@ def box(x, y, wide, high):
 def test_a_knife_cuts_every_contour_after_what_lies_inside_it(gap):
     count = 0
     for seed in range(8):
-        sheet = nested.sheet(seed, room=6.0, least=15.0, gap=gap)
+        sheet = nested_contours.sheet(seed, room=6.0, least=15.0, gap=gap)
         toolpath = made(sheet.line)
         assert out_of_order(sheet, toolpath) == []
         verdict = judged(sheet.line, toolpath)
@@ -60,7 +60,7 @@ def test_a_knife_cuts_every_contour_after_what_lies_inside_it(gap):
 def test_a_router_mills_every_contour_after_what_lies_inside_it():
     count = 0
     for seed in range(14):
-        sheet = nested.sheet(seed, room=14.0, least=30.0)
+        sheet = nested_contours.sheet(seed, room=14.0, least=30.0)
         toolpath = made(sheet.line, ROUTER, THICK)
         assert out_of_order(sheet, toolpath) == []
         verdict = judged(sheet.line, toolpath, ROUTER, THICK)

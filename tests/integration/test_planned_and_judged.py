@@ -12,7 +12,7 @@ from knifetip import compensate, plan, process, sequence, verify
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.planning import plan as planning
-from shapes import closed, dieline, edges
+from tests.support.shapes import closed, dieline, edges
 
 MACHINE, BOARD = load.machine("demo-table"), load.board("greyboard-2.0")
 OUTLINE = (LineType.CUT, closed((100, 100), (400, 100), (400, 300), (100, 300)))

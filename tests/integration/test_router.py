@@ -12,7 +12,7 @@ from knifetip.library import load
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Cutter
-from shapes import closed, dieline, edges
+from tests.support.shapes import closed, dieline, edges
 
 ROUTER = load.machine("router-table")
 BOARD = load.board("greyboard-3.0")

@@ -13,13 +13,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engines import DEMO, ENGINES, Engine
 from knifetip.compensation import vgroove
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.operation import End, Operation
-from shapes import dieline, edges
+from tests.support.programs.engines import DEMO, ENGINES, Engine
+from tests.support.shapes import dieline, edges
 
 V, PASSES, CREASE, DOUBLE = (
     ENGINES[name] for name in ("V-groove", "V-groove in passes", "crease", "double crease")

@@ -16,7 +16,7 @@ from knifetip.compensation.vgroove import head_offset, sideways
 from knifetip.errors import ZeroLengthEdge
 from knifetip.geometry.azimuth import azimuth
 from knifetip.model.tool import VCutter
-from vgroove_listing import AZIMUTHS, PAGE, listing_azimuth, page, worst
+from tests.benchmarks.vgroove_listing import AZIMUTHS, PAGE, listing_azimuth, page, worst
 
 coordinates = st.floats(-1000.0, 1000.0).map(lambda value: round(value, 3))
 

@@ -15,7 +15,7 @@ from knifetip.geometry.tolerance import GAP, SAME
 from knifetip.model.cleaned import Cleaned, Why
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Fate
-from shapes import rotation
+from tests.support.shapes import rotation
 
 WORK = [LineType.CUT, LineType.CREASE, LineType.V_GROOVE, LineType.PERFORATION, LineType.HALF_CUT]
 UNDER = {LineType.CUT: LineType.CREASE, LineType.V_GROOVE: LineType.CREASE}

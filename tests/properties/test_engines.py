@@ -13,7 +13,7 @@ from knifetip.compensation.compensate import compensate
 from knifetip.model.dieline import LineType
 from knifetip.model.toolpath import Motion
 from knifetip.planning.plan import plan
-from shapes import BOARD, CUTTER, KNIFE, MACHINE, closed, dieline, edges, rotation
+from tests.support.shapes import BOARD, CUTTER, KNIFE, MACHINE, closed, dieline, edges, rotation
 
 angles = st.floats(-360.0, 360.0)
 places = st.tuples(st.floats(-500.0, 500.0), st.floats(-500.0, 500.0))

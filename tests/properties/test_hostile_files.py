@@ -10,13 +10,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-import cf2_text
-import dxf_text as dxf
-import svg_text
 from knifetip.errors import KnifetipError
 from knifetip.intake.limits import REACH
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
+from tests.support.writers import cf2_text, svg_text
+from tests.support.writers import dxf_text as dxf
 
 _NUMBER = re.compile(rb"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 _NUMBERS = [

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from drawn_dxf import drawings
-from readers import difference, ours, read_by_both
+from tests.support.truth.readers import difference, ours, read_by_both
+from tests.support.writers.random_dxf import drawings
 
 
 @pytest.mark.corpus

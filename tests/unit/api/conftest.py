@@ -8,7 +8,7 @@ import httpx
 import pytest
 
 from knifetip.api.service import Settings
-from serving import served
+from tests.support.serving.server import served
 
 
 @pytest.fixture(scope="session")

@@ -12,7 +12,7 @@ import pytest
 
 from knifetip import errors
 from knifetip.api.app import status_of
-from serving import square, uploaded
+from tests.support.serving.server import square, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import httpx
 import pytest
 
-import dxf_text as text
-from serving import square, uploaded
+from tests.support.serving.server import square, uploaded
+from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
 

@@ -6,10 +6,10 @@ import httpx
 import numpy as np
 import pytest
 
-import dxf_text as text
 from knifetip.api.drawings import drawing_name
 from knifetip.jobs.columns import unpacked
-from serving import square, uploaded
+from tests.support.serving.server import square, uploaded
+from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
 

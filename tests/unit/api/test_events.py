@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import httpx
 import pytest
 
-from serving import ordered, square, until, uploaded
+from tests.support.serving.server import ordered, square, until, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
 

@@ -10,10 +10,8 @@ from pathlib import Path
 import httpx
 import pytest
 
-import cf2_text
-import pdf_text
-import svg_text
 from knifetip.cli import main
+from tests.support.writers import cf2_text, pdf_text, svg_text
 
 pytestmark = pytest.mark.xdist_group("server")
 

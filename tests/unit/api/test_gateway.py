@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import httpx
 import pytest
 
-from serving import ordered, square, until, uploaded
+from tests.support.serving.server import ordered, square, until, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
 

@@ -9,9 +9,9 @@ import httpx
 import numpy as np
 import pytest
 
-import dxf_text as text
 from knifetip.jobs.columns import unpacked
-from serving import ordered, square, until, uploaded
+from tests.support.serving.server import ordered, square, until, uploaded
+from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
 

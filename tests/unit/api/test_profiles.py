@@ -6,8 +6,8 @@ import tomllib
 import httpx
 import pytest
 
-import dxf_text as text
-from serving import ordered, square, until, uploaded
+from tests.support.serving.server import ordered, square, until, uploaded
+from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
 

@@ -15,7 +15,7 @@ import pytest
 from knifetip.api import queue
 from knifetip.api.queue import WorkQueue
 from knifetip.errors import ServerBusy
-from serving import LocalClient, ordered, square, until, uploaded
+from tests.support.serving.server import LocalClient, ordered, square, until, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
 

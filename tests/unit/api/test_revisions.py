@@ -11,7 +11,7 @@ import pytest
 from knifetip.api import revisions
 from knifetip.jobs import tasks
 from knifetip.model.dieline import LineType
-from serving import LocalClient, ordered, square, until, uploaded
+from tests.support.serving.server import LocalClient, ordered, square, until, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
 

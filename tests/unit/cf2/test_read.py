@@ -12,13 +12,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from cf2_text import arc, carton, cf2, line, sub
 from knifetip.cf2.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.intake.limits import Limits
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing, Fate
+from tests.support.writers.cf2_text import arc, carton, cf2, line, sub
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:

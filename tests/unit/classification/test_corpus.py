@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.truth import KNOWN, Known, shares, without_names
 
 from knifetip import pipeline
 from knifetip.classification.classify import classify, questions
@@ -14,6 +13,7 @@ from knifetip.cleaning.clean import clean
 from knifetip.dxf.read import read
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from tests.support.truth.known_types import KNOWN, Known, shares, without_names
 
 pytestmark = pytest.mark.corpus
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import shapely
-from tests.cartons import drawing as carton
 
 from knifetip.classification.faces import faces
 from knifetip.classification.net import built
 from knifetip.geometry.columns import F64
+from tests.support.cartons.random_drawings import drawing as carton
 
 TOUCH = 0.05
 

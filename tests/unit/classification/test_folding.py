@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from tests.dielines import Plan, crossed_case, mailer
 
 from knifetip.classification.evidence import shape
+from tests.support.cartons.kinds import Plan, crossed_case, mailer
 
 
 def held(plan: Plan) -> dict[str, list[bool]]:

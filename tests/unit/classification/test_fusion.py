@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.cartons import drawing as carton
 
 from knifetip.classification.classify import classify, questions
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Ledger
+from tests.support.cartons.random_drawings import drawing as carton
 
 BLANK = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 FOLDS = [(100, 0, 100, 200), (200, 0, 200, 200)]

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tests.dielines import KINDS
-from tests.house_files import drawn, truth
-from tests.houses import HOUSES, House
 
 from knifetip import pipeline
 from knifetip.cleaning.clean import clean
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from tests.support.cartons.house_files import drawn, truth
+from tests.support.cartons.houses import HOUSES, House
+from tests.support.cartons.kinds import KINDS
 
 #: Blanks that share their cuts, in one style: what hangs together cannot be known for certain.
 _UNKNOWABLE = ("One layer, all black, six-up",)

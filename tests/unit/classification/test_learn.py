@@ -6,13 +6,13 @@ import tomllib
 
 import numpy as np
 import pytest
-from tests.unit.classification.test_classify import drawing
 
 from knifetip.classification.classify import KEEP, classify
 from knifetip.classification.learn import learned
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule, LineRules
+from tests.unit.classification.test_classify import drawing
 
 C = "CONTINUOUS"
 NONE = LineRules("none", "", ())

@@ -7,7 +7,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from tests import cartons
 
 from knifetip.classification import (
     arrows,
@@ -21,6 +20,7 @@ from knifetip.classification import (
 )
 from knifetip.classification.evidence import Shape, shape
 from knifetip.model.drawing import Drawing
+from tests.support.cartons import random_drawings
 
 
 def _seen(drawing: Drawing) -> Shape:
@@ -33,7 +33,7 @@ def _five(count: int, _worth: int, _most: int | None = None) -> list[tuple[int, 
 
 @pytest.mark.parametrize("seed", range(25))
 def test_several_cores_see_what_one_sees(seed: int, monkeypatch: pytest.MonkeyPatch):
-    drawing = cartons.drawing(seed)[0]
+    drawing = random_drawings.drawing(seed)[0]
     one = _seen(drawing)
     for module in (arrows, cutting, dashes, evidence, gaps, measures, nesting, parts):
         monkeypatch.setattr(module, "runs", _five)

@@ -21,7 +21,7 @@ from knifetip.geometry.columns import I64
 from knifetip.geometry.tolerance import GAP
 from knifetip.library import load
 from knifetip.model.drawing import Drawing
-from truth import KNOWN, Known, shares
+from tests.support.truth.known_types import KNOWN, Known, shares
 
 TOUCH, REACH = GAP, 1.0
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dxf_text import dxf, line
 from knifetip import pipeline
 from knifetip.classification.evidence import shape
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from tests.support.writers.dxf_text import dxf, line
 
 _RIM = ((0, 0, 200, 0), (200, 0, 200, 90), (200, 90, 0, 90), (0, 90, 0, 0))
 _MIDDLE = (100, 0, 100, 90)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from tests.unit.classification.test_evidence import BLANK, box, roles, text
 
 from knifetip.classification.role import Role
+from tests.unit.classification.test_evidence import BLANK, box, roles, text
 
 
 def diamond(half: float) -> list[tuple[float, float, float, float]]:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from tests.cartons import LANGUAGES
 
 from knifetip.classification.words import hint, meaningless
 from knifetip.model.dieline import LineType
+from tests.support.cartons.random_drawings import LANGUAGES
 
 KINDS = (
     LineType.CUT,

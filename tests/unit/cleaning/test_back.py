@@ -11,7 +11,7 @@ from knifetip.cleaning.back import on_drawn
 from knifetip.cleaning.clean import clean
 from knifetip.model.dieline import LineType
 from knifetip.model.verdict import Finding, Samples, Verdict
-from shapes import dieline, edges
+from tests.support.shapes import dieline, edges
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
 

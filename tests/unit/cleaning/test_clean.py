@@ -11,7 +11,7 @@ from knifetip.geometry import arc
 from knifetip.model.cleaned import Cleaned, Why
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Fate
-from shapes import dieline, edges
+from tests.support.shapes import dieline, edges
 
 CUT, CREASE, GROOVE = LineType.CUT, LineType.CREASE, LineType.V_GROOVE
 PERFORATION, HALF_CUT, COMBI = LineType.PERFORATION, LineType.HALF_CUT, LineType.COMBI

@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests import cartons
 
 from knifetip import pipeline
 from knifetip.cleaning.clean import clean
 from knifetip.geometry import arc
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
+from tests.support.cartons import random_drawings
 
 WORKED = [kind for kind in LineType if kind not in (LineType.UNCLASSIFIED, LineType.IGNORED)]
 
@@ -36,7 +36,7 @@ def worked(dieline: Dieline) -> dict[LineType, tuple[int, float]]:
 
 @pytest.mark.parametrize("seed", range(60))
 def test_a_shuffled_drawing_is_put_in_the_same_order(seed: int):
-    dieline = pipeline.dieline(cartons.drawing(seed)[0], load.profile("default"))
+    dieline = pipeline.dieline(random_drawings.drawing(seed)[0], load.profile("default"))
     said = worked(dieline)
     for other in range(2):
         found = worked(shuffled(dieline, other))

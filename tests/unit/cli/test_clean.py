@@ -7,8 +7,8 @@ import sys
 
 import pytest
 
-import dxf_text as text
 from knifetip.cli import main
+from tests.support.writers import dxf_text as text
 
 
 @pytest.fixture

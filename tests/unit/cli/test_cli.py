@@ -6,10 +6,10 @@ import json
 
 import pytest
 
-import dxf_text as text
-import pdf_text
 from knifetip.dxf.samples import samples
 from knifetip.library import load
+from tests.support.writers import dxf_text as text
+from tests.support.writers import pdf_text
 
 
 @pytest.fixture

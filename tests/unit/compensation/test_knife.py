@@ -13,7 +13,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.operation import End
 from knifetip.model.toolpath import Motion
 from knifetip.planning.plan import plan
-from shapes import BOARD, KNIFE, MACHINE, closed, dieline, edges
+from tests.support.shapes import BOARD, KNIFE, MACHINE, closed, dieline, edges
 
 QUARTER = np.tan(np.pi / 8)
 

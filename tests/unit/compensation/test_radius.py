@@ -23,7 +23,7 @@ from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion
 from knifetip.planning.plan import plan
-from shapes import BOARD, MACHINE, closed, dieline, edges, rotation
+from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges, rotation
 
 ROUTER = Cutter(radius=3.0, feed=9000.0, plunge=1500.0, speed=18000.0)
 ROUTED = replace(MACHINE, stations=(Station(4, "Router", ROUTER, 0.0, 0.0, 0.0, 0.0, 3),))

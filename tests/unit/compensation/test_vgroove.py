@@ -13,7 +13,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.operation import End
 from knifetip.model.toolpath import Motion
 from knifetip.planning.plan import plan
-from shapes import BOARD, CUTTER, MACHINE, dieline, edges
+from tests.support.shapes import BOARD, CUTTER, MACHINE, dieline, edges
 
 EAST = edges(((0, 0), (100, 0)))
 

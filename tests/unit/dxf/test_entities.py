@@ -11,10 +11,10 @@ import pytest
 from ezdxf import disassemble, path
 from numpy.testing import assert_allclose, assert_array_equal
 
-from dxf_text import block, dxf, entity, insert, line, tags
 from knifetip.dxf.read import read
 from knifetip.geometry import arc
 from knifetip.model.drawing import Fate
+from tests.support.writers.dxf_text import block, dxf, entity, insert, line, tags
 
 DOWN = ((210, 0.0), (220, 0.0), (230, -1.0))
 

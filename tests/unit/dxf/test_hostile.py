@@ -8,11 +8,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from dxf_text import Tag, block, dxf, entity, insert, layer, line
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.intake.limits import Limits
-from readers import difference, ours, read_by_both
+from tests.support.truth.readers import difference, ours, read_by_both
+from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, layer, line
 
 _LINE = line(0, 0, 10, 10)
 

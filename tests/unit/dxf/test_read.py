@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from dxf_text import block, dxf, entity, insert, layer, line, tags
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.intake.limits import Limits
 from knifetip.model.drawing import Fate
+from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line, tags
 
 #: Drawings by other hands that are refused, each with its class.
 REFUSED = {"danst0__Box-Generator/template.dxf": NotADrawing}

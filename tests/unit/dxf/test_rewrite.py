@@ -12,7 +12,7 @@ from ezdxf.lldxf.const import DXFError
 from knifetip.dxf.entities import REASONS
 from knifetip.dxf.rewrite import lines_only, with_markers
 from knifetip.model.drawing import Drawing
-from readers import difference, read_by_both, reading
+from tests.support.truth.readers import difference, read_by_both, reading
 
 LINE = "0\nLINE\n5\nA0\n8\nCUT\n10\n0\n20\n0\n11\n5\n21\n0\n"
 LWPOLYLINE = (

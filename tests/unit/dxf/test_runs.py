@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from drawn_dxf import drawings
-from dxf_text import block, dxf, entity, insert, layer, line
 from knifetip.dxf import fields as f
 from knifetip.errors import KnifetipError
 from knifetip.model.drawing import Drawing
-from readers import difference, reading
+from tests.support.truth.readers import difference, reading
+from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line
+from tests.support.writers.random_dxf import drawings
 
 scan = import_module("knifetip.dxf.scan")
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
-from dxf_text import block, dxf, entity, insert, layer, line
 from knifetip.dxf import fields as f
 from knifetip.dxf.scan import Scan, scan
+from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line
 
 
 def _scan(data: bytes) -> Scan:

@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import pytest
 
-from dxf_text import dxf, entity
 from knifetip.model.drawing import Drawing
-from readers import difference, ours, read_by_both
+from tests.support.truth.readers import difference, ours, read_by_both
+from tests.support.writers.dxf_text import dxf, entity
 
 MARKED = "AC1015"
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from dxf_text import Tag, block, dxf, entity, insert, line
 from knifetip.dxf.read import read
 from knifetip.dxf.standing import around, around_each
 from knifetip.model.drawing import Drawing
-from readers import difference, ours, read_by_both
+from tests.support.truth.readers import difference, ours, read_by_both
+from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, line
 
 CUT = line(0.0, 0.0, 500.0, 0.0)
 #: A square from (10, 20) to (40, 60), with its height before and a seed behind.

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from numpy.testing import assert_array_equal
 
-from dxf_text import dxf, line
 from knifetip.dxf.read import read
 from knifetip.dxf.units import hints, stated
 from knifetip.errors import UnitUnknown
+from tests.support.writers.dxf_text import dxf, line
 
 
 @pytest.mark.parametrize(

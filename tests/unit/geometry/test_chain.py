@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from knifetip.geometry.chain import chain, nodes, run_on
 from knifetip.geometry.tolerance import ANGLE
-from shapes import closed, edges
+from tests.support.shapes import closed, edges
 
 SQUARE = closed((0, 0), (100, 0), (100, 100), (0, 100))
 

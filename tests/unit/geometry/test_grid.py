@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from shapely import LineString, Point
 
 from knifetip.geometry.grid import touching
-from shapes import edges
+from tests.support.shapes import edges
 
 NONE = np.array([-1], np.int32)
 

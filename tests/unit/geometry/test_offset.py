@@ -14,7 +14,7 @@ from knifetip.geometry.intersect import crossings
 from knifetip.geometry.offset import NEARER, equidistant
 from knifetip.geometry.path import Paths, reversed_where, taken
 from knifetip.geometry.transition import Corner
-from shapes import rotation
+from tests.support.shapes import rotation
 
 SQUARE = [(0, 0), (100, 0), (100, 60), (0, 60)]
 #: Two rooms of 40 × 60 with a door of 10 between them.

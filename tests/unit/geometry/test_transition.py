@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from knifetip.errors import CompensationError, ZeroLengthEdge
 from knifetip.geometry import arc
 from knifetip.geometry.transition import Corner, transitions
-from shapes import rotation
+from tests.support.shapes import rotation
 
 #: φ in degrees, and L_B, L_C, L_D, l, r′ for r = 1 and k = ½.
 TABLE = [

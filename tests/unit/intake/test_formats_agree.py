@@ -10,14 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-import cf2_text
-import pdf_text
-import svg_text
 from knifetip import pipeline
 from knifetip.dxf.samples import samples
 from knifetip.geometry import arc
 from knifetip.library import load
 from knifetip.model.drawing import Drawing
+from tests.support.writers import cf2_text, pdf_text, svg_text
 
 SAMPLES = samples()
 

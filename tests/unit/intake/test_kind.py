@@ -6,13 +6,11 @@ import gzip
 
 import pytest
 
-import cf2_text
-import pdf_text
-import svg_text
-from dxf_text import dxf, line
 from knifetip.errors import NotADrawing
 from knifetip.intake.kind import kind_of
 from knifetip.pipeline import read_drawing
+from tests.support.writers import cf2_text, pdf_text, svg_text
+from tests.support.writers.dxf_text import dxf, line
 
 SVG = svg_text.carton()
 CF2 = cf2_text.carton()

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-import cf2_text
-from cf2_text import cf2, sub
 from knifetip.cf2.read import read as read_cf2
 from knifetip.intake.place import CUBIC, LINE, Table, boxes
 from knifetip.model.drawing import Drawing
 from knifetip.pdf.read import read as read_pdf
 from knifetip.svg.read import read as read_svg
-from pdf_text import MM, pdf, stream
-from svg_text import svg
+from tests.support.writers import cf2_text
+from tests.support.writers.cf2_text import cf2, sub
+from tests.support.writers.pdf_text import MM, pdf, stream
+from tests.support.writers.svg_text import svg
 
 POINT = 25.4 / 72.0
 

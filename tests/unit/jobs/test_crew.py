@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-import crew_tasks
 from knifetip.errors import CurvedGroove, DrawingTooLarge
 from knifetip.jobs.crew import Crew, Fault, Withdrawn
+from tests.support.serving import crew_tasks
 
 pytestmark = pytest.mark.xdist_group("crew")
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import dxf_text as text
 from knifetip import pipeline
 from knifetip.jobs.ledger import inscribed, listed
+from tests.support.writers import dxf_text as text
 
 
 def words(layer: str, x: float, y: float, said: str, *more: text.Tag) -> str:

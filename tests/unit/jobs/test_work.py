@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 
-import crew_tasks
 from knifetip.jobs import tasks
 from knifetip.jobs.crew import Crew
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.work import Workshop
+from tests.support.serving import crew_tasks
 
 pytestmark = pytest.mark.xdist_group("crew")
 

@@ -16,7 +16,7 @@ from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.intake.limits import Limits
 from knifetip.model.drawing import Fate
 from knifetip.pdf.read import read
-from pdf_text import carton, objects, pdf, stream
+from tests.support.writers.pdf_text import carton, objects, pdf, stream
 
 FEW = Limits(bytes=1 << 20, entities=50, segments=1000, seconds=10.0)
 LINE = "0 0 m 9 0 l S "

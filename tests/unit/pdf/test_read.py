@@ -11,7 +11,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-import svg_text
 from knifetip import pipeline
 from knifetip.geometry import arc
 from knifetip.library import load
@@ -19,7 +18,8 @@ from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.pdf.read import read
 from knifetip.svg.read import read as read_svg
-from pdf_text import MM, bends, carton, objects, pdf, separation, stream
+from tests.support.writers import svg_text
+from tests.support.writers.pdf_text import MM, bends, carton, objects, pdf, separation, stream
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from knifetip.errors import FlankOutside
 from knifetip.planning.boundary import Outline, run_out
 from knifetip.planning.outer import outside
-from shapes import closed, edges, rotation
+from tests.support.shapes import closed, edges, rotation
 
 SQUARE = closed((0, 0), (100, 0), (100, 100), (0, 100))
 

@@ -15,7 +15,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.operation import End
 from knifetip.model.toolpath import Motion
 from knifetip.planning.plan import plan
-from shapes import BOARD, MACHINE, closed, dieline, edges, rotation
+from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges, rotation
 
 HELD = replace(BOARD, bridge_width=0.5, bridge_spacing=150.0)
 OUTLINE = closed((0, 0), (200, 0), (200, 100), (0, 100))

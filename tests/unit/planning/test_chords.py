@@ -14,7 +14,7 @@ from knifetip.errors import CurvedGroove
 from knifetip.model.dieline import LineType
 from knifetip.model.operation import End
 from knifetip.planning.plan import plan
-from shapes import BOARD, CUTTER, MACHINE, dieline, edges
+from tests.support.shapes import BOARD, CUTTER, MACHINE, dieline, edges
 
 
 def grooved(bulge, span, error):

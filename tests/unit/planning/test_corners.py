@@ -12,7 +12,7 @@ from knifetip.library import load
 from knifetip.model.corners import AS_OTHERS, CornerAt, Corners
 from knifetip.model.dieline import LineType
 from knifetip.planning.plan import plan
-from shapes import closed, dieline
+from tests.support.shapes import closed, dieline
 
 ROUTER = load.machine("router-table")
 BOARD = load.board("greyboard-3.0")

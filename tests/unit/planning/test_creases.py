@@ -14,7 +14,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.operation import End
 from knifetip.model.tool import CreaseWheel
 from knifetip.planning.plan import plan
-from shapes import BOARD, MACHINE, dieline, edges
+from tests.support.shapes import BOARD, MACHINE, dieline, edges
 
 ACROSS = edges(((0, 0), (100, 0)))
 

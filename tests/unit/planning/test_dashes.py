@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.planning.dashes import once
-from shapes import edges, rotation
+from tests.support.shapes import edges, rotation
 
 NO_CUTS = (np.zeros((0, 2, 2)), np.zeros(0))
 

@@ -8,7 +8,7 @@ import pytest
 from knifetip.errors import FlankOutside
 from knifetip.model.dieline import LineType
 from knifetip.planning.plan import plan
-from shapes import BOARD, MACHINE, closed, dieline, edges
+from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
 # 1 mm deep with a blade at 45°: the flanks reach 1 mm to either side.
 OUTLINE = (LineType.CUT, closed((0, 0), (200, 0), (200, 100), (0, 100)))

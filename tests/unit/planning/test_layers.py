@@ -13,7 +13,7 @@ from knifetip.planning import noding
 from knifetip.planning.gaps import links
 from knifetip.planning.layers import cut_layers
 from knifetip.planning.outer import faces
-from shapes import closed, edges, rotation
+from tests.support.shapes import closed, edges, rotation
 
 
 def box(x, y, wide, high):

@@ -15,7 +15,7 @@ from knifetip.model.machine import Station
 from knifetip.model.operation import End
 from knifetip.model.tool import Cutter
 from knifetip.planning.plan import missing, plan
-from shapes import BOARD, MACHINE, closed, dieline, edges
+from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
 ROUTER = Cutter(radius=3.0, feed=9000.0, plunge=1500.0, speed=18000.0)
 HELD = Station(4, "Router", ROUTER, 0.0, 0.0, 0.0, 0.0, 3)

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.planning.outer import outer, outside
-from shapes import closed, edges, rotation
+from tests.support.shapes import closed, edges, rotation
 
 OUTLINE = edges(
     ((0, 0), (100, 0)), ((100, 0), (100, 50)), ((100, 50), (100, 100)),

@@ -11,7 +11,7 @@ from knifetip.errors import NoToolForLineType
 from knifetip.model.dieline import LineType
 from knifetip.model.operation import End
 from knifetip.planning.plan import missing, plan
-from shapes import BOARD, MACHINE, closed, dieline, edges
+from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
 OUTLINE = closed((0, 0), (200, 0), (200, 100), (0, 100))
 HOLE = closed((20, 20), (40, 20), (40, 40), (20, 40))

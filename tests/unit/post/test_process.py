@@ -9,13 +9,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from controllers.grbl_words import read_grbl
 from knifetip.errors import LibraryError, ProgramError
 from knifetip.library.load import machine
 from knifetip.model.program import Program
 from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.process import process
+from tests.controllers.grbl_words import read_grbl
 
 QUARTER = np.tan(np.radians(90) / 4)
 TABLE = machine("demo-table")

@@ -12,8 +12,8 @@ from knifetip.gateway.table import Table
 from knifetip.library import load
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.duration import duration, durations
-from named import SAMPLES
-from shapes import MACHINE
+from tests.support.shapes import MACHINE
+from tests.support.truth.named import SAMPLES
 
 R, F, S = Motion.RAPID, Motion.FEED, Motion.SWIVEL
 #: Does not wait for pistons.

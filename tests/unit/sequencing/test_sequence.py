@@ -16,7 +16,7 @@ from knifetip.model.tool import VCutter
 from knifetip.model.toolpath import Motion
 from knifetip.planning.plan import plan
 from knifetip.sequencing.sequence import sequence
-from shapes import BOARD, KNIFE, MACHINE, closed, dieline, edges
+from tests.support.shapes import BOARD, KNIFE, MACHINE, closed, dieline, edges
 
 
 def sequenced(*groups, machine=MACHINE):

@@ -12,7 +12,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.machine import Axis
 from knifetip.planning.plan import plan
 from knifetip.sequencing.sequence import sequence
-from shapes import BOARD, MACHINE, dieline, edges
+from tests.support.shapes import BOARD, MACHINE, dieline, edges
 
 # The knife's head stands at the beam's zero, the V-cutter's 60 mm to its left and 5 behind.
 BEAM = replace(

@@ -22,7 +22,7 @@ from knifetip.sequencing.turning import (
     tip_circle,
     unwound,
 )
-from shapes import CUTTER, KNIFE, MACHINE, WHEEL, closed, rotation
+from tests.support.shapes import CUTTER, KNIFE, MACHINE, WHEEL, closed, rotation
 
 
 def outline(ends, bulge=None):

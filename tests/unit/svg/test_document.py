@@ -14,7 +14,7 @@ from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.intake.limits import Limits
 from knifetip.model.drawing import Drawing
 from knifetip.svg.read import read
-from svg_text import SVG, carton, svg
+from tests.support.writers.svg_text import SVG, carton, svg
 
 
 def refused(data: bytes, kind: type[KnifetipError] = NotADrawing, **limits: int) -> str:

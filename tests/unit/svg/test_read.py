@@ -18,7 +18,7 @@ from knifetip.geometry import arc
 from knifetip.library import load
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.svg.read import read
-from svg_text import SVG, carton, svg
+from tests.support.writers.svg_text import SVG, carton, svg
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:

@@ -12,7 +12,7 @@ from knifetip.model.drawing import Inscription
 from knifetip.model.unit import MILLIMETRES, Hint
 from knifetip.units import weights
 from knifetip.units.evidence import judge
-from known_size import INCH, Carton, drawing_of, drawn, slotted, tuck_end
+from tests.support.cartons.known_size import INCH, Carton, drawing_of, drawn, slotted, tuck_end
 
 #: 0201, 300 × 200 × 150 mm, B flute; and 12 × 8 × 6 in of the same style.
 METRIC = Carton("slotted", 300, 200, 150, 3.0, slotted(300, 200, 150, 3.0, 1.0), False)

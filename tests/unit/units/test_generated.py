@@ -9,7 +9,7 @@ import pytest
 
 from knifetip.model.unit import DRAWN_IN, MILLIMETRES
 from knifetip.units.evidence import judge
-from known_size import PLACES, carton, drawn
+from tests.support.cartons.known_size import PLACES, carton, drawn
 
 WORDS = (
     "", "", "", "dimensions", "texts", "title", "dimensions mm", "texts mm", "title mm",

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from dxf_text import dxf, line
 from knifetip.dxf.read import read
 from knifetip.units.evidence import judge
 from knifetip.units.question import question
 from knifetip.units.rescale import rescaled
+from tests.support.writers.dxf_text import dxf, line
 
 BOX = (line(0, 0, 250, 0), line(250, 0, 250, 180))
 

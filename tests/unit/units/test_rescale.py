@@ -7,11 +7,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
-from dxf_text import dxf, entity, line
 from knifetip.dxf.read import read
 from knifetip.errors import UnitUnknown
 from knifetip.model.unit import MILLIMETRES
 from knifetip.units.rescale import rescaled
+from tests.support.writers.dxf_text import dxf, entity, line
 
 BOX = (line(0, 0, 250, 0), line(250, 0, 250, 180))
 

@@ -2,7 +2,10 @@ from dataclasses import replace
 
 import pytest
 
-from handwritten import (
+from knifetip.model.machine import Machine
+from knifetip.model.verdict import Finding
+from knifetip.verification.verify import verify
+from tests.support.programs.handwritten import (
     BOARD,
     DIELINE,
     GRBLHAL,
@@ -15,9 +18,6 @@ from handwritten import (
     knife_program,
     wheel_program,
 )
-from knifetip.model.machine import Machine
-from knifetip.model.verdict import Finding
-from knifetip.verification.verify import verify
 
 
 def findings(text: bytes) -> list[Finding]:

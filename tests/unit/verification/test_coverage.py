@@ -4,7 +4,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from handwritten import (
+from knifetip.model.dieline import LineType
+from knifetip.model.verdict import Finding, Verdict
+from knifetip.verification.verify import verify
+from tests.support.programs.handwritten import (
     BOARD,
     CREASE,
     CUT,
@@ -22,9 +25,6 @@ from handwritten import (
     knife_program,
     wheel_program,
 )
-from knifetip.model.dieline import LineType
-from knifetip.model.verdict import Finding, Verdict
-from knifetip.verification.verify import verify
 
 
 def judged(text: bytes) -> Verdict:

@@ -6,7 +6,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from handwritten import (
+from knifetip.model.board import Board
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine, Station
+from knifetip.model.tool import CreaseWheel
+from knifetip.model.verdict import Verdict
+from knifetip.verification.intent import on_sheet
+from knifetip.verification.outline import inside, outline, run_outs
+from knifetip.verification.verify import verify
+from tests.support.programs.handwritten import (
     BOARD,
     CREASE,
     CUT,
@@ -16,14 +24,6 @@ from handwritten import (
     knife_program,
     wheel_program,
 )
-from knifetip.model.board import Board
-from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.machine import Machine, Station
-from knifetip.model.tool import CreaseWheel
-from knifetip.model.verdict import Verdict
-from knifetip.verification.intent import on_sheet
-from knifetip.verification.outline import inside, outline, run_outs
-from knifetip.verification.verify import verify
 
 GROOVE = LineType.V_GROOVE
 

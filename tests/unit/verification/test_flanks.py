@@ -7,11 +7,11 @@ import math
 import numpy as np
 import pytest
 
-from handwritten import BOARD, CUT, MACHINE, PLACEMENT, dieline
 from knifetip.model.dieline import LineType
 from knifetip.verification.flanks import Torn, torn_cuts
 from knifetip.verification.intent import on_sheet
 from knifetip.verification.verify import verify
+from tests.support.programs.handwritten import BOARD, CUT, MACHINE, PLACEMENT, dieline
 
 GROOVE = LineType.V_GROOVE
 #: 1.3 mm deep at 45°.

@@ -3,7 +3,6 @@ import math
 import numpy as np
 import pytest
 
-from handwritten import BOARD, CREASE, CUT, DIELINE, MACHINE, PLACEMENT, RUN_OUT, SLIT, dieline
 from knifetip.errors import GeometryError
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
@@ -14,6 +13,17 @@ from knifetip.verification.intent import (
     on_sheet,
     pairs_within,
     run_on,
+)
+from tests.support.programs.handwritten import (
+    BOARD,
+    CREASE,
+    CUT,
+    DIELINE,
+    MACHINE,
+    PLACEMENT,
+    RUN_OUT,
+    SLIT,
+    dieline,
 )
 
 WHEEL = MACHINE.station(2).tool

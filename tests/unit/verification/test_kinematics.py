@@ -3,7 +3,6 @@ import math
 import numpy as np
 import pytest
 
-from handwritten import BOARD, LINUXCNC, MACHINE, cutter_program, knife_program
 from knifetip.model.machine import Station
 from knifetip.model.tool import Knife
 from knifetip.verification.kinematics import (
@@ -15,6 +14,13 @@ from knifetip.verification.kinematics import (
     tip_offset,
 )
 from knifetip.verification.verify import followed
+from tests.support.programs.handwritten import (
+    BOARD,
+    LINUXCNC,
+    MACHINE,
+    cutter_program,
+    knife_program,
+)
 
 
 def test_the_tip_of_a_v_cutter_is_six_north_and_one_and_a_half_west_of_a_head_that_goes_east():

@@ -2,9 +2,17 @@
 
 import pytest
 
-import mutation
-from handwritten import BOARD, DIELINE, GRBLHAL, LINUXCNC, MACHINE, PLACEMENT, changed
 from knifetip.verification.verify import verify
+from tests.support.programs import digit_mutation
+from tests.support.programs.handwritten import (
+    BOARD,
+    DIELINE,
+    GRBLHAL,
+    LINUXCNC,
+    MACHINE,
+    PLACEMENT,
+    changed,
+)
 
 
 def refused(text: bytes) -> bool:
@@ -13,11 +21,11 @@ def refused(text: bytes) -> bool:
 
 @pytest.mark.parametrize(("text", "seed"), [(LINUXCNC, 1), (GRBLHAL, 2)], ids=["linuxcnc", "grbl"])
 def test_every_digit_that_moves_the_working_tip_by_more_than_a_hundredth_is_caught(text, seed):
-    everything, caught, missed = mutation.shares(
+    everything, caught, missed = digit_mutation.shares(
         text, MACHINE, BOARD, refused, count=250, seed=seed
     )
     told = [
-        f"{kind}: {mutation.told(text, place, mutant)}"
+        f"{kind}: {digit_mutation.told(text, place, mutant)}"
         for kind, place, mutant in missed
         if kind in ("moved", "line", "output")
     ]
@@ -50,12 +58,12 @@ def test_every_digit_that_moves_the_working_tip_by_more_than_a_hundredth_is_caug
 def test_what_a_change_does_is_told_without_the_judge(old, new, kind):
     mutant = changed(LINUXCNC, old, new)
     place = next(i for i, (a, b) in enumerate(zip(LINUXCNC, mutant, strict=True)) if a != b)
-    assert mutation.effect(LINUXCNC, place, mutant, MACHINE, BOARD) == kind
+    assert digit_mutation.effect(LINUXCNC, place, mutant, MACHINE, BOARD) == kind
 
 
 def test_a_point_that_slides_along_its_line_moves_nothing():
     # The end of the round and what is run over lie in one line: 70 is only where they meet.
     mutant = changed(LINUXCNC, "G1 X70.0000\n", "G1 X70.2000\n")
     place = next(i for i, (a, b) in enumerate(zip(LINUXCNC, mutant, strict=True)) if a != b)
-    assert mutation.effect(LINUXCNC, place, mutant, MACHINE, BOARD) in ("air", "smaller")
+    assert digit_mutation.effect(LINUXCNC, place, mutant, MACHINE, BOARD) in ("air", "smaller")
     assert not refused(mutant)

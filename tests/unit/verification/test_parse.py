@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
 
-from handwritten import MACHINE
 from knifetip.errors import ProgramUnreadable
 from knifetip.verification.modal import interpret
 from knifetip.verification.parse import LARGEST, obeyed, parse, placement_of
+from tests.support.programs.handwritten import MACHINE
 
 
 def read(text: bytes) -> list[tuple[int, str, float]]:

@@ -5,8 +5,6 @@ import numpy as np
 import pytest
 import shapely
 
-import mutation
-from handwritten import BOARD, CUT, MACHINE, changed, dieline
 from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import Dieline
 from knifetip.model.machine import Machine, Station
@@ -17,6 +15,8 @@ from knifetip.verification.disc import within
 from knifetip.verification.kinematics import lines
 from knifetip.verification.stretches import gaps
 from knifetip.verification.verify import verify
+from tests.support.programs import digit_mutation
+from tests.support.programs.handwritten import BOARD, CUT, MACHINE, changed, dieline
 
 #: A router of 3 mm radius on output 0, and nothing else.
 ROUTER: Machine = replace(
@@ -281,7 +281,9 @@ def test_one_digit_changed_is_caught_where_it_moves_the_disc():
     text = program(*HOLE, *ROUND)
     chance = np.random.default_rng(3)
     raw = np.frombuffer(text, np.uint8)
-    words = [(m.start(1), m.end(1)) for m in mutation.re.finditer(rb"[XYIJ](-?\d+\.?\d*)", text)]
+    words = [
+        (m.start(1), m.end(1)) for m in digit_mutation.re.finditer(rb"[XYIJ](-?\d+\.?\d*)", text)
+    ]
     caught = total = 0
     for first, last in words:
         for place in range(first, last):

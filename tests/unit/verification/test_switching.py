@@ -6,9 +6,18 @@ from dataclasses import replace
 
 import pytest
 
-from handwritten import BOARD, DIELINE, GRBLHAL, LINUXCNC, MACHINE, PLACEMENT, changed, dieline
 from knifetip.model.machine import Machine
 from knifetip.verification.verify import verify
+from tests.support.programs.handwritten import (
+    BOARD,
+    DIELINE,
+    GRBLHAL,
+    LINUXCNC,
+    MACHINE,
+    PLACEMENT,
+    changed,
+    dieline,
+)
 
 HEAD = "G0 Z20.0000\nM65 P0\nM65 P1\nM65 P2\nM5\n"
 BOTH = pytest.mark.parametrize("program", [LINUXCNC, GRBLHAL], ids=["linuxcnc", "grblhal"])

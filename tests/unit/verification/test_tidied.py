@@ -11,7 +11,7 @@ from knifetip.cleaning.clean import clean
 from knifetip.model.cleaned import Cleaned, Stretches
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.tidied import tidied
-from shapes import dieline, edges
+from tests.support.shapes import dieline, edges
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
 

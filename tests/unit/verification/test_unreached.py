@@ -14,7 +14,7 @@ from knifetip.compensation.radius import centres
 from knifetip.library import load
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
-from shapes import closed, dieline
+from tests.support.shapes import closed, dieline
 
 ROUTER = load.machine("router-table")
 BOARD = load.board("greyboard-3.0")

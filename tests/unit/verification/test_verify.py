@@ -4,7 +4,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from handwritten import (
+from knifetip.errors import GeometryError, ProgramError, ProgramUnreadable
+from knifetip.model.dieline import LineType
+from knifetip.verification.findings import MOST
+from knifetip.verification.verify import verify
+from tests.support.programs.handwritten import (
     BOARD,
     CONTOUR,
     CUT,
@@ -20,10 +24,6 @@ from handwritten import (
     dieline,
     knife_program,
 )
-from knifetip.errors import GeometryError, ProgramError, ProgramUnreadable
-from knifetip.model.dieline import LineType
-from knifetip.verification.findings import MOST
-from knifetip.verification.verify import verify
 
 BOTH = pytest.mark.parametrize("text", [LINUXCNC, GRBLHAL], ids=["linuxcnc", "grblhal"])
 

@@ -1,4 +1,4 @@
-"""furnishing: what people draw round a carton, and how carelessly they draw it."""
+"""what people draw round a carton, and how carelessly they draw it."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from itertools import pairwise
 
 import numpy as np
 import shapely
-from tests.dielines import Plan, Stroke
 
 from knifetip.geometry import arc
+from tests.support.cartons.kinds import Plan, Stroke
 
 
 def _dimensions(plan: Plan) -> None:

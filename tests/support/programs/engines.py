@@ -13,7 +13,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.operation import Operation
 from knifetip.model.verdict import Verdict
-from shapes import closed, dieline, edges
+from tests.support.shapes import closed, dieline, edges
 
 DEMO, ROUTER = load.machine("demo-table"), load.machine("router-table")
 GREY, THICK = load.board("greyboard-2.0"), load.board("greyboard-3.0")

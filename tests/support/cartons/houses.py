@@ -1,4 +1,4 @@
-"""houses: how those who draw cartons draw them, as far as we have seen, read or can think of.
+"""how those who draw cartons draw them, as far as we have seen, read or can think of.
 
 Of each: its layers, colours and linetypes, its format and unit, what it writes round a carton, and
 how carelessly.  ``house_files`` makes files of them.
@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from tests.dielines import Plan, Stroke
+from tests.support.cartons.kinds import Plan, Stroke
 
 #: Layer, colour (an AutoCAD index, or #rrggbb) and linetype of a part.
 Style = tuple[str, object, str]

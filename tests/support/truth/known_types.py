@@ -1,4 +1,4 @@
-"""truth: drawings by other hands of which it is known what each line is, and by whom it was said.
+"""drawings by other hands of which it is known what each line is, and by whom it was said.
 
 The sources are the corpus's own list and the conventions of the generators that drew them.
 """

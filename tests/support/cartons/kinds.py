@@ -1,4 +1,4 @@
-"""dielines: cartons of many kinds as lines, with what each is, before they have a style.
+"""cartons of many kinds as lines, with what each is, before they have a style.
 
 Every line has a part: ``outer`` and ``inner`` cuts, ``crease``, ``perforation``, ``half-cut``,
 ``v-groove``, or what is said about the carton and not done to it: ``dimension``, ``text``,
@@ -13,10 +13,10 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
-from tests import cartons
 
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import extents
+from tests.support.cartons import random_drawings
 
 _SAID = {
     "outer": LineType.CUT,
@@ -98,7 +98,7 @@ class Plan:
         ]
 
 
-def _told(make: Callable[[np.random.Generator], cartons.Sheet]) -> Callable[..., Plan]:
+def _told(make: Callable[[np.random.Generator], random_drawings.Sheet]) -> Callable[..., Plan]:
     """Return a maker of plans out of one of sheets: cuts that touch no end of the rim are inner."""
 
     def made(rng: np.random.Generator) -> Plan:
@@ -186,7 +186,7 @@ def pillow(rng: np.random.Generator) -> Plan:
 
 def tear_case(rng: np.random.Generator) -> Plan:
     """A slotted case with a tear strip between two perforations right across."""
-    plan = _told(cartons.slotted_case)(rng)
+    plan = _told(random_drawings.slotted_case)(rng)
     _, y0, x1, y1 = plan.corners
     middle = 0.5 * (y0 + y1)
     for at in (middle - 5.0, middle + 5.0):
@@ -339,13 +339,13 @@ def crossed_case(rng: np.random.Generator) -> Plan:
 
 
 KINDS: tuple[Callable[[np.random.Generator], Plan], ...] = (
-    _told(cartons.slotted_case),
+    _told(random_drawings.slotted_case),
     crossed_case,
-    _told(cartons.tray),
-    _told(cartons.tuck_end),
-    _told(cartons.sleeve),
-    _told(cartons.rolled_tray),
-    _told(cartons.rigid_box),
+    _told(random_drawings.tray),
+    _told(random_drawings.tuck_end),
+    _told(random_drawings.sleeve),
+    _told(random_drawings.rolled_tray),
+    _told(random_drawings.rigid_box),
     mailer,
     counter_display,
     pillow,

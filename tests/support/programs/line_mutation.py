@@ -20,7 +20,7 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
-from mutation import Move, followed, sunk
+from tests.support.programs.digit_mutation import Move, followed, sunk
 
 _WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
 _COMMENT = re.compile(rb"\([^)\n]*\)|;[^\n]*")

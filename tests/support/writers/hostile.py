@@ -10,9 +10,9 @@ import struct
 from collections.abc import Callable, Mapping
 from itertools import pairwise
 
-import cf2_text as cf2
-import dxf_text as dxf
-import svg_text as svg
+from tests.support.writers import cf2_text as cf2
+from tests.support.writers import dxf_text as dxf
+from tests.support.writers import svg_text as svg
 
 Maker = Callable[[], bytes]
 

@@ -1,4 +1,4 @@
-"""cartons: drawings of which the truth is known, as strangers might have drawn them.
+"""drawings of which the truth is known, as strangers might have drawn them.
 
 A carton of a random kind and size, with holes, slits, perforations and half-cuts, is drawn by
 somebody with layer names of some language, colours of some house, or neither; with a frame, a title

@@ -1,4 +1,4 @@
-"""nested: sheets of contours inside contours, and which lies in which by shapely's account."""
+"""sheets of contours inside contours, and which lies in which by shapely's account."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from shapely.geometry import Polygon
 
 from knifetip.geometry.columns import F64, I64
 from knifetip.model.dieline import Dieline, LineType
-from shapes import dieline
+from tests.support.shapes import dieline
 
 
 @dataclass(frozen=True)

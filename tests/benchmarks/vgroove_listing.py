@@ -1,6 +1,6 @@
 """The paper's own listing beside ours: how far the tip is off, over all azimuths.
 
-    python tests/vgroove_listing.py     writes backend/docs/vgroove-listing.md
+    python -m tests.benchmarks.vgroove_listing     writes backend/docs/vgroove-listing.md
 
 ``AzimuthAngle`` of section 4.3 is told here line by line, on columns.  Its constants are cut off:
 1.570796 for π/2, and so 3.141592 for Pi, which the listing does not show.
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from knifetip.compensation.vgroove import head_offset
 from knifetip.model.tool import VCutter
 
-PAGE = Path(__file__).parents[1] / "backend" / "docs" / "vgroove-listing.md"
+PAGE = Path(__file__).parents[2] / "backend" / "docs" / "vgroove-listing.md"
 LENGTHS = (0.1, 1.0, 10.0, 100.0)
 BACKS = (6.0, 10.0)
 HALF_WIDTH = 1.5
@@ -77,8 +77,8 @@ def page() -> str:
             "tells edges that stand upright or lie level by differences cut off to 0.01 mm, so",
             "an edge within 0.01 mm of an axis is taken for one along it. The table has the worst",
             "tip error over 360,000 azimuths, a thousandth of a degree apart, in mm, for a blade",
-            f"with r = {HALF_WIDTH:g} mm. `python tests/vgroove_listing.py` makes it anew, and a",
-            "test compares.",
+            f"with r = {HALF_WIDTH:g} mm.",
+            "`python -m tests.benchmarks.vgroove_listing` writes this page; a test compares.",
             "",
             "| d (mm) | edge (mm) | the listing (mm) | ours (mm) |",
             "|---|---|---|---|",

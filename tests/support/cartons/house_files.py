@@ -1,4 +1,4 @@
-"""house_files: a plan (``dielines``) as a file in the style of a house (``houses``).
+"""a plan (``dielines``) as a file in the style of a house (``houses``).
 
 Which line of the file is which is found again by where it lies.
 """
@@ -8,14 +8,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from tests import dxf_text, svg_text
-from tests.dielines import KINDS, Plan, Stroke
-from tests.furnishing import AROUND, FLAWS
-from tests.houses import SOLID, House, Style
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, U8
 from knifetip.model.drawing import Drawing
+from tests.support.cartons.houses import SOLID, House, Style
+from tests.support.cartons.kinds import KINDS, Plan, Stroke
+from tests.support.cartons.surroundings import AROUND, FLAWS
+from tests.support.writers import dxf_text, svg_text
 
 
 def _dxf(house: House, plan: Plan, strokes: list[Stroke]) -> bytes:

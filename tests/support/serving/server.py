@@ -18,9 +18,9 @@ import httpx
 import uvicorn
 from fastapi import FastAPI
 
-import dxf_text as text
 from knifetip.api.app import create_app
 from knifetip.api.service import Service, Settings
+from tests.support.writers import dxf_text as text
 
 ENDS = {"done", "refused", "interrupted", "scrapped", "cancelled"}
 
