@@ -49,6 +49,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import islice
 
+from knifetip.messages import from_json
+
 
 class KnifetipError(Exception):
     """What went wrong (with place and measure), what to do about it, and which edges it is about.
@@ -142,7 +144,7 @@ class OpenQuestions(PlanError):
     def __init__(self, questions: Sequence[dict[str, object]]) -> None:
         super().__init__(
             f"{len(questions)} question{'s' * (len(questions) != 1)} must be answered first: "
-            + " ".join(str(question.get("text", "")) for question in questions[:5]),
+            + " ".join(str(from_json(question)) for question in questions[:5]),
             "Answer them on the drawing; nothing is cut by default.",
         )
         self.questions = list(questions)

@@ -33,6 +33,7 @@ from knifetip.errors import (
 from knifetip.geometry.columns import I32, U8
 from knifetip.intake.kind import kind_of
 from knifetip.library import load
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.corners import Corners
@@ -207,8 +208,9 @@ def _without_tool(dieline: Dieline, machine: Machine) -> list[Question]:
             asked.append(
                 Question(
                     kind="tool",
-                    text=f"{len(edges)} edges are {kind.word}, and no station of {machine.title} "
-                    "makes that. What shall they be?",
+                    message=Message(
+                        "question.tool", edges=len(edges), type=kind.word, machine=machine.title
+                    ),
                     choices=tuple(choices),
                     edges=tuple(int(edge) for edge in edges),
                 )

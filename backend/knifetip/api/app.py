@@ -29,6 +29,7 @@ from knifetip.api.limits import Limits
 from knifetip.api.problems import PROBLEM, problem
 from knifetip.api.queue import WorkQueue
 from knifetip.api.schemas.common import Health, Problem
+from knifetip.api.schemas.messages import describe_codes
 from knifetip.api.service import Here, Service, Settings
 from knifetip.api.site import Site
 from knifetip.jobs.crew import Crew, Fault, Withdrawn
@@ -247,6 +248,7 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
     )
     own.pop("$defs", None)
     schemas["Problem"] = own
+    describe_codes(schemas)
     answer = {
         "description": "What went wrong, and what to do about it",
         "content": {PROBLEM: {"schema": {"$ref": "#/components/schemas/Problem"}}},

@@ -8,7 +8,8 @@ from typing import Any
 
 from fastapi import Response
 
-from knifetip.api.schemas.common import Problem, QuestionOut
+from knifetip.api.schemas.common import Problem
+from knifetip.messages import printable
 
 PROBLEM = "application/problem+json"
 
@@ -26,19 +27,16 @@ def problem(
     headers: Mapping[str, str] | None = None,
 ) -> Response:
     """Return an error as RFC 9457 has it; ``title`` defaults to the phrase of the status."""
-    body = Problem(
-        type=kind,
-        title=title or http.HTTPStatus(status).phrase,
-        status=status,
-        detail=_encodable(detail),
-        hint=_encodable(hint),
-        source=[_encodable(place) for place in source],
-        questions=[QuestionOut.model_validate(question) for question in questions],
-        revision=revision,
+    body = Problem.model_validate(
+        {
+            "text": detail,
+            "hint": hint,
+            "type": kind,
+            "title": title or http.HTTPStatus(status).phrase,
+            "status": status,
+            "source": [printable(place) for place in source],
+            "questions": questions,
+            "revision": revision,
+        }
     )
     return Response(body.model_dump_json(), status, headers=dict(headers or {}), media_type=PROBLEM)
-
-
-def _encodable(text: str) -> str:
-    # Lone surrogates of a request cannot be encoded as UTF-8.
-    return text.encode("utf-8", "replace").decode("utf-8")

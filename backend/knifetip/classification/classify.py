@@ -29,6 +29,7 @@ from knifetip.classification.words import hint
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
+from knifetip.messages import Message, from_json
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
 from knifetip.model.profile import LineRules
@@ -256,27 +257,37 @@ def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, whole
     true_colour = int(drawing.true_colour[example])
     box = extents(drawing.ends[rows], drawing.bulge[rows])
     width, height = box[2:] - box[:2]
-    unit = "mm" if drawing.unit else "units of the file"
-    seen = f"colour {colour}" if true_colour < 0 else f"colour #{true_colour:06x}"
-    text = (
-        f'{len(rows):,} edge{"s" * (len(rows) != 1)} on layer "{_shown(layer)}", {seen}, linetype '
-        f"{_shown(linetype)}, {lengths[rows].sum():,.1f} {unit} long in all, in a box of "
-        f"{width:,.1f} × {height:,.1f} {unit} at ({box[0]:,.1f}, {box[1]:,.1f}): "
-        f"what {'are they' if len(rows) != 1 else 'is it'}?"
-    )
     rule = int(dieline.rule[example])
     guesses = dieline.alternatives[rule]
-    if not guesses and "; shape: " in dieline.rules[rule]:
-        text += f" By its {dieline.rules[rule].partition('; ')[2]}."
+    reason = dieline.rules[rule]
+    guess = None
     if guesses:
-        sure = round(100.0 * float(dieline.confidence[example]))
-        text += f" Most likely {guesses[0].word} ({sure} %): {dieline.rules[rule]}."
+        percent = round(100.0 * float(dieline.confidence[example]))
+        guess = Message(
+            "question.guess", type=guesses[0].word, percent=percent, reason=from_json(reason)
+        )
+    elif "; shape: " in reason:
+        guess = Message("question.shape", reason=from_json(reason.partition("; ")[2]))
+    message = Message(
+        "question.line-type",
+        edges=len(rows),
+        layer=_shown(layer),
+        colour=str(colour) if true_colour < 0 else f"#{true_colour:06x}",
+        linetype=_shown(linetype),
+        length=lengths[rows].sum(),
+        width=width,
+        height=height,
+        x=box[0],
+        y=box[1],
+        unit="mm" if drawing.unit else "",
+        guess=guess,
+    )
     reach = box[2:] - box[:2] >= 0.99 * (whole[2:] - whole[:2])
     straight = bool((drawing.bulge[rows] == 0).all())
     likely = dict.fromkeys((*guesses, *_likely(layer, linetype, bool(reach.all()), straight)))
     others = [kind for kind in LineType if kind not in (LineType.UNCLASSIFIED, *likely)]
     choices = tuple(kind.word for kind in (*likely, *others))
-    return Question("line-type", text, choices, tuple(rows.tolist()), layer, colour)
+    return Question("line-type", message, choices, tuple(rows.tolist()), layer, colour)
 
 
 def _shown(name: str) -> str:

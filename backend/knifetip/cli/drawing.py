@@ -15,6 +15,7 @@ from knifetip.cli.terminal import QUESTIONS, ask, read_bytes, show, write_bytes
 from knifetip.dxf.samples import samples
 from knifetip.errors import LibraryError
 from knifetip.geometry.columns import I64
+from knifetip.messages import with_text
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.machine import Machine
@@ -177,7 +178,7 @@ def register(app: typer.Typer) -> None:
                 {
                     "drawing": about,
                     "edges": listed,
-                    "questions": [question.as_json() for question in asked],
+                    "questions": [with_text(question.as_json()) for question in asked],
                     "ledger": ledger(result.drawing),
                 }
             )

@@ -20,6 +20,7 @@ from knifetip.errors import (
     OpenQuestions,
 )
 from knifetip.intake.limits import Limits
+from knifetip.messages import from_json
 from knifetip.model.question import Question
 
 REFUSED = 1
@@ -33,7 +34,7 @@ def say(error: KnifetipError) -> None:
     """Print an error: what is wrong, then what to do."""
     if isinstance(error, OpenQuestions):
         for question in error.questions:
-            stderr.print(f"? {question['text']}", markup=False)
+            stderr.print(f"? {from_json(question)}", markup=False)
         return
     stderr.print(f"knifetip: {error.message}", markup=False, style="bold red")
     if error.hint:

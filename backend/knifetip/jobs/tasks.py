@@ -31,7 +31,6 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.machine import Machine
 from knifetip.model.profile import LineRules
-from knifetip.model.question import Question
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
@@ -159,7 +158,7 @@ def read(
         "height": high_y - low_y,
         "counts": _counts(dieline.line_type, drawing.lengths),
         "layers": _layers(drawing, dieline, layers),
-        "questions": [_question(question) for question in questions],
+        "questions": [question.as_json() for question in questions],
         "overrides": int((overrides != NONE).sum()),
         "ledger": {fate.name.lower(): int((ledger.fate == fate).sum()) for fate in Fate},
         "report": report.summary,
@@ -266,7 +265,7 @@ def ask(
         drawing, rules_of(profile, rules), np.frombuffer(overrides, np.uint8)
     )
     questions = pipeline.questions(drawing, dieline, load.machine(machine))
-    return [_question(question) for question in questions]
+    return [question.as_json() for question in questions]
 
 
 def compile(
@@ -430,16 +429,6 @@ def _toolpath(made: Compiled, machine: Machine) -> bytes:
             ],
         },
     )
-
-
-def _question(question: Question) -> dict[str, Any]:
-    return {
-        **question.as_json(),
-        "text": said(question.text),
-        "layer": said(question.layer),
-        "edges": [int(edge) for edge in question.edges],
-        "colour": int(question.colour),
-    }
 
 
 def _finite(measure: float) -> float:

@@ -7,21 +7,21 @@ from __future__ import annotations
 
 from typing import Final
 
+from knifetip.messages import Message, from_json
 from knifetip.model.drawing import Drawing
 from knifetip.model.question import Question
-from knifetip.model.unit import DRAWN_IN, MILLIMETRES, NAMES, UnitFinding
-from knifetip.units.lengths import measure
+from knifetip.model.unit import DRAWN_IN, MILLIMETRES, UnitFinding
 
 #: Points and pixels are offered where only so many units are likelier.
 _OFFERED: Final = 2
-#: Evidence of less weight is not worth a word.
+#: Evidence of less weight is not shown.
 _WORTH: Final = 1.0
-#: So many things that speak for the likeliest unit are told.
-_TOLD: Final = 2
+#: The most evidence that a question shows.
+_SHOWN: Final = 2
 
 
 def question(drawing: Drawing, finding: UnitFinding) -> Question | None:
-    """Return what must be asked about the unit, None where it is known."""
+    """Return the question about the unit, None where it is known."""
     if drawing.unit:
         return None
     low_x, low_y, high_x, high_y = drawing.bounds
@@ -34,37 +34,37 @@ def question(drawing: Drawing, finding: UnitFinding) -> Question | None:
         if unit in DRAWN_IN or place < _OFFERED or page
     ]
     sizes = [
-        f"in {NAMES[unit]} {'the drawing is ' * (place == 0)}"
-        f"{measure(width * MILLIMETRES[unit])} × {measure(height * MILLIMETRES[unit])} mm"
-        for place, unit in enumerate(choices)
+        Message(
+            "question.unit-size",
+            unit=unit,
+            width=width * MILLIMETRES[unit],
+            height=height * MILLIMETRES[unit],
+        )
+        for unit in choices
     ]
-    text = ", ".join(sizes)
-    likeliest = [
-        one.text
+    heaviest = [
+        from_json(one.text)
         for one in finding.evidence
         if one.unit == choices[0] and one.weight >= _WORTH and one.kind in ("grid", "words")
-    ][:_TOLD]
-    because = f" What speaks most for {NAMES[choices[0]]}: {'; '.join(likeliest)}."
-    return Question(
-        "unit",
-        f"{_why(drawing, finding)} {text[0].upper()}{text[1:]}.{because if likeliest else ''}",
-        tuple(choices),
+    ][:_SHOWN]
+    evidence = Message("question.unit-evidence", unit=choices[0], evidence=heaviest)
+    message = Message(
+        "question.unit",
+        reason=_reason(drawing, finding),
+        sizes=sizes,
+        evidence=evidence if heaviest else None,
     )
+    return Question("unit", message, tuple(choices))
 
 
-def _why(drawing: Drawing, finding: UnitFinding) -> str:
+def _reason(drawing: Drawing, finding: UnitFinding) -> Message:
+    """Return why the unit is not known."""
     if drawing.stated == finding.ranking[0]:
-        other = NAMES[finding.ranking[1]]
-        return (
-            f"The file says that its unit is {NAMES[drawing.stated]}, but by what is drawn it "
-            f"could also be {other}."
-        )
+        return Message("question.unit-doubtful", stated=drawing.stated, other=finding.ranking[1])
     if drawing.stated:
-        return (
-            f"The file says that its unit is {NAMES[drawing.stated]}, which what is drawn does "
-            "not bear out."
-        )
+        return Message("question.unit-contradicted", stated=drawing.stated)
     if drawing.evidence.startswith("$INSUNITS = 0") or "no $INSUNITS" in drawing.evidence:
-        return "The file does not say its unit."
-    said, _, _ = drawing.evidence.partition("; ")
-    return f"The file does not say a unit that is read ({said})."
+        return Message("question.unit-not-stated")
+    return Message(
+        "question.unit-unreadable", evidence=from_json(drawing.evidence.partition("; ")[0])
+    )

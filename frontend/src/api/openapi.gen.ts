@@ -1947,13 +1947,29 @@ export interface components {
          * @description Something that somebody must decide before anything is cut.
          */
         QuestionOut: {
+            code: components["schemas"]["MessageCode"];
+            /**
+             * Arguments
+             * @description As the union Message has them for the code
+             */
+            arguments: {
+                [key: string]: unknown;
+            };
+            /**
+             * Text
+             * @description In English
+             */
+            text: string;
+            /**
+             * Hint
+             * @description What to do about it, in English; empty where nothing is to do
+             */
+            hint: string;
             /**
              * Kind
              * @enum {string}
              */
             kind: "unit" | "line-type" | "tool";
-            /** Text */
-            text: string;
             /** Choices */
             choices: string[];
             /** Edges */
@@ -2329,6 +2345,24 @@ export interface components {
          * @description An error as RFC 9457 has it, with the hint and the entities that it is about.
          */
         Problem: {
+            code: components["schemas"]["MessageCode"];
+            /**
+             * Arguments
+             * @description As the union Message has them for the code
+             */
+            arguments: {
+                [key: string]: unknown;
+            };
+            /**
+             * Text
+             * @description In English
+             */
+            text: string;
+            /**
+             * Hint
+             * @description What to do about it, in English; empty where nothing is to do
+             */
+            hint: string;
             /**
              * Type
              * @default about:blank
@@ -2338,13 +2372,11 @@ export interface components {
             title: string;
             /** Status */
             status: number;
-            /** Detail */
-            detail: string;
             /**
-             * Hint
-             * @default
+             * Detail
+             * @description The text, under its name in RFC 9457
              */
-            hint: string;
+            detail: string;
             /**
              * Source
              * @default []
@@ -2361,6 +2393,101 @@ export interface components {
              * @default null
              */
             revision: number | null;
+        };
+        /** @enum {string} */
+        MessageCode: "stored.text" | "question.unit" | "question.unit-size" | "question.unit-evidence" | "question.unit-doubtful" | "question.unit-contradicted" | "question.unit-not-stated" | "question.unit-unreadable" | "question.line-type" | "question.guess" | "question.shape" | "question.tool";
+        /** @description A code with its arguments. */
+        Message: {
+            /** @constant */
+            code: "stored.text";
+            arguments: {
+                text: string;
+                hint: string;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit";
+            arguments: {
+                reason: components["schemas"]["Message"];
+                sizes: components["schemas"]["Message"][];
+                evidence: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-size";
+            arguments: {
+                unit: string;
+                width: number;
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-evidence";
+            arguments: {
+                unit: string;
+                evidence: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-doubtful";
+            arguments: {
+                stated: string;
+                other: string;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-contradicted";
+            arguments: {
+                stated: string;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-not-stated";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "question.unit-unreadable";
+            arguments: {
+                evidence: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "question.line-type";
+            arguments: {
+                edges: number;
+                layer: string;
+                colour: string;
+                linetype: string;
+                length: number;
+                width: number;
+                height: number;
+                x: number;
+                y: number;
+                unit: string;
+                guess: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "question.guess";
+            arguments: {
+                type: string;
+                percent: number;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "question.shape";
+            arguments: {
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "question.tool";
+            arguments: {
+                edges: number;
+                type: string;
+                machine: string;
+            };
         };
     };
     responses: never;

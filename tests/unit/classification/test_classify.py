@@ -229,13 +229,13 @@ def test_one_question_for_each_layer_colour_and_linetype():
 
 def test_a_question_says_how_many_how_long_and_where():
     assert asked(("b", 2, "C"), ("b", 2, "C")) == [
-        '2 edges on layer "b", colour 2, linetype C, 20.0 mm long in all, in a box of '
+        '2 edges on layer "b", colour 2, linetype C, total length 20.0 mm, in a box of '
         "30.0 × 0.0 mm at (0.0, 0.0): what are they?"
     ]
 
 
 def test_without_a_unit_lengths_are_in_units_of_the_file():
-    assert "10.0 units of the file long" in asked(("b", 2, "C"), unit="")[0]
+    assert "total length 10.0 units of the file" in asked(("b", 2, "C"), unit="")[0]
 
 
 def test_true_colours_are_asked_apart_and_named():

@@ -30,10 +30,10 @@ def test_question_states_the_size_in_each_unit_and_begins_with_the_likeliest():
     assert told.choices[0] == "mm"
     assert set(told.choices) == {"mm", "cm", "m", "in", "ft"}
     assert told.text.startswith(
-        "The file does not say its unit. In mm the drawing is 250.0 × 180.0 mm, in cm "
-        "2500 × 1800 mm, in inches 6350 × 4572 mm,"
+        "The file does not state its unit. The drawing's size would be 250.0 × 180.0 mm in mm, "
+        "2500 × 1800 mm in cm, 6350 × 4572 mm in inches,"
     )
-    assert "What speaks most for mm: in mm 2 of 2 lengths" in told.text
+    assert "Strongest evidence for mm: in mm 2 of 2 lengths" in told.text
 
 
 def test_small_numbers_put_centimetres_and_inches_first():
@@ -52,11 +52,12 @@ def test_pixels_are_offered_where_they_are_likely():
 
 def test_question_for_a_unit_that_is_not_read_names_it():
     assert asked(dxf(*BOX, units=9)).text.startswith(
-        "The file does not say a unit that is read ($INSUNITS = 9: mils, which are not read)."
+        "The file does not state a unit of length that is supported "
+        "($INSUNITS = 9: mils, which are not read)."
     )
 
 
 def test_question_says_that_the_header_is_not_borne_out():
     assert asked(dxf(*BOX, units=6)).text.startswith(
-        "The file says that its unit is metres, which what is drawn does not bear out. In mm "
+        "The file states metres as its unit, but the drawing does not look like it. "
     )

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
+
+from knifetip.api.schemas.messages import MessageOut
 
 LineTypeWord = Literal[
     "unclassified", "cut", "crease", "v-groove", "perforation", "half-cut", "ignored", "combi"
@@ -19,27 +21,27 @@ class Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
 
 
-class QuestionOut(BaseModel):
+class QuestionOut(MessageOut):
     """Something that somebody must decide before anything is cut."""
 
     kind: Literal["unit", "line-type", "tool"]
-    text: str
     choices: list[str]
     edges: list[int]
     layer: str
     colour: int
 
 
-class Problem(BaseModel):
+class Problem(MessageOut):
     """An error as RFC 9457 has it, with the hint and the entities that it is about."""
+
+    text_fields: ClassVar[tuple[str, ...]] = ("detail", "text")
 
     type: str = "about:blank"
     title: str
     status: int
-    detail: str
-    hint: str = ""
-    source: list[str] = []
-    questions: list[QuestionOut] = []
+    detail: str = Field(description="The text, under its name in RFC 9457")
+    source: list[str] = Field(default=[])
+    questions: list[QuestionOut] = Field(default=[])
     revision: int | None = Field(
         default=None, description="Of the drawing now, where the request named an older one"
     )

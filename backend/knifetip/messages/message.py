@@ -1,0 +1,135 @@
+"""message: a code with its arguments, as it is raised, stored and sent."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
+
+from knifetip.messages.codes import CODES, STORED, Kind
+
+#: Stands for a measure that is infinite or not a number, which JSON cannot contain.
+_FAR: Final = 1e9
+
+
+@runtime_checkable
+class _Number(Protocol):
+    """A number of Python or NumPy."""
+
+    def __float__(self) -> float: ...
+
+    def __int__(self) -> int: ...
+
+
+Argument: TypeAlias = "str | _Number | Message | Iterable[str] | Iterable[Message] | None"
+
+
+class Message:
+    """One thing to report: what it is and its measures, but no sentence.
+
+    Parameters
+    ----------
+    code
+        One of ``codes.CODES``.
+    arguments
+        By name, as the code lists them; numbers of NumPy become Python's.
+
+    Raises
+    ------
+    TypeError
+        The code is unknown, or its arguments have other names.
+    """
+
+    __slots__ = ("_key", "arguments", "code")
+
+    code: str
+    arguments: Mapping[str, Any]
+
+    def __init__(self, code: str, /, **arguments: Argument) -> None:
+        kinds = CODES.get(code)
+        if kinds is None or kinds.keys() != arguments.keys():
+            wanted = "is not listed" if kinds is None else f"takes {', '.join(kinds) or 'nothing'}"
+            raise TypeError(f"the code {code} {wanted}; given: {', '.join(arguments) or 'nothing'}")
+        self.code = code
+        self.arguments = {name: _CAST[kinds[name]](value) for name, value in arguments.items()}
+        self._key = (code, tuple(self.arguments[name] for name in kinds))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Message) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return hash(self._key)
+
+    def __repr__(self) -> str:
+        given = "".join(f", {name}={value!r}" for name, value in self.arguments.items())
+        return f"Message({self.code!r}{given})"
+
+    def __str__(self) -> str:
+        from knifetip.messages.render import render
+
+        return render(self)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (_rebuild, (self.code, self.arguments))
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the code and its arguments as plain data that any JSON can contain."""
+        arguments = {name: _plain(value) for name, value in self.arguments.items()}
+        return {"code": self.code, "arguments": arguments}
+
+
+def from_json(plain: Mapping[str, Any] | str) -> Message:
+    """Return a message from plain data.
+
+    Sentences that were stored before there were codes, and messages of another version with codes
+    or arguments that this one does not have, become ``stored.text``.
+    """
+    if isinstance(plain, str):
+        return Message(STORED, text=plain, hint="")
+    kinds = CODES.get(str(plain.get("code")))
+    given = plain.get("arguments") or {}
+    if kinds is None or kinds.keys() != given.keys():
+        return Message(STORED, text=str(plain.get("text", "")), hint=str(plain.get("hint", "")))
+    return Message(plain["code"], **{name: _restored(value) for name, value in given.items()})
+
+
+def _rebuild(code: str, arguments: Mapping[str, Any]) -> Message:
+    return Message(code, **arguments)
+
+
+def _restored(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return from_json(value)
+    if isinstance(value, list):
+        return [_restored(item) for item in value]
+    return value
+
+
+def _plain(value: Any) -> Any:
+    match value:
+        case Message():
+            return value.as_json()
+        case tuple():
+            return [_plain(item) for item in value]
+        case str():
+            return printable(value)
+        case float():
+            return value if math.isfinite(value) else math.copysign(_FAR, value)
+        case _:
+            return value
+
+
+def printable(text: str) -> str:
+    """Return text as UTF-8 can encode it: lone surrogates become ``?``, and NUL is left out."""
+    return text.encode("utf-8", "replace").decode("utf-8").replace("\0", "")
+
+
+_CAST: Final[Mapping[Kind, Any]] = {
+    "text": str,
+    "count": int,
+    "number": float,
+    "texts": lambda value: tuple(str(item) for item in value),
+    "message": lambda value: value,
+    "message?": lambda value: value,
+    "messages": tuple,
+}

@@ -1,0 +1,75 @@
+"""render: the text and the hint of a message, from the catalogue of a language.
+
+Templates are those of ``str.format``, with these formats beside Python's own:
+
+=================  ==================================================================
+``{n:# edge|# edges}``  the first form for 1, else the second; ``#`` is the number
+``{names:, }``     the items of a list, joined with what follows the colon
+``{size:MB}``      bytes as mebibytes
+``{size:mm}``      a length with as many places as are of use
+``{unit:unit}``    the name of a unit of length
+=================  ==================================================================
+
+A message among the arguments is rendered in its place; one that is absent is left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from string import Formatter
+from typing import Any, Final
+
+from knifetip.messages import english
+from knifetip.messages.message import Message, from_json, printable
+
+
+def render(message: Message) -> str:
+    """Return the text of a message in English."""
+    return _FORMATTER.vformat(english.TEXTS[message.code], (), message.arguments)
+
+
+def hint(message: Message) -> str:
+    """Return what the user can do about it, empty where there is nothing to add."""
+    return _FORMATTER.vformat(english.HINTS.get(message.code, ""), (), message.arguments)
+
+
+def with_text(given: Message | Mapping[str, Any] | str) -> dict[str, Any]:
+    """Return a message, or plain data that has one, as plain data with its text and hint."""
+    message = given if isinstance(given, Message) else from_json(given)
+    return {
+        **(given if isinstance(given, Mapping) else {}),
+        **message.as_json(),
+        "text": printable(render(message)),
+        "hint": printable(hint(message)),
+    }
+
+
+class _Formatter(Formatter):
+    def format_field(self, value: Any, format_spec: str) -> Any:
+        match value:
+            case None:
+                return ""
+            case Message():
+                return render(value)
+            case tuple():
+                separator = format_spec or ", "
+                return separator.join(self.format_field(item, "") for item in value)
+            case _ if format_spec in _NAMED:
+                return _NAMED[format_spec](value)
+            case _ if "|" in format_spec:
+                one, many = format_spec.split("|")
+                return (one if value == 1 else many).replace("#", f"{value:,}")
+            case _:
+                return super().format_field(value, format_spec)
+
+
+def _length(size: float) -> str:
+    return f"{size:.0f}" if abs(size) >= 1000.0 else f"{size:.1f}" if size >= 1 else f"{size:.3g}"
+
+
+_NAMED: Final[Mapping[str, Callable[[Any], str]]] = {
+    "MB": lambda size: f"{size / 2**20:.1f}",
+    "mm": _length,
+    "unit": lambda unit: english.UNITS.get(unit, unit),
+}
+_FORMATTER: Final = _Formatter()

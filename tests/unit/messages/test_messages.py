@@ -1,0 +1,88 @@
+"""Messages: every code once, with the arguments that its text and hint use."""
+
+from __future__ import annotations
+
+import json
+import pickle
+from string import Formatter
+
+import numpy as np
+import pytest
+
+from knifetip.messages import Message, english, from_json, hint, render, with_text
+from knifetip.messages.codes import CODES
+
+SAMPLES = {
+    "text": "T",
+    "count": 2,
+    "number": 1.5,
+    "texts": ("A", "B"),
+    "message": Message("stored.text", text="M", hint=""),
+    "message?": None,
+    "messages": (Message("stored.text", text="N", hint=""),),
+}
+
+
+def sample(code: str) -> Message:
+    return Message(code, **{name: SAMPLES[kind] for name, kind in CODES[code].items()})
+
+
+def fields(template: str) -> set[str]:
+    return {name for _, name, _, _ in Formatter().parse(template) if name is not None}
+
+
+def test_every_code_has_a_text_and_no_text_is_without_a_code():
+    assert english.TEXTS.keys() == CODES.keys()
+    assert english.HINTS.keys() <= CODES.keys()
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_text_and_hint_use_every_argument_and_no_other(code):
+    used = fields(english.TEXTS[code]) | fields(english.HINTS.get(code, ""))
+    assert used == CODES[code].keys()
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_a_message_is_rendered_stored_and_restored(code):
+    message = sample(code)
+    assert "{" not in render(message) + hint(message)
+    assert from_json(json.loads(json.dumps(message.as_json()))) == message
+    assert pickle.loads(pickle.dumps(message)) == message
+
+
+def test_arguments_of_other_names_are_refused():
+    with pytest.raises(TypeError, match=r"question\.tool takes edges, type, machine"):
+        Message("question.tool", edges=1)
+    with pytest.raises(TypeError, match="is not listed"):
+        Message("question.none")
+
+
+def test_numbers_of_numpy_become_plain_and_those_that_json_cannot_contain_finite():
+    size = Message("question.unit-size", unit="mm", width=np.float64(2), height=np.inf)
+    assert json.loads(json.dumps(size.as_json()))["arguments"]["height"] == 1e9
+    assert json.dumps(Message("question.tool", edges=np.int64(1), type="", machine="").as_json())
+
+
+def test_text_that_utf8_cannot_encode_is_replaced():
+    plain = Message("stored.text", text="a\udc80\0b", hint="").as_json()
+    assert plain["arguments"]["text"] == "a?b"
+
+
+def test_plural_and_lists():
+    one = Message("question.tool", edges=1, type="crease", machine="T")
+    many = Message("question.tool", edges=1200, type="crease", machine="T")
+    assert "(1 edge)" in render(one)
+    assert "(1,200 edges)" in render(many)
+
+
+def test_sentences_stored_without_a_code_stay_readable():
+    assert with_text({"text": "Old.", "hint": "Do.", "edges": [1]}) == {
+        "code": "stored.text",
+        "arguments": {"text": "Old.", "hint": "Do."},
+        "text": "Old.",
+        "hint": "Do.",
+        "edges": [1],
+    }
+    # Of another version: its code or its arguments are not those of this one.
+    assert render(from_json({"code": "none", "arguments": {}, "text": "New."})) == "New."
+    assert render(from_json({"code": "question.tool", "arguments": {}, "text": "New."})) == "New."
