@@ -11,6 +11,7 @@ is expanded, and so is one that would swell the file.
 from __future__ import annotations
 
 import zlib
+from collections.abc import Iterator
 from typing import Any, Final
 from xml.parsers import expat
 
@@ -40,6 +41,18 @@ class Node:
         self.attributes = attributes
         self.children: list[Node] = []
         self.text = text
+
+    # What selectors of style sheets ask of an element, as xml.etree has it.
+
+    def __iter__(self) -> Iterator[Node]:
+        return (child for child in self.children if child.tag)
+
+    def get(self, name: str, default: str | None = None) -> str | None:
+        return self.attributes.get(name, default)
+
+    @property
+    def attrib(self) -> dict[str, str]:
+        return self.attributes
 
 
 def document(data: bytes, limits: Limits) -> Node:

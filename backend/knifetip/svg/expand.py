@@ -25,7 +25,7 @@ from knifetip.svg import layers, shapes
 from knifetip.svg.document import Node
 from knifetip.svg.lengths import pixels
 from knifetip.svg.page import Page, fitted, view
-from knifetip.svg.style import SILENT, Cascade, Look, sheet
+from knifetip.svg.style import SILENT, Cascade, Look, StyleSheet
 from knifetip.svg.transform import matrix
 
 #: Elements that only hold others.
@@ -146,15 +146,15 @@ class _Walk:
                 texts.append(_words(node))
         if uses:
             self._count()
-        rules, unread = sheet("\n".join(texts))
-        if len(rules) > _RULES:
+        sheet = StyleSheet("\n".join(texts))
+        if sheet.count > _RULES:
             raise DrawingTooLarge(
-                f"The SVG's style sheet has {len(rules):,} rules; the limit is {_RULES:,}.",
+                f"The SVG's style sheet has {sheet.count:,} rules; the limit is {_RULES:,}.",
                 "Export it with the style in each element.",
             )
-        self._cascade = Cascade(rules)
-        if unread:
-            listed = ", ".join(selector[:40] for selector in unread[:5])
+        self._cascade = Cascade(sheet, root)
+        if sheet.unsupported:
+            listed = ", ".join(selector[:40] for selector in sheet.unsupported[:5])
             self.sheet.row("style", "style", layers.NAMELESS, f"rules that are not read: {listed}")
         box = view(root)
         wide, high = box[2:] if box else (0.0, 0.0)

@@ -1,17 +1,19 @@
-"""style: what an element is drawn with, from attributes, style rules and those around it.
+"""style: how an element is drawn, from attributes, style sheet and inherited values.
 
-    Node, rules of its <style>, look of its parent -> Look
+    Node, style sheet, Look of its parent -> Look
 
-Read are the properties that say whether and how a line is drawn.  Of style sheets the simple
-selectors are read: a tag, a class, an id, and any of them together (``path.cut``).  What asks for
-the place of an element among others (``g > path``) is not, and is said so.
+tinycss2 parses style sheets and declarations, cssselect2 matches selectors.  Only properties that
+decide whether and how a line is drawn are used.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable
-from typing import Final, NamedTuple
+from collections.abc import Iterator
+from typing import Final, NamedTuple, TypeAlias
+
+import cssselect2
+import tinycss2
+from cssselect2 import parser as selectors
 
 from knifetip.svg.colours import paint
 from knifetip.svg.document import Node
@@ -19,18 +21,18 @@ from knifetip.svg.lengths import pixels
 
 
 class Look(NamedTuple):
-    """What an element is drawn with; all of it comes down from the element around."""
+    """Properties of an element; each is inherited from its parent."""
 
     stroke: int | None  #: 0xRRGGBB, ``UNTOLD``, None for none
     fill: int | None
-    colour: int | None  #: what ``currentColor`` means
+    colour: int | None  #: value of ``currentColor``
     dashed: bool
-    visible: bool  #: ``visibility``: an element inside may be visible again
-    shown: bool  #: ``display``: nothing inside is shown
-    letter: float  #: height of the letters (pixels)
+    visible: bool  #: ``visibility``: a child may be visible again
+    shown: bool  #: ``display``: no child is shown either
+    letter: float  #: font size (pixels)
 
 
-#: What is drawn where nobody says anything: a black area without an outline.
+#: Initial values: a black area without an outline.
 SILENT: Final = Look(None, 0, 0, False, True, True, 16.0)
 
 _PROPERTIES: Final[tuple[str, ...]] = (
@@ -45,174 +47,198 @@ _PROPERTIES: Final[tuple[str, ...]] = (
     "font-size",
 )
 
-
-class Rule(NamedTuple):
-    """A rule of a style sheet, for one selector."""
-
-    tag: str  #: empty for any
-    ids: frozenset[str]
-    classes: frozenset[str]
-    weight: tuple[int, int, int, int]  #: ids, classes, tags, place in the sheet
-    declared: tuple[tuple[str, str, bool], ...]  #: property, value, whether it is important
-
-
-_COMMENT: Final = re.compile(r"/\*.*?(?:\*/|$)|<!--|-->", re.DOTALL)
-_SIMPLE: Final = re.compile(r"(\*|[A-Za-z][\w-]*)?((?:[.#][\w-]+)*)")
-_BRACE: Final = re.compile(r"[{};]")
+#: Property, value, and whether it is marked as important.
+Declaration: TypeAlias = tuple[str, str, bool]
+#: Selectors that depend on the element alone ...
+_OWN: Final = (
+    selectors.LocalNameSelector,
+    selectors.IDSelector,
+    selectors.ClassSelector,
+    selectors.AttributeSelector,
+)
+#: ... and combinators that depend on its ancestors.  Others depend on its siblings; matching them
+#: takes time and memory that grow with the square of their number.
+_COMBINATORS: Final = (" ", ">")
 
 
-def sheet(text: str) -> tuple[list[Rule], list[str]]:
-    """Return the rules of a style sheet, and the selectors and at-rules that are not read."""
-    rules: list[Rule] = []
-    unread: list[str] = []
-    text = _COMMENT.sub(" ", text)
-    at = 0
-    while (brace := _BRACE.search(text, at)) is not None:
-        head = text[at : brace.start()].strip()
-        if brace[0] != "{":
-            if head:
-                unread.append(head)
-            at = brace.end()
-            continue
-        if head.startswith("@"):
-            unread.append(head)
-            at = _closing(text, brace.end())
-            continue
-        last = text.find("}", brace.end())
-        last = len(text) if last < 0 else last
-        declared = declarations(text[brace.end() : last])
-        for selector in head.split(","):
-            found = _SIMPLE.fullmatch(selector.strip())
-            if found is None or not found[0]:
-                unread.append(selector.strip())
-                continue
-            tag = "" if found[1] in (None, "*") else found[1]
-            parts = re.findall(r"([.#])([\w-]+)", found[2])
-            ids = frozenset(name for sign, name in parts if sign == "#")
-            classes = frozenset(name for sign, name in parts if sign == ".")
-            weight = (len(ids), len(classes), int(bool(tag)), len(rules))
-            rules.append(Rule(tag, ids, classes, weight, declared))
-        at = last + 1
-    return rules, unread
+class StyleSheet:
+    """The rules of a document's style sheets."""
+
+    def __init__(self, text: str) -> None:
+        self.unsupported: list[str] = []  #: selectors and at-rules that are not applied
+        self.count = 0  #: number of selectors that are applied
+        self.ids: set[str] = set()  #: ids that selectors name
+        #: Every selector depends on tag, id and classes of the element alone.
+        self.simple = True
+        self._matcher = cssselect2.Matcher()
+        for rule in tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True):
+            if rule.type == "at-rule":
+                prelude = tinycss2.serialize(rule.prelude).strip()
+                self.unsupported.append(f"@{rule.at_keyword} {prelude}".strip())
+            elif rule.type == "qualified-rule":
+                declared = _declarations(tinycss2.parse_blocks_contents(rule.content))
+                for prelude in _comma_separated(rule.prelude):
+                    self._add(prelude, declared)
+            else:
+                self.unsupported.append(rule.message)
+
+    def _add(self, prelude: list[tinycss2.ast.Node], declared: tuple[Declaration, ...]) -> None:
+        try:
+            parsed = list(selectors.parse(prelude))
+            compiled = cssselect2.compile_selector_list(prelude)
+        except cssselect2.SelectorError:
+            parsed, compiled = [], []
+        if not parsed or not all(_is_supported(one.parsed_tree) for one in parsed):
+            self.unsupported.append(tinycss2.serialize(prelude).strip())
+            return
+        for selector in compiled:
+            self.count += 1
+            self._matcher.add_selector(selector, declared)
+            self.ids |= {selector.id} - {None}
+        self.simple &= all(_is_simple(one.parsed_tree) for one in parsed)
+
+    def matching(self, element: cssselect2.ElementWrapper) -> list[Declaration]:
+        """Return the declarations that apply to an element, the strongest last."""
+        return [
+            declaration
+            for _, _, pseudo, declared in self._matcher.match(element)
+            if pseudo is None
+            for declaration in declared
+        ]
 
 
-def _closing(text: str, at: int) -> int:
-    """Return where the braces that were opened before ``at`` are closed."""
-    deep = 1
-    for brace in re.finditer(r"[{}]", text[at:]):
-        deep += 1 if brace[0] == "{" else -1
-        if deep == 0:
-            return at + brace.end()
-    return len(text)
+def _comma_separated(tokens: list[tinycss2.ast.Node]) -> Iterator[list[tinycss2.ast.Node]]:
+    part: list[tinycss2.ast.Node] = []
+    for token in tokens:
+        if token == ",":
+            yield part
+            part = []
+        else:
+            part.append(token)
+    yield part
 
 
-def declarations(text: str) -> tuple[tuple[str, str, bool], ...]:
-    """Return the properties that are read, of ``stroke:red; fill:none``."""
-    found = []
-    for part in text.split(";"):
-        name, _, value = part.partition(":")
-        name = name.strip().lower()
-        if name in _PROPERTIES:
-            value, mark, _ = value.partition("!")
-            found.append((name, value.strip(), bool(mark)))
-    return tuple(found)
+def _is_supported(tree: object) -> bool:
+    """Return whether a selector depends on the element, or on its ancestors, alone."""
+    if isinstance(tree, selectors.CombinedSelector):
+        return (
+            tree.combinator in _COMBINATORS
+            and _is_supported(tree.left)
+            and _is_supported(tree.right)
+        )
+    return isinstance(tree, selectors.CompoundSelector) and all(
+        isinstance(one, _OWN) for one in tree.simple_selectors
+    )
+
+
+def _is_simple(tree: object) -> bool:
+    return isinstance(tree, selectors.CompoundSelector) and not any(
+        isinstance(one, selectors.AttributeSelector) for one in tree.simple_selectors
+    )
+
+
+def declarations(text: str) -> tuple[Declaration, ...]:
+    """Return the properties in use of a style attribute: ``stroke:red; fill:none``."""
+    return _declarations(tinycss2.parse_blocks_contents(text))
+
+
+def _declarations(content: list[tinycss2.ast.Node]) -> tuple[Declaration, ...]:
+    return tuple(
+        (one.lower_name, tinycss2.serialize(one.value).strip(), one.important)
+        for one in content
+        if one.type == "declaration" and one.lower_name in _PROPERTIES
+    )
 
 
 class Cascade:
-    """The style sheet of one file, and the looks that were met in it."""
+    """Computes the look of each element of one document, and keeps those it has computed."""
 
-    def __init__(self, rules: Iterable[Rule]) -> None:
-        self._by_tag: dict[str, list[Rule]] = {}
-        self._by_class: dict[str, list[Rule]] = {}
-        self._by_id: dict[str, list[Rule]] = {}
-        for rule in rules:
-            if rule.ids:
-                self._by_id.setdefault(min(rule.ids), []).append(rule)
-            elif rule.classes:
-                self._by_class.setdefault(min(rule.classes), []).append(rule)
-            else:
-                self._by_tag.setdefault(rule.tag, []).append(rule)
+    def __init__(self, sheet: StyleSheet, root: Node) -> None:
+        self._sheet = sheet
+        self._elements: dict[Node, cssselect2.ElementWrapper] = {}
+        if not sheet.simple:
+            self._elements = {
+                one.etree_element: one
+                for one in cssselect2.ElementWrapper.from_xml_root(root).iter_subtree()
+            }
         self._known: dict[tuple[object, ...], Look] = {}
-        self._inline: dict[str, tuple[tuple[str, str, bool], ...]] = {}
+        self._inline: dict[str, tuple[Declaration, ...]] = {}
 
-    def look(self, node: Node, around: Look) -> Look:
-        """Return what an element is drawn with."""
+    def look(self, node: Node, inherited: Look) -> Look:
+        """Return how an element is drawn whose parent has the look ``inherited``."""
+        if not self._sheet.simple:
+            return self._computed(node, inherited)
         given = node.attributes
-        own = given.get("id", "")
+        identity = given.get("id", "")
         key = (
-            around,
-            node.tag if self._by_tag or self._by_class or self._by_id else "",
-            own if own in self._by_id else "",
+            inherited,
+            node.tag if self._sheet.count else "",
+            identity if identity in self._sheet.ids else "",
             given.get("class"),
             given.get("style"),
             *map(given.get, _PROPERTIES),
         )
         found = self._known.get(key)
         if found is None:
-            found = self._known[key] = self._made(node, around)
+            found = self._known[key] = self._computed(node, inherited)
         return found
 
-    def _made(self, node: Node, around: Look) -> Look:
+    def _computed(self, node: Node, inherited: Look) -> Look:
         given = node.attributes
         values = {name: given[name] for name in _PROPERTIES if name in given}
-        classes = frozenset(given.get("class", "").split())
-        own = given.get("id", "")
-        candidates = [*self._by_tag.get("", ()), *self._by_tag.get(node.tag, ())]
-        candidates += self._by_id.get(own, ())
-        for name in classes:
-            candidates += self._by_class.get(name, ())
-        met = [
-            rule
-            for rule in candidates
-            if rule.tag in ("", node.tag) and rule.classes <= classes and rule.ids <= {own}
-        ]
-        met.sort(key=lambda rule: rule.weight)
         text = given.get("style", "")
         inline = self._inline.get(text)
         if inline is None:
             inline = self._inline[text] = declarations(text)
-        said = [one for rule in met for one in rule.declared] + list(inline)
+        declared = [*self._matching(node), *inline]
         for wanted in (False, True):
-            values |= {name: value for name, value, important in said if important == wanted}
-        return _looking(values, around)
+            values |= {name: value for name, value, important in declared if important == wanted}
+        return _look(values, inherited)
+
+    def _matching(self, node: Node) -> list[Declaration]:
+        if self._sheet.count == 0:
+            return []
+        element = self._elements.get(node)
+        if element is None:
+            element = cssselect2.ElementWrapper.from_xml_root(node)
+        return self._sheet.matching(element)
 
 
-def _looking(values: dict[str, str], around: Look) -> Look:
-    colour = _painted(values.get("color"), around.colour, around.colour)
-    stroke = _painted(values.get("stroke"), around.stroke, colour)
-    fill = _painted(values.get("fill"), around.fill, colour)
-    if _nothing(values.get("stroke-opacity")):
+def _look(values: dict[str, str], inherited: Look) -> Look:
+    colour = _painted(values.get("color"), inherited.colour, inherited.colour)
+    stroke = _painted(values.get("stroke"), inherited.stroke, colour)
+    fill = _painted(values.get("fill"), inherited.fill, colour)
+    if _is_transparent(values.get("stroke-opacity")):
         stroke = None
-    if _nothing(values.get("fill-opacity")):
+    if _is_transparent(values.get("fill-opacity")):
         fill = None
-    dashed = around.dashed
+    dashed = inherited.dashed
     if (dash := values.get("stroke-dasharray", "inherit")) != "inherit":
-        # 0 in all places, or none: a line without gaps.
+        # Zeros, or "none": a line without gaps.
         dashed = any(digit in "123456789" for digit in dash)
-    visible = around.visible
+    visible = inherited.visible
     if (word := values.get("visibility", "inherit").lower()) != "inherit":
         visible = word not in ("hidden", "collapse")
-    letter = around.letter
+    letter = inherited.letter
     if (size := values.get("font-size")) is not None:
         try:
-            whole = around.letter
-            letter = pixels(size, whole, whole)
+            letter = pixels(size, inherited.letter, inherited.letter)
         except ValueError:
-            letter = around.letter
-    shown = around.shown and values.get("display", "").lower() != "none"
+            letter = inherited.letter
+    shown = inherited.shown and values.get("display", "").lower() != "none"
     return Look(stroke, fill, colour, dashed, visible, shown, letter)
 
 
-def _painted(value: str | None, around: int | None, current: int | None) -> int | None:
+def _painted(value: str | None, inherited: int | None, current: int | None) -> int | None:
     if value is None or value.strip().lower() == "inherit":
-        return around
+        return inherited
     try:
         return paint(value, current)
     except ValueError:
-        return around
+        return inherited
 
 
-def _nothing(opacity: str | None) -> bool:
+def _is_transparent(opacity: str | None) -> bool:
     if opacity is None:
         return False
     try:

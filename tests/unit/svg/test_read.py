@@ -262,7 +262,7 @@ def test_rules_of_a_style_sheet_are_weighed():
         svg(
             "<defs><style><![CDATA[ /* house colours */ path{stroke:#111}",
             ".cut,.x{stroke:#222} path.cut{stroke:#333} #one{stroke:#444}",
-            "@media print{.cut{stroke:#555}} g > path{stroke:#666}",
+            "@media print{.cut{stroke:#555}} line + path{stroke:#666}",
             ".loud{stroke:#777!important} ]]></style></defs>",
             '<path d="M0 0h1"/><path class="x" d="M0 0h2"/><path class="a cut" d="M0 0h3"/>',
             '<path id="one" class="cut" d="M0 0h4"/>',
@@ -274,7 +274,21 @@ def test_rules_of_a_style_sheet_are_weighed():
     assert [f"{colour:06x}" for colour in drawing.true_colour] == [
         *("111111", "222222", "333333", "444444", "888888", "777777", "222222")
     ]
-    assert reasons(drawing)["style"] == "rules that are not read: @media print, g > path"
+    assert reasons(drawing)["style"] == "rules that are not read: @media print, line + path"
+
+
+def test_a_selector_may_name_ancestors_and_attributes():
+    drawing = read(
+        svg(
+            "<style>#cuts path{stroke:#111} #cuts > path{stroke:#222}",
+            "[data-x=fold]{stroke:#333}</style>",
+            '<g id="cuts"><g><path d="M0 0h1"/></g><path d="M0 0h2"/></g>',
+            '<path data-x="fold" d="M0 0h3"/><path d="M0 0h4" stroke="#444"/>',
+        )
+    )
+    assert [f"{colour:06x}" for colour in drawing.true_colour] == [
+        *("111111", "222222", "333333", "444444")
+    ]
 
 
 @pytest.mark.parametrize(
