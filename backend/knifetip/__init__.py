@@ -1,6 +1,6 @@
 """knifetip puts the tip of the knife on the line.
 
-Seven functions, each alone in the module of its name, and the records that travel between them::
+Seven functions, each in a module of its own, and the records that travel between them::
 
     bytes → Drawing → Dieline → Operations → Toolpaths → Toolpath → Program → machine
         read    classify    plan    compensate   sequence   process    stream
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from knifetip.model.toolpath import Toolpath
     from knifetip.model.verdict import Verdict
     from knifetip.planning.plan import plan
-    from knifetip.post.process import process
+    from knifetip.post.emit import process
     from knifetip.sequencing.sequence import sequence
     from knifetip.verification.verify import verify
 
@@ -58,7 +58,7 @@ _PLACES = {
     "plan": "planning.plan",
     "compensate": "compensation.compensate",
     "sequence": "sequencing.sequence",
-    "process": "post.process",
+    "process": "post.emit",
     "stream": "gateway.stream",
     "verify": "verification.verify",
     "Drawing": "model.drawing",

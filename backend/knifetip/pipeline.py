@@ -32,6 +32,7 @@ from knifetip.errors import (
 )
 from knifetip.geometry.columns import I32, U8
 from knifetip.intake.kind import kind_of
+from knifetip.languages.registry import with_language
 from knifetip.library import load
 from knifetip.messages import Message
 from knifetip.model.board import Board
@@ -48,7 +49,7 @@ from knifetip.model.unit import NAMES, UnitFinding
 from knifetip.model.verdict import Verdict
 from knifetip.pdf import read as pdf
 from knifetip.planning.plan import check_corners, missing, plan
-from knifetip.post.process import process
+from knifetip.post.emit import process
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
 from knifetip.sequencing.turning import retracted
@@ -256,7 +257,7 @@ def compiled(
     board: Board,
     *,
     corners: Corners | None = None,
-    dialect: str | None = None,
+    dialect: str = "",
     notes: Sequence[str] = (),
     progress: Callable[[str, float], None] = lambda _stage, _share: None,
 ) -> Compiled:
@@ -267,7 +268,7 @@ def compiled(
     corners
         How a cutter goes round corners; None leaves it to the machine's accelerations.
     dialect
-        "linuxcnc" or "grblhal"; the machine's own where none is given.
+        Name of a controller language; the machine's own where none is given.
     notes
         More comments for the head of the program.
     progress
@@ -280,6 +281,7 @@ def compiled(
     PlanError, CompensationError
         The drawing cannot be made on this machine and board.
     """
+    machine = with_language(machine, dialect)
     asked = questions(drawing, dieline, machine)
     if asked:
         raise OpenQuestions([question.as_json() for question in asked])
@@ -305,9 +307,7 @@ def compiled(
         f"placement X{where[0]:.4f} Y{where[1]:.4f}",
         *notes,
     )
-    program = process(
-        toolpath, machine, dialect or machine.dialect, tolerance=TOLERANCE, notes=head
-    )
+    program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
     progress("verify", 0.7)
     verdict = _judged(program.text, dieline, tidy, where, machine, board)
     progress("done", 1.0)

@@ -91,8 +91,7 @@ def drawings() -> None:
 def _made(sample: str, board: str, machine: str) -> None:
     drawing = read_drawing(samples()[sample])
     line = dieline(drawing, load.profile("default"))
-    for dialect in ("linuxcnc", "grblhal"):
-        compiled(drawing, line, load.machine(machine), load.board(board), dialect=dialect)
+    compiled(drawing, line, load.machine(machine), load.board(board))
 
 
 def _lines(lines: Iterable[_Line], layer: str = "0") -> str:

@@ -19,7 +19,7 @@ from knifetip.dxf.read import read
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.planning.plan import plan
-from knifetip.post.process import process
+from knifetip.post.emit import process
 from knifetip.sequencing.nearest import nearest_neighbour
 from knifetip.verification.verify import verify
 from tests.benchmarks.offset import offset_arcs, offset_lines, offset_million, offset_one

@@ -7,7 +7,7 @@ import numpy as np
 from knifetip.library.load import machine
 from knifetip.model.dieline import LineType
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.post.process import process
+from knifetip.post.emit import process
 from tests.controllers.linuxcnc_rs274 import TipTool
 
 TABLE = machine("demo-table")

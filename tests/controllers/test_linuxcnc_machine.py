@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from knifetip.post.tool_table import tool_table
+from knifetip.post.rs274.tool_table import tool_table
 from tests.controllers.hand_written import BLANK, TABLE, Hand, knife, wheel
 from tests.controllers.linuxcnc_machine import absent, running
 from tests.controllers.linuxcnc_rs274 import beside_and_past

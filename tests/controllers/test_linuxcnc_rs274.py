@@ -12,7 +12,7 @@ import pytest
 
 from knifetip.model.dieline import LineType
 from knifetip.model.toolpath import Motion
-from knifetip.post.process import process
+from knifetip.post.emit import process
 from tests.controllers.hand_written import (
     BLANK,
     CREASES,

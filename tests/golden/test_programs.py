@@ -9,7 +9,7 @@ import pytest
 
 from knifetip.library.load import machine
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.post.process import process
+from knifetip.post.emit import process
 
 QUARTER = np.tan(np.pi / 8)
 R, P, F, S, L = Motion.RAPID, Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.LIFT

@@ -32,8 +32,9 @@ from knifetip.api.app import create_app
 from knifetip.api.drawings import added
 from knifetip.api.service import Service, Settings
 from knifetip.errors import KnifetipError, StoreError
-from knifetip.gateway import claim, grbl, simulator
+from knifetip.gateway import claim, simulator
 from knifetip.jobs.crew import Withdrawn
+from knifetip.languages.registry import find_language
 from knifetip.library import load
 
 MACHINE = "demo-table"
@@ -192,6 +193,7 @@ class _Table(threading.Thread):
         self._loop = asyncio.get_running_loop()
         self._work = asyncio.current_task()
         machine = load.machine(MACHINE)
+        dial = find_language(machine.dialect).dial()
         # A proxy for the world outside must not come between two parts of one process.
         async with (
             httpx.AsyncClient(trust_env=False) as client,
@@ -202,7 +204,7 @@ class _Table(threading.Thread):
                 self._api,
                 machine,
                 "embedded",
-                lambda safe, stop_motion: grbl.dial(address, safe, stop_motion=stop_motion),
+                lambda safe, stop_motion: dial(address, safe, stop_motion=stop_motion),
                 client=client,
                 journal=self._journal,
             )

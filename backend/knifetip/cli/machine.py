@@ -12,7 +12,7 @@ from knifetip.cli.terminal import show
 from knifetip.library import load
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import VCutter
-from knifetip.post.tool_table import tool_table
+from knifetip.post.rs274.tool_table import tool_table
 
 
 def described(machine: Machine) -> dict[str, Any]:

@@ -188,8 +188,8 @@ def register(app: typer.Typer) -> None:
         layer: Layers = None,
         unit: Unit = None,
         dialect: Annotated[
-            str | None, typer.Option(help="linuxcnc or grblhal; else the machine's own.")
-        ] = None,
+            str, typer.Option(help="Another controller language than the machine's own.")
+        ] = "",
         corner: Annotated[
             CornerType | None, typer.Option(help="How a cutter goes round corners.")
         ] = None,
@@ -288,7 +288,7 @@ def register(app: typer.Typer) -> None:
             ask(asked)
             raise typer.Exit(QUESTIONS)
         text = read_bytes(program)
-        where = pipeline.placement_of(text)
+        where = pipeline.placement_of(text, table)
         if where is None:
             raise ProgramUnreadable(
                 f"{program.name} does not say where on the sheet it places the drawing.",

@@ -107,7 +107,7 @@ def register(app: typer.Typer) -> None:
         server: Annotated[str, typer.Option(help="URL of the server.")] = "http://127.0.0.1:8080",
         machine: MachineName = "demo-table",
         controller: Annotated[
-            str, typer.Option(help="HOST:PORT of a controller that speaks grbl.")
+            str, typer.Option(help="HOST:PORT of the controller.")
         ] = "127.0.0.1:2323",
         name: Annotated[str, typer.Option(help="The name under which it is seen.")] = "gateway",
         journal: Annotated[
@@ -118,9 +118,11 @@ def register(app: typer.Typer) -> None:
         ] = "",
     ) -> None:
         """Claim the jobs of a machine and stream them to its controller."""
-        from knifetip.gateway import claim, grbl
+        from knifetip.gateway import claim
+        from knifetip.languages.registry import find_language
 
         table = load.machine(machine)
+        dial = find_language(table.dialect).dial()
         stderr.print(f"{table.title}: {controller}, work from {server}", markup=False)
         headers = {"Authorization": f"Bearer {key}"} if key else {}
         asyncio.run(
@@ -128,7 +130,7 @@ def register(app: typer.Typer) -> None:
                 server,
                 table,
                 name,
-                lambda safe, stop_motion: grbl.dial(controller, safe, stop_motion=stop_motion),
+                lambda safe, stop_motion: dial(controller, safe, stop_motion=stop_motion),
                 headers=headers,
                 journal=journal,
             )

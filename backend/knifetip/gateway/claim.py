@@ -503,8 +503,8 @@ async def work(
         The name under which this gateway is seen.
     connect
         Returns an open controller in its safe state, for example ``lambda safe, stop_motion:
-        grbl.dial("127.0.0.1:2323", safe, stop_motion=stop_motion)``; called again after every
-        failure.
+        dial("127.0.0.1:2323", safe, stop_motion=stop_motion)`` with the ``dial`` of the machine's
+        language; called again after every failure.
     client
         Used and left open where it is given.
     headers

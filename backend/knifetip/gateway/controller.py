@@ -1,7 +1,7 @@
 """controller: what every controller can do, and what it says of itself.
 
-A program's lines go in; acknowledgements, states and positions come out.  ``grbl.py`` is the
-first; file-fed and open-loop controllers follow the same Protocol.
+A program's lines go in; acknowledgements, states and positions come out.  A controller language
+that can be streamed has a ``Driver``.
 """
 
 from __future__ import annotations
@@ -164,4 +164,27 @@ class Controller(Protocol):
 
     async def close(self) -> None:
         """Give the connection up; the machine is left as it is."""
+        ...
+
+
+class Driver(Protocol):
+    """Connects to a controller of one language."""
+
+    async def __call__(
+        self, address: str, safe: SafeState | None = None, *, stop_motion: bool = False
+    ) -> Controller:
+        """Connect to a controller and take it over, in its safe state.
+
+        Parameters
+        ----------
+        address
+            HOST:PORT.
+        stop_motion
+            Stop a machine that moves: its program is ours.
+
+        Raises
+        ------
+        ControllerError
+            No answer, or it is busy or in alarm.
+        """
         ...

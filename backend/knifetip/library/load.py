@@ -10,6 +10,7 @@ import math
 import re
 import tomllib
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import cache
 from importlib import resources
 from importlib.resources.abc import Traversable
@@ -17,6 +18,8 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from knifetip.errors import LibraryError, ProfileError
+from knifetip.languages.registry import find_language
+from knifetip.languages.registry import names as languages
 from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Axis, Machine, Station
@@ -281,14 +284,14 @@ def parse_machine(name: str, fields: Mapping[str, Any]) -> Machine:
     numbers = [station.number for station in stations]
     if len(set(numbers)) != len(numbers) or not all(0 < number < 256 for number in numbers):
         raise ValueError(f"station numbers {numbers} must differ and lie in 1 … 255")
-    return Machine(
+    machine = Machine(
         name=name,
         title=str(fields["title"]),
         width=_positive(fields["width"], "width"),
         height=_positive(fields["height"], "height"),
         **axes,
         stations=stations,
-        dialect=str(fields["dialect"]),
+        dialect=_dialect(fields["dialect"]),
         origin=(
             _number(fields["origin"][0], "origin x"),
             _number(fields["origin"][1], "origin y"),
@@ -299,6 +302,17 @@ def parse_machine(name: str, fields: Mapping[str, Any]) -> Machine:
         settle=_not_negative(fields["settle"], "settle"),
         feed=_feed(fields.get("feed", "manual")),
     )
+    language = find_language(machine.dialect)
+    settings = language.read_settings(fields.get("controller", {}), machine)
+    return replace(machine, controller=settings)
+
+
+def _dialect(value: Any) -> str:
+    try:
+        return find_language(str(value)).name
+    except LibraryError:
+        known = ", ".join(languages())
+        raise ValueError(f"dialect is {value!r}: it is one of {known}") from None
 
 
 def _feed(value: Any) -> str:

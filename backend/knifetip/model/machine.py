@@ -47,13 +47,14 @@ class Machine:
     z: Axis
     c: Axis
     stations: tuple[Station, ...]
-    dialect: str  #: what its controller speaks
+    dialect: str  #: name of its controller's language
     origin: tuple[float, float]  #: where a drawing's lower left corner is placed (mm)
     travel_z: float  #: height of the tip for rapids, above the mat (mm)
     clearance: float  #: height of the tip above the board where plunging begins (mm)
     into_mat: float  #: how deep a through cut goes into the mat (mm)
     settle: float  #: seconds to wait after a piston or the oscillation is switched
     feed: str = "manual"  #: how a sheet gets onto the table: ``manual`` or ``automatic``
+    controller: object = None  #: settings of the controller, as its language reads them
 
     def station(self, number: int) -> Station:
         """Return the station with this T number.

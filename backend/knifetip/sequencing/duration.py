@@ -4,7 +4,7 @@
 
 Every move is a trapezoid of speed within what its axes can do; look-ahead carries speed through
 tangent joints and stops at corners.  Dwells count where the post-processor writes them: while a
-piston or the oscillation settles, and where LinuxCNC must halt (ADR 0008).
+piston or the oscillation settles, and where the controller must halt (see ``timing``).
 
 Speed along a move is measured over all four axes, mm and degrees alike, as grblHAL does, but every
 limit is an axis's own, so that the time of a move does not depend on it.
@@ -19,19 +19,15 @@ import numpy as np
 from numba import njit
 
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, Bool
+from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import BULGE
+from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.sequencing.timing import STILL, Timing
 
 #: At a joint the velocity of an axis may jump by what it gains in this time (s).
 JOLT: Final = 0.002
-#: What an exact stop costs besides slowing down, on LinuxCNC (s): measured, ADR 0008.
-HALT: Final = 0.015
-#: How far LinuxCNC may leave the path where C begins or ends to turn, before it must halt (mm).
-BLENDED: Final = 0.005
-#: A move shorter than this moves nothing (mm or degrees).
-_STILL: Final = 1e-9
 
 
 def duration(toolpath: Toolpath, machine: Machine) -> float:
@@ -72,7 +68,7 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     flat = np.where(round_, along, np.hypot(change[:, 0], change[:, 1]))
     # On an arc X and Y share its length: together they count once.
     length = np.sqrt(flat**2 + change[:, 2] ** 2 + change[:, 3] ** 2)
-    moving = length > _STILL
+    moving = length > STILL
     safe = np.where(moving, length, 1.0)
 
     axes = (machine.x, machine.y, machine.z, machine.c)
@@ -94,13 +90,12 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     changed = np.ones(len(moving), np.bool_)
     changed[1:] = toolpath.tool[1:] != toolpath.tool[:-1]
     stops |= changed
-    halts = np.zeros(len(moving), np.bool_)
-    if machine.dialect == "linuxcnc":
-        seconds = np.maximum(asked, safe / velocity)
-        halts = _halts(toolpath, np.hypot(flat, change[:, 2]), seconds, machine)
-        stops[1:] |= halts[:-1]
+    timing: Timing = find_language(machine.dialect).part("timing")
+    seconds = np.maximum(asked, safe / velocity)
+    waits = timing(toolpath, np.hypot(flat, change[:, 2]), seconds, machine)
+    stops[1:] |= waits[:-1] > 0.0
     times: F64 = _travelled(length, velocity, acceleration, first, last, hardest * JOLT, stops)
-    times += changed * machine.settle + halts * HALT
+    times += changed * machine.settle + waits
     return times
 
 
@@ -125,30 +120,6 @@ def _headings(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
     begin, finish = arc.tangents(start, end, bulge)
     first[round_, :2], last[round_, :2] = begin * stretch, finish * stretch
     return first / length[:, None], last / length[:, None]
-
-
-def _halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> Bool:
-    """Return the rows that LinuxCNC ends with a halt: the estimate of ADR 0008.
-
-    Where C begins or ends to turn, its planner overlaps both rows for the time t in which the
-    slower axis changes its speed, and the tip is off by Δκ (v t)² / 2, κ the turn of C per mm.
-    """
-    turn = np.radians(np.diff(toolpath.pose[:, 3]))
-    moves = travel > _STILL
-    alone = ~moves & (np.abs(turn) > _STILL)
-    bend = np.divide(turn, travel, out=np.zeros_like(turn), where=moves)
-    speed = np.divide(travel, seconds, out=np.zeros_like(travel), where=seconds > 0.0)
-    change = np.abs(np.diff(bend))
-    fastest = np.maximum(speed[1:], speed[:-1])
-    twist = np.radians(machine.c.acceleration)
-    thrust = min(machine.x.acceleration, machine.y.acceleration)
-    time = np.maximum(fastest / thrust, fastest * change / twist)
-    aside = change * (fastest * time) ** 2 / 2.0
-    rapid = toolpath.motion == Motion.RAPID
-    air, both = rapid[1:] | rapid[:-1], rapid[1:] & rapid[:-1]
-    result = np.zeros(len(turn), np.bool_)
-    result[:-1] = np.where(alone[1:] != alone[:-1], ~both, ~air & (aside > BLENDED))
-    return result
 
 
 @njit(cache=True)

@@ -15,7 +15,7 @@ from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.findings import MOST, Findings
 from knifetip.verification.kinematics import LEVEL, Tips
-from knifetip.verification.modal import Moves
+from knifetip.verification.moves import Moves
 
 #: A feed may differ from the tool's by this share of it: programs print six figures.
 FEED: Final = 1e-5

@@ -24,7 +24,7 @@ from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
-from knifetip.verification.modal import Moves
+from knifetip.verification.moves import Moves
 
 #: Heights that differ by less are one height (mm).
 LEVEL: Final = 1e-6

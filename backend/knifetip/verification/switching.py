@@ -19,7 +19,7 @@ from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.findings import MOST, Findings
-from knifetip.verification.modal import Moves
+from knifetip.verification.moves import Moves
 
 #: A height may be less than asked by this, half of the last printed digit (mm).
 PRINT: Final = 5e-5

@@ -15,6 +15,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.errors import ProgramError
+from knifetip.languages.registry import find_language
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
@@ -26,8 +27,7 @@ from knifetip.verification.findings import MOST, Findings
 from knifetip.verification.intent import on_sheet
 from knifetip.verification.kinematics import Tips, Work, tips, work
 from knifetip.verification.loose import judge_order
-from knifetip.verification.modal import Moves, interpret
-from knifetip.verification.parse import obeyed, parse, placement_of
+from knifetip.verification.moves import Moves, Reader
 from knifetip.verification.switching import check_switching
 from knifetip.verification.unreached import drawn
 
@@ -51,7 +51,7 @@ def verify(
     Parameters
     ----------
     text : bytes
-        The program, in the words of LinuxCNC or grblHAL.
+        The program, in the language of the machine's controller.
     dieline : Dieline
         Edges in the drawing's coordinates.
     placement : (x, y), mm
@@ -83,7 +83,7 @@ def verify(
     figures = Figures.zeros(len(dieline))
     found = Findings()
     moves, _, ways = _followed(text, machine, board, tolerance, found)
-    _stated(text, placement, found)
+    _stated(text, placement, machine, found)
     _unclassified(dieline, found)
     bench = Bench(edges, machine, board, tolerance, figures, found)
     compare(bench, ways)
@@ -126,10 +126,7 @@ def followed(text: bytes, machine: Machine, board: Board) -> tuple[Moves, Tips, 
 def _followed(
     text: bytes, machine: Machine, board: Board, tolerance: float, found: Findings
 ) -> tuple[Moves, Tips, Work]:
-    words = parse(text)
-    moves, faults = interpret(words, machine)
-    if not moves.tabled:
-        faults = sorted(faults + obeyed(text))
+    moves, faults = _reader(machine).read(text, machine, board)
     found.program(faults)
     tip = tips(moves, machine, board)
     usable = conduct.travel(moves, machine, found)
@@ -141,8 +138,18 @@ def _followed(
     return moves, tip, work(moves, tip, usable, machine, board)
 
 
-def _stated(text: bytes, placement: tuple[float, float], found: Findings) -> None:
-    stated = placement_of(text)
+def placement_of(text: bytes, machine: Machine) -> tuple[float, float] | None:
+    """Return the placement that a program states (mm), None where it states none."""
+    return _reader(machine).placement(text)
+
+
+def _reader(machine: Machine) -> Reader:
+    reader: Reader = find_language(machine.dialect).part("reader")
+    return reader
+
+
+def _stated(text: bytes, placement: tuple[float, float], machine: Machine, found: Findings) -> None:
+    stated = placement_of(text, machine)
     if stated is None:
         return
     off = math.hypot(stated[0] - placement[0], stated[1] - placement[1])

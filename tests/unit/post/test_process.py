@@ -14,7 +14,7 @@ from knifetip.library.load import machine
 from knifetip.model.program import Program
 from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.post.process import process
+from knifetip.post.emit import process
 from tests.controllers.grbl_words import read_grbl
 
 QUARTER = np.tan(np.radians(90) / 4)
@@ -487,7 +487,7 @@ def test_no_moves_are_refused():
 
 
 def test_an_unknown_dialect_is_refused_with_those_that_there_are():
-    with pytest.raises(LibraryError, match=r"fanuc.*linuxcnc, grblhal"):
+    with pytest.raises(LibraryError, match=r"fanuc.*grblhal, .*linuxcnc"):
         process(toolpath(rapid(1, 1)), TABLE, "fanuc")
 
 

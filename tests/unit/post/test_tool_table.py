@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from knifetip.library.load import machine
-from knifetip.post.tool_table import tool_table
+from knifetip.post.rs274.tool_table import tool_table
 
 TABLE = machine("demo-table")
 

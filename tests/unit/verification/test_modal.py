@@ -3,8 +3,8 @@ import math
 import numpy as np
 import pytest
 
-from knifetip.verification.modal import Moves, interpret
-from knifetip.verification.parse import parse
+from knifetip.verification.rs274.modal import Moves, interpret
+from knifetip.verification.rs274.parse import parse
 from tests.support.programs.handwritten import LINUXCNC, MACHINE, changed
 
 HEADER = "G21 G90 G91.1 G17 G40 G49 G94 G54\n"

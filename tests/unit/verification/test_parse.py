@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from knifetip.errors import ProgramUnreadable
-from knifetip.verification.modal import interpret
-from knifetip.verification.parse import LARGEST, obeyed, parse, placement_of
+from knifetip.verification.rs274.modal import interpret
+from knifetip.verification.rs274.parse import LARGEST, obeyed, parse, placement_of
 from tests.support.programs.handwritten import MACHINE
 
 

@@ -23,7 +23,7 @@ from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.tolerance import BULGE
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.post.dialect import Dialect
+from knifetip.post.rs274.controller import Dialect
 
 #: An arc that stands off its chord by less than this is printed as a line (mm).
 FLAT: Final = 0.0005

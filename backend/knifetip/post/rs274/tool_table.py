@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Cutter, Tool
-from knifetip.post import gcode
+from knifetip.post.rs274 import gcode
 
 
 def tool_table(machine: Machine) -> str:

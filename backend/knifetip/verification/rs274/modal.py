@@ -11,7 +11,6 @@ of execution); grbl's own rules where they are stricter.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -19,7 +18,8 @@ import numpy as np
 from knifetip.errors import ProgramUnreadable
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
-from knifetip.verification.parse import Words
+from knifetip.verification.moves import Moves, Switches
+from knifetip.verification.rs274.parse import Words
 
 #: More lines than this are no program for one sheet.
 BLOCKS: Final = 2_000_000
@@ -73,40 +73,6 @@ _STATED: Final = {
 }
 _LETTERS: Final = "CFIJNPQSTXYZ"
 _AXES: Final = "XYZC"
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Switches:
-    """k lines that switch an output or the spindle, or call a station, in order."""
-
-    line: I32  #: (k,) 1-based line of the program
-    move: I64  #: (k,) the last move before it, -1 for none
-    lowers: I32  #: (k,) index into ``machine.stations`` of the station that it lowers, or -1
-    beside: Bool  #: (k, stations) which outputs are on, or not stated
-    at_end: Bool  #: (stations + 1,) what is stated when the program ends, as ``Moves.stated``
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Moves:
-    """n moves of the joints, in the order of the program; NaN is a position that nobody stated."""
-
-    line: I32  #: (n,) 1-based line of the program
-    code: U8  #: (n,) 0 rapid, 1 line, 2 arc clockwise, 3 arc counter-clockwise
-    start: F64  #: (n, 4) joints X Y Z in mm, C in degrees
-    end: F64  #: (n, 4)
-    centre: F64  #: (n, 2) mm, of arcs, in joints
-    sweep: F64  #: (n,) radians, counter-clockwise positive, 0 for lines
-    feed: F64  #: (n,) the F in force, NaN where there is none
-    inverse: Bool  #: (n,) F is 1 / minutes (G93)
-    station: I32  #: (n,) index into ``machine.stations``, -1 while none is chosen
-    piston: Bool  #: (n, stations) output on
-    oscillating: Bool  #: (n,) M3
-    stated: Bool  #: (n, stations + 1) each station's output, and last the spindle, on or off
-    blend: F64  #: (n,) mm, the larger of G64's P and Q; inf where the path is not bounded
-    waited: F64  #: (n,) seconds of G4 since an output was last switched, inf if never
-    tabled: bool  #: stations are called by T words, so there is a tool table
-    dwell: float  #: seconds of all G4
-    switches: Switches
 
 
 def interpret(words: Words, machine: Machine) -> tuple[Moves, list[tuple[int, str]]]:

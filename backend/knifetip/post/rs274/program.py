@@ -1,6 +1,6 @@
-"""process: the program of a toolpath, in the words of one controller.
+"""program: the RS274/NGC program of a toolpath.
 
-    Toolpath, Machine, "grblhal" -> Program
+    Toolpath, Machine, Dialect -> Program
 
 Header, then station by station its change and its moves, then the end.  Numbers are the head's
 X Y C and the tip's Z; the station's datum comes from the controller's tool table, or is in the
@@ -26,8 +26,8 @@ from knifetip.model.machine import Machine, Station
 from knifetip.model.program import Program
 from knifetip.model.tool import Cutter, Knife
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.post import gcode
-from knifetip.post.dialect import Dialect, dialect_of
+from knifetip.post.rs274 import gcode
+from knifetip.post.rs274.controller import Dialect
 
 #: mm, absolute, arc centres from the start, XY plane, no compensation in the controller, mm/min.
 HEADER: Final = "G21 G90 G91.1 G17 G40 G49 G94 G54"
@@ -43,11 +43,11 @@ SLOWEST: Final = 1e-3
 FASTEST: Final = 1e8
 
 
-def process(
+def write_program(
     toolpath: Toolpath,
     machine: Machine,
-    dialect: str,
     *,
+    dialect: Dialect,
     tolerance: float = 0.01,
     notes: Sequence[str] = (),
 ) -> Program:
@@ -59,8 +59,8 @@ def process(
         One chain of moves; each station's first move is a rapid.
     machine : Machine
         Its stations' datums and outputs, and the height for rapids.
-    dialect : str
-        ``linuxcnc`` or ``grblhal``.
+    dialect : Dialect
+        What the controller reads.
     tolerance : float, mm
         How far the tip may be from the line; half of it is left to the controller's blending.
     notes : sequence of str
@@ -69,13 +69,10 @@ def process(
 
     Raises
     ------
-    LibraryError
-        There is no such dialect.
     ProgramError
         The toolpath is empty, has a number that is none, a feed that does not move, a station
         that the machine lacks, or a station that begins in the middle of its work.
     """
-    speech = dialect_of(dialect)
     _check(toolpath)
     texts: list[bytes] = []
     sources: list[I32] = []
@@ -86,22 +83,22 @@ def process(
         sources.append(np.full(len(spoken), -1, np.int32))
 
     blending = _blending(tolerance)
-    say(_header(machine, speech, blending, notes))
+    say(_header(machine, dialect, blending, notes))
     changes = np.flatnonzero(np.diff(toolpath.tool)) + 1
     edges = [0, *changes.tolist(), len(toolpath)]
     previous: Station | None = None
     for first, last in pairwise(edges):
         station = _station(toolpath, machine, first)
-        say(_change(previous, station, machine, speech))
+        say(_change(previous, station, machine, dialect))
         text, source = gcode.lines(
-            toolpath, first, last, _added(station, speech), machine, speech, blending
+            toolpath, first, last, _added(station, dialect), machine, dialect, blending
         )
         texts.append(text)
         sources.append(source)
         previous = station
     assert previous is not None
-    say(_footer(previous, machine, speech))
-    return Program(b"".join(texts), speech.name, np.concatenate(sources))
+    say(_footer(previous, machine, dialect))
+    return Program(b"".join(texts), dialect.name, np.concatenate(sources))
 
 
 def _blending(tolerance: float) -> float:

@@ -1,0 +1,13 @@
+"""linuxcnc: RS274/NGC as LinuxCNC reads it."""
+
+from knifetip.languages.language import Language
+
+LANGUAGE = Language(
+    name="linuxcnc",
+    title="LinuxCNC",
+    suffix=".ngc",
+    emitter="knifetip.post.rs274.linuxcnc:emit",
+    reader="knifetip.verification.rs274.reader:READER",
+    timing="knifetip.sequencing.linuxcnc:halts",
+    no_driver="Download the program and open it in LinuxCNC.",
+)

@@ -1,0 +1,82 @@
+"""registry: the controller languages, by name.
+
+    "grblhal" -> Language
+
+A module of this room with a ``LANGUAGE`` is a language.  Languages of other packages are found as
+entry points; they are looked up only for names that are not found here, since that takes longer.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from dataclasses import replace
+from functools import cache
+from importlib.metadata import entry_points
+
+from knifetip.errors import LibraryError
+from knifetip.languages.language import Language
+from knifetip.model.machine import Machine
+
+#: Entry points under this name are controller languages.
+GROUP = "knifetip.languages"
+
+
+def names() -> list[str]:
+    """Return the names of all languages."""
+    return sorted({*_shipped(), *entry_points(group=GROUP).names})
+
+
+@cache
+def find_language(name: str) -> Language:
+    """Return the language of this name.
+
+    Raises
+    ------
+    LibraryError
+        There is no such language.
+    """
+    if name in _shipped():
+        language = importlib.import_module(f"{__package__}.{name}").LANGUAGE
+    else:
+        found = tuple(entry_points(group=GROUP, name=name))
+        if not found:
+            raise LibraryError(
+                f"There is no controller language {name[:80]!r}.",
+                f"There are {', '.join(names())}.",
+            )
+        language = found[0].load()
+    if not isinstance(language, Language) or language.name != name:
+        raise LibraryError(
+            f"The entry point {name!r} of {GROUP} is no language of this name.",
+            "Correct or remove the package that declares it.",
+        )
+    return language
+
+
+def with_language(machine: Machine, name: str) -> Machine:
+    """Return the machine as if its controller read another language; the same for an empty name.
+
+    Raises
+    ------
+    LibraryError
+        There is no such language, or it needs settings that the machine's file does not have.
+    """
+    if name in ("", machine.dialect):
+        return machine
+    language = find_language(name)
+    try:
+        settings = language.read_settings({}, machine)
+    except ValueError as reason:
+        raise LibraryError(
+            f"{machine.title} cannot be driven with {language.title}: {reason}.",
+            f"Its own language is {machine.dialect}.",
+        ) from reason
+    return replace(machine, dialect=name, controller=settings)
+
+
+@cache
+def _shipped() -> frozenset[str]:
+    package = importlib.import_module(__package__)
+    modules = {module.name for module in pkgutil.iter_modules(package.__path__)}
+    return frozenset(modules - {"language", "registry"})

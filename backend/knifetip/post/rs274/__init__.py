@@ -1,0 +1,1 @@
+"""Programs in RS274/NGC, as LinuxCNC and grblHAL read it."""

@@ -1,0 +1,32 @@
+"""reader: the moves of an RS274/NGC program."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.model.board import Board
+from knifetip.model.machine import Machine
+from knifetip.verification.moves import Moves
+from knifetip.verification.rs274.modal import interpret
+from knifetip.verification.rs274.parse import obeyed, parse, placement_of
+
+
+class Rs274Reader:
+    """Reads programs for LinuxCNC and grblHAL alike: T words make the difference."""
+
+    def placement(self, text: bytes) -> tuple[float, float] | None:
+        """Return the placement of the header's comment (mm), None where there is none."""
+        return placement_of(text)
+
+    def read(
+        self, text: bytes, machine: Machine, board: Board
+    ) -> tuple[Moves, list[tuple[int, str]]]:
+        """Return the moves, and what is wrong: (line, words)."""
+        del board  # every axis is programmed
+        moves, faults = interpret(parse(text), machine)
+        if not moves.tabled:
+            faults = sorted(faults + obeyed(text))
+        return moves, faults
+
+
+READER: Final = Rs274Reader()

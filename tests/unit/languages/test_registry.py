@@ -1,0 +1,148 @@
+"""Languages: found by name, from this package or another, and checked when a machine is read."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from knifetip import pipeline
+from knifetip.dxf.samples import samples
+from knifetip.errors import ControllerError, LibraryError
+from knifetip.languages import registry
+from knifetip.languages.registry import find_language, with_language
+from knifetip.library import load
+
+PARTS = ("emitter", "reader", "timing")
+ROOM = Path(registry.__file__).parent
+
+
+@pytest.mark.parametrize("name", registry.names())
+def test_every_part_of_a_language_can_be_imported(name: str):
+    language = find_language(name)
+    for part in PARTS:
+        assert language.part(part) is not None
+    if language.driver:
+        assert callable(language.dial())
+    else:
+        assert language.no_driver
+
+
+def test_an_unknown_name_is_refused_with_the_known_ones():
+    with pytest.raises(LibraryError) as refusal:
+        find_language("GRBL")
+    assert "'GRBL'" in refusal.value.message
+    assert "grblhal" in refusal.value.hint
+    assert "linuxcnc" in refusal.value.hint
+
+
+def test_a_language_without_a_driver_has_a_hint_instead():
+    with pytest.raises(ControllerError, match=r"LinuxCNC.*Download the program"):
+        find_language("linuxcnc").dial()
+
+
+def test_a_machine_with_an_unknown_language_is_refused_when_it_is_read(tmp_path: Path):
+    text = (Path(load.__file__).parent / "machines" / "demo-table.toml").read_text("utf-8")
+    file = tmp_path / "table.toml"
+    file.write_text(text.replace('"grblhal"', '"fanuc"'), "utf-8")
+    with pytest.raises(LibraryError, match=r"dialect is 'fanuc': it is one of grblhal, .*linuxcnc"):
+        load.machine(str(file))
+
+
+def test_settings_are_refused_where_the_language_has_none(tmp_path: Path):
+    text = (Path(load.__file__).parent / "machines" / "demo-table.toml").read_text("utf-8")
+    file = tmp_path / "table.toml"
+    file.write_text(text + "\n[controller]\nbaud = 9600\n", "utf-8")
+    with pytest.raises(LibraryError, match="grblHAL has no settings"):
+        load.machine(str(file))
+
+
+FOREIGN = """
+from knifetip.languages.language import Language
+
+LANGUAGE = Language(
+    name="{name}",
+    title="Elsewhere",
+    suffix=".else",
+    emitter="elsewhere:emit",
+    reader="elsewhere:READER",
+    timing="knifetip.sequencing.timing:no_halts",
+)
+
+def emit(toolpath, machine, *, tolerance, notes):
+    return machine.dialect
+"""
+
+
+@pytest.fixture
+def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Install a package with a language, as the metadata of an installed one declares it."""
+
+    def install(declared: str, name: str) -> None:
+        (tmp_path / "elsewhere.py").write_text(FOREIGN.format(name=name), "utf-8")
+        metadata = tmp_path / "elsewhere-1.0.dist-info"
+        metadata.mkdir()
+        (metadata / "METADATA").write_text("Metadata-Version: 2.1\nName: elsewhere\nVersion: 1.0\n")
+        (metadata / "entry_points.txt").write_text(
+            f"[{registry.GROUP}]\n{declared} = elsewhere:LANGUAGE\n"
+        )
+        monkeypatch.syspath_prepend(str(tmp_path))
+        registry.find_language.cache_clear()
+
+    yield install
+    registry.find_language.cache_clear()
+    sys.modules.pop("elsewhere", None)
+
+
+def test_a_language_of_another_package_is_found_by_its_entry_point(package):
+    package("elsewhere", "elsewhere")
+    assert "elsewhere" in registry.names()
+    machine = with_language(load.machine("demo-table"), "elsewhere")
+    emitter = find_language(machine.dialect).part("emitter")
+    assert emitter(None, machine, tolerance=0.01, notes=()) == "elsewhere"
+
+
+def test_an_entry_point_that_is_another_language_is_refused(package):
+    package("elsewhere", "nowhere")
+    with pytest.raises(LibraryError, match="no language of this name"):
+        find_language("elsewhere")
+
+
+def test_the_language_reaches_the_time_estimate():
+    drawing = pipeline.read_drawing(samples()["tuck-end-carton.dxf"])
+    line = pipeline.dieline(drawing, load.profile("default"))
+    machine, board = load.machine("demo-table"), load.board("fbb-0.4")
+    halting, other = (
+        pipeline.compiled(drawing, line, machine, board, dialect=name)
+        for name in ("linuxcnc", "grblhal")
+    )
+    own = pipeline.compiled(drawing, line, replace(machine, dialect="linuxcnc"), board)
+    assert halting.program.text.count(b"G4 P0\n") > other.program.text.count(b"G4 P0\n") + 10
+    assert halting.seconds > other.seconds + 0.015 * 10
+    assert (halting.seconds, halting.program.text) == (own.seconds, own.program.text)
+
+
+def test_a_record_imports_none_of_its_parts():
+    code = (
+        "import sys; from knifetip.languages import registry\n"
+        f"[registry.find_language(name) for name in {registry.names()!r}]\n"
+        "rooms = {'knifetip.post', 'knifetip.verification', 'knifetip.gateway', 'numba'}\n"
+        "sys.exit(' '.join(rooms & set(sys.modules)) or None)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_no_other_room_names_a_language():
+    own = {"languages", "rs274", "hpgl", "grbl.py", "linuxcnc.py"}
+    package = ROOM.parent
+    for file in package.rglob("*.py"):
+        if own & set(file.relative_to(package).parts):
+            continue
+        text = file.read_text("utf-8")
+        for name in registry.names():
+            assert f'"{name}"' not in text, f"{file} names {name}"
+        assert "grbl.dial" not in text, f"{file} names the driver of grblHAL"
