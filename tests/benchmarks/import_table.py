@@ -29,8 +29,7 @@ from tests.conftest import CORPUS, ROOT
 from tests.support.cartons.house_files import drawn, truth
 from tests.support.cartons.houses import HOUSES, House
 from tests.support.cartons.kinds import KINDS
-from tests.support.cartons.random_drawings import drawing as carton
-from tests.support.cartons.random_drawings import mislaid, relayered
+from tests.support.cartons.random_drawings import misplaced_edge, on_layer, random_drawing
 from tests.support.truth.known_types import KNOWN, shares, without_names, without_style
 
 SEEDS = 3000
@@ -255,7 +254,7 @@ def own() -> Iterator[str]:
     ways: dict[str, I64] = defaultdict(lambda: np.zeros(6, int))
     wrong: Counter[str] = Counter()
     for seed in range(SEEDS):
-        drawing, kinds_of, how = carton(seed)
+        drawing, kinds_of, how = random_drawing(seed)
         dieline = classify(drawing, rules, conventions)
         best = np.array([one[0] if one else 0 for one in dieline.alternatives], np.uint8)
         asked = dieline.line_type == LineType.UNCLASSIFIED
@@ -301,11 +300,11 @@ def _mislaid(rules: LineRules, conventions: tuple[LineRules, ...]) -> Iterator[s
     for kind, layer in ((LineType.CUT, "CREASE"), (LineType.CREASE, "CUT")):
         drawings = caught = 0
         for seed in range(SEEDS):
-            drawing, kinds_of, how = carton(seed)
-            row = mislaid(drawing, kinds_of, kind, seed) if how.endswith("default") else None
+            drawing, kinds_of, how = random_drawing(seed)
+            row = misplaced_edge(drawing, kinds_of, kind, seed) if how.endswith("default") else None
             if row is None or layer not in drawing.layers:
                 continue
-            said = classify(relayered(drawing, row, layer), rules, conventions).line_type[row]
+            said = classify(on_layer(drawing, row, layer), rules, conventions).line_type[row]
             drawings += 1
             caught += said == LineType.UNCLASSIFIED
         share = 100.0 * caught / max(drawings, 1)

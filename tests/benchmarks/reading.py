@@ -112,15 +112,13 @@ def nested(entities: int = ENTITIES) -> bytes:
     x = y = row = 0.0
     while len(space) < entities:
         carton = CARTONS[int(rng.integers(len(CARTONS)))](rng)
-        ends = np.array(carton.ends).reshape(-1, 2)
+        ends = carton.ends.reshape(-1, 2)
         low, high = ends.min(axis=0) - (x, y), ends.max(axis=0)
-        for (x0, y0, x1, y1), bulge, kind in zip(
-            carton.ends, carton.bulge, carton.truth, strict=True
-        ):
-            start, end = (x0 - low[0], y0 - low[1]), (x1 - low[0], y1 - low[1])
-            style = {"layer": _LAYER_OF[kind]}
-            if bulge:
-                centre, first, last, radius = bulge_to_arc(start, end, bulge)
+        for s in carton.strokes:
+            start, end = (s.x0 - low[0], s.y0 - low[1]), (s.x1 - low[0], s.y1 - low[1])
+            style = {"layer": _LAYER_OF[s.truth]}
+            if s.bulge:
+                centre, first, last, radius = bulge_to_arc(start, end, s.bulge)
                 angles = math.degrees(first), math.degrees(last)
                 space.add_arc(centre, radius, *angles, dxfattribs=style)
             else:

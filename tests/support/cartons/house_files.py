@@ -13,7 +13,8 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, U8
 from knifetip.model.drawing import Drawing
 from tests.support.cartons.houses import SOLID, House, Style
-from tests.support.cartons.kinds import KINDS, Plan, Stroke
+from tests.support.cartons.kinds import KINDS
+from tests.support.cartons.plan import Plan, Stroke
 from tests.support.cartons.surroundings import AROUND, FLAWS
 from tests.support.writers import dxf_text, svg_text
 
@@ -39,7 +40,7 @@ def _dxf(house: House, plan: Plan, strokes: list[Stroke]) -> bytes:
         out.append(
             dxf_text.entity("ARC", *tags, (10, cx), (20, cy), (40, radius), (50, begin), (51, end))
         )
-    for text, x, y, height, part in plan.words:
+    for text, x, y, height, part in plan.texts:
         layer, colour, _ = house.styles.get(part) or house.styles["dimension"]
         shown = colour if isinstance(colour, int) else 7
         tags = [(8, layer), (62, shown), (10, x * k), (20, y * k), (40, height * k), (1, text)]
@@ -69,7 +70,7 @@ def _d(stroke: Stroke, k: float, x0: float, y1: float) -> str:
 
 
 def _svg(house: House, plan: Plan, strokes: list[Stroke]) -> bytes:
-    x0, y0, x1, y1 = Plan(strokes).corners
+    x0, y0, x1, y1 = Plan(strokes).bounds
     k = house.scale
     groups: dict[Style, list[Stroke]] = {}
     for s in strokes:
@@ -91,7 +92,7 @@ def _svg(house: House, plan: Plan, strokes: list[Stroke]) -> bytes:
             inside.append(f"<g>{paths}</g>")
     words = "".join(
         f'<text x="{(x - x0) * k:.2f}" y="{(y1 - y) * k:.2f}" font-size="{h * k}">{text}</text>'
-        for text, x, y, h, _ in plan.words
+        for text, x, y, h, _ in plan.texts
     )
     wide, high = (x1 - x0) * k, (y1 - y0) * k
     size = f'width="{x1 - x0:.4f}mm" height="{y1 - y0:.4f}mm"'

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from tests.support.cartons.kinds import Plan, Stroke
+from tests.support.cartons.plan import Plan, Stroke
 
 #: Layer, colour (an AutoCAD index, or #rrggbb) and linetype of a part.
 Style = tuple[str, object, str]

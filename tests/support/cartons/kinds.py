@@ -1,114 +1,120 @@
-"""cartons of many kinds as lines, with what each is, before they have a style.
-
-Every line has a part: ``outer`` and ``inner`` cuts, ``crease``, ``perforation``, ``half-cut``,
-``v-groove``, or what is said about the carton and not done to it: ``dimension``, ``text``,
-``frame``, ``bleed``, ``glue``, ``mark``, ``legend``, ``grain``, ``safety``.
-"""
+"""Cartons of many kinds, as plans: size and details are drawn at random from a generator."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
 
-from knifetip.model.dieline import LineType
-from knifetip.model.drawing import extents
-from tests.support.cartons import random_drawings
+from knifetip.dxf import samples
+from tests.support.cartons.plan import Plan
 
-_SAID = {
-    "outer": LineType.CUT,
-    "inner": LineType.CUT,
-    "crease": LineType.CREASE,
-    "perforation": LineType.PERFORATION,
-    "half-cut": LineType.HALF_CUT,
-    "v-groove": LineType.V_GROOVE,
-}
-_PART = {
-    LineType.CREASE: "crease",
-    LineType.PERFORATION: "perforation",
-    LineType.HALF_CUT: "half-cut",
-    LineType.V_GROOVE: "v-groove",
-    LineType.IGNORED: "dimension",
-}
+_PART_OF_LAYER = {"CUT": "outer", "CREASE": "crease", "V-GROOVE": "v-groove"}
 
 
-@dataclass(frozen=True)
-class Stroke:
-    """One line or arc of at most half a turn (mm)."""
-
-    x0: float
-    y0: float
-    x1: float
-    y1: float
-    part: str
-    bulge: float = 0.0
-    sample: str = ""  #: of a legend: the part in whose style it is drawn
-
-    @property
-    def truth(self) -> LineType:
-        """What is to be done along it."""
-        return _SAID.get(self.part, LineType.IGNORED)
-
-
-@dataclass
-class Plan:
-    """A carton, or several, and what is written beside them."""
-
-    strokes: list[Stroke] = field(default_factory=list)
-    words: list[tuple[str, float, float, float, str]] = field(default_factory=list)
-
-    def line(self, x0: float, y0: float, x1: float, y1: float, part: str, bulge: float = 0) -> None:
-        """Draw one line or arc."""
-        self.strokes.append(Stroke(x0, y0, x1, y1, part, bulge))
-
-    def way(self, points: Sequence[tuple[float, ...]], part: str, *, shut: bool = True) -> None:
-        """Draw a polygon; a third number is the bulge of the side that begins there."""
-        after = [*points[1:], *(points[:1] if shut else ())]
-        for one, two in zip(points, after, strict=False):
-            self.line(one[0], one[1], two[0], two[1], part, one[2] if len(one) > 2 else 0.0)
-
-    def box(self, x0: float, y0: float, x1: float, y1: float, part: str) -> None:
-        """Draw a rectangle."""
-        self.way([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], part)
-
-    def circle(self, x: float, y: float, radius: float, part: str) -> None:
-        """Draw a circle as two half turns."""
-        self.line(x - radius, y, x + radius, y, part, 1.0)
-        self.line(x + radius, y, x - radius, y, part, 1.0)
-
-    def say(self, text: str, x: float, y: float, height: float = 4.0, part: str = "text") -> None:
-        """Write a text."""
-        self.words.append((text, x, y, height, part))
-
-    @property
-    def corners(self) -> tuple[float, float, float, float]:
-        """The box of all strokes."""
-        ends = np.array([((s.x0, s.y0), (s.x1, s.y1)) for s in self.strokes])
-        box = extents(ends, np.array([s.bulge for s in self.strokes])).tolist()
-        return box[0], box[1], box[2], box[3]
-
-    def moved(self, x: float, y: float) -> list[Stroke]:
-        """Return the strokes somewhere else."""
-        return [
-            Stroke(s.x0 + x, s.y0 + y, s.x1 + x, s.y1 + y, s.part, s.bulge, s.sample)
-            for s in self.strokes
-        ]
+def slotted_case(rng: np.random.Generator) -> Plan:
+    """FEFCO 0201, with slots or with bare slits between the flaps."""
+    plan = Plan()
+    long, wide, high = rng.uniform(120, 500), rng.uniform(80, 300), rng.uniform(60, 400)
+    slot = float(rng.choice([0.0, 6.0, 8.0]))
+    glue, flap = 30.0, wide / 2.0
+    x = np.cumsum([glue, long, wide, long, wide]).tolist()
+    low, top, end = flap, flap + high, 2.0 * flap + high
+    outline = [(glue, low), (0.0, low + 10.0), (0.0, top - 10.0), (glue, top)]
+    for y, tip, order in ((top, end, range(4)), (low, 0.0, range(3, -1, -1))):
+        for panel in order:
+            left = x[panel] + (slot / 2.0 if panel else 0.0)
+            right = x[panel + 1] - (slot / 2.0 if panel < 3 else 0.0)
+            way = [(left, y), (left, tip), (right, tip), (right, y)]
+            outline += way if y == top else way[::-1]
+    if slot:
+        plan.polyline(
+            [point for i, point in enumerate(outline) if point != outline[i - 1]], "outer"
+        )
+    else:
+        ring = [(glue, low), (0.0, low + 10.0), (0.0, top - 10.0), (glue, top), (glue, end)]
+        plan.polyline([*ring, (x[4], end), (x[4], 0.0), (glue, 0.0)], "outer")
+        for at in x[1:4]:
+            plan.line(at, 0.0, at, low, "outer")
+            plan.line(at, top, at, end, "outer")
+    for at in x[:4]:
+        plan.line(at, low, at, top, "crease")
+    inset = slot / 2.0
+    for y in (low, top):
+        for panel in range(4):
+            left = x[panel] + (inset if panel else 0.0)
+            right = x[panel + 1] - (inset if panel < 3 else 0.0)
+            plan.line(left, y, right, y, "crease")
+    return plan
 
 
-def _told(make: Callable[[np.random.Generator], random_drawings.Sheet]) -> Callable[..., Plan]:
-    """Return a maker of plans out of one of sheets: cuts that touch no end of the rim are inner."""
+def tray(rng: np.random.Generator) -> Plan:
+    """A tray with glued corners: slits, or notches, beside the corner flaps."""
+    plan = Plan()
+    long, wide, high = rng.uniform(80, 400), rng.uniform(60, 300), rng.uniform(25, 90)
+    notch = float(rng.choice([0.0, 2.0]))
+    for side in (0.0, wide):
+        plan.line(0.0, side, long, side, "crease")
+    for side in (0.0, long):
+        plan.line(side, 0.0, side, wide, "crease")
+        plan.line(side, 0.0, side, -high, "crease")
+        plan.line(side, wide, side, wide + high, "crease")
+    if notch:
+        ring = [(-high, -high), (long + high, -high)]
+        ring += [(long + high, -notch), (long, -notch), (long, 0.0), (long + high, notch)]
+        ring += [(long + high, wide - notch), (long, wide), (long, wide + notch)]
+        ring += [(long + high, wide + notch), (long + high, wide + high), (-high, wide + high)]
+        ring += [(-high, wide + notch), (0.0, wide + notch), (0.0, wide), (-high, wide - notch)]
+        ring += [(-high, notch), (0.0, 0.0), (0.0, -notch), (-high, -notch)]
+        plan.polyline(ring, "outer")
+    else:
+        plan.rectangle(-high, -high, long + high, wide + high, "outer")
+        for y in (0.0, wide):
+            plan.line(-high, y, 0.0, y, "outer")
+            plan.line(long, y, long + high, y, "outer")
+    return plan
 
-    def made(rng: np.random.Generator) -> Plan:
-        sheet, plan = make(rng), Plan()
-        for ends, bulge, kind in zip(sheet.ends, sheet.bulge, sheet.truth, strict=True):
-            plan.line(*ends, _PART.get(kind, "outer"), bulge)
-        return plan
 
-    made.__name__ = make.__name__
-    return made
+def _sampled(parts: list[tuple[samples.Layer, samples.Paths]]) -> Plan:
+    plan = Plan()
+    for layer, paths in parts:
+        for start, end, bulge in zip(paths.start, paths.end, paths.bulge, strict=True):
+            plan.line(*start.tolist(), *end.tolist(), _PART_OF_LAYER[layer.name], float(bulge))
+    return plan
+
+
+def tuck_end(rng: np.random.Generator) -> Plan:
+    """A reverse tuck-end carton."""
+    return _sampled(
+        samples.tuck_end_carton(rng.uniform(60, 160), rng.uniform(35, 70), rng.uniform(80, 220))
+    )
+
+
+def rolled_tray(_rng: np.random.Generator) -> Plan:
+    """A tray with rolled-over ends: double creases, and slots on them."""
+    return _sampled(samples.corrugated_tray())
+
+
+def rigid_box(_rng: np.random.Generator) -> Plan:
+    """A grooved blank, in which nothing is creased."""
+    return _sampled(samples.rigid_box_blank())
+
+
+def sleeve(rng: np.random.Generator) -> Plan:
+    """Four panels and a glue flap, with a perforation across that tears open."""
+    plan = Plan()
+    x = np.cumsum([0.0, 15.0, *rng.uniform(40, 160, 2)]).tolist()
+    x += [x[-1] + x[2] - x[1], x[-1] + x[3] - x[1]]
+    high = rng.uniform(60, 250)
+    x = sorted(set(x))
+    plan.rectangle(0.0, 0.0, x[-1], high, "outer")
+    for at in x[1:-1]:
+        plan.line(at, 0.0, at, high, "crease")
+    if rng.random() < 0.5:
+        plan.line(0.0, high * 0.3, x[-1], high * 0.3, "perforation")
+    return plan
 
 
 def mailer(rng: np.random.Generator) -> Plan:
@@ -126,7 +132,7 @@ def mailer(rng: np.random.Generator) -> Plan:
     ring += [(x1 + h / 2, y[3] + 4.0), (x1 + h / 2, y[4] - 8.0), (x1, y[4])]
     ring += [(x1 - 4.0, y[5]), (x0 + 4.0, y[5])]
     mirrored = [(x0 + x1 - x, v) for x, v in ring[2:-2]]
-    plan.way([*ring, *mirrored[::-1]], "outer")
+    plan.polyline([*ring, *mirrored[::-1]], "outer")
     for at in (y[1], y[2], y[3], y[4]):
         plan.line(x0, at, x1, at, "crease")
     for sign, edge in ((1.0, x1), (-1.0, x0)):
@@ -140,7 +146,7 @@ def mailer(rng: np.random.Generator) -> Plan:
             plan.line(at, h + low, at, h + b - low, "crease")
         for v in (h + 0.3 * b, h + 0.7 * b):
             mid = edge + sign * (2 * h + t - 6.0)
-            plan.box(mid - 1.5, v - 8.0, mid + 1.5, v + 8.0, "inner")
+            plan.rectangle(mid - 1.5, v - 8.0, mid + 1.5, v + 8.0, "inner")
     return plan
 
 
@@ -155,14 +161,14 @@ def counter_display(rng: np.random.Generator) -> Plan:
         (x[4], front, -0.15), (x[3], h), (x[3], back, 0.35), (x[2], back), (x[2], h, -0.15),
         (x[1], front), (0.0, front - 8.0),
     ]  # fmt: skip
-    plan.way(ring, "outer")
+    plan.polyline(ring, "outer")
     for at, top in ((x[1], front), (x[2], h), (x[3], h)):
         plan.line(at, 0.0, at, top, "crease")
     plan.line(x[2], 0.0, x[3], 0.0, "crease")
     middle = 0.5 * (x[2] + x[3])
     plan.circle(middle, back - 10.0, 6.0, "inner")
     for at in (middle - 0.25 * a, middle + 0.25 * a):
-        plan.box(at - 12.0, 0.5 * h, at + 12.0, 0.5 * h + 2.0, "inner")
+        plan.rectangle(at - 12.0, 0.5 * h, at + 12.0, 0.5 * h + 2.0, "inner")
     return plan
 
 
@@ -174,7 +180,7 @@ def pillow(rng: np.random.Generator) -> Plan:
     ring: list[tuple[float, ...]] = [(0.0, 5.0), (15.0, 0.0, bend), (15.0 + w, 0.0, bend)]
     ring += [(15.0 + 2 * w, 0.0), (15.0 + 2 * w, h, bend), (15.0 + w, h, bend), (15.0, h)]
     ring += [(0.0, h - 5.0)]
-    plan.way(ring, "outer")
+    plan.polyline(ring, "outer")
     for at in (15.0, 15.0 + w):
         plan.line(at, 0.0, at, h, "crease")
     for left in (15.0, 15.0 + w):
@@ -186,8 +192,8 @@ def pillow(rng: np.random.Generator) -> Plan:
 
 def tear_case(rng: np.random.Generator) -> Plan:
     """A slotted case with a tear strip between two perforations right across."""
-    plan = _told(random_drawings.slotted_case)(rng)
-    _, y0, x1, y1 = plan.corners
+    plan = slotted_case(rng)
+    _, y0, x1, y1 = plan.bounds
     middle = 0.5 * (y0 + y1)
     for at in (middle - 5.0, middle + 5.0):
         plan.line(0.0, at, x1, at, "perforation")
@@ -206,7 +212,7 @@ def auto_bottom(rng: np.random.Generator) -> Plan:
     ring = [(0.0, 8.0)]
     for left, right in pairwise(x[1:]):
         ring += [(left, 0.0), (left + 2.0, -down), (right - 2.0, -down)]
-    plan.way([*ring, (x[-1], 0.0), *top, (0.0, h - 8.0)], "outer")
+    plan.polyline([*ring, (x[-1], 0.0), *top, (0.0, h - 8.0)], "outer")
     for at in x[1:-1]:
         plan.line(at, 0.0, at, h, "crease")
     for left, right in pairwise(x[1:]):
@@ -224,7 +230,7 @@ def bag(rng: np.random.Generator) -> Plan:
     a, g, h = rng.uniform(100, 260), rng.uniform(50, 110), rng.uniform(160, 320)
     x = np.cumsum([0.0, 20.0, a, g / 2, g / 2, a, g / 2, g / 2]).tolist()
     top, bottom = h - 40.0, 0.6 * g + 20.0
-    plan.box(0.0, 0.0, x[-1], h, "outer")
+    plan.rectangle(0.0, 0.0, x[-1], h, "outer")
     for at in x[1:-1]:
         plan.line(at, 0.0, at, h, "crease")
     for at in (bottom, top):
@@ -251,11 +257,13 @@ def hang_tag(rng: np.random.Generator) -> Plan:
         if first % 2:
             one, two = two, one
         ring += [(*one, corner), (*two, 0.0)]
-    plan.way(ring, "outer")
+    plan.polyline(ring, "outer")
     plan.line(a, 0.0, a, h, "crease")
     x, y, w, d = 1.5 * a, h - 15.0, 10.0, 3.0
-    plan.way([(x - w, y - d), (x + w, y - d, 1.0), (x + w, y + d), (x - w, y + d, 1.0)], "inner")
-    plan.box(0.2 * a, 0.2 * h, 0.8 * a, 0.5 * h, "half-cut")
+    plan.polyline(
+        [(x - w, y - d), (x + w, y - d, 1.0), (x + w, y + d), (x - w, y + d, 1.0)], "inner"
+    )
+    plan.rectangle(0.2 * a, 0.2 * h, 0.8 * a, 0.5 * h, "half-cut")
     return plan
 
 
@@ -265,9 +273,9 @@ def window_sleeve(rng: np.random.Generator) -> Plan:
     a, b, h = rng.uniform(60, 140), rng.uniform(30, 58), rng.uniform(80, 200)
     x = np.cumsum([0.0, 12.0, a, b, a, b]).tolist()
     ring = [(0.0, 6.0), (x[1], 0.0), (x[-1], 0.0), (x[-1], h), (x[1], h), (0.0, h - 6.0)]
-    plan.way(ring, "outer")
+    plan.polyline(ring, "outer")
     left, right, low, high = x[1] + 0.5 * a, x[2] + 0.5 * b, 0.3 * h, 0.7 * h
-    plan.box(left, low, right, high, "inner")
+    plan.rectangle(left, low, right, high, "inner")
     for at in (x[1], x[3], x[4]):
         plan.line(at, 0.0, at, h, "crease")
     plan.line(x[2], 0.0, x[2], low, "crease")
@@ -285,7 +293,7 @@ def folder(rng: np.random.Generator) -> Plan:
     wide = 2 * a + s
     ring = [(0.0, 0.0), (spine[-1] + 2.0, 0.0), (spine[-1] + 6.0, -p), (wide - 2.0, -p)]
     ring += [(wide, 0.0), (wide, h), (0.0, h)]
-    plan.way(ring, "outer")
+    plan.polyline(ring, "outer")
     for at in spine:
         plan.line(at, 0.0, at, h, "crease")
     plan.line(spine[-1] + 2.0, 0.0, wide, 0.0, "crease")
@@ -312,7 +320,7 @@ def hexagon(rng: np.random.Generator) -> Plan:
         else:
             ring += [(x[k + 1] - 0.15 * a, h + 0.3 * a), (x[k] + 0.15 * a, h + 0.3 * a), (x[k], h)]
     ring = [p for i, p in enumerate(ring) if p != ring[i - 1]]
-    plan.way([*ring, (0.0, h - 6.0)], "outer")
+    plan.polyline([*ring, (0.0, h - 6.0)], "outer")
     for at in x[:6]:
         plan.line(at, 0.0, at, h, "crease")
     for k in range(6):
@@ -327,7 +335,7 @@ def crossed_case(rng: np.random.Generator) -> Plan:
     a, b, h = rng.uniform(120, 400), rng.uniform(100, 300), rng.uniform(80, 300)
     x, f = np.cumsum([0.0, 35.0, a, b, a, b]).tolist(), b / 2.0
     ring = [(0.0, f + 15.0), (x[1], f), (x[1], 0.0), (x[5], 0.0), (x[5], 2 * f + h)]
-    plan.way([*ring, (x[1], 2 * f + h), (x[1], f + h), (0.0, f + h - 15.0)], "outer")
+    plan.polyline([*ring, (x[1], 2 * f + h), (x[1], f + h), (0.0, f + h - 15.0)], "outer")
     for y in (f, f + h):
         plan.line(x[1], y, x[5], y, "crease")
     for at in x[1:5]:
@@ -339,13 +347,13 @@ def crossed_case(rng: np.random.Generator) -> Plan:
 
 
 KINDS: tuple[Callable[[np.random.Generator], Plan], ...] = (
-    _told(random_drawings.slotted_case),
+    slotted_case,
     crossed_case,
-    _told(random_drawings.tray),
-    _told(random_drawings.tuck_end),
-    _told(random_drawings.sleeve),
-    _told(random_drawings.rolled_tray),
-    _told(random_drawings.rigid_box),
+    tray,
+    tuck_end,
+    sleeve,
+    rolled_tray,
+    rigid_box,
     mailer,
     counter_display,
     pillow,

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from knifetip.model.drawing import Drawing, Inscription, Ledger
+from knifetip.geometry.columns import F64
+from knifetip.model.drawing import Drawing, Inscription
 from knifetip.model.unit import MILLIMETRES
+from tests.support.drawings import Header, drawing
 
 #: One inch, and the calipers of boards (mm), metric and as they are said where inches are.
 INCH = 25.4
@@ -145,17 +147,9 @@ def carton(chance: random.Random) -> Carton:
     return Carton(style, *sides, caliper, STYLES[style](*sides, caliper, small), imperial)
 
 
-def drawing_of(
-    ends: np.ndarray, stated: str = "", written: tuple[Inscription, ...] = ()
-) -> Drawing:
-    """Return a drawing of straight edges in file units, as a reader hands it over for judgement."""
-    rows = len(ends)
-    zeros = np.zeros(rows, np.int32)
-    ledger = Ledger(("1",), ("LINE",), ("0",), np.zeros(1, np.uint8), ("kept",), np.zeros(1))
-    return Drawing(
-        ends, np.zeros(rows), zeros, zeros, zeros + 7, zeros - 1, zeros, ("0",), ("CONTINUOUS",),
-        ledger, "", "", stated, written,
-    )  # fmt: skip
+def drawing_of(ends: F64, stated: str = "", texts: tuple[Inscription, ...] = ()) -> Drawing:
+    """Return a drawing of straight edges in file units, of which the unit is still unknown."""
+    return drawing(ends, [("0", 7, "CONTINUOUS")] * len(ends), header=Header("", stated, texts))
 
 
 def drawn(

@@ -11,11 +11,11 @@ import numpy as np
 import shapely
 
 from knifetip.geometry import arc
-from tests.support.cartons.kinds import Plan, Stroke
+from tests.support.cartons.plan import Plan, Stroke
 
 
 def _dimensions(plan: Plan) -> None:
-    x0, y0, x1, y1 = plan.corners
+    x0, y0, x1, y1 = plan.bounds
     for gap in (15.0, 30.0):
         y, x = y0 - gap, x1 + gap
         plan.line(x0, y, x1, y, "dimension")
@@ -28,13 +28,13 @@ def _dimensions(plan: Plan) -> None:
             plan.line(x1 + 2.0, at, x + 3.0, at, "dimension")
             for side in (0.8, -0.8):
                 plan.line(x, at, x + side, at + way * 3.0, "dimension")
-        plan.say(f"{x1 - x0:.1f}", 0.5 * (x0 + x1), y + 1.0, part="dimension")
-        plan.say(f"{y1 - y0:.1f}", x + 1.0, 0.5 * (y0 + y1), part="dimension")
+        plan.text(f"{x1 - x0:.1f}", 0.5 * (x0 + x1), y + 1.0, part="dimension")
+        plan.text(f"{y1 - y0:.1f}", x + 1.0, 0.5 * (y0 + y1), part="dimension")
 
 
 def _inner_dimensions(plan: Plan) -> None:
     """Dimensions inside the panels, from crease to crease, as plain lines with arrowheads."""
-    _, y0, _, y1 = plan.corners
+    _, y0, _, y1 = plan.bounds
     y = y0 + 0.437 * (y1 - y0)
     at = sorted({round(s.x0, 6) for s in plan.strokes if s.part == "crease" and s.x0 == s.x1})
     for left, right in pairwise(at):
@@ -44,31 +44,31 @@ def _inner_dimensions(plan: Plan) -> None:
         for x, way in ((left, 1.0), (right, -1.0)):
             for side in (0.8, -0.8):
                 plan.line(x, y, x + way * 3.0, y + side, "dimension")
-        plan.say(f"{right - left:.1f}", 0.5 * (left + right), y + 1.0, part="dimension")
+        plan.text(f"{right - left:.1f}", 0.5 * (left + right), y + 1.0, part="dimension")
 
 
 def _framed(plan: Plan) -> None:
-    x0, y0, x1, y1 = plan.corners
+    x0, y0, x1, y1 = plan.bounds
     left, low, right, top = x0 - 50.0, y0 - 110.0, x1 + 60.0, y1 + 40.0
-    plan.box(left, low, right, top, "frame")
+    plan.rectangle(left, low, right, top, "frame")
     for row in range(1, 4):
         plan.line(right - 110.0, low + 10.0 * row, right, low + 10.0 * row, "frame")
-        plan.say(("Design", "Kunde", "Date")[row - 1], right - 106.0, low + 10.0 * row - 7.0)
+        plan.text(("Design", "Kunde", "Date")[row - 1], right - 106.0, low + 10.0 * row - 7.0)
     plan.line(right - 110.0, low, right - 110.0, low + 30.0, "frame")
 
 
 def _legend(plan: Plan) -> None:
     """One line of each kind in its own style, with its name beside it."""
-    x0, y0, _, _ = plan.corners
+    x0, y0, _, _ = plan.bounds
     for row, part in enumerate(("outer", "crease", "perforation")):
         y = y0 - 70.0 - 8.0 * row
         plan.strokes.append(Stroke(x0, y, x0 + 20.0, y, "legend", 0.0, part))
-        plan.say(("Cut", "Crease", "Perforation")[row], x0 + 24.0, y - 1.5)
+        plan.text(("Cut", "Crease", "Perforation")[row], x0 + 24.0, y - 1.5)
 
 
 def _marks(plan: Plan) -> None:
     """Registration crosses with rings, and corner crop marks."""
-    x0, y0, x1, y1 = plan.corners
+    x0, y0, x1, y1 = plan.bounds
     for x, y in ((0.5 * (x0 + x1), y1 + 60.0), (x0 - 60.0, 0.5 * (y0 + y1))):
         plan.line(x - 5.0, y, x + 5.0, y, "mark")
         plan.line(x, y - 5.0, x, y + 5.0, "mark")
@@ -81,18 +81,18 @@ def _marks(plan: Plan) -> None:
 
 def _grain(plan: Plan) -> None:
     """An arrow inside the largest panel, and one beside the carton."""
-    _, y0, x1, y1 = plan.corners
+    _, y0, x1, y1 = plan.bounds
     for x, y in ((x1 + 45.0, 0.5 * (y0 + y1)), _middle(plan)):
         plan.line(x, y - 9.0, x, y + 9.0, "grain")
         for way in (1.0, -1.0):
             for side in (1.5, -1.5):
                 plan.line(x, y + way * 9.0, x + side, y + way * 6.0, "grain")
-    plan.say("GRAIN", x1 + 48.0, 0.5 * (y0 + y1))
+    plan.text("GRAIN", x1 + 48.0, 0.5 * (y0 + y1))
 
 
 def _middle(plan: Plan) -> tuple[float, float]:
     """Return a place that is far from every line, inside the first cuts."""
-    x0, y0, x1, y1 = plan.corners
+    x0, y0, x1, y1 = plan.bounds
     best, place = -1.0, (x0, y0)
     ends = np.array([(s.x0, s.y0, s.x1, s.y1) for s in plan.strokes])
     cut = np.array([s.part == "outer" for s in plan.strokes])
@@ -134,28 +134,28 @@ def _safe(plan: Plan) -> None:
     ends = np.array([(s.x0, s.y0, s.x1, s.y1) for s in plan.strokes])
     near = np.abs(ends.reshape(-1, 2) - (x, y)).max(axis=1)
     half = max(8.0, 0.35 * float(near.min()))
-    plan.box(x - half, y - half, x + half, y + half, "safety")
+    plan.rectangle(x - half, y - half, x + half, y + half, "safety")
 
 
 def _glued(plan: Plan) -> None:
     """Hatching on the glue flap: short slanting lines inside it."""
-    x0, y0, _, y1 = plan.corners
+    x0, y0, _, y1 = plan.bounds
     for k in range(5):
         y = y0 + (0.3 + 0.08 * k) * (y1 - y0)
         plan.line(x0 + 3.0, y, x0 + 9.0, y + 6.0, "glue")
 
 
 def _scale_bar(plan: Plan) -> None:
-    x0, _, _, y1 = plan.corners
+    x0, _, _, y1 = plan.bounds
     plan.line(x0, y1 + 25.0, x0 + 100.0, y1 + 25.0, "mark")
     for k in range(6):
         plan.line(x0 + 20.0 * k, y1 + 25.0, x0 + 20.0 * k, y1 + 28.0, "mark")
-    plan.say("100 mm", x0 + 104.0, y1 + 25.0)
+    plan.text("100 mm", x0 + 104.0, y1 + 25.0)
 
 
 def _lettered(plan: Plan) -> None:
     """Words turned to lines: a T, an O of chords and an L inside a panel, and beside the carton."""
-    x0, _, _, y1 = plan.corners
+    x0, _, _, y1 = plan.bounds
     for x, y in (_middle(plan), (x0, y1 + 8.0)):
         plan.line(x, y + 5.0, x + 3.0, y + 5.0, "text")
         plan.line(x + 1.5, y, x + 1.5, y + 5.0, "text")
@@ -163,20 +163,20 @@ def _lettered(plan: Plan) -> None:
             (x + 6.0 + 1.5 * math.cos(0.5 * k), y + 2.5 + 2.5 * math.sin(0.5 * k))
             for k in range(12)
         ]
-        plan.way(ring, "text")
+        plan.polyline(ring, "text")
         plan.line(x + 9.0, y, x + 9.0, y + 5.0, "text")
         plan.line(x + 9.0, y, x + 12.0, y, "text")
 
 
 def _several(plan: Plan) -> None:
     """Three of them side by side."""
-    x0, y0, x1, y1 = plan.corners
+    x0, y0, x1, y1 = plan.bounds
     plan.strokes += plan.moved(x1 - x0 + 12.0, 0.0) + plan.moved(0.0, y1 - y0 + 12.0)
 
 
 def _gridded(plan: Plan) -> None:
     """Six of them with nothing between: where two lie together a line is drawn twice."""
-    x0, y0, x1, y1 = plan.corners
+    x0, y0, x1, y1 = plan.bounds
     one = list(plan.strokes)
     for column in range(3):
         for row in range(2):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from knifetip.classification.classify import questions
-from tests.unit.classification.test_fusion import drawn, plain, seen, words
+from tests.support.classification import drawn, plain, seen, words
 
 BOX = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 

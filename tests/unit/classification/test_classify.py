@@ -2,65 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 import pytest
 
 from knifetip.classification.classify import KEEP, classify, overridden, questions
 from knifetip.library import load
-from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, Ledger
+from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule, LineRules
-
-Row = tuple[str, int, str]
-
-
-def drawing(
-    rows: Sequence[Row],
-    ends: object = None,
-    bulge: object = None,
-    true_colour: object = None,
-    kind: Sequence[str] | None = None,
-    unit: str = "mm",
-) -> Drawing:
-    """Edges of 10 mm side by side, each (layer, colour, linetype), each an entity of its own."""
-    n = len(rows)
-    layers = tuple(dict.fromkeys(row[0] for row in rows))
-    linetypes = tuple(dict.fromkeys(row[2] for row in rows))
-    if ends is None:
-        x = 20.0 * np.arange(n)
-        ends = np.stack([np.stack([x, 0 * x], 1), np.stack([x + 10.0, 0 * x], 1)], axis=1)
-    ledger = Ledger(
-        tuple(f"{row:X}" for row in range(n)),
-        tuple(kind or ["LINE"] * n),
-        tuple(row[0] for row in rows),
-        np.zeros(n, np.uint8),
-        ("",) * n,
-        np.full(n, 10.0),
-    )
-    return Drawing(
-        ends,
-        np.zeros(n) if bulge is None else bulge,
-        np.arange(n),
-        [layers.index(row[0]) for row in rows],
-        [row[1] for row in rows],
-        np.full(n, -1) if true_colour is None else true_colour,
-        [linetypes.index(row[2]) for row in rows],
-        layers,
-        linetypes,
-        ledger,
-        unit,
-        "given",
-    )
+from tests.support.classification import side_by_side, words
+from tests.support.drawings import Style
 
 
-def words(dieline: Dieline) -> list[str]:
-    return [LineType(value).word for value in dieline.line_type]
-
-
-def under(profile: str, *rows: Row) -> list[str]:
-    return words(classify(drawing(rows), load.profile(profile)))
+def under(profile: str, *rows: Style) -> list[str]:
+    return words(classify(side_by_side(rows), load.profile(profile)))
 
 
 RULES = LineRules(
@@ -78,7 +32,7 @@ RULES = LineRules(
 
 def test_the_first_rule_that_matches_decides():
     dieline = classify(
-        drawing(
+        side_by_side(
             [
                 ("DIE", 1, "DASHED"),
                 ("DIE", 1, "CONTINUOUS"),
@@ -107,7 +61,7 @@ def test_the_first_rule_that_matches_decides():
 
 
 def test_the_dieline_keeps_the_edges_of_the_drawing_in_their_order():
-    sheet = drawing([("die", 1, "C"), ("x", 4, "C"), ("die", 2, "C")], bulge=[0.0, 0.5, -1.0])
+    sheet = side_by_side([("die", 1, "C"), ("x", 4, "C"), ("die", 2, "C")], bulge=[0.0, 0.5, -1.0])
     dieline = classify(sheet, RULES)
     np.testing.assert_array_equal(dieline.ends, sheet.ends)
     np.testing.assert_array_equal(dieline.bulge, [0.0, 0.5, -1.0])
@@ -115,12 +69,12 @@ def test_the_dieline_keeps_the_edges_of_the_drawing_in_their_order():
 
 
 def test_the_kind_of_entity_can_decide():
-    sheet = drawing([("x", 3, "C"), ("x", 3, "C")], kind=["CIRCLE", "LINE"])
+    sheet = side_by_side([("x", 3, "C"), ("x", 3, "C")], kinds=["CIRCLE", "LINE"])
     assert words(classify(sheet, RULES)) == ["ignored", "unclassified"]
 
 
 def test_a_true_colour_counts_as_an_index_only_where_it_is_that_colour():
-    sheet = drawing(
+    sheet = side_by_side(
         [("die", 7, "C"), ("knife", 7, "C"), ("knife", 1, "C"), ("knife", 3, "C")],
         true_colour=[0x00FFFF, 0xFF8000, 0xFF8000, 0xFF0000],
     )
@@ -130,7 +84,7 @@ def test_a_true_colour_counts_as_an_index_only_where_it_is_that_colour():
 
 
 def test_an_empty_drawing_has_an_empty_dieline_and_no_questions():
-    sheet = drawing([], ends=np.zeros((0, 2, 2)))
+    sheet = side_by_side([], ends=np.zeros((0, 2, 2)))
     dieline = classify(sheet, RULES)
     assert len(dieline) == 0
     assert questions(sheet, dieline) == []
@@ -145,7 +99,7 @@ def test_a_rule_may_leave_a_name_to_be_asked():
             LineRule(LineType.CUT, colour=(1,)),
         ),
     )
-    sheet = drawing([("NoCut", 1, "C"), ("0", 1, "C")])
+    sheet = side_by_side([("NoCut", 1, "C"), ("0", 1, "C")])
     dieline = classify(sheet, rules)
     assert words(dieline) == ["unclassified", "cut"]
     assert dieline.confidence.tolist() == [0.0, 0.8]
@@ -155,7 +109,7 @@ def test_a_rule_may_leave_a_name_to_be_asked():
 def test_a_hundred_thousand_edges_get_what_their_combination_gets():
     n = 100_000
     rows = [("die", 1, "C"), ("die", 2, "C"), ("none", 9, "C"), ("none", 4, "C")] * (n // 4)
-    dieline = classify(drawing(rows), RULES)
+    dieline = classify(side_by_side(rows), RULES)
     expected = [LineType.CUT, LineType.CREASE, LineType.UNCLASSIFIED, LineType.HALF_CUT]
     np.testing.assert_array_equal(dieline.line_type.reshape(-1, 4), [expected] * (n // 4))
     assert len(dieline.rules) == 4
@@ -165,7 +119,7 @@ def test_a_hundred_thousand_edges_get_what_their_combination_gets():
 
 
 def test_an_override_comes_last_and_says_so():
-    dieline = classify(drawing([("die", 1, "C"), ("none", 9, "C"), ("die", 2, "C")]), RULES)
+    dieline = classify(side_by_side([("die", 1, "C"), ("none", 9, "C"), ("die", 2, "C")]), RULES)
     given = np.array([LineType.V_GROOVE, LineType.CUT, KEEP], np.uint8)
     changed = overridden(dieline, given)
     assert words(changed) == ["v-groove", "cut", "crease"]
@@ -179,7 +133,7 @@ def test_an_override_comes_last_and_says_so():
 
 
 def test_overriding_twice_names_the_rule_once():
-    dieline = classify(drawing([("die", 1, "C")]), RULES)
+    dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     once = overridden(dieline, np.array([LineType.CUT], np.uint8))
     twice = overridden(once, np.array([LineType.CREASE], np.uint8))
     assert twice.rules.count("override") == 1
@@ -187,13 +141,13 @@ def test_overriding_twice_names_the_rule_once():
 
 
 def test_nothing_overridden_is_the_same_dieline():
-    dieline = classify(drawing([("die", 1, "C")]), RULES)
+    dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     assert overridden(dieline, np.array([KEEP], np.uint8)) is dieline
 
 
 @pytest.mark.parametrize(("given", "said"), [([1, 1], "overrides"), ([77], "not a line type")])
 def test_overrides_that_do_not_fit_are_refused(given: list[int], said: str):
-    dieline = classify(drawing([("die", 1, "C")]), RULES)
+    dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     with pytest.raises(ValueError, match=said):
         overridden(dieline, np.array(given, np.uint8))
 
@@ -201,13 +155,13 @@ def test_overrides_that_do_not_fit_are_refused(given: list[int], said: str):
 # ── questions ────────────────────────────────────────────────────────────────────────────────────
 
 
-def asked(*rows: Row, **more: object) -> list[str]:
-    sheet = drawing(rows, **more)
+def asked(*rows: Style, **more: object) -> list[str]:
+    sheet = side_by_side(rows, **more)
     return [question.text for question in questions(sheet, classify(sheet, RULES))]
 
 
 def test_one_question_for_each_layer_colour_and_linetype():
-    sheet = drawing(
+    sheet = side_by_side(
         [
             ("b", 2, "C"),
             ("a", 2, "C"),
@@ -252,7 +206,7 @@ def test_a_hostile_name_cannot_steer_a_terminal():
 
 
 def test_the_choices_are_all_line_types_but_unclassified():
-    sheet = drawing([("b", 2, "C")])
+    sheet = side_by_side([("b", 2, "C")])
     (question,) = questions(sheet, classify(sheet, RULES))
     assert sorted(question.choices) == [
         "combi",
@@ -279,8 +233,8 @@ def test_the_choices_are_all_line_types_but_unclassified():
         (("b", 2, "HIDDEN"), "crease"),
     ],
 )
-def test_a_telling_name_or_style_puts_its_answer_first(row: Row, first: str):
-    sheet = drawing([row, ("die", 1, "C")])
+def test_a_telling_name_or_style_puts_its_answer_first(row: Style, first: str):
+    sheet = side_by_side([row, ("die", 1, "C")])
     (question,) = questions(sheet, classify(sheet, RULES))
     assert question.choices[0] == first
 
@@ -289,7 +243,7 @@ def test_the_outline_is_cut_and_what_lies_inside_is_asked_with_the_likeliest_fir
     square = [[0, 0], [100, 0], [100, 60], [0, 60]]
     ends = [[square[i], square[(i + 1) % 4]] for i in range(4)]
     ends += [[[30, 0], [30, 60]], [[40, 20], [50, 20]]]
-    sheet = drawing(
+    sheet = side_by_side(
         [("a", 2, "C")] * 4 + [("b", 2, "C"), ("c", 2, "C")],
         ends=ends,
         bulge=[0] * 5 + [1],
@@ -383,7 +337,7 @@ def test_the_default_asks_about_this_name(name: str):
     ],
 )
 def test_the_default_knows_pairs_of_layer_and_colour(layer: str, colour: int, kind: str):
-    dieline = classify(drawing([(layer, colour, "CONTINUOUS")]), load.profile("default"))
+    dieline = classify(side_by_side([(layer, colour, "CONTINUOUS")]), load.profile("default"))
     assert words(dieline) == [kind]
     assert dieline.confidence[0] == (0.0 if kind == "unclassified" else 1.0)
 

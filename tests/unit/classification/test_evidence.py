@@ -9,26 +9,7 @@ import pytest
 
 from knifetip.classification.evidence import shape
 from knifetip.classification.role import Role
-from knifetip.model.drawing import Inscription
-
-Line = tuple[float, float, float, float]
-
-
-def box(x0: float, y0: float, x1: float, y1: float) -> list[Line]:
-    return [(x0, y0, x1, y0), (x1, y0, x1, y1), (x1, y1, x0, y1), (x0, y1, x0, y0)]
-
-
-def roles(lines: list[Line], bulge: object = None, texts: tuple[Inscription, ...] = ()):
-    ends = np.array(lines, float).reshape(-1, 2, 2)
-    bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
-    return [Role(int(role)) for role in shape(ends, bent, texts).role]
-
-
-def text(x: float, y: float, words: str = "A") -> Inscription:
-    return Inscription(words, x, y, 4.0, math.nan, "TEXT", "0")
-
-
-BLANK = [*box(0, 0, 300, 200), (100, 0, 100, 200), (200, 0, 200, 200)]
+from tests.support.classification import BLANK, box, roles, text
 
 
 def test_a_blank_has_an_outline_and_lines_that_divide_panels():

@@ -9,7 +9,7 @@ import shapely
 from knifetip.classification.faces import faces
 from knifetip.classification.net import built
 from knifetip.geometry.columns import F64
-from tests.support.cartons.random_drawings import drawing as carton
+from tests.support.cartons.random_drawings import random_drawing
 
 TOUCH = 0.05
 
@@ -73,7 +73,7 @@ def test_what_lies_between_an_arc_and_its_chord_is_held_by_their_face(bend: floa
 
 @pytest.mark.parametrize("seed", range(40))
 def test_shapely_finds_the_same_faces(seed: int):
-    drawing, _, _ = carton(seed)
+    drawing, _, _ = random_drawing(seed)
     # Arcs are flattened there and dashes not linked, so only lines, and what the net parts them by.
     lines = np.flatnonzero(drawing.bulge == 0.0)
     ends = np.array(drawing.ends[lines])

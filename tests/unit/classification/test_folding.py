@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from knifetip.classification.evidence import shape
-from tests.support.cartons.kinds import Plan, crossed_case, mailer
+from tests.support.cartons.kinds import crossed_case, mailer
+from tests.support.cartons.plan import Plan
 
 
 def held(plan: Plan) -> dict[str, list[bool]]:
@@ -33,14 +34,14 @@ def test_slits_between_the_flaps_of_a_case_are_left_open():
 
 def test_nothing_is_said_of_cases_that_share_a_cut():
     plan = crossed_case(np.random.default_rng(1))
-    _, y0, _, y1 = plan.corners
+    _, y0, _, y1 = plan.bounds
     plan.strokes += plan.moved(0.0, y1 - y0)
     assert not any(holds for told in held(plan).values() for holds in told)
 
 
 def test_a_card_of_two_panels_may_be_two_cards():
     plan = Plan()
-    plan.box(0.0, 0.0, 100.0, 60.0, "outer")
+    plan.rectangle(0.0, 0.0, 100.0, 60.0, "outer")
     plan.line(50.0, 0.0, 50.0, 60.0, "crease")
     assert held(plan)["crease"] == [False]
 
@@ -48,7 +49,7 @@ def test_a_card_of_two_panels_may_be_two_cards():
 def test_of_a_fold_with_slits_at_its_ends_only_the_middle_holds():
     # Eight flaps round a base, the first with a lock: 6 mm slit, fold, 6 mm slit.
     plan = Plan()
-    plan.way(
+    plan.polyline(
         [
             (0.0, 0.0), (100.0, 0.0), (100.0, -50.0), (100.0, -80.0), (0.0, -80.0), (0.0, -50.0),
         ],
@@ -60,7 +61,7 @@ def test_of_a_fold_with_slits_at_its_ends_only_the_middle_holds():
         plan.line(x, -50.0, {0.0: 6.0, 6.0: 94.0, 94.0: 100.0}[x], -50.0, part)
     x = 0.0
     for wide in (100.0, 40.0, 90.0, 35.0):
-        plan.way([(x, 0.0), (x, 120.0)], "outer", shut=False)
+        plan.polyline([(x, 0.0), (x, 120.0)], "outer", closed=False)
         plan.strokes.pop()
         plan.line(x, 120.0, x + wide, 120.0, "outer")
         if x:
@@ -76,7 +77,7 @@ def test_of_a_fold_with_slits_at_its_ends_only_the_middle_holds():
 
 def test_the_strips_of_a_living_hinge_are_no_panels():
     plan = Plan()
-    plan.box(0.0, 0.0, 200.0, 60.0, "outer")
+    plan.rectangle(0.0, 0.0, 200.0, 60.0, "outer")
     for k in range(30):
         plan.line(50.0 + 3.0 * k, 0.0, 50.0 + 3.0 * k, 60.0, "inner")
     assert not any(held(plan)["inner"])
@@ -85,8 +86,8 @@ def test_the_strips_of_a_living_hinge_are_no_panels():
 def test_the_borders_on_a_map_are_no_folds():
     # Six countries in a row, each border with a bend in it.
     plan = Plan()
-    plan.box(0.0, 0.0, 350.0, 60.0, "outer")
+    plan.rectangle(0.0, 0.0, 350.0, 60.0, "outer")
     for k in range(1, 7):
         at = 50.0 * k + k * k / 2.0
-        plan.way([(at, 0.0), (at + 5.0, 30.0), (at, 60.0)], "inner", shut=False)
+        plan.polyline([(at, 0.0), (at + 5.0, 30.0), (at, 60.0)], "inner", closed=False)
     assert not any(held(plan)["inner"])

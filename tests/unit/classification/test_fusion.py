@@ -4,55 +4,22 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 from knifetip.classification.classify import classify, questions
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, Ledger
-from tests.support.cartons.random_drawings import drawing as carton
+from tests.support.cartons.random_drawings import random_drawing
+from tests.support.classification import drawn, plain, seen, words
 
 BLANK = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 FOLDS = [(100, 0, 100, 200), (200, 0, 200, 200)]
 SLIT = [(20, 50, 60, 50)]
 OUTSIDE = [(0, -30, 300, -30)]
 
-Style = tuple[str, int, str]
-
-
-def drawn(*parts: tuple[list[tuple[float, float, float, float]], Style]) -> Drawing:
-    """Lines, each part in a style of its own: (layer, colour, linetype)."""
-    lines = [line for part, _ in parts for line in part]
-    styles = [style for part, style in parts for _ in part]
-    layers = tuple(dict.fromkeys(style[0] for style in styles))
-    linetypes = tuple(dict.fromkeys(style[2] for style in styles))
-    n = len(lines)
-    ledger = Ledger(
-        tuple(map(str, range(n))), ("LINE",) * n, ("",) * n, np.zeros(n), ("",) * n, np.ones(n)
-    )
-    return Drawing(
-        np.array(lines, float).reshape(-1, 2, 2), np.zeros(n), np.arange(n),
-        [layers.index(style[0]) for style in styles], [style[1] for style in styles],
-        np.full(n, -1), [linetypes.index(style[2]) for style in styles], layers, linetypes,
-        ledger, "mm", "given",
-    )  # fmt: skip
-
-
-def seen(sheet: Drawing, profile: str = "default") -> Dieline:
-    return classify(sheet, load.profile(profile), load.conventions())
-
-
-def words(dieline: Dieline) -> list[str]:
-    return [LineType(kind).word for kind in dieline.line_type]
-
 
 def why(dieline: Dieline, row: int) -> str:
     return dieline.rules[dieline.rule[row]]
-
-
-def plain(layer: str = "0", colour: int = 7, linetype: str = "CONTINUOUS") -> Style:
-    return layer, colour, linetype
 
 
 def test_where_layers_mean_nothing_shape_cuts_the_outline_and_asks_about_the_rest():
@@ -166,7 +133,7 @@ def test_a_rule_for_a_block_or_a_true_colour_decides():
 def test_no_more_than_one_edge_in_three_thousand_is_silently_wrong_in_drawings_of_our_own():
     edges = wrong = decided = 0
     for seed in range(5000, 5150):
-        sheet, truth, _ = carton(seed)
+        sheet, truth, _ = random_drawing(seed)
         said = seen(sheet).line_type
         edges += len(said)
         decided += int((said != LineType.UNCLASSIFIED).sum())

@@ -12,14 +12,14 @@ from knifetip.classification.learn import learned
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule, LineRules
-from tests.unit.classification.test_classify import drawing
+from tests.support.classification import side_by_side
 
 C = "CONTINUOUS"
 NONE = LineRules("none", "", ())
 
 
 def taught(rows, said: dict[int, LineType], profile: LineRules = NONE):
-    sheet = drawing(rows)
+    sheet = side_by_side(rows)
     overrides = np.full(len(rows), KEEP, np.uint8)
     for row, kind in said.items():
         overrides[row] = kind
@@ -79,7 +79,7 @@ def test_a_layer_named_like_a_pattern_is_only_itself():
     rows = [("[CUT]*", 1, C), ("CUT x", 7, C)]
     (one,) = taught(rows, {0: LineType.CREASE})
     profile = LineRules("own", "", (one.rule,))
-    assert classify(drawing(rows), profile).line_type.tolist() == [LineType.CREASE, 0]
+    assert classify(side_by_side(rows), profile).line_type.tolist() == [LineType.CREASE, 0]
 
 
 def test_what_was_learned_gives_what_was_corrected_when_it_is_put_first():
@@ -88,12 +88,12 @@ def test_what_was_learned_gives_what_was_corrected_when_it_is_put_first():
     said = {0: LineType.CREASE, 1: LineType.CUT, 3: LineType.CREASE, 4: LineType.CUT}
     found = taught(rows, said, base)
     own = LineRules("own", "", tuple(one.rule for one in found) + base.rules)
-    assert classify(drawing(rows), own).line_type[[0, 1, 3, 4]].tolist() == [2, 1, 2, 1]
+    assert classify(side_by_side(rows), own).line_type[[0, 1, 3, 4]].tolist() == [2, 1, 2, 1]
     again = load.parse_profile("own", tomllib.loads(load.profile_toml(own, "default")))
     assert again.rules == own.rules
 
 
 def test_overrides_of_another_length_are_refused():
-    sheet = drawing([("X", 1, C)])
+    sheet = side_by_side([("X", 1, C)])
     with pytest.raises(ValueError, match="overrides"):
         learned(sheet, classify(sheet, NONE), np.zeros(2, np.uint8), NONE)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from knifetip.classification.role import Role
-from tests.unit.classification.test_evidence import BLANK, box, roles, text
+from tests.support.classification import BLANK, box, roles, text
 
 
 def diamond(half: float) -> list[tuple[float, float, float, float]]:

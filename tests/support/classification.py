@@ -1,0 +1,84 @@
+"""Small sheets for tests of classification, and what is read off the result."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from knifetip.classification.classify import classify
+from knifetip.classification.evidence import shape
+from knifetip.classification.role import Role
+from knifetip.library import load
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, Inscription
+from tests.support.drawings import Header, Style, drawing
+
+Line = tuple[float, float, float, float]
+
+
+def box(x0: float, y0: float, x1: float, y1: float) -> list[Line]:
+    """Return the four sides of a rectangle, counter-clockwise."""
+    return [(x0, y0, x1, y0), (x1, y0, x1, y1), (x1, y1, x0, y1), (x0, y1, x0, y0)]
+
+
+#: 300 × 200 mm with two creases across.
+BLANK = [*box(0, 0, 300, 200), (100, 0, 100, 200), (200, 0, 200, 200)]
+
+
+def text(x: float, y: float, words: str = "A") -> Inscription:
+    """Return a text of 4 mm at a place."""
+    return Inscription(words, x, y, 4.0, math.nan, "TEXT", "0")
+
+
+def roles(
+    lines: Sequence[Line],
+    bulge: ArrayLike | None = None,
+    texts: tuple[Inscription, ...] = (),
+) -> list[Role]:
+    """Return the role that shape alone gives to each line."""
+    ends = np.array(lines, float).reshape(-1, 2, 2)
+    bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
+    return [Role(int(role)) for role in shape(ends, bent, texts).role]
+
+
+def side_by_side(
+    styles: Sequence[Style],
+    *,
+    ends: ArrayLike | None = None,
+    bulge: ArrayLike | None = None,
+    true_colour: ArrayLike | None = None,
+    kinds: Sequence[str] | None = None,
+    unit: str = "mm",
+) -> Drawing:
+    """Return a drawing of one edge per style: 10 mm long, 10 mm apart, unless ``ends`` differ."""
+    if ends is None:
+        x = 20.0 * np.arange(len(styles))
+        ends = np.stack([np.stack([x, 0 * x], 1), np.stack([x + 10.0, 0 * x], 1)], axis=1)
+    return drawing(
+        ends, styles, bulge=bulge, true_colour=true_colour, kinds=kinds, header=Header(unit)
+    )
+
+
+def drawn(*parts: tuple[Sequence[Line], Style]) -> Drawing:
+    """Return a drawing of groups of lines, each group in one style."""
+    lines = [line for part, _ in parts for line in part]
+    styles = [style for part, style in parts for _ in part]
+    return drawing(np.array(lines, float), styles)
+
+
+def plain(layer: str = "0", colour: int = 7, linetype: str = "CONTINUOUS") -> Style:
+    """Return the style of a line about which the file says nothing else."""
+    return layer, colour, linetype
+
+
+def seen(sheet: Drawing, profile: str = "default") -> Dieline:
+    """Return the sheet classified by a profile of the library."""
+    return classify(sheet, load.profile(profile), load.conventions())
+
+
+def words(dieline: Dieline) -> list[str]:
+    """Return the line type of each edge as a word."""
+    return [LineType(kind).word for kind in dieline.line_type]
