@@ -56,7 +56,9 @@ def uv_environment(options: Mapping[str, str], environment: Mapping[str, str]) -
         if option in options
     }
     # pip takes a package from whichever index has it. The hashes are the safeguard.
-    return {"UV_INDEX_STRATEGY": "unsafe-best-match", **handed_on, **environment}
+    # pip compiles what it installs, uv only if told to: the first start would have to.
+    defaults = {"UV_INDEX_STRATEGY": "unsafe-best-match", "UV_COMPILE_BYTECODE": "1"}
+    return {**defaults, **handed_on, **environment}
 
 
 def fetch_uv() -> bool:

@@ -11,18 +11,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from importlib import import_module
 from typing import Final
 
 import numpy as np
 
-from knifetip.cf2 import read as cf2
 from knifetip.classification import classify
 from knifetip.classification import rules as matching
 from knifetip.cleaning.back import on_drawn
 from knifetip.cleaning.clean import clean
 from knifetip.compensation import deflection
 from knifetip.compensation.compensate import compensate
-from knifetip.dxf import read as dxf
 from knifetip.errors import (
     CompensationError,
     KnifetipError,
@@ -47,13 +46,11 @@ from knifetip.model.question import Question
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.unit import NAMES, UnitFinding
 from knifetip.model.verdict import Verdict
-from knifetip.pdf import read as pdf
 from knifetip.planning.plan import check_corners, missing, plan
 from knifetip.post.emit import process
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
 from knifetip.sequencing.turning import retracted
-from knifetip.svg import read as svg
 from knifetip.units.evidence import judge
 from knifetip.units.question import question as unit_question
 from knifetip.units.rescale import rescaled
@@ -82,12 +79,13 @@ __all__ = [
     "with_unit",
 ]
 
-#: What reads a file of each kind.
-_READERS: Final[Mapping[str, Callable[[bytes, str | None], Drawing]]] = {
-    "dxf": dxf.read,
-    "cf2": cf2.read,
-    "svg": svg.read,
-    "pdf": pdf.read,
+_Reader = Callable[[bytes, str | None], Drawing]
+#: Modules that read a file of each kind, each imported when the first such file is read.
+_READERS: Final[Mapping[str, str]] = {
+    "dxf": "knifetip.dxf.read",
+    "cf2": "knifetip.cf2.read",
+    "svg": "knifetip.svg.read",
+    "pdf": "knifetip.pdf.read",
 }
 #: How far the tip may be from the line (mm).
 TOLERANCE = 0.01
@@ -128,7 +126,7 @@ def read_drawing(data: bytes, unit: str | None = None) -> Drawing:
     ReadError
         The bytes are not a drawing that can be used.
     """
-    reader = _READERS[kind_of(data)]
+    reader: _Reader = import_module(_READERS[kind_of(data)]).read
     drawing = reader(data, unit)
     if unit:
         return drawing

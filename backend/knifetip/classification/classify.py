@@ -25,7 +25,7 @@ from knifetip.classification.mirror import contradicted
 from knifetip.classification.role import Role
 from knifetip.classification.rules import BY_LAYER, Matches, Styles
 from knifetip.classification.tally import FLAGS, HOLDS, MIXED, TEXT, Tally
-from knifetip.classification.words import hint
+from knifetip.classification.words import CENTRE_LINE, DASHED, hint
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
@@ -37,9 +37,6 @@ from knifetip.model.question import Question
 
 #: In a column of overrides: leave this edge as the profile has it.
 KEEP = 255
-
-_BROKEN = ("dash", "hidden", "dot", "strich")
-_AXES = ("center", "centre", "phantom", "mitte")
 
 
 def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules] = ()) -> Dieline:
@@ -305,9 +302,9 @@ def _likely(layer: str, linetype: str, reaches: bool, straight: bool) -> Sequenc
     style = matching.folded(linetype)
     named = hint(layer).kind
     guesses = [] if named is None else [named]
-    if any(part in style for part in _AXES):
+    if any(part in style for part in CENTRE_LINE):
         guesses.append(LineType.IGNORED)
-    elif any(part in style for part in _BROKEN):
+    elif any(part in style for part in DASHED):
         guesses.append(LineType.CREASE)
     guesses.append(LineType.CREASE if straight and not reaches else LineType.CUT)
     return tuple(dict.fromkeys(guesses))

@@ -21,7 +21,7 @@ from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRules
 
-#: What is made along a fold, or across a panel, rather than round it.
+#: Line types of fold lines.
 FOLDS = (LineType.CREASE, LineType.V_GROOVE, LineType.PERFORATION, LineType.COMBI)
 _HOW_MANY = 2000
 

@@ -15,10 +15,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from knifetip.classification.conventions import Fit
+from knifetip.classification.conventions import FOLDS, Fit
 from knifetip.classification.role import ASIDE, HOLES, Role
 from knifetip.classification.rules import Matches, Styles
-from knifetip.classification.words import hint
+from knifetip.classification.words import DASHED, hint
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRules
@@ -26,13 +26,8 @@ from knifetip.model.profile import LineRules
 #: Less sure than this is asked.
 SURE = 0.8
 
-_FOLDS = (
-    LineType.CREASE,
-    LineType.V_GROOVE,
-    LineType.PERFORATION,
-    LineType.COMBI,
-    LineType.HALF_CUT,
-)
+#: Line types that divide panels.
+_DIVIDING = (*FOLDS, LineType.HALF_CUT)
 #: Of these it is so certain that no rule stands against it.
 _CERTAINLY = (Role.ARROW, Role.LEGEND)
 #: A style with more than this share of all dividing lines has the creases, where panels hang on
@@ -50,8 +45,6 @@ _SURELY: dict[Role, float] = {
     Role.NAMED: 0.9,
     Role.LEGEND: 0.95,
 }
-_BROKEN = ("dash", "hidden", "dot", "strich", "pointill", "tratt", "trazo", "kesik", "штрих")
-_AXES = ("center", "centre", "phantom", "mitte", "axe", "eje", "asse")
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,7 +222,7 @@ class Judge:
                 worth = 0.4 if plain and role in (Role.OUTLINE, Role.DIVIDER) else 0.8
                 sure = 1.0 - (1.0 - sure) * worth
                 votes.append(fit.words)
-            elif role == Role.DIVIDER and guess == LineType.CREASE and colour in _FOLDS:
+            elif role == Role.DIVIDER and guess == LineType.CREASE and colour in _DIVIDING:
                 guess, sure = colour, 0.65
                 votes.append(fit.words)
             elif role in ASIDE:
@@ -245,10 +238,10 @@ class Judge:
             votes.append(f'but its layer is called "{_shown(self.styles.layer[style])}"')
         elif named is not None:
             alike = named == guess
-            fold = role in (Role.DIVIDER, Role.SLIT, Role.FREE, *HOLES) and named in _FOLDS
+            fold = role in (Role.DIVIDER, Role.SLIT, Role.FREE, *HOLES) and named in _DIVIDING
             if alike:
                 sure = 1.0 - (1.0 - sure) * 0.25
-            elif role == Role.DIVIDER and named in _FOLDS:
+            elif role == Role.DIVIDER and named in _DIVIDING:
                 guess, sure = named, 0.9
             elif fold or (
                 named == LineType.IGNORED and role in (Role.FREE, Role.SLIT, Role.MARK, *HOLES)
@@ -292,7 +285,7 @@ class Judge:
                 if self.folding_main[style]:
                     return LineType.CREASE, 0.9, f"{why}, and panels hang on most of them"
                 linetype = self.styles.linetype[style].casefold()
-                dashed = any(part in linetype for part in _BROKEN) or self.dashes[style] > 0.5
+                dashed = any(part in linetype for part in DASHED) or self.dashes[style] > 0.5
                 if dashed:
                     why += ", in dashes"
                 if self.pairs[style] > 0.1:

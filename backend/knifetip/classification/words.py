@@ -18,6 +18,10 @@ from functools import lru_cache
 
 from knifetip.model.dieline import LineType
 
+#: Parts of the names of dashed line styles, and of those that draw centre lines; folded.
+DASHED = ("dash", "hidden", "dot", "strich", "pointill", "tratt", "trazo", "kesik", "штрих")
+CENTRE_LINE = ("center", "centre", "phantom", "mitte", "axe", "eje", "asse")
+
 #: Words by what they mean; folded, without accents.
 _WORDS: dict[LineType, str] = {
     LineType.CUT: """

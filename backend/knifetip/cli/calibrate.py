@@ -14,7 +14,7 @@ import typer
 from knifetip import pipeline
 from knifetip.cli.drawing import Json
 from knifetip.cli.program import BoardName, MachineName
-from knifetip.cli.terminal import read_bytes, show, stderr, write_bytes
+from knifetip.cli.terminal import print_stderr, read_bytes, show, write_bytes
 from knifetip.errors import LibraryError
 from knifetip.library import deflection, load
 from knifetip.model.board import Deflection
@@ -106,7 +106,6 @@ def register(app: typer.Typer) -> None:
             return
         typer.echo(lines, nl=False)
         where = f"kept in {store}" if store is not None else "lines for the board's file"
-        stderr.print(
-            f"{len(azimuths)} points, none farther than {made.residual:.4f} mm from it; {where}.",
-            markup=False,
+        print_stderr(
+            f"{len(azimuths)} points, none farther than {made.residual:.4f} mm from it; {where}."
         )

@@ -11,7 +11,7 @@ import typer
 
 from knifetip import pipeline
 from knifetip.cli.rules import named
-from knifetip.cli.terminal import QUESTIONS, ask, read_bytes, show, write_bytes
+from knifetip.cli.terminal import QUESTIONS, read_bytes, report_questions, show, write_bytes
 from knifetip.dxf.samples import samples
 from knifetip.errors import LibraryError
 from knifetip.geometry.columns import I64
@@ -168,7 +168,11 @@ def register(app: typer.Typer) -> None:
         unit: Unit = None,
         json: Json = False,
     ) -> None:
-        """Say of every edge what it is, and by which rule."""
+        """Show the line type of every edge and the rule that gave it; exits with 2 if any is open.
+
+        Open means that a question must be answered before a program can be made: the drawing's
+        unit, or the line type of some edges.  Answer with --unit, --layer or a profile.
+        """
         result = load_drawing(file, unit, profile, layer)
         listed = edges(result.drawing, result.dieline)
         asked = result.questions()
@@ -182,15 +186,17 @@ def register(app: typer.Typer) -> None:
                     "ledger": ledger(result.drawing),
                 }
             )
-            return
-        typer.echo(f"{file.name}: {_size(about)}; {result.drawing.evidence}")
-        for kind in LineType:
-            chosen = result.dieline.line_type == kind
-            if chosen.any():
-                length = float(result.drawing.lengths[chosen].sum())
-                typer.echo(f"  {kind.word:12} {int(chosen.sum()):6} edges {length:12.1f} mm")
-                _say(_why(result, np.flatnonzero(chosen)), indent=4)
-        ask(asked)
+        else:
+            typer.echo(f"{file.name}: {_size(about)}; {result.drawing.evidence}")
+            for kind in LineType:
+                chosen = result.dieline.line_type == kind
+                if chosen.any():
+                    length = float(result.drawing.lengths[chosen].sum())
+                    typer.echo(f"  {kind.word:12} {int(chosen.sum()):6} edges {length:12.1f} mm")
+                    _say(_why(result, np.flatnonzero(chosen)), indent=4)
+            report_questions(asked)
+        if asked:
+            raise typer.Exit(QUESTIONS)
 
     @app.command()
     def clean(
@@ -203,7 +209,7 @@ def register(app: typer.Typer) -> None:
         """Say what is put in order before a drawing is made: of each edge, what became of it."""
         result = load_drawing(file, unit, profile, layer)
         if not result.drawing.unit:
-            ask(result.questions())
+            report_questions(result.questions())
             raise typer.Exit(QUESTIONS)
         tidy = pipeline.clean(result.dieline)
         about = described(file.name, result.drawing)

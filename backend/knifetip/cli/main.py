@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 from importlib import import_module
 from typing import Any, Final, NamedTuple
@@ -20,7 +21,10 @@ class _Command(NamedTuple):
 # A command's module, and all that it imports, is only loaded to run that command.
 COMMANDS: Final[dict[str, _Command]] = {
     "read": _Command("drawing", "Say what is in a drawing, and what became of every entity."),
-    "classify": _Command("drawing", "Say of every edge what it is, and by which rule."),
+    "classify": _Command(
+        "drawing",
+        "Show the line type of every edge and the rule that gave it; exits with 2 if any is open.",
+    ),
     "clean": _Command(
         "drawing",
         "Say what is put in order before a drawing is made: of each edge, what became of it.",
@@ -56,9 +60,14 @@ COMMANDS: Final[dict[str, _Command]] = {
 
 def loaded(name: str) -> Any:
     """Return a command with its parameters, from the module that registers it."""
+    # Imports create only objects that live until the end: not one is worth looking for, now or
+    # in a later collection.
+    gc.disable()
     app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
     app.callback()(lambda: None)  # without one, an app of one command is that command
     import_module(f"knifetip.cli.{COMMANDS[name].module}").register(app)
+    gc.freeze()
+    gc.enable()
     group: Any = typer.main.get_command(app)
     return group.commands[name]
 
@@ -82,13 +91,13 @@ app = _Commands(
 
 
 def main() -> None:
-    """Run the command line; a known error becomes its words and exit code 3."""
+    """Run the command line; a ``KnifetipError`` is printed and ends with exit code 3."""
     try:
         app()
     except KnifetipError as error:
-        from knifetip.cli.terminal import UNUSABLE, say  # most commands do not fail
+        from knifetip.cli.terminal import UNUSABLE, report_error  # most commands do not fail
 
-        say(error)
+        report_error(error)
         sys.exit(UNUSABLE)
     except KeyboardInterrupt:
         sys.exit(130)

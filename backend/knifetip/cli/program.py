@@ -26,12 +26,12 @@ from knifetip.cli.drawing import (
 from knifetip.cli.terminal import (
     QUESTIONS,
     REFUSED,
-    ask,
     dumped,
+    print_stderr,
     progress,
     read_bytes,
+    report_questions,
     show,
-    stderr,
     write_bytes,
 )
 from knifetip.errors import PlanError, ProgramUnreadable
@@ -156,23 +156,21 @@ def unreached(areas: Unreached) -> list[dict[str, Any]]:
 def tell(verdict: Verdict) -> None:
     """Print a verdict: its figures, and what is wrong."""
     word = "accepted" if verdict.accepted else "refused"
-    stderr.print(
+    print_stderr(
         f"{word}: deviation {verdict.deviation.max(initial=0.0):.4f} mm "
         f"(tolerance {verdict.tolerance:g}), overcut {verdict.overcut.max(initial=0.0):.3f} mm, "
         f"uncut {verdict.uncut.sum():.3f} mm, {verdict.seconds:.1f} s",
-        markup=False,
-        style="bold green" if verdict.accepted else "bold red",
+        "green" if verdict.accepted else "red",
     )
     if len(verdict.areas):
-        stderr.print(
+        print_stderr(
             f"  the cutter does not get to {verdict.areas.area.sum():.2f} mm² in "
-            f"{len(verdict.areas)} places, which stay uncut",
-            markup=False,
+            f"{len(verdict.areas)} places, which stay uncut"
         )
     for finding in verdict.findings[:20]:
-        stderr.print(f"  {finding.text}", markup=False)
+        print_stderr(f"  {finding.text}")
     if len(verdict.findings) > 20:
-        stderr.print(f"  and {len(verdict.findings) - 20} more", markup=False)
+        print_stderr(f"  and {len(verdict.findings) - 20} more")
 
 
 def register(app: typer.Typer) -> None:
@@ -222,7 +220,7 @@ def register(app: typer.Typer) -> None:
             drawn = load_drawing(file, unit, profile, layer)
             asked = drawn.questions(table)
             if asked:
-                ask(asked)
+                report_questions(asked)
                 raise typer.Exit(QUESTIONS)
             result = pipeline.compiled(
                 drawn.drawing,
@@ -260,10 +258,9 @@ def register(app: typer.Typer) -> None:
         tell(result.verdict)
         full = result.seconds_retracted
         if full > result.seconds:
-            stderr.print(
+            print_stderr(
                 f"  {result.seconds:.1f} s on the machine, {1.0 - result.seconds / full:.0%} less "
-                f"than the {full:.1f} s with full retracts",
-                markup=False,
+                f"than the {full:.1f} s with full retracts"
             )
         if not result.verdict.accepted:
             raise typer.Exit(REFUSED)
@@ -285,7 +282,7 @@ def register(app: typer.Typer) -> None:
         drawn = load_drawing(drawing, unit, profile, layer)
         asked = drawn.questions(table)
         if asked:
-            ask(asked)
+            report_questions(asked)
             raise typer.Exit(QUESTIONS)
         text = read_bytes(program)
         where = pipeline.placement_of(text, table)

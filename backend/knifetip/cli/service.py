@@ -10,7 +10,7 @@ from typing import Annotated
 
 import typer
 
-from knifetip.cli.terminal import stderr
+from knifetip.cli.terminal import print_stderr
 from knifetip.errors import StoreError
 from knifetip.library import load
 
@@ -76,7 +76,7 @@ def register(app: typer.Typer) -> None:
             key=key,
             key_file=key_file,
             hosts=tuple(allow_host or ()),
-            told=lambda text: stderr.print(text, markup=False),
+            told=print_stderr,
         )
 
     @app.command()
@@ -97,7 +97,7 @@ def register(app: typer.Typer) -> None:
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda _number, _frame: stopping.set())
         workshop.start()
-        stderr.print(f"compiling for {database}", markup=False)
+        print_stderr(f"compiling for {database}")
         stopping.wait()
         workshop.stop()
         store.close()
@@ -123,7 +123,7 @@ def register(app: typer.Typer) -> None:
 
         table = load.machine(machine)
         dial = find_language(table.dialect).dial()
-        stderr.print(f"{table.title}: {controller}, work from {server}", markup=False)
+        print_stderr(f"{table.title}: {controller}, work from {server}")
         headers = {"Authorization": f"Bearer {key}"} if key else {}
         asyncio.run(
             claim.work(
@@ -152,7 +152,7 @@ def register(app: typer.Typer) -> None:
                 host,
                 port,
                 speed=speed,
-                ready=lambda server: stderr.print(f"listening on {server.address}", markup=False),
+                ready=lambda server: print_stderr(f"listening on {server.address}"),
             )
         except OSError as reason:
             raise StoreError(

@@ -1,4 +1,4 @@
-"""What all commands share: exit codes, words on stderr, JSON on stdout, files in and out."""
+"""What all commands share: exit codes, lines on stderr, JSON on stdout, files."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+import typer
 
 from knifetip.errors import (
     DrawingTooLarge,
@@ -27,25 +26,28 @@ REFUSED = 1
 QUESTIONS = 2
 UNUSABLE = 3
 
-stderr = Console(stderr=True, highlight=False, soft_wrap=True)
+
+def print_stderr(text: str, colour: str | None = None) -> None:
+    """Print a line on stderr, in bold and in colour if one is given and stderr is a terminal."""
+    typer.secho(text, err=True, fg=colour, bold=colour is not None)
 
 
-def say(error: KnifetipError) -> None:
+def report_error(error: KnifetipError) -> None:
     """Print an error: what is wrong, then what to do."""
     if isinstance(error, OpenQuestions):
         for question in error.questions:
-            stderr.print(f"? {from_json(question)}", markup=False)
+            print_stderr(f"? {from_json(question)}")
         return
-    stderr.print(f"knifetip: {error.message}", markup=False, style="bold red")
+    print_stderr(f"knifetip: {error.message}", "red")
     if error.hint:
-        stderr.print(error.hint, markup=False)
+        print_stderr(error.hint)
 
 
-def ask(questions: Sequence[Question]) -> None:
-    """Print the open questions, each with what may be answered."""
+def report_questions(questions: Sequence[Question]) -> None:
+    """Print open questions with their possible answers."""
     for question in questions:
-        stderr.print(f"? {question.text}", markup=False, style="bold yellow")
-        stderr.print(f"  {' | '.join(question.choices)}", markup=False)
+        print_stderr(f"? {question.text}", "yellow")
+        print_stderr(f"  {' | '.join(question.choices)}")
 
 
 def show(data: Any) -> None:
@@ -69,7 +71,8 @@ def read_bytes(path: Path) -> bytes:
             data = file.read(most + 1)
     except OSError as reason:
         raise NotADrawing(
-            f"{path}: {reason.strerror or reason}.", "Check the name and the rights of the file."
+            f"{path}: {reason.strerror or reason}.",
+            "Check the name and the permissions of the file.",
         ) from reason
     if len(data) > most:
         raise DrawingTooLarge(
@@ -97,16 +100,28 @@ def write_bytes(path: Path, data: bytes) -> None:
 
 @contextmanager
 def progress(title: str) -> Iterator[Any]:
-    """Show a bar on stderr while work is going on; yields a function of stage and share."""
+    """Show a progress bar if stderr is a terminal.
+
+    Yields
+    ------
+    callable
+        ``update(stage, fraction)``.
+    """
+    if not sys.stderr.isatty():
+        yield lambda _stage, _fraction: None
+        return
+    from rich.console import Console  # slow to import
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
     columns = (
         TextColumn("[bold]{task.fields[title]}"),
         BarColumn(),
         TextColumn("{task.description}"),
         TimeElapsedColumn(),
     )
-    with Progress(*columns, console=stderr, transient=True, disable=not stderr.is_terminal) as bar:
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("read", total=1.0, title=title)
-        yield lambda stage, share: bar.update(task, description=stage, completed=share)
+        yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)
 
 
 def dumped(data: Any) -> bytes:

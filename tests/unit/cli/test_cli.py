@@ -37,6 +37,16 @@ def test_classify_says_of_every_edge_what_it_is_and_why(knifetip, folder):
     assert {row["fate"] for row in data["ledger"]} == {"kept"}
 
 
+@pytest.mark.parametrize("options", [(), ("--json",)])
+def test_classify_ends_with_2_while_a_question_is_open(knifetip, tmp_path, options):
+    shape = [text.line(0, 0, 100, 0, (8, "?")), text.line(100, 0, 100, 80, (8, "?"))]
+    (tmp_path / "open.dxf").write_bytes(text.dxf(*shape, units=4))
+    code, out, _ = knifetip("classify", tmp_path / "open.dxf", *options)
+    assert (code, out != "") == (2, True)
+    code, _, err = knifetip("classify", tmp_path / "open.dxf", "--layer", "?=cut", *options)
+    assert (code, err) == (0, "")
+
+
 def test_read_lists_every_entity(knifetip, folder):
     code, out, _ = knifetip("read", folder / "tuck-end-carton.dxf", "--json")
     assert code == 0

@@ -59,6 +59,7 @@ def test_every_index_of_pip_is_handed_on_in_the_separator_of_its_variable(instal
     }
     assert install.uv_environment(options, {}) == {
         "UV_INDEX_STRATEGY": "unsafe-best-match",
+        "UV_COMPILE_BYTECODE": "1",
         "UV_DEFAULT_INDEX": "https://a/simple",
         "UV_INDEX": "https://b/simple file:///c/simple",
         "UV_FIND_LINKS": "/wheels,/more",
