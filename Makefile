@@ -24,7 +24,8 @@ help:
 # Compiled code is kept beside the source, and does not see that what it calls, or a number that it
 # has from another file, has changed: when a file in a room with kernels is newer, all of them are
 # compiled anew.
-ROOMS   := $(sort $(dir $(shell grep -rl "^@njit" backend/knifetip --include=*.py)))
+ROOMS   := $(sort backend/knifetip/kernels/ \
+	$(dir $(shell grep -rlE "^@(inline_)?kernel|^@njit" backend/knifetip --include=*.py)))
 KERNELS := $(wildcard $(addsuffix *.py,$(ROOMS)))
 
 install: $(VENV)/.kernels

@@ -26,7 +26,7 @@ from typing import Any
 import numba
 import numpy as np
 
-from knifetip import geometry
+from knifetip import geometry, kernels
 from knifetip.errors import KnifetipError
 from knifetip.intake.limits import REACH
 from knifetip.model.drawing import Drawing
@@ -45,13 +45,13 @@ def watched(*packages: str) -> Iterator[None]:
     # Atheris goes by the first part of a name only.  What is imported before, it leaves alone.
     for module in pkgutil.iter_modules(geometry.__path__, "knifetip.geometry."):
         importlib.import_module(module.name)
-    compiled = numba.njit
-    numba.njit = _as_python
+    decorators = numba.njit, kernels.kernel, kernels.inline_kernel
+    numba.njit = kernels.kernel = kernels.inline_kernel = _as_python
     try:
         with atheris.instrument_imports(include=list(packages)):
             yield
     finally:
-        numba.njit = compiled
+        numba.njit, kernels.kernel, kernels.inline_kernel = decorators
 
 
 def _as_python(*function: Any, **_options: Any) -> Any:

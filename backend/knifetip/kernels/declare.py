@@ -1,0 +1,95 @@
+"""From the annotations of a function to the numba types of its arguments."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from typing import Any, get_args, get_origin, get_type_hints
+
+from numba import types
+from numba.core.datamodel import models, register_default
+from numba.core.imputils import lower_cast
+from numba.core.typeconv import Conversion
+from numba.core.types.npytypes import Array as NumbaArray
+from numba.np.numpy_support import from_dtype
+from numpy import dtype
+
+from knifetip.kernels.vocabulary import Array, Scalar
+
+_PLAIN = {float: types.float64, int: types.int64, bool: types.boolean}
+
+
+class Group(types.NamedTuple):
+    """A declared named tuple: takes values of its class whose fields convert to those declared.
+
+    numba itself converts no named tuple, so that a writable array in one would not do for a
+    read-only one.
+    """
+
+    def can_convert_from(self, typingctx: Any, other: Any) -> Any:
+        """Return how a named tuple converts to this, or None where it does not."""
+        if getattr(other, "instance_class", None) is not self.instance_class:
+            return None
+        kinds = [typingctx.can_convert(a, b) for a, b in zip(other, self, strict=True)]
+        if any(kind is None for kind in kinds):
+            return None
+        return max([Conversion.safe, *kinds])
+
+
+register_default(Group)(models.TupleModel)
+
+
+@lower_cast(types.BaseNamedTuple, Group)
+def _cast_group(context: Any, builder: Any, given: Any, declared: Any, value: Any) -> Any:
+    fields = [
+        context.cast(builder, builder.extract_value(value, i), a, b)
+        for i, (a, b) in enumerate(zip(given, declared, strict=True))
+    ]
+    return context.make_tuple(builder, declared, fields)
+
+
+def argument_types(function: Callable[..., Any]) -> dict[str, Any]:
+    """Return the numba type of each argument of a function, by name.
+
+    Raises
+    ------
+    TypeError
+        An argument has no annotation or one outside the vocabulary, or a default value.
+    """
+    hints = get_type_hints(function, include_extras=True)
+    declared = {}
+    for name, parameter in inspect.signature(function).parameters.items():
+        where = f"{function.__module__}.{function.__qualname__}: argument {name}"
+        if parameter.default is not parameter.empty:
+            raise TypeError(f"{where} has a default value. Kernels get every argument.")
+        if parameter.kind is not parameter.POSITIONAL_OR_KEYWORD:
+            raise TypeError(f"{where} is no plain argument. Name each argument.")
+        if name not in hints:
+            raise TypeError(f"{where} has no annotation. See knifetip.kernels for the vocabulary.")
+        declared[name] = _numba_type(hints[name], where)
+    return declared
+
+
+def _numba_type(annotation: Any, where: str) -> Any:
+    if annotation in _PLAIN:
+        return _PLAIN[annotation]
+    for extra in getattr(annotation, "__metadata__", ()):
+        if isinstance(extra, Scalar):
+            return from_dtype(dtype(extra.dtype))
+        if isinstance(extra, Array):
+            return NumbaArray(
+                from_dtype(dtype(extra.dtype)),
+                extra.dimensions,
+                extra.order,
+                readonly=not extra.writable,
+            )
+    if get_origin(annotation) is tuple:
+        return types.Tuple([_numba_type(each, where) for each in get_args(annotation)])
+    if isinstance(annotation, type) and hasattr(annotation, "_fields"):
+        fields = get_type_hints(annotation, include_extras=True)
+        return Group(
+            [_numba_type(fields[f], f"{where}.{f}") for f in annotation._fields], annotation
+        )
+    raise TypeError(
+        f"{where} is declared as {annotation}. See knifetip.kernels for the vocabulary."
+    )

@@ -1,0 +1,141 @@
+"""The decorators, and the dispatcher that compiles a kernel for its declared signature only.
+
+numba's own dispatcher compiles anew for each combination of argument types that it meets: for
+read-only and writable arrays, and inside other kernels for every constant that is passed.  With
+signatures given beforehand it compiles when the module is imported, and casts floats to integers.
+This one compiles at the first call, or loads what is kept beside the source, and converts only
+where no digit can be lost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any, TypeVar, overload
+
+from numba import typeof
+from numba.core import errors, typing
+from numba.core.registry import CPUDispatcher
+from numba.core.typeconv import Conversion
+
+from knifetip.kernels.declare import argument_types
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+class Kernel(CPUDispatcher):
+    """A function that is compiled for the signature that its annotations declare."""
+
+    @cached_property
+    def declared(self) -> dict[str, Any]:
+        """Return the numba types of the arguments, by name."""
+        return argument_types(self.py_func)
+
+    @cached_property
+    def _accepted(self) -> set[tuple[Any, ...]]:
+        """The combinations of types that the machine code has been registered for.
+
+        Kept so that numba gives the codes of these types to no others.
+        """
+        return {tuple(self.declared.values())}
+
+    def compile(self, _sig: object = None) -> Any:
+        """Compile for the declared signature, or load it from the cache; return its entry point.
+
+        numba passes the types of the arguments of a call, which are not needed here.
+        """
+        return super().compile(tuple(self.declared.values()))
+
+    def get_call_template(self, args: Sequence[Any], kws: dict[str, Any]) -> Any:
+        """Return the types of a call from another kernel (numba's protocol).
+
+        Raises
+        ------
+        numba.core.errors.TypingError
+            An argument has another type than declared.
+        """
+        pysig, args = self._compiler.fold_argument_types(args, kws)
+        if wrong := self._mismatch(args):
+            raise errors.TypingError(wrong)
+        if not self.overloads:
+            self.compile()
+        name = self.py_func.__name__
+        template = typing.make_concrete_template(name, name, self.nopython_signatures)
+        return template, pysig, args, {}
+
+    def _compile_for_args(self, *args: Any, **_kws: Any) -> Any:
+        # Called where no compiled signature fits the arguments as they are: at the first call, and
+        # Called by numba's C code for types of arguments that it has not yet met; it calls what is
+        # returned, which converts as it takes the arguments out of their Python objects.
+        entry_point = self.compile()
+        given = tuple(typeof(value) for value in args)
+        if wrong := self._mismatch(given):
+            raise TypeError(wrong)
+        if given not in self._accepted:
+            self._accepted.add(given)
+            self._insert([each._code for each in given], entry_point, False)
+        return entry_point
+
+    def _mismatch(self, given: Sequence[Any]) -> str:
+        """Return which argument does not have its declared type, or ""."""
+        for (name, declared), each in zip(self.declared.items(), given, strict=True):
+            kind = self.typingctx.can_convert(each, declared)
+            if kind is None or kind > Conversion.safe:
+                where = f"{self.py_func.__module__}.{self.py_func.__name__}"
+                return f"{where}: argument {name} is {each}, declared is {declared}. Convert it."
+        return ""
+
+
+def _compiled(function: _Function, **options: Any) -> _Function:
+    dispatcher: Any = Kernel(
+        function, targetoptions={"nopython": True, "no_cfunc_wrapper": True, **options}
+    )
+    dispatcher.enable_caching()
+    return dispatcher  # type: ignore[no-any-return]
+
+
+@overload
+def kernel(function: _Function, /) -> _Function: ...
+
+
+@overload
+def kernel(
+    *, allocates: bool = True, checks_division: bool = False
+) -> Callable[[_Function], _Function]: ...
+
+
+def kernel(
+    function: _Function | None = None,
+    /,
+    *,
+    allocates: bool = True,
+    checks_division: bool = False,
+) -> _Function | Callable[[_Function], _Function]:
+    """Compile a function that other threads may run beside.
+
+    Parameters
+    ----------
+    allocates
+        False for a function that makes no array and keeps none, in itself or what it calls: it is
+        compiled without counting of references, which takes longer than what such a kernel does
+        at every turn, and by instructions that wait for the other cores.
+    checks_division
+        Raise ``ZeroDivisionError`` where Python does; otherwise division by 0 gives inf, nan or 0.
+    """
+    options: dict[str, Any] = {
+        "nogil": True,
+        "error_model": "python" if checks_division else "numpy",
+    }
+    if not allocates:
+        options["_nrt"] = False
+    if function is not None:
+        return _compiled(function, **options)
+    return lambda decorated: _compiled(decorated, **options)
+
+
+def inline_kernel(function: _Function) -> _Function:
+    """Compile a function into each kernel that calls it: calls with a dozen arrays take time.
+
+    It makes no array and keeps none (``allocates=False``).
+    """
+    return _compiled(function, error_model="numpy", forceinline=True, _nrt=False)

@@ -1,0 +1,30 @@
+"""The kernels of a package, for who compiles or counts them."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from collections.abc import Iterator
+
+from knifetip.kernels.dispatch import Kernel
+
+
+def kernels_of(*packages: str) -> Iterator[Kernel]:
+    """Yield each kernel of some packages and their modules once, in the order of their names.
+
+    Parameters
+    ----------
+    packages
+        Full names, such as ``"knifetip.geometry"``, of packages or modules; they are imported.
+    """
+    for package in packages:
+        imported = importlib.import_module(package)
+        modules = [package]
+        for found in pkgutil.walk_packages(getattr(imported, "__path__", []), f"{package}."):
+            # Importing a ``__main__`` or a migration would run it.
+            if not found.name.endswith(".__main__") and ".migrations" not in found.name:
+                modules.append(found.name)
+        for name in modules:
+            for value in vars(importlib.import_module(name)).values():
+                if isinstance(value, Kernel) and value.py_func.__module__ == name:
+                    yield value

@@ -1,0 +1,170 @@
+"""One signature per kernel, declared by its annotations; and errors that name the argument."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from numba.core.errors import TypingError
+
+from knifetip.kernels import F64_1, I32_1, U64, Kernel, OutI64_1, inline_kernel, kernel
+from knifetip.kernels.walk import kernels_of
+
+
+class Tables(NamedTuple):
+    """Values, how many of them count, and room for a result."""
+
+    values: F64_1
+    count: int
+    result: OutI64_1
+
+
+@inline_kernel
+def _at(values: F64_1, i: int) -> float:
+    return float(values[i])
+
+
+@kernel
+def _sum(values: F64_1, first: int, more: float, twice: bool) -> float:
+    total = _at(values, 0) + _at(values, first) + _at(values, -1) + more
+    return 2.0 * total if twice else total
+
+
+@kernel
+def _count(tables: Tables) -> int:
+    tables.result[0] = tables.count
+    return int(tables.result[0])
+
+
+@kernel
+def _sum_of_sums(tables: Tables, other: F64_1) -> float:
+    again = Tables(other, 2, tables.result)
+    return (
+        _sum(tables.values, 0, 0, False)
+        + _sum(other, -1, 1.0, True)
+        + _sum(tables.values[1:], 0, 0.0, True)
+        + _count(tables)
+        + _count(again)
+    )
+
+
+@kernel
+def _half(x: float, y: float) -> float:
+    return x / y
+
+
+@kernel(checks_division=True)
+def _checked_half(x: float, y: float) -> float:
+    return x / y
+
+
+@kernel(allocates=False)
+def _wide(x: U64, rows: I32_1) -> int:
+    return int(x) + int(rows[0])
+
+
+def _signatures(function: Callable[..., Any]) -> int:
+    assert isinstance(function, Kernel)
+    return len(function.signatures)
+
+
+def _frozen(values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    values.flags.writeable = False
+    return values
+
+
+VALUES = np.arange(1.0, 5.0)
+
+
+def test_a_kernel_is_compiled_at_its_first_call_and_not_before():
+    @kernel
+    def twice(x: float) -> float:
+        return 2.0 * x
+
+    assert _signatures(twice) == 0
+    assert twice(1.5) == 3.0
+    assert _signatures(twice) == 1
+
+
+def test_read_only_arrays_narrow_numbers_and_integers_for_floats_use_one_signature():
+    assert _sum(VALUES, 1, 0.0, False) == 1.0 + 2.0 + 4.0
+    assert _sum(_frozen(VALUES.copy()), np.int32(1), 3, True) == 20.0
+    assert _sum(VALUES, np.int64(1), np.float64(3.0), np.bool_(True)) == 20.0
+    assert _signatures(_sum) == 1
+
+
+def test_constants_and_slices_inside_kernels_use_one_signature():
+    tables = Tables(VALUES, 4, np.zeros(1, np.int64))
+    frozen = Tables(_frozen(VALUES.copy()), 4, np.zeros(1, np.int64))
+    assert _sum_of_sums(tables, VALUES) == 6.0 + 20.0 + 16.0 + 4 + 2
+    assert _sum_of_sums(frozen, _frozen(VALUES.copy())) == _sum_of_sums(tables, VALUES)
+    assert tables.result[0] == 2
+    assert {_signatures(f) for f in (_sum_of_sums, _sum, _count, _at)} == {1}
+
+
+@pytest.mark.parametrize(
+    ("call", "named"),
+    [
+        (lambda: _sum(VALUES, 1.5, 0.0, False), "argument first is float64, declared is int64"),  # type: ignore[arg-type]
+        (lambda: _sum(VALUES.astype(np.float32), 1, 0.0, False), "argument values is array"),
+        (lambda: _sum(VALUES[::2], 1, 0.0, False), "argument values is array"),
+        (lambda: _wide(np.uint64(1), np.zeros(1, np.int64)), "argument rows is array"),
+        (lambda: _count(Tables(VALUES, 1, np.zeros(1, np.int32))), "argument tables is Tables"),
+        (lambda: _count(Tables(VALUES, 1, _frozen(np.zeros(1, np.int64)))), "argument tables"),
+    ],
+)
+def test_what_is_not_as_declared_is_refused_by_the_name_of_its_argument(call, named):
+    with pytest.raises(TypeError, match=named):
+        call()
+
+
+def test_no_kernel_casts_a_float_to_an_integer_in_a_call():
+    @kernel
+    def wrong(values: F64_1) -> float:
+        return _at(values, values[0])
+
+    with pytest.raises(TypingError, match="argument i is float64, declared is int64"):
+        wrong(VALUES)
+
+
+def test_a_kernel_cannot_write_to_what_it_declares_as_read_only():
+    @kernel
+    def wrong(values: F64_1) -> float:
+        values[0] = 1.0
+        return 0.0
+
+    with pytest.raises(TypingError, match="readonly"):
+        wrong(VALUES)
+
+
+@pytest.mark.parametrize("missing", ["annotation", "default", "vocabulary"])
+def test_a_declaration_that_is_not_complete_is_refused(missing):
+    def no_annotation(x) -> float:
+        return float(x)
+
+    def default(x: float = 1.0) -> float:
+        return x
+
+    def vocabulary(x: list[float]) -> float:
+        return x[0]
+
+    function = {"annotation": no_annotation, "default": default, "vocabulary": vocabulary}[missing]
+    with pytest.raises(TypeError, match=f"argument x.*{missing}"):
+        kernel(function)(1.0)
+
+
+def test_division_by_zero_is_an_error_only_where_that_is_wanted():
+    assert _half(1.0, 0.0) == np.inf
+    with pytest.raises(ZeroDivisionError):
+        _checked_half(1.0, 0.0)
+
+
+def test_every_kernel_of_the_package_declares_one_signature():
+    found = list(kernels_of("knifetip"))
+    for each in found:
+        assert isinstance(each, Kernel)
+        assert len(each.declared) == each.py_func.__code__.co_argcount
+        assert len(each.signatures) <= 1
+    assert len({each.py_func for each in found}) == len(found)
