@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from numba.core.caching import NullCache
 from numba.core.errors import TypingError
 
 from knifetip.kernels import F64_1, I32_1, U64, Kernel, OutI64_1, inline_kernel, kernel
@@ -63,6 +64,14 @@ def _checked_half(x: float, y: float) -> float:
 @kernel(allocates=False)
 def _wide(x: U64, rows: I32_1) -> int:
     return int(x) + int(rows[0])
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _compiled_here() -> None:
+    """Take no machine code that another version of ``knifetip.kernels`` has kept."""
+    for each in (_at, _sum, _count, _sum_of_sums, _half, _checked_half, _wide):
+        assert isinstance(each, Kernel)
+        each._cache = NullCache()
 
 
 def _signatures(function: Callable[..., Any]) -> int:
