@@ -21,11 +21,12 @@ from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.pipeline import placement
 from knifetip.planning.plan import plan
 from knifetip.sequencing.duration import duration
-from knifetip.sequencing.order import Way, greedy, link_times, shortest
+from knifetip.sequencing.order import greedy, link_times, shortest
 from knifetip.sequencing.sequence import sequence
 from knifetip.sequencing.turning import retracted
 from tests.support.shapes import closed, dieline
@@ -42,26 +43,26 @@ PACE = np.array([[axis.velocity for axis in _AXES], [axis.acceleration for axis 
 DISTANCE = np.array([[1.0, 1.0, 1e9], [1e9, 1e9, 1e12]])
 
 
-def strokes(count: int, way: Way) -> tuple[F64, F64]:
+def strokes(count: int, way: Reversal) -> tuple[F64, F64]:
     """Strokes of 20 mm at every heading on a square metre, run from either end."""
     random = np.random.default_rng(1)
     start, azimuth = random.uniform(0, 1000, (count, 2)), random.uniform(0, 360, count)
     ahead = np.column_stack([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
     begin = np.column_stack([start, azimuth])
     finish = np.column_stack([start + 20.0 * ahead, azimuth])
-    if way == Way.ONE:
+    if way == Reversal.ONE:
         return np.stack([begin, begin]), np.stack([finish, finish])
     return np.stack([begin, finish]), np.stack([finish, begin])
 
 
 def order_shortest() -> tuple[str, int, Callable[[], object], dict[str, Callable[[], object]], int]:
     """Order reversible tracks, greedily and then shorter."""
-    entry, leave = strokes(1000, Way.EITHER)
+    entry, leave = strokes(1000, Reversal.EITHER)
     return (
         "reversible tracks, 2-opt + Or-opt + swaps",
         1000,
-        lambda: shortest(entry, leave, HOME, PACE, 180.0, Way.EITHER),
-        {"greedy": lambda: greedy(entry, leave, HOME, Way.EITHER)},
+        lambda: shortest(entry, leave, HOME, PACE, 180.0, Reversal.EITHER),
+        {"greedy": lambda: greedy(entry, leave, HOME, Reversal.EITHER)},
         3,
     )
 
@@ -107,7 +108,10 @@ def _metres(into: F64, out: F64) -> float:
 
 def _orders() -> Iterator[str]:
     """Yield how long the links of 1,000 strokes are, greedily and shortest."""
-    for way, period, ends in ((Way.EITHER, 180.0, "either end"), (Way.ONE, 360.0, "one end")):
+    for way, period, ends in (
+        (Reversal.EITHER, 180.0, "either end"),
+        (Reversal.ONE, 360.0, "one end"),
+    ):
         entry, leave = strokes(1000, way)
         for what, pace, unit in (("time", PACE, "s"), ("distance", DISTANCE, "m")):
             shortest(entry, leave, HOME, pace, period, way)

@@ -16,14 +16,12 @@ from hypothesis import strategies as st
 from knifetip.compensation.vgroove import sideways
 from knifetip.errors import CompensationError
 from knifetip.geometry.leaving import run_out
-from knifetip.model.tool import VCutter
+from knifetip.model.tool import TipCircle, VCutter
 from knifetip.sequencing.turning import (
-    TipCircle,
     axis,
     interference,
     interpolated,
     lifted,
-    tip_circle,
 )
 
 
@@ -116,7 +114,7 @@ def test_3_eq_2_goes_out_of_the_board_and_keeps_the_axis():
 def test_3_lifting_a_v_cutter_along_itself_is_the_oblique_lift_of_the_samplemaker_paper(c, tilt, d):
     cutter = VCutter(6.0, 1.5, tilt)
     pose = np.array([[0.0, 0.0, 0.0, c]])
-    up = lifted(pose, np.array([d]), tip_circle(cutter, d))
+    up = lifted(pose, np.array([d]), cutter.tip_circle(d))
     ahead = np.array([[cos(radians(c)), sin(radians(c))]])
     np.testing.assert_allclose(
         up[:, :2], sideways(np.zeros((1, 2)), ahead, cutter, np.array([d])), atol=1e-9

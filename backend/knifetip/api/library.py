@@ -12,6 +12,7 @@ from knifetip.api.service import on_shelf
 from knifetip.library import deflection, load
 from knifetip.library.load import cutter_of
 from knifetip.model.board import Deflection
+from knifetip.model.tool import kind_of
 
 router = APIRouter(tags=["library"])
 
@@ -67,8 +68,9 @@ def list_tools() -> list[StationTool]:
                 "machine": name,
                 "station": station.number,
                 "name": station.name,
-                "kind": load.kind_of(station.tool),
-                "dimensions": asdict(station.tool),
+                "kind": kind_of(station.tool).name,
+                "dimensions": station.tool.dimensions,
+                "footprint": station.tool.footprint,
             }
         )
         for name in load.names("machines")

@@ -11,6 +11,7 @@ from knifetip.api.service import Here, on_shelf
 from knifetip.api.waiting import ABSENT
 from knifetip.library import load
 from knifetip.model.machine import Machine
+from knifetip.model.tool import kind_of
 
 router = APIRouter(prefix="/machines", tags=["machines"])
 
@@ -46,6 +47,7 @@ def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineO
             "origin": machine.origin,
             "travel_z": machine.travel_z,
             "into_mat": machine.into_mat,
+            "offset_cuts": machine.offset_cuts,
             "feed": machine.feed,
             "axes": {axis: asdict(getattr(machine, axis)) for axis in "xyzc"},
             "stations": [
@@ -55,8 +57,9 @@ def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineO
                     "datum": {axis: getattr(station, axis) for axis in "xyzc"},
                     "output": station.output,
                     "tool": {
-                        "kind": load.kind_of(station.tool),
-                        "dimensions": asdict(station.tool),
+                        "kind": kind_of(station.tool).name,
+                        "dimensions": station.tool.dimensions,
+                        "footprint": station.tool.footprint,
                     },
                 }
                 for station in machine.stations

@@ -18,7 +18,6 @@ from knifetip.cli.terminal import print_stderr, read_bytes, show, write_bytes
 from knifetip.errors import LibraryError
 from knifetip.library import deflection, load
 from knifetip.model.board import Deflection
-from knifetip.model.tool import Cutter
 
 _COLUMNS = ("azimuth", "dx", "dy")
 
@@ -89,7 +88,7 @@ def register(app: typer.Typer) -> None:
         """
         table = load.machine(machine)
         text = load.text_of_board(board)
-        cutters = [one.name for one in table.stations if isinstance(one.tool, Cutter)]
+        cutters = [one.name for one in table.stations if one.tool.yields]
         if tool is None and len(cutters) > 1:
             raise LibraryError(
                 f"{table.title} has {len(cutters)} cutters.", f"Choose one: {', '.join(cutters)}."

@@ -11,7 +11,7 @@ from knifetip.cli.drawing import Json
 from knifetip.cli.terminal import show
 from knifetip.library import load
 from knifetip.model.machine import Machine, Station
-from knifetip.model.tool import VCutter
+from knifetip.model.tool import kind_of
 from knifetip.post.rs274.tool_table import tool_table
 
 
@@ -36,15 +36,12 @@ def described(machine: Machine) -> dict[str, Any]:
 
 def _station(station: Station) -> dict[str, Any]:
     tool = station.tool
-    dimensions = asdict(tool)
-    if isinstance(tool, VCutter):
-        dimensions["length"] = tool.length
     return {
         "number": station.number,
         "name": station.name,
         "datum": {"x": station.x, "y": station.y, "z": station.z, "c": station.c},
         "output": station.output,
-        "tool": {"kind": load.kind_of(tool), **dimensions},
+        "tool": {"kind": kind_of(tool).name, **tool.dimensions, **tool.derived},
     }
 
 

@@ -1,6 +1,6 @@
 """Corner: which way round each convex corner of a cutter's path, and what it costs.
 
-    Operation[Cutter] -> (n,) Corner and (n,) knob k, at the corner where each segment begins
+    Operation[DiscTool] -> (n,) Corner and (n,) knob k, at the corner where each segment begins
 
 B goes round on an arc and touches the corner all the way, C on straight lines with a stop at each
 bend, D on line, arc, line, which neither stops nor touches.  "auto" takes for each corner the one
@@ -23,7 +23,7 @@ from knifetip.geometry.path import Paths
 from knifetip.geometry.transition import Corner
 from knifetip.model.corners import AS_OTHERS, TYPES
 from knifetip.model.operation import Operation
-from knifetip.model.tool import Cutter
+from knifetip.model.tool import DiscTool
 
 #: Extension ends and insertion begins at this turn (radians).
 _SQUARE: Final = np.pi / 2.0
@@ -165,7 +165,7 @@ def corners(operation: Operation) -> tuple[U8, F64]:
         The corner policy is none of B, C, D and auto, or a knob is outside 0 … 1.
     """
     cutter = operation.tool
-    assert isinstance(cutter, Cutter)
+    assert isinstance(cutter, DiscTool)
     count = len(operation.paths.bulge)
     k = np.where(np.isnan(operation.k_at), operation.k, operation.k_at)
     within = (k >= 0.0) & (k <= 1.0)

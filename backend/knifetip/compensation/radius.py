@@ -1,6 +1,6 @@
 """Radius: the centre of a cutter runs r beside the line, so that its disc touches the part.
 
-    Operation[Cutter] -> Toolpath, one track along every equidistant
+    Operation[DiscTool] -> Toolpath, one track along every equidistant
 
 The same for a router and for the kerf of a beam, r = kerf / 2.  The offset is set up on a straight
 block longer than r before the contour and cancelled on one after it, so the tool goes down and
@@ -31,7 +31,7 @@ from knifetip.geometry.offset import equidistant
 from knifetip.geometry.path import Paths, begun_in_middle, interrupted, reversed_where
 from knifetip.geometry.tolerance import JOIN, POINT
 from knifetip.model.operation import Operation
-from knifetip.model.tool import Cutter
+from knifetip.model.tool import DiscTool
 from knifetip.model.toolpath import Motion, Toolpath
 
 #: Places on the way in and out that are looked at for other contours.
@@ -61,7 +61,7 @@ def centres(operation: Operation) -> Centres:
         corner policy, knob or deflection make no sense.
     """
     cutter = operation.tool
-    assert isinstance(cutter, Cutter)
+    assert isinstance(cutter, DiscTool)
     paths = operation.paths
     segment = np.arange(len(paths.bulge), dtype=np.int32)
     unreached = np.zeros(len(paths))
@@ -86,7 +86,7 @@ def centres(operation: Operation) -> Centres:
     return Centres(paths, segment[rows], unreached)
 
 
-def _refuse_lost(operation: Operation, cutter: Cutter, segment: I32) -> None:
+def _refuse_lost(operation: Operation, cutter: DiscTool, segment: I32) -> None:
     owner = operation.paths.path_of
     lost = np.setdiff1d(np.arange(len(operation.paths)), owner[segment])
     if len(lost):
@@ -148,7 +148,7 @@ def radius(operation: Operation) -> Toolpath:
         As ``centres``; or the cutter's ``lead`` is not longer than r.
     """
     cutter = operation.tool
-    assert isinstance(cutter, Cutter)
+    assert isinstance(cutter, DiscTool)
     if operation.side != 0 and cutter.set_up <= cutter.radius:
         raise CompensationError(
             f"The offset would be set up on a block of {cutter.set_up:g} mm, and r is "
@@ -200,7 +200,7 @@ def radius(operation: Operation) -> Toolpath:
     ).laid(operation)
 
 
-def _bridged(operation: Operation, cutter: Cutter, way: Centres) -> tuple[Centres, Bool]:
+def _bridged(operation: Operation, cutter: DiscTool, way: Centres) -> tuple[Centres, Bool]:
     """Return the ways of the centre with gaps for the bridges, and which of them are held by some.
 
     The gap is a bridge wide and 2r more, so that between the two discs the bridge is left.
@@ -246,7 +246,7 @@ def _bridged(operation: Operation, cutter: Cutter, way: Centres) -> tuple[Centre
 
 
 def _with_leads(
-    operation: Operation, cutter: Cutter, way: Centres, held: Bool
+    operation: Operation, cutter: DiscTool, way: Centres, held: Bool
 ) -> tuple[Paths, I32, U8]:
     """Return the centre's paths with their ways in and out, segments, and what each is for.
 
@@ -290,7 +290,7 @@ def _all(motion: Motion, like: I32) -> U8:
 
 
 def _lead(
-    operation: Operation, cutter: Cutter, place: F64, ahead: F64, side: int
+    operation: Operation, cutter: DiscTool, place: F64, ahead: F64, side: int
 ) -> tuple[F64, F64, F64]:
     """Return ``set_up`` for centres that begin at ``place``, shortened where contours are near.
 

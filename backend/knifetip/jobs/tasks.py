@@ -31,6 +31,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.machine import Machine
 from knifetip.model.profile import LineRules
+from knifetip.model.tool import kind_of
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
@@ -391,7 +392,7 @@ def _tools(made: Compiled, machine: Machine) -> list[dict[str, Any]]:
     """Return the stations that a tool path uses, in the order of their numbers."""
     used = set(np.unique(made.toolpath.tool).tolist())
     return [
-        {"station": station.number, "name": station.name, "kind": load.kind_of(station.tool)}
+        {"station": station.number, "name": station.name, "kind": kind_of(station.tool).name}
         for station in sorted(machine.stations, key=lambda one: one.number)
         if station.number in used
     ]
@@ -422,7 +423,7 @@ def _toolpath(made: Compiled, machine: Machine) -> bytes:
                 {
                     "number": station.number,
                     "name": station.name,
-                    "kind": load.kind_of(station.tool),
+                    "kind": kind_of(station.tool).name,
                     "datum": {"x": station.x, "y": station.y, "z": station.z, "c": station.c},
                 }
                 for station in machine.stations

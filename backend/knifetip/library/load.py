@@ -24,16 +24,11 @@ from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Axis, Machine, Station
 from knifetip.model.profile import LineRule, LineRules
-from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
+from knifetip.model.tool import KINDS, Tool
 
 Made = TypeVar("Made")
 
-_TOOLS: dict[str, type[Knife] | type[CreaseWheel] | type[VCutter] | type[Cutter]] = {
-    "knife": Knife,
-    "crease-wheel": CreaseWheel,
-    "v-cutter": VCutter,
-    "cutter": Cutter,
-}
+_TOOLS: dict[str, type[Tool]] = {kind.name: kind.tool for kind in KINDS}
 
 #: How a sheet gets onto a table: laid on by a person, or by the machine itself.
 FEEDS = ("manual", "automatic")
@@ -41,11 +36,6 @@ FEEDS = ("manual", "automatic")
 #: More passes along one groove than this, or bridges nearer than this (mm), are a slip of the pen.
 _MOST_PASSES = 50
 _LEAST_SPACING = 10.0
-
-
-def kind_of(tool: Tool) -> str:
-    """Return the library's word for a tool: knife, crease-wheel, v-cutter or cutter."""
-    return next(word for word, cls in _TOOLS.items() if cls is type(tool))
 
 
 def names(shelf: str) -> list[str]:
@@ -184,7 +174,7 @@ def cutter_of(machine: Machine, tool: str) -> Station:
     LibraryError
         The machine has no such station, or it holds another kind of tool.
     """
-    cutters = [station for station in machine.stations if isinstance(station.tool, Cutter)]
+    cutters = [station for station in machine.stations if station.tool.yields]
     for station in cutters:
         if station.name == tool:
             return station

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from knifetip.model.tool import Tool
+from knifetip.model.dieline import LineType
+from knifetip.model.tool import KINDS, Planner, Tool, kind_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +34,10 @@ class Station:
     c: float  #: mounting angle (degrees)
     output: int  #: digital output of the piston that lowers the station; -1 where it has none
 
+    def planner(self, line_type: LineType) -> Planner:
+        """Return how its tool makes a line type that it makes."""
+        return kind_of(self.tool).planners[line_type]
+
 
 @dataclass(frozen=True, slots=True)
 class Machine:
@@ -55,6 +60,25 @@ class Machine:
     settle: float  #: seconds to wait after a piston or the oscillation is switched
     feed: str = "manual"  #: how a sheet gets onto the table: ``manual`` or ``automatic``
     controller: object = None  #: settings of the controller, as its language reads them
+
+    @property
+    def offset_cuts(self) -> bool:
+        """Whether cuts run beside their line, round corners of several types."""
+        station = self.station_for(LineType.CUT)
+        return station is not None and station.planner(LineType.CUT) == Planner.OFFSET_CUTS
+
+    def station_for(self, line_type: LineType, caliper: float | None = None) -> Station | None:
+        """Return the station that makes a line type, None where there is none.
+
+        Of several with one kind of tool it is the one that suits the board, if its caliper (mm) is
+        given.
+        """
+        for kind in KINDS:
+            held = [station for station in self.stations if type(station.tool) is kind.tool]
+            if held and line_type in kind.planners:
+                tools = [station.tool for station in held]
+                return held[0 if caliper is None else kind.tool.best_for(tools, caliper)]
+        return None
 
     def station(self, number: int) -> Station:
         """Return the station with this T number.

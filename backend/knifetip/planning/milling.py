@@ -1,6 +1,6 @@
 """Milling: what a cutter (router or beam) needs to know that a knife does not.
 
-    Dieline, rows of cuts -> Operations[Cutter], layer by layer, open cuts first
+    Dieline, rows of cuts -> Operations[DiscTool], layer by layer, open cuts first
 
 A cutter removes a disc, so its centre runs beside the line, in the waste: outside a blank or a part
 in a hole, inside a hole.  It stands left of travel (a part is travelled clockwise, a hole
@@ -12,7 +12,6 @@ is refused: there is no place for the disc that spares both, and none that is as
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Final
 
 import numpy as np
 
@@ -27,7 +26,7 @@ from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import End, Operation
-from knifetip.model.tool import Cutter
+from knifetip.model.tool import DiscTool
 from knifetip.planning.bridges import ends_of_others, places
 from knifetip.planning.corners import bends, chosen, found
 from knifetip.planning.layers import cut_layers
@@ -35,17 +34,14 @@ from knifetip.planning.noding import noded
 from knifetip.planning.outer import faces
 from knifetip.planning.reached import by_disc
 
-#: More passes than this are a mistake in the tool's ``step``.
-_MOST: Final = 200
-
 
 def milled(
+    corners: Corners,
     dieline: Dieline,
     rows: I32,
     machine: Machine,
     board: Board,
     station: Station,
-    corners: Corners,
 ) -> list[Operation]:
     """Return the operations that mill some cuts, layer by layer from the innermost.
 
@@ -53,10 +49,10 @@ def milled(
 
     Parameters
     ----------
-    rows : (m,)
-        Rows of the cuts in the dieline.
     corners
         For all corners alike; ``chosen_at`` gives single ones their own.
+    rows : (m,)
+        Rows of the cuts in the dieline.
 
     Raises
     ------
@@ -64,7 +60,7 @@ def milled(
         Two blanks share an edge, or a contour has no places for the bridges that the board wants.
     """
     cutter = station.tool
-    assert isinstance(cutter, Cutter)
+    assert isinstance(cutter, DiscTool)
     ends, bulge = dieline.ends[rows], dieline.bulge[rows]
     sides, face, shared = _beside(dieline)
     _refuse_shared(rows[shared[rows]], cutter)
@@ -80,9 +76,7 @@ def milled(
     # Left of travel, all of them.
     paths, order = reversed_where(paths, side < 0)
     source = source[order]
-    through = board.caliper + machine.into_mat
-    passes = 1 if cutter.step == 0.0 else min(_MOST, int(np.ceil(through / cutter.step - 1e-9)))
-    depth = through * np.arange(1, passes + 1) / passes
+    depth = cutter.passes(board.caliper + machine.into_mat)
     operations = []
     turn = 2 * (number.max(initial=0) - number) + np.abs(side)
     for place in np.unique(turn):
@@ -99,7 +93,7 @@ def milled(
                 station=station.number,
                 depth=np.tile(depth, (len(kept), 1)),
                 caliper=board.caliper,
-                clearance=machine.clearance,
+                clearance=cutter.clearance(machine.clearance),
                 feed=cutter.feed,
                 plunge=cutter.plunge,
                 swivel=machine.c.velocity * 60.0,
@@ -128,7 +122,7 @@ def _bridges(
     paths: Paths,
     held: Bool,
     board: Board,
-    cutter: Cutter,
+    cutter: DiscTool,
     source: I32,
     avoid: F64,
 ) -> F64:
@@ -157,7 +151,7 @@ def chosen_at(operations: list[Operation], corners: Corners) -> list[Operation]:
     PlanError
         A choice names no corner of theirs, or makes no sense.
     """
-    milling = [isinstance(one.tool, Cutter) and one.side != 0 for one in operations]
+    milling = [isinstance(one.tool, DiscTool) and one.side != 0 for one in operations]
     contours = [
         bends(one.paths, one.side) for one, mills in zip(operations, milling, strict=True) if mills
     ]
@@ -187,7 +181,7 @@ def _beside(dieline: Dieline) -> tuple[I8, I64, Bool]:
     return side, face, shared
 
 
-def _refuse_shared(rows: I32, cutter: Cutter) -> None:
+def _refuse_shared(rows: I32, cutter: DiscTool) -> None:
     if len(rows):
         raise PlanError(
             f"Two blanks share edge {rows[0]}, and the cutter takes {2.0 * cutter.radius:g} mm "

@@ -10,9 +10,10 @@ contour is cut before the contour is.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import Final
 
 import numpy as np
 
@@ -29,13 +30,13 @@ from knifetip.geometry.path import (
     taken,
     trimmed,
 )
-from knifetip.geometry.tolerance import ANGLE, COLLINEAR, GAP, POINT
+from knifetip.geometry.tolerance import ANGLE, COLLINEAR, GAP
 from knifetip.model.board import Board
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import End, Operation
-from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
+from knifetip.model.tool import Knife, Planner, VCutter
 from knifetip.planning.boundary import Outline, run_out
 from knifetip.planning.bridges import ends_of_others, places
 from knifetip.planning.chords import chorded
@@ -48,20 +49,17 @@ from knifetip.planning.milling import chosen_at, milled
 from knifetip.planning.outer import Faces, faces
 from knifetip.planning.reached import everywhere
 
-#: The tools that each line type needs.
-NEEDS: dict[LineType, tuple[type[Tool], ...]] = {
-    LineType.CUT: (Knife,),
-    LineType.CREASE: (CreaseWheel,),
-    LineType.V_GROOVE: (VCutter,),
-    LineType.PERFORATION: (Knife,),
-    LineType.HALF_CUT: (Knife,),
-    LineType.COMBI: (CreaseWheel, Knife),
+#: Line types that are worked as others, each with a tool that makes that.
+_STEPS: Final[Mapping[LineType, tuple[LineType, ...]]] = {
+    LineType.UNCLASSIFIED: (),
+    LineType.IGNORED: (),
+    LineType.COMBI: (LineType.CREASE, LineType.PERFORATION),
 }
 
 
 def missing(line_type: LineType, machine: Machine) -> bool:
     """Return whether the machine lacks a tool that this line type needs."""
-    return any(_station(machine, kind) is None for kind in _needs(line_type, machine))
+    return any(machine.station_for(step) is None for step in _STEPS.get(line_type, (line_type,)))
 
 
 def check_corners(corners: Corners, machine: Machine) -> None:
@@ -72,20 +70,12 @@ def check_corners(corners: Corners, machine: Machine) -> None:
     PlanError
         As it says.
     """
-    if _needs(LineType.CUT, machine) != (Cutter,):
+    if not machine.offset_cuts:
         raise PlanError(
             f"Corner types were chosen, and {machine.title} does not cut with a cutter.",
             "Leave the corners out, or choose a machine that mills.",
         )
     check(corners)
-
-
-def _needs(line_type: LineType, machine: Machine) -> tuple[type[Tool], ...]:
-    """Return the tools for a line type; a machine without a knife cuts with what it has."""
-    needs = NEEDS.get(line_type, ())
-    if line_type == LineType.CUT and _station(machine, Knife) is None:
-        return (Cutter,) if _station(machine, Cutter) else needs
-    return needs
 
 
 def plan(
@@ -125,17 +115,25 @@ def plan(
     def rows(*types: LineType) -> I32:
         return np.flatnonzero(np.isin(line_type, types)).astype(np.int32)
 
-    work: list[tuple[LineType, I32, Callable[..., Operation | list[Operation]]]] = [
-        (LineType.CREASE, rows(LineType.CREASE, LineType.COMBI), _creases),
-        (LineType.V_GROOVE, rows(LineType.V_GROOVE), partial(_grooves, outline)),
-        (LineType.HALF_CUT, rows(LineType.HALF_CUT), _half_cuts),
-        (LineType.PERFORATION, rows(LineType.PERFORATION, LineType.COMBI), _perforations),
-        (LineType.CUT, cuts, partial(_cuts, lies)),
-    ]
+    work = (
+        (LineType.CREASE, rows(LineType.CREASE, LineType.COMBI)),
+        (LineType.V_GROOVE, rows(LineType.V_GROOVE)),
+        (LineType.HALF_CUT, rows(LineType.HALF_CUT)),
+        (LineType.PERFORATION, rows(LineType.PERFORATION, LineType.COMBI)),
+        (LineType.CUT, cuts),
+    )
+    planners: Mapping[Planner, Callable[..., Operation | list[Operation]]] = {
+        Planner.CREASES: _creases,
+        Planner.GROOVES: partial(_grooves, outline),
+        Planner.HALF_CUTS: _half_cuts,
+        Planner.PERFORATIONS: _perforations,
+        Planner.BLADE_CUTS: partial(_cuts, lies),
+        Planner.OFFSET_CUTS: partial(milled, corners or Corners()),
+    }
     operations: list[Operation] = []
-    for kind, listed, make in work:
+    for kind, listed in work:
         if len(listed):
-            station = _station(machine, _needs(kind, machine)[0], board)
+            station = machine.station_for(kind, board.caliper)
             if station is None:
                 raise NoToolForLineType(
                     f"{len(listed)} edges are {kind.word}, and no station of {machine.title} "
@@ -143,26 +141,9 @@ def plan(
                     "Give them another line type, or choose another machine.",
                     [str(row) for row in listed[:10]],
                 )
-            if isinstance(station.tool, Cutter):
-                operations += milled(dieline, listed, machine, board, station, corners or Corners())
-            else:
-                made = make(dieline, listed, machine, board, station)
-                operations += made if isinstance(made, list) else [made]
+            made = planners[station.planner(kind)](dieline, listed, machine, board, station)
+            operations += made if isinstance(made, list) else [made]
     return operations if corners is None else chosen_at(operations, corners)
-
-
-def _station(machine: Machine, kind: type[Tool], board: Board | None = None) -> Station | None:
-    """Return the station that does this: of several wheels the one that suits the board.
-
-    The trade's rule: a rim at least as wide as the board is thick, so that the fold has room for
-    the board on its inside, and no wider than that needs; the widest where none is wide enough.
-    """
-    held = [station for station in machine.stations if type(station.tool) is kind]
-    rims = [station.tool.width for station in held if isinstance(station.tool, CreaseWheel)]
-    if board is not None and len(rims) > 1:
-        enough = [rim for rim in rims if rim >= board.caliper - POINT]
-        return held[rims.index(min(enough, default=max(rims)))]
-    return held[0] if held else None
 
 
 def _operation(

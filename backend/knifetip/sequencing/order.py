@@ -9,12 +9,12 @@ and so has no say.
 from __future__ import annotations
 
 import math
-from enum import IntEnum
 from typing import Any, Final
 
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.model.tool import Reversal
 from knifetip.sequencing.improve import improve
 from knifetip.sequencing.nearest import nearest_neighbour, neighbours, walk
 
@@ -25,18 +25,10 @@ _TRIALS: Final = 5
 _MOST_TRIALS: Final = 3_000
 
 
-class Way(IntEnum):
-    """How a track may be run."""
-
-    ONE = 0  #: only from its start
-    EITHER = 1  #: from either end, and back along the same poses
-    SIDES = 2  #: from either end, and not along the same poses
-
-
-def greedy(entry: F64, leave: F64, origin: F64, way: Way) -> tuple[I32, Bool]:
+def greedy(entry: F64, leave: F64, origin: F64, way: Reversal) -> tuple[I32, Bool]:
     """Return the order that always goes to the nearest end, as ``shortest`` does."""
     count = entry.shape[1]
-    if way == Way.ONE:
+    if way == Reversal.ONE:
         order = nearest_neighbour(entry[0, :, :2], leave[0, :, :2], origin[:2])
         return order, np.zeros(count, np.bool_)
     ends = walk(entry[:, :, :2].reshape(-1, 2), leave[:, :, :2].reshape(-1, 2), origin[:2], count)
@@ -44,7 +36,7 @@ def greedy(entry: F64, leave: F64, origin: F64, way: Way) -> tuple[I32, Bool]:
 
 
 def shortest(
-    entry: F64, leave: F64, origin: F64, pace: F64, period: float, way: Way
+    entry: F64, leave: F64, origin: F64, pace: F64, period: float, way: Reversal
 ) -> tuple[I32, Bool]:
     """Return a short order of tracks, (t,), and which of them to run from their far end, (t,).
 

@@ -20,11 +20,11 @@ from knifetip.errors import PlanError
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.model.machine import Machine, Station
-from knifetip.model.tool import CreaseWheel, Knife, Tool, VCutter
+from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.sequencing.order import Way, shortest
+from knifetip.sequencing.order import shortest
 from knifetip.sequencing.travel import check_travel
-from knifetip.sequencing.turning import clear_ways, interference, lifted, tip_circle, unwound
+from knifetip.sequencing.turning import clear_ways, interference, lifted, unwound
 
 #: What a motion is when it is run backwards.
 _BACKWARDS: Final = np.arange(len(Motion), dtype=np.uint8)
@@ -132,21 +132,6 @@ def _air(pose: F64, tool: int) -> _Moves:
     )
 
 
-def _way(tool: Tool) -> tuple[Way, float]:
-    """Return how tracks of a tool may be run, and by how much C differs from the far end.
-
-    A blade that slants or trails makes another cut the other way.  A V-groove's two flanks may be
-    cut in either order: that is the groove begun at its other end.
-    """
-    if isinstance(tool, CreaseWheel):
-        return Way.EITHER, 0.0
-    if isinstance(tool, VCutter):
-        return Way.SIDES, 0.0
-    if isinstance(tool, Knife) and tool.blade_angle == 0.0 and tool.trail == 0.0:
-        return Way.EITHER, 180.0
-    return Way.ONE, 0.0
-
-
 def _ordered(
     toolpath: Toolpath, station: Station, machine: Machine, here: F64, count: int
 ) -> _Moves:
@@ -166,13 +151,13 @@ def _ordered(
     stays = np.diff(np.append(opens, len(first)))
     closes = opens + stays - 1
 
-    way, turned = _way(station.tool)
-    if way == Way.SIDES and (stays % 2).any():
-        way = Way.ONE
-    period = 180.0 if isinstance(station.tool, CreaseWheel) else 360.0
+    way, turned = station.tool.reversal
+    if way == Reversal.SIDES and (stays % 2).any():
+        way = Reversal.ONE
+    period = station.tool.period
     columns = [0, 1, 3]
     entry, leave = toolpath.pose[first[opens]], toolpath.pose[last[closes] + 1]
-    if way == Way.SIDES:
+    if way == Reversal.SIDES:
         far, near = toolpath.pose[first[opens + 1]], toolpath.pose[last[closes - 1] + 1]
     else:
         about = np.array([0.0, 0.0, 0.0, turned])
@@ -189,9 +174,9 @@ def _ordered(
     # The stays in their new order: a track from its far end has them reversed, or swapped in pairs.
     owner = np.repeat(np.arange(len(order)), stays[order])
     place = np.arange(len(first)) - np.repeat(np.cumsum(stays[order]) - stays[order], stays[order])
-    other = place ^ 1 if way == Way.SIDES else stays[order][owner] - 1 - place
+    other = place ^ 1 if way == Reversal.SIDES else stays[order][owner] - 1 - place
     stay = opens[order][owner] + np.where(flip[owner], other, place)
-    back = flip[owner] & (way == Way.EITHER)
+    back = flip[owner] & (way == Reversal.EITHER)
     # Row 0 of each stay is the rapid to where it begins.
     size = last[stay] - first[stay] + 2
     run = np.repeat(np.arange(len(stay)), size)
@@ -249,14 +234,14 @@ def _least_lift(toolpath: Toolpath, machine: Machine, outline: Paths | None) -> 
         if len(own) == 0:
             continue
         face = float(pose[own, 2].min()) - machine.clearance
-        circle = tip_circle(station.tool, 0.0)
+        circle = station.tool.tip_circle(0.0)
         for end in (own, own + 1):
             pose[end] = lifted(pose[end], interference(pose[end], circle, face), circle)
         if outline is None:
             continue
         low, high = toolpath.pose[own - 1], toolpath.pose[own + 2]
         depth = face - float(min(low[:, 2].min(), high[:, 2].min()))
-        circle = tip_circle(station.tool, depth)
+        circle = station.tool.tip_circle(depth)
         clear = _unbroken(toolpath, own) & clear_ways(low, high, circle, outline)
         for end, stand in ((own[clear], low[clear]), (own[clear] + 1, high[clear])):
             over = np.minimum(pose[end, 2], machine.clearance)

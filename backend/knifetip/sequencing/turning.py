@@ -12,7 +12,7 @@ What concerns C's travel, leaning blades and the proof of an empty way is our de
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
@@ -22,35 +22,11 @@ from knifetip.errors import CompensationError
 from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.model.machine import Machine
-from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
+from knifetip.model.tool import TipCircle
 from knifetip.model.toolpath import Motion, Toolpath
 
 #: A tool that leans further is not lifted by moving along its axis (degrees).
 _FLATTEST: Final = 89.0
-
-
-@dataclass(frozen=True, slots=True)
-class TipCircle:
-    """The circle that holds every point of a tool's tip, about the tool's own axis."""
-
-    radius: float  #: mm
-    aside: float  #: its centre, to the left of the head's axis (mm)
-    tilt: float  #: b, of the tool's axis from the vertical, to the right of travel (degrees)
-
-
-def tip_circle(tool: Tool, depth: float) -> TipCircle:
-    """Return the tip circle of a tool that stands ``depth`` below the board's face (mm).
-
-    A knife's is as wide as its blade and its trail, a wheel's as its contact with the board.
-    """
-    if isinstance(tool, VCutter):
-        return TipCircle(tool.half_width, tool.back, tool.tilt)
-    if isinstance(tool, Knife):
-        return TipCircle(tool.trail + tool.blade_width, 0.0, 0.0)
-    if isinstance(tool, CreaseWheel):
-        return TipCircle(math.hypot(tool.contact(max(depth, 0.0)), tool.width / 2.0), 0.0, 0.0)
-    assert isinstance(tool, Cutter)
-    return TipCircle(tool.radius, 0.0, 0.0)
 
 
 def axis(c: F64, circle: TipCircle) -> F64:

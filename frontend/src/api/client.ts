@@ -25,6 +25,8 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
 export type JobState = Job["state"];
 export type LedgerRow = Schemas["LedgerRow"];
 export type Machine = Schemas["MachineOut"];
+/** What to draw of a tool, and where its tip lies. */
+export type Footprint = Schemas["Footprint"];
 export type Override = { [K in keyof Schemas["Override"]]?: Schemas["Override"][K] } & {
   type: Schemas["Override"]["type"];
 };

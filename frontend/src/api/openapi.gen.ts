@@ -1364,6 +1364,56 @@ export interface components {
             copies_done?: number | null;
         };
         /**
+         * Footprint
+         * @description What a tool takes of the board or presses, and where its tip lies: for a drawing of it.
+         *
+         *     ``line``: no wider than its line.  ``disc``: ``radius`` about its tip.  ``groove``: sideways by
+         *     ``slope`` per mm of depth, along ``blade``.  ``wheel``: a rim ``width`` wide on ``radius``.
+         */
+        Footprint: {
+            /**
+             * Shape
+             * @default line
+             * @enum {string}
+             */
+            shape: "line" | "disc" | "groove" | "wheel";
+            /**
+             * Radius
+             * @default 0
+             */
+            radius: number;
+            /**
+             * Width
+             * @default 0
+             */
+            width: number;
+            /**
+             * Slope
+             * @default 0
+             */
+            slope: number;
+            /**
+             * Blade
+             * @default 0
+             */
+            blade: number;
+            /**
+             * Left
+             * @default 0
+             */
+            left: number;
+            /**
+             * Behind
+             * @default 0
+             */
+            behind: number;
+            /**
+             * Any Height
+             * @default false
+             */
+            any_height: boolean;
+        };
+        /**
          * Health
          * @description Whether the service is alive and ready.
          */
@@ -1731,6 +1781,11 @@ export interface components {
             travel_z: number;
             /** Into Mat */
             into_mat: number;
+            /**
+             * Offset Cuts
+             * @description cuts run beside their line, so that the types of corners can be chosen
+             */
+            offset_cuts: boolean;
             /**
              * Feed
              * @description manual: every job and every copy waits until an operator has confirmed that its sheet lies on the table
@@ -2128,15 +2183,14 @@ export interface components {
          * @description A tool and where it is mounted.
          */
         StationTool: {
-            /**
-             * Kind
-             * @enum {string}
-             */
-            kind: "knife" | "crease-wheel" | "v-cutter" | "cutter";
+            /** Kind */
+            kind: string;
             /** Dimensions */
             dimensions: {
                 [key: string]: number | boolean;
             };
+            /** @description what to draw of it, and where its tip lies */
+            footprint: components["schemas"]["Footprint"];
             /** Machine */
             machine: string;
             /** Station */
@@ -2149,15 +2203,14 @@ export interface components {
          * @description A tool with the dimensions that the engines use.
          */
         ToolOut: {
-            /**
-             * Kind
-             * @enum {string}
-             */
-            kind: "knife" | "crease-wheel" | "v-cutter" | "cutter";
+            /** Kind */
+            kind: string;
             /** Dimensions */
             dimensions: {
                 [key: string]: number | boolean;
             };
+            /** @description what to draw of it, and where its tip lies */
+            footprint: components["schemas"]["Footprint"];
         };
         /**
          * UnitEvidenceOut

@@ -18,7 +18,7 @@ import { SelectionBar } from "../panels/SelectionBar";
 import { ViewBar } from "../panels/ViewBar";
 import { alongColours, mapColours } from "../scene/map";
 import type { Tools } from "../scene/swept";
-import { cornerNear, mills, withCorner } from "../state/corners";
+import { cornerNear, withCorner } from "../state/corners";
 import { isOnTable } from "../state/jobs";
 import { mapOf } from "../state/maps";
 import {
@@ -250,8 +250,8 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
     const offsets = new Map();
     const sweeps = new Map<number, Sweep>();
     for (const { number, tool } of stations ?? []) {
-      offsets.set(number, tipOffset(tool.kind, tool.dimensions));
-      const sweep = sweepOf(tool.kind, tool.dimensions);
+      offsets.set(number, tipOffset(tool.footprint));
+      const sweep = sweepOf(tool.footprint);
       if (sweep !== null) sweeps.set(number, sweep);
     }
     return { offsets, sweeps, caliper };
@@ -308,7 +308,7 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   const areas = open === null || job === undefined ? null : (along?.areas ?? null);
   // biome-ignore lint/correctness/useExhaustiveDependencies: laid about the middle of these edges
   useEffect(() => viewer?.showAreas(areas), [viewer, areas, shown]);
-  const milled = mills(machines?.find(({ name }) => name === chosenMachine));
+  const milled = machines?.find(({ name }) => name === chosenMachine)?.offset_cuts === true;
   useEffect(() => viewer?.showCorners(milled ? corners.at : []), [viewer, corners, milled]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the rows are those of these edges
   useEffect(() => viewer?.showChosen(selection), [viewer, selection, shown]);

@@ -1,20 +1,17 @@
 import { expect, test } from "vitest";
 import { deepest } from "./deepest";
+import { footprint, vCutter } from "./footprint.fixture";
 import { movesOf } from "./moves";
 import type { Toolpath } from "./records";
 import { contactOf, sweepOf } from "./sweep";
 import { workedSpans } from "./worked";
 
-const sample = { back: 6, half_width: 1.5, tilt: 45, feed: 12_000 };
-
-test("a V-cutter that leans by 45 degrees goes as far aside as down", () => {
-  const sweep = sweepOf("v-cutter", sample);
-  expect(sweep).toMatchObject({ kind: "groove", blade: 3 });
-  expect(sweep?.kind === "groove" ? sweep.slope : 0).toBeCloseTo(1, 12);
+test("a V-cutter sweeps by its slope, along its blade", () => {
+  expect(sweepOf(vCutter(6, 1.5, 0.5))).toEqual({ kind: "groove", blade: 3, slope: 0.5 });
 });
 
 test("a knife sweeps no more than its line", () => {
-  expect(sweepOf("knife", { blade_angle: 10, blade_width: 3 })).toBeNull();
+  expect(sweepOf(footprint({ behind: 3 }))).toBeNull();
 });
 
 test("a wheel of radius 13 that is 1 deep touches 5 before and behind", () => {

@@ -1,34 +1,21 @@
-/**
- * What a tool takes of the board, or presses, about its tip at a depth h.
- *
- *     cutter         a disc of radius r
- *     V-cutter       h tan θ to the right of travel, along the blade's 2 · half width
- *     crease wheel   its rim, over s = √(h (2R - h)) before and behind
- */
+/** What a tool takes of the board, or presses, about its tip at a depth h. */
 
-import { degree, radians } from "./units";
+import type { Footprint } from "../api/client";
 
 export type Sweep =
-  | { readonly kind: "disc"; readonly radius: number }
+  /** A disc of radius r: of a beam at any height, of a cutter below the board's top face. */
+  | { readonly kind: "disc"; readonly radius: number; readonly anyHeight: boolean }
+  /** h · slope to the right of travel, along the blade. */
   | { readonly kind: "groove"; readonly slope: number; readonly blade: number }
+  /** A rim, over √(h (2R - h)) before and behind. */
   | { readonly kind: "wheel"; readonly radius: number; readonly width: number };
 
-/** What a tool sweeps, by the library's description; null where that is no wider than its line. */
-export function sweepOf(
-  kind: string,
-  dimensions: Readonly<Record<string, number | boolean>>,
-): Sweep | null {
-  const size = (name: string): number => {
-    const value = dimensions[name];
-    return typeof value === "number" ? value : 0;
-  };
-  if (kind === "cutter") return { kind: "disc", radius: size("radius") };
-  if (kind === "crease-wheel")
-    return { kind: "wheel", radius: size("radius"), width: size("width") };
-  if (kind === "v-cutter") {
-    const slope = Math.tan(radians(degree(size("tilt"))));
-    return { kind: "groove", slope, blade: 2 * size("half_width") };
-  }
+/** What a tool sweeps; null where that is no wider than its line. */
+export function sweepOf(footprint: Footprint): Sweep | null {
+  const { shape, radius, width, slope, blade } = footprint;
+  if (shape === "disc") return { kind: shape, radius, anyHeight: footprint.any_height };
+  if (shape === "wheel") return { kind: shape, radius, width };
+  if (shape === "groove") return { kind: shape, slope, blade };
   return null;
 }
 

@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
+import { footprint, vCutter } from "./footprint.fixture";
 import { tipOf, tipOffset } from "./tip";
 
-const V_CUTTER = tipOffset("v-cutter", { back: 4, half_width: 1.5, tilt: 45 });
+const V_CUTTER = tipOffset(vCutter(4, 1.5));
 
 test("going due east the V-cutter's head is 4 to the right and 1.5 ahead of its tip", () => {
   const tip = tipOf({ x: 1.5, y: -4, z: 0, c: 0 }, V_CUTTER);
@@ -16,8 +17,11 @@ test("going due north it is 4 to the east and 1.5 to the north", () => {
 });
 
 test("the tip of a drag knife trails its head, that of a wheel is under it", () => {
-  const trailing = tipOf({ x: 10, y: 0, z: 0, c: 0 }, tipOffset("knife", { trail: 3 }));
+  const trailing = tipOf({ x: 10, y: 0, z: 0, c: 0 }, tipOffset(footprint({ behind: 3 })));
   expect([trailing.x, trailing.y]).toEqual([7, 0]);
-  const wheel = tipOf({ x: 10, y: 5, z: 0, c: 30 }, tipOffset("crease-wheel", { radius: 15 }));
+  const wheel = tipOf(
+    { x: 10, y: 5, z: 0, c: 30 },
+    tipOffset(footprint({ shape: "wheel", radius: 15 })),
+  );
   expect([wheel.x, wheel.y]).toEqual([10, 5]);
 });

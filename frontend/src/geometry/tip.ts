@@ -1,11 +1,10 @@
 /**
  * Where the tip is when the head stands at a pose.
  *
- *     tip = head - back · (sin C, -cos C) - half width · (cos C, sin C)      V-cutter
- *     tip = head - trail · (cos C, sin C)                                    drag knife
- *     tip = head                                                             all others
+ *     tip = head - left · (sin C, -cos C) - behind · (cos C, sin C)
  */
 
+import type { Footprint } from "../api/client";
 import type { Point, Pose } from "./records";
 import { degree, radians } from "./units";
 
@@ -21,19 +20,12 @@ export interface TipOffset {
 
 export const UNDER_THE_HEAD: TipOffset = { left: 0, behind: 0, blade: 0 };
 
-/** The offset of a tool as the library describes it. */
-export function tipOffset(kind: string, dimensions: Record<string, number | boolean>): TipOffset {
-  const size = (name: string): number => {
-    const value = dimensions[name];
-    return typeof value === "number" ? value : 0;
-  };
-  if (kind === "v-cutter") {
-    const half = size("half_width");
-    return { left: size("back"), behind: half, blade: 2 * half };
-  }
-  if (kind === "knife") return { left: 0, behind: size("trail"), blade: 0 };
-  return UNDER_THE_HEAD;
-}
+/** The offset of a tool's tip. */
+export const tipOffset = ({ left, behind, blade }: Footprint): TipOffset => ({
+  left,
+  behind,
+  blade,
+});
 
 export function tipOf(pose: Pose, offset: TipOffset): Point {
   const c = radians(degree(pose.c));

@@ -4,7 +4,7 @@ import { Button, NumberInput, Select } from "@mantine/core";
 import { IconBolt } from "@tabler/icons-react";
 import { useEffect } from "react";
 import { compile } from "../state/actions";
-import { LEFT_TO_THE_MACHINE, mills } from "../state/corners";
+import { LEFT_TO_THE_MACHINE } from "../state/corners";
 import { isCompiling } from "../state/jobs";
 import { useBoards, useDrawing, useJob, useMachines } from "../state/queries";
 import { usePage } from "../state/store";
@@ -59,7 +59,7 @@ export function OrderPanel() {
           onChange={(value) => set({ machine: value })}
           data-testid="machine-select"
         />
-        {mills(machines?.find(({ name }) => name === machine)) && <CornersForm />}
+        {machines?.find(({ name }) => name === machine)?.offset_cuts === true && <CornersForm />}
         <Select
           label="Board"
           placeholder="Choose a board"

@@ -50,7 +50,7 @@ function Tools() {
   const stations = machines?.find(({ name }) => name === job?.machine)?.stations ?? [];
   const swept = stations.flatMap(({ number, name, tool }) => {
     const z = depths.get(number);
-    const sweep = sweepOf(tool.kind, tool.dimensions);
+    const sweep = sweepOf(tool.footprint);
     return z === undefined || sweep === null ? [] : [{ number, name, sweep, depth: caliper - z }];
   });
   if (swept.length === 0) return <span>No tool here sweeps wider than its line.</span>;

@@ -1,4 +1,5 @@
 import { describe, expect, test } from "vitest";
+import { vCutter } from "../geometry/footprint.fixture";
 import { type Edges, LINE_TYPES, type Toolpath } from "../geometry/records";
 import { timeline } from "../geometry/timeline";
 import { tipOffset } from "../geometry/tip";
@@ -112,7 +113,7 @@ describe("the travel", () => {
     placement: [20, 20],
   };
   const colours = { head: BLUE, lead: BLUE, tip: RED, rapid: GREY };
-  const offsets = new Map([[3, tipOffset("v-cutter", { back: 4, half_width: 1.5 })]]);
+  const offsets = new Map([[3, tipOffset(vCutter(4, 1.5))]]);
   const travel = travelLines(timeline(PATH), { x: 0, y: 0 }, colours, offsets);
 
   test("is in the drawing's coordinates: the placement is taken off", () => {

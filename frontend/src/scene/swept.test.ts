@@ -1,4 +1,6 @@
 import { describe, expect, test } from "vitest";
+import type { Footprint } from "../api/client";
+import { footprint, vCutter } from "../geometry/footprint.fixture";
 import { MOTIONS, type Motion, type Toolpath } from "../geometry/records";
 import { sweepOf } from "../geometry/sweep";
 import { tipOffset } from "../geometry/tip";
@@ -30,12 +32,12 @@ function path(...stops: readonly Stop[]): Toolpath {
   };
 }
 
-function toolOf(kind: string, dimensions: Record<string, number>, caliper = 2): Tools {
-  const sweep = sweepOf(kind, dimensions);
-  if (sweep === null) throw new Error(`${kind} sweeps nothing`);
+function toolOf(of: Footprint, caliper = 2): Tools {
+  const sweep = sweepOf(of);
+  if (sweep === null) throw new Error(`${of.shape} sweeps nothing`);
   return {
     sweeps: new Map([[1, sweep]]),
-    offsets: new Map([[1, tipOffset(kind, dimensions)]]),
+    offsets: new Map([[1, tipOffset(of)]]),
     caliper,
   };
 }
@@ -55,7 +57,7 @@ function covers({ count, corners }: Bands, x: number, y: number): boolean {
 }
 
 describe("a cutter of radius 3", () => {
-  const cutter = toolOf("cutter", { radius: 3 });
+  const cutter = toolOf(footprint({ shape: "disc", radius: 3 }));
 
   test("removes a disc all along its way, round at both ends", () => {
     const { bands } = sweptShapes(
@@ -111,7 +113,7 @@ describe("a cutter of radius 3", () => {
 });
 
 describe("a V-cutter at 45 degrees, 1.3 mm deep", () => {
-  const cutter = toolOf("v-cutter", { back: 6, half_width: 1.5, tilt: 45 });
+  const cutter = toolOf(vCutter(6, 1.5));
   // Its tip goes from (0, 0) to (100, 0): the head 6 to the right and 1.5 ahead.
   const pass = path({ pose: [1.5, -6, 0.7, 0] }, { pose: [101.5, -6, 0.7, 0] });
   const { bands, rims } = sweptShapes(pass, ORIGIN, cutter, COLOURS);
@@ -143,7 +145,7 @@ describe("a V-cutter at 45 degrees, 1.3 mm deep", () => {
 });
 
 describe("a wheel of radius 13, 1 mm deep", () => {
-  const wheel = toolOf("crease-wheel", { radius: 13, width: 0.7 });
+  const wheel = toolOf(footprint({ shape: "wheel", radius: 13, width: 0.7 }));
 
   test("touches 5 mm past where its lowest point stops, marked at both ends", () => {
     const { bands, rims } = sweptShapes(

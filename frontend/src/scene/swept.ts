@@ -1,7 +1,7 @@
 /**
  * Toolpath and tools → what each tool takes of the board, or presses, as seen from above.
  *
- *     cutter         the disc that removes material, along every move below the top face
+ *     cutter, beam   the disc that removes material, along every move that cuts
  *     V-cutter       on each pass one flank, h tan θ wide at the top face: both make the groove
  *     crease wheel   the rim over the length that it touches, with a mark where that ends
  */
@@ -110,7 +110,7 @@ export function sweptShapes(
     if (sweep === undefined) continue;
     const move = moveAt(toolpath, row);
     const depth = [caliper - move.z0, caliper - move.z1] as const;
-    if (sweep.kind === "disc" && CUTTING.has(kind) && Math.min(...depth) > 0) {
+    if (sweep.kind === "disc" && CUTTING.has(kind) && (sweep.anyHeight || Math.min(...depth) > 0)) {
       cutDisc(bands, toolpath, row, sweep.radius, colours.cutter);
     } else if (sweep.kind === "groove" && kind === "feed" && Math.max(...depth) > 0) {
       const offset = offsets.get(station) ?? UNDER_THE_HEAD;

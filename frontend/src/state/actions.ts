@@ -9,7 +9,6 @@ import {
   type Unit,
 } from "../api/client";
 import type { LineType } from "../geometry/records";
-import { mills } from "./corners";
 import { useEditing } from "./editing";
 import { changedRows, difference, undoable } from "./elsewhere";
 import {
@@ -295,7 +294,7 @@ export function compile(machine: string, board: string): Promise<void> {
     if (drawing === null) return;
     usePage.getState().set({ picking: false });
     const machines = queries.getQueryData(keys.machines().queryKey);
-    const milled = mills(machines?.find(({ name }) => name === machine));
+    const milled = machines?.find(({ name }) => name === machine)?.offset_cuts === true;
     const corners = milled ? usePage.getState().corners : null;
     try {
       const revision = shownRevision(drawing);

@@ -1,17 +1,6 @@
 import { expect, test } from "vitest";
-import type { Machine } from "../api/client";
 import type { Edges } from "../geometry/records";
-import { cornerNear, LEFT_TO_THE_MACHINE, mills, withCorner, withKnob, withType } from "./corners";
-
-const machine = (...kinds: string[]) =>
-  ({ stations: kinds.map((kind) => ({ tool: { kind } })) }) as unknown as Machine;
-
-test("a machine mills that has a cutter and no knife", () => {
-  expect(mills(machine("crease-wheel", "cutter"))).toBe(true);
-  expect(mills(machine("knife", "cutter"))).toBe(false);
-  expect(mills(machine("knife"))).toBe(false);
-  expect(mills(undefined)).toBe(false);
-});
+import { cornerNear, LEFT_TO_THE_MACHINE, withCorner, withKnob, withType } from "./corners";
 
 test("a click on a cut means its nearer end, and a crease has no corner", () => {
   const edges = {

@@ -1,6 +1,6 @@
 /** How a cutter goes round corners, as the order will say it. */
 
-import type { CornerAt, Corners, Machine } from "../api/client";
+import type { CornerAt, Corners } from "../api/client";
 import { type Edges, lineTypeOf, type Point } from "../geometry/records";
 
 export const CORNER_TYPES = ["auto", "B", "C", "D"] as const;
@@ -16,12 +16,6 @@ export const LEFT_TO_THE_MACHINE: Corners = {
 
 /** Two places nearer than this are one corner (mm). */
 const SAME = 0.5;
-
-/** Whether a machine cuts with a cutter: a knife has no corners to choose types for. */
-export function mills(machine: Machine | undefined): boolean {
-  const kinds = (machine?.stations ?? []).map(({ tool }) => tool.kind);
-  return kinds.includes("cutter") && !kinds.includes("knife");
-}
 
 /** The end of a cut that is nearer to a place; null where the edge is no cut. */
 export function cornerNear(edges: Edges, row: number, to: Point): Point | null {

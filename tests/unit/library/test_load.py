@@ -12,7 +12,7 @@ from knifetip.library import load
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule, LineRules
-from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter, kind_of
 
 BOARD = """
 title = "A board"
@@ -164,7 +164,7 @@ def test_a_profile_that_extends_another_has_its_rules_first(put):
     ],
 )
 def test_each_tool_has_its_word(tool, word: str):
-    assert load.kind_of(tool) == word
+    assert kind_of(tool).name == word
 
 
 # ── what is wrong with a file ────────────────────────────────────────────────────────────────────

@@ -503,7 +503,7 @@ def test_a_station_that_begins_in_its_work_is_refused():
 
 def test_a_rotating_cutter_is_refused_because_nothing_says_its_speed():
     router = replace(TABLE.stations[0], tool=Cutter(3.0, 1000.0, 500.0))
-    with pytest.raises(ProgramError, match="rotating cutter"):
+    with pytest.raises(ProgramError, match="no spindle speed"):
         process(toolpath(rapid(1, 1)), replace(TABLE, stations=(router,)), "grblhal")
 
 

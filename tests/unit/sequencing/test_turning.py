@@ -11,15 +11,14 @@ from hypothesis import strategies as st
 
 from knifetip.errors import CompensationError
 from knifetip.geometry.path import Paths
+from knifetip.model.tool import TipCircle
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.turning import (
-    TipCircle,
     clear_ways,
     interference,
     interpolated,
     lifted,
     retracted,
-    tip_circle,
     unwound,
 )
 from tests.support.shapes import CUTTER, KNIFE, MACHINE, WHEEL, closed, rotation
@@ -81,10 +80,10 @@ def test_a_wheel_is_the_same_after_half_a_turn():
 
 
 def test_tip_circles_come_from_the_tools_drawings():
-    assert tip_circle(CUTTER, 1.0) == TipCircle(1.5, 4.0, 45.0)
-    assert tip_circle(KNIFE, 1.0) == TipCircle(3.0, 0.0, 0.0)
+    assert CUTTER.tip_circle(1.0) == TipCircle(1.5, 4.0, 45.0)
+    assert KNIFE.tip_circle(1.0) == TipCircle(3.0, 0.0, 0.0)
     # A wheel of 15 mm at 0.4 mm touches ± 3.4409 mm, and is 0.7 mm wide.
-    assert tip_circle(WHEEL, 0.4).radius == pytest.approx(math.hypot(3.4409, 0.35), abs=1e-4)
+    assert WHEEL.tip_circle(0.4).radius == pytest.approx(math.hypot(3.4409, 0.35), abs=1e-4)
 
 
 def test_a_bow_belongs_to_the_board_and_what_lies_beside_it_does_not():

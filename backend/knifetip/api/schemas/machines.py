@@ -6,12 +6,15 @@ from typing import Literal
 
 from pydantic import BaseModel, Field
 
+from knifetip.model.tool import Footprint
+
 
 class ToolOut(BaseModel):
     """A tool with the dimensions that the engines use."""
 
-    kind: Literal["knife", "crease-wheel", "v-cutter", "cutter"]
+    kind: str
     dimensions: dict[str, float | bool]
+    footprint: Footprint = Field(description="what to draw of it, and where its tip lies")
 
 
 class StationOut(BaseModel):
@@ -35,6 +38,9 @@ class MachineOut(BaseModel):
     origin: tuple[float, float]
     travel_z: float
     into_mat: float
+    offset_cuts: bool = Field(
+        description="cuts run beside their line, so that the types of corners can be chosen"
+    )
     feed: Literal["manual", "automatic"] = Field(
         description="manual: every job and every copy waits until an operator has confirmed that "
         "its sheet lies on the table"

@@ -24,7 +24,6 @@ from knifetip.errors import ProgramError
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.model.machine import Machine, Station
 from knifetip.model.program import Program
-from knifetip.model.tool import Cutter, Knife
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.rs274 import gcode
 from knifetip.post.rs274.controller import Dialect
@@ -147,18 +146,15 @@ def _change(
             yield STILL
         if previous.output >= 0:
             yield f"M65 P{previous.output}"
-        if _speed(previous):
+        if previous.tool.spindle:
             yield "M5"
     if dialect.tool_table:
         yield f"T{station.number} M6 G43"
     if station.output >= 0:
         yield f"M64 P{station.output}"
-    if speed := _speed(station):
+    if speed := station.tool.spindle:
         yield f"M3 S{speed}"
-    pause = machine.settle
-    if isinstance(station.tool, Cutter):
-        pause = max(pause, station.tool.spin_up)
-    if pause > 0:
+    if (pause := station.tool.settle(machine.settle)) > 0:
         yield f"G4 P{gcode.plain(pause)}".rstrip("0").rstrip(".")
 
 
@@ -168,14 +164,6 @@ def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[st
     yield from _all_off(machine, dialect)
     yield "G49"
     yield dialect.end
-
-
-def _speed(station: Station) -> int:
-    """Return the S word of what turns or oscillates in a station; 0 where nothing does."""
-    if isinstance(station.tool, Cutter):
-        return round(station.tool.speed)
-    # The oscillation has one speed, but at S0 a controller takes M3 for off.
-    return int(isinstance(station.tool, Knife) and station.tool.oscillating)
 
 
 def _added(station: Station, dialect: Dialect) -> F64:
@@ -193,12 +181,10 @@ def _station(toolpath: Toolpath, machine: Machine, first: int) -> Station:
             f"{_place(toolpath, first)} is for station {number}, which {machine.name} lacks.",
             f"It has {known}.",
         ) from None
-    if isinstance(station.tool, Cutter) and _speed(station) < 1:
+    if reason := station.tool.spindle_missing:
         raise ProgramError(
-            f"Station {number} of {machine.name} holds a rotating cutter, and nothing says how"
-            " fast it turns.",
-            "Give the cutter a speed; a beam, which must be switched on and off, has no program"
-            " yet.",
+            f"Station {number} ({station.name}) of {machine.name} cannot work: {reason}",
+            "Complete the tool in the machine's file.",
         )
     if toolpath.motion[first] != Motion.RAPID:
         raise ProgramError(

@@ -1,0 +1,30 @@
+"""tool: the kinds of tools, with their dimensions as the makers print them and their behaviour.
+
+All tools: ``feed`` and ``plunge`` are mm/min.
+"""
+
+from knifetip.model.tool.base import Footprint, Reversal, Switching, TipCircle, Tool
+from knifetip.model.tool.crease_wheel import CreaseWheel
+from knifetip.model.tool.cutter import Cutter
+from knifetip.model.tool.disc import DiscTool
+from knifetip.model.tool.kinds import KINDS, Engine, Kind, Planner, kind_of
+from knifetip.model.tool.knife import Knife
+from knifetip.model.tool.v_cutter import VCutter
+
+__all__ = [
+    "KINDS",
+    "CreaseWheel",
+    "Cutter",
+    "DiscTool",
+    "Engine",
+    "Footprint",
+    "Kind",
+    "Knife",
+    "Planner",
+    "Reversal",
+    "Switching",
+    "TipCircle",
+    "Tool",
+    "VCutter",
+    "kind_of",
+]

@@ -1,0 +1,132 @@
+"""base: what every kind of tool answers, and the records that it answers with."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum, StrEnum
+from typing import ClassVar, Literal
+
+
+class Reversal(IntEnum):
+    """From which of its ends a track may be run."""
+
+    ONE = 0  #: only from its start
+    EITHER = 1  #: from either end, and back along the same poses
+    SIDES = 2  #: from either end, and not along the same poses
+
+
+class Switching(StrEnum):
+    """When the spindle word (M3) of a tool is in force."""
+
+    STATION = "station"  #: from the change to its station until the next change
+    CUT = "cut"  #: only while it cuts: off for every rapid
+
+
+@dataclass(frozen=True, slots=True)
+class TipCircle:
+    """The circle that holds every point of a tool's tip, about the tool's own axis."""
+
+    radius: float  #: mm
+    aside: float  #: its centre, to the left of the head's axis (mm)
+    tilt: float  #: b, of the tool's axis from the vertical, to the right of travel (degrees)
+
+
+@dataclass(frozen=True, slots=True)
+class Footprint:
+    """What a tool takes of the board or presses, and where its tip lies: for a drawing of it.
+
+    ``line``: no wider than its line.  ``disc``: ``radius`` about its tip.  ``groove``: sideways by
+    ``slope`` per mm of depth, along ``blade``.  ``wheel``: a rim ``width`` wide on ``radius``.
+    """
+
+    shape: Literal["line", "disc", "groove", "wheel"] = "line"
+    radius: float = 0.0  #: mm
+    width: float = 0.0  #: mm
+    slope: float = 0.0  #: mm per mm of depth
+    blade: float = 0.0  #: length of the blade's edge, from the tip forward along C (mm)
+    left: float = 0.0  #: from the head's axis to the tip, to the left of C (mm)
+    behind: float = 0.0  #: from the head's axis to the tip, backwards along C (mm)
+    any_height: bool = False  #: a beam: it cuts wherever its focus is
+
+
+class Tool(ABC):
+    """A tool of one kind: its dimensions, and what the stages ask about every tool.
+
+    Subclasses are frozen dataclasses of dimensions.  A kind is registered as one row of
+    ``knifetip.model.tool.KINDS``.
+    """
+
+    __slots__: tuple[str, ...] = ()
+
+    #: After so many degrees of C the tool is the same again.
+    period: ClassVar[float] = 360.0
+    #: It gives way under load, by what the board's file says.
+    yields: ClassVar[bool] = False
+
+    feed: float  #: while it works (mm/min)
+    plunge: float  #: down into the board and up out of it (mm/min)
+
+    @abstractmethod
+    def tip_circle(self, depth: float) -> TipCircle:
+        """Return the tip circle while the tip is ``depth`` below the board's face (mm)."""
+
+    @property
+    def reversal(self) -> tuple[Reversal, float]:
+        """From which ends its tracks may be run, and by how much C differs from the far one."""
+        return Reversal.ONE, 0.0
+
+    @property
+    def spindle(self) -> int:
+        """S word while its spindle, oscillation or beam is on; 0 where it has none."""
+        return 0
+
+    @property
+    def spindle_missing(self) -> str:
+        """Why it cannot work: it needs a spindle word and its dimensions give none; or ""."""
+        return ""
+
+    @property
+    def outputs(self) -> tuple[int, ...]:
+        """Digital outputs, besides its station's, that are on while it is in use."""
+        return ()
+
+    @property
+    def pierce(self) -> float:
+        """Seconds that it stays where a cut begins before it moves on."""
+        return 0.0
+
+    @property
+    def diameter(self) -> float:
+        """Diameter for the controller's tool table (mm); 0 where there is none."""
+        return 0.0
+
+    @property
+    def footprint(self) -> Footprint:
+        """What the page draws."""
+        return Footprint()
+
+    @property
+    def dimensions(self) -> dict[str, float | bool]:
+        """The fields of the record, as the machine's file gives them."""
+        return {str(name): getattr(self, name) for name in self.__slots__}
+
+    @property
+    def derived(self) -> dict[str, float]:
+        """Dimensions that follow from the others."""
+        return {}
+
+    def settle(self, usual: float) -> float:
+        """Return how long to wait after it is switched on (s); ``usual`` is the machine's."""
+        return usual
+
+    def clearance(self, usual: float) -> float:
+        """Return the tip's height above the board between cuts (mm); ``usual`` is the machine's."""
+        return usual
+
+    @classmethod
+    def best_for(cls, held: Sequence[Tool], caliper: float) -> int:
+        """Return which of several tools of this kind suits a board; ``caliper`` in mm."""
+        del held, caliper  # one is as good as another
+        return 0

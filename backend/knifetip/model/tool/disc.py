@@ -1,0 +1,43 @@
+"""disc: what removes a disc about its axis, a router or a beam."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.geometry.columns import F64
+from knifetip.model.tool.base import Footprint, TipCircle, Tool
+
+
+class DiscTool(Tool):
+    """A tool that removes a disc of radius r: its centre runs r beside the line, in the waste."""
+
+    __slots__ = ()
+
+    radius: float  #: r (mm)
+    lead: float  #: straight way on which the offset is set up (mm); 0 for 1.5 r
+    approach: float  #: of that way to the contour (degrees): 0 in line, −90 round outside
+    dwell: float  #: longest touch of one corner before it burns (s); 0 for no limit
+
+    @property
+    def set_up(self) -> float:
+        """Length of the straight way on which the offset is set up (mm), longer than r."""
+        return self.lead or 1.5 * self.radius
+
+    def passes(self, through: float) -> F64:
+        """Return the depth of the tip on each pass (mm), where ``through`` cuts the board."""
+        return np.array([through])
+
+    def tip_circle(self, depth: float) -> TipCircle:
+        """Return the disc."""
+        del depth  # the same at any depth
+        return TipCircle(self.radius, 0.0, 0.0)
+
+    @property
+    def diameter(self) -> float:
+        """Of the disc (mm)."""
+        return 2.0 * self.radius
+
+    @property
+    def footprint(self) -> Footprint:
+        """The disc."""
+        return Footprint("disc", radius=self.radius)

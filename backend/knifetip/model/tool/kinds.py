@@ -1,0 +1,75 @@
+"""kinds: the registry of tools: one row binds a kind to all that the stages do with it.
+
+To add a kind, write its class and its row here, and what the judge expects of it in
+``knifetip.verification.tools``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Final
+
+from knifetip.model.dieline import LineType
+from knifetip.model.tool.base import Switching, Tool
+from knifetip.model.tool.crease_wheel import CreaseWheel
+from knifetip.model.tool.cutter import Cutter
+from knifetip.model.tool.knife import Knife
+from knifetip.model.tool.v_cutter import VCutter
+
+
+class Planner(StrEnum):
+    """How edges become operations: the functions are in ``planning.plan``."""
+
+    CREASES = "creases"
+    GROOVES = "grooves"
+    HALF_CUTS = "half-cuts"
+    PERFORATIONS = "perforations"
+    BLADE_CUTS = "blade cuts"  #: cuts on their line
+    OFFSET_CUTS = "offset cuts"  #: cuts beside their line, in the waste
+
+
+class Engine(StrEnum):
+    """How an operation becomes the head's path: the functions are in ``compensation``."""
+
+    KNIFE = "knife"
+    CREASE = "crease"
+    V_GROOVE = "v-groove"
+    RADIUS = "radius"
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """One kind of tool."""
+
+    name: str  #: in the files of machines and in REST
+    tool: type[Tool]
+    planners: Mapping[LineType, Planner]  #: the line types that it makes
+    engine: Engine
+    switching: Switching = Switching.STATION
+
+
+#: Where a machine has several that make a line type, the first of these does.
+KINDS: Final = (
+    Kind(
+        "knife",
+        Knife,
+        {
+            LineType.CUT: Planner.BLADE_CUTS,
+            LineType.PERFORATION: Planner.PERFORATIONS,
+            LineType.HALF_CUT: Planner.HALF_CUTS,
+        },
+        Engine.KNIFE,
+    ),
+    Kind("crease-wheel", CreaseWheel, {LineType.CREASE: Planner.CREASES}, Engine.CREASE),
+    Kind("v-cutter", VCutter, {LineType.V_GROOVE: Planner.GROOVES}, Engine.V_GROOVE),
+    Kind("cutter", Cutter, {LineType.CUT: Planner.OFFSET_CUTS}, Engine.RADIUS),
+)
+
+_BY_TOOL: Final = {kind.tool: kind for kind in KINDS}
+
+
+def kind_of(tool: Tool) -> Kind:
+    """Return the registry's row for a tool."""
+    return _BY_TOOL[type(tool)]

@@ -1,0 +1,54 @@
+"""knife: a tangential blade, still, oscillating or dragged."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from knifetip.model.tool.base import Footprint, Reversal, TipCircle, Tool
+
+
+@dataclass(frozen=True, slots=True)
+class Knife(Tool):
+    """A tangential knife, still or oscillating; with ``trail`` a drag knife."""
+
+    blade_angle: float  #: slant of the leading edge from the vertical (degrees)
+    blade_width: float  #: of the blade along the cut: a wrong heading widens the cut by it (mm)
+    swivel: float  #: a corner sharper than this is turned in the air (degrees)
+    feed: float
+    plunge: float
+    oscillating: bool = False
+    trail: float = 0.0  #: e, tip behind the head's axis (mm): 0 for a tangential knife
+    lead_in: float = 0.0  #: arc by which it comes to an outer contour from the waste (mm)
+    lead_out: float = 0.0  #: arc by which it leaves an outer contour into the waste (mm)
+
+    @property
+    def led(self) -> bool:
+        """Whether it begins or ends outer contours in the waste."""
+        return self.lead_in > 0.0 or self.lead_out > 0.0
+
+    def lead(self, thickness: float) -> float:
+        """Return how far the top of the cut runs ahead of its bottom (mm) over a thickness (mm)."""
+        return thickness * math.tan(math.radians(self.blade_angle))
+
+    def tip_circle(self, depth: float) -> TipCircle:
+        """Return a circle as wide as the blade and its trail."""
+        del depth  # the same at any depth
+        return TipCircle(self.trail + self.blade_width, 0.0, 0.0)
+
+    @property
+    def reversal(self) -> tuple[Reversal, float]:
+        """A blade that slants or trails makes another cut the other way."""
+        if self.blade_angle == 0.0 and self.trail == 0.0:
+            return Reversal.EITHER, 180.0
+        return Reversal.ONE, 0.0
+
+    @property
+    def spindle(self) -> int:
+        """The oscillation has one speed, but at S0 a controller takes M3 for off."""
+        return int(self.oscillating)
+
+    @property
+    def footprint(self) -> Footprint:
+        """A line; the tip of a drag knife lies behind the head."""
+        return Footprint(behind=self.trail)
