@@ -1,11 +1,12 @@
-"""knifetip puts the tip of the knife on the line.
+"""knifetip compiles carton dielines into compensated, verified machine programs.
 
-Seven functions, each in a module of its own, and the records that travel between them::
+The stages are functions, and records travel between them::
 
-    bytes → Drawing → Dieline → Operations → Toolpaths → Toolpath → Program → machine
-        read    classify    plan    compensate   sequence   process    stream
+    bytes → Drawing → Dieline → Cleaned → Operations → Toolpaths → Toolpath → Program → Verdict
+        read    classify    clean    plan     compensate   sequence  process    verify
 
-``knifetip.pipeline`` calls them in this order; ``verify`` judges what came out.
+``compile`` runs all stages from ``clean`` on.  They are the functions of ``knifetip.pipeline``;
+``stream`` sends a program to a controller.
 """
 
 from __future__ import annotations
@@ -14,11 +15,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from knifetip.classification.classify import classify
-    from knifetip.compensation.compensate import compensate
-    from knifetip.dxf.read import read
     from knifetip.gateway.stream import stream
     from knifetip.model.board import Board
+    from knifetip.model.cleaned import Cleaned
     from knifetip.model.dieline import Dieline, LineType
     from knifetip.model.drawing import Drawing
     from knifetip.model.machine import Machine
@@ -26,13 +25,24 @@ if TYPE_CHECKING:
     from knifetip.model.program import Program
     from knifetip.model.toolpath import Toolpath
     from knifetip.model.verdict import Verdict
-    from knifetip.planning.plan import plan
-    from knifetip.post.emit import process
-    from knifetip.sequencing.sequence import sequence
-    from knifetip.verification.verify import verify
+    from knifetip.pipeline import (
+        Compiled,
+        classify,
+        clean,
+        compensate,
+        compile,
+        plan,
+        process,
+        questions,
+        read,
+        sequence,
+        verify,
+    )
 
 __all__ = [
     "Board",
+    "Cleaned",
+    "Compiled",
     "Dieline",
     "Drawing",
     "LineType",
@@ -42,40 +52,35 @@ __all__ = [
     "Toolpath",
     "Verdict",
     "classify",
+    "clean",
     "compensate",
+    "compile",
     "plan",
     "process",
+    "questions",
     "read",
     "sequence",
     "stream",
     "verify",
 ]
 
-# Each name is fetched when it is first asked for: a gateway beside a table needs no DXF reader.
-_PLACES = {
-    "read": "dxf.read",
-    "classify": "classification.classify",
-    "plan": "planning.plan",
-    "compensate": "compensation.compensate",
-    "sequence": "sequencing.sequence",
-    "process": "post.emit",
+# Imported when it is first used: a gateway needs no reader, and ``knifetip --help`` no stage.
+_MODULES = {
     "stream": "gateway.stream",
-    "verify": "verification.verify",
-    "Drawing": "model.drawing",
-    "Dieline": "model.dieline",
-    "LineType": "model.dieline",
-    "Operation": "model.operation",
-    "Toolpath": "model.toolpath",
-    "Program": "model.program",
-    "Verdict": "model.verdict",
-    "Machine": "model.machine",
     "Board": "model.board",
+    "Cleaned": "model.cleaned",
+    "Dieline": "model.dieline",
+    "Drawing": "model.drawing",
+    "LineType": "model.dieline",
+    "Machine": "model.machine",
+    "Operation": "model.operation",
+    "Program": "model.program",
+    "Toolpath": "model.toolpath",
+    "Verdict": "model.verdict",
 }
 
 
 def __getattr__(name: str) -> Any:
-    try:
-        place = _PLACES[name]
-    except KeyError:
-        raise AttributeError(f"module 'knifetip' has no attribute {name!r}") from None
-    return getattr(import_module(f"knifetip.{place}"), name)
+    if name not in __all__:
+        raise AttributeError(f"module 'knifetip' has no attribute {name!r}")
+    return getattr(import_module(f"knifetip.{_MODULES.get(name, 'pipeline')}"), name)

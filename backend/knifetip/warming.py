@@ -20,7 +20,7 @@ from knifetip.errors import CompensationError
 from knifetip.geometry.offset import equidistant
 from knifetip.geometry.path import Paths
 from knifetip.library import load
-from knifetip.pipeline import clean, compiled, dieline, read_drawing
+from knifetip.pipeline import classify, clean, compile, read
 
 _Line = tuple[float, float, float, float]
 
@@ -74,24 +74,24 @@ def offsets() -> None:
 def drawings() -> None:
     """Run the kernels that read drawings, tell their edges, clean them and make jobs of them."""
     # Path data has a kernel of its own.
-    read_drawing(b'<svg width="9mm" viewBox="0 0 9 9"><path stroke="red" d="M0 0h9"/></svg>')
+    read(b'<svg width="9mm" viewBox="0 0 9 9"><path stroke="red" d="M0 0h9"/></svg>')
     odd = _dxf("BLOCKS", " ".join(_ODD.split()))
-    read_drawing(odd)
+    read(odd)
     # What is written with line ends of its own is read by ezdxf.
-    read_drawing(odd.replace(b"\n", b"\r"))
+    read(odd.replace(b"\n", b"\r"))
     rules = load.profile("default")
-    dieline(read_drawing(_dxf("ENTITIES", _lines(_NAMELESS)), "mm"), rules)
-    clean(dieline(read_drawing(_dxf("ENTITIES", _lines(_UNTIDY, "CUT")), "mm"), rules))
-    nested = read_drawing(_dxf("ENTITIES", _lines(_NESTED, "CUT")), "mm")
-    compiled(nested, dieline(nested, rules), load.machine("demo-table"), load.board("fbb-0.4"))
+    classify(read(_dxf("ENTITIES", _lines(_NAMELESS)), "mm"), rules)
+    clean(classify(read(_dxf("ENTITIES", _lines(_UNTIDY, "CUT")), "mm"), rules))
+    nested = read(_dxf("ENTITIES", _lines(_NESTED, "CUT")), "mm")
+    compile(nested, classify(nested, rules), load.machine("demo-table"), load.board("fbb-0.4"))
     _made("tuck-end-carton.dxf", "fbb-0.4", "demo-table")
     _made("rigid-box-blank.dxf", "greyboard-2.0", "demo-table")
 
 
 def _made(sample: str, board: str, machine: str) -> None:
-    drawing = read_drawing(samples()[sample])
-    line = dieline(drawing, load.profile("default"))
-    compiled(drawing, line, load.machine(machine), load.board(board))
+    drawing = read(samples()[sample])
+    line = classify(drawing, load.profile("default"))
+    compile(drawing, line, load.machine(machine), load.board(board))
 
 
 def _lines(lines: Iterable[_Line], layer: str = "0") -> str:

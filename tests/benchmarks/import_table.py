@@ -149,11 +149,11 @@ def files() -> Iterator[str]:
         name = path.relative_to(CORPUS).as_posix()
         begun = time.perf_counter()
         try:
-            drawing = pipeline.read_drawing(path.read_bytes())
+            drawing = pipeline.read(path.read_bytes())
         except KnifetipError as reason:
             yield f"| {name} | refused: {_cell(reason.message)} | | | | | | | | | |"
             continue
-        dieline = pipeline.dieline(drawing, rules)
+        dieline = pipeline.classify(drawing, rules)
         seconds = time.perf_counter() - begun
         asked = pipeline.questions(drawing, dieline)
         fates = Counter(drawing.ledger.fate.tolist())
@@ -182,7 +182,7 @@ def known() -> Iterator[str]:
     rules, conventions = load.profile("default"), load.conventions()
     sums: dict[str, list[tuple[U8, U8, F64]]] = defaultdict(list)
     for one in KNOWN:
-        whole = pipeline.read_drawing((CORPUS / one.path).read_bytes())
+        whole = pipeline.read((CORPUS / one.path).read_bytes())
         kinds_of = one.truth(whole)
         ways = {"is": whole, "no names": without_names(whole), "one style": without_style(whole)}
         for way, drawing in ways.items():
@@ -222,9 +222,9 @@ def _house(house: House) -> tuple[F64, F64, int, Counter[str]]:
     units: Counter[str] = Counter()
     for seed in range(len(KINDS)):
         data, strokes, _ = drawn(house, seed)
-        drawing = pipeline.read_drawing(data)
+        drawing = pipeline.read(data)
         kinds, _ = truth(drawing, strokes)
-        dieline = pipeline.dieline(drawing, rules)
+        dieline = pipeline.classify(drawing, rules)
         asked += len(pipeline.questions(drawing, dieline))
         corners = np.array([(s.x0, s.y0, s.x1, s.y1) for s in strokes]).reshape(-1, 2)
         times = np.ptp(drawing.ends.reshape(-1, 2), axis=0).max() / np.ptp(corners, axis=0).max()

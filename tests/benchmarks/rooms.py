@@ -182,7 +182,7 @@ def order_nearest() -> Bench:
 def _compiled() -> tuple[pipeline.Compiled, Dieline]:
     drawing = read(_drawing_bytes(10_000))
     dieline = classify(drawing, load.profile("default"))
-    return pipeline.compiled(drawing, dieline, MACHINE, BOARD), dieline
+    return pipeline.compile(drawing, dieline, MACHINE, BOARD), dieline
 
 
 def process_lines() -> Bench:
@@ -216,7 +216,7 @@ def compile_sheet() -> Bench:
     return (
         "2,000 panels, plan to verify",
         len(dieline),
-        lambda: pipeline.compiled(drawing, dieline, MACHINE, BOARD),
+        lambda: pipeline.compile(drawing, dieline, MACHINE, BOARD),
         {},
         3,
     )

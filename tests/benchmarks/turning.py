@@ -23,7 +23,7 @@ from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.pipeline import placement
+from knifetip.planning.placement import placement
 from knifetip.planning.plan import plan
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.order import greedy, link_times, shortest

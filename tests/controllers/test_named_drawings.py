@@ -40,9 +40,7 @@ def tools(caliper: float, deepest_crease: float, groove: float) -> dict[int, Tip
 
 def judged(named: Named, corpus: Path | None) -> tuple[Report, float]:
     drawing, dieline, board = named.classified(corpus)
-    made = pipeline.compiled(
-        drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc"
-    )
+    made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")
     assert made.verdict.accepted, made.verdict.findings[:3]
     deepest = max(board.crease_along, board.crease_across)
     # A crease that is drawn under a cut is not worked; ``verification.tidied`` answers for that.
@@ -84,9 +82,7 @@ def test_linuxcnc_puts_the_tip_on_the_line_of_drawings_by_other_hands(named: Nam
 def test_a_wrong_offset_of_the_v_cutter_would_be_seen():
     # The judge itself is tried: with d stated 0.05 mm too long it must find the tip off the line.
     drawing, dieline, board = SAMPLES[2].classified(None)
-    made = pipeline.compiled(
-        drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc"
-    )
+    made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")
     wrong = tools(board.caliper, 0.9, board.groove_depth)
     wrong[3] = TipTool(
         "v-cutter", board.caliper, datum=(-60.0, 0.0, 0.0, 0.0), output=2,

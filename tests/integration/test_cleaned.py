@@ -43,10 +43,10 @@ def with_more(drawing: Drawing, line: Dieline, ends, bulge, like) -> tuple[Drawi
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
 def test_a_sample_with_everything_drawn_twice_gives_the_same_program(named: Named):
     drawing, line, board = named.classified(None)
-    whole = pipeline.compiled(drawing, line, TABLE, board)
+    whole = pipeline.compile(drawing, line, TABLE, board)
     every = np.arange(len(line))
     twice = with_more(drawing, line, line.ends[:, ::-1], -line.bulge, every)
-    made = pipeline.compiled(*twice, TABLE, board)
+    made = pipeline.compile(*twice, TABLE, board)
     assert made.program.text == whole.program.text
     assert made.verdict.accepted
     assert len(made.verdict.deviation) == 2 * len(line)
@@ -73,9 +73,9 @@ def test_a_sample_in_pieces_with_creases_under_its_cuts_is_accepted(named: Named
     )
     kinds = pieced.line_type.copy()
     kinds[-len(straight) :] = LineType.CREASE
-    made = pipeline.compiled(broken, replace(pieced, line_type=kinds), TABLE, board)
+    made = pipeline.compile(broken, replace(pieced, line_type=kinds), TABLE, board)
     assert made.verdict.accepted, made.verdict.findings[:2]
-    whole = pipeline.compiled(drawing, line, TABLE, board)
+    whole = pipeline.compile(drawing, line, TABLE, board)
     assert made.verdict.setback.sum() == pytest.approx(whole.verdict.setback.sum(), abs=1e-6)
     assert made.toolpath.source.max() < len(broken)
 
@@ -86,10 +86,10 @@ def test_a_blank_left_open_at_its_corners_is_cut_closed():
     cut = np.flatnonzero((line.line_type == LineType.CUT) & (line.bulge == 0.0))
     way = ends[cut, 1] - ends[cut, 0]
     ends[cut, 0] += 0.02 * way / np.hypot(*way.T)[:, None]
-    made = pipeline.compiled(replace(drawing, ends=ends), replace(line, ends=ends), TABLE, board)
+    made = pipeline.compile(replace(drawing, ends=ends), replace(line, ends=ends), TABLE, board)
     assert made.verdict.accepted
     np.testing.assert_allclose(made.verdict.tidied[cut].max(), 0.02, atol=1e-9)
-    whole = pipeline.compiled(drawing, line, TABLE, board)
+    whole = pipeline.compile(drawing, line, TABLE, board)
     assert made.seconds == pytest.approx(whole.seconds, rel=1e-3)
 
 
@@ -104,7 +104,7 @@ def test_a_program_that_cuts_by_a_cleaning_that_lost_an_edge_is_refused(monkeypa
         return replace(made, dieline=replace(made.dieline, line_type=kinds))
 
     monkeypatch.setattr(pipeline, "clean", careless)
-    verdict = pipeline.compiled(drawing, line, TABLE, board).verdict
+    verdict = pipeline.compile(drawing, line, TABLE, board).verdict
     assert not verdict.accepted
     assert "edge 3: it is" in verdict.findings[0].text
 
@@ -112,7 +112,7 @@ def test_a_program_that_cuts_by_a_cleaning_that_lost_an_edge_is_refused(monkeypa
 def test_damage_in_a_file_by_other_hands_is_told_edge_by_edge(corpus: Path):
     named = Named("Obrary__Parametric-Papercraft/Interchange-Files", "cube.dxf", "e-flute", "mm")
     drawing, line, board = named.classified(corpus)
-    made = pipeline.compiled(drawing, line, TABLE, board)
+    made = pipeline.compile(drawing, line, TABLE, board)
     assert made.verdict.accepted
     # Four cuts of 40 mm lie on cuts of 50 mm.
     assert pipeline.clean(line).merged[[11, 14, 36, 54]].tolist() == [40.0] * 4

@@ -156,8 +156,8 @@ DRAWINGS: dict[str, Callable[[], bytes]] = {
 
 def through(data: bytes) -> tuple[Drawing, Dieline]:
     """Take a drawing through the stages, and check that nothing of it gets lost on the way."""
-    drawing = pipeline.read_drawing(data, "mm")
-    line = pipeline.dieline(drawing, load.profile("default"))
+    drawing = pipeline.read(data, "mm")
+    line = pipeline.classify(drawing, load.profile("default"))
     assert len(line) == len(drawing)
     assert all(question.text for question in pipeline.questions(drawing, line))
     tidy = pipeline.clean(line)

@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import pytest
 
-from knifetip import compensate, pipeline, plan, process, sequence, verify
+from knifetip import compensate, pipeline, plan, process, sequence
 from knifetip.compensation import crease, knife, tracks, vgroove
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.verdict import Verdict
+from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline, edges
 from tests.support.truth.named import SAMPLES
 
@@ -19,7 +20,7 @@ CARTON, TRAY, RIGID = SAMPLES
 
 def verdict(named) -> Verdict:
     drawing, dieline, board = named.classified(None)
-    return pipeline.compiled(drawing, dieline, load.machine("demo-table"), board).verdict
+    return pipeline.compile(drawing, dieline, load.machine("demo-table"), board).verdict
 
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)

@@ -16,7 +16,7 @@ MACHINE = load.machine("demo-table")
 
 def every_moving_mutant_is_refused(named: Named, corpus: Path | None, dialect: str) -> None:
     drawing, dieline, board = named.classified(corpus)
-    made = pipeline.compiled(drawing, dieline, MACHINE, board, dialect=dialect)
+    made = pipeline.compile(drawing, dieline, MACHINE, board, dialect=dialect)
 
     def refused(text: bytes) -> bool:
         return not pipeline.verify(text, dieline, made.placement, MACHINE, board).accepted

@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from knifetip import compensate, plan, process, sequence, verify
+from knifetip import compensate, plan, process, sequence
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.toolpath import Motion
+from knifetip.verification.verify import verify
 from tests.support.cartons import nested_contours
 from tests.support.shapes import closed, dieline, edges
 

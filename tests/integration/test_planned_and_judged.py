@@ -8,10 +8,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from knifetip import compensate, plan, process, sequence, verify
+from knifetip import compensate, plan, process, sequence
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.planning import plan as planning
+from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline, edges
 
 MACHINE, BOARD = load.machine("demo-table"), load.board("greyboard-2.0")

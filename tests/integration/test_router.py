@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import pytest
 
-from knifetip import compensate, plan, process, sequence, verify
+from knifetip import compensate, plan, process, sequence
 from knifetip.compensation import radius
 from knifetip.library import load
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Cutter
+from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline, edges
 
 ROUTER = load.machine("router-table")

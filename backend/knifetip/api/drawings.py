@@ -49,8 +49,8 @@ from knifetip.errors import (
     StaleRevision,
     WrongState,
 )
+from knifetip.formats import format_of
 from knifetip.geometry.columns import U8
-from knifetip.intake.kind import kind_of
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
 from knifetip.jobs.crew import Fault
@@ -60,13 +60,6 @@ from knifetip.model.dieline import LineType
 
 router = APIRouter(prefix="/drawings", tags=["drawings"])
 
-# An SVG or a PDF may hold scripts: neither is sent as something that a browser would run.
-_MEDIA_TYPES = {
-    "dxf": "image/vnd.dxf",
-    "cf2": "text/plain",
-    "svg": "application/octet-stream",
-    "pdf": "application/octet-stream",
-}
 _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "As it was"}}
 _TRIES = 3  # of a change to a drawing that others change at the same time
 _PIECE = 1000  # edges that are put into JSON at once
@@ -242,11 +235,7 @@ def get_file(here: Here, request: Request, id: str) -> Response:
     """Return the file as it came."""
     row = here.store.drawing(id)
     content = here.store.drawing_column(id, "content")
-    return bytes_answer(request, content, row.sha256, _media_type(content), row.name)
-
-
-def _media_type(content: bytes) -> str:
-    return _MEDIA_TYPES[kind_of(content)]
+    return bytes_answer(request, content, row.sha256, format_of(content).media_type, row.name)
 
 
 def read(

@@ -39,10 +39,10 @@ def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
     """
     on_shelf("boards", name)
     station = cutter_of(load.machine(on_shelf("machines", order.machine)), order.tool)
-    # Machine code for the engines is of no use to those who only look into the library.
-    from knifetip import pipeline
+    # The engines import numba, which listing the library does not need.
+    from knifetip.compensation.calibration import calibrate as fit_deflection
 
-    made = pipeline.calibrated(
+    made = fit_deflection(
         [point.azimuth for point in order.points],
         [(point.dx, point.dy) for point in order.points],
         1 if order.side == "left" else -1,

@@ -112,6 +112,12 @@ class Matches:
     words: tuple[str, ...]  #: (c,) the rule with only what matched, "" for none
 
 
+def rule_of_each_edge(drawing: Drawing, rules: LineRules) -> I32:
+    """Return the index of the profile's rule that each edge matches, (n,): -1 for none."""
+    combinations = styles(drawing)
+    return match(combinations, rules).rule[combinations.of]
+
+
 def match(styles: Styles, rules: LineRules) -> Matches:
     """Return the first rule that each combination meets."""
     count = len(styles)

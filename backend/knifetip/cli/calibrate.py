@@ -11,10 +11,10 @@ from typing import Annotated
 
 import typer
 
-from knifetip import pipeline
 from knifetip.cli.drawing import Json
 from knifetip.cli.program import BoardName, MachineName
 from knifetip.cli.terminal import print_stderr, read_bytes, show, write_bytes
+from knifetip.compensation.calibration import calibrate as fit_deflection
 from knifetip.errors import LibraryError
 from knifetip.library import deflection, load
 from knifetip.model.board import Deflection
@@ -95,7 +95,7 @@ def register(app: typer.Typer) -> None:
             )
         station = load.cutter_of(table, tool or next(iter(cutters), ""))
         azimuths, measured = points(file.name, read_bytes(file))
-        made = pipeline.calibrated(azimuths, measured, 1 if side is Side.LEFT else -1)
+        made = fit_deflection(azimuths, measured, 1 if side is Side.LEFT else -1)
         kept = Deflection(station.name, made.x, made.y)
         lines = deflection.table(kept)
         if store is not None:

@@ -18,8 +18,10 @@ from knifetip.geometry.columns import I64
 from knifetip.messages import with_text
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
+from knifetip.units.evidence import judge
 
 #: What the commands print of a long list, and how many of those alike are named.
 _LINES: Final = 40
@@ -61,8 +63,8 @@ def load_drawing(file: Path, unit: str | None, profile: str, layers: list[str] |
         The file, the profile or a layer's line type cannot be used.
     """
     data = read_bytes(file)
-    drawing = pipeline.read_drawing(data, unit)
-    overrides = np.full(len(drawing), pipeline.NO_OVERRIDE, np.uint8)
+    drawing = pipeline.read(data, unit)
+    overrides = np.full(len(drawing), NO_OVERRIDE, np.uint8)
     for pair in layers or []:
         name, equals, word = pair.rpartition("=")
         if not equals:
@@ -78,13 +80,13 @@ def load_drawing(file: Path, unit: str | None, profile: str, layers: list[str] |
                 f"There are {', '.join(repr(layer) for layer in drawing.layers)}.",
             )
         overrides[np.isin(drawing.layer, rows)] = kind
-    return Read(data, drawing, pipeline.dieline(drawing, named(profile), overrides))
+    return Read(data, drawing, pipeline.classify(drawing, named(profile), overrides))
 
 
 def described(name: str, drawing: Drawing) -> dict[str, Any]:
     """Return a drawing's unit, size and layers as plain data."""
     low_x, low_y, high_x, high_y = (float(value) for value in drawing.bounds)
-    found = pipeline.unit_finding(drawing)
+    found = judge(drawing)
     return {
         "name": name,
         "unit": drawing.unit or None,
@@ -147,7 +149,7 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def read(file: DrawingFile, unit: Unit = None, json: Json = False) -> None:
         """Say what is in a drawing, and what became of every entity."""
-        drawing = pipeline.read_drawing(read_bytes(file), unit)
+        drawing = pipeline.read(read_bytes(file), unit)
         about = described(file.name, drawing)
         rows = ledger(drawing)
         if json:

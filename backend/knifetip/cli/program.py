@@ -39,6 +39,8 @@ from knifetip.library import load
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
 from knifetip.model.verdict import Unreached, Verdict
+from knifetip.planning.plan import check_corners
+from knifetip.verification.verify import placement_of
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
 _CHOICE = re.compile(
@@ -215,14 +217,14 @@ def register(app: typer.Typer) -> None:
                 interference=(interference or Interference.TRIM).value,
                 at=tuple(choice(text) for text in corner_at or []),
             )
-            pipeline.check_corners(choices, table)
+            check_corners(choices, table)
         with progress(file.name) as told:
             drawn = load_drawing(file, unit, profile, layer)
             asked = drawn.questions(table)
             if asked:
                 report_questions(asked)
                 raise typer.Exit(QUESTIONS)
-            result = pipeline.compiled(
+            result = pipeline.compile(
                 drawn.drawing,
                 drawn.dieline,
                 table,
@@ -285,7 +287,7 @@ def register(app: typer.Typer) -> None:
             report_questions(asked)
             raise typer.Exit(QUESTIONS)
         text = read_bytes(program)
-        where = pipeline.placement_of(text, table)
+        where = placement_of(text, table)
         if where is None:
             raise ProgramUnreadable(
                 f"{program.name} does not say where on the sheet it places the drawing.",

@@ -31,8 +31,8 @@ from knifetip.dxf.rewrite import UNMARKED, as_text, lines_only, with_markers
 from knifetip.dxf.tables import NotPlainError
 from knifetip.dxf.units import hints, stated
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
+from knifetip.formats import format_of
 from knifetip.intake.assemble import Known, assemble
-from knifetip.intake.kind import kind_of
 from knifetip.intake.limits import Limits
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import factor
@@ -106,8 +106,8 @@ def quickly(data: bytes, unit: str, given: float, limits: Limits) -> Drawing | N
 
 def by_ezdxf(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
     """Read by way of ezdxf, or say why not."""
-    if (kind := kind_of(data)) != "dxf":
-        raise NotADrawing(f"The file is {kind.upper()}, not a DXF.", _EXPORT)
+    if (kind := format_of(data)).name != "dxf":
+        raise NotADrawing(f"The file is {kind.title}, not a DXF.", _EXPORT)
     if len(data) > limits.slow_bytes:
         raise DrawingTooLarge(
             f"The DXF has {len(data) / 2**20:.1f} MB, and something in it is unusual; "

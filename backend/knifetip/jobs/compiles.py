@@ -12,6 +12,7 @@ from knifetip.jobs.job import State, Who
 from knifetip.jobs.moves import LEASE, rows
 from knifetip.jobs.orders import Orders
 from knifetip.jobs.tables import Job
+from knifetip.model.stage import Stage
 
 ATTEMPTS = 5  #: compiles that may die under a job before it is refused
 
@@ -68,12 +69,12 @@ class Compiles(Orders):
                     changes_epoch=row.epoch + 1,
                     owner=worker,
                     lease=self.clock() + LEASE,
-                    stage="read",
+                    stage=Stage.READ.value,
                     progress=0.0,
                 )
         return self.job(id)
 
-    def compile_progress(self, id: str, epoch: int, stage: str, progress: float) -> bool:
+    def compile_progress(self, id: str, epoch: int, stage: Stage, progress: float) -> bool:
         """Say how far a compile is and renew its lease; False when the job is no longer ours."""
         with self._writing() as session:
             return bool(
@@ -81,7 +82,7 @@ class Compiles(Orders):
                     session,
                     sa.update(Job)
                     .where(Job.id == id, Job.state == State.COMPILING, Job.epoch == epoch)
-                    .values(stage=stage[:80], progress=progress, lease=self.clock() + LEASE),
+                    .values(stage=stage.value, progress=progress, lease=self.clock() + LEASE),
                 )
             )
 

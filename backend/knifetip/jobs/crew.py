@@ -25,9 +25,10 @@ from multiprocessing.process import BaseProcess
 from typing import Any, TypeAlias, TypeVar
 
 from knifetip.errors import DrawingTooLarge, KnifetipError
+from knifetip.model.stage import Progress, Stage
 
-Progress: TypeAlias = Callable[[str, float], None]
-Watch: TypeAlias = Callable[[str, float], bool]
+#: Called with the last stage and its share; False withdraws the task.
+Watch: TypeAlias = Callable[[Stage, float], bool]
 T = TypeVar("T")
 
 MEMORY = 6 << 30  #: bytes of address space to a process
@@ -133,12 +134,12 @@ class Crew:
         raise Fault(str(value).strip().rsplit("\n", 1)[-1])
 
     def _heard(self, hand: _Hand, deadline: float, limit: float, watch: Watch) -> tuple[str, Any]:
-        stage, fraction = "", 0.0
+        stage, fraction = Stage.READ, 0.0
         while True:
             left = deadline - time.monotonic()
             if left <= 0:
                 raise DrawingTooLarge(
-                    f"Stage {stage or 'start'} was not finished after {limit:.0f} s.",
+                    f"Stage {stage} was not finished after {limit:.0f} s.",
                     "Send a smaller drawing, or split this one.",
                 )
             if hand.line.poll(min(left, _LOOK)):
@@ -179,9 +180,9 @@ def _work(line: Connection, memory: int) -> None:
     resource.setrlimit(resource.RLIMIT_AS, (allowed, hard))
     threading.Thread(target=_go_with_the_parent, daemon=True).start()
     spoken = 0.0
-    said = ""
+    said: Stage | None = None
 
-    def progress(stage: str, fraction: float) -> None:
+    def progress(stage: Stage, fraction: float) -> None:
         nonlocal spoken, said
         if stage != said or time.monotonic() - spoken > _SPOKEN:
             spoken, said = time.monotonic(), stage

@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 
 from knifetip.geometry.columns import U8
-from knifetip.jobs.crew import Progress
 from knifetip.jobs.tasks import NONE, drawing_of, rules_of
 from knifetip.library import own
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.profile import LineRule, LineRules
+from knifetip.model.stage import Progress, Stage
 
 #: Rules that are proposed at once: each is tried on the whole drawing.
 _MOST = 12
@@ -41,15 +41,16 @@ def preview(
         ``open``: how many no rule takes; ``changes``: edges that would become something else.
     """
     from knifetip import pipeline
+    from knifetip.classification.rules import rule_of_each_edge
 
-    progress("read", 0.0)
+    progress(Stage.READ, 0.0)
     drawing = drawing_of(content, unit)
     given = np.frombuffer(overrides, np.uint8)
-    progress("classify", 0.6)
+    progress(Stage.CLASSIFY, 0.6)
     other = own.parsed("preview", text)
-    before = pipeline.dieline(drawing, rules_of(profile, rules), given)
-    after = pipeline.dieline(drawing, other, given)
-    taken = pipeline.taken(drawing, other)
+    before = pipeline.classify(drawing, rules_of(profile, rules), given)
+    after = pipeline.classify(drawing, other, given)
+    taken = rule_of_each_edge(drawing, other)
     lengths = drawing.lengths
     decided = taken >= 0
     edges = np.bincount(taken[decided], minlength=len(other.rules))
@@ -86,27 +87,29 @@ def learn(
         nothing that was decided; ``changes``: what else it would change, as in ``preview``.
     """
     from knifetip import pipeline
+    from knifetip.classification.learn import learned
+    from knifetip.classification.rules import rule_of_each_edge
 
-    progress("read", 0.0)
+    progress(Stage.READ, 0.0)
     drawing = drawing_of(content, unit)
     mine = rules_of(profile, rules)
     given = np.frombuffer(overrides, np.uint8)
-    progress("classify", 0.6)
-    before = pipeline.dieline(drawing, mine, given)
+    progress(Stage.CLASSIFY, 0.6)
+    before = pipeline.classify(drawing, mine, given)
     # A kind of line alone is no habit of a customer: it would take half of any other drawing.
     sure = [
         one
-        for one in pipeline.learned(drawing, mine, given)
+        for one in learned(drawing, pipeline.classify(drawing, mine), given, mine)
         if one.rule.layer or one.rule.block or one.rule.colour or one.rule.true_colour
     ]
     explained = {row for one in sure for row in one.explains}
-    left = np.flatnonzero((given != NONE) & (pipeline.dieline(drawing, mine).line_type != given))
+    left = np.flatnonzero((given != NONE) & (pipeline.classify(drawing, mine).line_type != given))
     rest = _by_attributes(drawing, given, [row for row in left.tolist() if row not in explained])
     proposed = []
     for rule in [*(one.rule for one in sure), *rest][:_MOST]:
         longer = LineRules(mine.name, mine.title, (rule, *mine.rules))
-        after = pipeline.dieline(drawing, longer, given)
-        met = pipeline.taken(drawing, LineRules("", "", (rule,))) == 0
+        after = pipeline.classify(drawing, longer, given)
+        met = rule_of_each_edge(drawing, LineRules("", "", (rule,))) == 0
         changes = _changes(before.line_type, after.line_type)
         proposed.append(
             {

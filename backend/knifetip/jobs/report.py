@@ -50,7 +50,7 @@ class Report:
 
 def reported(drawing: Drawing, dieline: Dieline) -> Report:
     """Return what became of a drawing's edges and of its other entities."""
-    from knifetip import pipeline
+    from knifetip.cleaning.clean import clean
 
     lengths = drawing.lengths
     fate = np.full(len(drawing), Fate.KEPT, np.uint8)
@@ -58,7 +58,7 @@ def reported(drawing: Drawing, dieline: Dieline) -> Report:
     part: list[tuple[Fate, Why, F64]] = []
     # Specks and gaps are measured in millimetres: without a unit there are none yet.
     if drawing.unit:
-        cleaned = pipeline.clean(dieline)
+        cleaned = clean(dieline)
         fate, reason = cleaned.fate, cleaned.why.astype(np.int32)
         # Of an edge that is kept, a part may lie on others: that part is told by itself.
         held = fate == Fate.KEPT
@@ -161,9 +161,9 @@ def theme(reason: str) -> str:
 
 def unit_of(drawing: Drawing) -> dict[str, Any]:
     """Return what speaks for each unit of a drawing, the strongest first, as plain data."""
-    from knifetip import pipeline
+    from knifetip.units.evidence import judge
 
-    found = pipeline.unit_finding(drawing)
+    found = judge(drawing)
     return {
         "stated": drawing.stated,
         "ranking": list(found.ranking),

@@ -21,7 +21,6 @@ import numpy as np
 from knifetip.errors import UnitUnknown
 from knifetip.geometry.columns import F64, U8
 from knifetip.jobs.columns import packed, unpacked
-from knifetip.jobs.crew import Progress
 from knifetip.jobs.ledger import listed
 from knifetip.jobs.report import reported, said, unit_of
 from knifetip.jobs.store import Result
@@ -31,6 +30,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.machine import Machine
 from knifetip.model.profile import LineRules
+from knifetip.model.stage import Progress, Stage
 from knifetip.model.tool import kind_of
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def drawing_of(content: bytes, unit: str) -> Drawing:
     """Return the drawing in a file; ``unit`` as the user gave it, empty for the file's own."""
     from knifetip import pipeline
 
-    return pipeline.read_drawing(content, unit or None)
+    return pipeline.read(content, unit or None)
 
 
 def rules_of(profile: str, rules: str) -> LineRules:
@@ -108,17 +108,17 @@ def read(
     """
     from knifetip import pipeline
 
-    progress("read", 0.0)
+    progress(Stage.READ, 0.0)
     drawing = drawing_of(content, unit)
     handles = [said(handle) for handle in drawing.handles]
     overrides = np.full(len(drawing), NONE, np.uint8)
     if carried is not None:
         overrides = _carry(carried, handles)
-    progress("classify", 0.6)
-    dieline = pipeline.dieline(drawing, rules_of(profile, rules), overrides)
+    progress(Stage.CLASSIFY, 0.6)
+    dieline = pipeline.classify(drawing, rules_of(profile, rules), overrides)
     questions = pipeline.questions(drawing, dieline)
     report = reported(drawing, dieline)
-    progress("keep", 0.9)
+    progress(Stage.STORE, 0.9)
     layers = [said(layer) for layer in drawing.layers]
     edges = packed(
         {
@@ -219,7 +219,7 @@ def cleaned(progress: Progress, edges: bytes) -> dict[str, Any]:
     """
     from knifetip import pipeline
 
-    progress("clean", 0.0)
+    progress(Stage.CLEAN, 0.0)
     columns, meta = unpacked(edges)
     if not meta["unit"]:
         raise UnitUnknown(
@@ -257,12 +257,13 @@ def ask(
         Types of corners were chosen for a machine that does not mill.
     """
     from knifetip import pipeline
+    from knifetip.planning.plan import check_corners
 
-    progress("read", 0.0)
+    progress(Stage.READ, 0.0)
     if corners is not None:
-        pipeline.check_corners(corners_of(corners), load.machine(machine))
+        check_corners(corners_of(corners), load.machine(machine))
     drawing = drawing_of(content, unit)
-    dieline = pipeline.dieline(
+    dieline = pipeline.classify(
         drawing, rules_of(profile, rules), np.frombuffer(overrides, np.uint8)
     )
     questions = pipeline.questions(drawing, dieline, load.machine(machine))
@@ -295,18 +296,18 @@ def compile(
     """
     from knifetip import pipeline
 
-    progress("read", 0.0)
+    progress(Stage.READ, 0.0)
     drawing = drawing_of(content, unit)
     if not drawing.unit:
         raise UnitUnknown(
             f"The drawing does not say its unit ({drawing.evidence}).",
             "Set it with PATCH /api/drawings/{id}, or on the page.",
         )
-    dieline = pipeline.dieline(
+    dieline = pipeline.classify(
         drawing, rules_of(profile, rules), np.frombuffer(overrides, np.uint8)
     )
     table = load.machine(machine)
-    made = pipeline.compiled(
+    made = pipeline.compile(
         drawing,
         dieline,
         table,

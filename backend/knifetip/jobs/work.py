@@ -24,6 +24,7 @@ from knifetip.jobs import tasks
 from knifetip.jobs.crew import Crew, Fault, Withdrawn
 from knifetip.jobs.grace import Grace
 from knifetip.jobs.store import Store
+from knifetip.model.stage import Stage
 
 QUEUE = "compile"
 LIMIT = 120.0  #: seconds that a reading or a compile may take
@@ -131,9 +132,9 @@ class Workshop:
             return
         epoch = job.epoch
         renewed = time.monotonic()
-        said = ""
+        said: Stage | None = None
 
-        def watch(stage: str, fraction: float) -> bool:
+        def watch(stage: Stage, fraction: float) -> bool:
             nonlocal renewed, said
             now = time.monotonic()
             if stage == said and now - renewed < _RENEW / 5:

@@ -1611,9 +1611,9 @@ export interface components {
             wish: "" | "hold" | "resume" | "cancel";
             /**
              * Stage
-             * @description What the compile is doing now, empty when it is not compiling
+             * @description Stage of the compile; empty while the job is not being compiled
              */
-            stage: string;
+            stage: components["schemas"]["Stage"] | "";
             /**
              * Progress
              * @description 0 … 1 of the compile, or of the run
@@ -2161,6 +2161,12 @@ export interface components {
              */
             inherited: boolean;
         };
+        /**
+         * Stage
+         * @description A step of reading or compiling a drawing, in the order in which they happen.
+         * @enum {string}
+         */
+        Stage: "read" | "classify" | "store" | "clean" | "plan" | "compensate" | "sequence" | "process" | "verify" | "done";
         /**
          * StationOut
          * @description A station: joint position = programmed position + datum.

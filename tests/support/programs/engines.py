@@ -6,13 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from knifetip import compensate, plan, process, sequence, verify
+from knifetip import compensate, plan, process, sequence
 from knifetip.library import load
 from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.operation import Operation
 from knifetip.model.verdict import Verdict
+from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline, edges
 
 DEMO, ROUTER = load.machine("demo-table"), load.machine("router-table")

@@ -10,11 +10,11 @@ from typing import NoReturn
 import numpy as np
 
 from knifetip.errors import CurvedGroove
-from knifetip.jobs.crew import Progress
+from knifetip.model.stage import Progress, Stage
 
 
 def double(progress: Progress, number: int) -> int:
-    progress("half", 0.5)
+    progress(Stage.PLAN, 0.5)
     return 2 * number
 
 
@@ -31,14 +31,14 @@ def fail(progress: Progress, *_: object) -> NoReturn:
 
 
 def hang(progress: Progress, note: str = "") -> None:
-    progress("hang", 0.25)
+    progress(Stage.PLAN, 0.25)
     if note:
         Path(note).write_text(str(os.getpid()))
     time.sleep(60.0)
 
 
 def hang_in_verify(progress: Progress, *_: object) -> None:
-    progress("verify", 0.7)
+    progress(Stage.VERIFY, 0.7)
     time.sleep(60.0)
 
 

@@ -13,6 +13,7 @@ from knifetip.library import load
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
+from knifetip.model.interpretation import NO_OVERRIDE
 
 
 @dataclass(frozen=True)
@@ -38,12 +39,12 @@ class Named:
 
     def classified(self, corpus: Path | None) -> tuple[Drawing, Dieline, Board]:
         """Return the drawing, its dieline and the board."""
-        drawing = pipeline.read_drawing(self.data(corpus), self.unit)
-        dieline = pipeline.dieline(drawing, load.profile(self.profile))
+        drawing = pipeline.read(self.data(corpus), self.unit)
+        dieline = pipeline.classify(drawing, load.profile(self.profile))
         if self.answer:
             asked = dieline.line_type == LineType.UNCLASSIFIED
-            said = np.where(asked, LineType.of(self.answer), pipeline.NO_OVERRIDE).astype(np.uint8)
-            dieline = pipeline.dieline(drawing, load.profile(self.profile), said)
+            said = np.where(asked, LineType.of(self.answer), NO_OVERRIDE).astype(np.uint8)
+            dieline = pipeline.classify(drawing, load.profile(self.profile), said)
         assert len(dieline) == len(drawing) > 0
         assert np.isfinite(dieline.ends).all()
         return drawing, dieline, load.board(self.board)

@@ -95,7 +95,7 @@ def test_layers_named_after_colours_are_right_or_asked_about(corpus: Path):
 
 @pytest.mark.parametrize("known", KNOWN, ids=lambda known: Path(known.path).name)
 def test_what_is_known_is_right_or_asked_about_and_never_silently_wrong(corpus: Path, known: Known):
-    drawing = pipeline.read_drawing((corpus / known.path).read_bytes())
+    drawing = pipeline.read((corpus / known.path).read_bytes())
     truth = known.truth(drawing)
     for seen in (drawing, without_names(drawing)):
         said = classify(seen, load.profile("default"), load.conventions()).line_type

@@ -24,13 +24,13 @@ def test_a_house_is_right_or_asked_about_and_its_unit_too(house: House):
     first = HOUSES.index(house)
     for seed in range(first, first + 3):
         data, strokes, kind = drawn(house, seed)
-        drawing = pipeline.read_drawing(data)
+        drawing = pipeline.read(data)
         if drawing.unit:
             corners = np.array([(s.x0, s.y0, s.x1, s.y1) for s in strokes]).reshape(-1, 2)
             size = np.ptp(corners, axis=0).max()
             assert np.ptp(drawing.ends.reshape(-1, 2), axis=0).max() == pytest.approx(size, 0.02)
         kinds, _ = truth(drawing, strokes)
-        dieline = pipeline.dieline(drawing, rules)
+        dieline = pipeline.classify(drawing, rules)
         said = dieline.line_type
         unsaid = said == LineType.UNCLASSIFIED
         edges, asked = edges + len(said), asked + int(unsaid.sum())

@@ -72,7 +72,7 @@ def test_ends_at_one_point_are_at_one_place_though_another_is_nearer():
 @pytest.mark.corpus
 @pytest.mark.parametrize("known", KNOWN, ids=lambda known: Path(known.path).name)
 def test_what_is_known_is_said_of_a_shuffled_file_too(corpus: Path, known: Known):
-    drawing = pipeline.read_drawing((corpus / known.path).read_bytes())
+    drawing = pipeline.read((corpus / known.path).read_bytes())
     truth = known.truth(drawing)
     said = classify(drawing, load.profile("default"), load.conventions()).line_type
     right, _, _ = shares(truth, said, drawing.lengths)

@@ -42,8 +42,8 @@ def test_an_edge_that_goes_on_beyond_the_other_does_not_lie_on_it():
 def test_a_crease_on_a_cut_is_not_asked_about(crease: tuple[float, float, float, float]):
     text = [line(*one, (8, "Design"), (62, 1)) for one in _RIM]
     text += [line(*one, (8, "Design"), (62, 2)) for one in (_MIDDLE, crease)]
-    drawing = pipeline.read_drawing(dxf(*text))
-    dieline = pipeline.dieline(drawing, load.profile("default"))
+    drawing = pipeline.read(dxf(*text))
+    dieline = pipeline.classify(drawing, load.profile("default"))
     assert dieline.line_type.tolist() == 4 * [LineType.CUT] + 2 * [LineType.CREASE]
     assert dieline.rules[dieline.rule[5]].endswith("; it lies on a cut")
     # The cut takes it.
@@ -55,5 +55,5 @@ def test_a_crease_on_a_cut_is_not_asked_about(crease: tuple[float, float, float,
 def test_a_crease_where_the_board_ends_is_asked_about():
     text = [line(*one, (8, "Design"), (62, 1)) for one in _RIM[1:]]
     text += [line(*one, (8, "Design"), (62, 2)) for one in (_MIDDLE, _RIM[0])]
-    dieline = pipeline.dieline(pipeline.read_drawing(dxf(*text)), load.profile("default"))
+    dieline = pipeline.classify(pipeline.read(dxf(*text)), load.profile("default"))
     assert dieline.line_type[4] == LineType.UNCLASSIFIED

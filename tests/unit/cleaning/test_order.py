@@ -36,7 +36,7 @@ def worked(dieline: Dieline) -> dict[LineType, tuple[int, float]]:
 
 @pytest.mark.parametrize("seed", range(60))
 def test_a_shuffled_drawing_is_put_in_the_same_order(seed: int):
-    dieline = pipeline.dieline(random_drawings.random_drawing(seed)[0], load.profile("default"))
+    dieline = pipeline.classify(random_drawings.random_drawing(seed)[0], load.profile("default"))
     said = worked(dieline)
     for other in range(2):
         found = worked(shuffled(dieline, other))

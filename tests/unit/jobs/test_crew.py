@@ -12,6 +12,7 @@ import pytest
 
 from knifetip.errors import CurvedGroove, DrawingTooLarge
 from knifetip.jobs.crew import Crew, Fault, Withdrawn
+from knifetip.model.stage import Stage
 from tests.support.serving import crew_tasks
 
 pytestmark = pytest.mark.xdist_group("crew")
@@ -40,7 +41,7 @@ def test_a_task_runs_in_another_process_and_tells_how_far_it_is(crew: Crew):
         crew.run(crew_tasks.double, 21, limit=30.0, watch=lambda *said: not heard.append(said))
         == 42
     )
-    assert heard[-1] == ("half", 0.5)
+    assert heard[-1] == (Stage.PLAN, 0.5)
     assert crew.run(crew_tasks.process_id, limit=30.0) != os.getpid()
 
 
@@ -66,7 +67,7 @@ def test_a_failure_that_nobody_foresaw_leaves_the_process_alive(crew: Crew):
 def test_a_task_that_hangs_is_killed_and_another_process_takes_its_place(crew: Crew):
     before = crew.run(crew_tasks.process_id, limit=30.0)
     began = time.monotonic()
-    with pytest.raises(DrawingTooLarge, match="Stage hang was not finished after 0 s"):
+    with pytest.raises(DrawingTooLarge, match="Stage plan was not finished after 0 s"):
         crew.run(crew_tasks.hang, limit=0.4)
     assert time.monotonic() - began < 15.0
     assert gone(before)

@@ -12,7 +12,7 @@ def words(layer: str, x: float, y: float, said: str, *more: text.Tag) -> str:
 
 
 def test_words_stand_where_the_file_puts_them():
-    drawing = pipeline.read_drawing(
+    drawing = pipeline.read(
         text.dxf(
             words("NOTES", 10.0, 20.0, "Rev. B"),
             text.line(0.0, 0.0, 100.0, 0.0, (8, "CUT")),
@@ -30,12 +30,12 @@ def test_words_stand_where_the_file_puts_them():
 
 
 def test_words_are_measured_in_the_unit_that_was_decided():
-    drawing = pipeline.read_drawing(text.dxf(words("NOTES", 1.0, 2.0, "Lid"), units=None), "in")
+    drawing = pipeline.read(text.dxf(words("NOTES", 1.0, 2.0, "Lid"), units=None), "in")
     assert listed(drawing)[0]["place"] == [25.4, 50.8, 127.0]
 
 
 def test_words_of_a_block_or_of_the_paper_take_no_place_of_the_sheets():
-    drawing = pipeline.read_drawing(
+    drawing = pipeline.read(
         text.dxf(
             words("NOTES", 1.0, 1.0, "paper", (67, 1)),
             text.insert("STAMP", 500.0, 500.0),

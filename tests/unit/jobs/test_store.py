@@ -28,6 +28,7 @@ from knifetip.errors import (
 from knifetip.jobs import migrations
 from knifetip.jobs.store import ATTEMPTS, LEASE, Report, Result, Store
 from knifetip.jobs.tables import Base, Drawing, Job
+from knifetip.model.stage import Stage
 
 LINES = 231
 RESULT = Result(
@@ -758,7 +759,7 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
 def test_a_compile_that_was_cancelled_cannot_leave_its_result(store: Store):
     job = compiling(store)
     store.cancel(job.id)
-    assert not store.compile_progress(job.id, job.epoch, "plan", 0.1)
+    assert not store.compile_progress(job.id, job.epoch, Stage.PLAN, 0.1)
     with pytest.raises(WrongState):
         store.compiled(job.id, job.epoch, RESULT)
     assert store.job(job.id).state == "cancelled"
@@ -768,7 +769,7 @@ def test_a_compile_whose_worker_fell_silent_is_tried_again_and_the_old_one_is_fe
     store: Store, clock: Clock
 ):
     job = compiling(store)
-    store.compile_progress(job.id, job.epoch, "verify", 0.7)
+    store.compile_progress(job.id, job.epoch, Stage.VERIFY, 0.7)
     clock.now += LEASE + 0.1
     assert store.sweep(patience=-1.0) == [(job.id, 2)]
     assert store.begin_compile(job.id, 1, "the old worker") is None

@@ -112,14 +112,14 @@ def test_an_entry_point_that_is_another_language_is_refused(package):
 
 
 def test_the_language_reaches_the_time_estimate():
-    drawing = pipeline.read_drawing(samples()["tuck-end-carton.dxf"])
-    line = pipeline.dieline(drawing, load.profile("default"))
+    drawing = pipeline.read(samples()["tuck-end-carton.dxf"])
+    line = pipeline.classify(drawing, load.profile("default"))
     machine, board = load.machine("demo-table"), load.board("fbb-0.4")
     halting, other = (
-        pipeline.compiled(drawing, line, machine, board, dialect=name)
+        pipeline.compile(drawing, line, machine, board, dialect=name)
         for name in ("linuxcnc", "grblhal")
     )
-    own = pipeline.compiled(drawing, line, replace(machine, dialect="linuxcnc"), board)
+    own = pipeline.compile(drawing, line, replace(machine, dialect="linuxcnc"), board)
     assert halting.program.text.count(b"G4 P0\n") > other.program.text.count(b"G4 P0\n") + 10
     assert halting.seconds > other.seconds + 0.015 * 10
     assert (halting.seconds, halting.program.text) == (own.seconds, own.program.text)

@@ -89,8 +89,8 @@ def test_its_ellipse_is_followed_within_a_hundredth():
 
 @pytest.mark.parametrize("layered", [True, False])
 def test_it_is_classified_without_a_question(layered: bool):
-    drawing = pipeline.read_drawing(carton(layered=layered))
-    dieline = pipeline.dieline(drawing, load.profile("default"))
+    drawing = pipeline.read(carton(layered=layered))
+    dieline = pipeline.classify(drawing, load.profile("default"))
     assert pipeline.questions(drawing, dieline) == []
     lengths = {
         kind: drawing.lengths[dieline.line_type == kind].sum()

@@ -125,6 +125,6 @@ def simulated(text, machine):
 def test_the_simulated_table_takes_as_long(named):
     machine = load.machine("demo-table")
     drawing, dieline, board = named.classified(None)
-    made = pipeline.compiled(drawing, dieline, machine, board, dialect="grblhal")
+    made = pipeline.compile(drawing, dieline, machine, board, dialect="grblhal")
     ours = duration(made.toolpath, machine)
     assert ours == pytest.approx(simulated(made.program.text, machine), rel=0.02)

@@ -18,6 +18,7 @@ from knifetip.geometry import arc
 from knifetip.library import load
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.svg.read import read
+from knifetip.units.evidence import judge
 from tests.support.writers.svg_text import SVG, carton, svg
 
 
@@ -201,11 +202,11 @@ def test_pixels_and_bare_numbers_are_no_size(size: str):
 def test_a_page_without_a_size_is_asked_and_pixels_and_points_are_among_the_answers():
     folds = "".join(f'<path d="M{x} 51V233"/>' for x in (171, 313, 455))
     data = svg(f'<rect x="31" y="31" width="587" height="217"/>{folds}', size="", box="0 0 650 280")
-    drawing = pipeline.read_drawing(data)
+    drawing = pipeline.read(data)
     assert drawing.unit == ""
     (question,) = (
         one
-        for one in pipeline.questions(drawing, pipeline.dieline(drawing, load.profile("default")))
+        for one in pipeline.questions(drawing, pipeline.classify(drawing, load.profile("default")))
         if one.kind == "unit"
     )
     assert {"mm", "in", "pt", "px"} <= set(question.choices)
@@ -214,8 +215,8 @@ def test_a_page_without_a_size_is_asked_and_pixels_and_points_are_among_the_answ
 
 def test_what_illustrator_wrote_is_likelier_in_points_than_in_pixels():
     data = svg('<rect width="587" height="217"/>', size="", box="0 0 650 280")
-    plain = pipeline.unit_finding(read(data)).ranking
-    signed = pipeline.unit_finding(read(b"<!-- Adobe Illustrator -->" + data)).ranking
+    plain = judge(read(data)).ranking
+    signed = judge(read(b"<!-- Adobe Illustrator -->" + data)).ranking
     assert signed.index("pt") < signed.index("px")
     assert signed.index("pt") <= plain.index("pt")
 

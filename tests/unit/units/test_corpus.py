@@ -9,6 +9,7 @@ import pytest
 from knifetip import pipeline
 from knifetip.errors import KnifetipError
 from knifetip.model.drawing import Drawing
+from knifetip.units.evidence import judge
 
 pytestmark = pytest.mark.corpus
 
@@ -35,8 +36,8 @@ KNOWN = [
 
 @pytest.mark.parametrize(("name", "truth", "decided"), KNOWN)
 def test_known_drawing_is_read_in_its_unit_or_asks_with_it_first(corpus, name, truth, decided):
-    drawing = pipeline.read_drawing((corpus / name).read_bytes())
-    finding = pipeline.unit_finding(drawing)
+    drawing = pipeline.read((corpus / name).read_bytes())
+    finding = judge(drawing)
     assert drawing.unit == decided
     assert decided in (truth, "")
     assert finding.ranking[0] == truth
@@ -44,7 +45,7 @@ def test_known_drawing_is_read_in_its_unit_or_asks_with_it_first(corpus, name, t
 
 def read(path: Path) -> Drawing | None:
     try:
-        drawing = pipeline.read_drawing(path.read_bytes())
+        drawing = pipeline.read(path.read_bytes())
     except KnifetipError:
         return None
     return drawing if len(drawing) else None
@@ -61,7 +62,7 @@ def test_no_drawing_is_absurd_in_silence(corpus):
             continue
         low_x, low_y, high_x, high_y = drawing.bounds
         longer = max(high_x - low_x, high_y - low_y)
-        finding = pipeline.unit_finding(drawing)
+        finding = judge(drawing)
         if drawing.stated and drawing.stated != drawing.unit:
             against.append(path.name)
             assert finding.warnings[0].startswith("The header states ")

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 import shapely
 
-from knifetip import compensate, plan, process, sequence, verify
+from knifetip import compensate, plan, process, sequence
 from knifetip.compensation.radius import centres
 from knifetip.library import load
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
+from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline
 
 ROUTER = load.machine("router-table")

@@ -8,6 +8,7 @@ from pydantic import BaseModel, Field, computed_field
 
 from knifetip.api.schemas.common import Name, QuestionOut, Strict
 from knifetip.api.schemas.drawings import Override
+from knifetip.model.stage import Stage
 
 JobState = Literal[
     "received",
@@ -133,7 +134,9 @@ class JobOut(BaseModel):
     wish: Literal["", "hold", "resume", "cancel"] = Field(
         default="", description="What the operator asked for and the machine has not done yet"
     )
-    stage: str = Field(description="What the compile is doing now, empty when it is not compiling")
+    stage: Stage | Literal[""] = Field(
+        description="Stage of the compile; empty while the job is not being compiled"
+    )
     progress: float = Field(description="0 … 1 of the compile, or of the run")
     line: int = Field(description="Lines of the program that the machine has executed")
     lines: int

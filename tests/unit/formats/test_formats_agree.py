@@ -79,13 +79,13 @@ def as_pdf(drawing: Drawing) -> bytes:
 
 
 def types(drawing: Drawing) -> list[int]:
-    return pipeline.dieline(drawing, load.profile("default")).line_type.tolist()
+    return pipeline.classify(drawing, load.profile("default")).line_type.tolist()
 
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_a_sample_is_the_same_as_svg(name: str):
-    drawing = pipeline.read_drawing(SAMPLES[name])
-    again = pipeline.read_drawing(as_svg(drawing))
+    drawing = pipeline.read(SAMPLES[name])
+    again = pipeline.read(as_svg(drawing))
     assert_allclose(again.ends, drawing.ends, atol=1e-9)
     assert_allclose(again.bulge, drawing.bulge, atol=1e-9)
     assert types(again) == types(drawing)
@@ -93,8 +93,8 @@ def test_a_sample_is_the_same_as_svg(name: str):
 
 @pytest.mark.parametrize("name", ["tuck-end-carton.dxf", "corrugated-tray.dxf"])
 def test_a_sample_is_the_same_as_cf2(name: str):
-    drawing = pipeline.read_drawing(SAMPLES[name])
-    again = pipeline.read_drawing(as_cf2(drawing))
+    drawing = pipeline.read(SAMPLES[name])
+    again = pipeline.read(as_cf2(drawing))
     assert_allclose(again.ends, drawing.ends, atol=1e-9)
     assert_allclose(again.bulge, drawing.bulge, atol=1e-9)
     assert types(again) == types(drawing)
@@ -102,8 +102,8 @@ def test_a_sample_is_the_same_as_cf2(name: str):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_a_sample_is_the_same_as_pdf(name: str):
-    drawing = pipeline.read_drawing(SAMPLES[name])
-    again = pipeline.read_drawing(as_pdf(drawing))
+    drawing = pipeline.read(SAMPLES[name])
+    again = pipeline.read(as_pdf(drawing))
     straight, same = drawing.bulge == 0.0, again.bulge == 0.0
     assert_allclose(again.ends[same], drawing.ends[straight], atol=1e-6)
     assert_allclose(again.bounds, drawing.bounds, atol=1e-3)
@@ -114,9 +114,9 @@ def test_a_sample_is_the_same_as_pdf(name: str):
 
 @given(st.floats(-180.0, 180.0), st.booleans(), st.floats(0.05, 20.0))
 def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(turn, mirror, scale):
-    drawing = pipeline.read_drawing(SAMPLES["tuck-end-carton.dxf"])
+    drawing = pipeline.read(SAMPLES["tuck-end-carton.dxf"])
     before = f"translate(500,500) rotate({turn!r}) {'scale(-1,1)' if mirror else ''}"
-    again = pipeline.read_drawing(as_svg(drawing, before, scale))
+    again = pipeline.read(as_svg(drawing, before, scale))
     angle = math.radians(turn)
     spin = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
     on_page = drawing.ends * [1.0, -1.0] + [0.0, 1000.0]

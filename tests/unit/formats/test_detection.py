@@ -7,8 +7,8 @@ import gzip
 import pytest
 
 from knifetip.errors import NotADrawing
-from knifetip.intake.kind import kind_of
-from knifetip.pipeline import read_drawing
+from knifetip.formats import format_of
+from knifetip.pipeline import read
 from tests.support.writers import cf2_text, pdf_text, svg_text
 from tests.support.writers.dxf_text import dxf, line
 
@@ -43,7 +43,7 @@ DXF = dxf(line(0, 0, 1, 1))
     ],
 )
 def test_a_file_goes_to_its_reader(data: bytes, kind: str):
-    assert kind_of(data) == kind
+    assert format_of(data).name == kind
 
 
 @pytest.mark.parametrize(
@@ -62,7 +62,7 @@ def test_a_file_goes_to_its_reader(data: bytes, kind: str):
 )
 def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str):
     with pytest.raises(NotADrawing) as caught:
-        kind_of(data)
+        format_of(data)
     assert what in caught.value.message
     assert "DXF" in caught.value.hint
     assert "CF2, SVG or PDF" in caught.value.hint
@@ -70,9 +70,9 @@ def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str):
 
 @pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG), PDF])
 def test_the_pipeline_reads_them_all(data: bytes):
-    assert len(read_drawing(data)) > 0
+    assert len(read(data)) > 0
 
 
 @pytest.mark.parametrize("data", [CF2, SVG, PDF])
 def test_the_unit_of_the_user_stands_above_that_of_the_file(data: bytes):
-    assert (read_drawing(data, "in").unit, read_drawing(data, "in").evidence) == ("in", "given")
+    assert (read(data, "in").unit, read(data, "in").evidence) == ("in", "given")

@@ -1,0 +1,117 @@
+"""detection: the kind of a file, by its content and never by its name.
+
+    bytes -> Beginning -> whether it is SVG, PDF, CF2, or what it is instead
+
+Only the beginning of the file is examined.
+"""
+
+from __future__ import annotations
+
+import re
+import zlib
+from dataclasses import dataclass
+from typing import Final
+
+#: Number of bytes that are examined, and the range in which an XML root element must begin.
+_HEAD: Final = 4096
+_ROOT_WITHIN: Final = 1 << 18
+
+#: First bytes of files that are sent by mistake, and what they are.
+_FOREIGN: Final = (
+    (b"\x89PNG", "a PNG picture"),
+    (b"\xff\xd8\xff", "a JPEG picture"),
+    (b"GIF8", "a GIF picture"),
+    (b"BM", "a BMP picture"),
+    (b"II*\x00", "a TIFF picture"),
+    (b"MM\x00*", "a TIFF picture"),
+    (b"RIFF", "a picture or a film (RIFF)"),
+    (b"%!PS", "a PostScript or an Illustrator file"),
+    (b"\xc5\xd0\xd3\xc6", "an EPS file"),
+    (b"PK\x03\x04", "a ZIP archive (or an Office or a 3MF file, which are such)"),
+    (b"Rar!", "a RAR archive"),
+    (b"7z\xbc\xaf", "a 7z archive"),
+    (b"AC10", "a DWG drawing"),
+    (b"AC1.", "an old DWG drawing"),
+    (b"\xd0\xcf\x11\xe0", "an old Office file, or a CAD file that is built like one"),
+    (b"ISO-10303-21", "a STEP file"),
+    (b"solid ", "an STL model"),
+    (b"{", "a JSON file"),
+)
+
+#: The root element of an XML file, and what may precede it.
+_ROOT: Final = re.compile(rb"<(?![?!])\s*([^\s>/]+)")
+_PROLOG: Final = re.compile(rb"<!--.*?-->|<\?.*?\?>|<!DOCTYPE[^\[>]*(?:\[.*?\]\s*)?>", re.DOTALL)
+#: A CF2 may lack its $BOF line; a DXF never begins with one of the other keywords.
+_CF2: Final = re.compile(
+    rb"\s*(?:\$BOF\b|V2\s*[\r\n]+\s*ORDER\b|ORDER\s*[\r\n]|MAIN\s*,|SUB\s*,|"
+    rb"[LA]\s*,\s*[\d.]+\s*,\s*\d+\s*,\s*\d+\s*,\s*[-+\d.])",
+    re.IGNORECASE,
+)
+_GZIP: Final = b"\x1f\x8b"
+_BYTE_ORDER_MARK: Final = b"\xef\xbb\xbf"
+
+
+@dataclass(frozen=True, slots=True)
+class Beginning:
+    """The part of a file by which its kind is detected."""
+
+    head: bytes  #: without byte order mark and leading blanks; UTF-16 as UTF-8; b"" if empty
+    data: bytes  #: the whole file
+
+    @classmethod
+    def of(cls, data: bytes) -> Beginning:
+        """Return the beginning of a file."""
+        head = data[:_HEAD]
+        if head[:2] in (b"\xff\xfe", b"\xfe\xff"):
+            head = data[: 4 * _HEAD].decode("utf-16", "ignore").encode()
+        return cls(head.removeprefix(_BYTE_ORDER_MARK).lstrip(b" \t\r\n\x00"), data)
+
+
+def is_svg(file: Beginning) -> bool:
+    """Return whether a file is an SVG, which may be compressed with gzip (.svgz)."""
+    if file.head.startswith(_GZIP):
+        return _unpacked(file.data).startswith(b"<")
+    if not file.head.startswith(b"<"):
+        return False
+    root = _root_element(file.data)
+    # The SVG reader reports the error of a file that has no element.
+    return not root or root.rpartition(":")[2].lower() == "svg"
+
+
+def is_pdf(file: Beginning) -> bool:
+    """Return whether a file is a PDF."""
+    return file.head.startswith(b"%PDF")
+
+
+def is_cf2(file: Beginning) -> bool:
+    """Return whether a file is a CF2."""
+    return _CF2.match(file.head) is not None
+
+
+def foreign_kind(file: Beginning) -> str:
+    """Return what a file is that is no drawing: "a PNG picture"; "" where that is not known."""
+    if file.head.startswith(_GZIP):
+        return "a gzip archive"
+    if file.head.startswith(b"<"):
+        root = _root_element(file.data)
+        page = root.lower() in ("html", "body")
+        return "an HTML page" if page else f"XML of the kind {root[:40]!r}"
+    return next((what for start, what in _FOREIGN if file.head.startswith(start)), "")
+
+
+def _unpacked(data: bytes) -> bytes:
+    """Return the first bytes inside a gzip; b"" if it is damaged."""
+    try:
+        inside = zlib.decompressobj(31).decompress(data, _HEAD)
+    except zlib.error:
+        return b""
+    return inside.removeprefix(_BYTE_ORDER_MARK).lstrip()
+
+
+def _root_element(data: bytes) -> str:
+    """Return the name of the root element of an XML; "" where there is none near its beginning."""
+    begin = data[:_ROOT_WITHIN]
+    if begin[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        begin = begin.decode("utf-16", "ignore").encode()
+    found = _ROOT.search(_PROLOG.sub(b"", begin))
+    return "" if found is None else found[1].decode("utf-8", "replace")

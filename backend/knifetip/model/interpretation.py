@@ -1,0 +1,34 @@
+"""Interpretation: what a user decides about a drawing's file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.geometry.columns import U8
+from knifetip.model.corners import Corners
+
+#: In a column of overrides: the edge keeps the line type of its classification.
+NO_OVERRIDE: Final = 255
+
+
+@dataclass(frozen=True, slots=True)
+class Interpretation:
+    """The decisions that turn the bytes of a file into a dieline for a job.
+
+    It holds plain values only, so that it can be stored and sent to another process.
+    """
+
+    unit: str = ""  #: "mm", "cm", "m", "in", "ft", "pt" or "px"; "" leaves it to the file
+    profile: str = "default"  #: name of the classification profile
+    rules: str = ""  #: TOML text of a customer's profile; "" for a profile of the library
+    #: one byte per edge, ``NO_OVERRIDE`` or a LineType; b"" where no edge is overridden
+    overrides: bytes = b""
+    corners: Corners | None = None  #: how a cutter goes round corners; None: the machine's choice
+
+    @property
+    def override_column(self) -> U8 | None:
+        """(n,) ``NO_OVERRIDE`` or LineType; None where no edge is overridden."""
+        return np.frombuffer(self.overrides, np.uint8) if self.overrides else None

@@ -1,0 +1,36 @@
+"""placement: where a drawing lies on a machine's table.
+
+Dieline, Machine -> shift in mm, added to the drawing's coordinates
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.errors import TravelExceeded
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import extents
+from knifetip.model.machine import Machine
+
+
+def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
+    """Return the shift (mm) that moves the lower left corner of the work to the machine's origin.
+
+    Edges that are ignored or unclassified do not count.
+
+    Raises
+    ------
+    TravelExceeded
+        The work is larger than the table.
+    """
+    worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
+    low_x, low_y, high_x, high_y = extents(dieline.ends[worked], dieline.bulge[worked])
+    x, y = machine.origin
+    if high_x - low_x > machine.width - x or high_y - low_y > machine.height - y:
+        raise TravelExceeded(
+            f"The drawing is {high_x - low_x:.1f} × {high_y - low_y:.1f} mm, and {machine.title} "
+            f"has room for {machine.width - x:.0f} × {machine.height - y:.0f} mm.",
+            "Check the unit of the drawing, turn it, or choose a larger machine.",
+        )
+    # Rounded to the decimals of a program, so that the program's header is exact.
+    return round(x - float(low_x), 4), round(y - float(low_y), 4)

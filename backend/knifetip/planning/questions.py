@@ -1,0 +1,39 @@
+"""questions: line types of a dieline for which a machine has no tool.
+
+Dieline, Machine -> list[Question]
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.messages import Message
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine
+from knifetip.model.question import Question
+from knifetip.planning.plan import missing
+
+
+def tool_questions(dieline: Dieline, machine: Machine) -> list[Question]:
+    """Return one question for each line type that no station of the machine can make."""
+    return [
+        Question(
+            kind="tool",
+            message=Message(
+                "question.tool", edges=len(edges), type=kind.word, machine=machine.title
+            ),
+            choices=_makeable(machine),
+            edges=tuple(edges.tolist()),
+        )
+        for kind in LineType
+        if len(edges := np.flatnonzero(dieline.line_type == kind)) and missing(kind, machine)
+    ]
+
+
+def _makeable(machine: Machine) -> tuple[str, ...]:
+    """Return the words of the line types that the machine can make."""
+    return tuple(
+        kind.word
+        for kind in LineType
+        if kind != LineType.UNCLASSIFIED and not missing(kind, machine)
+    )
