@@ -12,10 +12,11 @@ from knifetip.verification.bench import CATCH
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.findings import MOST
 from knifetip.verification.intent import TOUCHING
-from knifetip.verification.kinematics import Trade, point_at
+from knifetip.verification.kinematics import point_at
 from knifetip.verification.outline import inside, outline
 from knifetip.verification.overlap import overlaps
 from knifetip.verification.stretches import Rows, leftover
+from knifetip.verification.tools import Trade
 from knifetip.verification.trial import Trial
 
 

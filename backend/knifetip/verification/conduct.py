@@ -11,11 +11,11 @@ import numpy as np
 
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
-from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.findings import MOST, Findings
 from knifetip.verification.kinematics import LEVEL, Tips
 from knifetip.verification.moves import Moves
+from knifetip.verification.tools import EXACT, expected
 
 #: A feed may differ from the tool's by this share of it: programs print six figures.
 FEED: Final = 1e-5
@@ -26,10 +26,6 @@ LENGTH: Final = 5e-4
 INSTANT: Final = 2e-6
 #: A joint may stand past its travel by this (mm, degrees): less than programs print.
 TRAVEL: Final = 1e-6
-#: Inside a pass C may turn alone by this, where a tool has no swivel angle of its own (degrees).
-TURN: Final = 1.01
-#: What a tool's swivel angle may be exceeded by: C is printed to 0.0001°.
-EXACT: Final = 0.01
 #: A line may replace an arc that bows by no more than this: controllers reject smaller arcs (mm).
 BOW: Final = 1e-3
 
@@ -130,7 +126,7 @@ def feeds(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
 
 def _standing(moves: Moves, tip: Tips, machine: Machine) -> Bool:
     """Return on which moves the tip stands still in XY: a drag knife's head swings round it."""
-    trails = np.array([getattr(station.tool, "trail", 0.0) > 0.0 for station in machine.stations])
+    trails = np.array([expected(station.tool).trails for station in machine.stations])
     way = np.hypot(*(tip.end - tip.start)[:, :2].T)
     result: Bool = (way < 1e-3) & ((moves.sweep == 0.0) | trails[moves.station])
     return result
@@ -161,12 +157,9 @@ def outputs(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
                         f"too (output {rival.output}).",
                     )
                 )
-        moved = isinstance(station.tool, Knife) and station.tool.oscillating
-        if moved:
-            wrong.append((mine & ~moves.oscillating, "the oscillating knife cuts at rest."))
-        elif isinstance(station.tool, Cutter):
-            if station.tool.speed > 0.0:
-                wrong.append((mine & ~moves.oscillating, "the cutter works and does not turn."))
+        tool = expected(station.tool)
+        if tool.turns:
+            wrong.append((mine & ~moves.oscillating, tool.at_rest))
         else:
             wrong.append(
                 (
@@ -212,10 +205,7 @@ def in_the_board(
     slanted = stay & (np.abs(drop) > LEVEL)
     top = np.minimum(np.maximum(tip.start[:, 2], tip.end[:, 2]), board.caliper)
     share = np.divide(top - lowest, np.abs(drop), out=np.zeros(len(drop)), where=slanted)
-    slope = np.zeros(len(machine.stations))
-    for index, station in enumerate(machine.stations):
-        if isinstance(station.tool, VCutter):
-            slope[index] = station.tool.slope
+    slope = np.array([expected(station.tool).slope for station in machine.stations])
     heading = np.radians(tip.end[:, 3])
     right = np.stack([np.sin(heading), -np.cos(heading)], axis=1)
     wanted = right * (drop * slope[moves.station])[:, None]
@@ -245,16 +235,10 @@ def _turns(
     stay, slanted : (n,)
         Feeds in the board, and those among them that change their height.
     """
-    widest = np.full(len(machine.stations), TURN)
-    most = np.full(len(machine.stations), 180.0)
-    follows = np.ones(len(machine.stations), np.bool_)
-    for index, station in enumerate(machine.stations):
-        if isinstance(station.tool, Knife):
-            widest[index] = station.tool.swivel + EXACT
-        elif isinstance(station.tool, CreaseWheel):
-            most[index] = 90.0
-        # A rotating cutter works alike at every heading, so C does not follow its path.
-        follows[index] = not isinstance(station.tool, Cutter)
+    held = [expected(station.tool) for station in machine.stations]
+    widest = np.array([tool.swivel for tool in held])
+    most = np.array([tool.most for tool in held])
+    follows = np.array([tool.follows for tool in held])
     turn = tip.end[:, 3] - tip.start[:, 3]
     in_place = slanted | _standing(moves, tip, machine)
     path = np.where(follows[moves.station] & ~in_place, np.degrees(moves.sweep), 0.0)

@@ -13,23 +13,23 @@ from typing import Final
 import numpy as np
 
 from knifetip.model.dieline import LineType
-from knifetip.model.tool import Cutter, Knife
 from knifetip.verification.bench import Bench
 from knifetip.verification.columns import I64
 from knifetip.verification.grooving import Grooving
 from knifetip.verification.intent import WORKED, Edges, drawn_once
-from knifetip.verification.kinematics import Trade, Work
+from knifetip.verification.kinematics import Work
 from knifetip.verification.knifework import Knifework
 from knifetip.verification.overlap import overlaps
 from knifetip.verification.removal import Ways, judge_removal
 from knifetip.verification.rolling import Rolling
+from knifetip.verification.tools import Trade, expected
 from knifetip.verification.trial import Trial
 
 
 def compare(bench: Bench, work: Work) -> None:
     """Compare all work with all edges, trade by trade and station by station."""
-    knives = any(isinstance(held.tool, Knife) for held in bench.machine.stations)
-    cutters = any(isinstance(held.tool, Cutter) for held in bench.machine.stations)
+    held = {expected(station.tool).through for station in bench.machine.stations}
+    knives, cutters = Trade.CUT in held, Trade.MILL in held
     for trade, kinds in WORKED.items():
         edges = bench.edges.of(*kinds)
         if trade == Trade.CUT and cutters and not knives:
@@ -71,7 +71,7 @@ class _Milling(Trial):
 
     def judge(self) -> None:
         held = self.bench.machine.stations[int(self.station[0])] if len(self.station) else None
-        if held is None or not isinstance(held.tool, Cutter):
+        if held is None or expected(held.tool).disc is None:
             self.uncut(self.matched(), np.arange(len(self.edges)))
             return
         ways = Ways(self.curve, self.z, self.track, self.line, self.blend)

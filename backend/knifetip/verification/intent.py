@@ -24,8 +24,9 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.tool import CreaseWheel
 from knifetip.verification.columns import F64, I32, I64, Bool
-from knifetip.verification.kinematics import Trade, arcs, azimuth_at, lines, point_at
+from knifetip.verification.kinematics import arcs, azimuth_at, lines, point_at
 from knifetip.verification.overlap import overlaps
+from knifetip.verification.tools import Trade
 
 #: Ends nearer than this are one path (mm).
 JOINED: Final = 0.002

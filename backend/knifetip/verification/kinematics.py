@@ -15,42 +15,21 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from enum import IntEnum
 from typing import Final
 
 import numpy as np
 
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
-from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
 from knifetip.verification.moves import Moves
+from knifetip.verification.tools import expected
 
 #: Heights that differ by less are one height (mm).
 LEVEL: Final = 1e-6
 #: The chords that stand for a curved way of the tip stay within this of it (mm).
 CHORD: Final = 1e-4
 _PIECES: Final = 10_000
-
-
-class Trade(IntEnum):
-    """What a tool does at its depth."""
-
-    CUT = 0  #: a knife through the board
-    HALF_CUT = 1  #: a knife part of the way
-    CREASE = 2
-    GROOVE = 3
-    MILL = 4  #: a cutter that removes a disc, through the board
-
-    @property
-    def word(self) -> str:
-        """How a finding begins."""
-        return ("Cut", "Half-cut", "Crease", "V-groove", "Cutter")[self]
-
-    @property
-    def tool(self) -> str:
-        """What a finding calls the tool."""
-        return ("the knife", "the knife", "the wheel", "the V-cutter", "the cutter")[self]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -135,12 +114,8 @@ def arcs(centre: F64, start: F64, sweep: F64) -> F64:
 def tip_offset(heading: F64, station: Station) -> F64:
     """Return where the tip stands, seen from the head's axis, (n, 2) mm, at headings (degrees)."""
     cos, sin = np.cos(np.radians(heading)), np.sin(np.radians(heading))
-    tool = station.tool
-    ahead, right = 0.0, 0.0
-    if isinstance(tool, VCutter):
-        ahead, right = -tool.half_width, -tool.back
-    elif isinstance(tool, Knife):
-        ahead = -tool.trail
+    tool = expected(station.tool)
+    ahead, right = tool.ahead, tool.right
     return np.stack([ahead * cos + right * sin, ahead * sin - right * cos], axis=1)
 
 
@@ -272,16 +247,8 @@ def _chorded(
 
 
 def _trades(z: F64, station: I32, machine: Machine, board: Board) -> U8:
-    kinds = np.full((len(machine.stations), 2), Trade.MILL, np.uint8)
-    for index, held in enumerate(machine.stations):
-        if isinstance(held.tool, Knife):
-            kinds[index] = Trade.CUT, Trade.HALF_CUT
-        elif isinstance(held.tool, CreaseWheel):
-            kinds[index] = Trade.CREASE
-        elif isinstance(held.tool, VCutter):
-            kinds[index] = Trade.GROOVE
-        else:
-            assert isinstance(held.tool, Cutter)
+    held = [expected(station.tool) for station in machine.stations]
+    kinds = np.array([(tool.through, tool.partly) for tool in held], np.uint8).reshape(-1, 2)
     # Of a knife's two depths the nearer one is meant.
     half = np.abs(z - (board.caliper - board.half_cut_depth)) < np.abs(z + machine.into_mat)
     result: U8 = kinds[station, half.astype(np.int64)]

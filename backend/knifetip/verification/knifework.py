@@ -17,11 +17,12 @@ from knifetip.verification.bridges import bridges, judged
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.findings import MOST
 from knifetip.verification.intent import Chains, Edges, apart, knife_ends, straight_on
-from knifetip.verification.kinematics import Trade, azimuth_at, lines, point_at
+from knifetip.verification.kinematics import azimuth_at, lines, point_at
 from knifetip.verification.outline import inside, outline
 from knifetip.verification.overlap import overlaps
 from knifetip.verification.stops import before, judge_stops
 from knifetip.verification.stretches import BRIEF, Rows, gaps, nearest_until
+from knifetip.verification.tools import Trade
 from knifetip.verification.trial import Trial
 
 

@@ -22,7 +22,6 @@ import numpy as np
 from numba import njit
 
 from knifetip.model.dieline import LineType
-from knifetip.model.tool import Cutter
 from knifetip.verification.bench import DEPTH, Bench
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.equidistants import equidistants
@@ -36,10 +35,11 @@ from knifetip.verification.intent import (
     joints,
     pairs_within,
 )
-from knifetip.verification.kinematics import Trade, Work, azimuth_at, lines, point_at
+from knifetip.verification.kinematics import Work, azimuth_at, lines, point_at
 from knifetip.verification.outline import outline, walks
 from knifetip.verification.overlap import cells_of, laid_out, overlaps
 from knifetip.verification.stretches import added
+from knifetip.verification.tools import Trade, expected
 
 #: An end of a cut so near to another cut closes a contour with it; so much of a cut may be left and
 #: it holds nothing (mm).  A little less than what is planned for.
@@ -202,9 +202,10 @@ def _worked(bench: Bench, work: Work, cuts: Edges) -> _Stretches:
     for index in np.unique(work.station[mill]):
         held = bench.machine.stations[int(index)]
         assert bounds is not None
-        assert isinstance(held.tool, Cutter)
+        disc = expected(held.tool).disc
+        assert disc is not None
         give = next((one for one in bench.board.deflection if one.tool == held.name), None)
-        reach = np.full(2, held.tool.radius) - ((give.x, give.y) if give else 0.0)
+        reach = np.full(2, disc.radius) - ((give.x, give.y) if give else 0.0)
         widest = max(widest, float(reach.max()))
         beside = equidistants(bounds, reach)
         rows = np.flatnonzero(mill & (work.station == index))

@@ -21,7 +21,6 @@ from typing import Final
 import numpy as np
 
 from knifetip.model.machine import Station
-from knifetip.model.tool import Cutter
 from knifetip.verification import disc
 from knifetip.verification.bench import CATCH, DEPTH, Bench
 from knifetip.verification.bridges import judged, strung
@@ -35,6 +34,7 @@ from knifetip.verification.outline import Outline, inside, outline
 from knifetip.verification.overlap import overlaps
 from knifetip.verification.passes import unprepared
 from knifetip.verification.stretches import SAME, gaps, leftover
+from knifetip.verification.tools import Disc, expected
 from knifetip.verification.unreached import areas
 
 #: Programs print to half of this (mm).
@@ -68,8 +68,8 @@ def judge_removal(bench: Bench, edges: Edges, ways: Ways, station: Station, slac
     slack : mm
         Shorter gaps are none.
     """
-    tool = station.tool
-    assert isinstance(tool, Cutter)
+    tool = expected(station.tool).disc
+    assert tool is not None
     give = next((held for held in bench.board.deflection if held.tool == station.name), None)
     reach = np.array([tool.radius, tool.radius]) - ((give.x, give.y) if give else 0.0)
     _Removal(bench, edges, ways, tool, reach, slack).run()
@@ -79,7 +79,7 @@ class _Removal:
     """One cutter's ways against all cuts."""
 
     def __init__(
-        self, bench: Bench, edges: Edges, ways: Ways, tool: Cutter, reach: F64, slack: float
+        self, bench: Bench, edges: Edges, ways: Ways, tool: Disc, reach: F64, slack: float
     ) -> None:
         self.bench, self.edges, self.ways, self.tool = bench, edges, ways, tool
         self.reach, self.slack, self.tolerance = reach, slack, bench.tolerance

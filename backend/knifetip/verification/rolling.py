@@ -13,7 +13,7 @@ from knifetip.verification.astray import judge_astray
 from knifetip.verification.findings import MOST
 from knifetip.verification.folds import at_places, doubled, joined, parted, rolled_gaps
 from knifetip.verification.intent import WORKED, creases
-from knifetip.verification.kinematics import Trade
+from knifetip.verification.tools import Trade
 from knifetip.verification.trial import Trial
 
 

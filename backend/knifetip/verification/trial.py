@@ -21,9 +21,10 @@ from knifetip.verification.bench import DEPTH, PLACE, PRINTED, Bench
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.findings import MOST
 from knifetip.verification.intent import Edges, apart
-from knifetip.verification.kinematics import Trade, Work, azimuth_at, off_line
+from knifetip.verification.kinematics import Work, azimuth_at, off_line
 from knifetip.verification.overlap import overlaps
 from knifetip.verification.stretches import BRIEF, Rows, leftover
+from knifetip.verification.tools import Trade
 
 Held = TypeVar("Held", Knife, CreaseWheel, VCutter)
 

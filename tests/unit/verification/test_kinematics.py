@@ -6,13 +6,13 @@ import pytest
 from knifetip.model.machine import Station
 from knifetip.model.tool import Knife
 from knifetip.verification.kinematics import (
-    Trade,
     arcs,
     azimuth_at,
     lines,
     point_at,
     tip_offset,
 )
+from knifetip.verification.tools import Trade
 from knifetip.verification.verify import followed
 from tests.support.programs.handwritten import (
     BOARD,

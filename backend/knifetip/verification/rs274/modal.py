@@ -20,6 +20,7 @@ from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
 from knifetip.verification.moves import Moves, Switches
 from knifetip.verification.rs274.parse import Words
+from knifetip.verification.tools import expected
 
 #: More lines than this are no program for one sheet.
 BLOCKS: Final = 2_000_000
@@ -277,9 +278,9 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
         fault(bounded, "says G64, which controllers without a tool table reject.")
     # A dwell of nothing only ends a blend; any other is for what was switched.
     # A spindle has its own speed, and its own time to come to it; an oscillation is at S1.
-    turns = np.array([*(getattr(held.tool, "speed", 1.0) for held in machine.stations), 1.0])
-    spins = [getattr(held.tool, "spin_up", 0.0) for held in machine.stations]
-    settle = np.maximum(np.array([*spins, 0.0]), machine.settle)[state.station]
+    tools = [expected(held.tool) for held in machine.stations]
+    turns = np.array([*(tool.speed for tool in tools), 1.0])
+    settle = np.maximum([*(tool.wait for tool in tools), 0.0], machine.settle)[state.station]
     waits = (number["P"] == 0.0) | (np.abs(number["P"] - settle) <= PRINT)
     fault(timed & ~waits, f"waits for another time than the machine's {machine.settle:g} s.")
     fault(has("F") & ~(number["F"] > 0.0), "has a feed that does not move.")

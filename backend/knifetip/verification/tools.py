@@ -1,0 +1,125 @@
+"""tools: what the judge expects of each kind of tool.
+
+    Tool -> Expected
+
+Written from the tools' drawings and the machines' manuals, apart from what the stages do with them:
+only the dimensions in the records are shared.  To add a kind, add a row to ``_EXPECTED``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Any, Final
+
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
+
+#: Inside a pass C may turn alone by this, where a tool has no swivel angle of its own (degrees).
+TURN: Final = 1.01
+#: What a tool's swivel angle may be exceeded by: C is printed to 0.0001°.
+EXACT: Final = 0.01
+#: Where a cutter has no lead of its own, its offset is set up on so many radii.
+_SET_UP: Final = 1.5
+
+
+class Trade(IntEnum):
+    """What a tool does at its depth."""
+
+    CUT = 0  #: a knife through the board
+    HALF_CUT = 1  #: a knife part of the way
+    CREASE = 2
+    GROOVE = 3
+    MILL = 4  #: a cutter that removes a disc, through the board
+
+    @property
+    def word(self) -> str:
+        """How a finding begins."""
+        return ("Cut", "Half-cut", "Crease", "V-groove", "Cutter")[self]
+
+    @property
+    def tool(self) -> str:
+        """What a finding calls the tool."""
+        return ("the knife", "the knife", "the wheel", "the V-cutter", "the cutter")[self]
+
+
+@dataclass(frozen=True, slots=True)
+class Disc:
+    """What a rotating cutter or a beam removes."""
+
+    radius: float  #: mm
+    step: float  #: deepest cut in one pass (mm); 0 for all at once
+    set_up: float  #: the longest way from where it enters to a contour (mm)
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """What a program may do with a tool, and what the tool then does to the board."""
+
+    through: Trade
+    partly: Trade  #: where it goes only part of the way through
+    ahead: float = 0.0  #: from the head's axis to the tip, along C (mm)
+    right: float = 0.0  #: and to the right of C (mm)
+    slope: float = 0.0  #: sideways travel per mm of depth
+    trails: bool = False  #: its head swings round the tip while C turns
+    swivel: float = TURN  #: C may turn by this in the board inside a pass (degrees)
+    most: float = 180.0  #: a turn in the board need never be wider (degrees)
+    follows: bool = True  #: C turns as the path does
+    speed: float = 1.0  #: S word of M3
+    turns: bool = False  #: M3 must be in force while it works; otherwise it must not
+    at_rest: str = ""  #: what is wrong where it is not in force
+    wait: float = 0.0  #: seconds after it is switched, if longer than the machine's own
+    disc: Disc | None = None
+
+
+def _knife(tool: Knife) -> Expected:
+    return Expected(
+        Trade.CUT,
+        Trade.HALF_CUT,
+        ahead=-tool.trail,
+        trails=tool.trail > 0.0,
+        swivel=tool.swivel + EXACT,
+        turns=tool.oscillating,
+        at_rest="the oscillating knife cuts at rest.",
+    )
+
+
+def _crease_wheel(_tool: CreaseWheel) -> Expected:
+    return Expected(Trade.CREASE, Trade.CREASE, most=90.0)
+
+
+def _v_cutter(tool: VCutter) -> Expected:
+    return Expected(
+        Trade.GROOVE,
+        Trade.GROOVE,
+        ahead=-tool.half_width,
+        right=-tool.back,
+        slope=math.tan(math.radians(tool.tilt)),
+    )
+
+
+def _cutter(tool: Cutter) -> Expected:
+    return Expected(
+        Trade.MILL,
+        Trade.MILL,
+        follows=False,
+        speed=tool.speed,
+        turns=tool.speed > 0.0,
+        at_rest="the cutter works and does not turn.",
+        wait=tool.spin_up,
+        disc=Disc(tool.radius, tool.step, tool.lead or _SET_UP * tool.radius),
+    )
+
+
+_EXPECTED: Final[Mapping[type[Tool], Callable[[Any], Expected]]] = {
+    Knife: _knife,
+    CreaseWheel: _crease_wheel,
+    VCutter: _v_cutter,
+    Cutter: _cutter,
+}
+
+
+def expected(tool: Tool) -> Expected:
+    """Return what the judge expects of a tool."""
+    return _EXPECTED[type(tool)](tool)
