@@ -30,7 +30,7 @@ def corpus() -> Path:
 
 
 @pytest.fixture
-def knifetip(monkeypatch, capfd):
+def knifetip(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]):
     """Run the command; returns exit code, stdout, stderr."""
 
     def run(*words):

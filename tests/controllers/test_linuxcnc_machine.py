@@ -19,7 +19,7 @@ pytestmark = [
 ]
 
 
-def test_joints_are_programmed_plus_datum_and_the_knife_stays_on_its_line():
+def test_joints_are_programmed_plus_datum_and_the_knife_stays_on_its_line() -> None:
     with running(tool_table(TABLE)) as machine:
         seen = machine.run(wheel(knife(Hand())).program())
     # The wheel ends at (160, 73.9), height 20, heading 90; its datum is X +60, Z -1.5.

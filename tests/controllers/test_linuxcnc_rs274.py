@@ -41,7 +41,7 @@ def verdict(program: bytes, dieline, tools=TOOLS, placement=(20.0, 20.0)):
 
 
 @pytest.mark.parametrize("job", JOBS)
-def test_the_tip_of_each_tool_is_on_the_line(job: str):
+def test_the_tip_of_each_tool_is_on_the_line(job: str) -> None:
     write, dieline = JOBS[job]
     report = verdict(write(Hand()).program(), dieline)
     assert report.accepted, report.stderr
@@ -54,7 +54,7 @@ def test_the_tip_of_each_tool_is_on_the_line(job: str):
     assert report.worked == pytest.approx(expected[job], abs=0.01)
 
 
-def test_three_stations_in_one_program_work_with_their_own_datum_and_piston():
+def test_three_stations_in_one_program_work_with_their_own_datum_and_piston() -> None:
     program = knife(groove(wheel(Hand()))).program()
     report = verdict(program, together(BLANK, CREASES, GROOVE))
     assert report.problems == []
@@ -82,7 +82,9 @@ def test_three_stations_in_one_program_work_with_their_own_datum_and_piston():
         (b"F12000\n", b"\n", "accepted", None),
     ],
 )
-def test_the_judge_sees_what_is_wrong(old: bytes, new: bytes, measure: str, least: float | None):
+def test_the_judge_sees_what_is_wrong(
+    old: bytes, new: bytes, measure: str, least: float | None
+) -> None:
     program = knife(Hand()).program()
     shifted = {1: replace(KNIFE, datum=(7.0, 0.0, 0.0, 0.0))} if b"T1" in old else TOOLS
     assert not verdict(program, BLANK, shifted).problems
@@ -97,7 +99,7 @@ def test_the_judge_sees_what_is_wrong(old: bytes, new: bytes, measure: str, leas
         assert report.problems
 
 
-def test_the_judge_sees_an_edge_that_no_tool_works_and_a_line_that_nobody_drew():
+def test_the_judge_sees_an_edge_that_no_tool_works_and_a_line_that_nobody_drew() -> None:
     program = knife(Hand()).program()
     more = together(BLANK, ([((0, 0), (5, 0))], [0], [LineType.CUT]))
     assert verdict(program, more).worst_gap == pytest.approx(np.hypot(100, 50), abs=0.01)
@@ -106,7 +108,7 @@ def test_the_judge_sees_an_edge_that_no_tool_works_and_a_line_that_nobody_drew()
     assert verdict(program, (*BLANK[:2], [LineType.CREASE] * 6)).worst_deviation == np.inf
 
 
-def test_the_judge_sees_a_v_cutter_on_the_wrong_side_and_one_that_tears_on_its_way_in():
+def test_the_judge_sees_a_v_cutter_on_the_wrong_side_and_one_that_tears_on_its_way_in() -> None:
     program = groove(Hand()).program()
     mirrored = {3: replace(V_CUTTER, back=-6.0)}
     assert verdict(program, GROOVE, mirrored).worst_deviation > 11.9
@@ -114,7 +116,7 @@ def test_the_judge_sees_a_v_cutter_on_the_wrong_side_and_one_that_tears_on_its_w
     assert verdict(upright, GROOVE).worst_deviation > 1.0
 
 
-def test_the_controller_reads_the_same_places_and_arcs_within_a_unit():
+def test_the_controller_reads_the_same_places_and_arcs_within_a_unit() -> None:
     """Two thousand moves of every size: none is refused, none is moved."""
     rng = np.random.default_rng(12)
     hand = Hand().to(1, Motion.RAPID, 500, 500, 20, 0)
@@ -145,7 +147,7 @@ def test_the_controller_reads_the_same_places_and_arcs_within_a_unit():
     assert np.abs(np.hypot(*arcs.T) - np.hypot(*others.T)).max() < 3e-4
 
 
-def test_feeds_are_what_the_toolpath_asks_for():
+def test_feeds_are_what_the_toolpath_asks_for() -> None:
     hand = knife(Hand())
     moves = read_program(hand.program(), TOOLS).moves
     working = moves.kind != 0
@@ -155,7 +157,7 @@ def test_feeds_are_what_the_toolpath_asks_for():
     np.testing.assert_allclose(moves.feed[working & ~swivel], 12000.0)
 
 
-def test_what_linuxcnc_obeys_in_a_comment_never_reaches_it():
+def test_what_linuxcnc_obeys_in_a_comment_never_reaches_it() -> None:
     hand = Hand().to(1, Motion.RAPID, 1, 1)
     text = process(
         hand.toolpath(), TABLE, "linuxcnc", notes=["(PY,raise SystemExit(7))", "LOGOPEN,x.txt"]

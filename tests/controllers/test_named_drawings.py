@@ -69,17 +69,19 @@ def on_the_line(report: Report, over: float) -> None:
 
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
-def test_linuxcnc_puts_the_tip_on_the_line_of_our_samples(named: Named):
+def test_linuxcnc_puts_the_tip_on_the_line_of_our_samples(named: Named) -> None:
     on_the_line(*judged(named, None))
 
 
 @pytest.mark.corpus
 @pytest.mark.parametrize("named", NAMED, ids=str)
-def test_linuxcnc_puts_the_tip_on_the_line_of_drawings_by_other_hands(named: Named, corpus: Path):
+def test_linuxcnc_puts_the_tip_on_the_line_of_drawings_by_other_hands(
+    named: Named, corpus: Path
+) -> None:
     on_the_line(*judged(named, corpus))
 
 
-def test_a_wrong_offset_of_the_v_cutter_would_be_seen():
+def test_a_wrong_offset_of_the_v_cutter_would_be_seen() -> None:
     # The judge itself is tried: with d stated 0.05 mm too long it must find the tip off the line.
     drawing, dieline, board = SAMPLES[2].classified(None)
     made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")

@@ -9,9 +9,18 @@ import pytest
 import shapely
 
 from knifetip import compensate, plan, process, sequence
+from knifetip.geometry.columns import F64
 from knifetip.library import load
 from knifetip.model.dieline import LineType
-from tests.controllers.linuxcnc_rs274 import ABSENT, ARC, RS274, TRAVERSE, TipTool, read_program
+from tests.controllers.linuxcnc_rs274 import (
+    ABSENT,
+    ARC,
+    RS274,
+    TRAVERSE,
+    Moves,
+    TipTool,
+    read_program,
+)
 from tests.support.shapes import closed, dieline, edges
 
 pytestmark = [pytest.mark.controller, pytest.mark.skipif(RS274 is None, reason=ABSENT)]
@@ -36,7 +45,7 @@ def program(corner: str) -> bytes:
     return process(toolpath, machine, "linuxcnc").text
 
 
-def way(moves, row):
+def way(moves: Moves, row: int) -> F64:
     """Points along a move, as LinuxCNC understood it."""
     start, end, middle = moves.start[row, :2], moves.end[row, :2], moves.centre[row]
     share = np.linspace(0.0, 1.0, 33)[:, None]
@@ -50,7 +59,7 @@ def way(moves, row):
 
 
 @pytest.mark.parametrize("corner", ["B", "C", "D", "auto"])
-def test_linuxcnc_takes_the_router_round_the_part(corner: str):
+def test_linuxcnc_takes_the_router_round_the_part(corner: str) -> None:
     text = program(corner)
     assert b"T4 M6 G43" in text
     assert b"M3 S18000\nG4 P2\n" in text
@@ -76,7 +85,7 @@ def test_linuxcnc_takes_the_router_round_the_part(corner: str):
     assert swept.intersection(PART).area == pytest.approx(60.0 * 6.0 + np.pi * 9.0, abs=2.0)
 
 
-def test_two_passes_go_through_a_board_of_three_millimetres():
+def test_two_passes_go_through_a_board_of_three_millimetres() -> None:
     depths = read_program(program("B"), TABLE).moves.end[:, 2]
     # 3.3 mm in steps of at most 3: to z 1.35, then to −0.3.
     assert {1.35, -0.3} <= {round(float(z), 4) for z in depths}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -51,12 +52,14 @@ def small_program(dialect: str, path: Toolpath | None = None) -> bytes:
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_the_small_job_is_what_it_was(dialect: str, golden):
+def test_the_small_job_is_what_it_was(dialect: str, golden: Callable[[str, bytes], None]) -> None:
     golden(f"small-job-{dialect}.ngc", small_program(dialect))
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_a_change_of_a_tenth_of_a_micrometre_is_seen(dialect: str, golden, request):
+def test_a_change_of_a_tenth_of_a_micrometre_is_seen(
+    dialect: str, golden: Callable[[str, bytes], None], request: pytest.FixtureRequest
+) -> None:
     if request.config.getoption("--accept", default=False):
         pytest.skip("the golden files are being written")
     path = small_job()

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from knifetip import pipeline
+from knifetip.geometry.columns import F64, I64
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
@@ -17,7 +18,9 @@ from tests.support.truth.named import SAMPLES, Named
 TABLE = load.machine("demo-table")
 
 
-def with_more(drawing: Drawing, line: Dieline, ends, bulge, like) -> tuple[Drawing, Dieline]:
+def with_more(
+    drawing: Drawing, line: Dieline, ends: F64, bulge: F64, like: I64
+) -> tuple[Drawing, Dieline]:
     """The drawing with edges that look like others of it."""
     columns = ("entity", "layer", "colour", "true_colour", "linetype")
     more = replace(
@@ -41,7 +44,7 @@ def with_more(drawing: Drawing, line: Dieline, ends, bulge, like) -> tuple[Drawi
 
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
-def test_a_sample_with_everything_drawn_twice_gives_the_same_program(named: Named):
+def test_a_sample_with_everything_drawn_twice_gives_the_same_program(named: Named) -> None:
     drawing, line, board = named.classified(None)
     whole = pipeline.compile(drawing, line, TABLE, board)
     every = np.arange(len(line))
@@ -55,7 +58,7 @@ def test_a_sample_with_everything_drawn_twice_gives_the_same_program(named: Name
 
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
-def test_a_sample_in_pieces_with_creases_under_its_cuts_is_accepted(named: Named):
+def test_a_sample_in_pieces_with_creases_under_its_cuts_is_accepted(named: Named) -> None:
     drawing, line, board = named.classified(None)
     straight = np.flatnonzero((line.bulge == 0.0) & (line.line_type == LineType.CUT))
     # Every straight cut in two pieces, and a crease under a part of it.
@@ -80,7 +83,7 @@ def test_a_sample_in_pieces_with_creases_under_its_cuts_is_accepted(named: Named
     assert made.toolpath.source.max() < len(broken)
 
 
-def test_a_blank_left_open_at_its_corners_is_cut_closed():
+def test_a_blank_left_open_at_its_corners_is_cut_closed() -> None:
     drawing, line, board = SAMPLES[2].classified(None)
     ends = line.ends.copy()
     cut = np.flatnonzero((line.line_type == LineType.CUT) & (line.bulge == 0.0))
@@ -93,7 +96,9 @@ def test_a_blank_left_open_at_its_corners_is_cut_closed():
     assert made.seconds == pytest.approx(whole.seconds, rel=1e-3)
 
 
-def test_a_program_that_cuts_by_a_cleaning_that_lost_an_edge_is_refused(monkeypatch):
+def test_a_program_that_cuts_by_a_cleaning_that_lost_an_edge_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     drawing, line, board = SAMPLES[0].classified(None)
     right = pipeline.clean
 
@@ -109,7 +114,7 @@ def test_a_program_that_cuts_by_a_cleaning_that_lost_an_edge_is_refused(monkeypa
     assert "edge 3: it is" in verdict.findings[0].text
 
 
-def test_damage_in_a_file_by_other_hands_is_told_edge_by_edge(corpus: Path):
+def test_damage_in_a_file_by_other_hands_is_told_edge_by_edge(corpus: Path) -> None:
     named = Named("Obrary__Parametric-Papercraft/Interchange-Files", "cube.dxf", "e-flute", "mm")
     drawing, line, board = named.classified(corpus)
     made = pipeline.compile(drawing, line, TABLE, board)

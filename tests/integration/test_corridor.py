@@ -40,18 +40,20 @@ def runs_to_its_end(shop: httpx.Client, named: Named, corpus: Path | None) -> No
 
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
-def test_a_sample_runs_to_its_end(shop: httpx.Client, named: Named):
+def test_a_sample_runs_to_its_end(shop: httpx.Client, named: Named) -> None:
     runs_to_its_end(shop, named, None)
 
 
 @pytest.mark.corpus
 @pytest.mark.parametrize("named", NAMED, ids=str)
-def test_a_drawing_by_other_hands_runs_to_its_end(shop: httpx.Client, named: Named, corpus: Path):
+def test_a_drawing_by_other_hands_runs_to_its_end(
+    shop: httpx.Client, named: Named, corpus: Path
+) -> None:
     runs_to_its_end(shop, named, corpus)
 
 
 @pytest.mark.corpus
-def test_an_svg_by_other_hands_runs_to_its_end(shop: httpx.Client, corpus: Path):
+def test_an_svg_by_other_hands_runs_to_its_end(shop: httpx.Client, corpus: Path) -> None:
     runs_to_its_end(shop, MAILER, corpus)
 
 
@@ -65,7 +67,9 @@ def test_an_svg_by_other_hands_runs_to_its_end(shop: httpx.Client, corpus: Path)
     ],
     ids=["svg", "cf2", "pdf", "pdf-spots"],
 )
-def test_a_carton_in_another_format_runs_to_its_end(shop: httpx.Client, data: bytes, unit: str):
+def test_a_carton_in_another_format_runs_to_its_end(
+    shop: httpx.Client, data: bytes, unit: str
+) -> None:
     drawing = uploaded(shop, data)
     assert (drawing["unit"], drawing["questions"]) == (unit, [])
     rows = drawing["ledger"]["rows"]
@@ -80,7 +84,7 @@ def test_a_carton_in_another_format_runs_to_its_end(shop: httpx.Client, data: by
     assert (done["line"], done["progress"]) == (done["lines"], 1.0)
 
 
-def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client):
+def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> None:
     drawing = uploaded(shop, square())["id"]
     job = ordered(shop, drawing, copies=3, release=True)["id"]
     for copy in (1, 2):
@@ -99,7 +103,7 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client):
     assert "copy 2 of 3 is done: put a new sheet on the table" in whys
 
 
-def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client):
+def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client) -> None:
     drawing = uploaded(shop, square(side=1000.0))["id"]
     job = ordered(shop, drawing, copies=2, release=True)["id"]
     until(shop, job, "held", confirm=True)
@@ -109,7 +113,7 @@ def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client):
     assert shop.get("/api/machines/demo-table").json()["job"] is None
 
 
-def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Client):
+def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Client) -> None:
     drawing = uploaded(shop, square())["id"]
     first, second = (ordered(shop, drawing, release=True)["id"] for _ in range(2))
     until(shop, first, "done", confirm=True)
@@ -134,7 +138,9 @@ def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Cli
     assert ("queued", "operator Kim", "confirmed: table clear, board e-flute") in said
 
 
-def test_a_job_that_waits_is_cancelled_at_once_and_the_next_one_is_offered(shop: httpx.Client):
+def test_a_job_that_waits_is_cancelled_at_once_and_the_next_one_is_offered(
+    shop: httpx.Client,
+) -> None:
     drawing = uploaded(shop, square())["id"]
     first, second = (ordered(shop, drawing, release=True)["id"] for _ in range(2))
     deadline = time.monotonic() + 20.0

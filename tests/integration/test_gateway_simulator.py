@@ -97,7 +97,7 @@ async def finished(program, controller, **options):
         return [progress async for progress in course]
 
 
-async def test_the_table_moves_along_the_program_and_nowhere_else():
+async def test_the_table_moves_along_the_program_and_nowhere_else() -> None:
     program = slots(5)
     assert len(program) > 10 * 128
     async with joined(sample=0.002) as (table, controller):
@@ -121,7 +121,7 @@ async def test_the_table_moves_along_the_program_and_nowhere_else():
     assert last.seconds_left == 0.0
 
 
-async def test_the_executed_line_follows_the_head_and_not_what_was_sent():
+async def test_the_executed_line_follows_the_head_and_not_what_was_sent() -> None:
     program = slots(4)
     rows = program.decode().splitlines()
     async with joined(speed=5.0) as (_, controller):
@@ -143,7 +143,7 @@ async def test_the_executed_line_follows_the_head_and_not_what_was_sent():
             assert row.startswith("G1 X300" if out else "G1 X100"), (progress, row)
 
 
-async def test_seconds_left_fall_and_are_near_the_truth():
+async def test_seconds_left_fall_and_are_near_the_truth() -> None:
     async with joined(speed=5.0) as (table, controller):
         left = {}
         async with aclosing(run(slots(2), controller)) as course:
@@ -156,7 +156,7 @@ async def test_seconds_left_fall_and_are_near_the_truth():
     assert seconds[-1] < 0.2 * seconds[0]
 
 
-async def test_pistons_move_only_while_the_table_stands():
+async def test_pistons_move_only_while_the_table_stands() -> None:
     async with joined() as (table, controller):
         await finished(slots(2), controller)
         switched = [(event.output, event.on) for event in table.switched]
@@ -166,13 +166,13 @@ async def test_pistons_move_only_while_the_table_stands():
         assert table.switched[-1].position[2] == 20.0
 
 
-async def test_a_greater_buffer_is_used_when_the_controller_reports_one():
+async def test_a_greater_buffer_is_used_when_the_controller_reports_one() -> None:
     async with joined(window=1024) as (table, controller):
         await finished(slots(3), controller)
         assert table.lost == 0
 
 
-async def test_a_thousand_lines_arrive_in_order_at_a_thousandfold_speed():
+async def test_a_thousand_lines_arrive_in_order_at_a_thousandfold_speed() -> None:
     program = slots(50)
     async with joined(speed=1000.0) as (table, controller):
         course = await finished(program, controller)
@@ -180,7 +180,7 @@ async def test_a_thousand_lines_arrive_in_order_at_a_thousandfold_speed():
         assert table.position[1] == 100.0 + 20.0 * 49
 
 
-async def test_a_dropped_ok_ends_in_silence_that_names_a_line_with_the_tool_up():
+async def test_a_dropped_ok_ends_in_silence_that_names_a_line_with_the_tool_up() -> None:
     async with joined(faults=Faults(drop_ok=frozenset({TAKEOVER + 20}))) as (table, controller):
         with pytest.raises(ControllerSilent, match=r"the answer to line \d+ .*is due"):
             await finished(slots(1), controller)
@@ -191,7 +191,7 @@ async def test_a_dropped_ok_ends_in_silence_that_names_a_line_with_the_tool_up()
         await finished(slots(1), controller)
 
 
-async def test_a_reset_in_mid_arc_stops_everything_and_nothing_goes_on():
+async def test_a_reset_in_mid_arc_stops_everything_and_nothing_goes_on() -> None:
     program = slots(3)
     async with joined(speed=5.0, faults=Faults(reset_in_arc=2), sample=0.001) as (
         table,
@@ -214,7 +214,7 @@ async def test_a_reset_in_mid_arc_stops_everything_and_nothing_goes_on():
     assert low[:, 2].max() <= 110.0 + 1e-9
 
 
-async def test_after_an_alarm_only_the_operator_lets_it_go_on():
+async def test_after_an_alarm_only_the_operator_lets_it_go_on() -> None:
     async with await simulator.serve(MACHINE, speed=50.0) as server:
         server.table.receive(b"G0 X5000\n\x18")
         with pytest.raises(ControllerAlarm, match="locked"):
@@ -225,7 +225,7 @@ async def test_after_an_alarm_only_the_operator_lets_it_go_on():
         await controller.close()
 
 
-async def test_hold_in_mid_arc_stands_and_resume_finishes_the_same_path():
+async def test_hold_in_mid_arc_stands_and_resume_finishes_the_same_path() -> None:
     async with joined(speed=2.0, sample=0.0005) as (table, controller):
         held, asked = [], False
         async with aclosing(run(slots(1), controller, interval=0.002)) as course:
@@ -250,7 +250,7 @@ async def test_hold_in_mid_arc_stands_and_resume_finishes_the_same_path():
     assert off_the_slots(samples[samples[:, 3] < 0.0]).max() < 1e-6
 
 
-async def test_closing_the_stream_stops_the_machine_and_raises_the_tool():
+async def test_closing_the_stream_stops_the_machine_and_raises_the_tool() -> None:
     async with joined(speed=2.0) as (table, controller):
         async with aclosing(run(slots(3), controller)) as course:
             async for progress in course:
@@ -264,7 +264,7 @@ async def test_closing_the_stream_stops_the_machine_and_raises_the_tool():
         await finished(slots(1), controller)
 
 
-async def test_closing_the_stream_during_the_check_moves_nothing():
+async def test_closing_the_stream_during_the_check_moves_nothing() -> None:
     async with joined() as (table, controller):
         async with aclosing(run(slots(50), controller, interval=0.001)) as course:
             async for progress in course:
@@ -274,7 +274,7 @@ async def test_closing_the_stream_during_the_check_moves_nothing():
         assert table.time == 0.0
 
 
-async def test_a_line_that_the_controller_would_refuse_stops_the_job_before_it_moves():
+async def test_a_line_that_the_controller_would_refuse_stops_the_job_before_it_moves() -> None:
     program = slots(2).replace(b"G1 X300.0000 F24000.0\n", b"G1 X300.0000 F24000.0 Q7\n")
     async with joined() as (table, controller):
         with pytest.raises(ControllerRejected, match=r"line 10 .*error:20"):
@@ -284,7 +284,7 @@ async def test_a_line_that_the_controller_would_refuse_stops_the_job_before_it_m
         await finished(slots(1), controller)
 
 
-async def test_a_move_beyond_the_travel_is_found_before_anything_moves():
+async def test_a_move_beyond_the_travel_is_found_before_anything_moves() -> None:
     program = slots(2).replace(b"X300.0000", b"X1800.0000")
     async with joined() as (table, controller):
         with pytest.raises(ControllerAlarm, match="ALARM:2"):
@@ -292,7 +292,7 @@ async def test_a_move_beyond_the_travel_is_found_before_anything_moves():
         assert table.time == 0.0
 
 
-async def test_a_line_refused_in_the_middle_stops_the_machine_with_the_tool_up():
+async def test_a_line_refused_in_the_middle_stops_the_machine_with_the_tool_up() -> None:
     async with joined(faults=Faults(errors={TAKEOVER + 25: 20})) as (table, controller):
         with pytest.raises(ControllerRejected, match=r"line 25 .*error:20"):
             await finished(slots(3), controller)
@@ -301,13 +301,13 @@ async def test_a_line_refused_in_the_middle_stops_the_machine_with_the_tool_up()
         assert table.position[1] < 140.0
 
 
-async def test_a_broken_connection_ends_the_job_at_once():
+async def test_a_broken_connection_ends_the_job_at_once() -> None:
     async with joined(faults=Faults(disconnect=TAKEOVER + 12)) as (_, controller):
         with pytest.raises(ControllerError, match="is lost"):
             await finished(slots(2), controller)
 
 
-async def test_a_program_with_realtime_bytes_in_a_comment_is_never_sent():
+async def test_a_program_with_realtime_bytes_in_a_comment_is_never_sent() -> None:
     program = b"(is this the box?)\n" + slots(1)
     async with joined() as (table, controller):
         with pytest.raises(ProgramError, match="Line 1 has the byte 0x3f"):
@@ -315,12 +315,12 @@ async def test_a_program_with_realtime_bytes_in_a_comment_is_never_sent():
         assert table.time == 0.0
 
 
-async def test_an_empty_program_is_done_at_once():
+async def test_an_empty_program_is_done_at_once() -> None:
     async with joined() as (_, controller):
         assert (await finished(b"", controller))[-1].lines == 0
 
 
-async def test_a_table_takes_one_sender_at_a_time_and_the_next_one_after_it():
+async def test_a_table_takes_one_sender_at_a_time_and_the_next_one_after_it() -> None:
     async with await simulator.serve(MACHINE, speed=50.0) as server:
         first = await grbl.dial(server.address, silence=0.4)
         second = await connect(server.address)
@@ -339,7 +339,7 @@ async def test_a_table_takes_one_sender_at_a_time_and_the_next_one_after_it():
         await third.close()
 
 
-async def test_noise_from_the_network_does_not_stop_the_table():
+async def test_noise_from_the_network_does_not_stop_the_table() -> None:
     async with await simulator.serve(MACHINE, speed=50.0) as server:
         transport = await connect(server.address)
         await transport.write(bytes(range(0x80, 0x100)) + b"GET / HTTP/1.1\r\n\r\n" + b"\x00" * 500)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.command import Command
 from tests.support.writers import hostile
 
 _MAKE = ("--machine", "demo-table", "--board", "e-flute", "-o", "made.ngc")
@@ -24,7 +25,7 @@ def check_refused(result: tuple[int, str, str], word: str) -> None:
 
 
 @pytest.mark.parametrize("name", hostile.REFUSED)
-def test_a_hostile_file_is_not_read(knifetip, tmp_path: Path, name: str):
+def test_a_hostile_file_is_not_read(knifetip: Command, tmp_path: Path, name: str) -> None:
     _, word, made = hostile.REFUSED[name]
     file = tmp_path / "drawing"
     file.write_bytes(made())
@@ -33,7 +34,13 @@ def test_a_hostile_file_is_not_read(knifetip, tmp_path: Path, name: str):
 
 @pytest.mark.parametrize("words", [("classify",), ("clean",), ("program", *_MAKE)])
 @pytest.mark.parametrize("name", _SMALL)
-def test_nothing_is_made_of_a_hostile_file(knifetip, monkeypatch, tmp_path, name: str, words):
+def test_nothing_is_made_of_a_hostile_file(
+    knifetip: Command,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    name: str,
+    words: tuple[str, ...],
+) -> None:
     _, word, made = hostile.REFUSED[name]
     monkeypatch.chdir(tmp_path)
     file = tmp_path / "drawing"
@@ -44,7 +51,9 @@ def test_nothing_is_made_of_a_hostile_file(knifetip, monkeypatch, tmp_path, name
 
 
 @pytest.mark.parametrize("name", hostile.READ)
-def test_what_is_hostile_in_a_file_is_left_out_and_told(knifetip, tmp_path: Path, name: str):
+def test_what_is_hostile_in_a_file_is_left_out_and_told(
+    knifetip: Command, tmp_path: Path, name: str
+) -> None:
     word, _, made = hostile.READ[name]
     file = tmp_path / "drawing"
     file.write_bytes(made())
@@ -53,7 +62,9 @@ def test_what_is_hostile_in_a_file_is_left_out_and_told(knifetip, tmp_path: Path
     assert word in out
 
 
-def test_a_file_of_a_terabyte_is_refused_after_64_megabytes(knifetip, tmp_path: Path):
+def test_a_file_of_a_terabyte_is_refused_after_64_megabytes(
+    knifetip: Command, tmp_path: Path
+) -> None:
     file = tmp_path / "drawing"
     file.touch()
     os.truncate(file, 1 << 40)

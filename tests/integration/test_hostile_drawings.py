@@ -168,14 +168,14 @@ def through(data: bytes) -> tuple[Drawing, Dieline]:
 
 
 @pytest.mark.parametrize("name", DRAWINGS)
-def test_a_hostile_drawing_is_put_in_order_in_time(name: str):
+def test_a_hostile_drawing_is_put_in_order_in_time(name: str) -> None:
     data = DRAWINGS[name]()
     begun = time.process_time()
     through(data)
     assert time.process_time() - begun < _SECONDS
 
 
-def test_lines_that_lie_on_hundreds_of_others_each_are_refused():
+def test_lines_that_lie_on_hundreds_of_others_each_are_refused() -> None:
     data = each_a_little_longer_than_the_one_before()
     begun = time.process_time()
     with pytest.raises(
@@ -186,7 +186,7 @@ def test_lines_that_lie_on_hundreds_of_others_each_are_refused():
     assert time.process_time() - begun < _SECONDS
 
 
-def test_names_full_of_signs_are_words():
+def test_names_full_of_signs_are_words() -> None:
     names = ["<script>alert(1)</script>", "\x01\x02\x7f", "'; DROP TABLE job; --", "\\U+0000"]
     names += ["\\U+D800", "a\u202eb", "%s%n{0}", "=cmd|' /C calc'!A0", "CUT" * 5000]
     data = text.dxf(*(text.line(0, row, 90, row, (8, name)) for row, name in enumerate(names)))

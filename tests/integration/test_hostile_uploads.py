@@ -68,7 +68,7 @@ def check_problem(answer: httpx.Response, status: int, word: str) -> None:
 
 
 @pytest.mark.parametrize("name", hostile.REFUSED)
-def test_a_hostile_file_is_refused(server: Running, name: str):
+def test_a_hostile_file_is_refused(server: Running, name: str) -> None:
     status, word, made = hostile.REFUSED[name]
     with unharmed(server):
         answer = server.client.post("/api/drawings", files={"file": ("a.dxf", made())})
@@ -77,7 +77,7 @@ def test_a_hostile_file_is_refused(server: Running, name: str):
 
 
 @pytest.mark.parametrize("name", hostile.READ)
-def test_what_is_hostile_in_a_file_is_left_out_and_told(server: Running, name: str):
+def test_what_is_hostile_in_a_file_is_left_out_and_told(server: Running, name: str) -> None:
     word, edges, made = hostile.READ[name]
     with unharmed(server):
         drawing = uploaded(server.client, made(), unit="mm")
@@ -86,7 +86,7 @@ def test_what_is_hostile_in_a_file_is_left_out_and_told(server: Running, name: s
         assert max(map(abs, drawing["bounds"])) <= 1e7
 
 
-def test_nothing_that_a_file_points_to_is_fetched(server: Running):
+def test_nothing_that_a_file_points_to_is_fetched(server: Running) -> None:
     with socket.create_server(("127.0.0.1", 0)) as elsewhere:
         elsewhere.settimeout(1.0)
         url = f"http://127.0.0.1:{elsewhere.getsockname()[1]}/"
@@ -131,7 +131,7 @@ def answered(line: socket.socket) -> bytes:
     return said
 
 
-def test_half_a_gigabyte_in_pieces_is_refused_after_the_first_64_megabytes(server: Running):
+def test_half_a_gigabyte_in_pieces_is_refused_after_the_first_64_megabytes(server: Running) -> None:
     piece = b"999\nnothing\n" * 87_381
     sent = 0
     with unharmed(server), connected(server) as line:
@@ -148,20 +148,22 @@ def test_half_a_gigabyte_in_pieces_is_refused_after_the_first_64_megabytes(serve
     assert said == b"" or said.startswith(b"HTTP/1.1 413")
 
 
-def test_half_a_gigabyte_that_is_announced_is_refused_before_it_comes(server: Running):
+def test_half_a_gigabyte_that_is_announced_is_refused_before_it_comes(server: Running) -> None:
     with unharmed(server), connected(server) as line:
         line.sendall(request(server, f"Content-Length: {500 * _MEGABYTE}"))
         assert answered(line).startswith(b"HTTP/1.1 413")
 
 
-def test_less_than_was_announced_is_waited_for_and_forgotten_with_the_connection(server: Running):
+def test_less_than_was_announced_is_waited_for_and_forgotten_with_the_connection(
+    server: Running,
+) -> None:
     with unharmed(server), connected(server) as line:
         line.sendall(request(server, "Content-Length: 1000000") + _HEAD + square())
         line.settimeout(0.5)
         assert answered(line) == b""
 
 
-def test_more_than_was_announced_is_no_second_request(server: Running):
+def test_more_than_was_announced_is_no_second_request(server: Running) -> None:
     whole = _HEAD + square() + _TAIL
     with unharmed(server), connected(server) as line:
         line.sendall(request(server, f"Content-Length: {len(whole) - 20}") + whole)
@@ -173,14 +175,14 @@ def test_more_than_was_announced_is_no_second_request(server: Running):
 
 
 @pytest.mark.parametrize("length", ["-1", "1e3", "9" * 5000, "5, 6", ""])
-def test_a_length_that_is_none_is_a_bad_request(server: Running, length: str):
+def test_a_length_that_is_none_is_a_bad_request(server: Running, length: str) -> None:
     with unharmed(server), connected(server) as line:
         line.sendall(request(server, f"Content-Length: {length}") + _HEAD)
         line.settimeout(2.0)
         assert answered(line).startswith(b"HTTP/1.1 4")
 
 
-def test_fifty_who_stop_in_the_middle_keep_nobody_waiting(server: Running):
+def test_fifty_who_stop_in_the_middle_keep_nobody_waiting(server: Running) -> None:
     with unharmed(server):
         lines = [connected(server) for _ in range(50)]
         begun = request(server, "Content-Length: 60000000") + _HEAD + b"0\n" * 1000
@@ -209,7 +211,7 @@ FORMS = {
 
 
 @pytest.mark.parametrize("name", FORMS)
-def test_a_hostile_form_is_a_problem(server: Running, name: str):
+def test_a_hostile_form_is_a_problem(server: Running, name: str) -> None:
     with unharmed(server):
         answer = server.client.post(
             "/api/drawings", content=FORMS[name], headers={"Content-Type": _FORM}
@@ -221,7 +223,7 @@ def test_a_hostile_form_is_a_problem(server: Running, name: str):
 
 
 @pytest.mark.parametrize("kind", ["", "text/plain", "multipart/form-data; boundary=", "a" * 5000])
-def test_a_form_that_says_it_is_something_else_is_a_problem(server: Running, kind: str):
+def test_a_form_that_says_it_is_something_else_is_a_problem(server: Running, kind: str) -> None:
     with unharmed(server):
         answer = server.client.post(
             "/api/drawings", content=_HEAD + square() + _TAIL, headers={"Content-Type": kind}
@@ -230,7 +232,7 @@ def test_a_form_that_says_it_is_something_else_is_a_problem(server: Running, kin
         assert answer.headers["content-type"] == "application/problem+json"
 
 
-def test_a_name_full_of_signs_is_kept_as_words(server: Running):
+def test_a_name_full_of_signs_is_kept_as_words(server: Running) -> None:
     name = '../../<script>alert(1)</script>\x00\x1b[31m\u202e"%s.dxf'
     body = _HEAD.replace(b"a.dxf", name.encode().replace(b'"', b"%22")) + square() + _TAIL
     with unharmed(server):
@@ -240,7 +242,7 @@ def test_a_name_full_of_signs_is_kept_as_words(server: Running):
             assert not set(answer.json()["name"]) & set("/\\\x00\x1b\u202e")
 
 
-def test_everything_at_once_leaves_a_server_that_reads(server: Running):
+def test_everything_at_once_leaves_a_server_that_reads(server: Running) -> None:
     """Eight who send bombs at the same time, and one who sends a carton."""
     bombs = [made for _, _, made in hostile.REFUSED.values() if made.__name__ != "<lambda>"]
     statuses: list[int] = []

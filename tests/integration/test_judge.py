@@ -13,18 +13,18 @@ from knifetip.model.dieline import LineType
 from knifetip.model.verdict import Verdict
 from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline, edges
-from tests.support.truth.named import SAMPLES
+from tests.support.truth.named import SAMPLES, Named
 
 CARTON, TRAY, RIGID = SAMPLES
 
 
-def verdict(named) -> Verdict:
+def verdict(named: Named) -> Verdict:
     drawing, dieline, board = named.classified(None)
     return pipeline.compile(drawing, dieline, load.machine("demo-table"), board).verdict
 
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
-def test_what_the_engines_make_is_accepted(named):
+def test_what_the_engines_make_is_accepted(named: Named) -> None:
     result = verdict(named)
     assert result.accepted, result.findings[:3]
     assert result.deviation.max() < 0.006
@@ -33,7 +33,9 @@ def test_what_the_engines_make_is_accepted(named):
 
 @pytest.mark.parametrize("dimension", ["back", "half_width"])
 @pytest.mark.parametrize("error", [-0.02, 0.02])
-def test_a_v_cutter_whose_d_or_r_is_wrong_by_a_fiftieth_is_refused(monkeypatch, dimension, error):
+def test_a_v_cutter_whose_d_or_r_is_wrong_by_a_fiftieth_is_refused(
+    monkeypatch: pytest.MonkeyPatch, dimension: str, error: float
+) -> None:
     right = vgroove.head_offset
 
     def wrong(start, end, cutter):
@@ -43,20 +45,20 @@ def test_a_v_cutter_whose_d_or_r_is_wrong_by_a_fiftieth_is_refused(monkeypatch, 
     assert not verdict(RIGID).accepted
 
 
-def test_a_head_on_the_wrong_side_of_the_groove_is_refused(monkeypatch):
+def test_a_head_on_the_wrong_side_of_the_groove_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     right = vgroove.right
     monkeypatch.setattr(vgroove, "right", lambda vectors: -right(vectors))
     assert not verdict(RIGID).accepted
 
 
-def test_a_plunge_the_wrong_way_along_the_blade_is_refused(monkeypatch):
+def test_a_plunge_the_wrong_way_along_the_blade_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     right = vgroove.sideways
     monkeypatch.setattr(vgroove, "sideways", lambda *args: -right(*args))
     assert not verdict(RIGID).accepted
 
 
 @pytest.mark.parametrize("named", [CARTON, TRAY], ids=str)
-def test_c_turning_the_wrong_way_is_refused(monkeypatch, named):
+def test_c_turning_the_wrong_way_is_refused(monkeypatch: pytest.MonkeyPatch, named: Named) -> None:
     right = tracks.headings
 
     def wrong(paths):
@@ -68,20 +70,24 @@ def test_c_turning_the_wrong_way_is_refused(monkeypatch, named):
     assert not verdict(named).accepted
 
 
-def test_c_turning_the_wrong_way_on_the_v_cutter_is_refused(monkeypatch):
+def test_c_turning_the_wrong_way_on_the_v_cutter_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     right = vgroove.azimuth
     monkeypatch.setattr(vgroove, "azimuth", lambda vectors: -right(vectors))
     assert not verdict(RIGID).accepted
 
 
 @pytest.mark.parametrize("factor", [0.9, 1.1])
-def test_a_wheel_set_back_too_little_or_too_much_is_refused(monkeypatch, factor):
+def test_a_wheel_set_back_too_little_or_too_much_is_refused(
+    monkeypatch: pytest.MonkeyPatch, factor: float
+) -> None:
     right = crease.setback
     monkeypatch.setattr(crease, "setback", lambda depth, wheel: factor * right(depth, wheel))
     assert not verdict(TRAY).accepted
 
 
-def test_a_blade_that_runs_on_inside_a_panel_is_refused(monkeypatch):
+def test_a_blade_that_runs_on_inside_a_panel_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     outline = closed((0, 0), (200, 0), (200, 100), (0, 100))
     line = dieline((LineType.CUT, outline), (LineType.CUT, edges(((50, 50), (120, 50)))))
     machine, board = load.machine("demo-table"), load.board("greyboard-2.0")

@@ -33,7 +33,7 @@ def course(client: httpx.Client, job: str) -> list[str]:
     return [event["state"] for event in client.get(f"/api/jobs/{job}/events").json()]
 
 
-def test_killed_while_it_compiles_it_compiles_again(database: Path):
+def test_killed_while_it_compiles_it_compiles_again(database: Path) -> None:
     first = Running(database, simulator=False)
     drawing = uploaded(first.client, SLITS, unit="mm")["id"]
     job = ordered(first.client, drawing)["id"]
@@ -49,7 +49,7 @@ def test_killed_while_it_compiles_it_compiles_again(database: Path):
         assert states.count("ready") == 1
 
 
-def test_killed_while_it_is_queued_it_is_queued_and_then_runs_to_its_end(database: Path):
+def test_killed_while_it_is_queued_it_is_queued_and_then_runs_to_its_end(database: Path) -> None:
     first = Running(database, simulator=False)
     job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
     sha256 = until(first.client, job, "queued")["program_sha256"]
@@ -61,7 +61,7 @@ def test_killed_while_it_is_queued_it_is_queued_and_then_runs_to_its_end(databas
         assert course(client, job).count("queued") == 3
 
 
-def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path):
+def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path) -> None:
     first = Running(database, speed=0.2)
     drawing = uploaded(first.client, square())["id"]
     job = ordered(first.client, drawing, release=True)["id"]
@@ -85,7 +85,7 @@ def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path):
         assert course(client, job).count("interrupted") == 1
 
 
-def test_a_gateway_that_never_comes_back_leaves_an_interrupted_job(database: Path):
+def test_a_gateway_that_never_comes_back_leaves_an_interrupted_job(database: Path) -> None:
     first = Running(database, speed=0.2)
     job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
     until(first.client, job, "running", confirm=True)
@@ -95,7 +95,7 @@ def test_a_gateway_that_never_comes_back_leaves_an_interrupted_job(database: Pat
         assert "fell silent" in found["reason"]
 
 
-def test_killed_at_any_moment_it_loses_no_job(database: Path):
+def test_killed_at_any_moment_it_loses_no_job(database: Path) -> None:
     random.seed(20)
     jobs: list[str] = []
     server = Running(database, speed=2.0)
@@ -130,7 +130,7 @@ def states_attended(client: httpx.Client, jobs: list[str]) -> dict[str, str]:
     return states
 
 
-def test_stopped_in_order_its_machine_stands(database: Path):
+def test_stopped_in_order_its_machine_stands(database: Path) -> None:
     first = Running(database, speed=0.2)
     job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
     until(first.client, job, "running", confirm=True)
@@ -143,7 +143,7 @@ def test_stopped_in_order_its_machine_stands(database: Path):
         assert "switched off" in found["reason"]
 
 
-def test_a_claim_that_waited_when_the_power_went_is_confirmed_anew(database: Path):
+def test_a_claim_that_waited_when_the_power_went_is_confirmed_anew(database: Path) -> None:
     first = Running(database, speed=200.0)
     job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
     while first.client.get(f"/api/jobs/{job}").json()["waiting_for"] != "confirmation":

@@ -23,7 +23,7 @@ HARMLESS = {("led knife", "line dropped"), ("led knife", "lines swapped")}
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name):
+def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name: str) -> None:
     engine = ENGINES[name]
     right = engine.judged(engine.text)
     assert right.accepted, right.findings[:3]
@@ -51,7 +51,9 @@ FOOLED = ("C turned by 360", "C turned by -360", "line dropped", "lifted after t
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_every_full_turn_in_the_board_and_every_missing_release_or_lift_is_refused(name):
+def test_every_full_turn_in_the_board_and_every_missing_release_or_lift_is_refused(
+    name: str,
+) -> None:
     engine = ENGINES[name]
     assert hazard(engine.text, engine.machine) == ""
     dangerous = []

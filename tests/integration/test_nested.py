@@ -8,11 +8,16 @@ import numpy as np
 import pytest
 
 from knifetip import compensate, plan, process, sequence
+from knifetip.geometry.columns import F64
 from knifetip.library import load
-from knifetip.model.dieline import LineType
-from knifetip.model.toolpath import Motion
+from knifetip.model.board import Board
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine
+from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.model.verdict import Verdict
 from knifetip.verification.verify import verify
 from tests.support.cartons import nested_contours
+from tests.support.cartons.nested_contours import Sheet
 from tests.support.shapes import closed, dieline, edges
 
 KNIFE, ROUTER = load.machine("demo-table"), load.machine("router-table")
@@ -20,20 +25,27 @@ BOARD, THICK = load.board("greyboard-2.0"), load.board("greyboard-3.0")
 CUT, CREASE = LineType.CUT, LineType.CREASE
 
 
-def made(line, machine=KNIFE, board=BOARD, order=None):
+def made(
+    line: Dieline,
+    machine: Machine = KNIFE,
+    board: Board = BOARD,
+    order: tuple[float, float, float, float] | None = None,
+) -> Toolpath:
     operations = plan(line, machine, board)
     if order is not None:
         operations = [operations[place] for place in order]
     return sequence([compensate(operation) for operation in operations], machine)
 
 
-def judged(line, toolpath, machine=KNIFE, board=BOARD):
+def judged(
+    line: Dieline, toolpath: Toolpath, machine: Machine = KNIFE, board: Board = BOARD
+) -> Verdict:
     return verify(
         process(toolpath, machine, machine.dialect).text, line, (0.0, 0.0), machine, board
     )
 
 
-def out_of_order(sheet, toolpath):
+def out_of_order(sheet: Sheet, toolpath: Toolpath):
     """Return the pairs of which the inner contour is worked after the outer one is complete."""
     rows = np.flatnonzero(toolpath.source >= 0)
     contour = sheet.contour[toolpath.source[rows]]
@@ -41,12 +53,12 @@ def out_of_order(sheet, toolpath):
     return [(inner, outer) for inner, outer in sheet.pairs if last[inner] > last[outer]]
 
 
-def box(x, y, wide, high):
+def box(x: float, y: float, wide: float, high: float) -> F64:
     return closed((x, y), (x + wide, y), (x + wide, y + high), (x, y + high))
 
 
 @pytest.mark.parametrize("gap", [0.0, 0.4, 1.4])
-def test_a_knife_cuts_every_contour_after_what_lies_inside_it(gap):
+def test_a_knife_cuts_every_contour_after_what_lies_inside_it(gap: float) -> None:
     count = 0
     for seed in range(8):
         sheet = nested_contours.sheet(seed, room=6.0, least=15.0, gap=gap)
@@ -58,7 +70,7 @@ def test_a_knife_cuts_every_contour_after_what_lies_inside_it(gap):
     assert count >= 500
 
 
-def test_a_router_mills_every_contour_after_what_lies_inside_it():
+def test_a_router_mills_every_contour_after_what_lies_inside_it() -> None:
     count = 0
     for seed in range(14):
         sheet = nested_contours.sheet(seed, room=14.0, least=30.0)
@@ -78,7 +90,7 @@ SWAPS = [(1, 0, 2, 3), (0, 2, 1, 3), (0, 1, 3, 2), (3, 2, 1, 0)]
 
 
 @pytest.mark.parametrize(("machine", "board"), [(KNIFE, BOARD), (ROUTER, THICK)], ids=str)
-def test_an_inner_contour_behind_its_outer_one_is_refused(machine, board):
+def test_an_inner_contour_behind_its_outer_one_is_refused(machine: Machine, board: Board) -> None:
     assert judged(NEST, made(NEST, machine, board), machine, board).accepted
     for order in SWAPS:
         verdict = judged(NEST, made(NEST, machine, board, order), machine, board)
@@ -91,7 +103,7 @@ def test_an_inner_contour_behind_its_outer_one_is_refused(machine, board):
 
 
 @pytest.mark.parametrize("gap", [0.05, 0.4, 1.4])
-def test_a_blank_with_gaps_that_is_cut_before_what_lies_inside_it_is_refused(gap):
+def test_a_blank_with_gaps_that_is_cut_before_what_lies_inside_it_is_refused(gap: float) -> None:
     g = gap
     blank = edges(
         ((100 + g, 100), (300, 100)), ((300, 100), (300, 150 - g / 2)),
@@ -109,7 +121,7 @@ def test_a_blank_with_gaps_that_is_cut_before_what_lies_inside_it_is_refused(gap
 
 
 @pytest.mark.parametrize("kind", [CREASE, LineType.HALF_CUT, LineType.PERFORATION])
-def test_other_work_on_a_part_that_is_loose_is_refused(kind):
+def test_other_work_on_a_part_that_is_loose_is_refused(kind: LineType) -> None:
     line = dieline((CUT, box(100, 100, 200, 100)), (kind, edges(((150, 120), (150, 180)))))
     assert judged(line, made(line)).accepted
     late = judged(line, made(line, order=(1, 0)))
@@ -118,7 +130,7 @@ def test_other_work_on_a_part_that_is_loose_is_refused(kind):
     assert judged(waste, made(waste, order=(1, 0))).accepted
 
 
-def test_parts_that_share_an_edge_and_a_ladder_are_cut_from_inside():
+def test_parts_that_share_an_edge_and_a_ladder_are_cut_from_inside() -> None:
     rungs = edges(*(((100, y), (300, y)) for y in (140, 180, 220)))
     line = dieline(
         (CUT, box(100, 100, 200, 160)), (CUT, rungs), (CUT, box(150, 150, 20, 20)),
@@ -130,7 +142,7 @@ def test_parts_that_share_an_edge_and_a_ladder_are_cut_from_inside():
                       ).accepted  # fmt: skip
 
 
-def test_a_grid_of_lines_drawn_across_each_other_is_cut_in_an_order_that_holds():
+def test_a_grid_of_lines_drawn_across_each_other_is_cut_in_an_order_that_holds() -> None:
     across = [((90, y), (230, y)) for y in (100, 140, 180, 220)]
     up = [((x, 90), (x, 230)) for x in (100, 140, 180, 220)]
     line = dieline((CUT, edges(*across, *up)))
@@ -140,7 +152,7 @@ def test_a_grid_of_lines_drawn_across_each_other_is_cut_in_an_order_that_holds()
     assert sorted(set(outer.source.tolist())) == [0, 3, 4, 7]
 
 
-def test_a_hole_that_touches_its_contour_in_a_vertex_comes_first():
+def test_a_hole_that_touches_its_contour_in_a_vertex_comes_first() -> None:
     hole = closed((100, 100), (160, 120), (120, 160))
     line = dieline((CUT, box(100, 100, 200, 100)), (CUT, hole), (CUT, box(125, 125, 5, 5)))
     verdict = judged(line, made(line))
@@ -150,7 +162,7 @@ def test_a_hole_that_touches_its_contour_in_a_vertex_comes_first():
     ]  # fmt: skip
 
 
-def test_bridges_hold_parts_at_every_depth():
+def test_bridges_hold_parts_at_every_depth() -> None:
     held = replace(BOARD, bridge_width=0.8, bridge_spacing=150.0)
     toolpath = made(NEST, board=held)
     verdict = judged(NEST, toolpath, board=held)
@@ -164,7 +176,7 @@ def test_bridges_hold_parts_at_every_depth():
     assert tracks[2] > 2
 
 
-def test_the_last_pass_of_a_hole_ends_where_its_waste_comes_loose():
+def test_the_last_pass_of_a_hole_ends_where_its_waste_comes_loose() -> None:
     line = dieline((CUT, box(100, 100, 200, 100)), (CUT, box(130, 130, 60, 40)))
     toolpath = made(line, ROUTER, THICK)
     assert judged(line, toolpath, ROUTER, THICK).accepted

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
 
 from knifetip import compensate, plan, process, sequence
+from knifetip.geometry.columns import F64
 from knifetip.library import load
-from knifetip.model.dieline import LineType
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine
+from knifetip.model.verdict import Verdict
 from knifetip.planning import plan as planning
 from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline, edges
@@ -21,7 +25,7 @@ ROUND = edges(((100, 200), (300, 200)), ((300, 200), (100, 200)))
 CUT, CREASE, GROOVE = LineType.CUT, LineType.CREASE, LineType.V_GROOVE
 
 
-def judged(line, machine=MACHINE, **asked):
+def judged(line: Dieline, machine: Machine = MACHINE, **asked: Any) -> Verdict:
     board = replace(BOARD, **asked)
     operations = plan(line, machine, board)
     toolpath = sequence([compensate(operation) for operation in operations], machine)
@@ -31,7 +35,7 @@ def judged(line, machine=MACHINE, **asked):
 
 @pytest.mark.parametrize("degrees", [7.0, 20.0, 45.0, 70.0, 90.0])
 @pytest.mark.parametrize("step", [0.0, 0.5])
-def test_a_groove_that_meets_the_edge_at_any_angle(degrees, step):
+def test_a_groove_that_meets_the_edge_at_any_angle(degrees: float, step: float) -> None:
     reach = 40.0 / np.tan(np.radians(degrees)) if degrees < 90.0 else 0.0
     start = 120.0 if reach > 200.0 else 150.0
     # From 40 mm inside, or less, to the top edge.
@@ -57,12 +61,16 @@ PLUS = (CUT, closed((200, 100), (300, 100), (300, 200), (400, 200), (400, 300), 
     ],
     ids=["notch", "notch, slanted", "almost along", "inner corner", "outer corner"],
 )
-def test_a_groove_that_ends_at_a_corner_of_the_board(outline, groove):
+def test_a_groove_that_ends_at_a_corner_of_the_board(
+    outline: tuple[LineType, F64], groove: tuple[tuple[int, int], tuple[int, int]]
+) -> None:
     verdict = judged(dieline(outline, (GROOVE, edges(groove))))
     assert verdict.accepted, verdict.findings[:2]
 
 
-def test_a_groove_that_does_not_run_out_into_a_notch_is_refused(monkeypatch):
+def test_a_groove_that_does_not_run_out_into_a_notch_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     line = dieline(NOTCHED, (GROOVE, edges(((250, 120), (250, 260)))))
     right = planning.run_out
 
@@ -75,7 +83,9 @@ def test_a_groove_that_does_not_run_out_into_a_notch_is_refused(monkeypatch):
 
 
 @pytest.mark.parametrize("factor", [0.0, 0.8])
-def test_a_groove_that_does_not_run_out_far_enough_is_refused(monkeypatch, factor):
+def test_a_groove_that_does_not_run_out_far_enough_is_refused(
+    monkeypatch: pytest.MonkeyPatch, factor: float
+) -> None:
     line = dieline(OUTLINE, (GROOVE, edges(((200, 200), (300, 300)))))
     assert judged(line).accepted
     right = planning.run_out
@@ -88,7 +98,7 @@ def test_a_groove_that_does_not_run_out_far_enough_is_refused(monkeypatch, facto
     assert not judged(line).accepted
 
 
-def test_a_curved_groove_within_the_error_that_the_board_allows():
+def test_a_curved_groove_within_the_error_that_the_board_allows() -> None:
     line = dieline(OUTLINE, (GROOVE, edges(((120, 150), (380, 150)))), bulge={4: 0.1})
     assert judged(line, groove_curve=0.1).accepted
 
@@ -102,13 +112,13 @@ def test_a_curved_groove_within_the_error_that_the_board_allows():
     ],
     ids=["blank", "disc", "slanted"],
 )
-def test_a_part_held_by_bridges(contour, bulge):
+def test_a_part_held_by_bridges(contour: F64, bulge: dict[str | int, object | float]) -> None:
     line = dieline((CUT, contour), bulge=bulge)
     verdict = judged(line, bridge_width=0.8, bridge_spacing=200.0)
     assert verdict.accepted, verdict.findings[:2]
 
 
-def test_an_outline_begun_and_ended_in_the_waste():
+def test_an_outline_begun_and_ended_in_the_waste() -> None:
     knife = replace(MACHINE.stations[0].tool, lead_in=5.0, lead_out=5.0)
     stations = (replace(MACHINE.stations[0], tool=knife), *MACHINE.stations[1:])
     verdict = judged(dieline(OUTLINE), replace(MACHINE, stations=stations))
@@ -116,7 +126,7 @@ def test_an_outline_begun_and_ended_in_the_waste():
 
 
 @pytest.mark.parametrize("apart", [0.0, 3.0])
-def test_creases_crossed_dashed_and_drawn_twice(apart):
+def test_creases_crossed_dashed_and_drawn_twice(apart: float) -> None:
     dashes = edges(*[((150 + 9 * i, 150), (156 + 9 * i, 150)) for i in range(10)])
     line = dieline(
         OUTLINE,
@@ -129,7 +139,7 @@ def test_creases_crossed_dashed_and_drawn_twice(apart):
     assert verdict.accepted, verdict.findings[:2]
 
 
-def dashes(count, length, gap):
+def dashes(count: int, length: float, gap: float) -> F64:
     """A row of dashes along y = 150."""
     step = length + gap
     return edges(*[((150 + step * i, 150), (150 + step * i + length, 150)) for i in range(count)])
@@ -141,14 +151,16 @@ def dashes(count, length, gap):
     [(10, 3.0, 3.0), (20, 1.0, 1.0), (10, 3.0, 4.4), (3, 3.0, 3.0), (10, 0.5, 0.5)],
     ids=str,
 )
-def test_dashes_shorter_than_the_setback_are_one_crease(row, short):
+def test_dashes_shorter_than_the_setback_are_one_crease(
+    row: tuple[int, float, float], short: str
+) -> None:
     # The wheel stands back by 5.1 mm from either end of all of them.
     verdict = judged(dieline(OUTLINE, (CREASE, dashes(*row))), short_crease=short)
     assert verdict.accepted, verdict.findings[:2]
 
 
 @pytest.mark.parametrize("row", [(2, 3.0, 3.0), (10, 3.0, 4.6), (5, 1.0, 1.0)], ids=str)
-def test_short_creases_and_short_rows_of_dashes_are_pressed(row):
+def test_short_creases_and_short_rows_of_dashes_are_pressed(row: tuple[int, float, float]) -> None:
     verdict = judged(dieline(OUTLINE, (CREASE, dashes(*row))), short_crease="press")
     assert verdict.accepted, verdict.findings[:2]
 
@@ -165,13 +177,13 @@ def test_short_creases_and_short_rows_of_dashes_are_pressed(row):
     ],
     ids=["gap", "dash", "vertex in a gap", "vertex on a dash", "ends in a gap", "ends on a dash"],
 )
-def test_dashes_and_a_cut(cut):
+def test_dashes_and_a_cut(cut: tuple[tuple[float, int], ...]) -> None:
     line = dieline(OUTLINE, (CREASE, dashes(10, 4.0, 3.0)), (CUT, edges(*pairwise(cut))))
     verdict = judged(line)
     assert verdict.accepted, verdict.findings[:2]
 
 
-def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch):
+def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch: pytest.MonkeyPatch) -> None:
     cut = edges(((200, 130), (200, 150)), ((200, 150), (210, 170)))
     line = dieline(OUTLINE, (CREASE, edges(((150, 150), (300, 150)))), (CUT, cut))
     assert judged(line).accepted

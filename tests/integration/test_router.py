@@ -8,10 +8,15 @@ import pytest
 
 from knifetip import compensate, plan, process, sequence
 from knifetip.compensation import radius
+from knifetip.compensation.radius import Centres
+from knifetip.geometry.columns import F64, I32, U8, Bool
+from knifetip.geometry.path import Paths
 from knifetip.library import load
-from knifetip.model.board import Deflection
-from knifetip.model.dieline import LineType
+from knifetip.model.board import Board, Deflection
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.machine import Machine
 from knifetip.model.tool import Cutter
+from knifetip.model.verdict import Verdict
 from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline, edges
 
@@ -25,7 +30,7 @@ LINE = dieline(
 )
 
 
-def verdict(board=BOARD, dialect="linuxcnc", corner="auto"):
+def verdict(board: Board = BOARD, dialect: str = "linuxcnc", corner: str = "auto") -> Verdict:
     work = [replace(operation, corner=corner) for operation in plan(LINE, ROUTER, board)]
     toolpath = sequence([compensate(operation) for operation in work], ROUTER)
     return verify(process(toolpath, ROUTER, dialect).text, LINE, (0.0, 0.0), ROUTER, board)
@@ -33,13 +38,15 @@ def verdict(board=BOARD, dialect="linuxcnc", corner="auto"):
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
 @pytest.mark.parametrize("corner", ["B", "C", "D", "auto"])
-def test_what_the_router_makes_is_accepted(dialect, corner):
+def test_what_the_router_makes_is_accepted(dialect: str, corner: str) -> None:
     result = verdict(dialect=dialect, corner=corner)
     assert result.accepted, result.findings[:3]
 
 
 @pytest.mark.parametrize("factor", [0.99, 1.01])
-def test_a_radius_wrong_by_a_hundredth_is_refused(monkeypatch, factor):
+def test_a_radius_wrong_by_a_hundredth_is_refused(
+    monkeypatch: pytest.MonkeyPatch, factor: float
+) -> None:
     right = radius.equidistant
 
     def wrong(paths, distance, side, **more):
@@ -49,7 +56,7 @@ def test_a_radius_wrong_by_a_hundredth_is_refused(monkeypatch, factor):
     assert not verdict().accepted
 
 
-def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch):
+def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     right = radius.equidistant
 
     def wrong(paths, distance, side, **more):
@@ -60,11 +67,13 @@ def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch):
     assert not verdict().accepted
 
 
-def _bare(way):
+def _bare(way: Centres) -> tuple[Paths, I32, U8]:
     return way.paths, way.segment, radius._all(radius.Motion.FEED, way.segment)
 
 
-def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is_not(monkeypatch):
+def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is_not(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     soft = replace(BOARD, deflection=(Deflection("Router", 0.08, 0.05),))
     result = verdict(soft)
     assert result.accepted, result.findings[:3]
@@ -73,7 +82,9 @@ def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is
     assert not verdict(soft).accepted
 
 
-def judged(line, board=BOARD, dialect="linuxcnc", machine=ROUTER):
+def judged(
+    line: Dieline, board: Board = BOARD, dialect: str = "linuxcnc", machine: Machine = ROUTER
+) -> Verdict:
     work = [compensate(operation) for operation in plan(line, machine, board)]
     text = process(sequence(work, machine), machine, dialect).text
     return verify(text, line, (0.0, 0.0), machine, board)
@@ -94,7 +105,9 @@ NOTCHED = (CUT, closed((100, 100), (400, 100), (400, 300), (270, 300), (250, 220
     [(OUTLINE, {}), (OUTLINE, {1: 0.2, 3: -0.2}), (ROUND, {0: 1.0, 1: 1.0}), (NOTCHED, {})],
     ids=["blank", "with arcs", "disc", "notched"],
 )
-def test_a_blank_held_by_bridges_is_accepted(dialect, step, outline, bulge):
+def test_a_blank_held_by_bridges_is_accepted(
+    dialect: str, step: float, outline: tuple[LineType, F64], bulge: dict[str | int, object | float]
+) -> None:
     stations = [
         replace(held, tool=replace(held.tool, step=step)) if isinstance(held.tool, Cutter) else held
         for held in ROUTER.stations
@@ -106,7 +119,9 @@ def test_a_blank_held_by_bridges_is_accepted(dialect, step, outline, bulge):
 
 
 @pytest.mark.parametrize("wrong", [-0.05, 0.05])
-def test_bridges_that_are_too_narrow_or_too_wide_are_refused(monkeypatch, wrong):
+def test_bridges_that_are_too_narrow_or_too_wide_are_refused(
+    monkeypatch: pytest.MonkeyPatch, wrong: float
+) -> None:
     right = radius.interrupted
 
     def gapped(paths, path, middle, gap):
@@ -119,18 +134,20 @@ def test_bridges_that_are_too_narrow_or_too_wide_are_refused(monkeypatch, wrong)
     assert found.measure == pytest.approx(0.05, abs=1e-3)
 
 
-def test_a_part_that_nothing_holds_is_refused_where_the_board_wants_bridges(monkeypatch):
+def test_a_part_that_nothing_holds_is_refused_where_the_board_wants_bridges(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     line = dieline(OUTLINE)
     monkeypatch.setattr(radius, "_bridged", lambda _operation, _cutter, way: (way, _none(way)))
     assert "0 bridges hold the part" in judged(line, HELD).findings[0].text
     assert judged(line).accepted
 
 
-def _none(way):
+def _none(way: Centres) -> Bool:
     return way.paths.closed & False
 
 
-def test_blanks_and_holes_that_touch_in_a_point_are_accepted():
+def test_blanks_and_holes_that_touch_in_a_point_are_accepted() -> None:
     one, other = (
         closed((150, 150), (200, 150), (200, 200), (150, 200)),
         closed((200, 200), (240, 200), (240, 240), (200, 240)),

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -169,7 +170,7 @@ WRONG: list[tuple[str, Engine, Engine]] = [
 @pytest.mark.parametrize(
     ("right", "wrong"), [row[1:] for row in WRONG], ids=[f"{row[1]}: {row[0]}" for row in WRONG]
 )
-def test_what_is_made_from_one_wrong_thing_is_refused(right, wrong):
+def test_what_is_made_from_one_wrong_thing_is_refused(right: Engine, wrong: Engine) -> None:
     assert wrong.judged(wrong.text).accepted, wrong.judged(wrong.text).findings[:2]
     assert not right.judged(wrong.text).accepted
 
@@ -224,13 +225,15 @@ def without(kind: LineType) -> Callable[[list[Operation]], list[Operation]]:
     ],
     ids=lambda value: str(value) if isinstance(value, Engine) else "",
 )
-def test_what_is_planned_by_a_wrong_rule_is_refused(engine, change):
+def test_what_is_planned_by_a_wrong_rule_is_refused(
+    engine: Engine, change: Callable[..., Any]
+) -> None:
     text = engine.made(change)
     assert text != engine.text
     assert not engine.judged(text).accepted
 
 
-def test_a_v_cutter_that_plunges_straight_down_is_refused(monkeypatch):
+def test_a_v_cutter_that_plunges_straight_down_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     right = vgroove.sideways
     monkeypatch.setattr(vgroove, "sideways", lambda *args: 0.0 * right(*args))
     assert not V.judged(V.made()).accepted
@@ -251,7 +254,7 @@ def rewritten(text: bytes, letter: str, change: Callable[[float], float]) -> byt
     return b"\n".join(lines) + b"\n"
 
 
-def test_only_a_wheel_works_the_same_from_both_sides():
+def test_only_a_wheel_works_the_same_from_both_sides() -> None:
     for engine in (V, PASSES, KNIFE, DRAG):
         assert not engine.judged(rewritten(engine.text, "C", lambda c: c + 180.0)).accepted
     # In the crease's program the knife of the outline is turned too.
@@ -261,7 +264,7 @@ def test_only_a_wheel_works_the_same_from_both_sides():
 
 
 @pytest.mark.parametrize("engine", [V, CREASE, KNIFE, DRAG, NICKS, B, AUTO], ids=str)
-def test_a_program_in_other_units_or_mirrored_by_its_words_is_refused(engine):
+def test_a_program_in_other_units_or_mirrored_by_its_words_is_refused(engine: Engine) -> None:
     for letter, change in (
         ("Z", lambda z: z / 25.4),
         ("Z", lambda z: -z),
@@ -276,17 +279,17 @@ def test_a_program_in_other_units_or_mirrored_by_its_words_is_refused(engine):
     assert not engine.judged(engine.text.replace(b"G2 ", b"G5 ").replace(b"G1 ", b"G5 ")).accepted
 
 
-def test_a_cutter_round_as_it_is_may_be_turned_as_it_likes():
+def test_a_cutter_round_as_it_is_may_be_turned_as_it_likes() -> None:
     assert AUTO.judged(rewritten(AUTO.text, "C", lambda c: c + 33.0)).accepted
 
 
-def test_a_hole_milled_beside_a_part_in_its_waste_is_harmless():
+def test_a_hole_milled_beside_a_part_in_its_waste_is_harmless() -> None:
     # 5 mm of waste between its slot and the part; farther off than 10.5 mm it is a stray.
     hole = drawn(C, LineType.CUT, ((92.0, 120.0), (92.0, 128.0)))
     assert C.judged(hole.text).accepted
 
 
-def test_the_placement_that_a_program_states_must_be_the_job_s():
+def test_the_placement_that_a_program_states_must_be_the_job_s() -> None:
     head = b"(placement X0.0000 Y0.0000)\n"
     first, rest = KNIFE.text.split(b"\n", 1)
     assert KNIFE.judged(first + b"\n" + head + rest).accepted

@@ -49,7 +49,7 @@ for one in found:
 '''
 
 
-def test_every_kernel_that_a_request_may_call_is_warm():
+def test_every_kernel_that_a_request_may_call_is_warm() -> None:
     done = subprocess.run([sys.executable, "-c", _PROGRAM], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     lines = [line.split() for line in done.stdout.splitlines()]

@@ -13,6 +13,8 @@ from hypothesis import strategies as st
 
 from knifetip.compensation.corner import extension, lengths
 from knifetip.geometry import arc
+from knifetip.geometry.columns import F64
+from knifetip.geometry.path import Paths
 from knifetip.geometry.transition import Corner, transitions
 
 A = np.array([[10.0, 0.0]])
@@ -20,13 +22,13 @@ EAST = np.array([[1.0, 0.0]])
 ROOT3 = 3.0**0.5
 
 
-def way(kind, degrees, k=0.5, radius=2.0):
+def way(kind: Corner, degrees: float, k: float = 0.5, radius: float = 2.0) -> Paths:
     turned = np.radians(degrees)
     out = np.array([[np.cos(turned), np.sin(turned)]])
     return transitions([kind], EAST, out, A, [radius], [-1], [k])
 
 
-def angles_between(paths):
+def angles_between(paths: Paths) -> F64:
     """Angles by which the direction jumps between the pieces (radians)."""
     first, last = arc.tangents(paths.start, paths.end, paths.bulge)
     first = first / np.hypot(*first.T)[:, None]
@@ -46,7 +48,9 @@ TABLE = [
 
 @pytest.mark.parametrize(("degrees", "b", "c", "d", "straight", "bend"), TABLE)
 @pytest.mark.parametrize("radius", [1.0, 3.0])
-def test_the_table_of_lengths(degrees, b, c, d, straight, bend, radius):
+def test_the_table_of_lengths(
+    degrees: float, b: float, c: float, d: float, straight: float, bend: float, radius: float
+) -> None:
     turn, k = np.radians([degrees]), np.array([0.5])
     np.testing.assert_allclose(
         lengths(turn, radius, k), radius * np.array([[b, c, d]]), atol=6e-5 * radius
@@ -58,18 +62,20 @@ def test_the_table_of_lengths(degrees, b, c, d, straight, bend, radius):
 
 
 @pytest.mark.parametrize(("degrees", "b", "c", "d"), [row[:4] for row in TABLE])
-def test_the_ways_themselves_have_the_lengths_of_the_table(degrees, b, c, d):
+def test_the_ways_themselves_have_the_lengths_of_the_table(
+    degrees: float, b: float, c: float, d: float
+) -> None:
     for kind, length in zip(Corner, (b, c, d), strict=True):
         assert way(kind, degrees).lengths[0] == pytest.approx(2.0 * length, abs=1.3e-4)
 
 
-def test_b_at_90_degrees_is_an_arc_about_the_corner():
+def test_b_at_90_degrees_is_an_arc_about_the_corner() -> None:
     path = way(Corner.B, 90.0)
     np.testing.assert_allclose([path.start[0], path.end[-1]], [[10, -2], [12, 0]], atol=1e-12)
     np.testing.assert_allclose(arc.centre(path.start, path.end, path.bulge), A, atol=1e-12)
 
 
-def test_c_at_90_degrees_is_a_square_and_at_120_is_cut_off():
+def test_c_at_90_degrees_is_a_square_and_at_120_is_cut_off() -> None:
     np.testing.assert_allclose(way(Corner.C, 90.0).end, [[12, -2], [12, 0]], atol=1e-12)
     # B₀ (10, −2), G 2 mm on, E₀ = (10 + √3, 1), H 2 mm before it.
     path = way(Corner.C, 120.0)
@@ -77,7 +83,7 @@ def test_c_at_90_degrees_is_a_square_and_at_120_is_cut_off():
     np.testing.assert_allclose(np.concatenate([path.start, path.end[-1:]]), expected, atol=1e-12)
 
 
-def test_d_at_90_degrees_is_line_arc_line():
+def test_d_at_90_degrees_is_line_arc_line() -> None:
     # l = ½ · 2 · tan 45° = 1, r′ = 1 about (11, −1).
     path = way(Corner.D, 90.0)
     expected = [[10, -2], [11, -2], [12, -1], [12, 0]]
@@ -85,7 +91,7 @@ def test_d_at_90_degrees_is_line_arc_line():
     np.testing.assert_allclose(path.bulge, [0.0, np.tan(np.pi / 8), 0.0], atol=1e-12)
 
 
-def test_d_at_120_degrees_worked_by_hand():
+def test_d_at_120_degrees_worked_by_hand() -> None:
     # L_B 4.188790, L_C 5.464102: ½ of the difference is 0.637656; over 0.790800 that is l.
     path = way(Corner.D, 120.0)
     straight = 0.806343
@@ -104,7 +110,9 @@ many = settings(max_examples=1000, deadline=None)
 
 @many
 @given(degrees=turns, k=knobs, radius=st.floats(0.1, 20.0))
-def test_claim_d_is_longer_than_b_and_shorter_than_c(degrees, k, radius):
+def test_claim_d_is_longer_than_b_and_shorter_than_c(
+    degrees: float, k: float, radius: float
+) -> None:
     b, c, d = (way(kind, degrees, k, radius).lengths[0] for kind in Corner)
     assert b < d < c
     assert d == pytest.approx((1.0 - k) * b + k * c, rel=1e-9)
@@ -115,7 +123,7 @@ def test_claim_d_is_longer_than_b_and_shorter_than_c(degrees, k, radius):
 
 @many
 @given(degrees=turns, k=knobs)
-def test_claim_the_centres_way_is_smooth_in_d_and_not_in_c(degrees, k):
+def test_claim_the_centres_way_is_smooth_in_d_and_not_in_c(degrees: float, k: float) -> None:
     def joined(kind):
         path = way(kind, degrees, k)
         ends = np.array([[9.0, -2.0]]), path.end[-1:]
@@ -136,7 +144,9 @@ def test_claim_the_centres_way_is_smooth_in_d_and_not_in_c(degrees, k):
 
 @many
 @given(degrees=turns, k=knobs)
-def test_claim_d_leaves_the_corner_at_once_and_b_touches_it_all_the_way(degrees, k):
+def test_claim_d_leaves_the_corner_at_once_and_b_touches_it_all_the_way(
+    degrees: float, k: float
+) -> None:
     b = way(Corner.B, degrees, k)
     points = arc.points_along(b.start, b.end, b.bulge, 33).reshape(-1, 2)
     np.testing.assert_allclose(np.hypot(*(points - A).T), 2.0, atol=1e-9)
@@ -152,7 +162,7 @@ def test_claim_d_leaves_the_corner_at_once_and_b_touches_it_all_the_way(degrees,
         assert away[1].min() >= np.hypot(2.0, straight) - 1e-9
 
 
-def test_k_leads_from_b_to_c():
+def test_k_leads_from_b_to_c() -> None:
     b, c = way(Corner.B, 70.0), way(Corner.C, 70.0)
     assert way(Corner.D, 70.0, 0.0).lengths[0] == pytest.approx(b.lengths[0])
     assert way(Corner.D, 70.0, 1.0).lengths[0] == pytest.approx(c.lengths[0])

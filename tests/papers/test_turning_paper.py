@@ -25,30 +25,32 @@ from knifetip.sequencing.turning import (
 )
 
 
-def test_1_a_track_square_to_the_edge_needs_no_more_way():
+def test_1_a_track_square_to_the_edge_needs_no_more_way() -> None:
     # Both corners cross together.
     assert run_out(np.array([[1.0, 0.0]]), np.array([[1.0, 0.0]]), np.array([6.0])).max() == 0.0
 
 
-def test_1_at_45_degrees_the_later_corner_is_half_the_width_behind():
+def test_1_at_45_degrees_the_later_corner_is_half_the_width_behind() -> None:
     # W = 6, n · m = sin 45°, u · m = cos 45°: 3 mm.
     u = np.array([[sqrt(0.5), sqrt(0.5)]])
     assert run_out(u, np.array([[1.0, 0.0]]), np.array([6.0])).max() == pytest.approx(3.0)
 
 
-def test_1_at_60_degrees_from_square_it_is_tan_60_times_half_the_width():
+def test_1_at_60_degrees_from_square_it_is_tan_60_times_half_the_width() -> None:
     u = np.array([[0.5, -sqrt(0.75)]])
     assert run_out(u, np.array([[1.0, 0.0]]), np.array([2.0])).max() == pytest.approx(1.7320508)
 
 
-def test_1_along_the_edge_there_is_no_answer():
+def test_1_along_the_edge_there_is_no_answer() -> None:
     with pytest.raises(CompensationError, match=r"leaves the board at 90\.00°"):
         run_out(np.array([[0.0, 1.0]]), np.array([[1.0, 0.0]]), np.array([6.0]))
 
 
 @settings(deadline=None, max_examples=500)
 @given(st.floats(-85.0, 85.0), st.floats(0.0, 360.0), st.floats(0.1, 20.0))
-def test_1_then_both_corners_are_out_and_a_little_earlier_one_is_not(off, edge, width):
+def test_1_then_both_corners_are_out_and_a_little_earlier_one_is_not(
+    off: float, edge: float, width: float
+) -> None:
     m = np.array([cos(radians(edge)), sin(radians(edge))])
     u = np.array([cos(radians(edge + off)), sin(radians(edge + off))])
     n = np.array([-u[1], u[0]])
@@ -59,38 +61,38 @@ def test_1_then_both_corners_are_out_and_a_little_earlier_one_is_not(off, edge, 
     assert max(corners) == pytest.approx(width * abs(sin(radians(off))), abs=1e-9)
 
 
-def test_2_centres_go_straight_and_the_axis_turns_in_as_many_steps():
+def test_2_centres_go_straight_and_the_axis_turns_in_as_many_steps() -> None:
     # ΔC 60 by 10 makes 6, 25 mm by 5 makes 5: N = 6, each 10° and 25/6 mm.
     poses = interpolated(np.array([0.0, 0, 4, 30]), np.array([15.0, 20, 4, 90]), 10.0, 5.0)
     assert len(poses) == 7
     np.testing.assert_allclose(np.diff(poses, axis=0), [[2.5, 20 / 6, 0, 10]] * 6, atol=1e-12)
 
 
-def test_2_where_the_way_is_longer_it_counts_the_steps():
+def test_2_where_the_way_is_longer_it_counts_the_steps() -> None:
     poses = interpolated(np.zeros(4), np.array([30.0, 40.0, 0.0, 20.0]), 10.0, 5.0)
     assert len(poses) == 11
 
 
-def test_3_interference_of_an_upright_tool_is_how_far_its_tip_is_below_the_face():
+def test_3_interference_of_an_upright_tool_is_how_far_its_tip_is_below_the_face() -> None:
     pose = np.array([[0.0, 0.0, 1.2, 0.0], [0.0, 0.0, 2.5, 77.0]])
     depth = interference(pose, TipCircle(3.0, 0.0, 0.0), 2.0)
     np.testing.assert_allclose(depth, [0.8, 0.0])
 
 
-def test_3_interference_of_a_leaning_tool_counts_the_lowest_point_of_its_circle():
+def test_3_interference_of_a_leaning_tool_counts_the_lowest_point_of_its_circle() -> None:
     # Radius 1.5 leaning by 30°: 0.75 mm below its centre, which is 0.5 below the face.
     pose = np.array([[0.0, 0.0, 1.5, 0.0]])
     assert interference(pose, TipCircle(1.5, 6.0, 30.0), 2.0)[0] == pytest.approx(1.25)
 
 
-def test_3_the_axis_leans_to_the_right_of_travel():
+def test_3_the_axis_leans_to_the_right_of_travel() -> None:
     # b = 30°: heading east it leans south by sin 30°, heading north east by as much.
     circle = TipCircle(1.0, 0.0, 30.0)
     expected = [[0.0, -0.5, sqrt(0.75)], [0.5, 0.0, sqrt(0.75)]]
     np.testing.assert_allclose(axis(np.array([0.0, 90.0]), circle), expected, atol=1e-12)
 
 
-def test_3_eq_1_the_lift_is_d_over_cos_b():
+def test_3_eq_1_the_lift_is_d_over_cos_b() -> None:
     # D = 1 at b = 60°: d' = 2, of which 1 is up and √3 aside.
     up = lifted(np.zeros((1, 4)), np.ones(1), TipCircle(1.0, 0.0, 60.0))
     assert np.linalg.norm(up[0, :3]) == pytest.approx(2.0)
@@ -100,7 +102,7 @@ def test_3_eq_1_the_lift_is_d_over_cos_b():
     assert b == pytest.approx(60.0)
 
 
-def test_3_eq_2_goes_out_of_the_board_and_keeps_the_axis():
+def test_3_eq_2_goes_out_of_the_board_and_keeps_the_axis() -> None:
     # The sign that the paper lost: with it the other way the tool would go deeper.
     pose = np.array([[10.0, 20.0, 1.0, 135.0]])
     up = lifted(pose, np.array([0.5]), TipCircle(1.5, 6.0, 45.0))
@@ -111,7 +113,9 @@ def test_3_eq_2_goes_out_of_the_board_and_keeps_the_axis():
 
 
 @given(st.floats(0.0, 360.0), st.floats(1.0, 60.0), st.floats(0.0, 5.0))
-def test_3_lifting_a_v_cutter_along_itself_is_the_oblique_lift_of_the_samplemaker_paper(c, tilt, d):
+def test_3_lifting_a_v_cutter_along_itself_is_the_oblique_lift_of_the_samplemaker_paper(
+    c: float, tilt: float, d: float
+) -> None:
     cutter = VCutter(6.0, 1.5, tilt)
     pose = np.array([[0.0, 0.0, 0.0, c]])
     up = lifted(pose, np.array([d]), cutter.tip_circle(d))
@@ -122,7 +126,7 @@ def test_3_lifting_a_v_cutter_along_itself_is_the_oblique_lift_of_the_samplemake
     assert np.hypot(*up[0, :2]) == pytest.approx(d * tan(radians(tilt)), abs=1e-9)
 
 
-def test_3_after_the_correction_nothing_interferes():
+def test_3_after_the_correction_nothing_interferes() -> None:
     circle = TipCircle(1.5, 6.0, 45.0)
     pose = np.array([[0.0, 0.0, z, 40.0] for z in (-1.0, 0.0, 1.0, 2.0, 3.0, 4.0)])
     up = lifted(pose, interference(pose, circle, 2.0), circle)

@@ -21,7 +21,7 @@ from tests.benchmarks.vgroove_listing import AZIMUTHS, PAGE, listing_azimuth, pa
 coordinates = st.floats(-1000.0, 1000.0).map(lambda value: round(value, 3))
 
 
-def paper_azimuth(dx, dy):
+def paper_azimuth(dx: float, dy: float) -> float:
     """The five cases of 4.1."""
     if dx > 0 and dy >= 0:
         return degrees(atan(dy / dx))
@@ -38,19 +38,19 @@ def paper_azimuth(dx, dy):
     ("dx", "dy", "expected"),
     [(1, 1, 45.0), (0, 2, 90.0), (-1, 1, 135.0), (-1, -1, 225.0), (0, -2, 270.0), (1, -1, 315.0)],
 )
-def test_4_1_each_case(dx, dy, expected):
+def test_4_1_each_case(dx: int, dy: int, expected: float) -> None:
     assert azimuth(np.array([[dx, dy]], float))[0] == pytest.approx(expected)
 
 
 @given(dx=coordinates, dy=coordinates)
-def test_4_1_is_one_arctan2(dx, dy):
+def test_4_1_is_one_arctan2(dx: float, dy: float) -> None:
     if dx or dy:
         ours = azimuth(np.array([[dx, dy]]))[0]
         assert abs((ours - paper_azimuth(dx, dy) + 180) % 360 - 180) < 1e-9
 
 
 @given(dx=coordinates, dy=coordinates, d=st.floats(0.5, 20.0), r=st.floats(0.1, 5.0))
-def test_4_2_offset_of_point_1(dx, dy, d, r):
+def test_4_2_offset_of_point_1(dx: float, dy: float, d: float, r: float) -> None:
     if abs(dx) + abs(dy) < 0.01:
         return
     beta = radians(paper_azimuth(dx, dy))
@@ -59,7 +59,7 @@ def test_4_2_offset_of_point_1(dx, dy, d, r):
     np.testing.assert_allclose(ours, [expected], atol=1e-9)
 
 
-def test_4_2_worked_by_hand_at_three_azimuths():
+def test_4_2_worked_by_hand_at_three_azimuths() -> None:
     # d 6, r 1.5: due north Δ = (6, 1.5); at 45° (7.5, -4.5)/√2; due west (-1.5, 6).
     cutter = VCutter(6.0, 1.5, 45.0)
     ends = np.array([[0.0, 10.0], [10.0, 10.0], [-10.0, 0.0]])
@@ -67,12 +67,12 @@ def test_4_2_worked_by_hand_at_three_azimuths():
     np.testing.assert_allclose(head_offset(np.zeros((3, 2)), ends, cutter), expected, atol=1e-12)
 
 
-def test_blade_of_length_l_stands_back_by_l_sin_theta():
+def test_blade_of_length_l_stands_back_by_l_sin_theta() -> None:
     cutter = VCutter(back=12.0 * sin(radians(30.0)), half_width=1.5, tilt=30.0)
     assert cutter.length == pytest.approx(12.0)
 
 
-def test_section_3_oblique_interpolation_lifts_to_the_right_and_plunges_to_the_left():
+def test_section_3_oblique_interpolation_lifts_to_the_right_and_plunges_to_the_left() -> None:
     # Travel due east, blade at 30°: 3 mm up is 3 tan 30° = 1.732 mm south.
     cutter = VCutter(back=6.0, half_width=1.5, tilt=30.0)
     start, end = np.zeros((2, 2)), np.array([[10.0, 0.0]] * 2)
@@ -81,7 +81,9 @@ def test_section_3_oblique_interpolation_lifts_to_the_right_and_plunges_to_the_l
 
 
 @pytest.mark.parametrize(("length", "degrees"), [(10.0, 0.057), (1.0, 0.573), (0.1, 5.739)])
-def test_4_3_the_listing_is_off_by_what_we_say_it_is_and_we_are_not(length, degrees):
+def test_4_3_the_listing_is_off_by_what_we_say_it_is_and_we_are_not(
+    length: float, degrees: float
+) -> None:
     # An edge that leaves its axis by just less than 0.01 mm is taken for the axis: asin(0.01 / L).
     turn = np.radians(AZIMUTHS)
     ends = length * np.column_stack([np.cos(turn), np.sin(turn)])
@@ -92,24 +94,26 @@ def test_4_3_the_listing_is_off_by_what_we_say_it_is_and_we_are_not(length, degr
 
 
 @pytest.mark.parametrize(("length", "d", "off"), [(0.1, 10.0, 1.012), (1.0, 6.0, 0.0618)])
-def test_4_3_so_the_listings_tip_is_off_by_the_arm_times_that(length, d, off):
+def test_4_3_so_the_listings_tip_is_off_by_the_arm_times_that(
+    length: float, d: float, off: float
+) -> None:
     # √(d² + r²) · 2 sin(error / 2): √102.25 · 0.1001 and √38.25 · 0.0100.
     theirs, ours = worst(length, d)
     assert theirs == pytest.approx(off, rel=2e-3)
     assert ours < 1e-14
 
 
-def test_4_3_the_table_in_the_docs_is_what_comes_out():
+def test_4_3_the_table_in_the_docs_is_what_comes_out() -> None:
     assert PAGE.read_text(encoding="utf-8") == page()
 
 
-def test_4_3_the_listing_sends_an_edge_without_length_due_south():
+def test_4_3_the_listing_sends_an_edge_without_length_due_south() -> None:
     assert listing_azimuth(np.zeros(1), np.zeros(1))[0] == pytest.approx(270.0, abs=1e-3)
     with pytest.raises(ZeroLengthEdge):
         head_offset(np.zeros((1, 2)), np.zeros((1, 2)), VCutter(4.0, 1.5, 45.0))
 
 
-def test_point_2_and_4_are_mirrors_of_3_and_1():
+def test_point_2_and_4_are_mirrors_of_3_and_1() -> None:
     # "point 1 and point 4 are symmetrical about A point, and point 2 and point 3 about B".
     a, b = np.array([[3.0, 4.0]]), np.array([[33.0, 44.0]])
     out = head_offset(a, b, VCutter(4.0, 1.5, 45.0))

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from knifetip.cleaning.clean import clean
 from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, I64, U8
 from knifetip.geometry.tolerance import GAP, SAME
 from knifetip.model.cleaned import Cleaned, Why
 from knifetip.model.dieline import Dieline, LineType
@@ -21,7 +22,7 @@ WORK = [LineType.CUT, LineType.CREASE, LineType.V_GROOVE, LineType.PERFORATION, 
 UNDER = {LineType.CUT: LineType.CREASE, LineType.V_GROOVE: LineType.CREASE}
 
 
-def drawn(ends, bulge, kind) -> Dieline:
+def drawn(ends: F64, bulge: F64, kind: U8) -> Dieline:
     n = len(bulge)
     return Dieline(ends, bulge, kind, np.arange(n), np.zeros(n), np.ones(n), ("drawn",))
 
@@ -32,7 +33,7 @@ def worked(line: Dieline) -> Dieline:
     return drawn(line.ends[rows], line.bulge[rows], line.line_type[rows])
 
 
-def taken(line: Dieline, rows) -> Dieline:
+def taken(line: Dieline, rows: list[int] | I64) -> Dieline:
     return drawn(line.ends[rows], line.bulge[rows], line.line_type[rows])
 
 
@@ -122,7 +123,9 @@ shares = st.lists(
 
 @settings(max_examples=60, deadline=None)
 @given(line=dielines(), data=st.data())
-def test_what_was_drawn_twice_split_and_turned_round_is_given_back(line, data):
+def test_what_was_drawn_twice_split_and_turned_round_is_given_back(
+    line: Dieline, data: st.DataObject
+) -> None:
     expected = clean(line).dieline
     row = data.draw(st.integers(0, len(line) - 1))
     broken = line
@@ -147,7 +150,7 @@ def test_what_was_drawn_twice_split_and_turned_round_is_given_back(line, data):
 
 @settings(max_examples=60, deadline=None)
 @given(line=dielines(), data=st.data())
-def test_gaps_and_specks_are_mended(line, data):
+def test_gaps_and_specks_are_mended(line: Dieline, data: st.DataObject) -> None:
     line = taken(line, np.flatnonzero(line.bulge == 0.0))
     assume(len(line))
     expected = clean(line).dieline
@@ -171,7 +174,7 @@ def test_gaps_and_specks_are_mended(line, data):
 
 @settings(max_examples=60, deadline=None)
 @given(line=dielines(), data=st.data())
-def test_cleaning_twice_is_cleaning_once(line, data):
+def test_cleaning_twice_is_cleaning_once(line: Dieline, data: st.DataObject) -> None:
     n = len(line)
     noise = data.draw(st.integers(0, 2**32 - 1))
     size = data.draw(st.sampled_from([0.0, 0.0008, 0.002, 0.004]))
@@ -200,7 +203,9 @@ def test_cleaning_twice_is_cleaning_once(line, data):
     mirror=st.booleans(),
     back=st.booleans(),
 )
-def test_cleaning_turns_with_the_board(line, row, at, degrees, mirror, back):
+def test_cleaning_turns_with_the_board(
+    line: Dieline, row: int, at: list[float], degrees: float, mirror: bool, back: bool
+) -> None:
     line = split(line, row % len(line), at)
     turn = rotation(degrees)
     if mirror:
@@ -219,7 +224,7 @@ def _union(line: Dieline) -> shapely.Geometry:
 
 @settings(max_examples=30, deadline=None)
 @given(line=dielines(), data=st.data())
-def test_shapely_sees_the_same_lines_before_and_after(line, data):
+def test_shapely_sees_the_same_lines_before_and_after(line: Dieline, data: st.DataObject) -> None:
     line = split(line, data.draw(st.integers(0, len(line) - 1)), data.draw(shares))
     slide = data.draw(st.sampled_from([0.1, 0.5, 0.9]))
     way = line.ends[:, 1] - line.ends[:, 0]

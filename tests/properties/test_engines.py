@@ -10,8 +10,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from knifetip.compensation.compensate import compensate
+from knifetip.geometry.columns import F64
 from knifetip.model.dieline import LineType
-from knifetip.model.toolpath import Motion
+from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.plan import plan
 from tests.support.shapes import BOARD, CUTTER, KNIFE, MACHINE, closed, dieline, edges, rotation
 
@@ -24,16 +25,16 @@ bent = st.sampled_from([LineType.CREASE, LineType.CUT])
 thousand = settings(max_examples=1000, deadline=None)
 
 
-def edge(place, azimuth, length):
+def edge(place: tuple[float, float], azimuth: float, length: float) -> F64:
     return np.array([[place, place + length * rotation(azimuth)[:, 0]]], float)
 
 
-def made(kind, ends, bulge=0.0, grain=90.0):
+def made(kind: LineType, ends: F64, bulge: float = 0.0, grain: float = 90.0) -> Toolpath:
     line = dieline((kind, ends), bulge={0: bulge})
     return compensate(plan(line, MACHINE, replace(BOARD, grain=grain))[0])
 
 
-def tips(path, kind):
+def tips(path: Toolpath, kind: LineType) -> F64:
     """Where the tip is, by sums of this test alone."""
     c = np.radians(path.pose[:, 3])
     ahead, right = np.column_stack([np.cos(c), np.sin(c)]), np.column_stack([np.sin(c), -np.cos(c)])
@@ -44,7 +45,9 @@ def tips(path, kind):
 
 @thousand
 @given(kind=straight, place=places, azimuth=angles, length=lengths)
-def test_the_tip_is_on_the_line(kind, place, azimuth, length):
+def test_the_tip_is_on_the_line(
+    kind: LineType, place: tuple[float, float], azimuth: float, length: float
+) -> None:
     ends = edge(place, azimuth, length)
     path = made(kind, ends)
     fed = np.flatnonzero(path.motion == Motion.FEED)
@@ -57,7 +60,9 @@ def test_the_tip_is_on_the_line(kind, place, azimuth, length):
 
 @thousand
 @given(kind=bent, place=places, azimuth=angles, length=lengths, bulge=bulges)
-def test_the_tip_is_on_the_arc_and_c_on_its_tangent(kind, place, azimuth, length, bulge):
+def test_the_tip_is_on_the_arc_and_c_on_its_tangent(
+    kind: LineType, place: tuple[float, float], azimuth: float, length: float, bulge: float
+) -> None:
     ends = edge(place, azimuth, length)
     path = made(kind, ends, bulge)
     fed = np.flatnonzero(path.motion == Motion.FEED)
@@ -75,7 +80,9 @@ def test_the_tip_is_on_the_arc_and_c_on_its_tangent(kind, place, azimuth, length
 
 @thousand
 @given(kind=straight, place=places, azimuth=angles, length=lengths, degrees=angles)
-def test_the_head_turns_with_the_board(kind, place, azimuth, length, degrees):
+def test_the_head_turns_with_the_board(
+    kind: LineType, place: tuple[float, float], azimuth: float, length: float, degrees: float
+) -> None:
     turn = rotation(degrees)
     ends = edge(place, azimuth, length)
     before = made(kind, ends)
@@ -88,7 +95,9 @@ def test_the_head_turns_with_the_board(kind, place, azimuth, length, degrees):
 
 @thousand
 @given(place=places, azimuth=angles, length=lengths)
-def test_a_groove_drawn_the_other_way_is_the_same_groove(place, azimuth, length):
+def test_a_groove_drawn_the_other_way_is_the_same_groove(
+    place: tuple[float, float], azimuth: float, length: float
+) -> None:
     ends = edge(place, azimuth, length)
     there, back = made(LineType.V_GROOVE, ends), made(LineType.V_GROOVE, ends[:, ::-1])
     fed = np.flatnonzero(there.motion == Motion.FEED)
@@ -99,14 +108,16 @@ def test_a_groove_drawn_the_other_way_is_the_same_groove(place, azimuth, length)
 
 @thousand
 @given(place=places, azimuth=angles, length=lengths)
-def test_a_crease_drawn_the_other_way_ends_where_it_began(place, azimuth, length):
+def test_a_crease_drawn_the_other_way_ends_where_it_began(
+    place: tuple[float, float], azimuth: float, length: float
+) -> None:
     ends = edge(place, azimuth, length)
     there, back = made(LineType.CREASE, ends), made(LineType.CREASE, ends[:, ::-1])
     np.testing.assert_allclose(there.pose[:, :3], back.pose[::-1, :3], atol=1e-8)
 
 
 @given(length=lengths)
-def test_a_v_cutter_is_not_mirror_proof(length):
+def test_a_v_cutter_is_not_mirror_proof(length: float) -> None:
     ends = edge((0.0, 0.0), 30.0, length)
     mirror = np.array([1.0, -1.0])
     before, after = made(LineType.V_GROOVE, ends), made(LineType.V_GROOVE, ends * mirror)
@@ -115,7 +126,7 @@ def test_a_v_cutter_is_not_mirror_proof(length):
 
 
 @given(length=lengths, bulge=bulges)
-def test_a_knife_is_mirror_proof(length, bulge):
+def test_a_knife_is_mirror_proof(length: float, bulge: float) -> None:
     ends = edge((0.0, 0.0), 30.0, length)
     mirror = np.array([1.0, -1.0])
     before, after = made(LineType.CUT, ends, bulge), made(LineType.CUT, ends * mirror, -bulge)
@@ -124,7 +135,9 @@ def test_a_knife_is_mirror_proof(length, bulge):
 
 
 @given(start=st.integers(0, 4), width=st.floats(20.0, 300.0))
-def test_a_closed_contour_is_cut_the_same_wherever_its_drawing_begins(start, width):
+def test_a_closed_contour_is_cut_the_same_wherever_its_drawing_begins(
+    start: int, width: float
+) -> None:
     corners = [(0, 0), (width, 0), (width + 5, 30), (width, 50), (-60, 50)]
     ends = np.roll(closed(*corners), -start, axis=0)
     path, first = made(LineType.CUT, ends), made(LineType.CUT, closed(*corners))
@@ -137,8 +150,8 @@ def test_a_closed_contour_is_cut_the_same_wherever_its_drawing_begins(start, wid
     degrees=angles, length=st.floats(20.0, 60.0), passes=st.integers(1, 4),
 )  # fmt: skip
 def test_a_groove_leaves_the_board_with_its_whole_width_in_every_pass(
-    side, share, angle, degrees, length, passes
-):
+    side: int, share: float, angle: float, degrees: float, length: float, passes: int
+) -> None:
     turn = rotation(degrees)
     outline = closed((0, 0), (300, 0), (300, 300), (0, 300)) @ turn.T
     a, b = outline[side]
@@ -169,7 +182,9 @@ def test_a_groove_leaves_the_board_with_its_whole_width_in_every_pass(
 
 @thousand
 @given(place=places, azimuth=angles, length=lengths, apart=st.floats(0.5, 6.0), bulge=bulges)
-def test_a_double_crease_stands_half_its_width_on_either_side(place, azimuth, length, apart, bulge):
+def test_a_double_crease_stands_half_its_width_on_either_side(
+    place: tuple[float, float], azimuth: float, length: float, apart: float, bulge: float
+) -> None:
     bent = bulge if abs(bulge) > 0.3 else 0.0
     ends = edge(place, azimuth, length)
     line = dieline((LineType.CREASE, ends), bulge={0: bent})
@@ -193,7 +208,9 @@ def test_a_double_crease_stands_half_its_width_on_either_side(place, azimuth, le
 @thousand
 @given(count=st.integers(3, 12), dash=st.floats(4.0, 9.0), gap=st.floats(1.0, 5.9),
        place=places, azimuth=angles)  # fmt: skip
-def test_a_dashed_crease_is_rolled_as_the_solid_one(count, dash, gap, place, azimuth):
+def test_a_dashed_crease_is_rolled_as_the_solid_one(
+    count: int, dash: float, gap: float, place: tuple[float, float], azimuth: float
+) -> None:
     low = np.arange(count) * (dash + gap)
     ahead = rotation(azimuth)[:, 0]
     drawn = np.array(place) + np.stack([low, low + dash], axis=1)[..., None] * ahead
@@ -209,8 +226,8 @@ def test_a_dashed_crease_is_rolled_as_the_solid_one(count, dash, gap, place, azi
        bridge=st.floats(0.2, 1.5), start=st.integers(0, 3))  # fmt: skip
 @example(width=60.0, height=60.0, degrees=121.5, bridge=1.015625, start=1)
 def test_bridges_stay_whole_and_stand_alike_on_a_turned_board(
-    width, height, degrees, bridge, start
-):
+    width: float, height: float, degrees: float, bridge: float, start: int
+) -> None:
     board = replace(BOARD, bridge_width=bridge, bridge_spacing=150.0)
     ends = np.roll(closed((0, 0), (width, 0), (width, height), (0, height)), -start, axis=0)
     straight = plan(dieline((LineType.CUT, ends)), MACHINE, board)[0]
@@ -230,7 +247,7 @@ def test_bridges_stay_whole_and_stand_alike_on_a_turned_board(
         assert np.hypot(*(lifted - place).T).min() == pytest.approx(2.3)
 
 
-def test_zero_dimensions_give_the_identity():
+def test_zero_dimensions_give_the_identity() -> None:
     line = dieline((LineType.V_GROOVE, edges(((0, 0), (50, 20)))))
     operation = plan(line, MACHINE, BOARD)[0]
     path = compensate(replace(operation, tool=replace(CUTTER, back=0.0, half_width=0.0)))

@@ -115,7 +115,7 @@ def check_import(data: bytes, unit: str) -> bool:
 
 
 @pytest.mark.parametrize("kind", FILES)
-def test_damage_to_lines_and_numbers_ends_in_a_drawing_or_a_refusal(kind: str):
+def test_damage_to_lines_and_numbers_ends_in_a_drawing_or_a_refusal(kind: str) -> None:
     read: list[bool] = []
 
     @settings(max_examples=100, suppress_health_check=list(HealthCheck))

@@ -13,7 +13,7 @@ from tests.support.writers.random_dxf import drawings
 
 
 @pytest.mark.corpus
-def test_both_readers_give_the_same_of_every_drawing_by_another_hand(corpus: Path):
+def test_both_readers_give_the_same_of_every_drawing_by_another_hand(corpus: Path) -> None:
     files = sorted(path for path in corpus.rglob("*") if path.suffix.lower() == ".dxf")
     different = {}
     accepted = 0
@@ -32,7 +32,7 @@ ACCEPTED = 78
 
 
 @pytest.mark.parametrize(("plain", "share"), [(True, 0.3), (False, 0.2)])
-def test_both_readers_give_the_same_of_generated_drawings(plain: bool, share: float):
+def test_both_readers_give_the_same_of_generated_drawings(plain: bool, share: float) -> None:
     tally: Counter[bool] = Counter()
 
     @settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))

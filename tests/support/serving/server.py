@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
 from tempfile import gettempdir
+from typing import Any
 
 import httpx
 import uvicorn
@@ -73,14 +74,14 @@ def square(
     return text.dxf(*sides, *extra, units=units)
 
 
-def uploaded(client: httpx.Client, content: bytes, **fields: str) -> dict:
+def uploaded(client: httpx.Client, content: bytes, **fields: str) -> dict[str, Any]:
     """Upload a drawing and return what the server says of it."""
     answer = client.post("/api/drawings", files={"file": ("square.dxf", content)}, data=fields)
     assert answer.status_code == 201, answer.text
     return answer.json()
 
 
-def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict:
+def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict[str, Any]:
     """Order a job and return it."""
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", **fields})
     assert answer.status_code == 201, answer.text
@@ -89,7 +90,7 @@ def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict:
 
 def until(
     client: httpx.Client, job: str, *states: str, seconds: float = 60.0, confirm: bool = False
-) -> dict:
+) -> dict[str, Any]:
     """Wait until a job is in one of these states, and return it.
 
     With ``confirm`` be the operator, too, who confirms that its sheet lies on the table.

@@ -61,7 +61,9 @@ def status(rules: AccessRules, facts: RequestFacts) -> int:
     ],
 )
 @pytest.mark.parametrize("facts", [CURL, RELEASE, replace(CURL, path="/"), PAGE])
-def test_only_names_of_this_machine_are_answered(facts, host, server, expected):
+def test_only_names_of_this_machine_are_answered(
+    facts: RequestFacts, host: str | None, server: str, expected: int
+) -> None:
     asked = replace(facts, host=host, server=(server, 8080))
     if facts is PAGE:
         asked = replace(asked, origins=(f"http://{host}",))
@@ -81,12 +83,14 @@ def test_only_names_of_this_machine_are_answered(facts, host, server, expected):
         ("localhost:9000", "localhost:9000", 200),
     ],
 )
-def test_further_names_are_answered_where_they_are_allowed(allowed, host, expected):
+def test_further_names_are_answered_where_they_are_allowed(
+    allowed: str, host: str, expected: int
+) -> None:
     rules = replace(HOME, hosts=(allowed,))
     assert status(rules, replace(CURL, host=host)) == expected
 
 
-def test_a_default_port_may_be_left_out():
+def test_a_default_port_may_be_left_out() -> None:
     plain = replace(CURL, host="localhost", server=("127.0.0.1", 80))
     assert status(HOME, plain) == 200
     assert status(HOME, replace(plain, scheme="https")) == 421
@@ -126,7 +130,9 @@ def test_a_default_port_may_be_left_out():
         ({"agent": "openapi-client/1.0"}, 200),
     ],
 )
-def test_a_change_must_show_that_no_foreign_page_sent_it(method, seen, expected):
+def test_a_change_must_show_that_no_foreign_page_sent_it(
+    method: str, seen: dict[str, str | bool | object | tuple[str, ...] | None], expected: int
+) -> None:
     asked = replace(BROWSER, method=method, **seen)
     assert status(HOME, asked) == expected
     if not seen.get("origins"):
@@ -135,7 +141,7 @@ def test_a_change_must_show_that_no_foreign_page_sent_it(method, seen, expected)
 
 
 @pytest.mark.parametrize("method", ["GET", "HEAD", "OPTIONS"])
-def test_reading_needs_no_such_proof(method):
+def test_reading_needs_no_such_proof(method: str) -> None:
     assert status(HOME, replace(BROWSER, method=method, fetch_site="cross-site")) == 200
 
 
@@ -152,13 +158,13 @@ def test_reading_needs_no_such_proof(method):
         ("", 200),
     ],
 )
-def test_plain_forms_are_no_requests_of_the_api(kind, expected):
+def test_plain_forms_are_no_requests_of_the_api(kind: str, expected: int) -> None:
     for facts in (RELEASE, PAGE, replace(PAGE, marked=True)):
         assert status(HOME, replace(facts, content_type=kind)) == expected
         assert status(HOME, replace(facts, path="/sign-in", content_type=kind)) == 200
 
 
-def test_without_a_key_only_this_machine_is_served():
+def test_without_a_key_only_this_machine_is_served() -> None:
     assert status(OPEN, CURL) == 200
     assert status(OPEN, LAN) == 403
     assert "--key" in refusal(OPEN, LAN, NOW).hint
@@ -176,12 +182,12 @@ def test_without_a_key_only_this_machine_is_served():
 
 
 @pytest.mark.parametrize("peer", ["127.0.0.1", "127.9.9.9", "::1", "::ffff:127.0.0.1"])
-def test_every_loopback_address_is_this_machine(peer):
+def test_every_loopback_address_is_this_machine(peer: str) -> None:
     assert status(KEYED, replace(CURL, peer=peer)) == 200
 
 
 @pytest.mark.parametrize("peer", ["172.17.0.1", "::ffff:192.168.1.7", "fe80::1", "unknown", None])
-def test_others_need_the_key(peer):
+def test_others_need_the_key(peer: str | None) -> None:
     asked = replace(CURL, peer=peer)
     assert status(KEYED, asked) == 401
     assert status(KEYED, replace(asked, authorization=f"Bearer {KEY}")) == 200
@@ -192,19 +198,19 @@ def test_others_need_the_key(peer):
 @pytest.mark.parametrize(
     "header", [f"Basic {KEY}", KEY, "Bearer", "Bearer ", f"Bearer {KEY}x", f"Bearer {KEY[:-1]}"]
 )
-def test_what_is_not_the_key_opens_nothing(header):
+def test_what_is_not_the_key_opens_nothing(header: str) -> None:
     assert status(KEYED, replace(LAN, authorization=header)) == 401
     assert status(OPEN, replace(LAN, authorization=header)) == 403
 
 
-def test_a_wrong_key_is_refused_on_this_machine_too():
+def test_a_wrong_key_is_refused_on_this_machine_too() -> None:
     found = refusal(KEYED, replace(CURL, authorization="Bearer nonsense"), NOW)
     assert found is not None
     assert found.status == 401
     assert found.wrong_key
 
 
-def test_the_key_proves_intent_under_any_name_and_a_session_does_not():
+def test_the_key_proves_intent_under_any_name_and_a_session_does_not() -> None:
     rebound = replace(LAN, host="rebound.example:8080")
     assert status(KEYED, replace(rebound, authorization=f"Bearer {KEY}")) == 200
     assert status(KEYED, replace(rebound, session=signin.session(KEY, NOW))) == 421
@@ -212,7 +218,7 @@ def test_the_key_proves_intent_under_any_name_and_a_session_does_not():
     assert status(KEYED, replace(foreign, authorization=f"Bearer {KEY}")) == 403
 
 
-def test_probes_need_no_key():
+def test_probes_need_no_key() -> None:
     for path in access.OPEN_PATHS:
         assert status(KEYED, replace(LAN, path=path)) == 200
         assert status(OPEN, replace(LAN, path=path)) == 200
@@ -236,7 +242,7 @@ def test_probes_need_no_key():
         "\udcff.\udcff",
     ],
 )
-def test_a_session_is_signed_with_the_key_and_ends(cookie):
+def test_a_session_is_signed_with_the_key_and_ends(cookie: str) -> None:
     assert signin.is_session(signin.session(KEY, NOW), KEY, NOW)
     assert not signin.is_session(cookie, KEY, NOW)
 
@@ -258,7 +264,7 @@ def test_a_session_is_signed_with_the_key_and_ends(cookie):
         ("a\n", None),
     ],
 )
-def test_hosts_are_taken_apart(text, expected):
+def test_hosts_are_taken_apart(text: str, expected: tuple[str, int | None] | None) -> None:
     assert authority(text) == expected
 
 
@@ -279,7 +285,7 @@ def delay(monkeypatch: pytest.MonkeyPatch) -> float:
     return 0.2
 
 
-async def test_a_link_with_the_key_signs_a_browser_in():
+async def test_a_link_with_the_key_signs_a_browser_in() -> None:
     async with asking(KEYED) as browser:
         first = await browser.get("/", headers=HTML)
         assert first.status_code == 401
@@ -296,7 +302,7 @@ async def test_a_link_with_the_key_signs_a_browser_in():
         assert (await browser.get("/api/jobs")).text == "inside"
 
 
-async def test_the_key_that_is_typed_signs_a_browser_in(delay: float):
+async def test_the_key_that_is_typed_signs_a_browser_in(delay: float) -> None:
     async with asking(KEYED) as browser:
         own = {**HTML, "Origin": "http://192.168.1.20:8080"}
         began = time.monotonic()
@@ -317,13 +323,13 @@ async def test_the_key_that_is_typed_signs_a_browser_in(delay: float):
 @pytest.mark.parametrize(
     "body", [b"", b"key", b"key=", b"other=1", b"key=%ff%fe", b"key=" + b"x" * 10_000, b"\xff" * 9]
 )
-async def test_what_is_no_key_in_the_form_is_wrong(delay: float, body: bytes):
+async def test_what_is_no_key_in_the_form_is_wrong(delay: float, body: bytes) -> None:
     async with asking(KEYED) as browser:
         own = {**HTML, "Origin": "http://192.168.1.20:8080"}
         assert (await browser.post("/sign-in", content=body, headers=own)).status_code == 401
 
 
-async def test_a_wrong_key_waits_and_the_right_one_does_not(delay: float):
+async def test_a_wrong_key_waits_and_the_right_one_does_not(delay: float) -> None:
     async with asking(KEYED) as client:
         for asked in ({"headers": {"Authorization": "Bearer x"}}, {"params": {"key": "x"}}):
             began = time.monotonic()
@@ -336,7 +342,7 @@ async def test_a_wrong_key_waits_and_the_right_one_does_not(delay: float):
         assert time.monotonic() - began < delay
 
 
-async def test_a_program_without_a_key_gets_a_problem_and_no_page():
+async def test_a_program_without_a_key_gets_a_problem_and_no_page() -> None:
     async with asking(KEYED) as client:
         for path, headers in (("/api/jobs", HTML), ("/", {}), ("/assets/main.js", {})):
             answer = await client.get(path, headers=headers)
@@ -346,7 +352,7 @@ async def test_a_program_without_a_key_gets_a_problem_and_no_page():
             assert answer.json()["hint"]
 
 
-async def test_after_a_link_on_another_site_the_browser_asks_once_more_with_its_cookie():
+async def test_after_a_link_on_another_site_the_browser_asks_once_more_with_its_cookie() -> None:
     async with asking(KEYED) as browser:
         foreign = {**HTML, "Sec-Fetch-Site": "cross-site"}
         linked = await browser.get("/deep/?a=1", headers=foreign)
@@ -360,7 +366,7 @@ async def test_after_a_link_on_another_site_the_browser_asks_once_more_with_its_
             assert "refresh" not in (await browser.get("/", headers=own)).text
 
 
-async def test_a_request_through_a_proxy_is_not_of_this_machine():
+async def test_a_request_through_a_proxy_is_not_of_this_machine() -> None:
     async with asking(KEYED, peer="127.0.0.1") as client:
         own = {"Host": "localhost:8080"}
         assert (await client.get("/api/jobs", headers=own)).text == "inside"
@@ -369,7 +375,7 @@ async def test_a_request_through_a_proxy_is_not_of_this_machine():
             assert answer.status_code == 401
 
 
-async def test_two_hosts_in_one_request_are_refused():
+async def test_two_hosts_in_one_request_are_refused() -> None:
     async with asking(OPEN, peer="127.0.0.1") as client:
         hosts = [("Host", "localhost:8080"), ("Host", "evil.example")]
         assert (await client.get("/api/jobs", headers=hosts)).status_code == 400

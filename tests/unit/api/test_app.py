@@ -6,6 +6,7 @@ import contextlib
 import itertools
 import json
 from collections.abc import Iterator
+from typing import Any
 
 import httpx
 import pytest
@@ -21,7 +22,7 @@ HUGE = "9" * 5000
 PNG = b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 40
 
 
-def problem(answer: httpx.Response, status: int) -> dict:
+def problem(answer: httpx.Response, status: int) -> dict[str, Any]:
     assert answer.status_code == status, answer.text
     assert answer.headers["content-type"] == PROBLEM
     said = answer.json()
@@ -53,7 +54,9 @@ def upload(client: httpx.Client, content: bytes, name: str = "a.dxf") -> httpx.R
     ],
     ids=range(11),
 )
-def test_a_file_that_is_no_drawing_is_a_problem_that_names_it(client: httpx.Client, content: bytes):
+def test_a_file_that_is_no_drawing_is_a_problem_that_names_it(
+    client: httpx.Client, content: bytes
+) -> None:
     answer = upload(client, content)
     if answer.status_code == 201:
         # Half a file may be mended: then the ledger says what is left of it.
@@ -65,12 +68,14 @@ def test_a_file_that_is_no_drawing_is_a_problem_that_names_it(client: httpx.Clie
     assert said["hint"]
 
 
-def test_70_megabytes_are_refused_before_they_are_read(client: httpx.Client):
+def test_70_megabytes_are_refused_before_they_are_read(client: httpx.Client) -> None:
     said = problem(upload(client, b"0\n" * (35 << 20)), 413)
     assert "64 MB" in said["detail"]
 
 
-def test_70_megabytes_that_do_not_say_how_many_they_are_are_refused_too(client: httpx.Client):
+def test_70_megabytes_that_do_not_say_how_many_they_are_are_refused_too(
+    client: httpx.Client,
+) -> None:
     taken = 0
 
     def parts() -> Iterator[bytes]:
@@ -92,23 +97,25 @@ def test_70_megabytes_that_do_not_say_how_many_they_are_are_refused_too(client: 
     assert 64 <= taken < 100
 
 
-def test_an_order_of_17_megabytes_is_refused_too(client: httpx.Client):
+def test_an_order_of_17_megabytes_is_refused_too(client: httpx.Client) -> None:
     said = {"drawing": "x" * (17 << 20), "board": "e-flute"}
     assert "16 MB" in problem(client.post("/api/jobs", json=said), 413)["detail"]
 
 
-def test_a_page_of_another_site_cannot_order_anything(client: httpx.Client):
+def test_a_page_of_another_site_cannot_order_anything(client: httpx.Client) -> None:
     answer = client.post("/api/jobs", json={}, headers={"Sec-Fetch-Site": "cross-site"})
     problem(answer, 403)
 
 
-def test_a_rebound_name_cannot_read_anything(client: httpx.Client):
+def test_a_rebound_name_cannot_read_anything(client: httpx.Client) -> None:
     for path in ("/", "/api/jobs", "/api/events", "/healthz"):
         problem(client.get(path, headers={"Host": "rebound.example"}), 421)
 
 
 @pytest.mark.parametrize("path", ["/api/jobs", "/api/nothing", "/healthz"])
-def test_answers_of_the_api_are_framed_run_and_guessed_by_no_page(client: httpx.Client, path: str):
+def test_answers_of_the_api_are_framed_run_and_guessed_by_no_page(
+    client: httpx.Client, path: str
+) -> None:
     headers = client.get(path).headers
     assert headers["x-content-type-options"] == "nosniff"
     assert headers["x-frame-options"] == "DENY"
@@ -139,7 +146,9 @@ def test_answers_of_the_api_are_framed_run_and_guessed_by_no_page(client: httpx.
         ("GET", f"/api/events?after={HUGE}", 422),
     ],
 )
-def test_a_wrong_address_is_a_problem(client: httpx.Client, method: str, path: str, status: int):
+def test_a_wrong_address_is_a_problem(
+    client: httpx.Client, method: str, path: str, status: int
+) -> None:
     problem(client.request(method, path), status)
 
 
@@ -205,7 +214,7 @@ BODIES = {
 
 
 @pytest.mark.parametrize("path", BODIES)
-def test_no_body_makes_a_fault(client: httpx.Client, path: str):
+def test_no_body_makes_a_fault(client: httpx.Client, path: str) -> None:
     plain = BODIES[path]
     for field, value in itertools.product(plain, HOSTILE):
         said = body({**plain, field: value})
@@ -216,7 +225,7 @@ def test_no_body_makes_a_fault(client: httpx.Client, path: str):
 
 
 @pytest.mark.parametrize("where", ["", "/edges"])
-def test_no_change_to_a_drawing_makes_a_fault(client: httpx.Client, where: str):
+def test_no_change_to_a_drawing_makes_a_fault(client: httpx.Client, where: str) -> None:
     id = uploaded(client, square())["id"]
     fields = ["unit", "profile"] if not where else ["type", "edges", "handles", "layer", "colour"]
     for field, value in itertools.product(fields, HOSTILE):
@@ -247,7 +256,7 @@ def test_no_change_to_a_drawing_makes_a_fault(client: httpx.Client, where: str):
     ids=range(8),
 )
 @pytest.mark.parametrize("path", BODIES)
-def test_what_is_no_json_is_a_problem(client: httpx.Client, path: str, raw: bytes):
+def test_what_is_no_json_is_a_problem(client: httpx.Client, path: str, raw: bytes) -> None:
     answer = client.post(path, content=raw, headers={"Content-Type": "application/json"})
     # A confirmation needs no body: without one there is only no such job.
     absent = path.endswith("/confirm") and raw in (b"", b"null")
@@ -270,21 +279,23 @@ def test_what_is_no_json_is_a_problem(client: httpx.Client, path: str, raw: byte
     ],
     ids=range(6),
 )
-def test_a_form_without_a_file_is_a_problem(client: httpx.Client, content: bytes, kind: str):
+def test_a_form_without_a_file_is_a_problem(
+    client: httpx.Client, content: bytes, kind: str
+) -> None:
     answer = client.post("/api/drawings", content=content, headers={"Content-Type": kind})
     # What any page can send as a plain form is refused before it is read.
     assert answer.status_code in ((415,) if kind.endswith("urlencoded") else (400, 422))
     problem(answer, answer.status_code)
 
 
-def test_a_field_that_is_wrong_is_named_by_its_place(client: httpx.Client):
+def test_a_field_that_is_wrong_is_named_by_its_place(client: httpx.Client) -> None:
     order = {"drawing": "a", "board": "e-flute", "overrides": [{"type": "kut", "edges": [0]}]}
     said = problem(client.post("/api/jobs", json=order), 422)
     assert said["source"] == ["body.overrides.0.type"]
     assert "body.overrides.0.type" in said["detail"]
 
 
-def test_every_error_has_a_status_and_none_is_a_fault_of_ours():
+def test_every_error_has_a_status_and_none_is_a_fault_of_ours() -> None:
     def descendants(kind: type[errors.KnifetipError]) -> list[type[errors.KnifetipError]]:
         return [kind, *(deep for child in kind.__subclasses__() for deep in descendants(child))]
 
@@ -294,7 +305,9 @@ def test_every_error_has_a_status_and_none_is_a_fault_of_ours():
     assert {status_of(error) for error in made} == {404, 409, 412, 413, 422, 502, 503}
 
 
-def test_openapi_is_3_1_and_every_route_says_what_its_problems_look_like(client: httpx.Client):
+def test_openapi_is_3_1_and_every_route_says_what_its_problems_look_like(
+    client: httpx.Client,
+) -> None:
     described = client.get("/api/openapi.json").json()
     assert described["openapi"].startswith("3.1")
     operations = [operation for path in described["paths"].values() for operation in path.values()]
@@ -308,6 +321,6 @@ def test_openapi_is_3_1_and_every_route_says_what_its_problems_look_like(client:
     assert referred <= set(described["components"]["schemas"])
 
 
-def test_health_and_readiness(client: httpx.Client):
+def test_health_and_readiness(client: httpx.Client) -> None:
     assert client.get("/healthz").json()["status"] == "ok"
     assert client.get("/readyz").json()["checks"] == {"database": "ok", "workers": "ok"}

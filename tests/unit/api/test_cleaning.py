@@ -11,7 +11,7 @@ from tests.support.writers import dxf_text as text
 pytestmark = pytest.mark.xdist_group("server")
 
 
-def test_a_side_drawn_twice_is_told_with_its_lengths(client: httpx.Client):
+def test_a_side_drawn_twice_is_told_with_its_lengths(client: httpx.Client) -> None:
     half = text.line(100.0, 0.0, 50.0, 0.0, (8, "CUT"))
     id = uploaded(client, square(extra=(half,)))["id"]
     said = client.get(f"/api/drawings/{id}/cleaning").json()
@@ -30,7 +30,7 @@ def test_a_side_drawn_twice_is_told_with_its_lengths(client: httpx.Client):
     assert row["text"] == f"merged: it lies on edge {row['into']}"
 
 
-def test_without_a_unit_nobody_knows_how_long_a_speck_is(client: httpx.Client):
+def test_without_a_unit_nobody_knows_how_long_a_speck_is(client: httpx.Client) -> None:
     id = uploaded(client, square(units=None, side=4.0))["id"]
     answer = client.get(f"/api/drawings/{id}/cleaning")
     assert answer.status_code == 422

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import hashlib
+from typing import Any
 
 import httpx
 import numpy as np
@@ -17,15 +18,15 @@ pytestmark = pytest.mark.xdist_group("server")
 MYSTERY = text.line(10.0, 50.0, 90.0, 50.0, (8, "MYSTERY"), (62, 30))
 
 
-def edges(client: httpx.Client, id: str) -> list[dict]:
+def edges(client: httpx.Client, id: str) -> list[dict[str, Any]]:
     return client.get(f"/api/drawings/{id}/edges").json()["edges"]
 
 
-def override(client: httpx.Client, id: str, *overrides: dict) -> httpx.Response:
+def override(client: httpx.Client, id: str, *overrides: dict[str, Any]) -> httpx.Response:
     return client.patch(f"/api/drawings/{id}/edges", json={"overrides": list(overrides)})
 
 
-def test_an_upload_answers_with_unit_counts_and_ledger(client: httpx.Client):
+def test_an_upload_answers_with_unit_counts_and_ledger(client: httpx.Client) -> None:
     answer = client.post("/api/drawings", files={"file": ("square.dxf", square())})
     assert answer.status_code == 201
     said = answer.json()
@@ -40,7 +41,9 @@ def test_an_upload_answers_with_unit_counts_and_ledger(client: httpx.Client):
     assert client.get(f"/api/drawings/{said['id']}/ledger").json() == said["ledger"]
 
 
-def test_the_ledger_can_be_asked_for_one_fate_and_says_where_words_stand(client: httpx.Client):
+def test_the_ledger_can_be_asked_for_one_fate_and_says_where_words_stand(
+    client: httpx.Client,
+) -> None:
     note = text.entity("TEXT", (8, "NOTES"), (10, 12), (20, 34), (40, 5), (1, "Rev. B"))
     id = uploaded(client, square(extra=(note,)))["id"]
     (row,) = client.get(f"/api/drawings/{id}/ledger?fate=dropped").json()["rows"]
@@ -49,12 +52,12 @@ def test_the_ledger_can_be_asked_for_one_fate_and_says_where_words_stand(client:
     assert client.get(f"/api/drawings/{id}/ledger?fate=lost").status_code == 422
 
 
-def test_the_file_comes_back_byte_for_byte(client: httpx.Client):
+def test_the_file_comes_back_byte_for_byte(client: httpx.Client) -> None:
     id = uploaded(client, square())["id"]
     assert client.get(f"/api/drawings/{id}/file").content == square()
 
 
-def test_drawings_are_listed_newest_first_and_page_by_page(client: httpx.Client):
+def test_drawings_are_listed_newest_first_and_page_by_page(client: httpx.Client) -> None:
     ids = [uploaded(client, square(side=side))["id"] for side in (10.0, 20.0, 30.0)]
     first = client.get("/api/drawings", params={"limit": 2})
     assert [drawing["id"] for drawing in first.json()] == ids[:0:-1]
@@ -63,7 +66,7 @@ def test_drawings_are_listed_newest_first_and_page_by_page(client: httpx.Client)
     assert client.get(path).json()[0]["id"] == ids[0]
 
 
-def test_a_drawing_without_a_unit_asks_and_is_told(client: httpx.Client):
+def test_a_drawing_without_a_unit_asks_and_is_told(client: httpx.Client) -> None:
     said = uploaded(client, square(units=None, side=4.0))
     assert said["unit"] is None
     assert "unit" in [question["kind"] for question in said["questions"]]
@@ -72,11 +75,13 @@ def test_a_drawing_without_a_unit_asks_and_is_told(client: httpx.Client):
     assert told["width"] == pytest.approx(101.6)
 
 
-def test_a_unit_that_comes_with_the_file_counts(client: httpx.Client):
+def test_a_unit_that_comes_with_the_file_counts(client: httpx.Client) -> None:
     assert uploaded(client, square(units=None, side=4.0), unit="cm")["width"] == pytest.approx(40.0)
 
 
-def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(client: httpx.Client):
+def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(
+    client: httpx.Client,
+) -> None:
     # Half axes of 4 and 2: in inches the ellipse needs more arcs than in millimetres.
     ellipse = text.entity(
         "ELLIPSE", (8, "CUT"), (10, 0), (20, 0), (11, 4), (21, 0), (40, 0.5), (41, 0), (42, 6.28)
@@ -91,7 +96,9 @@ def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(cl
     assert [edge["start"] for edge in edges(client, told["id"])] == [edge["start"] for edge in fine]
 
 
-def test_a_drawing_says_what_speaks_for_its_unit_and_what_contradicts_it(client: httpx.Client):
+def test_a_drawing_says_what_speaks_for_its_unit_and_what_contradicts_it(
+    client: httpx.Client,
+) -> None:
     finding = uploaded(client, square())["unit_finding"]
     assert (finding["stated"], finding["ranking"][0], finding["warnings"]) == ("mm", "mm", [])
     assert set(finding["evidence"][0]) == {"unit", "text", "weight"}
@@ -106,7 +113,9 @@ def test_a_drawing_says_what_speaks_for_its_unit_and_what_contradicts_it(client:
     "who",
     [{"edges": [4]}, {"layer": "MYSTERY"}, {"colour": 30}, {"layer": "MYSTERY", "colour": 30}],
 )
-def test_an_override_answers_the_question_and_can_be_taken_back(client: httpx.Client, who: dict):
+def test_an_override_answers_the_question_and_can_be_taken_back(
+    client: httpx.Client, who: dict[str, Any]
+) -> None:
     id = uploaded(client, square(extra=(MYSTERY,)))["id"]
     (question,) = client.get(f"/api/drawings/{id}").json()["questions"]
     assert (question["kind"], question["edges"]) == ("line-type", [4])
@@ -118,7 +127,7 @@ def test_an_override_answers_the_question_and_can_be_taken_back(client: httpx.Cl
     assert (len(taken["questions"]), taken["overrides"]) == (1, 0)
 
 
-def test_an_override_by_handle_and_a_later_one_on_top(client: httpx.Client):
+def test_an_override_by_handle_and_a_later_one_on_top(client: httpx.Client) -> None:
     id = uploaded(client, square())["id"]
     handles = [edge["handle"] for edge in edges(client, id)]
     override(
@@ -127,7 +136,7 @@ def test_an_override_by_handle_and_a_later_one_on_top(client: httpx.Client):
     assert [edge["type"] for edge in edges(client, id)] == ["ignored", *["crease"] * 3]
 
 
-def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Client):
+def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Client) -> None:
     id = uploaded(client, square(units=None))["id"]
     override(client, id, {"type": "crease", "edges": [2]})
     client.patch(f"/api/drawings/{id}", json={"unit": "mm"})
@@ -147,7 +156,9 @@ def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Cli
         ({"edges": [0], "layer": "CUT"}, "in one way"),
     ],
 )
-def test_an_override_about_nothing_is_refused(client: httpx.Client, who: dict, words: str):
+def test_an_override_about_nothing_is_refused(
+    client: httpx.Client, who: dict[str, Any], words: str
+) -> None:
     id = uploaded(client, square())["id"]
     answer = override(client, id, {"type": "crease", **who})
     assert answer.status_code == 422
@@ -155,7 +166,7 @@ def test_an_override_about_nothing_is_refused(client: httpx.Client, who: dict, w
     assert [edge["type"] for edge in edges(client, id)] == ["cut"] * 4
 
 
-def test_columns_say_the_same_as_json(client: httpx.Client):
+def test_columns_say_the_same_as_json(client: httpx.Client) -> None:
     id = uploaded(client, square(extra=(MYSTERY,)))["id"]
     answer = client.get(f"/api/drawings/{id}/edges", params={"format": "columns"})
     columns, meta = unpacked(answer.content)
@@ -184,13 +195,15 @@ def test_columns_say_the_same_as_json(client: httpx.Client):
     assert changed.status_code == 200
 
 
-def test_a_drawing_is_deleted(client: httpx.Client):
+def test_a_drawing_is_deleted(client: httpx.Client) -> None:
     id = uploaded(client, square())["id"]
     assert client.delete(f"/api/drawings/{id}").status_code == 204
     assert client.get(f"/api/drawings/{id}").status_code == 404
 
 
-def test_the_same_key_gives_the_same_drawing_and_another_request_is_refused(client: httpx.Client):
+def test_the_same_key_gives_the_same_drawing_and_another_request_is_refused(
+    client: httpx.Client,
+) -> None:
     def send(content: bytes) -> httpx.Response:
         return client.post(
             "/api/drawings",
@@ -217,11 +230,11 @@ def test_the_same_key_gives_the_same_drawing_and_another_request_is_refused(clie
         ("Größe 1.dxf", "Größe 1.dxf"),
     ],
 )
-def test_a_name_keeps_its_last_part_and_what_can_be_shown(given: str, kept: str):
+def test_a_name_keeps_its_last_part_and_what_can_be_shown(given: str, kept: str) -> None:
     assert drawing_name(given) == kept
 
 
-def test_a_very_long_name_keeps_its_suffix():
+def test_a_very_long_name_keeps_its_suffix() -> None:
     name = drawing_name("x" * 5000 + ".dxf")
     assert len(name) <= 120
     assert name.endswith(".dxf")

@@ -6,6 +6,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Any
 
 import httpx
 import pytest
@@ -19,7 +20,7 @@ pytestmark = pytest.mark.xdist_group("server")
 class Heard:
     kind: str
     number: int | None
-    data: dict
+    data: dict[str, Any]
 
 
 @contextmanager
@@ -64,7 +65,7 @@ def of(heard: queue.Queue[Heard], id: str, state: str = "") -> Heard:
             return said
 
 
-def test_a_new_drawing_and_the_course_of_a_job_are_heard(client: httpx.Client):
+def test_a_new_drawing_and_the_course_of_a_job_are_heard(client: httpx.Client) -> None:
     with listening(client) as heard:
         drawing = uploaded(client, square())["id"]
         assert of(heard, drawing).kind == "drawing"
@@ -75,7 +76,7 @@ def test_a_new_drawing_and_the_course_of_a_job_are_heard(client: httpx.Client):
         assert said.data == client.get(f"/api/jobs/{job}").json()
 
 
-def test_who_comes_back_hears_what_was_missed_and_no_more(client: httpx.Client):
+def test_who_comes_back_hears_what_was_missed_and_no_more(client: httpx.Client) -> None:
     drawing = uploaded(client, square())["id"]
     with listening(client) as heard:
         before = ordered(client, drawing)["id"]
@@ -93,7 +94,7 @@ def test_who_comes_back_hears_what_was_missed_and_no_more(client: httpx.Client):
         assert of(heard, missed, "cancelled").number > said.number
 
 
-def test_progress_is_heard_without_a_number(client: httpx.Client):
+def test_progress_is_heard_without_a_number(client: httpx.Client) -> None:
     drawing = uploaded(client, square())["id"]
     job = until(client, ordered(client, drawing, release=True)["id"], "queued")["id"]
     with listening(client) as heard:
@@ -116,14 +117,14 @@ def test_progress_is_heard_without_a_number(client: httpx.Client):
         assert of(heard, job, "done").number is not None
 
 
-def test_a_number_that_was_never_ours_replays_nothing(client: httpx.Client):
+def test_a_number_that_was_never_ours_replays_nothing(client: httpx.Client) -> None:
     uploaded(client, square())
     with listening(client, 10**12) as heard:
         drawing = uploaded(client, square())["id"]
         assert heard.get(timeout=10.0).data["id"] == drawing
 
 
-def test_a_deleted_drawing_is_heard(client: httpx.Client):
+def test_a_deleted_drawing_is_heard(client: httpx.Client) -> None:
     drawing = uploaded(client, square())["id"]
     with listening(client) as heard:
         client.delete(f"/api/drawings/{drawing}")
@@ -131,7 +132,7 @@ def test_a_deleted_drawing_is_heard(client: httpx.Client):
         assert (said.kind, said.data) == ("deleted", {"drawing": drawing})
 
 
-def test_a_queued_job_is_heard_when_it_waits_for_something_else(client: httpx.Client):
+def test_a_queued_job_is_heard_when_it_waits_for_something_else(client: httpx.Client) -> None:
     drawing = uploaded(client, square())["id"]
     first, second = (
         until(client, ordered(client, drawing, release=True)["id"], "queued")["id"]

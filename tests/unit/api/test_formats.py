@@ -30,7 +30,7 @@ def posted(client: httpx.Client, name: str, content: bytes, **fields: str) -> ht
 
 
 @pytest.mark.parametrize("name", FILES)
-def test_a_file_is_read_by_its_content(client: httpx.Client, name: str):
+def test_a_file_is_read_by_its_content(client: httpx.Client, name: str) -> None:
     content, media_type = FILES[name]
     said = posted(client, name, content).json()
     unit = "pt" if name == "carton.ai" else "mm"
@@ -42,7 +42,7 @@ def test_a_file_is_read_by_its_content(client: httpx.Client, name: str):
     assert back.headers["content-disposition"].startswith("attachment")
 
 
-def test_a_page_in_pixels_asks_and_is_told(client: httpx.Client):
+def test_a_page_in_pixels_asks_and_is_told(client: httpx.Client) -> None:
     size = b'width="220mm" height="100mm"'
     content = svg_text.carton().replace(size, b'width="220" height="100"')
     said = posted(client, "carton.svg", content).json()
@@ -53,7 +53,7 @@ def test_a_page_in_pixels_asks_and_is_told(client: httpx.Client):
     assert told["width"] == pytest.approx(200 * 25.4 / 96)
 
 
-def test_a_profile_says_what_the_numbers_of_a_cf2_mean(client: httpx.Client):
+def test_a_profile_says_what_the_numbers_of_a_cf2_mean(client: httpx.Client) -> None:
     fold = cf2_text.line(50, 0, 50, 80, 3)
     content = cf2_text.carton().replace(cf2_text.line(50, 0, 50, 80, 2).encode(), fold.encode())
     asked = posted(client, "a.cf2", content).json()["questions"]
@@ -74,7 +74,9 @@ def test_a_profile_says_what_the_numbers_of_a_cf2_mean(client: httpx.Client):
         (svg_text.carton()[:400], "cut short"),
     ],
 )
-def test_what_cannot_be_read_is_a_clear_problem(client: httpx.Client, content, words):
+def test_what_cannot_be_read_is_a_clear_problem(
+    client: httpx.Client, content: bytes, words: str
+) -> None:
     answer = posted(client, "carton.svg", content)
     assert answer.status_code == 422
     problem = answer.json()
@@ -83,7 +85,9 @@ def test_what_cannot_be_read_is_a_clear_problem(client: httpx.Client, content, w
     assert "root:" not in answer.text
 
 
-def test_the_command_line_reads_them_too(tmp_path: Path, monkeypatch, capfd):
+def test_the_command_line_reads_them_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
     for name, (content, _) in FILES.items():
         file = tmp_path / name
         file.write_bytes(content)

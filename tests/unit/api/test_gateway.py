@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from typing import Any
 
 import httpx
 import pytest
@@ -19,24 +20,24 @@ def claim(client: httpx.Client, gateway: str = "g", wait: float = 0.0) -> httpx.
     )
 
 
-def beat(client: httpx.Client, job: dict, line: int, **more: object) -> httpx.Response:
+def beat(client: httpx.Client, job: dict[str, Any], line: int, **more: object) -> httpx.Response:
     said = {"job": job["job"], "epoch": job["epoch"], "line": line, **more}
     return client.post("/api/gateway/heartbeat", json=said)
 
 
-def finish(client: httpx.Client, job: dict, outcome: str = "done") -> httpx.Response:
+def finish(client: httpx.Client, job: dict[str, Any], outcome: str = "done") -> httpx.Response:
     said = {"job": job["job"], "epoch": job["epoch"], "outcome": outcome}
     return client.post("/api/gateway/finish", json=said)
 
 
 @pytest.fixture
-def queued(client: httpx.Client) -> dict:
+def queued(client: httpx.Client) -> dict[str, Any]:
     drawing = uploaded(client, square())["id"]
     return until(client, ordered(client, drawing, release=True)["id"], "queued")
 
 
 @pytest.fixture
-def waiting(client: httpx.Client, queued: dict) -> Iterator[dict]:
+def waiting(client: httpx.Client, queued: dict[str, Any]) -> Iterator[dict[str, Any]]:
     """A job that is claimed and waits for the operator."""
     job = claim(client).json()
     assert (job["job"], job["confirm"]) == (queued["id"], True)
@@ -51,14 +52,14 @@ def waiting(client: httpx.Client, queued: dict) -> Iterator[dict]:
 
 
 @pytest.fixture
-def claimed(client: httpx.Client, waiting: dict) -> dict:
+def claimed(client: httpx.Client, waiting: dict[str, Any]) -> dict[str, Any]:
     """A job that is claimed, confirmed and started."""
     assert client.post(f"/api/jobs/{waiting['job']}/confirm").status_code == 200
     assert beat(client, waiting, 0, waiting=True).json()["command"] == "start"
     return waiting
 
 
-def test_a_claim_with_nothing_to_do_waits_and_answers_204(client: httpx.Client):
+def test_a_claim_with_nothing_to_do_waits_and_answers_204(client: httpx.Client) -> None:
     began = time.monotonic()
     assert claim(client, wait=0.5).status_code == 204
     assert 0.4 < time.monotonic() - began < 15.0
@@ -66,7 +67,9 @@ def test_a_claim_with_nothing_to_do_waits_and_answers_204(client: httpx.Client):
     assert (machine["gateway"], machine["job"]) == ("connected", None)
 
 
-def test_a_claim_brings_the_program_that_was_verified(client: httpx.Client, claimed: dict):
+def test_a_claim_brings_the_program_that_was_verified(
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
     job = client.get(f"/api/jobs/{claimed['job']}").json()
     assert job["state"] == "running"
     assert (claimed["sha256"], claimed["lines"]) == (job["program_sha256"], job["lines"])
@@ -76,8 +79,8 @@ def test_a_claim_brings_the_program_that_was_verified(client: httpx.Client, clai
 
 
 def test_a_second_gateway_gets_nothing_while_the_table_is_taken(
-    client: httpx.Client, claimed: dict
-):
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
     drawing = uploaded(client, square())["id"]
     other = until(client, ordered(client, drawing, release=True)["id"], "queued")
     assert claim(client, "another").status_code == 204
@@ -91,8 +94,8 @@ def test_a_second_gateway_gets_nothing_while_the_table_is_taken(
 
 
 def test_heartbeats_move_the_job_and_bring_the_operators_wishes(
-    client: httpx.Client, claimed: dict
-):
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
     id, lines = claimed["job"], claimed["lines"]
     assert beat(client, claimed, 5, position=[1.0, 2.0, 3.0, 4.0], seconds_left=7.5).json() == {
         "command": "continue",
@@ -119,8 +122,8 @@ def test_heartbeats_move_the_job_and_bring_the_operators_wishes(
     ['"position": [0, 0, NaN, 0]', '"position": [Infinity, 0, 0, 0]', '"seconds_left": NaN'],
 )
 def test_a_heartbeat_with_what_is_no_number_is_refused(
-    client: httpx.Client, claimed: dict, said: str
-):
+    client: httpx.Client, claimed: dict[str, Any], said: str
+) -> None:
     body = f'{{"job": "{claimed["job"]}", "epoch": {claimed["epoch"]}, "line": 1, {said}}}'
     answer = client.post(
         "/api/gateway/heartbeat", content=body, headers={"Content-Type": "application/json"}
@@ -129,7 +132,7 @@ def test_a_heartbeat_with_what_is_no_number_is_refused(
     assert client.get(f"/api/jobs/{claimed['job']}").json()["line"] == 0
 
 
-def test_a_stale_epoch_is_refused(client: httpx.Client, claimed: dict):
+def test_a_stale_epoch_is_refused(client: httpx.Client, claimed: dict[str, Any]) -> None:
     old = {**claimed, "epoch": claimed["epoch"] - 1}
     for answer in (beat(client, old, 1), finish(client, old)):
         assert answer.status_code == 409
@@ -139,8 +142,8 @@ def test_a_stale_epoch_is_refused(client: httpx.Client, claimed: dict):
 
 
 def test_an_interrupted_job_runs_again_when_the_operator_says_so(
-    client: httpx.Client, claimed: dict
-):
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
     assert finish(client, claimed, "interrupted").json()["state"] == "interrupted"
     client.post(f"/api/jobs/{claimed['job']}/requeue")
     again = claim(client).json()
@@ -151,21 +154,21 @@ def test_an_interrupted_job_runs_again_when_the_operator_says_so(
 
 
 def test_a_program_is_given_out_only_while_its_job_is_on_a_table(
-    client: httpx.Client, queued: dict
-):
+    client: httpx.Client, queued: dict[str, Any]
+) -> None:
     answer = client.get(f"/api/gateway/program/{queued['id']}")
     assert answer.status_code == 409
     assert "is queued" in answer.json()["detail"]
     client.post(f"/api/jobs/{queued['id']}/cancel")
 
 
-def confirm(client: httpx.Client, job: dict, **said: str) -> httpx.Response:
+def confirm(client: httpx.Client, job: dict[str, Any], **said: str) -> httpx.Response:
     return client.post(f"/api/jobs/{job['job']}/confirm", json=said)
 
 
 def test_a_claimed_job_waits_for_the_operator_and_states_what_for(
-    client: httpx.Client, waiting: dict
-):
+    client: httpx.Client, waiting: dict[str, Any]
+) -> None:
     assert beat(client, waiting, 0, waiting=True).json()["command"] == "wait"
     job = client.get(f"/api/jobs/{waiting['job']}").json()
     assert (job["state"], job["waiting_for"], job["hint"]) == (
@@ -185,7 +188,9 @@ def test_a_claimed_job_waits_for_the_operator_and_states_what_for(
     assert listed == job
 
 
-def test_a_confirmation_without_a_body_starts_the_job(client: httpx.Client, waiting: dict):
+def test_a_confirmation_without_a_body_starts_the_job(
+    client: httpx.Client, waiting: dict[str, Any]
+) -> None:
     assert client.post(f"/api/jobs/{waiting['job']}/confirm").json()["waiting_for"] == "machine"
     assert client.get(f"/api/jobs/{waiting['job']}").json()["reason"].startswith("Confirmed")
     assert beat(client, waiting, 0, waiting=True).json()["command"] == "start"
@@ -194,8 +199,8 @@ def test_a_confirmation_without_a_body_starts_the_job(client: httpx.Client, wait
 
 
 def test_another_board_is_refused_and_a_field_that_is_unknown_too(
-    client: httpx.Client, waiting: dict
-):
+    client: httpx.Client, waiting: dict[str, Any]
+) -> None:
     other = confirm(client, waiting, board="greyboard-2.0", by="Kim")
     assert other.status_code == 409
     assert other.json()["hint"] == "Put e-flute on the table."
@@ -204,7 +209,9 @@ def test_another_board_is_refused_and_a_field_that_is_unknown_too(
     assert confirm(client, waiting, board="e-flute", by="Kim").status_code == 200
 
 
-def test_a_job_that_no_machine_has_taken_cannot_be_confirmed(client: httpx.Client, queued: dict):
+def test_a_job_that_no_machine_has_taken_cannot_be_confirmed(
+    client: httpx.Client, queued: dict[str, Any]
+) -> None:
     answer = client.post(f"/api/jobs/{queued['id']}/confirm")
     assert answer.status_code == 409
     assert "has not taken it yet" in answer.json()["detail"]
@@ -212,8 +219,8 @@ def test_a_job_that_no_machine_has_taken_cannot_be_confirmed(client: httpx.Clien
 
 
 def test_queued_jobs_state_whether_they_wait_for_their_turn_or_for_the_machine(
-    client: httpx.Client, claimed: dict
-):
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
     drawing = uploaded(client, square())["id"]
     following, last = (
         until(client, ordered(client, drawing, release=True)["id"], "queued")["id"]
@@ -243,8 +250,8 @@ def test_queued_jobs_state_whether_they_wait_for_their_turn_or_for_the_machine(
 
 
 def test_a_gateway_that_runs_without_a_confirmation_is_heard_and_held(
-    client: httpx.Client, waiting: dict
-):
+    client: httpx.Client, waiting: dict[str, Any]
+) -> None:
     answer = beat(client, waiting, 1)
     assert (answer.status_code, answer.json()["command"]) == (200, "hold")
     job = client.get(f"/api/jobs/{waiting['job']}").json()
@@ -256,15 +263,15 @@ def test_a_gateway_that_runs_without_a_confirmation_is_heard_and_held(
 
 
 def test_a_waiting_job_that_is_cancelled_is_taken_from_its_gateway(
-    client: httpx.Client, waiting: dict
-):
+    client: httpx.Client, waiting: dict[str, Any]
+) -> None:
     assert client.post(f"/api/jobs/{waiting['job']}/cancel").json()["state"] == "cancelled"
     assert beat(client, waiting, 0, waiting=True).status_code == 409
 
 
 def test_the_same_gateway_gets_its_waiting_job_again_and_no_other_does(
-    client: httpx.Client, waiting: dict
-):
+    client: httpx.Client, waiting: dict[str, Any]
+) -> None:
     confirm(client, waiting)
     assert claim(client, "another").status_code == 204
     again = claim(client).json()
@@ -274,8 +281,8 @@ def test_the_same_gateway_gets_its_waiting_job_again_and_no_other_does(
 
 
 def test_the_last_owner_reports_late_that_an_interrupted_job_is_done(
-    client: httpx.Client, claimed: dict
-):
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
     beat(client, claimed, 3)
     said = {"job": claimed["job"], "epoch": claimed["epoch"], "outcome": "interrupted"}
     job = client.post("/api/gateway/finish", json={**said, "why": "A belt tore.", "line": 5}).json()
@@ -285,7 +292,9 @@ def test_the_last_owner_reports_late_that_an_interrupted_job_is_done(
     assert (done["state"], done["line"], done["reason"]) == ("done", claimed["lines"], "")
 
 
-def test_an_operator_finishes_an_interrupted_job_and_no_other(client: httpx.Client, claimed: dict):
+def test_an_operator_finishes_an_interrupted_job_and_no_other(
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
     assert client.post(f"/api/jobs/{claimed['job']}/finish").status_code == 409
     finish(client, claimed, "interrupted")
     done = client.post(f"/api/jobs/{claimed['job']}/finish").json()

@@ -4,6 +4,7 @@ import hashlib
 import math
 import re
 from itertools import pairwise
+from typing import Any
 
 import httpx
 import numpy as np
@@ -17,13 +18,15 @@ pytestmark = pytest.mark.xdist_group("server")
 
 
 @pytest.fixture(scope="module")
-def ready(client: httpx.Client) -> dict:
+def ready(client: httpx.Client) -> dict[str, Any]:
     """A job that is ready."""
     job = ordered(client, uploaded(client, square())["id"])
     return until(client, job["id"], "ready")
 
 
-def test_a_square_of_cuts_becomes_ready_with_a_verdict(client: httpx.Client, ready: dict):
+def test_a_square_of_cuts_becomes_ready_with_a_verdict(
+    client: httpx.Client, ready: dict[str, Any]
+) -> None:
     assert ready["verdict"]["accepted"] is True
     assert ready["verdict"]["deviation"] <= 0.01
     assert ready["seconds"] > 0.0
@@ -32,7 +35,9 @@ def test_a_square_of_cuts_becomes_ready_with_a_verdict(client: httpx.Client, rea
     assert [event["state"] for event in events] == ["received", "compiling", "ready"]
 
 
-def test_the_program_is_served_byte_for_byte_as_it_was_judged(client: httpx.Client, ready: dict):
+def test_the_program_is_served_byte_for_byte_as_it_was_judged(
+    client: httpx.Client, ready: dict[str, Any]
+) -> None:
     answer = client.get(f"/api/jobs/{ready['id']}/program")
     assert hashlib.sha256(answer.content).hexdigest() == ready["program_sha256"]
     assert answer.content.count(b"\n") == ready["lines"]
@@ -40,7 +45,9 @@ def test_the_program_is_served_byte_for_byte_as_it_was_judged(client: httpx.Clie
     assert answer.headers["etag"] == f'"{ready["program_sha256"]}"'
 
 
-def test_the_toolpath_comes_as_columns_that_know_their_lines(client: httpx.Client, ready: dict):
+def test_the_toolpath_comes_as_columns_that_know_their_lines(
+    client: httpx.Client, ready: dict[str, Any]
+) -> None:
     columns, meta = unpacked(client.get(f"/api/jobs/{ready['id']}/toolpath").content)
     rows = len(columns["bulge"])
     assert columns["pose"].shape == (rows + 1, 4)
@@ -54,14 +61,14 @@ def test_the_toolpath_comes_as_columns_that_know_their_lines(client: httpx.Clien
     assert (columns["line"] > 0).sum() >= 4
 
 
-def test_the_verdict_has_a_row_for_every_edge(client: httpx.Client, ready: dict):
+def test_the_verdict_has_a_row_for_every_edge(client: httpx.Client, ready: dict[str, Any]) -> None:
     verdict = client.get(f"/api/jobs/{ready['id']}/verdict").json()
     assert len(verdict["edge_deviation"]) == len(verdict["edge_uncut"]) == 4
     assert verdict["deviation"] == max(verdict["edge_deviation"])
     assert verdict["findings"] == []
 
 
-def test_a_drawing_with_open_questions_is_409_with_the_questions(client: httpx.Client):
+def test_a_drawing_with_open_questions_is_409_with_the_questions(client: httpx.Client) -> None:
     mystery = text.line(10.0, 50.0, 90.0, 50.0, (8, "MYSTERY"), (62, 30))
     drawing = uploaded(client, square(units=None, extra=(mystery,)))["id"]
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute"})
@@ -72,7 +79,7 @@ def test_a_drawing_with_open_questions_is_409_with_the_questions(client: httpx.C
     assert [job for job in client.get("/api/jobs").json() if job["drawing"] == drawing] == []
 
 
-def test_an_override_in_the_order_counts_for_the_job_alone(client: httpx.Client):
+def test_an_override_in_the_order_counts_for_the_job_alone(client: httpx.Client) -> None:
     mystery = text.line(10.0, 50.0, 90.0, 50.0, (8, "MYSTERY"), (62, 30))
     drawing = uploaded(client, square(extra=(mystery,)))["id"]
     job = ordered(client, drawing, overrides=[{"type": "crease", "layer": "MYSTERY"}])
@@ -80,7 +87,7 @@ def test_an_override_in_the_order_counts_for_the_job_alone(client: httpx.Client)
     assert len(client.get(f"/api/drawings/{drawing}").json()["questions"]) == 1
 
 
-def test_a_drawing_larger_than_the_table_is_refused_with_its_measure(client: httpx.Client):
+def test_a_drawing_larger_than_the_table_is_refused_with_its_measure(client: httpx.Client) -> None:
     drawing = uploaded(client, square(side=5000.0))["id"]
     job = until(client, ordered(client, drawing)["id"], "refused")
     assert "5000.0 × 5000.0 mm" in job["reason"]
@@ -89,7 +96,7 @@ def test_a_drawing_larger_than_the_table_is_refused_with_its_measure(client: htt
         assert client.get(f"/api/jobs/{job['id']}/{part}").status_code == 409
 
 
-def test_a_job_is_released_and_cancelled(client: httpx.Client):
+def test_a_job_is_released_and_cancelled(client: httpx.Client) -> None:
     drawing = uploaded(client, square())["id"]
     job = ordered(client, drawing)["id"]
     until(client, job, "ready")
@@ -100,7 +107,9 @@ def test_a_job_is_released_and_cancelled(client: httpx.Client):
     assert again.json()["type"] == "urn:knifetip:problem:wrong-state"
 
 
-def test_jobs_are_listed_by_state_and_page_by_page(client: httpx.Client, ready: dict):
+def test_jobs_are_listed_by_state_and_page_by_page(
+    client: httpx.Client, ready: dict[str, Any]
+) -> None:
     drawing = uploaded(client, square())["id"]
     new = [ordered(client, drawing)["id"] for _ in range(3)]
     for id in new:
@@ -115,7 +124,7 @@ def test_jobs_are_listed_by_state_and_page_by_page(client: httpx.Client, ready: 
     assert nothing.json() == []
 
 
-def test_the_same_key_orders_once(client: httpx.Client):
+def test_the_same_key_orders_once(client: httpx.Client) -> None:
     drawing = uploaded(client, square())["id"]
 
     def order(**more: object) -> httpx.Response:
@@ -143,7 +152,7 @@ def test_the_same_key_orders_once(client: httpx.Client):
 )
 def test_what_is_not_in_the_library_is_named(
     client: httpx.Client, field: str, value: str, words: str
-):
+) -> None:
     drawing = uploaded(client, square())["id"]
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", field: value})
     assert answer.status_code == 422
@@ -151,7 +160,7 @@ def test_what_is_not_in_the_library_is_named(
     assert answer.json()["hint"].startswith("There are ")
 
 
-def milled(client: httpx.Client, **fields: object) -> dict:
+def milled(client: httpx.Client, **fields: object) -> dict[str, Any]:
     """Order a frame of 200 mm with a window of 50 mm on the table that mills."""
     window = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(WINDOW)]
     drawing = uploaded(client, square(side=200.0, extra=tuple(window)))
@@ -167,17 +176,19 @@ LEFT = 4 * 9 * (1 - math.pi / 4)
 
 
 @pytest.fixture(scope="module")
-def window(client: httpx.Client) -> dict:
+def window(client: httpx.Client) -> dict[str, Any]:
     """A milled job that is ready."""
     return milled(client)
 
 
-def test_an_order_without_corners_leaves_them_to_the_machine(window: dict):
+def test_an_order_without_corners_leaves_them_to_the_machine(window: dict[str, Any]) -> None:
     assert window["state"] == "ready"
     assert window["corners"] is None
 
 
-def test_corners_are_kept_with_the_job_and_change_its_program(client: httpx.Client, window: dict):
+def test_corners_are_kept_with_the_job_and_change_its_program(
+    client: httpx.Client, window: dict[str, Any]
+) -> None:
     at = [{"x": 0.0, "y": 200.1, "type": "C", "k": None}]
     chosen = {"type": "D", "k": 0.4, "interference": "trim", "at": at}
     job = milled(client, corners=chosen)
@@ -192,7 +203,7 @@ def test_corners_are_kept_with_the_job_and_change_its_program(client: httpx.Clie
     assert program.count("Y223.0000\nG1 X") == 2, program
 
 
-def test_a_corner_that_is_not_there_refuses_the_job_with_its_place(client: httpx.Client):
+def test_a_corner_that_is_not_there_refuses_the_job_with_its_place(client: httpx.Client) -> None:
     job = milled(client, corners={"at": [{"x": 3.0, "y": 0.0, "type": "C"}]})
     assert job["state"] == "refused"
     assert job["reason"].startswith("No corner of a milled contour is within 0.5 mm of (3, 0)")
@@ -200,7 +211,7 @@ def test_a_corner_that_is_not_there_refuses_the_job_with_its_place(client: httpx
     assert "(0.00, 0.00)" in job["hint"]
 
 
-def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.Client):
+def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.Client) -> None:
     drawing = uploaded(client, square())["id"]
     order = {"drawing": drawing, "board": "e-flute", "corners": {"type": "D"}}
     answer = client.post("/api/jobs", json=order)
@@ -224,21 +235,21 @@ def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.
         ('{"radius": 3}', "body.corners.radius"),
     ],
 )
-def test_corners_that_are_none_are_named(client: httpx.Client, corners: str, place: str):
+def test_corners_that_are_none_are_named(client: httpx.Client, corners: str, place: str) -> None:
     body = f'{{"drawing": "a", "board": "e-flute", "corners": {corners}}}'
     answer = client.post("/api/jobs", content=body, headers={"Content-Type": "application/json"})
     assert answer.status_code == 422
     assert place in answer.json()["source"]
 
 
-def test_more_than_a_thousand_corners_are_refused(client: httpx.Client):
+def test_more_than_a_thousand_corners_are_refused(client: httpx.Client) -> None:
     at = [{"x": 0.0, "y": 0.0, "type": "C"}] * 1001
     order = {"drawing": "a", "board": "e-flute", "corners": {"at": at}}
     answer = client.post("/api/jobs", json=order)
     assert (answer.status_code, answer.json()["source"]) == (422, ["body.corners.at"])
 
 
-def test_interference_refuse_refuses_what_trim_leaves_uncut(client: httpx.Client):
+def test_interference_refuse_refuses_what_trim_leaves_uncut(client: httpx.Client) -> None:
     # A slot of 4 mm from the edge, and a cutter of 6.
     notch = ((0.0, 0.0), (98.0, 0.0), (98.0, 60.0), (102.0, 60.0), (102.0, 0.0), (200.0, 0.0),
              (200.0, 200.0), (0.0, 200.0), (0.0, 0.0))  # fmt: skip
@@ -259,7 +270,9 @@ def test_interference_refuse_refuses_what_trim_leaves_uncut(client: httpx.Client
     assert "mm" in states["refuse"]["reason"]
 
 
-def test_what_no_cutter_gets_to_is_told_with_its_places(client: httpx.Client, window: dict):
+def test_what_no_cutter_gets_to_is_told_with_its_places(
+    client: httpx.Client, window: dict[str, Any]
+) -> None:
     assert window["verdict"]["unreached"] == pytest.approx(LEFT, abs=0.05)
     assert window["verdict"]["unreached_places"] == 4
     verdict = client.get(f"/api/jobs/{window['id']}/verdict").json()
@@ -270,7 +283,9 @@ def test_what_no_cutter_gets_to_is_told_with_its_places(client: httpx.Client, wi
     assert sorted(verdict["edge_unreached"])[4:] == pytest.approx([6.0] * 4, abs=0.05)
 
 
-def test_the_verdict_as_columns_has_the_map_and_the_outlines(client: httpx.Client, window: dict):
+def test_the_verdict_as_columns_has_the_map_and_the_outlines(
+    client: httpx.Client, window: dict[str, Any]
+) -> None:
     answer = client.get(f"/api/jobs/{window['id']}/verdict", params={"format": "columns"})
     columns, meta = unpacked(answer.content)
     assert meta["accepted"] is True
@@ -285,7 +300,7 @@ def test_the_verdict_as_columns_has_the_map_and_the_outlines(client: httpx.Clien
     assert columns["area_ends"].max() == pytest.approx(100.0)
 
 
-def test_the_verdict_has_the_figures_of_grooves_and_knives(client: httpx.Client):
+def test_the_verdict_has_the_figures_of_grooves_and_knives(client: httpx.Client) -> None:
     lines = (text.line(0.0, 50.0, 100.0, 50.0, (8, "V-GROOVE")),)
     drawing = uploaded(client, square(extra=lines))["id"]
     job = until(client, ordered(client, drawing, board="greyboard-2.0")["id"], "ready", "refused")
@@ -297,6 +312,8 @@ def test_the_verdict_has_the_figures_of_grooves_and_knives(client: httpx.Client)
     assert max(verdict["edge_top_overcut"]) > 0.0
 
 
-def test_the_time_against_full_retracts_is_told(ready: dict, window: dict):
+def test_the_time_against_full_retracts_is_told(
+    ready: dict[str, Any], window: dict[str, Any]
+) -> None:
     for job in (ready, window):
         assert job["verdict"]["seconds"] < job["verdict"]["seconds_retracted"]

@@ -1,12 +1,14 @@
 from __future__ import annotations
 
+from typing import Any
+
 import httpx
 import pytest
 
 pytestmark = pytest.mark.xdist_group("server")
 
 
-def test_the_demo_table_shows_its_stations_with_their_dimensions(client: httpx.Client):
+def test_the_demo_table_shows_its_stations_with_their_dimensions(client: httpx.Client) -> None:
     (machine,) = [row for row in client.get("/api/machines").json() if row["name"] == "demo-table"]
     assert (machine["width"], machine["height"]) == (1600.0, 1200.0)
     assert machine["feed"] == "manual"
@@ -17,7 +19,7 @@ def test_the_demo_table_shows_its_stations_with_their_dimensions(client: httpx.C
     assert client.get("/api/machines/demo-table").json() == machine
 
 
-def test_boards_and_profiles_are_listed_and_looked_at(client: httpx.Client):
+def test_boards_and_profiles_are_listed_and_looked_at(client: httpx.Client) -> None:
     boards = client.get("/api/boards").json()
     assert {"e-flute", "greyboard-2.0", "fbb-0.4"} <= {board["name"] for board in boards}
     assert client.get("/api/boards/greyboard-2.0").json()["caliper"] == 2.0
@@ -27,7 +29,7 @@ def test_boards_and_profiles_are_listed_and_looked_at(client: httpx.Client):
     assert {"cut", "crease", "v-groove"} <= {rule["type"] for rule in default["rules"]}
 
 
-def test_tools_say_where_they_are_mounted(client: httpx.Client):
+def test_tools_say_where_they_are_mounted(client: httpx.Client) -> None:
     tools = client.get("/api/tools").json()
     mounted = {(tool["station"], tool["kind"]) for tool in tools if tool["machine"] == "demo-table"}
     assert mounted == {(1, "knife"), (2, "crease-wheel"), (3, "v-cutter")}
@@ -40,7 +42,7 @@ POINTS = [
 MEASURED = {"machine": "router-table", "tool": "Router", "points": POINTS}
 
 
-def test_a_cutter_is_calibrated_from_measured_points(client: httpx.Client):
+def test_a_cutter_is_calibrated_from_measured_points(client: httpx.Client) -> None:
     answer = client.post("/api/boards/greyboard-3.0/deflection", json=MEASURED)
     assert answer.status_code == 200, answer.text
     made = answer.json()
@@ -50,7 +52,9 @@ def test_a_cutter_is_calibrated_from_measured_points(client: httpx.Client):
     assert made["toml"] == "[deflection.Router]\nx = 0.0800\ny = 0.0500\n"
 
 
-def test_directions_that_say_too_little_are_answered_with_what_to_measure(client: httpx.Client):
+def test_directions_that_say_too_little_are_answered_with_what_to_measure(
+    client: httpx.Client,
+) -> None:
     order = {**MEASURED, "points": POINTS[:1]}
     answer = client.post("/api/boards/greyboard-3.0/deflection", json=order)
     assert answer.status_code == 422
@@ -59,7 +63,7 @@ def test_directions_that_say_too_little_are_answered_with_what_to_measure(client
     assert answer.json()["hint"].startswith("Measure one more point where the contour runs along Y")
 
 
-def test_the_wrong_side_is_noticed(client: httpx.Client):
+def test_the_wrong_side_is_noticed(client: httpx.Client) -> None:
     order = {**MEASURED, "side": "right"}
     answer = client.post("/api/boards/greyboard-3.0/deflection", json=order)
     assert answer.status_code == 422
@@ -76,7 +80,9 @@ def test_the_wrong_side_is_noticed(client: httpx.Client):
         ({"points": [{"azimuth": 0, "dx": "far", "dy": 0}]}, "body.points.0.dx"),
     ],
 )
-def test_a_calibration_about_nothing_is_refused(client: httpx.Client, change: dict, words: str):
+def test_a_calibration_about_nothing_is_refused(
+    client: httpx.Client, change: dict[str, Any], words: str
+) -> None:
     answer = client.post("/api/boards/greyboard-3.0/deflection", json={**MEASURED, **change})
     assert answer.status_code == 422
     assert words in answer.json()["detail"]

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import tomllib
+from pathlib import Path
 
 import httpx
 import pytest
@@ -39,7 +40,7 @@ def types(client: httpx.Client, id: str) -> list[str]:
     return [edge["type"] for edge in client.get(f"/api/drawings/{id}/edges").json()["edges"]]
 
 
-def test_a_profile_is_kept_listed_and_exported_as_it_was_written(client: httpx.Client):
+def test_a_profile_is_kept_listed_and_exported_as_it_was_written(client: httpx.Client) -> None:
     answer = keep(client, "acme")
     assert answer.status_code == 201, answer.text
     assert answer.headers["etag"] == '"1"'
@@ -57,7 +58,7 @@ def test_a_profile_is_kept_listed_and_exported_as_it_was_written(client: httpx.C
     assert 'filename="acme.toml"' in exported.headers["content-disposition"]
 
 
-def test_a_profile_in_json_becomes_toml_that_says_the_same(client: httpx.Client):
+def test_a_profile_in_json_becomes_toml_that_says_the_same(client: httpx.Client) -> None:
     rules = [{"type": "cut", "colour": [1, "#00aeef"], "layer": ["Größe*", "刀线"]}]
     body = {"title": 'A "quoted" title', "extends": "german", "overrules": True, "rules": rules}
     said = client.put("/api/profiles/in-json", json=body)
@@ -70,14 +71,14 @@ def test_a_profile_in_json_becomes_toml_that_says_the_same(client: httpx.Client)
     ]
 
 
-def test_shipped_profiles_are_exported_and_stay_as_they_are(client: httpx.Client):
+def test_shipped_profiles_are_exported_and_stay_as_they_are(client: httpx.Client) -> None:
     assert tomllib.loads(client.get("/api/profiles/german.toml").text)["extends"] == "default"
     for answer in (keep(client, "german"), client.delete("/api/profiles/german")):
         assert answer.status_code == 409
         assert "stays as it is" in answer.json()["detail"]
 
 
-def test_nobody_overwrites_what_somebody_else_changed(client: httpx.Client):
+def test_nobody_overwrites_what_somebody_else_changed(client: httpx.Client) -> None:
     assert keep(client, "shared").status_code == 201
     again = keep(client, "shared")
     assert again.status_code == 409
@@ -99,7 +100,7 @@ def test_nobody_overwrites_what_somebody_else_changed(client: httpx.Client):
 
 
 @pytest.mark.parametrize("match", ["", "three", '"-1"', '"99999999999999999999"', "NaN"])
-def test_a_version_that_is_none_is_refused(client: httpx.Client, match: str):
+def test_a_version_that_is_none_is_refused(client: httpx.Client, match: str) -> None:
     answer = keep(client, "versions", **{"If-Match": match})
     assert answer.status_code == 422
     assert "If-Match" in answer.json()["detail"]
@@ -112,7 +113,7 @@ def test_a_version_that_is_none_is_refused(client: httpx.Client, match: str):
         "%2e%2e%2fsecret", "a%00b", "%F0%9F%98%80", "c:\\x", "con.", "default.toml",
     ],
 )  # fmt: skip
-def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str):
+def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str) -> None:
     answer = keep(client, name)
     assert answer.status_code in (404, 405, 409, 422), answer.text
     assert answer.headers["content-type"] == "application/problem+json"
@@ -163,7 +164,7 @@ def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str):
 )  # fmt: skip
 def test_what_is_no_profile_is_refused_with_rule_and_field(
     client: httpx.Client, toml: str, source: list[str], words: str
-):
+) -> None:
     answer = keep(client, "wrong", toml)
     assert answer.status_code == 422, answer.text
     said = answer.json()
@@ -173,7 +174,7 @@ def test_what_is_no_profile_is_refused_with_rule_and_field(
     assert client.get("/api/profiles/wrong").status_code == 404
 
 
-def test_text_that_is_not_utf8_is_refused(client: httpx.Client):
+def test_text_that_is_not_utf8_is_refused(client: httpx.Client) -> None:
     answer = keep(client, "latin", b'title = "M\xfcller"\nrule = []')
     assert answer.status_code == 422
     assert "not text in UTF-8: byte 10" in answer.json()["detail"]
@@ -197,7 +198,7 @@ def test_text_that_is_not_utf8_is_refused(client: httpx.Client):
 )
 def test_json_that_is_no_profile_is_refused_with_rule_and_field(
     client: httpx.Client, body: str, source: list[str], words: str
-):
+) -> None:
     answer = client.put(
         "/api/profiles/wrong", content=body, headers={"Content-Type": "application/json"}
     )
@@ -208,7 +209,7 @@ def test_json_that_is_no_profile_is_refused_with_rule_and_field(
 
 def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed(
     client: httpx.Client,
-):
+) -> None:
     keep(client, "changing")
     drawing = uploaded(client, square(extra=INNER), profile="changing")
     id = drawing["id"]
@@ -258,14 +259,14 @@ def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed
 )
 def test_rules_that_are_none_change_nothing(
     client: httpx.Client, patch: dict[str, object], status: int, words: str
-):
+) -> None:
     drawing = uploaded(client, square(extra=INNER))
     answer = client.patch(f"/api/drawings/{drawing['id']}", json=patch)
     assert (answer.status_code, words in answer.json()["detail"]) == (status, True), answer.text
     assert client.get(f"/api/drawings/{drawing['id']}").json()["rules"] == ""
 
 
-def test_a_job_is_made_by_the_rules_it_was_ordered_with(client: httpx.Client):
+def test_a_job_is_made_by_the_rules_it_was_ordered_with(client: httpx.Client) -> None:
     keep(client, "ordering", OURS + '\n[[rule]]\ntype = "ignored"\nlayer = "INNER"\n')
     id = uploaded(client, square(extra=INNER), profile="ordering")["id"]
     # Nobody could make this, and nobody has to: the drawing was looked at before.
@@ -282,7 +283,7 @@ def test_a_job_is_made_by_the_rules_it_was_ordered_with(client: httpx.Client):
     assert answer.json()["questions"]
 
 
-def test_a_file_beside_the_library_is_no_profile(client: httpx.Client, tmp_path):
+def test_a_file_beside_the_library_is_no_profile(client: httpx.Client, tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text(OURS)
     id = uploaded(client, square())["id"]
@@ -292,7 +293,7 @@ def test_a_file_beside_the_library_is_no_profile(client: httpx.Client, tmp_path)
         assert "There is no profile" in answer.json()["detail"]
 
 
-def test_a_preview_counts_what_each_rule_takes_and_keeps_nothing(client: httpx.Client):
+def test_a_preview_counts_what_each_rule_takes_and_keeps_nothing(client: httpx.Client) -> None:
     id = uploaded(client, square(extra=INNER))["id"]
     override = {"overrides": [{"type": "cut", "edges": [4]}]}
     before = client.patch(f"/api/drawings/{id}/edges", json=override).json()
@@ -311,7 +312,7 @@ def test_a_preview_counts_what_each_rule_takes_and_keeps_nothing(client: httpx.C
     assert client.get(f"/api/drawings/{id}").json() == before
 
 
-def test_a_preview_of_what_is_no_profile_is_refused(client: httpx.Client):
+def test_a_preview_of_what_is_no_profile_is_refused(client: httpx.Client) -> None:
     id = uploaded(client, square())["id"]
     body = {"title": "x", "rules": [{"type": "cut", "colour": [0]}]}
     answer = client.post(f"/api/drawings/{id}/preview", json=body)
@@ -319,7 +320,7 @@ def test_a_preview_of_what_is_no_profile_is_refused(client: httpx.Client):
     assert answer.json()["source"] == ["rule 1", "colour"]
 
 
-def test_corrections_teach_a_rule_that_saves_them_the_next_time(client: httpx.Client):
+def test_corrections_teach_a_rule_that_saves_them_the_next_time(client: httpx.Client) -> None:
     drawing = square(extra=INNER)
     id = uploaded(client, drawing)["id"]
     assert client.post(f"/api/drawings/{id}/learned").json() == []
@@ -337,7 +338,9 @@ def test_corrections_teach_a_rule_that_saves_them_the_next_time(client: httpx.Cl
     assert types(client, other["id"])[4] == "perforation"
 
 
-def test_a_correction_against_the_profile_says_what_else_it_would_change(client: httpx.Client):
+def test_a_correction_against_the_profile_says_what_else_it_would_change(
+    client: httpx.Client,
+) -> None:
     folds = [text.line(10.0, y, 90.0, y, (8, "CREASE")) for y in (40.0, 60.0)]
     id = uploaded(client, square(extra=tuple(folds)))["id"]
     override = {"overrides": [{"type": "perforation", "edges": [4]}]}
@@ -347,7 +350,7 @@ def test_a_correction_against_the_profile_says_what_else_it_would_change(client:
     assert proposal["changes"] == [{"before": "crease", "after": "perforation", "edges": [5]}]
 
 
-def test_the_report_adds_up_and_every_edge_has_a_fate(client: httpx.Client):
+def test_the_report_adds_up_and_every_edge_has_a_fate(client: httpx.Client) -> None:
     twice = text.line(20.0, 0.0, 80.0, 0.0, (8, "CUT"))
     note = "0\nTEXT\n8\nNOTES\n10\n0\n20\n0\n40\n5\n1\nhello\n"
     said = uploaded(client, square(extra=(twice, note)))
@@ -362,7 +365,7 @@ def test_the_report_adds_up_and_every_edge_has_a_fate(client: httpx.Client):
     assert (gone["length"], gone["reason"] != "") == (60.0, True)
 
 
-def test_a_unit_that_was_said_can_be_taken_back(client: httpx.Client):
+def test_a_unit_that_was_said_can_be_taken_back(client: httpx.Client) -> None:
     said = uploaded(client, square())
     assert (said["unit"], said["unit_given"]) == ("mm", None)
     inches = client.patch(f"/api/drawings/{said['id']}", json={"unit": "in"}).json()

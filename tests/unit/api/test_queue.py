@@ -20,7 +20,7 @@ from tests.support.serving.server import LocalClient, ordered, square, until, up
 pytestmark = pytest.mark.xdist_group("server")
 
 
-async def test_calls_are_made_in_order_and_so_many_at_once():
+async def test_calls_are_made_in_order_and_so_many_at_once() -> None:
     work = WorkQueue(2, 10)
     inside, most, order = 0, 0, []
     lock = threading.Lock()
@@ -43,7 +43,7 @@ async def test_calls_are_made_in_order_and_so_many_at_once():
     work.close()
 
 
-async def test_one_more_than_may_wait_is_refused_and_told_when_to_come_again():
+async def test_one_more_than_may_wait_is_refused_and_told_when_to_come_again() -> None:
     work = WorkQueue(1, 2)
     gate = threading.Event()
     made: list[int] = []
@@ -69,7 +69,7 @@ async def test_one_more_than_may_wait_is_refused_and_told_when_to_come_again():
     work.close()
 
 
-async def test_the_wait_that_is_told_follows_what_calls_take():
+async def test_the_wait_that_is_told_follows_what_calls_take() -> None:
     work = WorkQueue(1, 1)
     for _ in range(20):
         await work.run(lambda: time.sleep(0.001))
@@ -100,7 +100,7 @@ def held(client: httpx.Client, count: int) -> Iterator[list[httpx.Response]]:
 
 def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
-):
+) -> None:
     gate = threading.Event()
     gate.set()
     timed = WorkQueue._timed
@@ -148,7 +148,7 @@ def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
 
 def test_gateways_have_threads_that_nothing_else_takes(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
-):
+) -> None:
     job = ordered(client, uploaded(client, square())["id"], release=True)
     until(client, job["id"], "queued")
     gate = threading.Event()

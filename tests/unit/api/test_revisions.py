@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from typing import Any
 
 import httpx
 import numpy as np
@@ -28,7 +29,7 @@ def stale(answer: httpx.Response, revision: int) -> None:
     assert said["hint"]
 
 
-def test_a_drawing_has_a_revision_that_counts_its_changes(client: httpx.Client):
+def test_a_drawing_has_a_revision_that_counts_its_changes(client: httpx.Client) -> None:
     upload = client.post("/api/drawings", files={"file": ("a.dxf", square())})
     path = upload.headers["location"]
     assert upload.headers["etag"] == '"1"'
@@ -45,7 +46,7 @@ def test_a_drawing_has_a_revision_that_counts_its_changes(client: httpx.Client):
 
 
 @pytest.mark.parametrize("where", ["", "/edges", "/edges?format=columns"])
-def test_what_the_client_has_already_is_not_sent_again(client: httpx.Client, where: str):
+def test_what_the_client_has_already_is_not_sent_again(client: httpx.Client, where: str) -> None:
     id = uploaded(client, square())["id"]
     path = f"/api/drawings/{id}{where}"
     tag = client.get(path).headers["etag"]
@@ -59,7 +60,9 @@ def test_what_the_client_has_already_is_not_sent_again(client: httpx.Client, whe
     assert fresh.headers["etag"] == '"2"'
 
 
-def test_a_profile_that_changed_changes_the_answer_and_not_the_revision(client: httpx.Client):
+def test_a_profile_that_changed_changes_the_answer_and_not_the_revision(
+    client: httpx.Client,
+) -> None:
     profile = 'title = "Mine"\n[[rule]]\ntype = "cut"\nlayer = ["CUT"]\n'
     toml = {"Content-Type": "application/toml"}
     kept = client.put("/api/profiles/etagged", content=profile, headers=toml)
@@ -81,8 +84,8 @@ def test_a_profile_that_changed_changes_the_answer_and_not_the_revision(client: 
     ("where", "change"), [("", {"unit": "in"}), ("/edges", CREASE)], ids=["drawing", "edges"]
 )
 def test_a_change_made_for_an_older_revision_is_refused(
-    client: httpx.Client, where: str, change: dict
-):
+    client: httpx.Client, where: str, change: dict[str, Any]
+) -> None:
     id = uploaded(client, square())["id"]
     path = f"/api/drawings/{id}{where}"
     first = client.patch(path, json=change, headers={"If-Match": '"1"'})
@@ -96,7 +99,7 @@ def test_a_change_made_for_an_older_revision_is_refused(
     assert client.patch(path, json=change).json()["revision"] == 7
 
 
-def test_an_order_of_an_older_revision_is_refused(client: httpx.Client):
+def test_an_order_of_an_older_revision_is_refused(client: httpx.Client) -> None:
     id = uploaded(client, square())["id"]
     client.patch(f"/api/drawings/{id}/edges", json=CREASE)
     jobs = len(client.get("/api/jobs?limit=500").json())
@@ -109,7 +112,7 @@ def test_an_order_of_an_older_revision_is_refused(client: httpx.Client):
 
 
 @pytest.mark.parametrize("wrong", [0, -1, "x", 1.5, 2**40, [1]])
-def test_what_is_no_revision_is_refused(client: httpx.Client, wrong: object):
+def test_what_is_no_revision_is_refused(client: httpx.Client, wrong: object) -> None:
     id = uploaded(client, square())["id"]
     order = {"drawing": id, "board": "e-flute", "revision": wrong}
     assert client.post("/api/jobs", json=order).status_code == 422
@@ -117,7 +120,7 @@ def test_what_is_no_revision_is_refused(client: httpx.Client, wrong: object):
 
 def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
-):
+) -> None:
     id = uploaded(client, square())["id"]
     run = client.service.crew.run
     between: list[int] = []
@@ -144,7 +147,7 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
 
 def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
-):
+) -> None:
     id = uploaded(client, square())["id"]
     run = client.service.crew.run
     others = [3]
@@ -172,7 +175,7 @@ def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
     assert "Try again" in again.json()["hint"]
 
 
-def test_a_change_is_told_to_those_who_listen_with_its_revision(client: httpx.Client):
+def test_a_change_is_told_to_those_who_listen_with_its_revision(client: httpx.Client) -> None:
     id = uploaded(client, square())["id"]
     deadline = time.monotonic() + 10.0
     with client.stream("GET", "/api/events") as stream:
@@ -198,5 +201,5 @@ def test_a_change_is_told_to_those_who_listen_with_its_revision(client: httpx.Cl
         ('"1"', '"1-changed"', False),
     ],
 )
-def test_tags_are_compared_whole(tag: str, known: str | None, expected: bool):
+def test_tags_are_compared_whole(tag: str, known: str | None, expected: bool) -> None:
     assert revisions.is_known(tag, known) is expected

@@ -12,7 +12,9 @@ pytestmark = pytest.mark.xdist_group("server")
 
 
 @pytest.mark.parametrize("path", ["/", "/jobs/abc", "/index.html"])
-def test_the_page_is_served_at_its_own_routes_and_asked_for_anew(client: httpx.Client, path: str):
+def test_the_page_is_served_at_its_own_routes_and_asked_for_anew(
+    client: httpx.Client, path: str
+) -> None:
     answer = client.get(path)
     assert "the built page" in answer.text
     assert answer.headers["cache-control"] == "no-cache"
@@ -25,7 +27,7 @@ def test_the_page_is_served_at_its_own_routes_and_asked_for_anew(client: httpx.C
     assert "content-security-policy" not in again.headers
 
 
-def test_what_was_built_is_kept_for_ever(client: httpx.Client):
+def test_what_was_built_is_kept_for_ever(client: httpx.Client) -> None:
     answer = client.get("/assets/main-4f2a.js")
     assert answer.text == "export const knife = 1\n"
     assert "immutable" in answer.headers["cache-control"]
@@ -35,13 +37,13 @@ def test_what_was_built_is_kept_for_ever(client: httpx.Client):
 @pytest.mark.parametrize(
     "path", ["/assets/gone.js", "/%2e%2e/secret.txt", "/..%2fsecret.txt", "/assets/%00.js"]
 )
-def test_nothing_beside_the_page_is_served(client: httpx.Client, path: str):
+def test_nothing_beside_the_page_is_served(client: httpx.Client, path: str) -> None:
     answer = client.get(path)
     assert answer.status_code == 404
     assert "not for you" not in answer.text
 
 
-def test_without_a_built_page_it_is_said_how_to_build_it(tmp_path: Path):
+def test_without_a_built_page_it_is_said_how_to_build_it(tmp_path: Path) -> None:
     answer = Site(tmp_path / "page").answer("/", Headers())
     assert answer.status_code == 200
     assert b"make run" in answer.body

@@ -71,7 +71,7 @@ def waits(store: Store, job: Job) -> Waiting:
     return found
 
 
-def test_the_operator_is_told_board_tools_and_stations(store: Store):
+def test_the_operator_is_told_board_tools_and_stations(store: Store) -> None:
     job = queued(store)
     claimed(store)
     assert waits(store, job) == (
@@ -84,7 +84,7 @@ def test_the_operator_is_told_board_tools_and_stations(store: Store):
     assert waits(store, job) == ("machine", f"Confirmed; {TITLE} is starting.", "")
 
 
-def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock):
+def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> None:
     job = queued(store)
     absent = ("machine", f"No gateway of {TITLE} asks for work.")
     assert waits(store, job)[:2] == absent
@@ -96,7 +96,7 @@ def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock):
 
 def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their_turn(
     store: Store, clock: Clock
-):
+) -> None:
     jobs = [queued(store) for _ in range(3)]
     job = claimed(store)
     assert job.id == jobs[0].id
@@ -115,7 +115,7 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
     assert waits(store, jobs[2]).waiting_for == "turn"
 
 
-def test_between_two_copies_the_next_sheet_is_asked_for(store: Store):
+def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
     job = queued(store, copies=2)
     held = claimed(store)
     store.confirm(job.id)
@@ -131,13 +131,13 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store):
     assert waits(store, job) == Waiting()
 
 
-def test_a_board_and_a_machine_that_the_library_has_no_more_are_named(store: Store):
+def test_a_board_and_a_machine_that_the_library_has_no_more_are_named(store: Store) -> None:
     job = queued(store, machine="gone", board="old-board")
     store.claim("gone", "gateway", manual=True)
     assert "at gone: table clear, board old-board, tools:" in waits(store, job).reason
 
 
-def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store):
+def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store) -> None:
     job = queued(store)
     claimed(store)
     row = store.job(job.id)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -28,7 +29,7 @@ def reasons(drawing: Drawing) -> dict[str, str]:
 # ── Records ───────────────────────────────────────────────────────────────────────────────────
 
 
-def test_a_line_has_its_ends_its_type_and_its_layer():
+def test_a_line_has_its_ends_its_type_and_its_layer() -> None:
     drawing = read(cf2(line(1, 2, 11, 2), "L,3,3,8,0,0,0,5,0,0"))
     assert drawing.ends.tolist() == [[[1, 2], [11, 2]], [[0, 0], [0, 5]]]
     assert [drawing.linetypes[row] for row in drawing.linetype] == ["CF2 1 2pt", "CF2 3 aux 8 3pt"]
@@ -37,7 +38,7 @@ def test_a_line_has_its_ends_its_type_and_its_layer():
 
 
 @pytest.mark.parametrize(("way", "top"), [(1, 10.0), (-1, 0.0)])
-def test_the_direction_of_an_arc_says_on_which_side_it_bulges(way: int, top: float):
+def test_the_direction_of_an_arc_says_on_which_side_it_bulges(way: int, top: float) -> None:
     # From (10, 0) to (-10, 0) about the origin: over the top to the left, below to the right.
     drawing = read(cf2(arc(10, 0, -10, 0, 0, 0, way)))
     assert_allclose(drawing.bounds, [-10, top - 10, 10, top], atol=1e-9)
@@ -45,7 +46,7 @@ def test_the_direction_of_an_arc_says_on_which_side_it_bulges(way: int, top: flo
 
 
 @pytest.mark.parametrize("way", [1, -1])
-def test_three_quarters_of_a_circle_are_two_rows(way: int):
+def test_three_quarters_of_a_circle_are_two_rows(way: int) -> None:
     drawing = read(cf2(arc(10, 0, 0, -10 * way, 0, 0, way)))
     assert len(drawing) == 2
     assert_allclose(drawing.lengths.sum(), 15 * math.pi)
@@ -53,19 +54,19 @@ def test_three_quarters_of_a_circle_are_two_rows(way: int):
     assert_allclose(drawing.ends[0, 1], [-10 * math.sqrt(0.5), 10 * way * math.sqrt(0.5)])
 
 
-def test_an_arc_that_ends_where_it_starts_is_a_whole_circle():
+def test_an_arc_that_ends_where_it_starts_is_a_whole_circle() -> None:
     drawing = read(cf2(arc(15, 5, 15, 5, 10, 5)))
     assert_allclose(drawing.lengths.sum(), 10 * math.pi)
     assert_allclose(drawing.bounds, [5, 0, 15, 10], atol=1e-9)
 
 
-def test_an_arc_off_its_centre_keeps_its_ends_and_says_so():
+def test_an_arc_off_its_centre_keeps_its_ends_and_says_so() -> None:
     drawing = read(cf2(arc(10, 0, 0, 10.5, 0, 0)))
     assert drawing.ends.tolist() == [[[10, 0], [0, 10.5]]]
     assert reasons(drawing)["#1"] == "kept: its centre is 10 from one end and 10.5 from the other"
 
 
-def test_bridges_are_words_and_not_gaps():
+def test_bridges_are_words_and_not_gaps() -> None:
     drawing = read(cf2(line(0, 0, 100, 0, bridges="3,6"), line(0, 1, 9, 1, bridges="1,4.5")))
     assert drawing.lengths.tolist() == [100.0, 9.0]
     assert drawing.ledger.reason == (
@@ -74,7 +75,7 @@ def test_bridges_are_words_and_not_gaps():
     )
 
 
-def test_what_programs_leave_out_or_write_in_their_own_way_is_read():
+def test_what_programs_leave_out_or_write_in_their_own_way_is_read() -> None:
     text = (
         "\n\n$bof\nv2\norder\nmain idea: none\n\nend\nmain , x \num\nscale,1,1,\n\n"
         "l, 2, 1, 0, 0, 0, 10, 0\n  L,2,1,0,0,0,0,1e1,0,0,\nA,2,1,0,5,0,5,0,4,0,1\nend\n"
@@ -86,20 +87,20 @@ def test_what_programs_leave_out_or_write_in_their_own_way_is_read():
     assert read(text.encode("utf-16")).ends.tolist() == drawing.ends.tolist()
 
 
-def test_records_without_any_head_are_read():
+def test_records_without_any_head_are_read() -> None:
     drawing = read(b"L,2,1,0,0,0,10,0,0,0\nA,2,2,0,5,0,-5,0,0,0,1,0,0\n")
     assert len(drawing) == 2
     assert (drawing.unit, drawing.evidence) == ("", "the file has neither UM nor UI")
 
 
-def test_inches_are_inches():
+def test_inches_are_inches() -> None:
     drawing = read(cf2(line(0, 0, 10, 0), head=("UI",)))
     assert (drawing.unit, drawing.stated) == ("in", "in")
     assert_allclose(drawing.lengths, [254.0])
     assert_allclose(read(cf2(line(0, 0, 10, 0), head=("UI",)), "mm").lengths, [10.0])
 
 
-def test_words_are_kept_as_inscriptions_and_never_cut():
+def test_words_are_kept_as_inscriptions_and_never_cut() -> None:
     drawing = read(cf2("T,2,46,0,10,90,0,5,4", "L,2,1 is no line", line(0, 0, 1, 0)))
     (words,) = drawing.inscriptions
     assert (words.text, words.x, words.y, words.height) == ("L,2,1 is no line", 10, 90, 5)
@@ -110,7 +111,7 @@ def test_words_are_kept_as_inscriptions_and_never_cut():
 # ── Calls ─────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_a_subroutine_is_scaled_then_turned_then_moved():
+def test_a_subroutine_is_scaled_then_turned_then_moved() -> None:
     one = sub("A", line(0, 0, 10, 0))
     drawing = read(cf2("C,A,100,50,90,2,2", "C,a,0,0,0,-1,1", "C,A,5,5", subs=one))
     assert drawing.ends.tolist() == [[[100, 50], [100, 70]], [[0, 0], [-10, 0]], [[5, 5], [15, 5]]]
@@ -119,25 +120,25 @@ def test_a_subroutine_is_scaled_then_turned_then_moved():
     assert set(drawing.layers) == {"A"}
 
 
-def test_a_mirrored_arc_turns_the_other_way():
+def test_a_mirrored_arc_turns_the_other_way() -> None:
     drawing = read(cf2("C,A,0,0,0,-1,1", subs=sub("A", arc(10, 0, 0, 10, 0, 0))))
     assert_allclose(drawing.ends, [[[-10, 0], [0, 10]]], atol=1e-12)
     assert_allclose(drawing.bulge, [-math.tan(math.pi / 8)])
 
 
-def test_an_unevenly_scaled_circle_is_an_ellipse():
+def test_an_unevenly_scaled_circle_is_an_ellipse() -> None:
     drawing = read(cf2("C,A,0,0,0,3,1", subs=sub("A", arc(10, 0, 10, 0, 0, 0), line(0, 0, 1, 0))))
     assert_allclose(drawing.bounds, [-30, -10, 30, 10], atol=0.011)
     assert drawing.ends[-1].tolist() == [[0, 0], [3, 0]]
 
 
-def test_subroutines_call_each_other():
+def test_subroutines_call_each_other() -> None:
     subs = sub("A", "C,B,10,0,0,1,1", line(0, 0, 1, 0)) + "\r\n" + sub("B", line(0, 0, 2, 0))
     drawing = read(cf2("C,A,100,0,90,1,1", subs=subs))
     assert drawing.ends.tolist() == [[[100, 10], [100, 12]], [[100, 0], [100, 1]]]
 
 
-def test_calls_that_lead_nowhere_say_so():
+def test_calls_that_lead_nowhere_say_so() -> None:
     subs = "\r\n".join(
         [sub("A", "C,B,0,0,0,1,1"), sub("B", "C,A,0,0,0,1,1"), sub("IDLE", line(0, 0, 9, 0))]
     )
@@ -149,7 +150,7 @@ def test_calls_that_lead_nowhere_say_so():
     assert told["IDLE"] == "the subroutine IDLE of 1 records: nothing calls it"
 
 
-def test_subroutines_that_nobody_calls_stand_where_they_are_drawn():
+def test_subroutines_that_nobody_calls_stand_where_they_are_drawn() -> None:
     drawing = read(b"$BOF\nSUB,A\nL,2,1,0,0,0,10,0,0,0\nEND\n$EOF\n")
     assert drawing.ends.tolist() == [[[0, 0], [10, 0]]]
 
@@ -158,7 +159,7 @@ def test_subroutines_that_nobody_calls_stand_where_they_are_drawn():
 
 
 @pytest.mark.parametrize(("corner", "length"), [("UR,10,5", 10.0), ("UR,20,10", 20.0)])
-def test_a_scale_is_applied_if_the_corners_say_so(corner: str, length: float):
+def test_a_scale_is_applied_if_the_corners_say_so(corner: str, length: float) -> None:
     drawing = read(
         cf2(line(0, 0, 10, 0), line(0, 0, 0, 5), head=("UM", "LL,0,0", corner, "SCALE,2,2"))
     )
@@ -166,7 +167,7 @@ def test_a_scale_is_applied_if_the_corners_say_so(corner: str, length: float):
     assert drawing.unit == "mm"
 
 
-def test_a_scale_that_nothing_explains_is_asked():
+def test_a_scale_that_nothing_explains_is_asked() -> None:
     drawing = read(cf2(line(0, 0, 10, 0), head=("UM", "SCALE,2,2")))
     assert (drawing.unit, drawing.lengths.tolist()) == ("", [10.0])
     assert "SCALE,2,2 is not applied" in drawing.evidence
@@ -186,7 +187,9 @@ KINDS = (0, 1, 2, 3, 4, 6, 8, 9, 10, 12, 43, 46)
         ("cf2-aspose", {0: "ignored", 2: "crease", 3: "perforation", 4: "combi", 43: "ignored"}),
     ],
 )
-def test_profiles_know_the_types_of_their_program_and_no_others(profile: str, known: dict):
+def test_profiles_know_the_types_of_their_program_and_no_others(
+    profile: str, known: dict[str, Any]
+) -> None:
     drawing = read(cf2(*(line(0, k, 9, k, k) for k in KINDS)))
     of = {**{1: "cut", 2: "crease", 46: "ignored"}, **known}
     rules = load.profile(profile).rules
@@ -203,7 +206,7 @@ def _globs(pattern: str, name: str) -> bool:
 # ── Whole files ───────────────────────────────────────────────────────────────────────────────
 
 
-def test_lengths_in_the_ledger_add_up():
+def test_lengths_in_the_ledger_add_up() -> None:
     drawing = read(carton())
     one = 200 + 60 + 10 * math.pi + 180 + 80 + 16 * math.pi + 3 * 80
     assert_allclose(drawing.lengths.sum(), 2 * one)
@@ -214,7 +217,7 @@ def test_lengths_in_the_ledger_add_up():
 
 
 @pytest.mark.corpus
-def test_a_layout_by_other_hands_is_as_large_as_its_corners_say(corpus: Path):
+def test_a_layout_by_other_hands_is_as_large_as_its_corners_say(corpus: Path) -> None:
     folder = corpus / "groupdocs-viewer__GroupDocs.Viewer-for-.NET"
     (file,) = folder.rglob("sample.cf2")
     drawing = read(file.read_bytes())
@@ -235,7 +238,7 @@ def refused(data: bytes, kind: type[KnifetipError] = NotADrawing, **limits: int)
     return caught.value.message
 
 
-def test_a_file_cut_anywhere_is_refused_or_whole():
+def test_a_file_cut_anywhere_is_refused_or_whole() -> None:
     whole = carton()
     drawing = read(whole)
     refusals = 0
@@ -251,12 +254,12 @@ def test_a_file_cut_anywhere_is_refused_or_whole():
     assert refusals > 0.9 * len(whole) - 200
 
 
-def test_decimal_commas_are_refused_with_the_reason():
+def test_decimal_commas_are_refused_with_the_reason() -> None:
     rows = ["L,2,1,0,54,623664,10,09647,54,637004,10,16879,0,0"] * 9
     assert "decimals seem to be written with commas" in refused(cf2(*rows))
 
 
-def test_single_damaged_records_are_dropped_with_the_reason():
+def test_single_damaged_records_are_dropped_with_the_reason() -> None:
     drawing = read(
         cf2(
             line(0, 0, 1, 0),
@@ -279,7 +282,7 @@ def test_single_damaged_records_are_dropped_with_the_reason():
     assert drawing.lengths.tolist() == [1.0]
 
 
-def test_bombs_and_towers_are_refused():
+def test_bombs_and_towers_are_refused() -> None:
     bomb = "\r\n".join(
         sub(f"S{k}", *[f"C,S{k + 1},0,0,0,1,1"] * 10) for k in range(12)
     ) + "\r\n" + sub("S12", line(0, 0, 1, 0))  # fmt: skip
@@ -290,7 +293,7 @@ def test_bombs_and_towers_are_refused():
     assert len(read(cf2(line(0, 0, 1, 0), subs=nested))) == 1
 
 
-def test_limits_are_kept():
+def test_limits_are_kept() -> None:
     many = cf2(*[line(0, k, 1, k) for k in range(50)])
     assert "more than 40 records" in refused(many, DrawingTooLarge, entities=40)
     assert "more than 40 lines" in refused(many, DrawingTooLarge, segments=40)
@@ -298,7 +301,7 @@ def test_limits_are_kept():
 
 
 @pytest.mark.parametrize("data", [b"", b"\n\n", b"$BOF\nV2\nORDER\nEND\n$EOF", b"$EOF", b"hello"])
-def test_a_file_that_draws_nothing_is_refused(data: bytes):
+def test_a_file_that_draws_nothing_is_refused(data: bytes) -> None:
     assert refused(data)
 
 
@@ -328,7 +331,9 @@ fields = st.one_of(
         max_size=8,
     )
 )
-def test_any_records_end_in_a_drawing_or_an_error_of_ours(records):
+def test_any_records_end_in_a_drawing_or_an_error_of_ours(
+    records: list[tuple[str, list[str]]],
+) -> None:
     lines = [",".join([word, *values]) for word, values in records]
     drawing = read_or_refused(cf2(*lines, subs=sub("1", line(0, 0, 1, 1))))
     if drawing is not None:
@@ -337,6 +342,6 @@ def test_any_records_end_in_a_drawing_or_an_error_of_ours(records):
 
 
 @given(st.binary(max_size=100), st.integers(0, 900), st.integers(0, 20))
-def test_any_damage_ends_in_a_drawing_or_an_error_of_ours(noise: bytes, at: int, gone: int):
+def test_any_damage_ends_in_a_drawing_or_an_error_of_ours(noise: bytes, at: int, gone: int) -> None:
     whole = carton()
     read_or_refused(whole[:at] + noise + whole[at + gone :])

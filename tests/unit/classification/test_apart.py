@@ -8,7 +8,7 @@ from tests.support.classification import drawn, plain, seen, words
 BOX = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 
 
-def test_a_cut_that_would_take_a_flap_off_is_asked():
+def test_a_cut_that_would_take_a_flap_off_is_asked() -> None:
     """A glue flap of 30 mm on the left, its fold drawn on the layer of the cuts."""
     sheet = drawn(([*BOX, (30, 0, 30, 200)], plain("CUT")), ([(150, 0, 150, 200)], plain("CREASE")))
     dieline = seen(sheet)
@@ -17,13 +17,13 @@ def test_a_cut_that_would_take_a_flap_off_is_asked():
     assert "it would cut a panel off its blank" in question.text
 
 
-def test_a_slit_between_flaps_that_hang_on_their_creases_stands():
+def test_a_slit_between_flaps_that_hang_on_their_creases_stands() -> None:
     flaps = [(100, 150, 100, 200), (200, 150, 200, 200)]
     sheet = drawn((BOX + flaps, plain("CUT")), ([(0, 150, 300, 150)], plain("CREASE")))
     assert words(seen(sheet)) == ["cut"] * 6 + ["crease"]
 
 
-def test_a_hole_on_a_crease_may_fall_out():
+def test_a_hole_on_a_crease_may_fall_out() -> None:
     hole = [(140, 90, 160, 90), (160, 90, 160, 110), (160, 110, 140, 110), (140, 110, 140, 90)]
     folds = [(150, 0, 150, 90), (150, 110, 150, 200)]
     assert words(seen(drawn((BOX + hole, plain("CUT")), (folds, plain("CREASE"))))) == (
@@ -31,7 +31,7 @@ def test_a_hole_on_a_crease_may_fall_out():
     )
 
 
-def test_two_blanks_that_share_a_cut_are_two_blanks():
+def test_two_blanks_that_share_a_cut_are_two_blanks() -> None:
     folds = [(75, 0, 75, 200), (225, 0, 225, 200)]
     sheet = drawn(([*BOX, (150, 0, 150, 200)], plain("CUT")), (folds, plain("CREASE")))
     assert words(seen(sheet)) == ["cut"] * 5 + ["crease"] * 2

@@ -22,38 +22,38 @@ DIMENSION = [
 ]  # fmt: skip
 
 
-def test_a_dimension_is_its_line_its_heads_and_what_it_begins_at():
+def test_a_dimension_is_its_line_its_heads_and_what_it_begins_at() -> None:
     assert found(DIMENSION) == [True] * 7
 
 
-def test_the_same_in_any_unit():
+def test_the_same_in_any_unit() -> None:
     inches = [tuple(value / 25.4 for value in line) for line in DIMENSION]
     assert found(inches, 1.0 / 25.4) == [True] * 7
 
 
-def test_a_crease_that_an_arrow_begins_at_is_no_arrow():
+def test_a_crease_that_an_arrow_begins_at_is_no_arrow() -> None:
     creases = [(0, 90, 0, -90), (50, 90, 50, -90)]
     assert found([*DIMENSION[:5], *creases]) == [True] * 5 + [False] * 2
 
 
-def test_a_head_drawn_as_a_triangle_counts_with_its_back():
+def test_a_head_drawn_as_a_triangle_counts_with_its_back() -> None:
     assert found([(0, 0, 50, 0), (0, 0, 3, 1), (0, 0, 3, -1), (3, 1, 3, -1)]) == [True] * 4
 
 
-def test_a_notch_at_the_end_of_a_crease_opens_the_other_way():
+def test_a_notch_at_the_end_of_a_crease_opens_the_other_way() -> None:
     assert found([(0, 0, 50, 0), (0, 0, -3, 1), (0, 0, -3, -1)]) == [False] * 3
 
 
-def test_heads_of_two_lengths_or_angles_are_none():
+def test_heads_of_two_lengths_or_angles_are_none() -> None:
     assert found([(0, 0, 50, 0), (0, 0, 3, 1), (0, 0, 5, -1.7)]) == [False] * 3
     assert found([(0, 0, 50, 0), (0, 0, 3, 1), (0, 0, 2, -2.45)]) == [False] * 3
 
 
-def test_the_tip_of_a_flap_goes_on_in_the_outline():
+def test_the_tip_of_a_flap_goes_on_in_the_outline() -> None:
     flap = [(0, 0, 50, 0), (0, 0, 8, 4), (0, 0, 8, -4), (8, 4, 50, 30), (8, -4, 50, -30)]
     assert found(flap) == [False] * 5
 
 
-def test_an_arrow_drawn_twice_and_not_quite_alike_is_one_as_well():
+def test_an_arrow_drawn_twice_and_not_quite_alike_is_one_as_well() -> None:
     again = [(47, 1.02, 50, 0.01), (3.01, -1, 0.02, 0), (50, 0, 0, 0)]
     assert found([*DIMENSION, *again]) == [True] * 10

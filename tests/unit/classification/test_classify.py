@@ -30,7 +30,7 @@ RULES = LineRules(
 )
 
 
-def test_the_first_rule_that_matches_decides():
+def test_the_first_rule_that_matches_decides() -> None:
     dieline = classify(
         side_by_side(
             [
@@ -60,7 +60,7 @@ def test_the_first_rule_that_matches_decides():
     ]
 
 
-def test_the_dieline_keeps_the_edges_of_the_drawing_in_their_order():
+def test_the_dieline_keeps_the_edges_of_the_drawing_in_their_order() -> None:
     sheet = side_by_side([("die", 1, "C"), ("x", 4, "C"), ("die", 2, "C")], bulge=[0.0, 0.5, -1.0])
     dieline = classify(sheet, RULES)
     np.testing.assert_array_equal(dieline.ends, sheet.ends)
@@ -68,12 +68,12 @@ def test_the_dieline_keeps_the_edges_of_the_drawing_in_their_order():
     np.testing.assert_array_equal(dieline.source, [0, 1, 2])
 
 
-def test_the_kind_of_entity_can_decide():
+def test_the_kind_of_entity_can_decide() -> None:
     sheet = side_by_side([("x", 3, "C"), ("x", 3, "C")], kinds=["CIRCLE", "LINE"])
     assert words(classify(sheet, RULES)) == ["ignored", "unclassified"]
 
 
-def test_a_true_colour_counts_as_an_index_only_where_it_is_that_colour():
+def test_a_true_colour_counts_as_an_index_only_where_it_is_that_colour() -> None:
     sheet = side_by_side(
         [("die", 7, "C"), ("knife", 7, "C"), ("knife", 1, "C"), ("knife", 3, "C")],
         true_colour=[0x00FFFF, 0xFF8000, 0xFF8000, 0xFF0000],
@@ -83,14 +83,14 @@ def test_a_true_colour_counts_as_an_index_only_where_it_is_that_colour():
     assert dieline.rules[dieline.rule[3]] == 'profile house: layer "knife", colour 1'
 
 
-def test_an_empty_drawing_has_an_empty_dieline_and_no_questions():
+def test_an_empty_drawing_has_an_empty_dieline_and_no_questions() -> None:
     sheet = side_by_side([], ends=np.zeros((0, 2, 2)))
     dieline = classify(sheet, RULES)
     assert len(dieline) == 0
     assert questions(sheet, dieline) == []
 
 
-def test_a_rule_may_leave_a_name_to_be_asked():
+def test_a_rule_may_leave_a_name_to_be_asked() -> None:
     rules = LineRules(
         "careful",
         "",
@@ -106,7 +106,7 @@ def test_a_rule_may_leave_a_name_to_be_asked():
     assert [question.layer for question in questions(sheet, dieline)] == ["NoCut"]
 
 
-def test_a_hundred_thousand_edges_get_what_their_combination_gets():
+def test_a_hundred_thousand_edges_get_what_their_combination_gets() -> None:
     n = 100_000
     rows = [("die", 1, "C"), ("die", 2, "C"), ("none", 9, "C"), ("none", 4, "C")] * (n // 4)
     dieline = classify(side_by_side(rows), RULES)
@@ -118,7 +118,7 @@ def test_a_hundred_thousand_edges_get_what_their_combination_gets():
 # ── overrides ────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_an_override_comes_last_and_says_so():
+def test_an_override_comes_last_and_says_so() -> None:
     dieline = classify(side_by_side([("die", 1, "C"), ("none", 9, "C"), ("die", 2, "C")]), RULES)
     given = np.array([LineType.V_GROOVE, LineType.CUT, KEEP], np.uint8)
     changed = overridden(dieline, given)
@@ -132,7 +132,7 @@ def test_an_override_comes_last_and_says_so():
     assert words(dieline) == ["cut", "unclassified", "crease"]
 
 
-def test_overriding_twice_names_the_rule_once():
+def test_overriding_twice_names_the_rule_once() -> None:
     dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     once = overridden(dieline, np.array([LineType.CUT], np.uint8))
     twice = overridden(once, np.array([LineType.CREASE], np.uint8))
@@ -140,13 +140,13 @@ def test_overriding_twice_names_the_rule_once():
     assert words(twice) == ["crease"]
 
 
-def test_nothing_overridden_is_the_same_dieline():
+def test_nothing_overridden_is_the_same_dieline() -> None:
     dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     assert overridden(dieline, np.array([KEEP], np.uint8)) is dieline
 
 
 @pytest.mark.parametrize(("given", "said"), [([1, 1], "overrides"), ([77], "not a line type")])
-def test_overrides_that_do_not_fit_are_refused(given: list[int], said: str):
+def test_overrides_that_do_not_fit_are_refused(given: list[int], said: str) -> None:
     dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     with pytest.raises(ValueError, match=said):
         overridden(dieline, np.array(given, np.uint8))
@@ -160,7 +160,7 @@ def asked(*rows: Style, **more: object) -> list[str]:
     return [question.text for question in questions(sheet, classify(sheet, RULES))]
 
 
-def test_one_question_for_each_layer_colour_and_linetype():
+def test_one_question_for_each_layer_colour_and_linetype() -> None:
     sheet = side_by_side(
         [
             ("b", 2, "C"),
@@ -181,31 +181,31 @@ def test_one_question_for_each_layer_colour_and_linetype():
     assert {q.kind for q in put} == {"line-type"}
 
 
-def test_a_question_says_how_many_how_long_and_where():
+def test_a_question_says_how_many_how_long_and_where() -> None:
     assert asked(("b", 2, "C"), ("b", 2, "C")) == [
         '2 edges on layer "b", colour 2, linetype C, total length 20.0 mm, in a box of '
         "30.0 × 0.0 mm at (0.0, 0.0): what are they?"
     ]
 
 
-def test_without_a_unit_lengths_are_in_units_of_the_file():
+def test_without_a_unit_lengths_are_in_units_of_the_file() -> None:
     assert "total length 10.0 units of the file" in asked(("b", 2, "C"), unit="")[0]
 
 
-def test_true_colours_are_asked_apart_and_named():
+def test_true_colours_are_asked_apart_and_named() -> None:
     texts = asked(("b", 7, "C"), ("b", 7, "C"), true_colour=[0xFF8000, 0x0080FF])
     assert len(texts) == 2
     assert "colour #ff8000" in texts[0]
     assert "colour #0080ff" in texts[1]
 
 
-def test_a_hostile_name_cannot_steer_a_terminal():
+def test_a_hostile_name_cannot_steer_a_terminal() -> None:
     text = asked(("\x1b[2J" + "x" * 500, 2, "C"))[0]
     assert "\x1b" not in text
     assert len(text) < 250
 
 
-def test_the_choices_are_all_line_types_but_unclassified():
+def test_the_choices_are_all_line_types_but_unclassified() -> None:
     sheet = side_by_side([("b", 2, "C")])
     (question,) = questions(sheet, classify(sheet, RULES))
     assert sorted(question.choices) == [
@@ -233,13 +233,13 @@ def test_the_choices_are_all_line_types_but_unclassified():
         (("b", 2, "HIDDEN"), "crease"),
     ],
 )
-def test_a_telling_name_or_style_puts_its_answer_first(row: Style, first: str):
+def test_a_telling_name_or_style_puts_its_answer_first(row: Style, first: str) -> None:
     sheet = side_by_side([row, ("die", 1, "C")])
     (question,) = questions(sheet, classify(sheet, RULES))
     assert question.choices[0] == first
 
 
-def test_the_outline_is_cut_and_what_lies_inside_is_asked_with_the_likeliest_first():
+def test_the_outline_is_cut_and_what_lies_inside_is_asked_with_the_likeliest_first() -> None:
     square = [[0, 0], [100, 0], [100, 60], [0, 60]]
     ends = [[square[i], square[(i + 1) % 4]] for i in range(4)]
     ends += [[[30, 0], [30, 60]], [[40, 20], [50, 20]]]
@@ -284,13 +284,13 @@ DEFAULT = {
     ("name", "kind"),
     [(name, kind) for kind, names in DEFAULT.items() for name in names.split()],
 )
-def test_the_default_knows_this_name_in_any_colour(name: str, kind: str):
+def test_the_default_knows_this_name_in_any_colour(name: str, kind: str) -> None:
     rows = [(name, colour, "CONTINUOUS") for colour in (1, 2, 3, 5, 7)]
     assert under("default", *rows) == [kind] * 5
 
 
 @pytest.mark.parametrize("name", ["Kiss Cut", "kiss cut"])
-def test_the_default_knows_names_of_two_words(name: str):
+def test_the_default_knows_names_of_two_words(name: str) -> None:
     assert under("default", (name, 7, "CONTINUOUS")) == ["half-cut"]
 
 
@@ -319,7 +319,7 @@ def test_the_default_knows_names_of_two_words(name: str):
         "C*",
     ],
 )
-def test_the_default_asks_about_this_name(name: str):
+def test_the_default_asks_about_this_name(name: str) -> None:
     rows = [(name, colour, style) for colour in (2, 3, 5) for style in ("CONTINUOUS", "DASHED")]
     assert under("default", *rows) == ["unclassified"] * 6
 
@@ -336,13 +336,13 @@ def test_the_default_asks_about_this_name(name: str):
         ("20", 7, "unclassified"),
     ],
 )
-def test_the_default_knows_pairs_of_layer_and_colour(layer: str, colour: int, kind: str):
+def test_the_default_knows_pairs_of_layer_and_colour(layer: str, colour: int, kind: str) -> None:
     dieline = classify(side_by_side([(layer, colour, "CONTINUOUS")]), load.profile("default"))
     assert words(dieline) == [kind]
     assert dieline.confidence[0] == (0.0 if kind == "unclassified" else 1.0)
 
 
-def test_the_default_decides_nothing_by_a_bare_colour_or_line_style():
+def test_the_default_decides_nothing_by_a_bare_colour_or_line_style() -> None:
     for rule in load.profile("default").rules:
         assert rule.layer or all(name.startswith("CF2 ") for name in rule.linetype), rule.words
 
@@ -411,19 +411,19 @@ S, D = "CONTINUOUS", "DASHED"
 )
 def test_a_named_profile_reads_colours_its_own_way(
     profile: str, expected: dict[tuple[int, str], str]
-):
+) -> None:
     assert under(profile, *[("0", *style) for style in expected]) == list(expected.values())
 
 
 @pytest.mark.parametrize("profile", load.names("profiles"))
 def test_in_every_profile_a_layer_that_says_what_it_is_outweighs_its_colour(
     profile: str,
-):
+) -> None:
     rows = [("CREASE", 1, S), ("CREASE", 7, S), ("CUT", 5, D), ("DIMENSION", 7, S)]
     assert under(profile, *rows) == ["crease", "crease", "cut", "ignored"]
 
 
-def test_layers_named_after_their_colour_need_the_profile_that_knows_them():
+def test_layers_named_after_their_colour_need_the_profile_that_knows_them() -> None:
     rows = [("C00-00-00-BLACK", 7, S), ("CFF-00-00", 1, S), ("10", 3, S), ("20", 3, S)]
     assert under("default", *rows) == ["unclassified"] * 4
     assert under("red-crease-black-cut", *rows) == ["cut", "crease", "cut", "crease"]

@@ -53,7 +53,7 @@ def types_on(path: Path, profile: str) -> dict[tuple[str, int], set[str]]:
 )
 def test_layers_that_say_what_they_are_need_no_question(
     corpus: Path, name: str, expected: dict[str, str]
-):
+) -> None:
     found = types_on(corpus / name, "default")
     assert {layer: kinds for (layer, _), kinds in found.items()} == {
         layer: {kind} for layer, kind in expected.items()
@@ -61,12 +61,12 @@ def test_layers_that_say_what_they_are_need_no_question(
 
 
 @pytest.mark.parametrize("name", ["f0201_B_400x300x250", "f0203_B_350x250x100"])
-def test_one_layer_called_design_is_told_apart_by_colour(corpus: Path, name: str):
+def test_one_layer_called_design_is_told_apart_by_colour(corpus: Path, name: str) -> None:
     found = types_on(corpus / RSC / f"{name}.dxf", "default")
     assert found == {("Design", 1): {"cut"}, ("Design", 2): {"crease"}}
 
 
-def test_a_crease_on_a_cut_is_not_asked_about(corpus: Path):
+def test_a_crease_on_a_cut_is_not_asked_about(corpus: Path) -> None:
     """The 0200 has flaps at one side only: at the other its creases are drawn on the outline."""
     drawing = read((corpus / RSC / "f0200_B_300x200x150.dxf").read_bytes())
     dieline = classify(drawing, load.profile("default"), load.conventions())
@@ -79,7 +79,7 @@ def test_a_crease_on_a_cut_is_not_asked_about(corpus: Path):
     assert ledger.merged.sum() == pytest.approx(988.0)
 
 
-def test_layers_named_after_colours_are_right_or_asked_about(corpus: Path):
+def test_layers_named_after_colours_are_right_or_asked_about(corpus: Path) -> None:
     """Shape finds the outline; one panel is open, so that three creases seem to bound the blank."""
     drawing = read((corpus / RWLF).read_bytes())
     truth = ["cut" if "BLACK" in drawing.layers[row] else "crease" for row in drawing.layer]
@@ -94,7 +94,9 @@ def test_layers_named_after_colours_are_right_or_asked_about(corpus: Path):
 
 
 @pytest.mark.parametrize("known", KNOWN, ids=lambda known: Path(known.path).name)
-def test_what_is_known_is_right_or_asked_about_and_never_silently_wrong(corpus: Path, known: Known):
+def test_what_is_known_is_right_or_asked_about_and_never_silently_wrong(
+    corpus: Path, known: Known
+) -> None:
     drawing = pipeline.read((corpus / known.path).read_bytes())
     truth = known.truth(drawing)
     for seen in (drawing, without_names(drawing)):
@@ -107,7 +109,7 @@ def test_what_is_known_is_right_or_asked_about_and_never_silently_wrong(corpus: 
     assert right > 0.5
 
 
-def test_labels_are_left_out_and_outside_paths_cut(corpus: Path):
+def test_labels_are_left_out_and_outside_paths_cut(corpus: Path) -> None:
     found = types_on(
         corpus / "Jayanthan-Amalanathan__laser-cutting-and-engraving/box.dxf", "default"
     )

@@ -6,20 +6,20 @@ import numpy as np
 import pytest
 import shapely
 
-from knifetip.classification.faces import faces
-from knifetip.classification.net import built
+from knifetip.classification.faces import Faces, faces
+from knifetip.classification.net import Net, built
 from knifetip.geometry.columns import F64
 from tests.support.cartons.random_drawings import random_drawing
 
 TOUCH = 0.05
 
 
-def of(ends: F64, bulge: F64):
+def of(ends: F64, bulge: F64) -> tuple[Net, Faces]:
     net = built(ends, bulge, TOUCH, 1.0)
     return net, faces(net, ends, bulge, TOUCH)
 
 
-def straight(*lines: tuple[float, float, float, float]):
+def straight(*lines: tuple[float, float, float, float]) -> tuple[Net, Faces]:
     ends = np.array(lines, float).reshape(-1, 2, 2)
     return of(ends, np.zeros(len(ends)))
 
@@ -27,25 +27,25 @@ def straight(*lines: tuple[float, float, float, float]):
 SQUARE = [(0, 0, 10, 0), (10, 0, 10, 10), (10, 10, 0, 10), (0, 10, 0, 0)]
 
 
-def test_a_square_has_an_inside_and_an_outside():
+def test_a_square_has_an_inside_and_an_outside() -> None:
     _, sides = straight(*SQUARE)
     np.testing.assert_allclose(np.sort(sides.area), [-100.0, 100.0])
     assert sides.area[sides.left[0]] == 100.0
     assert sides.right[0] == sides.outside[0]
 
 
-def test_a_circle_of_two_half_turns_has_the_area_of_a_circle():
+def test_a_circle_of_two_half_turns_has_the_area_of_a_circle() -> None:
     ends = np.array([[[-5.0, 0], [5, 0]], [[5, 0], [-5, 0]]])
     _, sides = of(ends, np.ones(2))
     np.testing.assert_allclose(np.sort(sides.area), [-25 * np.pi, 25 * np.pi])
 
 
-def test_a_line_across_makes_two_faces_and_one_that_ends_inside_none():
+def test_a_line_across_makes_two_faces_and_one_that_ends_inside_none() -> None:
     _, sides = straight(*SQUARE, (5, 0, 5, 10), (0, 5, 3, 5))
     np.testing.assert_allclose(np.sort(sides.area), [-100.0, 50.0, 50.0])
 
 
-def test_a_part_lies_in_the_face_that_holds_it_and_not_in_the_one_beside_it():
+def test_a_part_lies_in_the_face_that_holds_it_and_not_in_the_one_beside_it() -> None:
     inner = [(6, 6, 8, 6), (8, 6, 8, 8), (8, 8, 6, 8), (6, 8, 6, 6)]
     net, sides = straight(*SQUARE, (5, 0, 5, 10), *inner)
     hole = net.part[net.first[5]]
@@ -54,14 +54,14 @@ def test_a_part_lies_in_the_face_that_holds_it_and_not_in_the_one_beside_it():
     assert sides.within[hole] == right_half
 
 
-def test_what_lies_inside_an_arc_is_found():
+def test_what_lies_inside_an_arc_is_found() -> None:
     ends = np.array([[[-50.0, 0], [50, 0]], [[50, 0], [-50, 0]], [[-45, 5], [-40, 5]]])
     net, sides = of(ends, np.array([1.0, 1.0, 0.0]))
     assert sides.area[sides.within[net.part[net.first[2]]]] > 0.0
 
 
 @pytest.mark.parametrize("bend", [1.0, 0.3])
-def test_what_lies_between_an_arc_and_its_chord_is_held_by_their_face(bend: float):
+def test_what_lies_between_an_arc_and_its_chord_is_held_by_their_face(bend: float) -> None:
     # Downwards, where a turn to the left bellies to the left; the chord goes up again.
     belly = [[[0.0, 50], [0, -50]], [[0, -50], [0, 50]]]
     ends = np.array([*belly, [[-9, 0], [-7, 1]]])
@@ -72,7 +72,7 @@ def test_what_lies_between_an_arc_and_its_chord_is_held_by_their_face(bend: floa
 
 
 @pytest.mark.parametrize("seed", range(40))
-def test_shapely_finds_the_same_faces(seed: int):
+def test_shapely_finds_the_same_faces(seed: int) -> None:
     drawing, _, _ = random_drawing(seed)
     # Arcs are flattened there and dashes not linked, so only lines, and what the net parts them by.
     lines = np.flatnonzero(drawing.bulge == 0.0)

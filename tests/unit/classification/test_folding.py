@@ -19,34 +19,34 @@ def held(plan: Plan) -> dict[str, list[bool]]:
     return told
 
 
-def test_every_flap_of_a_mailer_hangs_on_its_crease():
+def test_every_flap_of_a_mailer_hangs_on_its_crease() -> None:
     told = held(mailer(np.random.default_rng(1)))
     assert told["crease"] == [True] * 14
     assert not any([*told["outer"], *told["inner"]])
 
 
-def test_slits_between_the_flaps_of_a_case_are_left_open():
+def test_slits_between_the_flaps_of_a_case_are_left_open() -> None:
     # Of ten creases and slits that reach the rim only the glue flap's must be a fold.
     told = held(crossed_case(np.random.default_rng(1)))
     assert not any([*told["inner"], *told["outer"]])
     assert sum(told["crease"]) == 4
 
 
-def test_nothing_is_said_of_cases_that_share_a_cut():
+def test_nothing_is_said_of_cases_that_share_a_cut() -> None:
     plan = crossed_case(np.random.default_rng(1))
     _, y0, _, y1 = plan.bounds
     plan.strokes += plan.moved(0.0, y1 - y0)
     assert not any(holds for told in held(plan).values() for holds in told)
 
 
-def test_a_card_of_two_panels_may_be_two_cards():
+def test_a_card_of_two_panels_may_be_two_cards() -> None:
     plan = Plan()
     plan.rectangle(0.0, 0.0, 100.0, 60.0, "outer")
     plan.line(50.0, 0.0, 50.0, 60.0, "crease")
     assert held(plan)["crease"] == [False]
 
 
-def test_of_a_fold_with_slits_at_its_ends_only_the_middle_holds():
+def test_of_a_fold_with_slits_at_its_ends_only_the_middle_holds() -> None:
     # Eight flaps round a base, the first with a lock: 6 mm slit, fold, 6 mm slit.
     plan = Plan()
     plan.polyline(
@@ -75,7 +75,7 @@ def test_of_a_fold_with_slits_at_its_ends_only_the_middle_holds():
     assert told["crease"] == [True] * 5
 
 
-def test_the_strips_of_a_living_hinge_are_no_panels():
+def test_the_strips_of_a_living_hinge_are_no_panels() -> None:
     plan = Plan()
     plan.rectangle(0.0, 0.0, 200.0, 60.0, "outer")
     for k in range(30):
@@ -83,7 +83,7 @@ def test_the_strips_of_a_living_hinge_are_no_panels():
     assert not any(held(plan)["inner"])
 
 
-def test_the_borders_on_a_map_are_no_folds():
+def test_the_borders_on_a_map_are_no_folds() -> None:
     # Six countries in a row, each border with a bend in it.
     plan = Plan()
     plan.rectangle(0.0, 0.0, 350.0, 60.0, "outer")

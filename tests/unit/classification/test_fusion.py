@@ -22,7 +22,7 @@ def why(dieline: Dieline, row: int) -> str:
     return dieline.rules[dieline.rule[row]]
 
 
-def test_where_layers_mean_nothing_shape_cuts_the_outline_and_asks_about_the_rest():
+def test_where_layers_mean_nothing_shape_cuts_the_outline_and_asks_about_the_rest() -> None:
     sheet = drawn((BLANK + FOLDS, plain()))
     dieline = seen(sheet)
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
@@ -35,19 +35,19 @@ def test_where_layers_mean_nothing_shape_cuts_the_outline_and_asks_about_the_res
 
 
 @pytest.mark.parametrize(("cut", "crease"), [(1, 5), (7, 1), (1, 3), (7, 3)])
-def test_the_house_whose_colours_fit_the_shape_decides(cut: int, crease: int):
+def test_the_house_whose_colours_fit_the_shape_decides(cut: int, crease: int) -> None:
     dieline = seen(drawn((BLANK, plain(colour=cut)), (FOLDS, plain(colour=crease))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
     assert "fits: the outline closes, 2 of 2 dividing lines are folds" in why(dieline, 4)
     assert dieline.confidence[4] < dieline.confidence[0]
 
 
-def test_colours_of_no_house_are_asked():
+def test_colours_of_no_house_are_asked() -> None:
     dieline = seen(drawn((BLANK, plain(colour=30)), (FOLDS, plain(colour=40))))
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
 
 
-def test_a_name_that_the_profile_does_not_know_and_shape_decide_together():
+def test_a_name_that_the_profile_does_not_know_and_shape_decide_together() -> None:
     dieline = seen(drawn((BLANK, plain("Découpe")), (FOLDS, plain("Plis (2)"))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
     assert 'its layer says "plis"' in why(dieline, 4)
@@ -55,13 +55,13 @@ def test_a_name_that_the_profile_does_not_know_and_shape_decide_together():
     assert words(seen(drawn((FOLDS, plain("Plis (2)"))))) == ["unclassified"] * 2
 
 
-def test_a_name_that_denies_is_asked():
+def test_a_name_that_denies_is_asked() -> None:
     dieline = seen(drawn((BLANK, plain("NoCut")), (FOLDS, plain("CREASE"))))
     assert words(dieline) == ["unclassified"] * 4 + ["crease"] * 2
     assert dieline.alternatives[dieline.rule[0]][0] == LineType.CUT
 
 
-def test_cut_and_crease_exchanged_are_asked_with_what_shape_says_first():
+def test_cut_and_crease_exchanged_are_asked_with_what_shape_says_first() -> None:
     sheet = drawn((BLANK, plain("CREASE")), (FOLDS, plain("CUT")))
     dieline = seen(sheet)
     assert words(dieline) == ["unclassified"] * 6
@@ -70,20 +70,20 @@ def test_cut_and_crease_exchanged_are_asked_with_what_shape_says_first():
     assert [question.choices[0] for question in put] == ["cut", "crease"]
 
 
-def test_a_profile_whose_colours_are_another_houses_is_found_out():
+def test_a_profile_whose_colours_are_another_houses_is_found_out() -> None:
     sheet = drawn((BLANK, plain(colour=7)), (FOLDS, plain(colour=1)))
     assert words(seen(sheet, "red-crease-black-cut")) == ["cut"] * 4 + ["crease"] * 2
     wrong = seen(sheet, "red-cut-blue-crease")
     assert words(wrong)[4:] == ["unclassified"] * 2
 
 
-def test_one_crease_on_the_outline_is_asked_and_the_others_stand():
+def test_one_crease_on_the_outline_is_asked_and_the_others_stand() -> None:
     dieline = seen(drawn((BLANK[1:], plain("CUT")), (BLANK[:1] + FOLDS, plain("CREASE"))))
     assert words(dieline) == ["cut"] * 3 + ["unclassified"] + ["crease"] * 2
     assert "beyond it the board ends" in why(dieline, 3)
 
 
-def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts():
+def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts() -> None:
     """What divides panels in the outline's style, where another style has the folds, is cut."""
     slit = [(150, 0, 150, 40)]
     across = [(100, 40, 200, 40)]
@@ -91,13 +91,15 @@ def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts():
     assert words(dieline) == ["cut"] * 5 + ["crease"] * 3
 
 
-def test_a_cut_outside_every_blank_that_closes_nothing_is_asked():
+def test_a_cut_outside_every_blank_that_closes_nothing_is_asked() -> None:
     dieline = seen(drawn((BLANK + OUTSIDE, plain("CUT")), (FOLDS, plain("CREASE"))))
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] + ["crease"] * 2
     assert dieline.alternatives[dieline.rule[4]][-1] == LineType.IGNORED
 
 
-def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer_is_believed():
+def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer_is_believed() -> (
+    None
+):
     """In red-cut-blue-crease yellow is for dimensions."""
     yellow = drawn((BLANK, plain(colour=2)), (FOLDS, plain(colour=5)))
     assert words(seen(yellow, "red-cut-blue-crease"))[:4] == ["unclassified"] * 4
@@ -106,13 +108,13 @@ def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer
     assert words(named) == ["ignored"] * 4 + ["cut"] * 4 + ["crease"] * 2
 
 
-def test_rules_that_shape_does_not_contradict_keep_their_words_and_confidence():
+def test_rules_that_shape_does_not_contradict_keep_their_words_and_confidence() -> None:
     dieline = seen(drawn((BLANK + SLIT, plain("CUT")), (FOLDS, plain("CREASE"))))
     assert set(dieline.rules) == {'profile default: layer "CUT"', 'profile default: layer "CREASE"'}
     assert set(dieline.confidence) == {0.95}
 
 
-def test_a_rule_for_a_block_or_a_true_colour_decides():
+def test_a_rule_for_a_block_or_a_true_colour_decides() -> None:
     sheet = drawn((BLANK, plain()), (FOLDS, plain(colour=1)))
     fields = {
         "title": "",
@@ -130,7 +132,7 @@ def test_a_rule_for_a_block_or_a_true_colour_decides():
     assert why(dieline, 4) == "profile own: colour #ff0000"
 
 
-def test_no_more_than_one_edge_in_three_thousand_is_silently_wrong_in_drawings_of_our_own():
+def test_no_more_than_one_edge_in_three_thousand_is_silently_wrong_in_drawings_of_our_own() -> None:
     edges = wrong = decided = 0
     for seed in range(5000, 5150):
         sheet, truth, _ = random_drawing(seed)

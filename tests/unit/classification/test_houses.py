@@ -18,7 +18,7 @@ _UNKNOWABLE = ("One layer, all black, six-up",)
 
 
 @pytest.mark.parametrize("house", HOUSES, ids=lambda house: house.name)
-def test_a_house_is_right_or_asked_about_and_its_unit_too(house: House):
+def test_a_house_is_right_or_asked_about_and_its_unit_too(house: House) -> None:
     rules = load.profile("default")
     edges = wrong = asked = 0
     first = HOUSES.index(house)
@@ -42,6 +42,6 @@ def test_a_house_is_right_or_asked_about_and_its_unit_too(house: House):
     assert edges > asked
 
 
-def test_every_kind_of_carton_is_drawn_by_somebody():
+def test_every_kind_of_carton_is_drawn_by_somebody() -> None:
     assert len(HOUSES) + 3 > len(KINDS)
     assert len({house.name for house in HOUSES}) == len(HOUSES) >= 75

@@ -9,7 +9,7 @@ BOX = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 LEFT, RIGHT = (100, 0, 100, 200), (200, 0, 200, 200)
 
 
-def test_a_cut_whose_mirror_image_is_a_crease_is_asked_with_it():
+def test_a_cut_whose_mirror_image_is_a_crease_is_asked_with_it() -> None:
     sheet = drawn(([*BOX, LEFT], plain("CUT")), ([RIGHT, (0, 100, 100, 100)], plain("CREASE")))
     # The second crease has no image on the right: nearly all of the length is symmetrical.
     dieline = seen(sheet)
@@ -19,13 +19,13 @@ def test_a_cut_whose_mirror_image_is_a_crease_is_asked_with_it():
     assert "its mirror image is cut" in texts[1]
 
 
-def test_pairs_that_agree_are_left_alone():
+def test_pairs_that_agree_are_left_alone() -> None:
     for left, right in (("CUT", "CUT"), ("CREASE", "CREASE")):
         sheet = drawn((BOX, plain("CUT")), ([LEFT], plain(left)), ([RIGHT], plain(right)))
         assert "unclassified" not in words(seen(sheet))
 
 
-def test_a_blank_that_is_not_symmetrical_is_left_alone():
+def test_a_blank_that_is_not_symmetrical_is_left_alone() -> None:
     corner = [(100, 60, 200, 60), (100, 120, 0, 120), (200, 150, 300, 150), (30, 0, 30, 120)]
     sheet = drawn(
         ([*BOX, LEFT], plain("CUT")), ([RIGHT, *corner, (240, 0, 240, 150)], plain("CREASE"))

@@ -32,7 +32,7 @@ def _five(count: int, _worth: int, _most: int | None = None) -> list[tuple[int, 
 
 
 @pytest.mark.parametrize("seed", range(25))
-def test_several_cores_see_what_one_sees(seed: int, monkeypatch: pytest.MonkeyPatch):
+def test_several_cores_see_what_one_sees(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     drawing = random_drawings.random_drawing(seed)[0]
     one = _seen(drawing)
     for module in (arrows, cutting, dashes, evidence, gaps, measures, nesting, parts):

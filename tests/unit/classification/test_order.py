@@ -41,7 +41,7 @@ def ring(count: int, step: float) -> np.ndarray:
 
 
 @given(st.floats(0.3, 1.6), st.integers(0, 1000))
-def test_lines_as_short_as_what_touches_hang_together_in_any_order(steps: float, seed: int):
+def test_lines_as_short_as_what_touches_hang_together_in_any_order(steps: float, seed: int) -> None:
     ends = ring(200, steps * TOUCH)
     ends = np.ascontiguousarray(ends[np.random.default_rng(seed).permutation(len(ends))])
     net = built(ends, np.zeros(len(ends)), TOUCH, REACH)
@@ -53,7 +53,7 @@ def test_lines_as_short_as_what_touches_hang_together_in_any_order(steps: float,
     assert area.max() == pytest.approx(np.pi * radius**2, rel=0.1)
 
 
-def test_ends_at_one_point_are_at_one_place_though_another_is_nearer():
+def test_ends_at_one_point_are_at_one_place_though_another_is_nearer() -> None:
     # The second and the fourth end are one point; a place nearer to it is made between them.
     away = 0.7 * TOUCH
     ends = np.array(
@@ -71,7 +71,7 @@ def test_ends_at_one_point_are_at_one_place_though_another_is_nearer():
 
 @pytest.mark.corpus
 @pytest.mark.parametrize("known", KNOWN, ids=lambda known: Path(known.path).name)
-def test_what_is_known_is_said_of_a_shuffled_file_too(corpus: Path, known: Known):
+def test_what_is_known_is_said_of_a_shuffled_file_too(corpus: Path, known: Known) -> None:
     drawing = pipeline.read((corpus / known.path).read_bytes())
     truth = known.truth(drawing)
     said = classify(drawing, load.profile("default"), load.conventions()).line_type
@@ -93,7 +93,7 @@ def sheet(copies: int) -> np.ndarray:
     return (carton[None] + shift[:, None, None]).reshape(-1, 2, 2)
 
 
-def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_the_same():
+def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_the_same() -> None:
     whole = sheet(5000)
     assert neighbourly(whole) is None
     mixed = np.random.default_rng(0).permutation(len(whole))
@@ -113,6 +113,6 @@ def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_th
     assert (np.abs(other.area[other.sides]) == np.abs(one.area[one.sides[mixed]])).all()
 
 
-def test_few_edges_and_edges_at_one_point_keep_their_order():
+def test_few_edges_and_edges_at_one_point_keep_their_order() -> None:
     assert neighbourly(np.zeros((10, 2, 2))) is None
     assert neighbourly(np.ones((30_000, 2, 2))) is None

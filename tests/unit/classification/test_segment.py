@@ -23,7 +23,13 @@ def _nearest(ends: np.ndarray, bulge: np.ndarray, x: float, y: float) -> float:
 
 
 @given(_POINT, _POINT, _BULGE, _POINT, st.floats(0.01, 300.0))
-def test_what_is_near_is_as_far_as_the_nearest_of_its_points(a, b, bend, point, far):
+def test_what_is_near_is_as_far_as_the_nearest_of_its_points(
+    a: tuple[float, float],
+    b: tuple[float, float],
+    bend: float,
+    point: tuple[float, float],
+    far: float,
+) -> None:
     chord = math.dist(a, b)
     assume(chord > 0.1 and (bend == 0.0 or abs(bend) > 1e-3))
     ends, bulge = np.array([[a, b]]), np.array([bend])
@@ -39,7 +45,9 @@ def test_what_is_near_is_as_far_as_the_nearest_of_its_points(a, b, bend, point, 
 
 
 @given(_POINT, _POINT, _POINT, _POINT)
-def test_lines_cross_where_shapely_says(a, b, c, d):
+def test_lines_cross_where_shapely_says(
+    a: tuple[float, float], b: tuple[float, float], c: tuple[float, float], d: tuple[float, float]
+) -> None:
     assume(math.dist(a, b) > 0.1 and math.dist(c, d) > 0.1)
     one, other = shapely.LineString([a, b]), shapely.LineString([c, d])
     s, t = crossing(*a, b[0] - a[0], b[1] - a[1], np.array([[c, d]]), 0)

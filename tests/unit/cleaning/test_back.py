@@ -39,7 +39,7 @@ def verdict(count: int) -> Verdict:
     )
 
 
-def test_a_length_is_shared_out_and_a_worst_is_everybodys():
+def test_a_length_is_shared_out_and_a_worst_is_everybodys() -> None:
     made = clean(LINE)
     assert made.dieline.source.tolist() == [0, 1, 2, 3, 4, 3]
     told = on_drawn(verdict(6), made, LINE)
@@ -48,12 +48,12 @@ def test_a_length_is_shared_out_and_a_worst_is_everybodys():
     assert len(told.tidied) == len(LINE)
 
 
-def test_findings_name_the_edge_that_was_drawn():
+def test_findings_name_the_edge_that_was_drawn() -> None:
     told = on_drawn(verdict(6), clean(LINE), LINE)
     assert [finding.edge for finding in told.findings] == [3, -1]
 
 
-def test_samples_go_to_the_place_where_they_are_on_the_drawn_edge():
+def test_samples_go_to_the_place_where_they_are_on_the_drawn_edge() -> None:
     told = on_drawn(verdict(6), clean(LINE), LINE).samples
     # 15 of 100 mm is half of the first 30; 65 mm is the middle of the second piece, and its left is
     # the other side, since it was drawn backwards; 100 mm is where that begins.
@@ -62,7 +62,7 @@ def test_samples_go_to_the_place_where_they_are_on_the_drawn_edge():
     np.testing.assert_allclose(told.deviation, [0.1, -0.3, -0.2, 0.4, 0.5])
 
 
-def test_a_verdict_on_a_clean_drawing_is_the_same():
+def test_a_verdict_on_a_clean_drawing_is_the_same() -> None:
     line = dieline((CUT, edges(((0, 0), (100, 0)), ((100, 0), (100, 100)))))
     given = replace(verdict(2), findings=(Finding("uncut", "", 4.0, edge=1),))
     told = on_drawn(given, clean(line), line)

@@ -37,7 +37,7 @@ def whys(made: Cleaned) -> list[str]:
     return [Why(code).name for code in made.why]
 
 
-def test_a_clean_drawing_stays_bit_for_bit():
+def test_a_clean_drawing_stays_bit_for_bit() -> None:
     line = lines((CUT, 0, 0, 100, 0.1), (CUT, 100, 0.1, 99.7, 50), (CREASE, 50, 0.05, 50, 40))
     made = clean(line)
     np.testing.assert_array_equal(made.dieline.ends, line.ends)
@@ -47,12 +47,12 @@ def test_a_clean_drawing_stays_bit_for_bit():
     assert made.reasons == ("", "", "")
 
 
-def test_an_empty_drawing_is_clean():
+def test_an_empty_drawing_is_clean() -> None:
     made = clean(dieline((CUT, edges())))
     assert len(made.dieline) == 0
 
 
-def test_a_line_drawn_twice_and_backwards_is_worked_once():
+def test_a_line_drawn_twice_and_backwards_is_worked_once() -> None:
     made = clean(lines((CUT, 0, 0, 100, 0), (CUT, 100, 0, 0, 0), (CUT, 0, 0, 100, 0)))
     assert worked(made) == [("cut", [[0, 0], [100, 0]])]
     assert whys(made) == ["AS_DRAWN", "TWICE", "TWICE"]
@@ -62,7 +62,7 @@ def test_a_line_drawn_twice_and_backwards_is_worked_once():
     assert made.words(1) == "merged: it lies on edge 0"
 
 
-def test_two_cuts_that_share_forty_millimetres_become_one_of_a_hundred_and_fifty():
+def test_two_cuts_that_share_forty_millimetres_become_one_of_a_hundred_and_fifty() -> None:
     made = clean(lines((CUT, 0, 0, 100, 0), (CUT, 60, 0, 150, 0)))
     assert worked(made) == [("cut", [[0, 0], [150, 0]])]
     assert made.kept.tolist() == [100, 50]
@@ -70,7 +70,7 @@ def test_two_cuts_that_share_forty_millimetres_become_one_of_a_hundred_and_fifty
     assert whys(made) == ["LONGER", "JOINED"]
 
 
-def test_a_cut_on_a_crease_cuts_and_the_rest_is_creased():
+def test_a_cut_on_a_crease_cuts_and_the_rest_is_creased() -> None:
     made = clean(lines((CREASE, 0, 0, 100, 0), (CUT, 60, 0, 70, 0)))
     assert worked(made) == [
         ("crease", [[0, 0], [60, 0]]),
@@ -100,13 +100,15 @@ def test_a_cut_on_a_crease_cuts_and_the_rest_is_creased():
         (UNCLASSIFIED, CUT, ["cut"]),
     ],
 )
-def test_the_work_that_takes_more_of_the_board_apart_stays(one, other, left):
+def test_the_work_that_takes_more_of_the_board_apart_stays(
+    one: LineType, other: LineType, left: list[str]
+) -> None:
     for first, second in ((one, other), (other, one)):
         made = clean(lines((first, 0, 0, 30, 40), (second, 30, 40, 0, 0)))
         assert sorted(kind for kind, _ in worked(made)) == left
 
 
-def test_ignored_edges_are_left_alone_and_hide_nothing():
+def test_ignored_edges_are_left_alone_and_hide_nothing() -> None:
     line = lines((IGNORED, 0, 0, 100, 0), (IGNORED, 0, 0, 100, 0), (IGNORED, 5, 5, 5.01, 5))
     made = clean(line)
     np.testing.assert_array_equal(made.dieline.ends, line.ends)
@@ -114,21 +116,21 @@ def test_ignored_edges_are_left_alone_and_hide_nothing():
     assert made.kept.sum() == pytest.approx(200.01)
 
 
-def test_an_unclassified_edge_stays_one_that_nobody_has_decided():
+def test_an_unclassified_edge_stays_one_that_nobody_has_decided() -> None:
     made = clean(lines((UNCLASSIFIED, 0, 0, 100, 0), (CUT, 0, 0, 100, 0)))
     assert made.dieline.line_type.tolist() == [UNCLASSIFIED, CUT]
 
 
-def test_lines_a_hundredth_apart_are_one_and_two_hundredths_apart_are_two():
+def test_lines_a_hundredth_apart_are_one_and_two_hundredths_apart_are_two() -> None:
     assert len(worked(clean(lines((CUT, 0, 0, 100, 0), (CUT, 10, 0.009, 90, 0.009))))) == 1
     assert len(worked(clean(lines((CUT, 0, 0, 100, 0), (CUT, 10, 0.02, 90, 0.02))))) == 2
 
 
-def test_lines_that_cross_at_a_small_angle_are_two():
+def test_lines_that_cross_at_a_small_angle_are_two() -> None:
     assert len(worked(clean(lines((CUT, 0, 0, 100, 0), (CUT, 0, -1, 100, 1))))) == 2
 
 
-def test_half_a_circle_drawn_over_a_quarter_of_it():
+def test_half_a_circle_drawn_over_a_quarter_of_it() -> None:
     half = dieline(
         (CUT, edges(((10, 0), (-10, 0)), ((0, 10), (-10, 0)))), bulge={0: 1.0, 1: np.tan(np.pi / 8)}
     )
@@ -137,7 +139,7 @@ def test_half_a_circle_drawn_over_a_quarter_of_it():
     assert made.merged[1] == pytest.approx(5 * np.pi)
 
 
-def test_arcs_of_one_circle_that_overlap_become_one():
+def test_arcs_of_one_circle_that_overlap_become_one() -> None:
     # 0° to 120° and 80° to 170° of radius 10, the second against the clock.
     place = np.radians([0, 120, 80, 170])
     points = 10 * np.column_stack([np.cos(place), np.sin(place)])
@@ -152,21 +154,21 @@ def test_arcs_of_one_circle_that_overlap_become_one():
     np.testing.assert_allclose(made.merged, [0, 10 * np.radians(40)], atol=1e-9)
 
 
-def test_the_two_halves_of_a_circle_are_two_edges():
+def test_the_two_halves_of_a_circle_are_two_edges() -> None:
     made = clean(
         dieline((CUT, edges(((10, 0), (-10, 0)), ((-10, 0), (10, 0)))), bulge={0: 1.0, 1: 1.0})
     )
     assert whys(made) == ["AS_DRAWN", "AS_DRAWN"]
 
 
-def test_a_circle_drawn_twice_with_its_seam_elsewhere_is_cut_once():
+def test_a_circle_drawn_twice_with_its_seam_elsewhere_is_cut_once() -> None:
     ends = edges(((10, 0), (-10, 0)), ((-10, 0), (10, 0)), ((0, 10), (0, -10)), ((0, -10), (0, 10)))
     made = clean(dieline((CUT, ends), bulge=dict.fromkeys(range(4), 1.0)))
     assert made.kept.sum() == pytest.approx(20 * np.pi)
     assert made.merged.sum() == pytest.approx(20 * np.pi)
 
 
-def test_a_corner_left_open_is_closed_where_the_lines_cross():
+def test_a_corner_left_open_is_closed_where_the_lines_cross() -> None:
     made = clean(lines((CUT, 0, 0, 99.97, 0), (CUT, 100, 0.02, 100, 50)))
     assert worked(made) == [("cut", [[0, 0], [100, 0]]), ("cut", [[100, 0], [100, 50]])]
     np.testing.assert_allclose(made.moved, [0.03, 0.02], atol=1e-9)
@@ -174,32 +176,32 @@ def test_a_corner_left_open_is_closed_where_the_lines_cross():
     assert whys(made) == ["MOVED", "MOVED"]
 
 
-def test_lines_that_cross_just_past_each_other_are_cut_back():
+def test_lines_that_cross_just_past_each_other_are_cut_back() -> None:
     made = clean(lines((CUT, 0, 0, 100.03, 0), (CUT, 100, -0.02, 100, 50)))
     assert worked(made) == [("cut", [[0, 0], [100, 0]]), ("cut", [[100, 0], [100, 50]])]
     np.testing.assert_allclose(made.added, [-0.03, -0.02], atol=1e-9)
 
 
-def test_a_line_with_a_gap_becomes_one_and_the_gap_is_told_apart():
+def test_a_line_with_a_gap_becomes_one_and_the_gap_is_told_apart() -> None:
     made = clean(lines((CREASE, 0, 0, 99.97, 0), (CREASE, 100, 0, 200, 0)))
     assert worked(made) == [("crease", [[0, 0], [200, 0]])]
     assert made.kept.sum() == pytest.approx(199.97)
     assert made.added.sum() == pytest.approx(0.03)
 
 
-def test_a_gap_wider_than_the_tolerance_stays():
+def test_a_gap_wider_than_the_tolerance_stays() -> None:
     made = clean(lines((CUT, 0, 0, 99.94, 0), (CUT, 100, 0, 200, 0)))
     assert whys(made) == ["AS_DRAWN", "AS_DRAWN"]
 
 
-def test_a_loose_end_goes_to_the_place_where_others_meet_and_those_stay():
+def test_a_loose_end_goes_to_the_place_where_others_meet_and_those_stay() -> None:
     line = lines((CUT, 0, 0, 100, 0), (CUT, 100, 0, 200, 30), (CUT, 100, 50, 100, 0.04))
     made = clean(line)
     np.testing.assert_array_equal(made.dieline.ends[:2], line.ends[:2])
     assert made.dieline.ends[2].tolist() == [[100, 50], [100, 0]]
 
 
-def test_an_arc_keeps_its_bulge_when_its_end_moves():
+def test_an_arc_keeps_its_bulge_when_its_end_moves() -> None:
     line = dieline((CUT, edges(((0, 0), (10, 0)), ((10.02, 0), (10.02, 30)))), bulge={0: 1.0})
     made = clean(line)
     assert made.dieline.bulge[0] == 1.0
@@ -207,46 +209,46 @@ def test_an_arc_keeps_its_bulge_when_its_end_moves():
     assert (made.moved <= 0.05).all()
 
 
-def test_t_junctions_stay():
+def test_t_junctions_stay() -> None:
     line = lines((CUT, 0, 0, 100, 0), (CUT, 50, 0, 50, 50), (CUT, 30, 0.03, 30, 50))
     made = clean(line)
     np.testing.assert_array_equal(made.dieline.ends, line.ends)
 
 
-def test_an_end_on_the_inside_of_an_edge_does_not_go_to_the_corner_beside_it():
+def test_an_end_on_the_inside_of_an_edge_does_not_go_to_the_corner_beside_it() -> None:
     line = lines((CUT, 0, 0, 100, 0), (CUT, 99.97, 0, 99.97, 50))
     made = clean(line)
     np.testing.assert_array_equal(made.dieline.ends, line.ends)
 
 
-def test_lines_that_end_side_by_side_stay_two():
+def test_lines_that_end_side_by_side_stay_two() -> None:
     line = lines((CUT, 0, 0, 100, 0), (CUT, 0, 0.03, 100, 0.03))
     np.testing.assert_array_equal(clean(line).dieline.ends, line.ends)
 
 
-def test_a_cut_is_not_moved_to_meet_a_crease():
+def test_a_cut_is_not_moved_to_meet_a_crease() -> None:
     line = lines((CUT, 0, 0, 100, 0), (CREASE, 100.02, 0, 200, 0))
     np.testing.assert_array_equal(clean(line).dieline.ends, line.ends)
 
 
-def test_pieces_of_one_line_become_one_in_the_direction_of_the_first():
+def test_pieces_of_one_line_become_one_in_the_direction_of_the_first() -> None:
     made = clean(lines((CUT, 60, 0, 30, 0), (CUT, 0, 0, 30, 0), (CUT, 60, 0, 100, 0)))
     assert worked(made) == [("cut", [[100, 0], [0, 0]])]
     assert whys(made) == ["LONGER", "JOINED", "JOINED"]
     assert made.kept.sum() == 100
 
 
-def test_pieces_stay_apart_where_a_third_edge_ends():
+def test_pieces_stay_apart_where_a_third_edge_ends() -> None:
     made = clean(lines((CUT, 0, 0, 50, 0), (CUT, 50, 0, 100, 0), (CREASE, 50, 0, 50, 40)))
     assert whys(made) == ["AS_DRAWN"] * 3
 
 
-def test_pieces_of_two_types_stay_two():
+def test_pieces_of_two_types_stay_two() -> None:
     made = clean(lines((CUT, 0, 0, 50, 0), (CREASE, 50, 0, 100, 0)))
     assert whys(made) == ["AS_DRAWN"] * 2
 
 
-def test_a_square_of_split_sides_is_four_edges_wherever_it_is_begun():
+def test_a_square_of_split_sides_is_four_edges_wherever_it_is_begun() -> None:
     corners = [(0, 0), (50, 0), (100, 0), (100, 60), (100, 100), (0, 100), (0, 30)]
     for first in range(len(corners)):
         ring = corners[first:] + corners[:first]
@@ -256,7 +258,7 @@ def test_a_square_of_split_sides_is_four_edges_wherever_it_is_begun():
         assert made.kept.sum() == 400
 
 
-def test_specks_are_dropped_with_their_measure():
+def test_specks_are_dropped_with_their_measure() -> None:
     made = clean(lines((CUT, 0, 0, 100, 0), (CUT, 40, 20, 40.03, 20), (CREASE, 50, 0, 50, 0.04)))
     assert whys(made) == ["AS_DRAWN", "SPECK", "SPECK"]
     np.testing.assert_allclose(made.dropped, [0, 0.03, 0.04])
@@ -264,18 +266,18 @@ def test_specks_are_dropped_with_their_measure():
     assert made.words(1) == "dropped: 0.03 mm long and holds nothing together"
 
 
-def test_an_edge_without_length_is_a_speck():
+def test_an_edge_without_length_is_a_speck() -> None:
     made = clean(lines((CUT, 0, 0, 100, 0), (CUT, 7, 7, 7, 7)))
     assert whys(made) == ["AS_DRAWN", "SPECK"]
 
 
-def test_a_drawing_of_nothing_but_specks_has_no_work():
+def test_a_drawing_of_nothing_but_specks_has_no_work() -> None:
     made = clean(lines((CUT, 7, 7, 7, 7), (CUT, 9, 9, 9.01, 9)))
     assert whys(made) == ["SPECK", "SPECK"]
     assert worked(made) == []
 
 
-def test_a_dot_of_tiny_lines_is_dropped_as_a_whole():
+def test_a_dot_of_tiny_lines_is_dropped_as_a_whole() -> None:
     ring = [(5, 5), (5.02, 5), (5.02, 5.02), (5, 5.02)]
     dot = edges(*zip(ring, ring[1:] + ring[:1], strict=True))
     made = clean(dieline((CUT, edges(((0, 0), (100, 0)))), (CUT, dot)))
@@ -283,7 +285,7 @@ def test_a_dot_of_tiny_lines_is_dropped_as_a_whole():
     assert made.dropped.sum() == pytest.approx(0.08)
 
 
-def test_a_chamfer_below_the_tolerance_becomes_the_corner_and_a_larger_one_stays():
+def test_a_chamfer_below_the_tolerance_becomes_the_corner_and_a_larger_one_stays() -> None:
     small = clean(
         lines(
             (CUT, 0, 0, 100, 0), (CUT, 100, 0, 100.006, 0.006), (CUT, 100.006, 0.006, 100.006, 50)
@@ -297,12 +299,12 @@ def test_a_chamfer_below_the_tolerance_becomes_the_corner_and_a_larger_one_stays
     assert whys(large) == ["AS_DRAWN"] * 3
 
 
-def test_a_speck_that_bridges_a_wide_gap_stays_and_the_gaps_beside_it_are_closed():
+def test_a_speck_that_bridges_a_wide_gap_stays_and_the_gaps_beside_it_are_closed() -> None:
     made = clean(lines((CUT, 0, 0, 10, 0), (CUT, 10.03, 0, 10.07, 0), (CUT, 10.1, 0, 20, 0)))
     assert worked(made) == [("cut", [[0, 0], [20, 0]])]
 
 
-def test_three_quarters_of_a_circle_in_fifteen_hundred_segments_are_two_arcs():
+def test_three_quarters_of_a_circle_in_fifteen_hundred_segments_are_two_arcs() -> None:
     place = np.linspace(0, 1.5 * np.pi, 1501)
     points = np.round(10 * np.column_stack([np.cos(place), np.sin(place)]), 4)
     made = clean(dieline((CUT, np.stack([points[:-1], points[1:]], axis=1))))
@@ -318,7 +320,7 @@ def test_three_quarters_of_a_circle_in_fifteen_hundred_segments_are_two_arcs():
     assert made.kept.sum() == pytest.approx(15 * np.pi, abs=0.001)
 
 
-def test_a_line_in_tiny_segments_with_rounded_ends_is_one_line():
+def test_a_line_in_tiny_segments_with_rounded_ends_is_one_line() -> None:
     x = np.linspace(0, 30, 1001)
     points = np.round(np.column_stack([x, x / 3]), 3)
     made = clean(dieline((CREASE, np.stack([points[:-1], points[1:]], axis=1))))
@@ -326,7 +328,7 @@ def test_a_line_in_tiny_segments_with_rounded_ends_is_one_line():
     assert made.off.max() < 0.001
 
 
-def test_a_corner_in_a_flattened_curve_stays_a_corner():
+def test_a_corner_in_a_flattened_curve_stays_a_corner() -> None:
     up = np.column_stack([np.linspace(0, 4, 101), np.zeros(101)])
     points = np.concatenate(
         [up, up[-1] + np.column_stack([np.zeros(100), np.arange(1, 101) * 0.04])]
@@ -335,17 +337,17 @@ def test_a_corner_in_a_flattened_curve_stays_a_corner():
     assert worked(made) == [("cut", [[0, 0], [4, 0]]), ("cut", [[4, 0], [4, 4]])]
 
 
-def test_a_coordinate_that_is_no_number_is_refused():
+def test_a_coordinate_that_is_no_number_is_refused() -> None:
     with pytest.raises(GeometryError, match="Edge 1 has a coordinate that is not a number"):
         clean(lines((CUT, 0, 0, 1, 0), (CUT, 0, 0, np.nan, 0)))
 
 
-def test_what_lies_absurdly_far_away_is_refused():
+def test_what_lies_absurdly_far_away_is_refused() -> None:
     with pytest.raises(GeometryError, match=r"Edge 1 lies 1e\+150 mm from the drawing's origin"):
         clean(lines((CUT, 0, 0, 1, 0), (CUT, 0, 0, 1e150, 0)))
 
 
-def test_a_crowd_of_specks_in_one_spot_is_cleaned_without_end_or_error():
+def test_a_crowd_of_specks_in_one_spot_is_cleaned_without_end_or_error() -> None:
     random = np.random.default_rng(3)
     line = dieline((CUT, random.uniform(0, 0.05, (5000, 2, 2))))
     made = clean(line)
@@ -353,7 +355,7 @@ def test_a_crowd_of_specks_in_one_spot_is_cleaned_without_end_or_error():
     np.testing.assert_allclose(made.kept + made.merged + made.dropped, length, atol=1e-9)
 
 
-def test_stretches_cover_every_edge_that_is_worked():
+def test_stretches_cover_every_edge_that_is_worked() -> None:
     made = clean(lines((CREASE, 0, 0, 100, 0), (CUT, 60, 0, 70, 0), (CUT, 90, 0, 95, 0)))
     parts = made.stretches
     first = parts.row == 0

@@ -49,14 +49,16 @@ def figures(made: Cleaned) -> tuple[int, int, int]:
         ("mozman__ezdxf/examples/edgeminer/5_us_states.dxf", (2213, 2423, 18), 9.47, 0.0467),
     ],
 )
-def test_what_becomes_of_a_drawing(corpus: Path, name, expected, merged, dropped):
+def test_what_becomes_of_a_drawing(
+    corpus: Path, name: str, expected: tuple[int, int, int], merged: float, dropped: float
+) -> None:
     made = clean(all_work(read((corpus / name).read_bytes(), "mm")))
     assert figures(made) == expected
     assert made.merged.sum() == pytest.approx(merged, abs=0.01)
     assert made.dropped.sum() == pytest.approx(dropped, abs=0.001)
 
 
-def test_the_lengths_add_up_and_the_judge_agrees_on_every_drawing(corpus: Path):
+def test_the_lengths_add_up_and_the_judge_agrees_on_every_drawing(corpus: Path) -> None:
     files = [path for path in sorted(corpus.rglob("*")) if path.suffix.lower() == ".dxf"]
     count = 0
     for path in files:

@@ -35,7 +35,7 @@ def worked(dieline: Dieline) -> dict[LineType, tuple[int, float]]:
 
 
 @pytest.mark.parametrize("seed", range(60))
-def test_a_shuffled_drawing_is_put_in_the_same_order(seed: int):
+def test_a_shuffled_drawing_is_put_in_the_same_order(seed: int) -> None:
     dieline = pipeline.classify(random_drawings.random_drawing(seed)[0], load.profile("default"))
     said = worked(dieline)
     for other in range(2):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -12,7 +13,7 @@ from tests.support.writers import dxf_text as text
 
 
 @pytest.fixture
-def cleaned(tmp_path, monkeypatch, capfd):
+def cleaned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]):
     """Run the command on a few lines; returns exit code and stdout."""
 
     def run(*lines, options=(), units=4):
@@ -30,7 +31,7 @@ def cut(*ends: float) -> str:
     return text.line(*ends, (8, "CUT"))
 
 
-def test_the_lengths_add_up_and_every_changed_edge_is_told(cleaned):
+def test_the_lengths_add_up_and_every_changed_edge_is_told(cleaned) -> None:
     code, out = cleaned(cut(0, 0, 100, 0), cut(40, 0, 70, 0), cut(100.03, 0, 200, 0))
     assert code == 0
     assert "drawn 229.970 mm = kept 199.970 + merged 30.000 + dropped 0.000" in out
@@ -39,7 +40,7 @@ def test_the_lengths_add_up_and_every_changed_edge_is_told(cleaned):
     assert "edge 2: merged: it goes on in edge 0 and is one with it" in out
 
 
-def test_json_has_the_same(cleaned):
+def test_json_has_the_same(cleaned) -> None:
     code, out = cleaned(cut(0, 0, 100, 0), cut(40, 0, 70, 0), options=("--json",))
     assert code == 0
     data = json.loads(out)["cleaning"]
@@ -47,6 +48,6 @@ def test_json_has_the_same(cleaned):
     assert [row["why"] for row in data["rows"]] == ["twice"]
 
 
-def test_without_a_unit_it_asks(cleaned):
+def test_without_a_unit_it_asks(cleaned) -> None:
     code, _ = cleaned(cut(0, 0, 3, 0), units=None)
     assert code == 2

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
 from knifetip.dxf.samples import samples
 from knifetip.library import load
+from tests.support.command import Command
 from tests.support.writers import dxf_text as text
 from tests.support.writers import pdf_text
 
 
 @pytest.fixture
-def folder(tmp_path):
+def folder(tmp_path: Path):
     for name, data in samples().items():
         (tmp_path / name).write_bytes(data)
     return tmp_path
@@ -22,7 +24,7 @@ def folder(tmp_path):
 RIGID = ("--machine", "demo-table", "--board", "greyboard-2.0")
 
 
-def test_classify_says_of_every_edge_what_it_is_and_why(knifetip, folder):
+def test_classify_says_of_every_edge_what_it_is_and_why(knifetip: Command, folder) -> None:
     code, out, _ = knifetip("classify", folder / "rigid-box-blank.dxf", "--json")
     data = json.loads(out)
     assert code == 0
@@ -38,7 +40,9 @@ def test_classify_says_of_every_edge_what_it_is_and_why(knifetip, folder):
 
 
 @pytest.mark.parametrize("options", [(), ("--json",)])
-def test_classify_ends_with_2_while_a_question_is_open(knifetip, tmp_path, options):
+def test_classify_ends_with_2_while_a_question_is_open(
+    knifetip: Command, tmp_path: Path, options
+) -> None:
     shape = [text.line(0, 0, 100, 0, (8, "?")), text.line(100, 0, 100, 80, (8, "?"))]
     (tmp_path / "open.dxf").write_bytes(text.dxf(*shape, units=4))
     code, out, _ = knifetip("classify", tmp_path / "open.dxf", *options)
@@ -47,13 +51,15 @@ def test_classify_ends_with_2_while_a_question_is_open(knifetip, tmp_path, optio
     assert (code, err) == (0, "")
 
 
-def test_read_lists_every_entity(knifetip, folder):
+def test_read_lists_every_entity(knifetip: Command, folder) -> None:
     code, out, _ = knifetip("read", folder / "tuck-end-carton.dxf", "--json")
     assert code == 0
     assert len(json.loads(out)["ledger"]) > 5
 
 
-def test_read_puts_what_fared_alike_in_one_line_and_what_was_dropped_first(knifetip, tmp_path):
+def test_read_puts_what_fared_alike_in_one_line_and_what_was_dropped_first(
+    knifetip: Command, tmp_path: Path
+) -> None:
     lines = [text.line(0, 10 * n, 50, 10 * n, (8, "CUT")) for n in range(50)]
     notes = [
         text.entity("TEXT", (8, f"NOTE {n}"), (10, 0), (20, 0), (40, 3), (1, "x"))
@@ -70,7 +76,9 @@ def test_read_puts_what_fared_alike_in_one_line_and_what_was_dropped_first(knife
     assert "… and 21 more: --json lists them all" in out
 
 
-def test_classify_prints_by_what_edges_have_their_type_and_how_sure_that_is(knifetip, folder):
+def test_classify_prints_by_what_edges_have_their_type_and_how_sure_that_is(
+    knifetip: Command, folder
+) -> None:
     code, out, _ = knifetip("classify", folder / "rigid-box-blank.dxf")
     lines = [line.strip() for line in out.splitlines()]
     groove = next(n for n, line in enumerate(lines) if line.startswith("v-groove"))
@@ -79,7 +87,7 @@ def test_classify_prints_by_what_edges_have_their_type_and_how_sure_that_is(knif
     assert "V-GROOVE" in lines[groove + 1]
 
 
-def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip, folder):
+def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip: Command, folder) -> None:
     code, out, _ = knifetip("read", folder / "rigid-box-blank.dxf")
     head, *rest = out.splitlines()
     assert code == 0
@@ -87,7 +95,9 @@ def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip, folder):
     assert any(line.split()[0] == "mm" and "the header states mm" in line for line in rest)
 
 
-def test_a_size_is_in_millimetres_whatever_the_unit_of_the_file(knifetip, tmp_path):
+def test_a_size_is_in_millimetres_whatever_the_unit_of_the_file(
+    knifetip: Command, tmp_path: Path
+) -> None:
     (tmp_path / "carton.pdf").write_bytes(pdf_text.carton())
     code, out, _ = knifetip("read", tmp_path / "carton.pdf")
     assert code == 0
@@ -96,7 +106,7 @@ def test_a_size_is_in_millimetres_whatever_the_unit_of_the_file(knifetip, tmp_pa
     )
 
 
-def test_read_warns_of_a_header_that_lies(knifetip, folder):
+def test_read_warns_of_a_header_that_lies(knifetip: Command, folder) -> None:
     plain = (folder / "tuck-end-carton.dxf").read_bytes()
     start = plain.index(b"$INSUNITS")
     lying = plain[:start] + plain[start:].replace(b" 4\n", b" 6\n", 1).replace(
@@ -113,7 +123,7 @@ def test_read_warns_of_a_header_that_lies(knifetip, folder):
         assert said["warnings"][0].startswith("The header states metres")
 
 
-def test_program_writes_what_verify_accepts(knifetip, folder):
+def test_program_writes_what_verify_accepts(knifetip: Command, folder) -> None:
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip(
         "program", drawing, *RIGID, "--dialect", "linuxcnc", "-o", out, "--report", report
@@ -129,14 +139,14 @@ def test_program_writes_what_verify_accepts(knifetip, folder):
     assert json.loads(judged)["deviation"] < 0.01
 
 
-def test_the_same_input_gives_the_same_bytes(knifetip, folder):
+def test_the_same_input_gives_the_same_bytes(knifetip: Command, folder) -> None:
     for name in ("a.nc", "b.nc"):
         knifetip("program", folder / "tuck-end-carton.dxf", "--machine", "demo-table",
                  "--board", "fbb-0.4", "-o", folder / name)  # fmt: skip
     assert (folder / "a.nc").read_bytes() == (folder / "b.nc").read_bytes() != b""
 
 
-def test_a_changed_program_is_refused_with_exit_code_1(knifetip, folder):
+def test_a_changed_program_is_refused_with_exit_code_1(knifetip: Command, folder) -> None:
     drawing, out = folder / "rigid-box-blank.dxf", folder / "p.ngc"
     knifetip("program", drawing, *RIGID, "--dialect", "linuxcnc", "-o", out)
     text = out.read_text()
@@ -148,7 +158,7 @@ def test_a_changed_program_is_refused_with_exit_code_1(knifetip, folder):
     assert "refused" in err
 
 
-def test_open_questions_are_printed_and_exit_with_2(knifetip, folder):
+def test_open_questions_are_printed_and_exit_with_2(knifetip: Command, folder) -> None:
     drawing, out = folder / "rigid-box-blank.dxf", folder / "p.nc"
     code, _, err = knifetip("program", drawing, *RIGID, "--layer", "CUT=unclassified", "-o", out)
     assert code == 2
@@ -156,7 +166,7 @@ def test_open_questions_are_printed_and_exit_with_2(knifetip, folder):
     assert not out.exists()
 
 
-def test_a_layer_may_be_given_a_line_type(knifetip, folder):
+def test_a_layer_may_be_given_a_line_type(knifetip: Command, folder) -> None:
     code, out, _ = knifetip(
         "classify", folder / "rigid-box-blank.dxf", "--layer", "cut=half-cut", "--json"
     )
@@ -177,7 +187,9 @@ def test_a_layer_may_be_given_a_line_type(knifetip, folder):
         (("machine", "none"), "no machine 'none'"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_used_is_said_with_exit_code_3(knifetip, folder, words, said):
+def test_what_cannot_be_used_is_said_with_exit_code_3(
+    knifetip: Command, folder, words: tuple[str, ...], said: str
+) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip(*(word.format(drawing) for word in words))
     assert code == 3
@@ -185,14 +197,14 @@ def test_what_cannot_be_used_is_said_with_exit_code_3(knifetip, folder, words, s
     assert "Traceback" not in err
 
 
-def test_a_picture_is_no_drawing(knifetip, tmp_path):
+def test_a_picture_is_no_drawing(knifetip: Command, tmp_path: Path) -> None:
     (tmp_path / "a.dxf").write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(200))
     code, _, err = knifetip("read", tmp_path / "a.dxf")
     assert code == 3
     assert "PNG" in err
 
 
-def test_machine_states_the_tools_as_the_engines_use_them(knifetip):
+def test_machine_states_the_tools_as_the_engines_use_them(knifetip: Command) -> None:
     code, out, _ = knifetip("machine", "demo-table", "--json")
     machine = json.loads(out)
     stations = {row["number"]: row for row in machine["stations"]}
@@ -204,13 +216,13 @@ def test_machine_states_the_tools_as_the_engines_use_them(knifetip):
     assert stations[2]["datum"] == {"x": 60.0, "y": 0.0, "z": -1.5, "c": 0.0}
 
 
-def test_the_tool_table_is_linuxcncs(knifetip):
+def test_the_tool_table_is_linuxcncs(knifetip: Command) -> None:
     code, out, _ = knifetip("machine", "demo-table", "--tool-table")
     assert code == 0
     assert out.splitlines()[1].startswith("T2 P2 X60")
 
 
-def test_samples_are_written(knifetip, tmp_path):
+def test_samples_are_written(knifetip: Command, tmp_path: Path) -> None:
     code, _, _ = knifetip("samples", tmp_path / "new")
     assert code == 0
     assert len(list((tmp_path / "new").glob("*.dxf"))) == 3
@@ -219,7 +231,7 @@ def test_samples_are_written(knifetip, tmp_path):
 ROUTED = ("--machine", "router-table", "--board", "greyboard-3.0")
 
 
-def test_corners_are_chosen_and_reported(knifetip, folder):
+def test_corners_are_chosen_and_reported(knifetip: Command, folder) -> None:
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip(
         "program", drawing, *ROUTED, "-o", out, "--report", report, "--corner", "D", "--k", "0.4",
@@ -241,7 +253,7 @@ def test_corners_are_chosen_and_reported(knifetip, folder):
     assert out.read_bytes() != plain.read_bytes()
 
 
-def test_the_report_has_the_verdicts_figures(knifetip, folder):
+def test_the_report_has_the_verdicts_figures(knifetip: Command, folder) -> None:
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip("program", drawing, *ROUTED, "-o", out, "--report", report)
     assert code == 0, err
@@ -280,7 +292,9 @@ GROOVE = load.board("greyboard-3.0").groove_depth
         (("--k", "1.5"), "knob k is 1.5"),
     ],
 )
-def test_corners_that_are_none_are_said_with_exit_code_3(knifetip, folder, words, said):
+def test_corners_that_are_none_are_said_with_exit_code_3(
+    knifetip: Command, folder, words: tuple[str, str], said: str
+) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip("program", drawing, *ROUTED, "-o", folder / "p.ngc", *words)
     assert code == 3
@@ -288,14 +302,16 @@ def test_corners_that_are_none_are_said_with_exit_code_3(knifetip, folder, words
     assert not (folder / "p.ngc").exists()
 
 
-def test_corners_are_not_for_a_knife(knifetip, folder):
+def test_corners_are_not_for_a_knife(knifetip: Command, folder) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip("program", drawing, *RIGID, "-o", folder / "p.ngc", "--corner", "D")
     assert code == 3
     assert "does not cut with a cutter" in err
 
 
-def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(knifetip, folder):
+def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(
+    knifetip: Command, folder
+) -> None:
     points, board = folder / "points.csv", folder / "mine.toml"
     # 45°: ΔX = -δx sin 45°, ΔY = δy cos 45°.
     points.write_text("azimuth,dx,dy\n45,-0.056569,0.035355\n")
@@ -319,7 +335,9 @@ def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(
         ("azimuth,dx,dy\n45,nan,0.05\n", "not a number"),
     ],
 )
-def test_a_calibration_that_says_too_little_is_refused(knifetip, folder, content, said):
+def test_a_calibration_that_says_too_little_is_refused(
+    knifetip: Command, folder, content: str, said: str
+) -> None:
     points = folder / "points.csv"
     points.write_text(content)
     code, out, err = knifetip("calibrate", points, *ROUTED)

@@ -10,14 +10,14 @@ from knifetip.cli.main import COMMANDS, loaded
 _HEAVY = ("ezdxf", "fastapi", "numba", "numpy", "shapely", "sqlalchemy")
 
 
-def test_the_help_of_every_command_is_the_one_that_the_list_shows():
+def test_the_help_of_every_command_is_the_one_that_the_list_shows() -> None:
     for name, command in COMMANDS.items():
         text = loaded(name).help.replace("\n", " ")
         assert text.startswith(command.help)
         assert text == command.help or text.startswith(f"{command.help} ")
 
 
-def test_help_imports_nothing_that_takes_long():
+def test_help_imports_nothing_that_takes_long() -> None:
     program = (
         "import sys\n"
         "from knifetip.cli.main import app\n"

@@ -10,6 +10,8 @@ from http.server import BaseHTTPRequestHandler, HTTPServer
 
 import pytest
 
+from tests.support.command import Command
+
 JOB = {
     "id": "abc",
     "state": "queued",
@@ -71,7 +73,7 @@ def office() -> Iterator[Office]:
     thread.join()
 
 
-def test_list_prints_what_each_job_waits_for(knifetip, office: Office):
+def test_list_prints_what_each_job_waits_for(knifetip: Command, office: Office) -> None:
     code, out, _ = knifetip("job", "list", "--server", office.url, "--state", "queued")
     assert code == 0
     assert out.split()[:2] == ["abc", "queued"]
@@ -79,7 +81,7 @@ def test_list_prints_what_each_job_waits_for(knifetip, office: Office):
     assert office.asked == [("GET", "/api/jobs?limit=50&state=queued", None)]
 
 
-def test_show_prints_reason_hint_and_tools(knifetip, office: Office):
+def test_show_prints_reason_hint_and_tools(knifetip: Command, office: Office) -> None:
     _, out, _ = knifetip("job", "show", "abc", "--server", office.url + "/")
     assert "table clear, board e-flute" in out
     assert "Confirm to start." in out
@@ -89,7 +91,7 @@ def test_show_prints_reason_hint_and_tools(knifetip, office: Office):
 
 
 @pytest.mark.parametrize("command", ["confirm", "hold", "resume", "finish", "requeue"])
-def test_a_command_is_sent_to_its_route(knifetip, office: Office, command: str):
+def test_a_command_is_sent_to_its_route(knifetip: Command, office: Office, command: str) -> None:
     code, out, _ = knifetip("job", command, "abc", "--server", office.url)
     assert code == 0
     assert "tray.dxf" in out
@@ -99,13 +101,15 @@ def test_a_command_is_sent_to_its_route(knifetip, office: Office, command: str):
     assert "Authorization" not in office.headers[0]
 
 
-def test_confirm_names_the_board_and_who(knifetip, office: Office):
+def test_confirm_names_the_board_and_who(knifetip: Command, office: Office) -> None:
     knifetip("job", "confirm", "abc", "--server", office.url, "--board", "e-flute", "--by", "Kim")
     assert office.asked[0][2] == {"board": "e-flute", "by": "Kim"}
 
 
 @pytest.mark.parametrize("how", ["option", "environment"])
-def test_a_key_is_sent_as_a_bearer(knifetip, office: Office, monkeypatch, how: str):
+def test_a_key_is_sent_as_a_bearer(
+    knifetip: Command, office: Office, monkeypatch: pytest.MonkeyPatch, how: str
+) -> None:
     monkeypatch.setenv("KNIFETIP_KEY", "secret" if how == "environment" else "another")
     more = ("--key", "secret") if how == "option" else ()
     knifetip("job", "show", "abc", "--server", office.url, *more)
@@ -113,7 +117,9 @@ def test_a_key_is_sent_as_a_bearer(knifetip, office: Office, monkeypatch, how: s
 
 
 @pytest.mark.parametrize("command", ["cancel", "scrap"])
-def test_cancel_and_scrap_ask_first(knifetip, office: Office, monkeypatch, command: str):
+def test_cancel_and_scrap_ask_first(
+    knifetip: Command, office: Office, monkeypatch: pytest.MonkeyPatch, command: str
+) -> None:
     monkeypatch.setattr("sys.stdin", io.StringIO("n\n"))
     code, _, _ = knifetip("job", command, "abc", "--server", office.url)
     assert code == 1
@@ -126,7 +132,9 @@ def test_cancel_and_scrap_ask_first(knifetip, office: Office, monkeypatch, comma
     assert office.asked[-1][:2] == ("POST", f"/api/jobs/abc/{command}")
 
 
-def test_cancel_of_a_running_job_states_what_happens(knifetip, office: Office, monkeypatch):
+def test_cancel_of_a_running_job_states_what_happens(
+    knifetip: Command, office: Office, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr("sys.stdin", io.StringIO("y\n"))
     office.answer = (200, {**JOB, "state": "running"})
     _, out, said = knifetip("job", "cancel", "abc", "--server", office.url)
@@ -134,7 +142,7 @@ def test_cancel_of_a_running_job_states_what_happens(knifetip, office: Office, m
     assert office.asked[-1][:2] == ("POST", "/api/jobs/abc/cancel")
 
 
-def test_a_refusal_is_printed_in_the_servers_words(knifetip, office: Office):
+def test_a_refusal_is_printed_in_the_servers_words(knifetip: Command, office: Office) -> None:
     office.answer = (409, {"detail": "Job abc is done.", "hint": "Order it again."})
     code, out, said = knifetip("job", "confirm", "abc", "--server", office.url)
     assert (code, out) == (3, "")
@@ -144,8 +152,8 @@ def test_a_refusal_is_printed_in_the_servers_words(knifetip, office: Office):
 
 @pytest.mark.parametrize("answer", [(502, b"<html>"), (500, [])])
 def test_an_answer_that_is_no_problem_is_reported_with_its_status(
-    knifetip, office: Office, answer: tuple[int, object]
-):
+    knifetip: Command, office: Office, answer: tuple[int, object]
+) -> None:
     office.answer = answer
     code, _, said = knifetip("job", "hold", "abc", "--server", office.url)
     assert code == 3
@@ -153,12 +161,12 @@ def test_an_answer_that_is_no_problem_is_reported_with_its_status(
 
 
 @pytest.mark.parametrize("url", ["http://127.0.0.1:9", "nonsense"])
-def test_a_server_that_is_not_there_is_named(knifetip, url: str):
+def test_a_server_that_is_not_there_is_named(knifetip: Command, url: str) -> None:
     code, _, said = knifetip("job", "list", "--server", url)
     assert code == 3
     assert "cannot be reached" in said
 
 
-def test_an_id_with_a_slash_stays_one_id(knifetip, office: Office):
+def test_an_id_with_a_slash_stays_one_id(knifetip: Command, office: Office) -> None:
     knifetip("job", "show", "a/../b", "--server", office.url)
     assert office.asked[0][1] == "/api/jobs/a%2F..%2Fb"

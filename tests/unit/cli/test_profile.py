@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
 from knifetip.library import load
+from tests.support.command import Command
 
 OURS = """title = "Acme"
 [[rule]]
@@ -16,14 +18,14 @@ layer = "CUT"
 
 
 @pytest.fixture
-def knifetip(knifetip, monkeypatch, tmp_path):
+def knifetip(knifetip: Command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
     """Run the command in a folder of its own."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("KNIFETIP_DATABASE", raising=False)
     return knifetip
 
 
-def test_the_shipped_profiles_are_listed_and_shown_in_words(knifetip):
+def test_the_shipped_profiles_are_listed_and_shown_in_words(knifetip: Command) -> None:
     code, out, _ = knifetip("profile", "list", "--json")
     assert code == 0
     assert [row["name"] for row in json.loads(out)] == load.names("profiles")
@@ -32,7 +34,9 @@ def test_the_shipped_profiles_are_listed_and_shown_in_words(knifetip):
     assert 'crease       colour 5, linetype "*DASH*"' in out
 
 
-def test_a_profile_goes_out_to_a_file_and_can_be_used_from_there(knifetip, tmp_path):
+def test_a_profile_goes_out_to_a_file_and_can_be_used_from_there(
+    knifetip: Command, tmp_path: Path
+) -> None:
     file = tmp_path / "mine.toml"
     assert knifetip("profile", "export", "german", "-o", file)[0] == 0
     code, out, _ = knifetip("profile", "show", file, "--json")
@@ -40,7 +44,7 @@ def test_a_profile_goes_out_to_a_file_and_can_be_used_from_there(knifetip, tmp_p
     assert json.loads(out)["title"] == load.profile("german").title
 
 
-def test_an_imported_profile_is_kept_and_found_by_name(knifetip, tmp_path):
+def test_an_imported_profile_is_kept_and_found_by_name(knifetip: Command, tmp_path: Path) -> None:
     file, database = tmp_path / "Acme.toml", f"sqlite:///{tmp_path}/shop.sqlite"
     file.write_text(OURS)
     words = ("profile", "import", file, "--database", database)
@@ -53,7 +57,9 @@ def test_an_imported_profile_is_kept_and_found_by_name(knifetip, tmp_path):
     assert "acme" in knifetip("profile", "list", "--database", database)[1]
 
 
-def test_every_command_finds_a_profile_that_a_server_keeps(knifetip, tmp_path, monkeypatch):
+def test_every_command_finds_a_profile_that_a_server_keeps(
+    knifetip: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     database = f"sqlite:///{tmp_path}/shop.sqlite"
     monkeypatch.setenv("KNIFETIP_DATABASE", database)
     (tmp_path / "acme.toml").write_text(OURS)
@@ -77,14 +83,16 @@ def test_every_command_finds_a_profile_that_a_server_keeps(knifetip, tmp_path, m
         ("a b.toml", OURS, "is no name for a profile"),
     ],
 )
-def test_what_is_no_profile_is_not_kept(knifetip, tmp_path, name: str, text: str, words: str):
+def test_what_is_no_profile_is_not_kept(
+    knifetip: Command, tmp_path: Path, name: str, text: str, words: str
+) -> None:
     (tmp_path / name).write_bytes(text.encode("latin-1"))
     code, _, err = knifetip("profile", "import", tmp_path / name)
     assert code == 3
     assert words in err
 
 
-def test_without_a_database_a_file_is_only_checked(knifetip, tmp_path):
+def test_without_a_database_a_file_is_only_checked(knifetip: Command, tmp_path: Path) -> None:
     (tmp_path / "acme.toml").write_text(OURS)
     code, out, _ = knifetip("profile", "import", tmp_path / "acme.toml")
     assert (code, "nothing was kept" in out) == (0, True)

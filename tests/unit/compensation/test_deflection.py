@@ -29,14 +29,14 @@ def rounded(size: float, radius: float) -> Paths:
     return chained(np.array([*corners, corners[0]], float), np.array([0, QUARTER] * 4))
 
 
-def test_a_line_moves_into_the_board_by_the_deflection_square_to_it():
+def test_a_line_moves_into_the_board_by_the_deflection_square_to_it() -> None:
     # East with the tool on the left: the board is below, so down by δy.
     path, rows = deflected(chained(np.array([[0.0, 3.0], [50.0, 3.0]]), np.zeros(1)), 1, 0.1, 0.05)
     np.testing.assert_allclose([path.start[0], path.end[0]], [[0, 2.95], [50, 2.95]], atol=1e-12)
     assert rows.tolist() == [0]
 
 
-def test_a_square_with_bends_keeps_its_bends():
+def test_a_square_with_bends_keeps_its_bends() -> None:
     # Travelled to the left with the tool outside (right): each side moves in, δx or δy.
     path, _ = deflected(square(100.0), -1, 0.1, 0.05)
     np.testing.assert_allclose(
@@ -45,7 +45,7 @@ def test_a_square_with_bends_keeps_its_bends():
     np.testing.assert_array_equal(path.end, np.roll(path.start, -1, axis=0))
 
 
-def test_a_square_hole_grows():
+def test_a_square_hole_grows() -> None:
     # Tool on the left, inside the square: the board is outside, so the sides move out.
     path, _ = deflected(square(100.0), 1, 0.1, 0.05)
     np.testing.assert_allclose(path.start[[0, 2]], [[-0.1, -0.05], [100.1, 100.05]], atol=1e-12)
@@ -53,7 +53,9 @@ def test_a_square_hole_grows():
 
 @settings(max_examples=200, deadline=None)
 @given(x=given_way, y=given_way, radius=st.floats(1.0, 20.0))
-def test_round_corners_become_elliptical_within_the_tolerance(x, y, radius):
+def test_round_corners_become_elliptical_within_the_tolerance(
+    x: float, y: float, radius: float
+) -> None:
     paths = rounded(60.0, radius)
     path, rows = deflected(paths, -1, x, y)
     np.testing.assert_allclose(path.end, np.roll(path.start, -1, axis=0), atol=1e-9)
@@ -69,14 +71,14 @@ def test_round_corners_become_elliptical_within_the_tolerance(x, y, radius):
     np.testing.assert_allclose(path.end[corner[-1]], [60 - x, radius], atol=1e-9)
 
 
-def test_an_even_deflection_keeps_arcs_round():
+def test_an_even_deflection_keeps_arcs_round() -> None:
     path, rows = deflected(rounded(60.0, 5.0), -1, 0.2, 0.2)
     corner = rows == 1
     radius = arc.radius(path.start[corner], path.end[corner], path.bulge[corner])
     np.testing.assert_allclose(radius, 4.8, rtol=1e-9)
 
 
-def test_no_deflection_is_the_identity_to_the_bit():
+def test_no_deflection_is_the_identity_to_the_bit() -> None:
     paths = rounded(60.0, 5.0)
     path, rows = deflected(paths, -1, 0.0, 0.0)
     assert path is paths
@@ -85,7 +87,9 @@ def test_no_deflection_is_the_identity_to_the_bit():
 
 @settings(max_examples=200, deadline=None)
 @given(x=given_way, y=given_way, bulge=st.floats(-0.9, 0.9).filter(lambda b: abs(b) > 0.05))
-def test_a_line_that_meets_an_arc_at_a_bend_meets_it_again(x, y, bulge):
+def test_a_line_that_meets_an_arc_at_a_bend_meets_it_again(
+    x: float, y: float, bulge: float
+) -> None:
     paths = chained(np.array([[0, 0], [40, 0], [40, 30], [0, 30], [0, 0]], float),
                     np.array([0.0, bulge, 0.0, 0.0]))  # fmt: skip
     path, rows = deflected(paths, -1, x, y)
@@ -98,7 +102,7 @@ def test_a_line_that_meets_an_arc_at_a_bend_meets_it_again(x, y, bulge):
 
 @settings(max_examples=100, deadline=None)
 @given(x=given_way, y=given_way, shift=st.integers(0, 7))
-def test_reversed_or_begun_elsewhere_it_is_the_same_contour(x, y, shift):
+def test_reversed_or_begun_elsewhere_it_is_the_same_contour(x: float, y: float, shift: int) -> None:
     paths = rounded(60.0, 4.0)
     there, _ = deflected(paths, -1, x, y)
     turned = Paths(paths.end[::-1], paths.start[::-1], -paths.bulge[::-1], paths.first)
@@ -111,18 +115,18 @@ def test_reversed_or_begun_elsewhere_it_is_the_same_contour(x, y, shift):
     assert lengths[0] == pytest.approx(lengths[1], abs=1e-9)
 
 
-def test_an_open_path_keeps_its_loose_ends():
+def test_an_open_path_keeps_its_loose_ends() -> None:
     path, _ = deflected(chained(np.array([[0.0, 0], [10, 0], [10, 10]]), np.zeros(2)), 1, 0.2, 0.1)
     np.testing.assert_allclose(path.start, [[0, -0.1], [10.2, -0.1]], atol=1e-12)
     np.testing.assert_allclose(path.end[-1], [10.2, 10], atol=1e-12)
 
 
-def test_an_arc_tighter_than_the_deflection_is_refused():
+def test_an_arc_tighter_than_the_deflection_is_refused() -> None:
     with pytest.raises(CompensationError, match=r"arc of 0\.250 mm.*gives way by 0\.300"):
         deflected(rounded(60.0, 0.25), -1, 0.3, 0.1)
 
 
-def test_a_step_shorter_than_the_deflection_is_refused():
+def test_a_step_shorter_than_the_deflection_is_refused() -> None:
     # Out 0.1 mm and on: the two long sides move towards each other's end.
     xy = np.array([[0, 0], [50, 0], [50.05, 0.05], [50, 0.1], [0, 0.1]], float)
     with pytest.raises(CompensationError, match="too short"):
@@ -131,14 +135,16 @@ def test_a_step_shorter_than_the_deflection_is_refused():
 
 @given(side=st.sampled_from([1, -1]), x=given_way, y=given_way,
        azimuths=st.lists(st.floats(20.0, 70.0), min_size=1, max_size=5))  # fmt: skip
-def test_what_was_put_in_is_calibrated_out_again(side, x, y, azimuths):
+def test_what_was_put_in_is_calibrated_out_again(
+    side: int, x: float, y: float, azimuths: list[float]
+) -> None:
     a = np.radians(azimuths)
     tangents = np.column_stack([np.cos(a), np.sin(a)])
     measured = side * np.column_stack([-x * np.sin(a), y * np.cos(a)])
     assert calibrated(tangents, measured, side) == pytest.approx((x, y), abs=1e-12)
 
 
-def test_a_tool_drawn_into_the_board_is_refused_and_noise_is_not():
+def test_a_tool_drawn_into_the_board_is_refused_and_noise_is_not() -> None:
     tangent = np.array([[1.0, 1.0]])
     with pytest.raises(CompensationError, match="drawn into the board"):
         calibrated(tangent, np.array([[0.05, 0.05]]), 1)
@@ -146,7 +152,7 @@ def test_a_tool_drawn_into_the_board_is_refused_and_noise_is_not():
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_numbers_that_are_none_are_refused(bad):
+def test_numbers_that_are_none_are_refused(bad: float) -> None:
     with pytest.raises(CompensationError, match="not a number"):
         calibrated(np.array([[1.0, 1.0]]), np.array([[bad, 0.0]]), 1)
     with pytest.raises(CompensationError, match="0 measured points"):

@@ -9,34 +9,37 @@ import pytest
 
 from knifetip.compensation.knife import knife
 from knifetip.errors import EdgeTooShort
+from knifetip.geometry.columns import F64
 from knifetip.model.dieline import LineType
-from knifetip.model.operation import End
-from knifetip.model.toolpath import Motion
+from knifetip.model.operation import End, Operation
+from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.plan import plan
 from tests.support.shapes import BOARD, KNIFE, MACHINE, closed, dieline, edges
 
 QUARTER = np.tan(np.pi / 8)
 
 
-def planned(ends, bulge=None, kind=LineType.CUT):
+def planned(
+    ends: F64, bulge: dict[int, float] | None = None, kind: LineType = LineType.CUT
+) -> Operation:
     return plan(dieline((kind, ends), bulge=bulge), MACHINE, BOARD)[-1]
 
 
-def test_an_end_inside_the_panel_stops_where_the_top_face_ends():
+def test_an_end_inside_the_panel_stops_where_the_top_face_ends() -> None:
     # 45° over 2.3 mm: the top face is cut 2.3 mm ahead of the tip.
     path = knife(planned(edges(((0, 0), (50, 0)))))
     np.testing.assert_allclose(path.pose[1], [0, 0, -0.3, 0])
     np.testing.assert_allclose(path.pose[2], [47.7, 0, -0.3, 0])
 
 
-def test_an_end_that_meets_another_cut_runs_over():
+def test_an_end_that_meets_another_cut_runs_over() -> None:
     operation = replace(planned(edges(((0, 0), (50, 0)))), finish=np.array([End.MEETS]))
     path = knife(operation)
     # The bottom face ends 2.0 tan 45° behind the top.
     np.testing.assert_allclose(path.pose[-2, :2], [52.0, 0.0])
 
 
-def test_a_closed_contour_runs_over_its_own_start():
+def test_a_closed_contour_runs_over_its_own_start() -> None:
     path = knife(planned(closed((0, 0), (100, 0), (100, 50), (0, 50))))
     np.testing.assert_allclose(path.pose[1, :2], [50, 0])
     np.testing.assert_allclose(path.pose[-2, :2], [52, 0])
@@ -44,12 +47,12 @@ def test_a_closed_contour_runs_over_its_own_start():
     assert path.source[fed].tolist() == [0, 1, 2, 3, 0, 0]
 
 
-def test_a_half_cut_is_shallow_and_ends_early_by_its_own_depth():
+def test_a_half_cut_is_shallow_and_ends_early_by_its_own_depth() -> None:
     path = knife(planned(edges(((0, 0), (50, 0))), kind=LineType.HALF_CUT))
     np.testing.assert_allclose(path.pose[2, :3], [49.2, 0, 1.2])
 
 
-def test_a_sharp_corner_is_turned_in_the_air_and_a_gentle_one_in_the_board():
+def test_a_sharp_corner_is_turned_in_the_air_and_a_gentle_one_in_the_board() -> None:
     sharp = knife(planned(edges(((0, 0), (50, 0)), ((50, 0), (50, 50)))))
     assert sharp.motion.tolist() == [
         Motion.PLUNGE, Motion.FEED, Motion.LIFT, Motion.RAPID, Motion.PLUNGE, Motion.FEED,
@@ -63,7 +66,7 @@ def test_a_sharp_corner_is_turned_in_the_air_and_a_gentle_one_in_the_board():
     ]  # fmt: skip
 
 
-def test_c_follows_an_arc_without_a_jump():
+def test_c_follows_an_arc_without_a_jump() -> None:
     # Round a corner of radius 10: the line due east runs into the arc and that into due north.
     ends = edges(((0, 0), (50, 0)), ((50, 0), (60, 10)), ((60, 10), (60, 50)))
     path = knife(planned(ends, bulge={1: QUARTER}))
@@ -71,7 +74,7 @@ def test_c_follows_an_arc_without_a_jump():
     assert path.bulge[2] == QUARTER
 
 
-def test_c_is_unwrapped_round_a_circle():
+def test_c_is_unwrapped_round_a_circle() -> None:
     path = knife(planned(edges(((0, 0), (20, 0)), ((20, 0), (0, 0))), bulge={0: 1.0, 1: 1.0}))
     fed = np.flatnonzero(path.motion == Motion.FEED)
     turned = path.pose[fed[-1] + 1, 3] - path.pose[fed[0], 3]
@@ -79,19 +82,19 @@ def test_c_is_unwrapped_round_a_circle():
     assert turned == pytest.approx(360 + np.degrees(2.0 / 10.0))
 
 
-def test_a_cut_shorter_than_the_lead_is_refused():
+def test_a_cut_shorter_than_the_lead_is_refused() -> None:
     with pytest.raises(EdgeTooShort, match=r"2\.30 mm"):
         knife(planned(edges(((0, 0), (2.2, 0)))))
 
 
-def led(ends, **leads):
+def led(ends: F64, **leads: float) -> Toolpath:
     blade = replace(KNIFE, **leads)
     machine = replace(MACHINE, stations=(replace(MACHINE.stations[0], tool=blade),))
     return knife(plan(dieline((LineType.CUT, ends)), machine, BOARD)[-1])
 
 
 @pytest.mark.parametrize("backwards", [False, True])
-def test_an_outline_begins_and_ends_in_the_waste_on_a_quarter_of_a_circle(backwards):
+def test_an_outline_begins_and_ends_in_the_waste_on_a_quarter_of_a_circle(backwards: bool) -> None:
     outline = closed((0, 0), (100, 0), (90, 50), (10, 50))
     path = led(outline[:, ::-1] if backwards else outline, lead_in=np.pi, lead_out=np.pi)
     assert path.motion[1] == Motion.LEAD_IN
@@ -107,7 +110,7 @@ def test_an_outline_begins_and_ends_in_the_waste_on_a_quarter_of_a_circle(backwa
     assert path.pose[-2, 3] % 360 == pytest.approx(270)
 
 
-def test_holes_and_slits_have_no_leads():
+def test_holes_and_slits_have_no_leads() -> None:
     hole = closed((20, 20), (40, 20), (40, 40), (20, 40))
     blade = replace(KNIFE, lead_in=3.0, lead_out=3.0)
     machine = replace(MACHINE, stations=(replace(MACHINE.stations[0], tool=blade),))
@@ -117,7 +120,7 @@ def test_holes_and_slits_have_no_leads():
     assert Motion.LEAD_IN in knife(outer).motion
 
 
-def test_a_drag_knife_trails_its_head_and_swings_round_its_tip():
+def test_a_drag_knife_trails_its_head_and_swings_round_its_tip() -> None:
     drag = replace(KNIFE, blade_angle=0.0, trail=2.0)
     ends = edges(((0, 0), (50, 0)), ((50, 0), (50 + 40, 10)))
     operation = replace(planned(ends), tool=drag)

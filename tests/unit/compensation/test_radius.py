@@ -6,6 +6,7 @@ Distances are taken to the drawing's own lines and arcs by sums of this file alo
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,12 +17,13 @@ from knifetip.compensation.compensate import compensate
 from knifetip.compensation.radius import centres, radius, set_up
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Station
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Cutter
-from knifetip.model.toolpath import Motion
+from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.plan import plan
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges, rotation
 
@@ -31,7 +33,13 @@ QUARTER = np.tan(np.pi / 8)
 many = settings(max_examples=300, deadline=None)
 
 
-def contour(*points, bulge=None, side=-1, r=3.0, **changes) -> Operation:
+def contour(
+    *points: F64 | tuple[float, float],
+    bulge: list[float] | None = None,
+    side: int = -1,
+    r: float = 3.0,
+    **changes: Any,
+) -> Operation:
     """One closed contour, travelled as given, with the cutter on one side."""
     xy = np.array(points, float)
     count = len(xy)
@@ -47,7 +55,13 @@ def contour(*points, bulge=None, side=-1, r=3.0, **changes) -> Operation:
     return replace(plain, **changes)
 
 
-def open_cut(*points, side=1, r=3.0, depth=(2.3,), **changes) -> Operation:
+def open_cut(
+    *points: tuple[float, float],
+    side: int = 1,
+    r=3.0,
+    depth: tuple[float, float] = (2.3,),
+    **changes: Cutter,
+) -> Operation:
     xy = np.array(points, float)
     whole = contour(*points, side=side, r=r)
     count = len(xy) - 1
@@ -59,7 +73,9 @@ def open_cut(*points, side=1, r=3.0, depth=(2.3,), **changes) -> Operation:
     )  # fmt: skip
 
 
-def sampled(path, motions=(Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT), step=0.5):
+def sampled(
+    path: Toolpath, motions: list[Motion] = (Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT), step=0.5
+) -> F64:
     """Points of the centre in the board, ends of moves among them."""
     points = []
     for row in np.flatnonzero(np.isin(path.motion, motions)):
@@ -69,7 +85,7 @@ def sampled(path, motions=(Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT), step=0
     return np.concatenate(points)
 
 
-def distance(points, paths):
+def distance(points: F64, paths: Paths) -> F64:
     """From each point to the nearest place of lines and arcs, by hand."""
     best = np.full(len(points), np.inf)
     for a, b, bend in zip(paths.start, paths.end, paths.bulge, strict=True):
@@ -92,7 +108,7 @@ def distance(points, paths):
     return best
 
 
-def within(points, polygon):
+def within(points: F64, polygon: F64) -> Bool:
     """Even-odd."""
     odd = np.zeros(len(points), bool)
     for a, b in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
@@ -112,14 +128,16 @@ corners = st.sampled_from(["B", "C", "D", "auto"])
 cutters = st.floats(0.2, 8.0)
 
 
-def star(radii, phase=0.3):
+def star(radii: list[float], phase=0.3) -> F64:
     angle = phase + np.arange(len(radii)) * 2 * np.pi / len(radii)
     return np.array(radii)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
 
 
 @many
 @given(radii=stars, corner=corners, r=cutters, outside=st.booleans())
-def test_the_disc_touches_the_part_and_never_enters_it(radii, corner, r, outside):
+def test_the_disc_touches_the_part_and_never_enters_it(
+    radii: list[float], corner: str, r: float, outside: bool
+) -> None:
     points = star(radii)
     operation = contour(*points, side=-1 if outside else 1, r=r, corner=corner)
     path = radius(operation)
@@ -134,7 +152,9 @@ def test_the_disc_touches_the_part_and_never_enters_it(radii, corner, r, outside
 @given(
     radii=stars, bulges=bends, corner=corners, r=st.floats(0.2, 4.0), side=st.sampled_from([1, -1])
 )
-def test_with_arcs_too_the_disc_never_enters_the_part(radii, bulges, corner, r, side):
+def test_with_arcs_too_the_disc_never_enters_the_part(
+    radii: list[float], bulges: list[float], corner: str, r: float, side: int
+) -> None:
     points = star(radii)
     operation = contour(*points, bulge=bulges[: len(points)], side=side, r=r, corner=corner)
     # Bent edges of a star may cross: such a contour bounds nothing.
@@ -151,7 +171,9 @@ def test_with_arcs_too_the_disc_never_enters_the_part(radii, bulges, corner, r, 
 
 @many
 @given(radii=stars, corner=corners, r=st.floats(0.2, 4.0), degrees=st.floats(-180.0, 180.0))
-def test_the_centre_turns_with_the_board(radii, corner, r, degrees):
+def test_the_centre_turns_with_the_board(
+    radii: list[float], corner: str, r: float, degrees: float
+) -> None:
     turn = rotation(degrees)
     before = centres(contour(*star(radii), r=r, corner=corner)).paths
     after = centres(contour(*(star(radii) @ turn.T), r=r, corner=corner)).paths
@@ -163,7 +185,9 @@ def test_the_centre_turns_with_the_board(radii, corner, r, degrees):
 @many
 @given(radii=stars, corner=st.sampled_from(["B", "C", "D"]), r=st.floats(0.2, 4.0),
        shift=st.integers(1, 8))  # fmt: skip
-def test_reversed_on_the_other_side_and_begun_elsewhere_it_is_the_same_way(radii, corner, r, shift):
+def test_reversed_on_the_other_side_and_begun_elsewhere_it_is_the_same_way(
+    radii: list[float], corner: str, r: float, shift: int
+) -> None:
     points = star(radii)
     there = centres(contour(*points, r=r, corner=corner)).paths
     for other in (
@@ -176,14 +200,14 @@ def test_reversed_on_the_other_side_and_begun_elsewhere_it_is_the_same_way(radii
         assert distance(places, there).max() < 1e-7
 
 
-def test_a_radius_of_zero_is_the_line_itself():
+def test_a_radius_of_zero_is_the_line_itself() -> None:
     points = star([50.0, 30.0, 60.0, 40.0])
     paths = centres(contour(*points, r=0.0)).paths
     assert distance(points, paths).max() == 0.0
     assert distance(paths.start, contour(*points).paths).max() < 1e-12
 
 
-def test_a_rectangle_from_outside_in_b_worked_by_hand():
+def test_a_rectangle_from_outside_in_b_worked_by_hand() -> None:
     # 100 × 50 to the left, r 3: down at the middle of the first long side, 4.5 mm off it.
     path = compensate(contour((0, 0), (100, 0), (100, 50), (0, 50)))
     assert path.motion.tolist() == [
@@ -200,7 +224,7 @@ def test_a_rectangle_from_outside_in_b_worked_by_hand():
     assert path.source[2:11].tolist() == [0, 1, 1, 2, 2, 3, 3, 0, 0]
 
 
-def test_a_hole_is_milled_from_inside_without_transitions():
+def test_a_hole_is_milled_from_inside_without_transitions() -> None:
     path = compensate(contour((0, 0), (100, 0), (100, 50), (0, 50), side=1))
     fed = path.motion == Motion.FEED
     np.testing.assert_allclose(
@@ -209,7 +233,7 @@ def test_a_hole_is_milled_from_inside_without_transitions():
     np.testing.assert_allclose(path.pose[1, :2], [50, 4.5])
 
 
-def test_several_passes_go_deeper_beside_the_contour_without_lifting():
+def test_several_passes_go_deeper_beside_the_contour_without_lifting() -> None:
     deep = np.tile([1.0, 2.3], (4, 1))
     path = compensate(contour((0, 0), (100, 0), (100, 50), (0, 50), depth=deep))
     plunges = np.flatnonzero(path.motion == Motion.PLUNGE)
@@ -218,7 +242,7 @@ def test_several_passes_go_deeper_beside_the_contour_without_lifting():
     assert np.count_nonzero(path.motion == Motion.RAPID) == 0
 
 
-def test_a_slit_is_milled_on_its_line_there_and_back():
+def test_a_slit_is_milled_on_its_line_there_and_back() -> None:
     path = compensate(open_cut((0, 0), (50, 0), side=0))
     np.testing.assert_allclose(path.pose[:, :2], [[0, 0], [0, 0], [50, 0], [50, 0]])
     path = compensate(open_cut((0, 0), (50, 0), (50, 20), side=0, depth=(1.0, 2.3)))
@@ -231,7 +255,7 @@ def test_a_slit_is_milled_on_its_line_there_and_back():
 
 
 @pytest.mark.parametrize("side", [1, -1])
-def test_an_open_cut_is_milled_beside_its_line_left_or_right(side):
+def test_an_open_cut_is_milled_beside_its_line_left_or_right(side: int) -> None:
     path = compensate(open_cut((0, 0), (50, 0), side=side))
     np.testing.assert_allclose(
         path.pose[:, :2] * [1, side],
@@ -240,7 +264,7 @@ def test_an_open_cut_is_milled_beside_its_line_left_or_right(side):
     )
 
 
-def test_passes_of_an_open_cut_with_a_side_all_go_the_same_way():
+def test_passes_of_an_open_cut_with_a_side_all_go_the_same_way() -> None:
     path = compensate(open_cut((0, 0), (50, 0), depth=(1.0, 2.3)))
     fed = np.flatnonzero(path.motion == Motion.FEED)
     np.testing.assert_allclose(path.pose[fed, 0], [0, 0])
@@ -248,7 +272,7 @@ def test_passes_of_an_open_cut_with_a_side_all_go_the_same_way():
 
 
 @pytest.mark.parametrize("side", [1, -1])
-def test_set_up_to_the_perpendicular_and_round_the_outside(side):
+def test_set_up_to_the_perpendicular_and_round_the_outside(side: int) -> None:
     start, ahead = np.array([[10.0, 0.0]]), np.array([[1.0, 0.0]])
     flip = np.array([1.0, side])
     # Type A, square on from the tool's side, r 3 and a block of 5.
@@ -264,7 +288,7 @@ def test_set_up_to_the_perpendicular_and_round_the_outside(side):
     assert bulge[0] == pytest.approx(-side * QUARTER)
 
 
-def test_an_open_cut_set_up_and_cancelled_round_the_outside():
+def test_an_open_cut_set_up_and_cancelled_round_the_outside() -> None:
     around = replace(ROUTER, lead=5.0, approach=-90.0)
     path = compensate(open_cut((0, 0), (50, 0), tool=around))
     np.testing.assert_allclose(
@@ -273,7 +297,7 @@ def test_an_open_cut_set_up_and_cancelled_round_the_outside():
     np.testing.assert_allclose(path.bulge[1:-1], [0, -QUARTER, 0, -QUARTER, 0], atol=1e-12)
 
 
-def test_a_way_in_that_would_meet_another_contour_is_shortened_or_left_out():
+def test_a_way_in_that_would_meet_another_contour_is_shortened_or_left_out() -> None:
     # A slot 8 mm wide, r 3: the centre runs 3 mm off either wall, and 2 mm are left between.
     roomy = compensate(contour((0, 0), (60, 0), (60, 8), (0, 8), side=1))
     np.testing.assert_allclose(roomy.pose[1, :2], [30, 4.5])
@@ -284,14 +308,14 @@ def test_a_way_in_that_would_meet_another_contour_is_shortened_or_left_out():
     np.testing.assert_allclose(none.pose[1, :2], [30, 3])
 
 
-def test_what_the_cutter_cannot_reach_is_told_in_square_millimetres():
+def test_what_the_cutter_cannot_reach_is_told_in_square_millimetres() -> None:
     # A square hole keeps a fillet in each corner: (1 − π/4) r² each.
     way = centres(contour((0, 0), (50, 0), (50, 50), (0, 50), side=1))
     np.testing.assert_allclose(way.unreached, 4 * (1 - np.pi / 4) * 9.0, rtol=1e-9)
     assert centres(contour((0, 0), (50, 0), (50, 50), (0, 50))).unreached.sum() < 1e-9
 
 
-def test_a_neck_too_narrow_is_trimmed_into_two_or_refused():
+def test_a_neck_too_narrow_is_trimmed_into_two_or_refused() -> None:
     # Two rooms of 30 × 30 with a passage of 4 mm between them, for a cutter of 6 mm.
     rooms = [
         (0, 0), (30, 0), (30, 13), (50, 13), (50, 0), (80, 0), (80, 30), (50, 30), (50, 17),
@@ -306,12 +330,12 @@ def test_a_neck_too_narrow_is_trimmed_into_two_or_refused():
         compensate(replace(operation, interference="refuse"))
 
 
-def test_a_hole_that_the_cutter_does_not_fit_is_refused_not_dropped():
+def test_a_hole_that_the_cutter_does_not_fit_is_refused_not_dropped() -> None:
     with pytest.raises(CompensationError, match=r"6\.00 mm does not fit the contour at edge 0"):
         compensate(contour((0, 0), (50, 0), (50, 5), (0, 5), side=1))
 
 
-def test_neighbours_nearer_than_the_cutter_keep_clear_of_each_other():
+def test_neighbours_nearer_than_the_cutter_keep_clear_of_each_other() -> None:
     # Two blanks 4 mm apart and a cutter of 6 mm: between them nothing can be cut.
     line = dieline(
         (LineType.CUT, closed((0, 0), (50, 0), (50, 50), (0, 50))),
@@ -323,12 +347,12 @@ def test_neighbours_nearer_than_the_cutter_keep_clear_of_each_other():
     assert centres(operation).unreached.sum() > 4 * 48
 
 
-def test_a_lead_no_longer_than_the_radius_is_refused():
+def test_a_lead_no_longer_than_the_radius_is_refused() -> None:
     with pytest.raises(CompensationError, match="block of 3 mm, and r is 3 mm"):
         compensate(contour((0, 0), (50, 0), (50, 50), tool=replace(ROUTER, lead=3.0)))
 
 
-def test_the_kerf_of_a_beam_is_the_same_engine():
+def test_the_kerf_of_a_beam_is_the_same_engine() -> None:
     path = compensate(
         contour((0, 0), (50, 0), (50, 50), (0, 50), tool=replace(ROUTER, radius=0.1, speed=0.0))
     )
@@ -337,7 +361,7 @@ def test_the_kerf_of_a_beam_is_the_same_engine():
 
 
 @pytest.mark.parametrize("corner", ["B", "C", "D"])
-def test_deflection_and_every_corner_type_go_together(corner):
+def test_deflection_and_every_corner_type_go_together(corner: str) -> None:
     # Pushed back by δ the disc must touch each side of the square: δx on those along Y.
     operation = contour((0, 0), (80, 0), (80, 80), (0, 80), corner=corner, deflection=(0.08, 0.05))
     fed = sampled(compensate(operation), [Motion.FEED])
@@ -351,7 +375,7 @@ def test_deflection_and_every_corner_type_go_together(corner):
     np.testing.assert_allclose(path.pose[row[1:], :2], path.pose[row[:-1] + 1, :2], atol=1e-9)
 
 
-def test_a_planned_blank_with_a_hole_and_a_slit():
+def test_a_planned_blank_with_a_hole_and_a_slit() -> None:
     line = dieline(
         (LineType.CUT, closed((0, 0), (200, 0), (200, 100), (0, 100))),
         (LineType.CUT, closed((20, 20), (60, 20), (60, 60), (20, 60))),
@@ -366,7 +390,9 @@ def test_a_planned_blank_with_a_hole_and_a_slit():
 
 @pytest.mark.parametrize("corner", ["B", "C", "D"])
 @pytest.mark.parametrize("passes", [1, 3])
-def test_between_the_discs_on_either_side_a_bridge_is_as_wide_as_asked(corner, passes):
+def test_between_the_discs_on_either_side_a_bridge_is_as_wide_as_asked(
+    corner: str, passes: int
+) -> None:
     square = contour(
         (0, 0), (0, 100), (100, 100), (100, 0), side=1, corner=corner,
         bridges=[[1, 30.0], [3, 60.0]], bridge_width=0.8,
@@ -384,7 +410,7 @@ def test_between_the_discs_on_either_side_a_bridge_is_as_wide_as_asked(corner, p
     np.testing.assert_allclose(distance(points, square.paths).min(), 3.0)
 
 
-def test_a_bridge_where_the_cutter_does_not_come_to_the_contour_is_refused():
+def test_a_bridge_where_the_cutter_does_not_come_to_the_contour_is_refused() -> None:
     # A slot 4 wide and 40 deep: a disc of 6 does not go in.
     slotted = contour(
         (0, 0), (0, 100), (48, 100), (48, 60), (52, 60), (52, 100), (100, 100), (100, 0),

@@ -28,7 +28,7 @@ def _bits(value: float) -> bytes:
 @example(5e-324)
 @example(2.2250738585072014e-308)
 @example(1.7976931348623157e308)
-def test_shortest_spelling_of_any_number_is_read_to_the_last_bit(value: float):
+def test_shortest_spelling_of_any_number_is_read_to_the_last_bit(value: float) -> None:
     read, _, sure = _read(repr(value))
     assert sure == UNSURE or _bits(read) == _bits(value)
 
@@ -38,7 +38,9 @@ def test_shortest_spelling_of_any_number_is_read_to_the_last_bit(value: float):
 @example(9007199254740992, -20, True)
 @example(18446744073709551615, 0, False)
 @example(7205759403792793199, -16, False)
-def test_nineteen_digits_with_any_exponent_are_read_as_float_reads_them(digits, power, negative):
+def test_nineteen_digits_with_any_exponent_are_read_as_float_reads_them(
+    digits: int, power: int, negative: bool
+) -> None:
     text = f"{'-' if negative else ''}{digits}E{power}"
     read, _, sure = _read(text)
     assert sure != WRONG
@@ -46,7 +48,9 @@ def test_nineteen_digits_with_any_exponent_are_read_as_float_reads_them(digits, 
 
 
 @given(st.floats(-5000.0, 5000.0), st.integers(0, 17))
-def test_coordinates_with_a_fixed_number_of_places_are_always_sure(value: float, places: int):
+def test_coordinates_with_a_fixed_number_of_places_are_always_sure(
+    value: float, places: int
+) -> None:
     text = f"{value:.{places}f}"
     read, _, sure = _read(text)
     if len(text.strip("-0.").replace(".", "")) <= 15:
@@ -74,7 +78,7 @@ def test_coordinates_with_a_fixed_number_of_places_are_always_sure(value: float,
         ("00000000000000000000000000012.50", 12.5),
     ],
 )
-def test_usual_spellings_are_exact(text: str, value: float):
+def test_usual_spellings_are_exact(text: str, value: float) -> None:
     read, _, sure = _read(text)
     assert sure == EXACT
     assert _bits(read) == _bits(value)
@@ -83,20 +87,20 @@ def test_usual_spellings_are_exact(text: str, value: float):
 @pytest.mark.parametrize(
     "text", ["", " ", "-", ".", "nan", "inf", "1_000", "0x10", "1.5D3", "1 2", "1e", "1e+", "12,5"]
 )
-def test_other_writing_is_no_number(text: str):
+def test_other_writing_is_no_number(text: str) -> None:
     assert _read(text)[2] == WRONG
 
 
 @pytest.mark.parametrize("text", ["1e400", "1e-400", "5e-324", "9007199254740993.0000000000"])
-def test_what_is_too_large_small_or_long_is_left_to_float(text: str):
+def test_what_is_too_large_small_or_long_is_left_to_float(text: str) -> None:
     assert _read(text)[2] == UNSURE
 
 
-def test_number_ends_with_its_line():
+def test_number_ends_with_its_line() -> None:
     value, after, sure = _read("12.5\r\n40\n")
     assert (value, after, sure) == (12.5, 4, EXACT)
 
 
-def test_both_zeros_keep_their_sign():
+def test_both_zeros_keep_their_sign() -> None:
     assert math.copysign(1.0, _read("-0")[0]) == -1.0
     assert math.copysign(1.0, _read("0")[0]) == 1.0

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import math
+from collections.abc import Callable
+from typing import Any
 
 import ezdxf
 import numpy as np
@@ -13,25 +15,26 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from knifetip.dxf.read import read
 from knifetip.geometry import arc
-from knifetip.model.drawing import Fate
+from knifetip.geometry.columns import F64
+from knifetip.model.drawing import Drawing, Fate
 from tests.support.writers.dxf_text import block, dxf, entity, insert, line, tags
 
 DOWN = ((210, 0.0), (220, 0.0), (230, -1.0))
 
 
-def rows(drawing):
+def rows(drawing: Drawing) -> F64:
     """x1 y1 x2 y2 bulge of each segment."""
     return np.column_stack([drawing.ends.reshape(-1, 4), drawing.bulge])
 
 
-def only(drawing, fate=Fate.KEPT):
+def only(drawing: Drawing, fate: Fate = Fate.KEPT) -> str:
     """The reason of a drawing's single ledger row, which has this fate."""
     assert len(drawing.ledger) == 1
     assert drawing.ledger.fate[0] == fate
     return drawing.ledger.reason[0]
 
 
-def polyline(vertices, *head, flags=0):
+def polyline(vertices, *head, flags: int = 0) -> str:
     text = entity("POLYLINE", (66, 1), (70, flags), (10, 0), (20, 0), (30, 0), *head)
     for vertex in vertices:
         x, y, *more = vertex
@@ -39,7 +42,9 @@ def polyline(vertices, *head, flags=0):
     return text + tags((0, "SEQEND"))
 
 
-def lwpolyline(vertices, *head, flags=0):
+def lwpolyline(
+    vertices: list[tuple[float, float, float]], *head: tuple[float, float], flags: int = 0
+) -> str:
     body = []
     for x, y, bulge in vertices:
         body += [(10, x), (20, y), (42, bulge)]
@@ -57,7 +62,9 @@ def lwpolyline(vertices, *head, flags=0):
     )
 
 
-def spline(degree, knots, control, *head, weights=()):
+def spline(
+    degree: int, knots: list[int], control: list[tuple[float, float, float]], *head, weights=()
+) -> str:
     body = [(40, knot) for knot in knots] + [(41, weight) for weight in weights]
     for x, y, z in control:
         body += [(10, x), (20, y), (30, z)]
@@ -76,46 +83,46 @@ def spline(degree, knots, control, *head, weights=()):
     )
 
 
-def test_line_is_one_row_from_start_to_end():
+def test_line_is_one_row_from_start_to_end() -> None:
     drawing = read(dxf(line(1, 2, 4, 6)))
     assert_array_equal(rows(drawing), [[1, 2, 4, 6, 0]])
     assert only(drawing) == "kept"
     assert drawing.ledger.length[0] == 5.0
 
 
-def test_line_above_the_sheet_is_laid_flat_and_says_so():
+def test_line_above_the_sheet_is_laid_flat_and_says_so() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 7), (11, 5), (21, 0), (31, 7))))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
     assert only(drawing) == "kept: laid flat from z = 7"
 
 
-def test_line_that_rises_is_dropped_with_its_heights():
+def test_line_that_rises_is_dropped_with_its_heights() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 0), (11, 5), (21, 0), (31, 7))))
     assert len(drawing) == 0
     assert only(drawing, Fate.DROPPED) == "it is not flat: z goes from 0 to 7"
 
 
-def test_line_without_its_second_end_is_dropped():
+def test_line_without_its_second_end_is_dropped() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0))))
     assert only(drawing, Fate.DROPPED) == "it is incomplete: it has no second end"
 
 
-def test_line_ignores_its_extrusion():
+def test_line_ignores_its_extrusion() -> None:
     assert_array_equal(rows(read(dxf(line(1, 2, 4, 6, *DOWN)))), [[1, 2, 4, 6, 0]])
 
 
-def test_quarter_arc_is_one_row_to_the_left():
+def test_quarter_arc_is_one_row_to_the_left() -> None:
     drawing = read(dxf(entity("ARC", (10, 5), (20, 0), (40, 10), (50, 0), (51, 90))))
     assert_allclose(rows(drawing), [[15, 0, 5, 10, math.tan(math.pi / 8)]], atol=1e-12)
 
 
-def test_arc_over_zero_degrees_goes_on_counter_clockwise():
+def test_arc_over_zero_degrees_goes_on_counter_clockwise() -> None:
     drawing = read(dxf(entity("ARC", (10, 0), (20, 0), (40, 10), (50, 315), (51, 45))))
     root = 10.0 * math.sqrt(0.5)
     assert_allclose(rows(drawing), [[root, -root, root, root, math.tan(math.pi / 8)]], atol=1e-12)
 
 
-def test_arc_of_270_degrees_is_two_rows_on_one_circle():
+def test_arc_of_270_degrees_is_two_rows_on_one_circle() -> None:
     drawing = read(dxf(entity("ARC", (10, 0), (20, 0), (40, 10), (50, 0), (51, 270))))
     assert len(drawing) == 2
     assert_allclose(
@@ -125,36 +132,36 @@ def test_arc_of_270_degrees_is_two_rows_on_one_circle():
     assert_array_equal(drawing.ends[0, 1], drawing.ends[1, 0])
 
 
-def test_mirrored_arc_lies_left_of_the_axis_and_turns_right():
+def test_mirrored_arc_lies_left_of_the_axis_and_turns_right() -> None:
     drawing = read(dxf(entity("ARC", (10, 5), (20, 0), (40, 10), (50, 0), (51, 90), *DOWN)))
     assert_allclose(rows(drawing), [[-15, 0, -5, 10, -math.tan(math.pi / 8)]], atol=1e-12)
 
 
-def test_arc_in_a_tilted_plane_is_dropped_with_its_tilt():
+def test_arc_in_a_tilted_plane_is_dropped_with_its_tilt() -> None:
     tilted = ((210, 1.0), (220, 0.0), (230, 1.0))
     drawing = read(dxf(entity("ARC", (10, 5), (20, 0), (40, 10), (50, 0), (51, 90), *tilted)))
     assert only(drawing, Fate.DROPPED) == "it is not flat: its plane is tilted by 45°"
 
 
 @pytest.mark.parametrize("radius", [0, -3])
-def test_arc_without_radius_is_dropped_with_the_measure(radius):
+def test_arc_without_radius_is_dropped_with_the_measure(radius: int) -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 0), (20, 0), (40, radius))))
     assert only(drawing, Fate.DROPPED) == f"its radius is {radius}"
 
 
-def test_circle_is_two_half_turns():
+def test_circle_is_two_half_turns() -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 1), (20, 2), (40, 3))))
     assert_allclose(rows(drawing), [[4, 2, -2, 2, 1], [-2, 2, 4, 2, 1]], atol=1e-15)
     assert (np.abs(drawing.bulge) <= 1.0).all()
 
 
-def test_circle_at_minus_z_with_height_is_mirrored_and_laid_flat():
+def test_circle_at_minus_z_with_height_is_mirrored_and_laid_flat() -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 5), (20, 0), (30, 2), (40, 1), *DOWN)))
     assert_allclose(drawing.bounds, [-6, -1, -4, 1], atol=1e-12)
     assert only(drawing) == "kept: laid flat from z = 2"
 
 
-def test_lwpolyline_keeps_bulges_and_closes():
+def test_lwpolyline_keeps_bulges_and_closes() -> None:
     text = lwpolyline([(0, 0, 0), (10, 0, 1), (10, 10, 0), (0, 10, 0)], flags=1)
     drawing = read(dxf(text, version="AC1015"))
     assert_array_equal(
@@ -163,12 +170,12 @@ def test_lwpolyline_keeps_bulges_and_closes():
     assert drawing.handles == ["2F4"] * 4
 
 
-def test_open_lwpolyline_does_not_use_its_last_bulge():
+def test_open_lwpolyline_does_not_use_its_last_bulge() -> None:
     drawing = read(dxf(lwpolyline([(0, 0, 0), (10, 0, 1)]), version="AC1015"))
     assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0]])
 
 
-def test_bulge_of_more_than_half_a_turn_becomes_two_rows():
+def test_bulge_of_more_than_half_a_turn_becomes_two_rows() -> None:
     # Three quarters of a circle of radius 10 around the origin, from east to south.
     text = lwpolyline([(10, 0, math.tan(math.radians(67.5))), (0, -10, 0)])
     drawing = read(dxf(text, version="AC1015"))
@@ -179,36 +186,36 @@ def test_bulge_of_more_than_half_a_turn_becomes_two_rows():
     )
 
 
-def test_mirrored_lwpolyline_turns_its_bulges():
+def test_mirrored_lwpolyline_turns_its_bulges() -> None:
     drawing = read(dxf(lwpolyline([(1, 0, 1), (5, 0, 0)], (38, 4.0), *DOWN), version="AC1015"))
     assert_array_equal(rows(drawing), [[-1, 0, -5, 0, -1]])
     assert only(drawing) == "kept: laid flat from z = 4"
 
 
-def test_vertices_in_one_place_give_no_row_and_are_counted():
+def test_vertices_in_one_place_give_no_row_and_are_counted() -> None:
     text = lwpolyline([(0, 0, 0), (0, 0, 0), (10, 0, 0)])
     drawing = read(dxf(text, version="AC1015"))
     assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0]])
     assert only(drawing) == "kept: 1 of 2 pieces have no length"
 
 
-def test_polyline_of_one_vertex_is_dropped():
+def test_polyline_of_one_vertex_is_dropped() -> None:
     assert only(read(dxf(polyline([(1, 1)]))), Fate.DROPPED).startswith("it has 1 vertices")
 
 
-def test_old_polyline_keeps_bulges_and_closes():
+def test_old_polyline_keeps_bulges_and_closes() -> None:
     drawing = read(dxf(polyline([(0, 0), (10, 0, (42, 1)), (10, 10)], flags=1)))
     assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0], [10, 0, 10, 10, 1], [10, 10, 0, 0, 0]])
     assert only(drawing) == "kept"
 
 
-def test_control_frame_of_a_smoothed_polyline_is_not_drawn():
+def test_control_frame_of_a_smoothed_polyline_is_not_drawn() -> None:
     vertices = [(0, 0, (70, 8)), (5, 50, (70, 16)), (5, 5, (70, 8)), (10, 0, (70, 8))]
     drawing = read(dxf(polyline(vertices, flags=4)))
     assert_array_equal(rows(drawing), [[0, 0, 5, 5, 0], [5, 5, 10, 0, 0]])
 
 
-def test_3d_polyline_on_one_height_is_laid_flat():
+def test_3d_polyline_on_one_height_is_laid_flat() -> None:
     flat = [(0, 0, (30, 3), (70, 32)), (5, 0, (30, 3), (70, 32))]
     text = polyline(flat, flags=8).replace("30\n0\n30\n3", "30\n3")
     drawing = read(dxf(text))
@@ -216,7 +223,7 @@ def test_3d_polyline_on_one_height_is_laid_flat():
     assert only(drawing) == "kept: laid flat from z = 3"
 
 
-def test_ellipse_is_fitted_within_a_hundredth_and_says_so():
+def test_ellipse_is_fitted_within_a_hundredth_and_says_so() -> None:
     text = entity("ELLIPSE", (10, 0), (20, 0), (11, 50), (21, 0), (31, 0), (40, 0.5))
     drawing = read(dxf(text + "41\n0\n42\n6.283185307179586\n"))
     walk = np.concatenate(
@@ -236,14 +243,14 @@ def test_ellipse_is_fitted_within_a_hundredth_and_says_so():
     )
 
 
-def test_half_ellipse_at_minus_z_runs_the_other_way():
+def test_half_ellipse_at_minus_z_runs_the_other_way() -> None:
     head = ((10, 0), (20, 0), (11, 50), (21, 0), (31, 0), (40, 0.5), (41, 0), (42, math.pi))
     up, down = read(dxf(entity("ELLIPSE", *head))), read(dxf(entity("ELLIPSE", *head, *DOWN)))
     assert_allclose(up.bounds, [-50, 0, 50, 25], atol=0.011)
     assert_allclose(down.bounds, [-50, -25, 50, 0], atol=0.011)
 
 
-def test_cubic_spline_ends_where_its_control_points_end():
+def test_cubic_spline_ends_where_its_control_points_end() -> None:
     control = [(0, 0, 0), (0, 50, 0), (100, 50, 0), (100, 0, 0)]
     drawing = read(dxf(spline(3, [0, 0, 0, 0, 1, 1, 1, 1], control), version="AC1015"))
     assert_array_equal(drawing.ends[0, 0], [0, 0])
@@ -252,7 +259,7 @@ def test_cubic_spline_ends_where_its_control_points_end():
     assert_allclose(drawing.bounds, [0, 0, 100, 37.5], atol=0.011)
 
 
-def test_spline_through_fit_points_passes_them():
+def test_spline_through_fit_points_passes_them() -> None:
     points = [(0, 0), (30, 20), (60, 0)]
     body = []
     for x, y in points:
@@ -268,13 +275,13 @@ def test_spline_through_fit_points_passes_them():
         assert np.hypot(*(joints - (x, y)).T).min() < 0.5
 
 
-def test_spline_in_space_is_dropped():
+def test_spline_in_space_is_dropped() -> None:
     control = [(0, 0, 0), (0, 50, 0), (100, 50, 9), (100, 0, 0)]
     drawing = read(dxf(spline(3, [0, 0, 0, 0, 1, 1, 1, 1], control), version="AC1015"))
     assert only(drawing, Fate.DROPPED) == "it is not flat: z goes from 0 to 9"
 
 
-def test_spline_with_too_few_knots_is_dropped():
+def test_spline_with_too_few_knots_is_dropped() -> None:
     control = [(0, 0, 0), (0, 50, 0), (100, 50, 0), (100, 0, 0)]
     drawing = read(dxf(spline(3, [0, 0, 1], control), version="AC1015"))
     assert only(drawing, Fate.DROPPED).startswith("it is damaged")
@@ -296,7 +303,9 @@ def test_spline_with_too_few_knots_is_dropped():
     ],
     ids=["end", "centre", "radius", "angle", "vertex", "bulge", "axis", "ratio", "height"],
 )
-def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(make, bad):
+def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(
+    make: Callable[..., Any], bad: str
+) -> None:
     drawing = read(dxf(make(bad), line(0, 0, 10, 0)))
     assert drawing.ledger.fate[-1] == Fate.KEPT
     assert np.isfinite(drawing.ends).all()
@@ -307,7 +316,7 @@ def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(make, bad):
         assert len(drawing) == 1
 
 
-def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure():
+def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(0, 0, 2e7, 0), line(0, 0, 10, 0)))
     assert drawing.ledger.reason == ("a coordinate is 2e+07; the limit is 1e+07", "kept")
 
@@ -324,14 +333,14 @@ def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure():
         ("NONSENSE", "NONSENSE is not a kind of line that is read"),
     ],
 )
-def test_what_is_no_line_is_dropped_with_the_reason(kind, reason):
+def test_what_is_no_line_is_dropped_with_the_reason(kind: str, reason: str) -> None:
     text = entity(kind, (10, 1), (20, 1), (11, 5), (21, 0), (12, 3), (22, 3), (13, 0), (23, 0))
     drawing = read(dxf(text, line(0, 0, 1, 0)))
     assert drawing.ledger.kind == (kind, "LINE")
     assert drawing.ledger.reason == (reason, "kept")
 
 
-def test_every_kind_agrees_with_ezdxf_on_where_it_lies():
+def test_every_kind_agrees_with_ezdxf_on_where_it_lies() -> None:
     document = ezdxf.new("R2010")
     space = document.modelspace()
     block = document.blocks.new("PART", base_point=(3, 4))
@@ -375,7 +384,7 @@ def test_every_kind_agrees_with_ezdxf_on_where_it_lies():
     assert_allclose(drawing.bounds, [*low, *high], atol=0.02)
 
 
-def test_turned_block_in_an_unevenly_scaled_one_is_sheared():
+def test_turned_block_in_an_unevenly_scaled_one_is_sheared() -> None:
     # ezdxf cannot express this; by hand: turn by 30°, then stretch y by 3.
     inner = block("INNER", line(0, 0, 10, 0), entity("CIRCLE", (10, 0), (20, 0), (40, 5)))
     outer = block("OUTER", insert("INNER", 0, 0, (50, 30)))

@@ -38,19 +38,19 @@ def _spline(knots: list[object], degree: int = 3, points: int = 4) -> bytes:
     return dxf(entity("SPLINE", *tags, *control), version="AC1015")
 
 
-def test_nested_bomb_is_counted_and_not_expanded():
+def test_nested_bomb_is_counted_and_not_expanded() -> None:
     rows = [insert(f"B{n + 1}") * 10 for n in range(9)]
     blocks = [block(f"B{n}", row) for n, row in enumerate(rows)] + [block("B9", _LINE)]
     said = _within(1.0, dxf(insert("B0"), blocks=tuple(blocks)))
     assert "2,111,111,110 entities; the limit is 1,000,000" in said
 
 
-def test_array_of_a_thousand_million_is_counted_and_not_expanded():
+def test_array_of_a_thousand_million_is_counted_and_not_expanded() -> None:
     grid = insert("A", 0, 0, (70, 32767), (71, 32767), (44, 1.0), (45, 1.0))
     assert "1,073,676,289 entities" in _within(1.0, dxf(grid, blocks=(block("A", _LINE),)))
 
 
-def test_cyclic_blocks_are_dropped_and_the_rest_is_read():
+def test_cyclic_blocks_are_dropped_and_the_rest_is_read() -> None:
     blocks = (block("A", insert("B")), block("B", insert("A"), _LINE))
     drawing = read(dxf(insert("A"), _LINE, blocks=blocks))
     assert drawing.ledger.reason[0] == "its block 'A' contains itself"
@@ -58,7 +58,7 @@ def test_cyclic_blocks_are_dropped_and_the_rest_is_read():
 
 
 @pytest.mark.parametrize("value", ["nan", "inf", "-inf", "1e308", "-1e308", "1e400", "9e999"])
-def test_absurd_coordinates_drop_their_entity_alone(value: str):
+def test_absurd_coordinates_drop_their_entity_alone(value: str) -> None:
     bad = [line(value, 0, 5, 5), insert("A", value, 0), insert("A", 0, 0, (41, value))]
     bad.append(entity("CIRCLE", (10, 1), (20, 0), (40, value)))
     drawing = read(dxf(*bad, line(0, 0, 3, 4), blocks=(block("A", _LINE),)))
@@ -77,13 +77,13 @@ def test_absurd_coordinates_drop_their_entity_alone(value: str):
         _spline([0] * 91 + [1] * 91, degree=90, points=91),
     ],
 )
-def test_spline_with_absurd_knots_is_dropped(data: bytes):
+def test_spline_with_absurd_knots_is_dropped(data: bytes) -> None:
     drawing = read(data)
     assert len(drawing) == 0
     assert "damaged" in drawing.ledger.reason[0]
 
 
-def test_spline_through_twenty_thousand_points_is_not_solved():
+def test_spline_through_twenty_thousand_points_is_not_solved() -> None:
     tags: list[Tag] = [(100, "AcDbEntity"), (8, "0"), (100, "AcDbSpline"), (70, 8), (71, 3)]
     for n in range(20_000):
         tags += [(11, n % 77 * 3.3), (21, n % 11 * 2.2), (31, 0)]
@@ -92,22 +92,22 @@ def test_spline_through_twenty_thousand_points_is_not_solved():
     assert "goes through 20,000 points; the limit is 1,000" in read(data).ledger.reason[0]
 
 
-def test_half_a_gigabyte_is_refused_before_anything():
+def test_half_a_gigabyte_is_refused_before_anything() -> None:
     assert "the limit is 64.0 MB" in _within(0.5, bytes(500 * 10**6))
 
 
-def test_large_file_for_ezdxf_alone_is_refused():
+def test_large_file_for_ezdxf_alone_is_refused() -> None:
     data = dxf(_LINE, entity("SEQEND"))
     with pytest.raises(DrawingTooLarge, match="something in it is unusual"):
         read(data, limits=Limits(slow_bytes=len(data) - 1))
     assert len(read(dxf(_LINE), limits=Limits(slow_bytes=10))) == 1
 
 
-def test_million_entities_are_refused_unread():
+def test_million_entities_are_refused_unread() -> None:
     assert "1,000,000 entities" in _within(20.0, dxf("0\nPOINT\n" * 1_000_000))
 
 
-def test_file_cut_at_every_byte_is_read_whole_or_refused():
+def test_file_cut_at_every_byte_is_read_whole_or_refused() -> None:
     whole = dxf(_LINE, insert("A", 20), entity("TEXT", (1, "x")), blocks=(block("A", _LINE),))
     for size in range(len(whole) - 4):
         try:
@@ -129,16 +129,16 @@ def test_file_cut_at_every_byte_is_read_whole_or_refused():
         (b"{" * 100_000, "a JSON file"),
     ],
 )
-def test_what_is_no_dxf_is_refused(data: bytes, word: str):
+def test_what_is_no_dxf_is_refused(data: bytes, word: str) -> None:
     with pytest.raises(NotADrawing, match=word):
         read(data)
 
 
-def test_lone_carriage_returns_end_lines_too():
+def test_lone_carriage_returns_end_lines_too() -> None:
     assert len(read(dxf(_LINE).replace(b"\n", b"\r"))) == 1
 
 
-def test_polyline_and_spline_without_markers_are_read():
+def test_polyline_and_spline_without_markers_are_read() -> None:
     polyline = entity("LWPOLYLINE", (90, 2), (70, 0), (10, 0), (20, 0), (10, 30), (20, 40))
     spline = entity(
         "SPLINE", (70, 8), (71, 3), (72, 8), (73, 4), *((40, k) for k in [0] * 4 + [1] * 4)
@@ -192,13 +192,13 @@ _HANDLED = (
 )
 
 
-def test_file_in_which_every_part_has_a_handle_is_plain():
+def test_file_in_which_every_part_has_a_handle_is_plain() -> None:
     assert ours(_HANDLED)
     assert difference(*read_by_both(_HANDLED)) == ""
 
 
 @pytest.mark.parametrize(("last", "plain"), [("A", False), ("B", True)])
-def test_handles_far_apart_are_told_apart(last: str, plain: bool):
+def test_handles_far_apart_are_told_apart(last: str, plain: bool) -> None:
     handles = ("FFFFFFFFA", "2", "5000", f"FFFFFFFF{last}")
     data = dxf(*(line(x, 0, x, 5, (5, handle)) for x, handle in enumerate(handles)))
     assert ours(data) == plain
@@ -207,7 +207,7 @@ def test_handles_far_apart_are_told_apart(last: str, plain: bool):
 
 @pytest.mark.parametrize("number", range(0x10, 0x1E), ids="{:X}".format)
 @pytest.mark.parametrize("other", ["10C&", "0", "19", "12345678901234567890", ""])
-def test_handle_that_is_none_or_is_there_twice_is_left_to_ezdxf(number: int, other: str):
+def test_handle_that_is_none_or_is_there_twice_is_left_to_ezdxf(number: int, other: str) -> None:
     handle = f"{number:X}"
     if handle == other:
         return
@@ -231,7 +231,7 @@ def test_handle_that_is_none_or_is_there_twice_is_left_to_ezdxf(number: int, oth
         (b"0\nENDTAB\n0\nENDSEC\n", b"0\nENDSEC\n"),
     ],
 )
-def test_table_that_is_unusual_is_left_to_ezdxf(before: bytes, after: bytes):
+def test_table_that_is_unusual_is_left_to_ezdxf(before: bytes, after: bytes) -> None:
     data = _HANDLED.replace(before, after, 1)
     assert data != _HANDLED
     assert not ours(data)
@@ -265,7 +265,7 @@ def _damaged(draw: st.DrawFn) -> bytes:
 
 @settings(max_examples=250, deadline=None, suppress_health_check=list(HealthCheck))
 @given(_damaged())
-def test_damage_ends_in_a_drawing_or_a_refusal_the_same_for_both_readers(data: bytes):
+def test_damage_ends_in_a_drawing_or_a_refusal_the_same_for_both_readers(data: bytes) -> None:
     mine, judged = read_by_both(data)
     if isinstance(mine, KnifetipError) or isinstance(judged, KnifetipError):
         assert str(mine) == str(judged)

@@ -21,7 +21,7 @@ def _column(text: bytes) -> np.ndarray:
 
 
 @given(_TEXTS, st.integers(0, 40))
-def test_line_ends_at_the_next_lf_or_cr(text: bytes, first: int):
+def test_line_ends_at_the_next_lf_or_cr(text: bytes, first: int) -> None:
     first = min(first, len(text))
     found = re.compile(rb"[\r\n]").search(text, first)
     expected = found.start() if found else len(text)
@@ -41,7 +41,7 @@ def test_line_ends_at_the_next_lf_or_cr(text: bytes, first: int):
         ),
     )
 )
-def test_group_code_stands_alone_on_its_line(text: bytes):
+def test_group_code_stands_alone_on_its_line(text: bytes) -> None:
     code, after = code_at(_column(text), np.uint64(0), np.uint64(len(text)))
     found = re.compile(rb" *(\d{1,4}) *\r?\n").match(text)
     if found:
@@ -51,13 +51,13 @@ def test_group_code_stands_alone_on_its_line(text: bytes):
 
 
 @pytest.mark.parametrize("text", [b"1 2\n", b" 1 \n2", b"\n", b"   \n", b"12", b"-10\n", b"0x1\n"])
-def test_other_lines_are_no_group_codes(text: bytes):
+def test_other_lines_are_no_group_codes(text: bytes) -> None:
     code, _ = code_at(_column(text), np.uint64(0), np.uint64(len(text)))
     assert code == (1 if text == b" 1 \n2" else NO_CODE)
 
 
 @given(_TEXTS, _TEXTS, st.sampled_from([b"", b"CUT", b"behind the word"]))
-def test_words_are_the_same_wherever_they_stand(one: bytes, other: bytes, rest: bytes):
+def test_words_are_the_same_wherever_they_stand(one: bytes, other: bytes, rest: bytes) -> None:
     first, second = _column(b"before " + one + rest), _column(other)
     size = len(other)
     there = first[7 : 7 + size].tobytes()
@@ -68,7 +68,7 @@ def test_words_are_the_same_wherever_they_stand(one: bytes, other: bytes, rest: 
     assert hashed(first, 7, 7 + len(one)) == hashed(end, len(rest), len(rest) + len(one))
 
 
-def test_few_names_share_a_number():
+def test_few_names_share_a_number() -> None:
     names = [f"LAYER_{number}".encode() for number in range(2000)]
     numbers = {int(hashed(_column(name), 0, len(name))) & 0xFFFF for name in names}
     # As many as fall into different places by chance: 65,536 · (1 - e^(-2000 / 65,536)).

@@ -15,14 +15,14 @@ from numpy.testing import assert_allclose, assert_array_equal
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.intake.limits import Limits
-from knifetip.model.drawing import Fate
+from knifetip.model.drawing import Drawing, Fate
 from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line, tags
 
 #: Drawings by other hands that are refused, each with its class.
 REFUSED = {"danst0__Box-Generator/template.dxf": NotADrawing}
 
 
-def reasons(drawing):
+def reasons(drawing: Drawing) -> dict[str, str]:
     return dict(zip(drawing.ledger.handle, drawing.ledger.reason, strict=True))
 
 
@@ -46,7 +46,7 @@ def counted(data: bytes) -> Counter[str]:
 
 
 @pytest.mark.corpus
-def test_every_drawing_by_other_hands_is_read_or_refused_as_listed(corpus: Path):
+def test_every_drawing_by_other_hands_is_read_or_refused_as_listed(corpus: Path) -> None:
     files = sorted(path for path in corpus.rglob("*") if path.suffix.lower() == ".dxf")
     assert len(files) >= 99
     refused, mends = {}, []
@@ -83,7 +83,7 @@ def test_every_drawing_by_other_hands_is_read_or_refused_as_listed(corpus: Path)
 
 
 @pytest.mark.corpus
-def test_obrary_cube_has_74_lines_on_cuts_and_folds(corpus: Path):
+def test_obrary_cube_has_74_lines_on_cuts_and_folds(corpus: Path) -> None:
     folder = corpus / "Obrary__Parametric-Papercraft" / "Interchange-Files"
     drawing = read((folder / "cube.dxf").read_bytes())
     assert len(drawing) == 74
@@ -100,7 +100,7 @@ def test_obrary_cube_has_74_lines_on_cuts_and_folds(corpus: Path):
 @pytest.mark.parametrize(
     "name", ["f0200_B_300x200x150", "f0201_B_400x300x250", "f0203_B_350x250x100"]
 )
-def test_slotted_cartons_have_two_colours_on_layer_design(corpus: Path, name: str):
+def test_slotted_cartons_have_two_colours_on_layer_design(corpus: Path, name: str) -> None:
     drawing = read((corpus / "generated__bikinon__RSC-FEFCO-02xx" / f"{name}.dxf").read_bytes())
     assert drawing.layers == ("Design",)
     assert set(drawing.colour.tolist()) == {1, 2}
@@ -109,7 +109,7 @@ def test_slotted_cartons_have_two_colours_on_layer_design(corpus: Path, name: st
 
 
 @pytest.mark.corpus
-def test_inkpacking_box_has_the_layers_that_pstoedit_names_after_colours(corpus: Path):
+def test_inkpacking_box_has_the_layers_that_pstoedit_names_after_colours(corpus: Path) -> None:
     path = corpus / "generated__eridur-de__mightyscape-inkpacking" / "box_rwlf.dxf"
     drawing = read(path.read_bytes())
     assert set(drawing.layers) == {"C00-00-00-BLACK", "CFF-00-00"}
@@ -117,7 +117,7 @@ def test_inkpacking_box_has_the_layers_that_pstoedit_names_after_colours(corpus:
 
 
 @pytest.mark.corpus
-def test_binary_drawing_reads_like_an_ascii_one(corpus: Path):
+def test_binary_drawing_reads_like_an_ascii_one(corpus: Path) -> None:
     data = corpus / "mozman__ezdxf" / "integration_tests" / "data"
     drawing = read((data / "bin_dxf_r13.dxf").read_bytes())
     assert drawing.ledger.kind == ("LINE",) * 3
@@ -127,7 +127,7 @@ def test_binary_drawing_reads_like_an_ascii_one(corpus: Path):
 # ── Ledger ────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_same_line_twice_is_merged_and_names_the_survivor():
+def test_same_line_twice_is_merged_and_names_the_survivor() -> None:
     drawing = read(
         dxf(
             line(0, 0, 10, 0, (5, "2F3")),
@@ -147,20 +147,20 @@ def test_same_line_twice_is_merged_and_names_the_survivor():
     [((62, 2),), ((8, "OTHER"),), ((6, "DASHED"),), ((420, 255),)],
     ids=["colour", "layer", "linetype", "true colour"],
 )
-def test_same_line_with_another_attribute_stays(other):
+def test_same_line_with_another_attribute_stays(other: tuple[tuple[int, int | str]]) -> None:
     drawing = read(dxf(line(0, 0, 10, 0), line(0, 0, 10, 0, *other)))
     assert list(drawing.ledger.fate) == [Fate.KEPT, Fate.KEPT]
     assert len(drawing) == 2
 
 
-def test_arc_and_its_chord_and_its_mirror_are_three_lines():
+def test_arc_and_its_chord_and_its_mirror_are_three_lines() -> None:
     arc = ((10, 0), (20, 0), (40, 5), (50, 0), (51, 180))
     lower = ((10, 0), (20, 0), (40, 5), (50, 180), (51, 360))
     drawing = read(dxf(entity("ARC", *arc), entity("ARC", *lower), line(5, 0, -5, 0)))
     assert len(drawing) == 3
 
 
-def test_same_arc_drawn_back_to_front_is_merged():
+def test_same_arc_drawn_back_to_front_is_merged() -> None:
     # From east over north to west, and as a polyline from west over north to east.
     arc = entity("ARC", (10, 0), (20, 0), (40, 5), (50, 0), (51, 180))
     back = (
@@ -173,7 +173,7 @@ def test_same_arc_drawn_back_to_front_is_merged():
     assert list(drawing.ledger.fate) == [Fate.KEPT, Fate.MERGED]
 
 
-def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged():
+def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged() -> None:
     square = (
         entity("POLYLINE", (5, "A1"), (66, 1), (70, 0))
         + "".join(entity("VERTEX", (10, x), (20, y)) for x, y in [(0, 0), (10, 0), (10, 10)])
@@ -185,31 +185,31 @@ def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged():
     assert drawing.handles == ["B2", "A1"]
 
 
-def test_line_without_length_is_dropped_with_the_measure():
+def test_line_without_length_is_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(5, 5, 5, 5.0000000001), line(0, 0, 1, 0)))
     assert drawing.ledger.fate[0] == Fate.DROPPED
     assert drawing.ledger.reason[0].startswith("it has no length: 1e-10")
     assert len(drawing) == 1
 
 
-def test_entities_without_handles_are_numbered_in_the_order_of_the_file():
+def test_entities_without_handles_are_numbered_in_the_order_of_the_file() -> None:
     drawing = read(dxf(entity("TEXT", (10, 0), (20, 0), (1, "A")), line(0, 0, 1, 0)))
     assert drawing.ledger.handle == ("#1", "#2")
     assert drawing.ledger.kind == ("TEXT", "LINE")
     assert drawing.handles == ["#2"]
 
 
-def test_paper_space_is_dropped():
+def test_paper_space_is_dropped() -> None:
     drawing = read(dxf(line(0, 0, 10, 0, (67, 1)), line(0, 0, 5, 0)))
     assert drawing.ledger.reason == ("it stands in paper space", "kept")
 
 
-def test_invisible_line_is_dropped():
+def test_invisible_line_is_dropped() -> None:
     drawing = read(dxf(line(0, 0, 10, 0, (60, 1)), line(0, 0, 5, 0), version="AC1015"))
     assert drawing.ledger.reason[0] == "it is marked as invisible"
 
 
-def test_block_that_nothing_places_is_named():
+def test_block_that_nothing_places_is_named() -> None:
     drawing = read(dxf(line(0, 0, 1, 0), blocks=(block("SPARE", line(0, 0, 5, 0)),)))
     assert drawing.ledger.kind == ("LINE", "BLOCK")
     assert drawing.ledger.reason[1] == (
@@ -220,7 +220,7 @@ def test_block_that_nothing_places_is_named():
 # ── Attributes ────────────────────────────────────────────────────────────────────────────────
 
 
-def test_colour_and_linetype_by_layer_come_from_the_layer():
+def test_colour_and_linetype_by_layer_come_from_the_layer() -> None:
     drawing = read(
         dxf(
             line(0, 0, 1, 0, (8, "FOLDS")),
@@ -235,13 +235,13 @@ def test_colour_and_linetype_by_layer_come_from_the_layer():
     assert drawing.true_colour.tolist() == [-1, -1, -1]
 
 
-def test_true_colour_is_read_beside_the_index():
+def test_true_colour_is_read_beside_the_index() -> None:
     drawing = read(dxf(line(0, 0, 1, 0, (62, 1), (420, 0xFF8000)), version="AC1018"))
     assert drawing.colour.tolist() == [1]
     assert drawing.true_colour.tolist() == [0xFF8000]
 
 
-def test_layer_that_is_off_or_frozen_is_read_and_says_so():
+def test_layer_that_is_off_or_frozen_is_read_and_says_so() -> None:
     drawing = read(
         dxf(
             line(0, 0, 1, 0, (8, "OFF")),
@@ -253,7 +253,7 @@ def test_layer_that_is_off_or_frozen_is_read_and_says_so():
     assert drawing.ledger.reason == ("kept: its layer is off", "kept: its layer is frozen")
 
 
-def test_block_contents_take_layer_colour_and_linetype_of_their_insert():
+def test_block_contents_take_layer_colour_and_linetype_of_their_insert() -> None:
     part = block(
         "PART",
         line(0, 0, 1, 0),  # on layer 0: takes the layer of the INSERT, and that layer's colour
@@ -278,7 +278,7 @@ def test_block_contents_take_layer_colour_and_linetype_of_their_insert():
     assert drawing.ledger.kind == ("INSERT", "LINE", "LINE", "LINE")
 
 
-def test_by_block_outside_of_a_block_is_colour_7():
+def test_by_block_outside_of_a_block_is_colour_7() -> None:
     assert read(dxf(line(0, 0, 1, 0, (62, 0)))).colour.tolist() == [7]
 
 
@@ -291,7 +291,7 @@ def test_by_block_outside_of_a_block_is_colour_7():
         ("AC1027", "ANSI_1252", "utf-8"),
     ],
 )
-def test_layer_names_survive_the_encoding(version, page, encoding):
+def test_layer_names_survive_the_encoding(version: str, page: str | None, encoding: str) -> None:
     name = "Rillen_ä" if encoding == "cp1252" else "刀线"
     text = dxf(line(0, 0, 1, 0, (8, name)), version=version).decode()
     if page:
@@ -299,20 +299,20 @@ def test_layer_names_survive_the_encoding(version, page, encoding):
     assert read(text.encode(encoding)).layers == (name,)
 
 
-def test_letters_spelled_as_code_points_are_read():
+def test_letters_spelled_as_code_points_are_read() -> None:
     assert read(dxf(line(0, 0, 1, 0, (8, r"\U+5200\U+7EBF")))).layers == ("刀线",)
 
 
 # ── INSERT ────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_insert_moves_scales_and_turns_about_the_base_point():
+def test_insert_moves_scales_and_turns_about_the_base_point() -> None:
     part = block("PART", line(1, 1, 3, 1), base=(1, 1))
     drawing = read(dxf(insert("PART", 10, 20, (41, 2), (42, 2), (50, 90)), blocks=(part,)))
     assert_allclose(drawing.ends, [[[10, 20], [10, 24]]], atol=1e-12)
 
 
-def test_rows_and_columns_repeat_a_block_and_turn_with_it():
+def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
     part = block("PART", line(0, 0, 1, 0))
     grid = ((70, 3), (71, 2), (44, 10), (45, 100), (50, 90))
     drawing = read(dxf(insert("PART", 0, 0, *grid), blocks=(part,)))
@@ -326,7 +326,7 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it():
     assert_allclose(drawing.ledger.length, [0, 6])
 
 
-def test_mirrored_insert_turns_arcs_around():
+def test_mirrored_insert_turns_arcs_around() -> None:
     part = block("PART", entity("ARC", (10, 0), (20, 0), (40, 5), (50, 0), (51, 90)))
     drawing = read(dxf(insert("PART", 0, 0, (41, -1)), blocks=(part,)))
     assert_allclose(drawing.ends, [[[-5, 0], [0, 5]]], atol=1e-12)
@@ -346,7 +346,7 @@ def test_mirrored_insert_turns_arcs_around():
         ),
     ],
 )
-def test_insert_that_cannot_be_placed_is_dropped(text, reason):
+def test_insert_that_cannot_be_placed_is_dropped(text: str, reason: str) -> None:
     drawing = read(dxf(text, line(0, 0, 1, 0), blocks=(block("PART", line(0, 0, 1, 0)),)))
     assert drawing.ledger.reason[0] == reason
     assert len(drawing) == 1
@@ -372,25 +372,25 @@ def test_insert_that_cannot_be_placed_is_dropped(text, reason):
         (b"AutoCAD Binary DXF\r\n\x1a\x00" + bytes(range(256)), "not a DXF"),
     ],
 )
-def test_what_is_no_dxf_is_refused_with_what_it_is(data, word):
+def test_what_is_no_dxf_is_refused_with_what_it_is(data: bytes, word: str) -> None:
     with pytest.raises(NotADrawing, match=word) as caught:
         read(data)
     assert caught.value.hint
 
 
-def test_file_that_is_cut_short_is_refused():
+def test_file_that_is_cut_short_is_refused() -> None:
     whole = dxf(*(line(0, i, 10, i) for i in range(20)))
     for end in range(whole.index(b"ENTITIES"), whole.rindex(b"ENDSEC"), 7):
         with pytest.raises(NotADrawing):
             read(whole[:end])
 
 
-def test_file_without_end_mark_but_with_all_its_sections_is_read():
+def test_file_without_end_mark_but_with_all_its_sections_is_read() -> None:
     whole = dxf(line(0, 0, 10, 0))
     assert len(read(whole.removesuffix(b"0\nEOF\n"))) == 1
 
 
-def test_byte_order_mark_blank_lines_and_utf_16_are_read():
+def test_byte_order_mark_blank_lines_and_utf_16_are_read() -> None:
     whole = dxf(line(0, 0, 10, 0, (8, "CUT")))
     for data in (b"\xef\xbb\xbf" + whole, b"\n\n" + whole, whole.decode().encode("utf-16")):
         assert read(data).layers == ("CUT",)
@@ -398,19 +398,19 @@ def test_byte_order_mark_blank_lines_and_utf_16_are_read():
     assert read(whole.replace(b"\n", b"\r")).layers == ("CUT",)
 
 
-def test_file_larger_than_the_limit_is_refused_unread():
+def test_file_larger_than_the_limit_is_refused_unread() -> None:
     with pytest.raises(DrawingTooLarge, match=r"2\.0 MB; the limit is 1\.0 MB"):
         read(bytes(2 * 2**20), limits=Limits(bytes=2**20))
 
 
-def test_more_entities_than_the_limit_are_refused():
+def test_more_entities_than_the_limit_are_refused() -> None:
     many = dxf(*(line(0, i, 10, i) for i in range(11)))
     assert len(read(many, limits=Limits(entities=11))) == 11
     with pytest.raises(DrawingTooLarge, match="11 entities; the limit is 10"):
         read(many, limits=Limits(entities=10))
 
 
-def test_more_segments_than_the_limit_are_refused():
+def test_more_segments_than_the_limit_are_refused() -> None:
     many = dxf(*(entity("CIRCLE", (10, i), (20, 0), (40, 1)) for i in range(6)))
     assert len(read(many, limits=Limits(segments=12))) == 12
     with pytest.raises(DrawingTooLarge, match="more than 11 lines"):
@@ -426,20 +426,20 @@ def bomb(levels: int, columns: int) -> bytes:
     return dxf(insert(f"B{levels - 1}", 0, 0, *grid), blocks=tuple(blocks))
 
 
-def test_grids_of_grids_are_counted_before_they_are_expanded():
+def test_grids_of_grids_are_counted_before_they_are_expanded() -> None:
     began = time.process_time()
     with pytest.raises(DrawingTooLarge, match="stand for"):
         read(bomb(10, 30000))
     assert time.process_time() - began < 10.0
 
 
-def test_grid_of_an_empty_block_is_counted_too():
+def test_grid_of_an_empty_block_is_counted_too() -> None:
     grid = ((70, 32000), (71, 32000), (44, 1), (45, 1))
     with pytest.raises(DrawingTooLarge, match="1,024,000,000"):
         read(dxf(insert("VOID", 0, 0, *grid), blocks=(block("VOID"),)))
 
 
-def test_grid_of_polylines_is_counted_in_segments():
+def test_grid_of_polylines_is_counted_in_segments() -> None:
     part = block("PART", *(entity("CIRCLE", (10, i), (20, 0), (40, 1)) for i in range(10)))
     grid = ((70, 100), (71, 100), (44, 50), (45, 50))
     assert len(read(dxf(insert("PART", 0, 0, *grid), blocks=(part,)))) == 200_000
@@ -447,18 +447,18 @@ def test_grid_of_polylines_is_counted_in_segments():
         read(dxf(insert("PART", 0, 0, *grid), blocks=(part,)), limits=Limits(segments=150_000))
 
 
-def test_blocks_nested_deeper_than_the_limit_are_refused():
+def test_blocks_nested_deeper_than_the_limit_are_refused() -> None:
     assert len(read(bomb(16, 1))) == 1
     with pytest.raises(DrawingTooLarge, match="17 deep; the limit is 16"):
         read(bomb(17, 1))
 
 
-def test_two_thousand_nested_blocks_do_not_exhaust_the_stack():
+def test_two_thousand_nested_blocks_do_not_exhaust_the_stack() -> None:
     with pytest.raises(DrawingTooLarge, match="2000 deep"):
         read(bomb(2000, 1))
 
 
-def test_blocks_that_contain_themselves_are_dropped_and_named():
+def test_blocks_that_contain_themselves_are_dropped_and_named() -> None:
     blocks = (
         block("A", insert("B"), line(0, 0, 1, 0)),
         block("B", insert("A"), line(0, 0, 2, 0)),
@@ -472,14 +472,14 @@ def test_blocks_that_contain_themselves_are_dropped_and_named():
     assert reasons(drawing)["#3/#1"] == "its block 'A' contains itself"
 
 
-def test_reading_stops_when_its_time_is_up():
+def test_reading_stops_when_its_time_is_up() -> None:
     # An ellipse, since a file of plain lines is done before a clock ticks.
     data = dxf(entity("ELLIPSE", (10, 0), (20, 0), (11, 5), (21, 0), (40, 0.5)))
     with pytest.raises(DrawingTooLarge, match="takes longer than 0 s"):
         read(data, limits=Limits(seconds=0.0))
 
 
-def test_spline_of_astronomic_size_is_dropped():
+def test_spline_of_astronomic_size_is_dropped() -> None:
     body = [(70, 8), (71, 3), (72, 8), (73, 4)] + [(40, k) for k in (0, 0, 0, 0, 1, 1, 1, 1)]
     for x, y in [(0, 0), (1e300, 1), (-1e300, 1), (1, 0)]:
         body += [(10, x), (20, y), (30, 0)]
@@ -488,7 +488,7 @@ def test_spline_of_astronomic_size_is_dropped():
     assert list(drawing.ledger.fate) == [Fate.DROPPED, Fate.KEPT]
 
 
-def test_random_damage_ends_in_a_drawing_or_a_refusal():
+def test_random_damage_ends_in_a_drawing_or_a_refusal() -> None:
     part = block("PART", line(0, 0, 5, 0), entity("CIRCLE", (10, 0), (20, 0), (40, 1)))
     whole = bytearray(
         dxf(
@@ -541,7 +541,7 @@ def binary(*pairs: tuple[int, object]) -> bytes:
     return data
 
 
-def test_binary_drawing_is_read_and_its_damage_refused():
+def test_binary_drawing_is_read_and_its_damage_refused() -> None:
     whole = binary(
         (0, "SECTION"), (2, "HEADER"), (9, "$INSUNITS"), (70, 1), (0, "ENDSEC"),
         (0, "SECTION"), (2, "ENTITIES"),
@@ -556,7 +556,7 @@ def test_binary_drawing_is_read_and_its_damage_refused():
             read(whole[:end])
 
 
-def test_same_bytes_give_the_same_drawing():
+def test_same_bytes_give_the_same_drawing() -> None:
     data = dxf(line(0, 0, 10, 0), entity("CIRCLE", (10, 0), (20, 0), (40, 3)))
     first, second = read(data), read(data)
     assert first.ends.tobytes() == second.ends.tobytes()

@@ -60,7 +60,7 @@ def _drawing(data: bytes) -> Drawing | KnifetipError:
 
 
 @pytest.mark.parametrize("number", [2, 3, 7, 40])
-def test_several_runs_find_what_one_finds(in_runs, number: int):
+def test_several_runs_find_what_one_finds(in_runs, number: int) -> None:
     in_runs(1)
     assert scan._cuts(_WHOLE) == []
     one, before = scan.scan(_WHOLE), _drawing(_WHOLE)
@@ -82,7 +82,7 @@ def test_several_runs_find_what_one_finds(in_runs, number: int):
     assert difference(before, _drawing(_WHOLE)) == ""
 
 
-def test_a_run_that_ends_in_another_section_is_none(in_runs):
+def test_a_run_that_ends_in_another_section_is_none(in_runs) -> None:
     # Most of the file is blocks, or what comes after the sheet.
     lines = [line(0, 0, x, 1) for x in range(60)]
     long = dxf(insert("A"), blocks=(block("A", *lines),))
@@ -107,7 +107,7 @@ def _before_lines(data: bytes) -> list[int]:
         _CHAIN,
     ],
 )
-def test_what_is_left_open_where_a_run_ends_is_not_overlooked(in_runs, broken: str):
+def test_what_is_left_open_where_a_run_ends_is_not_overlooked(in_runs, broken: str) -> None:
     data = dxf(*_SHEET, broken, *[line(x, 0, x, 9) for x in range(30)])
     in_runs(1)
     before = _drawing(data)
@@ -117,7 +117,7 @@ def test_what_is_left_open_where_a_run_ends_is_not_overlooked(in_runs, broken: s
     assert difference(before, _drawing(data)) == ""
 
 
-def test_a_second_sheet_behind_the_first_is_seen(in_runs):
+def test_a_second_sheet_behind_the_first_is_seen(in_runs) -> None:
     data = dxf(*[line(x, 0, x, 9) for x in range(60)])
     second = b"0\nSECTION\n2\nTABLES\n0\nENDSEC\n0\nEOF\n"
     data = data.replace(b"0\nEOF\n", second)
@@ -128,7 +128,7 @@ def test_a_second_sheet_behind_the_first_is_seen(in_runs):
     assert difference(before, _drawing(data)) == ""
 
 
-def test_generated_drawings_in_runs_and_in_one(in_runs):
+def test_generated_drawings_in_runs_and_in_one(in_runs) -> None:
     tally: Counter[bool] = Counter()
 
     @settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))

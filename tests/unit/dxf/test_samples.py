@@ -72,7 +72,7 @@ def lines_of(sheet: Sheet, layer: Layer) -> F64:
     return segments(sheet, layer)[0]
 
 
-def test_the_first_cut_is_one_closed_contour_without_gaps(sheet: Sheet):
+def test_the_first_cut_is_one_closed_contour_without_gaps(sheet: Sheet) -> None:
     layer, contour = sheet[0]
     assert layer == CUT
     np.testing.assert_array_equal(contour.end, np.roll(contour.start, -1, axis=0))
@@ -82,7 +82,7 @@ def test_the_first_cut_is_one_closed_contour_without_gaps(sheet: Sheet):
     assert rings.is_ring
 
 
-def test_the_contour_encloses_everything_and_does_not_cross_itself(sheet: Sheet):
+def test_the_contour_encloses_everything_and_does_not_cross_itself(sheet: Sheet) -> None:
     _, contour = sheet[0]
     ring = shapely.line_merge(
         shapely.MultiLineString(flattened(np.stack([contour.start, contour.end], 1), contour.bulge))
@@ -93,7 +93,7 @@ def test_the_contour_encloses_everything_and_does_not_cross_itself(sheet: Sheet)
     assert all(board.buffer(1e-4).covers(line) for line in everything)
 
 
-def test_creases_and_grooves_end_on_a_cut_or_on_each_other(sheet: Sheet):
+def test_creases_and_grooves_end_on_a_cut_or_on_each_other(sheet: Sheet) -> None:
     ends, bulge = segments(sheet, CREASE, V_GROOVE)
     assert (bulge == 0).all()
     folds = [shapely.LineString(pair) for pair in ends]
@@ -105,7 +105,7 @@ def test_creases_and_grooves_end_on_a_cut_or_on_each_other(sheet: Sheet):
             assert min(cuts.distance(here), others.distance(here)) < 2e-6, point
 
 
-def test_nothing_is_drawn_twice(sheet: Sheet):
+def test_nothing_is_drawn_twice(sheet: Sheet) -> None:
     lines = flattened(*segments(sheet, CUT, CREASE, V_GROOVE))
     tree = shapely.STRtree(lines)
     for number, line in enumerate(lines):
@@ -114,17 +114,17 @@ def test_nothing_is_drawn_twice(sheet: Sheet):
                 assert line.intersection(lines[other]).length < 1e-6, (line, lines[other])
 
 
-def test_no_edge_is_shorter_than_a_millimetre_and_a_quarter(sheet: Sheet):
+def test_no_edge_is_shorter_than_a_millimetre_and_a_quarter(sheet: Sheet) -> None:
     ends, bulge = segments(sheet, CUT, CREASE, V_GROOVE)
     assert arc.length(ends[:, 0], ends[:, 1], bulge).min() > 1.25
 
 
-def test_the_contour_of_every_carton_has_true_arcs(sheet: Sheet):
+def test_the_contour_of_every_carton_has_true_arcs(sheet: Sheet) -> None:
     _, contour = sheet[0]
     assert (np.abs(contour.bulge) > 0.05).sum() >= 6
 
 
-def test_round_corners_are_smooth_where_they_join_a_side():
+def test_round_corners_are_smooth_where_they_join_a_side() -> None:
     _, contour = corrugated_tray()[0]
     begins, finishes = arc.tangents(contour.start, contour.end, contour.bulge)
     finishes = np.roll(finishes, 1, axis=0)
@@ -151,20 +151,20 @@ def level(lines: F64) -> F64:
     return np.unique(lines[np.ptp(lines[:, :, 1], axis=1) < 1e-9][:, 0, 1])
 
 
-def test_the_tuck_end_carton_has_four_panels_and_the_last_is_narrower():
+def test_the_tuck_end_carton_has_four_panels_and_the_last_is_narrower() -> None:
     sheet = tuck_end_carton(90.0, 45.0, 130.0)
     stands = upright(lines_of(sheet, CREASE))
     edge = outline(sheet).bounds[2]
     np.testing.assert_allclose(np.diff([0.0, *stands, edge]), [15.0, 90.0, 45.0, 90.0, 44.5])
 
 
-def test_the_tuck_end_cartons_dust_flaps_fold_half_a_millimetre_below_its_lids():
+def test_the_tuck_end_cartons_dust_flaps_fold_half_a_millimetre_below_its_lids() -> None:
     lies = level(lines_of(tuck_end_carton(90.0, 45.0, 130.0), CREASE))
     # Lower tuck, lower lid, lower dust flaps, upper dust flaps, upper lid, upper tuck.
     np.testing.assert_allclose(np.diff(lies), [44.5, 0.5, 129.0, 0.5, 44.5])
 
 
-def test_the_dust_flaps_do_not_meet_and_the_tuck_flaps_do_not_reach_the_other_end():
+def test_the_dust_flaps_do_not_meet_and_the_tuck_flaps_do_not_reach_the_other_end() -> None:
     sheet = tuck_end_carton(90.0, 45.0, 130.0)
     board = outline(sheet)
     side = shapely.box(105.0, -1.0, 150.0, 300.0)  # glue flap 15, front 90, side 45
@@ -176,7 +176,7 @@ def test_the_dust_flaps_do_not_meet_and_the_tuck_flaps_do_not_reach_the_other_en
     assert board.bounds[3] == pytest.approx(44.5 + 16.0 + 130.0 + 44.5 + 16.0)
 
 
-def test_the_slits_lie_on_the_line_of_the_tuck_crease_and_reach_six_millimetres_in():
+def test_the_slits_lie_on_the_line_of_the_tuck_crease_and_reach_six_millimetres_in() -> None:
     (_, _), (_, slits), (_, creases) = tuck_end_carton()
     np.testing.assert_allclose(np.hypot(*(slits.end - slits.start).T), 6.0)
     for start, end in zip(slits.start, slits.end, strict=True):
@@ -190,7 +190,7 @@ def test_the_slits_lie_on_the_line_of_the_tuck_crease_and_reach_six_millimetres_
         assert np.ptp(touching[0][:, 1]) == 0.0
 
 
-def test_the_trays_walls_leave_room_for_each_other():
+def test_the_trays_walls_leave_room_for_each_other() -> None:
     t = 3.0
     stands = upright(lines_of(corrugated_tray(280.0, 200.0, 80.0, t), CREASE))
     # Inner wall's ridge, outer wall's ridge, base, corner flap; and the same on the right.
@@ -198,7 +198,7 @@ def test_the_trays_walls_leave_room_for_each_other():
     np.testing.assert_allclose(np.diff(level(lines_of(corrugated_tray(), CREASE))), [200.0 + t])
 
 
-def test_the_trays_tabs_fit_their_slots():
+def test_the_trays_tabs_fit_their_slots() -> None:
     sheet = corrugated_tray(280.0, 200.0, 80.0, 3.0)
     slots = [
         shapely.Polygon(paths.start).bounds
@@ -217,7 +217,7 @@ def test_the_trays_tabs_fit_their_slots():
     assert free == pytest.approx(80.0 - 1.5 - 0.5 + 3.5)
 
 
-def test_the_trays_hand_holes_lie_on_each_other_when_it_is_rolled_over():
+def test_the_trays_hand_holes_lie_on_each_other_when_it_is_rolled_over() -> None:
     sheet = corrugated_tray()
     stands = upright(lines_of(sheet, CREASE))
     ridge, fold = stands[-2], stands[-1]
@@ -232,7 +232,7 @@ def test_the_trays_hand_holes_lie_on_each_other_when_it_is_rolled_over():
     assert {round(hole.y, 6) for hole in holes} == {183.0}
 
 
-def test_the_rigid_boxs_grooves_form_its_base():
+def test_the_rigid_boxs_grooves_form_its_base() -> None:
     sheet = rigid_box_blank(220.0, 150.0, 50.0, 2.0)
     grooves = lines_of(sheet, V_GROOVE)
     base = shapely.polygonize([shapely.LineString(pair) for pair in grooves]).geoms[0]
@@ -240,7 +240,7 @@ def test_the_rigid_boxs_grooves_form_its_base():
     assert len(grooves) == 4
 
 
-def test_the_rigid_boxs_short_walls_stand_between_the_long_ones():
+def test_the_rigid_boxs_short_walls_stand_between_the_long_ones() -> None:
     board = outline(rigid_box_blank(220.0, 150.0, 50.0, 2.0))
     # A cut across the short wall, 10 mm above the groove; and across the long one.
     short = board.intersection(shapely.LineString([(40.0, 0.0), (40.0, 300.0)]))
@@ -249,7 +249,7 @@ def test_the_rigid_boxs_short_walls_stand_between_the_long_ones():
     assert long.length == pytest.approx(220.0)
 
 
-def test_the_rigid_boxs_corners_are_mitred_to_the_end_of_the_groove():
+def test_the_rigid_boxs_corners_are_mitred_to_the_end_of_the_groove() -> None:
     _, contour = rigid_box_blank(220.0, 150.0, 50.0, 2.0)[0]
     ends = np.stack([contour.start, contour.end], axis=1)
     for corner in ((50.0, 50.0), (270.0, 50.0), (270.0, 200.0), (50.0, 200.0)):
@@ -261,7 +261,7 @@ def test_the_rigid_boxs_corners_are_mitred_to_the_end_of_the_groove():
 # ── as files ─────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_the_samples_are_the_same_bytes_on_every_call():
+def test_the_samples_are_the_same_bytes_on_every_call() -> None:
     assert samples() == samples()
 
 
@@ -275,7 +275,7 @@ def test_the_samples_are_the_same_bytes_on_every_call():
 )
 def test_a_sample_reads_back_classified_without_a_question(
     name: str, counts: dict[str, int], size: tuple[float, float]
-):
+) -> None:
     drawing = read(samples()[name])
     dieline = classify(drawing, load.profile("default"))
     assert drawing.unit == "mm"

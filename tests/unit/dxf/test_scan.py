@@ -17,7 +17,7 @@ def _scan(data: bytes) -> Scan:
     return found
 
 
-def test_line_gives_its_four_numbers_and_its_layer():
+def test_line_gives_its_four_numbers_and_its_layer() -> None:
     found = _scan(dxf(line(1.5, 2, -3, 4e1, (8, "CUT"))))
     assert found.entity[0, f.KIND] == f.LINE
     assert_array_equal(found.value[0, [f.X, f.Y, f.X2, f.Y2]], [1.5, 2.0, -3.0, 40.0])
@@ -25,26 +25,26 @@ def test_line_gives_its_four_numbers_and_its_layer():
     assert found.entity[0, f.ODD] == 0
 
 
-def test_polyline_gives_its_vertices_with_their_bulges():
+def test_polyline_gives_its_vertices_with_their_bulges() -> None:
     rows = entity("VERTEX", (10, 0), (20, 0), (42, 0.5)) + entity("VERTEX", (10, 5), (20, 1))
     found = _scan(dxf(entity("POLYLINE", (66, 1), (70, 1)) + rows + entity("SEQEND")))
     assert_array_equal(found.vertex, [[0.0, 0.0, 0.5], [5.0, 1.0, 0.0]])
     assert found.entity[0, [f.FIRST, f.COUNT, f.FLAGS]].tolist() == [0, 2, 1]
 
 
-def test_entities_of_a_block_name_its_row():
+def test_entities_of_a_block_name_its_row() -> None:
     found = _scan(dxf(insert("A", 7, 8), blocks=(block("A", line(0, 0, 1, 1), base=(2, 3)),)))
     assert found.entity[:, f.BLOCK].tolist() == [0, -1]
     assert_array_equal(found.base, [[2.0, 3.0]])
     assert found.names[found.entity[1, f.REFERENCE]] == b"A"
 
 
-def test_layer_table_gives_colour_and_flags():
+def test_layer_table_gives_colour_and_flags() -> None:
     found = _scan(dxf(line(0, 0, 1, 1), layers=(layer("CUT", -3, 1),)))
     assert found.layer[0, [f.LAYER_COLOUR, f.LAYER_FLAGS]].tolist() == [-3, 1]
 
 
-def test_numbers_of_many_digits_are_read_to_the_last_bit():
+def test_numbers_of_many_digits_are_read_to_the_last_bit() -> None:
     long = "12.3000000000000007105427357601001858711242675781"
     assert _scan(dxf(line(long, 0, 1, 1))).value[0, f.X] == float(long)
 
@@ -63,12 +63,12 @@ def test_numbers_of_many_digits_are_read_to_the_last_bit():
         + entity("SEQEND"),
     ],
 )
-def test_unusual_entity_is_odd_and_the_next_is_plain(text: str):
+def test_unusual_entity_is_odd_and_the_next_is_plain(text: str) -> None:
     found = _scan(dxf(text, line(0, 0, 1, 1)))
     assert found.entity[:, f.ODD].tolist() == [1, 0]
 
 
-def test_odd_entity_is_found_again_by_its_bytes():
+def test_odd_entity_is_found_again_by_its_bytes() -> None:
     data = dxf(line(0, 0, 5, 5, (30, 3.5)), line(0, 0, 1, 1))
     low, high = _scan(data).entity[0, [f.START, f.END]]
     assert data[low:high].startswith(b"0\nLINE\n")
@@ -94,13 +94,13 @@ def test_odd_entity_is_found_again_by_its_bytes():
         dxf(entity("LINE", (102, "{A"), (102, "{B"))),
     ],
 )
-def test_file_that_is_not_plain_is_left_to_ezdxf(data: bytes):
+def test_file_that_is_not_plain_is_left_to_ezdxf(data: bytes) -> None:
     assert scan(data) is None
 
 
-def test_hundred_thousand_names_are_too_many():
+def test_hundred_thousand_names_are_too_many() -> None:
     assert scan(dxf(*(line(0, 0, 1, 1, (8, f"L{n}")) for n in range(25_000)))) is None
 
 
-def test_silent_values_are_not_numbers():
+def test_silent_values_are_not_numbers() -> None:
     assert np.isnan(_scan(dxf(insert("A"))).value[0, [f.SCALE_X, f.ANGLE]]).all()

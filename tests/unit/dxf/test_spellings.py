@@ -59,7 +59,7 @@ SPELLINGS = {
 
 
 @pytest.mark.parametrize("spelling", SPELLINGS)
-def test_however_the_lines_are_written(spelling: str):
+def test_however_the_lines_are_written(spelling: str) -> None:
     data = SPELLINGS[spelling].encode()
     assert difference(*read_by_both(data)) == ""
 
@@ -67,7 +67,7 @@ def test_however_the_lines_are_written(spelling: str):
 @pytest.mark.parametrize(
     "spelling", ["lines end in CR LF", "three columns", "leading zeros", "comments within"]
 )
-def test_what_is_usual_is_read_by_our_own_reader(spelling: str):
+def test_what_is_usual_is_read_by_our_own_reader(spelling: str) -> None:
     assert ours(SPELLINGS[spelling].encode())
 
 
@@ -86,7 +86,7 @@ def test_what_is_usual_is_read_by_our_own_reader(spelling: str):
         ),
     ],
 )
-def test_however_a_number_is_written(number: str):
+def test_however_a_number_is_written(number: str) -> None:
     assert difference(*read_by_both(dxf(line(x=number), OTHER, version=MARKED))) == ""
 
 
@@ -101,12 +101,12 @@ def test_however_a_number_is_written(number: str):
         [(999, "")], [(430, "A$B")], [(1001, "X")], [(330, "1F"), (330, "1E")],
     ],
 )  # fmt: skip
-def test_whatever_an_entity_says_besides(tags: list[tuple[int, object]]):
+def test_whatever_an_entity_says_besides(tags: list[tuple[int, object]]) -> None:
     assert difference(*read_by_both(dxf(line(*tags), OTHER, version=MARKED))) == ""
 
 
 @pytest.mark.parametrize("handle", ["ab1", "0", "A2", "XYZ", "", " A1 ", "1234567890ABCDEF0"])
-def test_whatever_a_handle_is(handle: str):
+def test_whatever_a_handle_is(handle: str) -> None:
     assert difference(*read_by_both(dxf(line(handle=handle), OTHER, version=MARKED))) == ""
 
 
@@ -125,7 +125,7 @@ def test_whatever_a_handle_is(handle: str):
         ("ANSI_1252", "ascii", "\\U+5200\\U+7EBF"),
     ],
 )
-def test_whatever_code_page_layers_are_written_in(page: str, encoding: str, layer: str):
+def test_whatever_code_page_layers_are_written_in(page: str, encoding: str, layer: str) -> None:
     header = f"9\n$DWGCODEPAGE\n3\n{page}\n0\nENDSEC\n"
     text = PLAIN.replace("0\nENDSEC\n", header, 1).replace("\nCUT\n", f"\n{layer}\n", 1)
     found, judged = read_by_both(text.encode(encoding))

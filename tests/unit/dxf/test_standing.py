@@ -72,7 +72,7 @@ def stands(drawing: Drawing) -> dict[str, list[float]]:
 )
 def test_each_kind_stands_where_its_points_are(
     kind: str, marker: str, tags: tuple[Tag, ...], box: list[float]
-):
+) -> None:
     codes, values = zip(*tags, strict=True)
     assert around(kind, codes, values).tolist() == box
     data = marked(entity(kind, (100, "AcDbEntity"), (8, "0"), (100, marker), *tags))
@@ -81,14 +81,14 @@ def test_each_kind_stands_where_its_points_are(
     assert difference(*read_by_both(data)) == ""
 
 
-def test_under_an_extrusion_downwards_x_counts_to_the_left_in_planes_of_their_own():
+def test_under_an_extrusion_downwards_x_counts_to_the_left_in_planes_of_their_own() -> None:
     down: tuple[Tag, ...] = ((230, -1),)
     drawing = read(dxf(CUT, entity("SOLID", *SOLID, *down), entity("3DFACE", *SOLID, *down)))
     assert stands(drawing) == {"SOLID": [-5, 2, -1, 9], "3DFACE": [1, 2, 5, 9]}
 
 
 @pytest.mark.parametrize("cells", [(), ((70, 2), (44, 100))])
-def test_what_a_block_holds_stands_wherever_it_is_placed(cells: tuple[Tag, ...]):
+def test_what_a_block_holds_stands_wherever_it_is_placed(cells: tuple[Tag, ...]) -> None:
     held = block("B", line(0, 0, 1, 0), entity("SOLID", *SOLID), base=(1.0, 2.0))
     # Turned by 90° about its base point, twice as large: x′ = 100 − 2 (y − 2), y′ = 50 + 2 (x − 1).
     placed = insert("B", 100.0, 50.0, (41, 2), (42, 2), (50, 90), *cells)
@@ -98,7 +98,7 @@ def test_what_a_block_holds_stands_wherever_it_is_placed(cells: tuple[Tag, ...])
     assert difference(*read_by_both(data)) == ""
 
 
-def test_each_placement_has_a_row_and_a_place_of_its_own():
+def test_each_placement_has_a_row_and_a_place_of_its_own() -> None:
     held = block("B", entity("SOLID", *SOLID), line(0, 0, 1, 0), entity("POINT", (10, 9), (20, 9)))
     data = dxf(*(insert("B", x, 0.0) for x in (0.0, 100.0, 200.0)), blocks=(held,))
     rows, boxes = read(data).ledger.standing
@@ -108,7 +108,7 @@ def test_each_placement_has_a_row_and_a_place_of_its_own():
     assert difference(*read_by_both(data)) == ""
 
 
-def test_the_vertices_of_a_polyline_say_where_it_is():
+def test_the_vertices_of_a_polyline_say_where_it_is() -> None:
     vertices = (entity("VERTEX", (10, x), (20, 5)) for x in (7, 30))
     tilted = entity("POLYLINE", (66, 1), (10, 0), (20, 0), (210, 1), (220, 0), (230, 0))
     data = dxf(CUT, tilted, *vertices, entity("SEQEND"))
@@ -116,26 +116,26 @@ def test_the_vertices_of_a_polyline_say_where_it_is():
     assert difference(*read_by_both(data)) == ""
 
 
-def test_a_line_without_length_stands_at_its_ends():
+def test_a_line_without_length_stands_at_its_ends() -> None:
     assert stands(read(dxf(CUT, line(7.0, 8.0, 7.0, 8.0)))) == {"LINE": [7, 8, 7, 8]}
 
 
-def test_places_are_in_the_unit_of_the_drawing():
+def test_places_are_in_the_unit_of_the_drawing() -> None:
     data = dxf(CUT, entity("POINT", (10, 2), (20, 3)), units=1)
     assert_allclose(stands(read(data))["POINT"], [50.8, 76.2, 50.8, 76.2])
     assert stands(read(dxf(CUT, entity("POINT", (10, 2), (20, 3)), units=None)))["POINT"][0] == 2.0
 
 
 @pytest.mark.parametrize("x", ["nan", "inf", "1e308", "1e12"])
-def test_what_is_nowhere_on_a_table_has_no_place(x: str):
+def test_what_is_nowhere_on_a_table_has_no_place(x: str) -> None:
     assert stands(read(dxf(CUT, entity("POINT", (10, x), (20, 3))))) == {}
 
 
-def test_the_sheet_knows_no_place_on_paper():
+def test_the_sheet_knows_no_place_on_paper() -> None:
     assert stands(read(dxf(CUT, entity("POINT", (67, 1), (10, 2), (20, 3))))) == {}
 
 
-def test_numbers_of_many_digits_are_read_as_python_reads_them():
+def test_numbers_of_many_digits_are_read_as_python_reads_them() -> None:
     x = "0.1000000000000000055511151231257827"
     data = f"0\nPOINT\n8\n0\n10\n{x}\n20\n5\n".encode()
     found = around_each(data, ["POINT"], np.array([0]), np.array([[0, len(data)]]))

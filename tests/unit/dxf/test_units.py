@@ -15,7 +15,7 @@ from tests.support.writers.dxf_text import dxf, line
     ("code", "unit", "millimetres"),
     [(1, "in", 25.4), (2, "ft", 304.8), (4, "mm", 1.0), (5, "cm", 10.0), (6, "m", 1000.0)],
 )
-def test_header_gives_the_unit(code, unit, millimetres):
+def test_header_gives_the_unit(code: int, unit: str, millimetres: float) -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=code))
     assert (drawing.unit, drawing.stated) == (unit, unit)
     assert drawing.evidence == f"$INSUNITS = {code}"
@@ -24,7 +24,7 @@ def test_header_gives_the_unit(code, unit, millimetres):
 
 
 @pytest.mark.parametrize("version", ["AC1006", "AC1009", "AC1015", "AC1027"])
-def test_silent_header_gives_no_unit_whatever_the_version(version):
+def test_silent_header_gives_no_unit_whatever_the_version(version: str) -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=None, version=version))
     assert (drawing.unit, drawing.evidence) == ("", "the file has no $INSUNITS")
     assert_array_equal(drawing.ends[0], [[0, 0], [2, 0]])
@@ -41,17 +41,19 @@ def test_silent_header_gives_no_unit_whatever_the_version(version):
         ("1E999", "$INSUNITS = '1E999' is no number"),
     ],
 )
-def test_header_that_says_nothing_useful_gives_no_unit_and_the_reason(written, evidence):
+def test_header_that_says_nothing_useful_gives_no_unit_and_the_reason(
+    written: str, evidence: str
+) -> None:
     assert stated({"$INSUNITS": written}) == ("", evidence)
 
 
-def test_unit_of_the_caller_stands_above_the_header_which_is_kept():
+def test_unit_of_the_caller_stands_above_the_header_which_is_kept() -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=4), "in")
     assert (drawing.unit, drawing.evidence, drawing.stated) == ("in", "given", "mm")
     assert_array_equal(drawing.ends[0], [[0, 0], [50.8, 0]])
 
 
-def test_unknown_unit_is_refused_with_the_known_ones():
+def test_unknown_unit_is_refused_with_the_known_ones() -> None:
     with pytest.raises(UnitUnknown, match="mm, cm, m, in, ft, pt, px"):
         read(dxf(line(0, 0, 2, 0)), "furlong")
 
@@ -70,5 +72,5 @@ def test_unknown_unit_is_refused_with_the_known_ones():
         ({"$DIMLFAC": "ten", "$MEASUREMENT": "7", "$LUNITS": ""}, []),
     ],
 )
-def test_other_variables_are_hints(variables, says):
+def test_other_variables_are_hints(variables: dict[str, str], says: list[str]) -> None:
     assert [hint.says for hint in hints(variables)] == says

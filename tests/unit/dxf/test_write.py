@@ -25,7 +25,7 @@ def one(start: tuple[float, float], end: tuple[float, float], bulge: float = 0.0
     return chained(np.array([start, end], np.float64), np.array([bulge]))
 
 
-def test_the_file_is_r2010_in_millimetres_and_says_how_large_it_is():
+def test_the_file_is_r2010_in_millimetres_and_says_how_large_it_is() -> None:
     data = drawn([(CUT, one((10.0, 0.0), (0.0, 0.0), -1.0)), (FOLD, one((0.0, 0.0), (7.0, 20.0)))])
     document = ezdxf.read(io.StringIO(data.decode("utf-8")))
     assert document.dxfversion == "AC1024"
@@ -36,14 +36,14 @@ def test_the_file_is_r2010_in_millimetres_and_says_how_large_it_is():
     assert document.audit().errors == []
 
 
-def test_a_drawing_whose_corner_is_the_origin_says_so():
+def test_a_drawing_whose_corner_is_the_origin_says_so() -> None:
     data = drawn([(CUT, one((0.0, 0.0), (30.0, 40.0)))])
     document = ezdxf.read(io.StringIO(data.decode("utf-8")))
     assert tuple(document.header["$EXTMIN"]) == (0.0, 0.0, 0.0)
     assert tuple(document.header["$EXTMAX"]) == (30.0, 40.0, 0.0)
 
 
-def test_layers_keep_their_name_colour_and_linetype():
+def test_layers_keep_their_name_colour_and_linetype() -> None:
     data = drawn([(CUT, one((0, 0), (1, 0))), (FOLD, one((0, 1), (1, 1)))])
     document = ezdxf.read(io.StringIO(data.decode("utf-8")))
     told = {layer.dxf.name: (layer.dxf.color, layer.dxf.linetype) for layer in document.layers}
@@ -55,7 +55,7 @@ def test_layers_keep_their_name_colour_and_linetype():
     assert [tag.value for tag in dashes.pattern_tags.tags if tag.code == 49] == [6.0, -3.0]
 
 
-def test_one_straight_segment_is_a_line():
+def test_one_straight_segment_is_a_line() -> None:
     (line,) = entities(drawn([(CUT, one((1.0, 2.0), (3.0, -4.0)))]))
     assert line.dxftype() == "LINE"
     assert tuple(line.dxf.start) == (1.0, 2.0, 0.0)
@@ -73,7 +73,9 @@ def test_one_straight_segment_is_a_line():
         ((-5.0, 0.0), (5.0, 0.0), 1.0, (180.0, 0.0)),
     ],
 )
-def test_one_round_segment_is_a_counter_clockwise_arc(start, end, bulge, angles):
+def test_one_round_segment_is_a_counter_clockwise_arc(
+    start: tuple[float, float], end: tuple[float, float], bulge: float, angles: tuple[float, float]
+) -> None:
     (arc,) = entities(drawn([(CUT, one(start, end, bulge))]))
     assert arc.dxftype() == "ARC"
     assert arc.dxf.center.isclose((0.0, 0.0))
@@ -81,7 +83,7 @@ def test_one_round_segment_is_a_counter_clockwise_arc(start, end, bulge, angles)
     assert (arc.dxf.start_angle, arc.dxf.end_angle) == pytest.approx(angles, abs=1e-9)
 
 
-def test_more_segments_are_a_polyline_with_bulges():
+def test_more_segments_are_a_polyline_with_bulges() -> None:
     xy = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 6.0]])
     (chain,) = entities(drawn([(CUT, chained(xy, np.array([0.0, 1.0])))]))
     assert chain.dxftype() == "LWPOLYLINE"
@@ -93,14 +95,14 @@ def test_more_segments_are_a_polyline_with_bulges():
     )
 
 
-def test_a_path_that_ends_where_it_began_is_closed_without_a_second_vertex():
+def test_a_path_that_ends_where_it_began_is_closed_without_a_second_vertex() -> None:
     xy = np.array([[0.0, 0.0], [10.0, 0.0], [0.0, 6.0], [0.0, 0.0]])
     (chain,) = entities(drawn([(CUT, chained(xy, np.array([0.0, 0.0, 0.5])))]))
     assert chain.closed
     assert list(chain.get_points("xyb")) == [(0.0, 0.0, 0.0), (10.0, 0.0, 0.0), (0.0, 6.0, 0.5)]
 
 
-def test_the_same_paths_give_the_same_bytes_and_leave_no_trace_in_ezdxf():
+def test_the_same_paths_give_the_same_bytes_and_leave_no_trace_in_ezdxf() -> None:
     sheet = [(CUT, one((0.0, 0.0), (1.0, 0.0))), (CUT, one((0.0, 1.0), (1.0, 0.0), 0.3))]
     first = drawn(sheet)
     ezdxf.new()  # what other documents do in between does not matter
@@ -108,11 +110,11 @@ def test_the_same_paths_give_the_same_bytes_and_leave_no_trace_in_ezdxf():
     assert not ezdxf.options.write_fixed_meta_data_for_testing
 
 
-def test_no_paths_are_an_empty_drawing():
+def test_no_paths_are_an_empty_drawing() -> None:
     assert entities(drawn([])) == []
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_a_coordinate_that_is_no_number_is_refused(bad: float):
+def test_a_coordinate_that_is_no_number_is_refused(bad: float) -> None:
     with pytest.raises(GeometryError, match="Layer CUT has a coordinate that is not a number"):
         drawn([(CUT, one((0.0, 0.0), (bad, 1.0)))])

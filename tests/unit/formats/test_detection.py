@@ -42,7 +42,7 @@ DXF = dxf(line(0, 0, 1, 1))
         (b"Dear Sir or Madam", "dxf"),
     ],
 )
-def test_a_file_goes_to_its_reader(data: bytes, kind: str):
+def test_a_file_goes_to_its_reader(data: bytes, kind: str) -> None:
     assert format_of(data).name == kind
 
 
@@ -60,7 +60,7 @@ def test_a_file_goes_to_its_reader(data: bytes, kind: str):
         (b"\x1f\x8b", "a gzip archive"),
     ],
 )
-def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str):
+def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str) -> None:
     with pytest.raises(NotADrawing) as caught:
         format_of(data)
     assert what in caught.value.message
@@ -69,10 +69,10 @@ def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str):
 
 
 @pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG), PDF])
-def test_the_pipeline_reads_them_all(data: bytes):
+def test_the_pipeline_reads_them_all(data: bytes) -> None:
     assert len(read(data)) > 0
 
 
 @pytest.mark.parametrize("data", [CF2, SVG, PDF])
-def test_the_unit_of_the_user_stands_above_that_of_the_file(data: bytes):
+def test_the_unit_of_the_user_stands_above_that_of_the_file(data: bytes) -> None:
     assert (read(data, "in").unit, read(data, "in").evidence) == ("in", "given")

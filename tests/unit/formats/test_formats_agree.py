@@ -83,7 +83,7 @@ def types(drawing: Drawing) -> list[int]:
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_a_sample_is_the_same_as_svg(name: str):
+def test_a_sample_is_the_same_as_svg(name: str) -> None:
     drawing = pipeline.read(SAMPLES[name])
     again = pipeline.read(as_svg(drawing))
     assert_allclose(again.ends, drawing.ends, atol=1e-9)
@@ -92,7 +92,7 @@ def test_a_sample_is_the_same_as_svg(name: str):
 
 
 @pytest.mark.parametrize("name", ["tuck-end-carton.dxf", "corrugated-tray.dxf"])
-def test_a_sample_is_the_same_as_cf2(name: str):
+def test_a_sample_is_the_same_as_cf2(name: str) -> None:
     drawing = pipeline.read(SAMPLES[name])
     again = pipeline.read(as_cf2(drawing))
     assert_allclose(again.ends, drawing.ends, atol=1e-9)
@@ -101,7 +101,7 @@ def test_a_sample_is_the_same_as_cf2(name: str):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_a_sample_is_the_same_as_pdf(name: str):
+def test_a_sample_is_the_same_as_pdf(name: str) -> None:
     drawing = pipeline.read(SAMPLES[name])
     again = pipeline.read(as_pdf(drawing))
     straight, same = drawing.bulge == 0.0, again.bulge == 0.0
@@ -113,7 +113,7 @@ def test_a_sample_is_the_same_as_pdf(name: str):
 
 
 @given(st.floats(-180.0, 180.0), st.booleans(), st.floats(0.05, 20.0))
-def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(turn, mirror, scale):
+def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(turn, mirror, scale) -> None:
     drawing = pipeline.read(SAMPLES["tuck-end-carton.dxf"])
     before = f"translate(500,500) rotate({turn!r}) {'scale(-1,1)' if mirror else ''}"
     again = pipeline.read(as_svg(drawing, before, scale))

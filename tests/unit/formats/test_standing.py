@@ -40,13 +40,13 @@ def stands(drawing: Drawing) -> dict[str, list[float]]:
         ('<path id="a" d=""/>', None),
     ],
 )
-def test_of_an_svg(inside: str, box: list[float] | str | None):
+def test_of_an_svg(inside: str, box: list[float] | str | None) -> None:
     drawing = read_svg(svg('<path d="M0 0H90"/>', inside))
     expected = [20, 70, 50, 80] if box == "fill" else box
     assert stands(drawing) == ({} if expected is None else {"a": pytest.approx(expected)})
 
 
-def test_of_a_pdf():
+def test_of_a_pdf() -> None:
     drawing = read_pdf(
         pdf(
             "0 0 m 90 0 l S 20 30 10 5 re f 1 0 0 1 5 5 cm 20 30 10 5 re W n",
@@ -67,12 +67,12 @@ def test_of_a_pdf():
     assert len(found) == 6
 
 
-def test_of_a_pdf_what_fills_the_page_without_bounds_has_no_place():
+def test_of_a_pdf_what_fills_the_page_without_bounds_has_no_place() -> None:
     drawing = read_pdf(pdf("0 0 m 9 0 l S /Sh0 sh", size=(90.0 * MM, 90.0 * MM)))
     assert stands(drawing) == {"#2": pytest.approx([0.0, 0.0, 90.0, 90.0])}
 
 
-def test_of_a_cf2():
+def test_of_a_cf2() -> None:
     carton = sub("LID", cf2_text.line(0, 0, 90, 0), "T,2,1,0,3,4,0,5,4", "Rev. B")
     drawing = read_cf2(
         cf2("C,LID,100,50,90,1,1", "C,GONE,7,8,0,1,1", head=("UM", "SCALE,1,1"), subs=carton)
@@ -82,7 +82,7 @@ def test_of_a_cf2():
     assert gone == [7, 8, 7, 8]
 
 
-def test_a_box_is_around_ends_and_handles_and_of_a_line_no_more():
+def test_a_box_is_around_ends_and_handles_and_of_a_line_no_more() -> None:
     numbers = np.array([[0, 0, 4, 0, 9, 9, 9, 9], [0, 0, 4, 0, 1, 5, 3, -2]], np.float64)
     table = Table(np.array([LINE, CUBIC], np.uint8), numbers, np.array([0, 2]))
     matrix = np.array([[1, 0, 0, 1, 0, 0]] * 2 + [[0, 1, 1, 0, 10, 0]], np.float64)

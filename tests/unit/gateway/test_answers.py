@@ -10,7 +10,7 @@ from knifetip.gateway import answers
 from knifetip.gateway.controller import State
 
 
-def test_a_full_report_is_read():
+def test_a_full_report_is_read() -> None:
     report = answers.report(
         "<Run|MPos:1.000,2.000,-0.300,90.000|Bf:14,110|FS:600,1|Ln:41|WCO:0.5,0,0,0|Ov:100,100,100>"
     )
@@ -22,11 +22,11 @@ def test_a_full_report_is_read():
     assert not report.still
 
 
-def test_a_report_in_work_coordinates_is_read():
+def test_a_report_in_work_coordinates_is_read() -> None:
     assert answers.report("<Idle|WPos:1.0,2.0,3.0,4.0|F:0>").work == (1.0, 2.0, 3.0, 4.0)
 
 
-def test_an_axis_that_the_controller_does_not_have_is_zero():
+def test_an_axis_that_the_controller_does_not_have_is_zero() -> None:
     assert answers.report("<Idle|MPos:1.0,2.0,3.0>").machine == (1.0, 2.0, 3.0, 0.0)
 
 
@@ -43,7 +43,7 @@ def test_an_axis_that_the_controller_does_not_have_is_zero():
         ("Tool", State.BUSY, False),
     ],
 )
-def test_states_are_known_and_whether_anything_moves(word, state, still):
+def test_states_are_known_and_whether_anything_moves(word: str, state: State, still: bool) -> None:
     report = answers.report(f"<{word}|MPos:0,0,0,0>")
     assert (report.state, report.still) == (state, still)
 
@@ -52,17 +52,17 @@ def test_states_are_known_and_whether_anything_moves(word, state, still):
     "line",
     ["<Run|MPos:1.0,2", "Run|MPos:1>", "<Run|MPos:a,b,c>", "<Run|MPos:nan,0,0>", "<Run|Bf:>"],
 )
-def test_a_damaged_report_is_no_report(line):
+def test_a_damaged_report_is_no_report(line: str) -> None:
     assert answers.report(line) is None
 
 
 @given(st.text(max_size=60))
-def test_no_text_at_all_breaks_the_reading_of_reports(text):
+def test_no_text_at_all_breaks_the_reading_of_reports(text: str) -> None:
     report = answers.report(f"<{text}>")
     assert report is None or report.state in State
 
 
-def test_codes_have_words_and_unknown_ones_say_so():
+def test_codes_have_words_and_unknown_ones_say_so() -> None:
     assert "travel" in answers.alarm_text(2)
     assert "no feed" in answers.error_text(22)
     assert "no name" in answers.error_text(9999)

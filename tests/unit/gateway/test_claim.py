@@ -7,6 +7,7 @@ import hashlib
 import json
 from contextlib import asynccontextmanager
 from dataclasses import replace
+from pathlib import Path
 
 import httpx
 import pytest
@@ -40,7 +41,7 @@ M30
 class Office:
     """The server, as far as a gateway sees it."""
 
-    def __init__(self, program=PROGRAM, *, copies=1, lease=5.0, sha256=None, confirm=False):
+    def __init__(self, program=PROGRAM, *, copies=1, lease=5.0, sha256=None, confirm=False) -> None:
         self.program = program
         self.claim = {
             "job": "job-1",
@@ -100,7 +101,7 @@ async def table(**options):
         yield server
 
 
-async def gateway(office, server, **options):
+async def gateway(office, server, **options) -> None:
     """Work for one job."""
     async with httpx.AsyncClient(transport=httpx.MockTransport(office)) as client:
         async with asyncio.timeout(20.0):
@@ -122,7 +123,7 @@ async def gateway(office, server, **options):
             )
 
 
-async def test_a_job_is_claimed_run_and_finished():
+async def test_a_job_is_claimed_run_and_finished() -> None:
     office = Office()
     async with table() as server:
         await gateway(office, server)
@@ -144,7 +145,7 @@ async def test_a_job_is_claimed_run_and_finished():
     assert all(headers["X-Knifetip"] == "gateway" for headers in office.headers)
 
 
-async def test_positions_are_those_of_the_head_on_the_sheet():
+async def test_positions_are_those_of_the_head_on_the_sheet() -> None:
     office = Office()
     async with table(speed=5.0) as server:
         await gateway(office, server)
@@ -157,7 +158,7 @@ async def test_positions_are_those_of_the_head_on_the_sheet():
         assert (y, z, c) == pytest.approx((100.0, 0.5, 0.0), abs=0.005)
 
 
-async def test_another_program_than_the_verified_one_never_reaches_the_machine():
+async def test_another_program_than_the_verified_one_never_reaches_the_machine() -> None:
     office = Office(sha256="0" * 64)
     async with table() as server:
         await gateway(office, server)
@@ -166,7 +167,7 @@ async def test_another_program_than_the_verified_one_never_reaches_the_machine()
     assert "SHA-256" in office.finished[0]["why"]
 
 
-async def test_between_two_copies_it_waits_as_held_for_a_new_sheet():
+async def test_between_two_copies_it_waits_as_held_for_a_new_sheet() -> None:
     office = Office(copies=2)
     waits = []
 
@@ -190,7 +191,7 @@ def released(table):
     return [event.on for event in table.switched if event.output == 1][-2:] == [True, False]
 
 
-async def test_a_resume_that_comes_late_does_not_start_the_next_copy():
+async def test_a_resume_that_comes_late_does_not_start_the_next_copy() -> None:
     office = Office(copies=2)
     # Says resume to every heartbeat that is not held, and cancel in the end.
     held = []
@@ -204,7 +205,7 @@ async def test_a_resume_that_comes_late_does_not_start_the_next_copy():
     office.command = command
     async with table() as server:
 
-        async def delayed(beat):
+        async def delayed(beat) -> None:
             while not beat["held"] and not released(server.table):
                 await asyncio.sleep(0.005)
             await asyncio.sleep(0.1 if not beat["held"] else 0.0)
@@ -215,7 +216,7 @@ async def test_a_resume_that_comes_late_does_not_start_the_next_copy():
     assert office.finished[0]["outcome"] == "cancelled"
 
 
-async def test_hold_stops_the_machine_in_mid_line_and_resume_goes_on():
+async def test_hold_stops_the_machine_in_mid_line_and_resume_goes_on() -> None:
     office = Office()
     held = []
 
@@ -235,7 +236,7 @@ async def test_hold_stops_the_machine_in_mid_line_and_resume_goes_on():
     assert office.finished[0]["outcome"] == "done"
 
 
-async def test_cancel_stops_the_machine_raises_the_tool_and_says_so():
+async def test_cancel_stops_the_machine_raises_the_tool_and_says_so() -> None:
     office = Office()
     office.command = lambda beat: "cancel" if beat["line"] == 6 else "continue"
     async with table(speed=2.0) as server:
@@ -248,7 +249,9 @@ async def test_cancel_stops_the_machine_raises_the_tool_and_says_so():
     assert "line 6" in office.finished[0]["why"]
 
 
-async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_with_its_line():
+async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_with_its_line() -> (
+    None
+):
     office = Office()
 
     def command(beat):
@@ -266,7 +269,7 @@ async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_wi
     assert "the machine was stopped" in report["why"]
 
 
-async def test_without_the_server_the_machine_goes_on_for_the_lease_and_then_holds():
+async def test_without_the_server_the_machine_goes_on_for_the_lease_and_then_holds() -> None:
     office = Office(lease=0.1)
 
     def command(beat):
@@ -296,7 +299,7 @@ async def test_without_the_server_the_machine_goes_on_for_the_lease_and_then_hol
     assert office.finished[0]["outcome"] == "done"
 
 
-async def test_a_failure_of_the_controller_interrupts_with_its_words():
+async def test_a_failure_of_the_controller_interrupts_with_its_words() -> None:
     office = Office()
     async with table(faults=Faults(disconnect=11)) as server:
         await gateway(office, server)
@@ -304,7 +307,7 @@ async def test_a_failure_of_the_controller_interrupts_with_its_words():
     assert "is lost" in office.finished[0]["why"]
 
 
-async def test_a_table_that_is_switched_off_takes_no_job():
+async def test_a_table_that_is_switched_off_takes_no_job() -> None:
     office = Office()
     calls = []
 
@@ -321,7 +324,7 @@ async def test_a_table_that_is_switched_off_takes_no_job():
     assert office.finished[0]["outcome"] == "done"
 
 
-async def test_how_it_ended_is_told_until_it_is_heard():
+async def test_how_it_ended_is_told_until_it_is_heard() -> None:
     office = Office()
     office.deaf = 2
     async with table(speed=100.0) as server:
@@ -329,7 +332,7 @@ async def test_how_it_ended_is_told_until_it_is_heard():
     assert len(office.finished) == 1
 
 
-async def test_switching_the_gateway_off_stops_the_machine_and_says_so():
+async def test_switching_the_gateway_off_stops_the_machine_and_says_so() -> None:
     office = Office()
     async with table(speed=0.5) as server:
         working = asyncio.create_task(gateway(office, server))
@@ -348,7 +351,7 @@ async def test_switching_the_gateway_off_stops_the_machine_and_says_so():
     assert office.finished[0]["line"] == 6
 
 
-async def test_the_journal_has_every_step_and_an_end(tmp_path):
+async def test_the_journal_has_every_step_and_an_end(tmp_path: Path) -> None:
     office = Office()
     path = tmp_path / "journal"
     async with table() as server:
@@ -361,7 +364,7 @@ async def test_the_journal_has_every_step_and_an_end(tmp_path):
     assert executed[-1] == 11
 
 
-async def test_a_job_cut_off_by_the_power_is_told_at_the_next_start(tmp_path):
+async def test_a_job_cut_off_by_the_power_is_told_at_the_next_start(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40)
@@ -379,7 +382,7 @@ async def test_a_job_cut_off_by_the_power_is_told_at_the_next_start(tmp_path):
 # The operator starts
 
 
-async def test_nothing_is_sent_to_the_machine_before_the_start():
+async def test_nothing_is_sent_to_the_machine_before_the_start() -> None:
     office = Office(confirm=True)
     waits = []
     async with table() as server:
@@ -397,7 +400,7 @@ async def test_nothing_is_sent_to_the_machine_before_the_start():
     assert office.finished[0]["outcome"] == "done"
 
 
-async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine():
+async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine() -> None:
     office = Office(confirm=True)
 
     def command(beat):
@@ -413,7 +416,7 @@ async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine():
     assert office.finished[0]["line"] == 0
 
 
-async def test_a_table_that_is_jogged_gives_a_waiting_job_back():
+async def test_a_table_that_is_jogged_gives_a_waiting_job_back() -> None:
     office = Office(confirm=True)
     office.command = lambda _: "wait" if len(office.beats) < 500 else "start"
     async with table() as server:
@@ -439,7 +442,7 @@ async def test_a_table_that_is_jogged_gives_a_waiting_job_back():
     assert "not idle: it reports jog" in report["why"]
 
 
-async def test_a_controller_that_fails_while_a_job_waits_gives_it_back():
+async def test_a_controller_that_fails_while_a_job_waits_gives_it_back() -> None:
     office = Office(confirm=True)
     async with table() as server:
 
@@ -456,7 +459,7 @@ async def test_a_controller_that_fails_while_a_job_waits_gives_it_back():
     assert "was reset" in report["why"]
 
 
-async def test_a_gateway_that_is_switched_off_while_it_waits_gives_its_claim_back():
+async def test_a_gateway_that_is_switched_off_while_it_waits_gives_its_claim_back() -> None:
     office = Office(confirm=True)
     office.command = lambda _: "wait"
     async with table() as server:
@@ -474,7 +477,9 @@ async def test_a_gateway_that_is_switched_off_while_it_waits_gives_its_claim_bac
 # What the journal proves
 
 
-async def test_a_job_that_was_cut_to_its_end_is_reported_done_at_the_next_start(tmp_path):
+async def test_a_job_that_was_cut_to_its_end_is_reported_done_at_the_next_start(
+    tmp_path: Path,
+) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40, copies=2)
@@ -490,7 +495,7 @@ async def test_a_job_that_was_cut_to_its_end_is_reported_done_at_the_next_start(
     assert second["job"] == "job-1"
 
 
-async def test_a_job_of_which_a_copy_is_missing_is_not_reported_done(tmp_path):
+async def test_a_job_of_which_a_copy_is_missing_is_not_reported_done(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40, copies=2)
@@ -503,7 +508,7 @@ async def test_a_job_of_which_a_copy_is_missing_is_not_reported_done(tmp_path):
     assert (first["outcome"], first["line"], first["copies_done"]) == ("interrupted", 0, 1)
 
 
-async def test_an_outcome_that_was_not_heard_is_reported_in_its_own_words(tmp_path):
+async def test_an_outcome_that_was_not_heard_is_reported_in_its_own_words(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40)
@@ -516,7 +521,9 @@ async def test_an_outcome_that_was_not_heard_is_reported_in_its_own_words(tmp_pa
     assert (first["outcome"], first["why"], first["line"]) == ("interrupted", "A belt tore.", 17)
 
 
-async def test_the_journal_records_each_copy_and_the_outcome_before_the_report(tmp_path):
+async def test_the_journal_records_each_copy_and_the_outcome_before_the_report(
+    tmp_path: Path,
+) -> None:
     office = Office(copies=2)
     office.command = lambda beat: "resume" if beat["held"] else "continue"
     path = tmp_path / "journal"
@@ -529,8 +536,8 @@ async def test_the_journal_records_each_copy_and_the_outcome_before_the_report(t
 
 
 async def test_a_withdrawal_after_the_last_line_does_not_make_a_finished_cut_interrupted(
-    monkeypatch,
-):
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     office = Office()
 
     async def stream(*_args, **_options):

@@ -15,11 +15,13 @@ PROGRAM = b"G21 G90\nG0 Z20\nG0 X100 Y100\nG1 Z-1 F600\nG1 X200\nG3 X200 Y120 J1
 START = Status(State.IDLE, (0.0, 0.0, 20.0, 0.0), 40, True, sent=40)
 
 
-def report(x, y, z, *, sent=7, answered=7, state=State.RUN, located=True):
+def report(
+    x: float, y: float, z: float, *, sent=7, answered=7, state=State.RUN, located=True
+) -> Status:
     return Status(state, (x, y, z, 0.0), 40 + answered, False, sent=40 + sent, located=located)
 
 
-def verdict(corridor, status, reports=REPORTS):
+def verdict(corridor: Corridor, status: Status, reports=REPORTS) -> ControllerError | None:
     """Return what came of so many reports of one position."""
     for _ in range(reports - 1):
         assert corridor.observe(status) is None
@@ -30,18 +32,20 @@ def verdict(corridor, status, reports=REPORTS):
     "place",
     [(0, 0, 20), (50, 50, 20), (100, 100, 5), (150, 100.4, -1), (210, 110, -1), (150, 120, -1)],
 )
-def test_a_position_on_any_move_that_was_sent_is_right(place):
+def test_a_position_on_any_move_that_was_sent_is_right(place: tuple[int, float, int]) -> None:
     assert verdict(Corridor(PROGRAM, START, 15), report(*place)) is None
 
 
 @pytest.mark.parametrize("place", [(50, 51, 20), (150, 100.6, -1), (205, 105, -1), (150, 100, 0)])
-def test_a_position_off_the_path_is_a_fault_after_three_reports(place):
+def test_a_position_off_the_path_is_a_fault_after_three_reports(
+    place: tuple[int, float, int],
+) -> None:
     error = verdict(Corridor(PROGRAM, START, 15), report(*place))
     assert "off the program's path near line" in error.message
     assert "home the machine" in error.hint
 
 
-def test_a_single_wrong_report_is_borne_and_another_one_is_wanted_at_once():
+def test_a_single_wrong_report_is_borne_and_another_one_is_wanted_at_once() -> None:
     corridor = Corridor(PROGRAM, START, 15)
     for _ in range(5):
         assert corridor.observe(report(900, 0, 20)) is None
@@ -51,12 +55,12 @@ def test_a_single_wrong_report_is_borne_and_another_one_is_wanted_at_once():
         assert not corridor.doubtful
 
 
-def test_a_move_that_was_not_sent_yet_is_off_the_path():
+def test_a_move_that_was_not_sent_yet_is_off_the_path() -> None:
     assert verdict(Corridor(PROGRAM, START, 15), report(150, 120, -1, sent=6, answered=6))
     assert verdict(Corridor(PROGRAM, START, 15), report(150, 120, -1)) is None
 
 
-def test_a_move_that_must_be_done_is_off_the_path():
+def test_a_move_that_must_be_done_is_off_the_path() -> None:
     rows = b"".join(b"G1 X%d Y%d F900\n" % (100 * (row % 2), row) for row in range(200))
     corridor = Corridor(rows, START, 4)
     # Of 150 answered, 4 can be in the planner; some are kept for answers too many.
@@ -72,28 +76,28 @@ def test_a_move_that_must_be_done_is_off_the_path():
     [PROGRAM.replace(b"G1 Z-1", b"G53 G1 Z-1"), PROGRAM.replace(b"G1 Z-1", b"G43 H1\nG1 Z-1")],
     ids=["machine coordinates", "unknown word"],
 )
-def test_a_program_that_cannot_be_followed_is_not_judged(program):
+def test_a_program_that_cannot_be_followed_is_not_judged(program: bytes) -> None:
     assert verdict(Corridor(program, START, 15), report(900, 900, 20)) is None
 
 
-def test_positions_without_a_known_work_offset_are_not_judged():
+def test_positions_without_a_known_work_offset_are_not_judged() -> None:
     corridor = Corridor(PROGRAM, START, 15)
     assert verdict(corridor, report(900, 900, 20, located=False)) is None
 
 
 @pytest.mark.parametrize("state", [State.CHECK, State.ALARM, State.JOG])
-def test_only_a_machine_that_carries_out_the_program_is_judged(state):
+def test_only_a_machine_that_carries_out_the_program_is_judged(state: State) -> None:
     assert verdict(Corridor(PROGRAM, START, 15), report(900, 900, 20, state=state)) is None
 
 
-def test_at_rest_the_position_is_the_end_of_the_last_line():
+def test_at_rest_the_position_is_the_end_of_the_last_line() -> None:
     corridor = Corridor(PROGRAM, START, 15)
     corridor.check_rest(report(100, 120, -1, state=State.IDLE))
     with pytest.raises(ControllerError, match=r"10\.0 mm off .* near line 7"):
         corridor.check_rest(report(110, 120, -1, state=State.IDLE))
 
 
-def test_the_distance_from_an_arc_is_that_from_its_circle_and_beyond_it_from_its_ends():
+def test_the_distance_from_an_arc_is_that_from_its_circle_and_beyond_it_from_its_ends() -> None:
     arc = Move(
         (10.0, 0.0, 0.0, 0.0), (-10.0, 0.0, 2.0, 0.0), centre=(0.0, 0.0), sweep=math.pi, rate=1.0
     )

@@ -25,79 +25,87 @@ M30
 """
 
 
-def at(x=0.0, y=0.0, z=0.0, c=0.0, *, number=0, free=None):
+def at(
+    x: float = 0.0,
+    y: float = 0.0,
+    z: float = 0.0,
+    c: float = 0.0,
+    *,
+    number: int = 0,
+    free: int | None = None,
+) -> Status:
     return Status(State.RUN, (x, y, z, c), 0, False, number, free)
 
 
-def followed(text=GROOVE):
+def followed(text: bytes = GROOVE) -> Executed:
     return Executed(text, LIMITS)
 
 
-def test_lines_come_one_by_one_with_or_without_a_last_newline():
+def test_lines_come_one_by_one_with_or_without_a_last_newline() -> None:
     assert list(lines_of(b"G0\nG1\n")) == list(lines_of(b"G0\nG1")) == [b"G0", b"G1"]
     assert list(lines_of(b"")) == []
 
 
-def test_nothing_is_executed_before_it_is_answered():
+def test_nothing_is_executed_before_it_is_answered() -> None:
     assert followed().update(at(50.0, z=1.0), 0, None) == 0
 
 
-def test_a_dwell_that_was_answered_settles_all_before_it():
+def test_a_dwell_that_was_answered_settles_all_before_it() -> None:
     follower = followed(b"M64 P2\nG1 X10 F600\nG4 P0.15\nG1 X20\n")
     assert follower.update(at(y=500.0), 2, None) == 1
     assert follower.output == 2
     assert follower.update(at(y=500.0), 3, None) == 3
 
 
-def test_the_way_out_and_the_way_back_are_told_apart_by_c():
+def test_the_way_out_and_the_way_back_are_told_apart_by_c() -> None:
     follower = followed()
     assert follower.update(at(50.0, z=1.0, c=0.0), 8, None) == 4
     assert follower.update(at(100.0, z=1.0, c=90.0), 8, None) == 5
     assert follower.update(at(50.0, z=1.0, c=180.0), 8, None) == 6
 
 
-def test_the_executed_line_never_goes_back():
+def test_the_executed_line_never_goes_back() -> None:
     follower = followed()
     follower.update(at(50.0, z=1.0, c=180.0), 8, None)
     assert follower.update(at(50.0, z=1.0, c=0.0), 8, None) == 6
 
 
-def test_a_position_off_the_path_says_nothing():
+def test_a_position_off_the_path_says_nothing() -> None:
     follower = followed()
     follower.update(at(50.0, z=1.0), 8, None)
     assert follower.update(at(50.0, y=3.0, z=1.0), 8, None) == 4
 
 
-def test_just_after_a_joint_it_is_the_next_line():
+def test_just_after_a_joint_it_is_the_next_line() -> None:
     # 0.03 mm of the way back done: nearer to the way back than to the end of the half turn.
     follower = followed()
     follower.update(at(100.0, z=1.0, c=90.0), 8, None)
     assert follower.update(at(99.97, z=1.0, c=180.0), 8, None) == 6
 
 
-def test_the_rounding_of_a_report_does_not_move_it_on():
+def test_the_rounding_of_a_report_does_not_move_it_on() -> None:
     # The second line passes nearer to the report, by half a thousandth of a millimetre.
     text = b"G1 X100 F600\nG1 X0 Y0.001\n"
     assert followed(text).update(at(50.0, 0.0005), 2, None) == 0
 
 
-def test_a_later_crossing_of_the_same_point_does_not_count():
+def test_a_later_crossing_of_the_same_point_does_not_count() -> None:
     text = b"G1 X100 F600\nG1 X100 Y10\nG1 X50\nG1 Y-10\n"
     assert followed(text).update(at(50.0, 0.001), 4, None) == 0
 
 
-def test_blocks_free_in_the_planner_say_how_much_must_be_done():
+def test_blocks_free_in_the_planner_say_how_much_must_be_done() -> None:
     # Five moves answered, 14 of 15 blocks free: one is held, one more may be in the steps.
     follower = followed()
     assert follower.update(at(y=500.0, free=14), 8, 15) == 6
 
 
-def test_a_line_number_that_is_reported_names_the_line():
+def test_a_line_number_that_is_reported_names_the_line() -> None:
     text = b"N10 G1 X10 F600\nN20 G1 X20\nN30 G1 X30\n"
     assert followed(text).update(at(y=500.0, number=30), 3, None) == 2
 
 
-def test_seconds_count_the_part_of_the_current_line():
+def test_seconds_count_the_part_of_the_current_line() -> None:
     # 100 mm at 6,000 mm/min is 1 s; G4 0.15 s; the rapid is 1 mm from rest to rest.
     follower = followed()
     follower.update(at(25.0, z=1.0), 8, None)
@@ -105,11 +113,11 @@ def test_seconds_count_the_part_of_the_current_line():
     assert follower.seconds_done == pytest.approx(0.15 + rapid + 0.25)
 
 
-def test_at_the_end_everything_is_executed():
+def test_at_the_end_everything_is_executed() -> None:
     assert followed().finish(9) == 9
 
 
-def test_memory_does_not_grow_with_the_program():
+def test_memory_does_not_grow_with_the_program() -> None:
     text = b"G21 G90\n" + b"".join(b"G1 X%d F600\n" % (row % 2) for row in range(5000))
     follower = followed(text)
     most = 0

@@ -32,7 +32,7 @@ class Wire:
 
     address = "wire"
 
-    def __init__(self, answers=None, *, state="Idle", options="[OPT:V,15,128]"):
+    def __init__(self, answers=None, *, state="Idle", options="[OPT:V,15,128]") -> None:
         self.answers = {"$I": f"{options}\nok", "$C": "ok"} | (answers or {})
         self.state = state
         self.position = "0,0,0,0"
@@ -44,13 +44,13 @@ class Wire:
         self._due = 0
         self._out = asyncio.Queue()
 
-    def say(self, text):
+    def say(self, text) -> None:
         self._out.put_nowait("".join(f"{line}\r\n" for line in text.split("\n")).encode())
 
     async def read(self):
         return await self._out.get()
 
-    async def write(self, data):
+    async def write(self, data) -> None:
         if data == b"\x18":
             self.realtime += data
             self.say(f"\n{BANNER}")
@@ -74,7 +74,7 @@ class Wire:
                 self.say("ok")
                 self._due -= len(data)
 
-    async def close(self):
+    async def close(self) -> None:
         self._out.put_nowait(b"")
 
 
@@ -88,7 +88,7 @@ async def opened(wire, *, silence=0.2, safe=None, reconnect=None):
         await controller.close()
 
 
-async def test_opening_resets_a_controller_at_rest_and_asks_for_its_buffers():
+async def test_opening_resets_a_controller_at_rest_and_asks_for_its_buffers() -> None:
     wire = Wire(options="[OPT:VNMSL,35,1024,4,0]")
     async with opened(wire) as controller:
         assert wire.realtime == b"\x18"
@@ -98,7 +98,7 @@ async def test_opening_resets_a_controller_at_rest_and_asks_for_its_buffers():
 
 
 @pytest.mark.parametrize("state", ["Run", "Hold:0", "Jog", "Home", "Door:1"])
-async def test_a_machine_that_is_busy_is_left_alone(state):
+async def test_a_machine_that_is_busy_is_left_alone(state: str) -> None:
     wire = Wire(state=state)
     with pytest.raises(ControllerError, match="is busy"):
         async with opened(wire):
@@ -107,7 +107,7 @@ async def test_a_machine_that_is_busy_is_left_alone(state):
     assert wire.lines == []
 
 
-async def test_a_machine_in_alarm_is_not_unlocked_from_here():
+async def test_a_machine_in_alarm_is_not_unlocked_from_here() -> None:
     wire = Wire(state="Alarm")
     with pytest.raises(ControllerAlarm, match="locked") as alarm:
         async with opened(wire):
@@ -116,7 +116,7 @@ async def test_a_machine_in_alarm_is_not_unlocked_from_here():
     assert "$X" not in wire.lines
 
 
-async def test_a_wire_without_a_controller_is_silent():
+async def test_a_wire_without_a_controller_is_silent() -> None:
     wire = Wire()
     wire.mute = True
     wire.say = lambda text: None
@@ -125,7 +125,7 @@ async def test_a_wire_without_a_controller_is_silent():
             pass
 
 
-async def test_characters_in_flight_never_exceed_the_buffer():
+async def test_characters_in_flight_never_exceed_the_buffer() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.obliging = False
@@ -146,14 +146,14 @@ async def test_characters_in_flight_never_exceed_the_buffer():
         assert controller.acknowledged == 10
 
 
-async def test_a_line_that_would_never_fit_is_refused_before_it_is_sent():
+async def test_a_line_that_would_never_fit_is_refused_before_it_is_sent() -> None:
     async with opened(Wire()) as controller:
         with pytest.raises(ProgramError, match="Line 3 has 127 bytes"):
             await controller.send(b"(" + b"x" * 126, 3)
 
 
 @pytest.mark.parametrize("byte", [b"!", b"~", b"?", b"\x18", b"\x85", b"\n"])
-async def test_bytes_that_a_controller_obeys_never_leave_in_a_line(byte):
+async def test_bytes_that_a_controller_obeys_never_leave_in_a_line(byte: bytes) -> None:
     wire = Wire()
     async with opened(wire) as controller:
         with pytest.raises(ProgramError, match=re.escape(f"0x{byte.hex()}")):
@@ -161,7 +161,7 @@ async def test_bytes_that_a_controller_obeys_never_leave_in_a_line(byte):
         assert wire.lines == ["$I"]
 
 
-async def test_a_refused_line_is_named_with_its_number_text_and_reason():
+async def test_a_refused_line_is_named_with_its_number_text_and_reason() -> None:
     wire = Wire({"G1 X5": "error:22"})
     async with opened(wire) as controller:
         await controller.send(b"G21", 1)
@@ -170,11 +170,11 @@ async def test_a_refused_line_is_named_with_its_number_text_and_reason():
             await controller.drain()
 
 
-async def test_check_mode_names_the_first_wrong_line_and_leaves_no_fault():
+async def test_check_mode_names_the_first_wrong_line_and_leaves_no_fault() -> None:
     wire = Wire({"G1 X5": "error:22", "G43": "error:20", "$C": "ok"})
     real = wire.write
 
-    async def write(data):
+    async def write(data) -> None:
         await real(data)
         if data == b"$C\n" and wire.lines.count("$C") == 2:
             wire.say(BANNER)
@@ -189,11 +189,11 @@ async def test_check_mode_names_the_first_wrong_line_and_leaves_no_fault():
         assert (await controller.status()).state is State.IDLE
 
 
-async def test_outputs_are_not_switched_by_the_check():
+async def test_outputs_are_not_switched_by_the_check() -> None:
     wire = Wire()
     real = wire.write
 
-    async def write(data):
+    async def write(data) -> None:
         await real(data)
         if data == b"$C\n" and wire.lines.count("$C") == 2:
             wire.say(BANNER)
@@ -204,7 +204,7 @@ async def test_outputs_are_not_switched_by_the_check():
         assert wire.lines == ["$I", "$C", "G21", "M30", "$C"]
 
 
-async def test_a_lost_answer_while_idle_is_silence_that_names_the_line():
+async def test_a_lost_answer_while_idle_is_silence_that_names_the_line() -> None:
     wire = Wire({"G1 X5": "[MSG:lost]"})
     async with opened(wire, silence=0.1) as controller:
         await controller.send(b"G21", 1)
@@ -213,7 +213,7 @@ async def test_a_lost_answer_while_idle_is_silence_that_names_the_line():
             await controller.drain()
 
 
-async def test_an_answer_may_take_as_long_as_the_machine_runs_or_holds():
+async def test_an_answer_may_take_as_long_as_the_machine_runs_or_holds() -> None:
     wire = Wire({"G1 X5": "[MSG:later]"})
     async with opened(wire, silence=0.06) as controller:
         wire.state = "Run"
@@ -224,7 +224,7 @@ async def test_an_answer_may_take_as_long_as_the_machine_runs_or_holds():
         await controller.drain()
 
 
-async def test_a_dwell_may_take_its_seconds():
+async def test_a_dwell_may_take_its_seconds() -> None:
     wire = Wire({"G4 P0.2": "[MSG:later]"})
     async with opened(wire, silence=0.06) as controller:
         await controller.send(b"G4 P0.2", 1)
@@ -232,7 +232,7 @@ async def test_a_dwell_may_take_its_seconds():
         assert controller.fault is None
 
 
-async def test_no_report_at_all_is_silence():
+async def test_no_report_at_all_is_silence() -> None:
     wire = Wire()
     async with opened(wire, silence=0.06) as controller:
         wire.mute = True
@@ -242,7 +242,7 @@ async def test_no_report_at_all_is_silence():
             await controller.drain()
 
 
-async def test_a_process_that_was_busy_does_not_call_the_controller_silent():
+async def test_a_process_that_was_busy_does_not_call_the_controller_silent() -> None:
     wire = Wire()
     async with opened(wire, silence=0.06) as controller:
         wire.state = "Run"
@@ -251,7 +251,7 @@ async def test_a_process_that_was_busy_does_not_call_the_controller_silent():
         assert controller.fault is None
 
 
-async def test_a_banner_that_nobody_asked_for_is_a_reset():
+async def test_a_banner_that_nobody_asked_for_is_a_reset() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.obliging = False
@@ -267,7 +267,7 @@ async def test_a_banner_that_nobody_asked_for_is_a_reset():
         assert wire.lines == ["$I", "G1 X5"]
 
 
-async def test_an_alarm_is_told_in_words():
+async def test_an_alarm_is_told_in_words() -> None:
     wire = Wire({"G1 X5000": "ALARM:2"})
     async with opened(wire) as controller:
         await controller.send(b"G1 X5000", 1)
@@ -275,7 +275,7 @@ async def test_an_alarm_is_told_in_words():
             await controller.drain()
 
 
-async def test_an_alarm_whose_words_were_lost_is_seen_in_the_state():
+async def test_an_alarm_whose_words_were_lost_is_seen_in_the_state() -> None:
     wire = Wire({"G1 X5": "[MSG:lost]"})
     async with opened(wire) as controller:
         await controller.send(b"G1 X5", 1)
@@ -284,7 +284,7 @@ async def test_an_alarm_whose_words_were_lost_is_seen_in_the_state():
             await controller.drain()
 
 
-async def test_an_answer_to_a_line_of_somebody_else_is_a_fault():
+async def test_an_answer_to_a_line_of_somebody_else_is_a_fault() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.say("ok")
@@ -292,7 +292,7 @@ async def test_an_answer_to_a_line_of_somebody_else_is_a_fault():
             await controller.status()
 
 
-async def test_a_lost_connection_says_which_answer_was_due():
+async def test_a_lost_connection_says_which_answer_was_due() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.obliging = False
@@ -302,7 +302,7 @@ async def test_a_lost_connection_says_which_answer_was_due():
             await controller.drain()
 
 
-async def test_noise_on_the_wire_is_passed_over():
+async def test_noise_on_the_wire_is_passed_over() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.say("\x00\xff<Run|MPos:1,2")
@@ -312,7 +312,7 @@ async def test_noise_on_the_wire_is_passed_over():
         assert controller.fault is None
 
 
-async def test_positions_are_in_the_numbers_of_the_program():
+async def test_positions_are_in_the_numbers_of_the_program() -> None:
     wire = Wire()
     wire.position = "110,220,20,90"
     async with opened(wire) as controller:
@@ -325,7 +325,7 @@ async def test_positions_are_in_the_numbers_of_the_program():
 RELEASE = ["M5", "M65 P0", "M65 P2"]
 
 
-async def test_stopping_holds_resets_raises_the_tool_and_releases_the_stations():
+async def test_stopping_holds_resets_raises_the_tool_and_releases_the_stations() -> None:
     wire = Wire()
     wire.position = "10,20,20,90"
     async with opened(wire, safe=SafeState((0, 2), 20.0)) as controller:
@@ -336,7 +336,7 @@ async def test_stopping_holds_resets_raises_the_tool_and_releases_the_stations()
         wire.obliging = True
         real = wire.write
 
-        async def write(data):
+        async def write(data) -> None:
             await real(data)
             if data == b"\x18":
                 wire.state = "Idle"
@@ -347,7 +347,7 @@ async def test_stopping_holds_resets_raises_the_tool_and_releases_the_stations()
         assert wire.lines[-4:] == ["$J=G90 G21 Z20.0000 F6000", *RELEASE]
 
 
-async def test_stopping_high_enough_does_not_lower_the_tool():
+async def test_stopping_high_enough_does_not_lower_the_tool() -> None:
     wire = Wire()
     wire.position = "10,20,30,90"
     async with opened(wire, safe=SafeState((0, 2), 20.0)) as controller:
@@ -355,14 +355,16 @@ async def test_stopping_high_enough_does_not_lower_the_tool():
         assert wire.lines == ["$I", *RELEASE, *RELEASE]
 
 
-async def test_the_takeover_raises_a_tool_that_was_left_low_and_releases_the_stations():
+async def test_the_takeover_raises_a_tool_that_was_left_low_and_releases_the_stations() -> None:
     wire = Wire()
     wire.position = "10,20,-0.3,90"
     async with opened(wire, safe=SafeState((0, 2), 20.0)):
         assert wire.lines == ["$I", "$J=G90 G21 Z20.0000 F6000", *RELEASE]
 
 
-async def test_an_output_that_the_controller_does_not_have_is_named_and_the_others_released():
+async def test_an_output_that_the_controller_does_not_have_is_named_and_the_others_released() -> (
+    None
+):
     wire = Wire({"M65 P0": "error:39"})
     wire.position = "10,20,30,90"
     with pytest.raises(ControllerRejected, match=r"refused M65 P0: a value out of range"):
@@ -372,12 +374,12 @@ async def test_an_output_that_the_controller_does_not_have_is_named_and_the_othe
 
 
 @pytest.mark.parametrize("state", ["Run", "Hold:0"])
-async def test_a_machine_that_runs_a_program_of_ours_is_stopped_at_the_takeover(state):
+async def test_a_machine_that_runs_a_program_of_ours_is_stopped_at_the_takeover(state: str) -> None:
     wire = Wire(state=state)
     wire.position = "10,20,30,90"
     real = wire.write
 
-    async def write(data):
+    async def write(data) -> None:
         await real(data)
         if data == b"\x18":
             wire.state = "Idle"
@@ -391,7 +393,7 @@ async def test_a_machine_that_runs_a_program_of_ours_is_stopped_at_the_takeover(
 
 
 @pytest.mark.parametrize("state", ["Jog", "Home", "Door:1"])
-async def test_what_a_person_does_at_the_machine_is_never_stopped_by_a_takeover(state):
+async def test_what_a_person_does_at_the_machine_is_never_stopped_by_a_takeover(state: str) -> None:
     wire = Wire(state=state)
     controller = Grbl(wire, silence=0.2, poll=0.02)
     with pytest.raises(ControllerError, match="is busy"):
@@ -400,7 +402,7 @@ async def test_what_a_person_does_at_the_machine_is_never_stopped_by_a_takeover(
     await controller.close()
 
 
-async def test_more_bytes_in_the_buffer_than_are_unanswered_is_an_answer_too_many():
+async def test_more_bytes_in_the_buffer_than_are_unanswered_is_an_answer_too_many() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.obliging = False
@@ -416,7 +418,7 @@ async def test_more_bytes_in_the_buffer_than_are_unanswered_is_an_answer_too_man
         assert "an answer was doubled" in controller.fault.message
 
 
-async def test_an_alarm_that_is_over_does_not_unlock_a_later_one():
+async def test_an_alarm_that_is_over_does_not_unlock_a_later_one() -> None:
     wire = Wire()
     async with opened(wire) as controller:
         wire.say("<Alarm|MPos:0,0,0,0>\nALARM:3")
@@ -428,7 +430,7 @@ async def test_an_alarm_that_is_over_does_not_unlock_a_later_one():
                 await asyncio.sleep(0.001)
 
 
-async def test_settling_waits_for_rest_and_for_the_answer_to_its_own_question():
+async def test_settling_waits_for_rest_and_for_the_answer_to_its_own_question() -> None:
     wire = Wire({"$G": "[GC:G0 G54]\nok"})
     async with opened(wire) as controller:
         await controller.send(b"G1 X5", 1)
@@ -436,7 +438,7 @@ async def test_settling_waits_for_rest_and_for_the_answer_to_its_own_question():
         assert wire.lines == ["$I", "G1 X5", "$G"]
 
 
-async def test_the_answer_of_another_line_to_that_question_is_an_answer_too_many():
+async def test_the_answer_of_another_line_to_that_question_is_an_answer_too_many() -> None:
     # The ok of a line that was counted as answered before, then the answer itself.
     wire = Wire({"$G": "ok\n[GC:G0 G54]"})
     async with opened(wire) as controller:
@@ -444,7 +446,7 @@ async def test_the_answer_of_another_line_to_that_question_is_an_answer_too_many
             await controller.settle()
 
 
-async def test_the_tool_s_turn_is_read_from_the_axis_that_the_controller_names():
+async def test_the_tool_s_turn_is_read_from_the_axis_that_the_controller_names() -> None:
     wire = Wire({"$I": "[OPT:V,15,128]\n[AXS:6:XYZABC]\nok"})
     async with opened(wire) as controller:
         wire.position = "1,2,3,4,5,90"

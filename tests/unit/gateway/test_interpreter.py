@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.gateway.interpreter import Interpreter, Refused, switches
+from knifetip.gateway.interpreter import Block, Interpreter, Refused, switches
 
 
-def read(*lines: bytes):
+def read(*lines: bytes) -> Block:
     """Read lines after a header in millimetres; return the last block."""
     interpreter = Interpreter()
     interpreter.read(b"G21 G90 G91.1 G17 G40 G49 G94 G54")
@@ -25,18 +25,18 @@ def code(*lines: bytes) -> int:
     return refused.value.code
 
 
-def test_words_that_are_left_out_keep_their_value():
+def test_words_that_are_left_out_keep_their_value() -> None:
     move = read(b"G0 X10 Y20 Z5", b"G1 Y30 F600").move
     assert move.start == (10.0, 20.0, 5.0, 0.0)
     assert move.end == (10.0, 30.0, 5.0, 0.0)
     assert move.rate == 600.0
 
 
-def test_feed_and_motion_are_modal():
+def test_feed_and_motion_are_modal() -> None:
     assert read(b"G1 X1 F600", b"X2").move.rate == 600.0
 
 
-def test_an_arc_turns_the_way_its_word_says():
+def test_an_arc_turns_the_way_its_word_says() -> None:
     # From (10, 0) about the origin to (0, 10): a quarter to the left, three quarters to the right.
     left = read(b"G0 X10", b"G3 X0 Y10 I-10 J0 F600").move
     right = read(b"G0 X10", b"G2 X0 Y10 I-10 J0 F600").move
@@ -45,30 +45,30 @@ def test_an_arc_turns_the_way_its_word_says():
     assert math.degrees(right.sweep) == pytest.approx(-270.0)
 
 
-def test_an_arc_that_ends_where_it_began_is_a_full_circle():
+def test_an_arc_that_ends_where_it_began_is_a_full_circle() -> None:
     assert read(b"G0 X10", b"G2 X10 Y0 I-10 F600").move.sweep == -math.tau
 
 
-def test_c_goes_with_the_arc_and_g93_is_one_over_minutes():
+def test_c_goes_with_the_arc_and_g93_is_one_over_minutes() -> None:
     move = read(b"G0 X10 C90", b"G93", b"G3 X0 Y10 C180 I-10 J0 F30").move
     assert move.at(0.5)[3] == 135.0
     assert move.minutes == pytest.approx(1.0 / 30.0)
 
 
-def test_a_is_another_name_of_the_fourth_axis():
+def test_a_is_another_name_of_the_fourth_axis() -> None:
     assert read(b"G0 A45").move.end[3] == 45.0
 
 
-def test_inches_and_relative_coordinates_are_understood():
+def test_inches_and_relative_coordinates_are_understood() -> None:
     assert read(b"G20", b"G91", b"G0 X1 C10", b"G0 X1 C10").move.end == (50.8, 0.0, 0.0, 20.0)
 
 
-def test_comments_and_blank_lines_do_nothing():
+def test_comments_and_blank_lines_do_nothing() -> None:
     for line in (b"(placement X20 Y20)", b"; words", b"", b"   ", b"%", b"(no end"):
         assert read(line).move is None
 
 
-def test_small_letters_and_blanks_inside_words_are_read():
+def test_small_letters_and_blanks_inside_words_are_read() -> None:
     assert read(b"g0 x 1 0.5").move.end[0] == 10.5
 
 
@@ -85,11 +85,11 @@ def test_small_letters_and_blanks_inside_words_are_read():
         (b"(words)", False),
     ],
 )
-def test_what_waits_for_the_motion_before_it(line, waits):
+def test_what_waits_for_the_motion_before_it(line: bytes, waits: bool) -> None:
     assert read(line).waits is waits
 
 
-def test_outputs_are_read_with_their_number():
+def test_outputs_are_read_with_their_number() -> None:
     on, off = read(b"M64 P2"), read(b"M65 P2")
     assert (on.output, on.on) == (2, True)
     assert (off.output, off.on) == (2, False)
@@ -99,7 +99,7 @@ def test_outputs_are_read_with_their_number():
     ("line", "answer"),
     [(b"M64 P1", True), (b"m65p0", True), (b"G0 X1 (M64 P1)", False), (b"G4 P0.64", False)],
 )
-def test_lines_that_switch_outputs_are_told_apart(line, answer):
+def test_lines_that_switch_outputs_are_told_apart(line: bytes, answer: bool) -> None:
     assert switches(line) is answer
 
 
@@ -128,11 +128,11 @@ def test_lines_that_switch_outputs_are_told_apart(line, answer):
         ((b"G0 X1 I5",), 36),
     ],
 )
-def test_wrong_lines_get_grbls_number(lines, expected):
+def test_wrong_lines_get_grbls_number(lines: tuple[bytes, ...], expected: int) -> None:
     assert code(*lines) == expected
 
 
-def test_a_refused_line_leaves_the_state_as_it_was():
+def test_a_refused_line_leaves_the_state_as_it_was() -> None:
     interpreter = Interpreter()
     interpreter.read(b"G1 X10 F600")
     with pytest.raises(Refused):
@@ -141,6 +141,6 @@ def test_a_refused_line_leaves_the_state_as_it_was():
 
 
 @given(st.binary(max_size=120))
-def test_no_line_at_all_breaks_the_interpreter(line):
+def test_no_line_at_all_breaks_the_interpreter(line: bytes) -> None:
     with suppress(Refused):
         assert Interpreter().read(line).dwell in (None, 0.0) or b"4" in line

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import pytest
+
 from knifetip.gateway import journal as module
 from knifetip.gateway.journal import Journal, Unfinished
 
 
-def test_a_job_that_began_and_did_not_end_is_found_with_its_line(tmp_path):
+def test_a_job_that_began_and_did_not_end_is_found_with_its_line(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("a", 1, "00", 50)
@@ -17,7 +21,7 @@ def test_a_job_that_began_and_did_not_end_is_found_with_its_line(tmp_path):
     assert Journal(path).unfinished() == Unfinished("b", 7, lines=50, line=31)
 
 
-def test_a_job_that_ended_is_not_unfinished(tmp_path):
+def test_a_job_that_ended_is_not_unfinished(tmp_path: Path) -> None:
     journal = Journal(tmp_path / "journal")
     assert journal.unfinished() is None
     journal.begin("a", 1, "00", 50)
@@ -25,7 +29,7 @@ def test_a_job_that_ended_is_not_unfinished(tmp_path):
     assert journal.unfinished() is None
 
 
-def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path):
+def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("a", 1, "00", 50)
@@ -38,7 +42,7 @@ def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path):
     assert Journal(path).unfinished() == Unfinished("a", 1, lines=50, line=12, outcome="done")
 
 
-def test_the_same_line_is_written_once(tmp_path):
+def test_the_same_line_is_written_once(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
     for _ in range(5):
@@ -46,7 +50,7 @@ def test_the_same_line_is_written_once(tmp_path):
     assert path.read_bytes().count(b"\n") == 1
 
 
-def test_a_long_journal_is_set_aside(tmp_path, monkeypatch):
+def test_a_long_journal_is_set_aside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "LONG", 100)
     path = tmp_path / "journal"
     journal = Journal(path)
@@ -57,13 +61,13 @@ def test_a_long_journal_is_set_aside(tmp_path, monkeypatch):
     assert (tmp_path / "journal.1").read_bytes().count(b"\n") == 2
 
 
-def test_without_a_path_nothing_is_kept():
+def test_without_a_path_nothing_is_kept() -> None:
     journal = Journal(None)
     journal.begin("a", 1, "00", 50)
     assert journal.unfinished() is None
 
 
-def test_copies_and_an_outcome_that_was_not_heard_are_found(tmp_path):
+def test_copies_and_an_outcome_that_was_not_heard_are_found(tmp_path: Path) -> None:
     journal = Journal(tmp_path / "journal")
     journal.begin("a", 1, "00", 50, copies=2)
     journal.line("a", 0, 50, 50)
@@ -83,7 +87,7 @@ def test_copies_and_an_outcome_that_was_not_heard_are_found(tmp_path):
     )
 
 
-def test_a_journal_of_before_copies_were_recorded_is_read(tmp_path):
+def test_a_journal_of_before_copies_were_recorded_is_read(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     path.write_text(
         '{"event": "begin", "job": "a", "epoch": 1, "sha256": "00", "lines": 50}\n'

@@ -19,7 +19,7 @@ class Machine:
 
     name = "machine"
 
-    def __init__(self, state=State.RUN, z=-0.3, last_alarm=0):
+    def __init__(self, state=State.RUN, z=-0.3, last_alarm=0) -> None:
         self.state = state
         self.z = z
         self.last_alarm = last_alarm
@@ -29,12 +29,12 @@ class Machine:
         self.unreachable = 0
         self.homing_lock = False
 
-    async def reach(self):
+    async def reach(self) -> None:
         if self.unreachable:
             self.unreachable -= 1
             raise ControllerError("lost")
 
-    async def realtime(self, byte):
+    async def realtime(self, byte) -> None:
         self.done.append(byte.decode())
         if self.state is State.RUN:
             self.state = State.HOLD
@@ -44,7 +44,7 @@ class Machine:
         still = self.state is not State.RUN and not self.slowing
         return Status(self.state, (1.0, 2.0, self.z, 0.0), 0, still)
 
-    async def reset(self):
+    async def reset(self) -> None:
         assert not self.slowing, "a reset while it moves loses steps"
         self.done.append("reset")
         if self.state is not State.ALARM:
@@ -63,28 +63,28 @@ class Machine:
         return []
 
 
-async def test_it_holds_comes_to_rest_resets_lifts_and_then_releases():
+async def test_it_holds_comes_to_rest_resets_lifts_and_then_releases() -> None:
     machine = Machine()
     status = await make_safe(machine, SAFE, 0.2)
     assert machine.done == ["!", "reset", LIFT, *RELEASE]
     assert status.position == (1.0, 2.0, 20.0, 0.0)
 
 
-async def test_a_tool_that_is_high_enough_is_not_moved():
+async def test_a_tool_that_is_high_enough_is_not_moved() -> None:
     machine = Machine(z=20.0)
     await make_safe(machine, SAFE, 0.2)
     assert machine.done == ["!", "reset", *RELEASE]
 
 
 @pytest.mark.parametrize("code", [2, 3])
-async def test_after_a_reset_while_moving_or_a_soft_limit_it_is_unlocked(code):
+async def test_after_a_reset_while_moving_or_a_soft_limit_it_is_unlocked(code: int) -> None:
     machine = Machine(State.ALARM, last_alarm=code)
     await make_safe(machine, SAFE, 0.2)
     assert machine.done == ["!", "reset", "$X", LIFT, *RELEASE]
 
 
 @pytest.mark.parametrize("code", [-1, 0, 1, 4, 10, 11, 12, 17])
-async def test_after_any_other_alarm_nothing_is_unlocked(code):
+async def test_after_any_other_alarm_nothing_is_unlocked(code: int) -> None:
     machine = Machine(State.ALARM, last_alarm=code)
     with pytest.raises(ControllerAlarm, match="stations may still be lowered") as alarm:
         await make_safe(machine, SAFE, 0.2)
@@ -92,7 +92,7 @@ async def test_after_any_other_alarm_nothing_is_unlocked(code):
     assert "raise the stations at the table" in alarm.value.hint
 
 
-async def test_a_machine_that_must_be_homed_first_stays_locked():
+async def test_a_machine_that_must_be_homed_first_stays_locked() -> None:
     machine = Machine(State.ALARM, last_alarm=3)
     machine.homing_lock = True
     with pytest.raises(ControllerAlarm, match="locked by ALARM:3"):
@@ -100,7 +100,7 @@ async def test_a_machine_that_must_be_homed_first_stays_locked():
     assert machine.done == ["!", "reset"]
 
 
-async def test_what_is_refused_is_named_and_everything_else_is_done():
+async def test_what_is_refused_is_named_and_everything_else_is_done() -> None:
     machine = Machine()
     machine.refuses = {LIFT, "M65 P0"}
     with pytest.raises(ControllerRejected, match=r"refused \$J.* refused M65 P0"):
@@ -108,7 +108,7 @@ async def test_what_is_refused_is_named_and_everything_else_is_done():
     assert machine.done == ["!", "reset", "M5", "M65 P1"]
 
 
-async def test_an_unreachable_controller_is_tried_again_and_given_up():
+async def test_an_unreachable_controller_is_tried_again_and_given_up() -> None:
     machine = Machine()
     machine.unreachable = 1
     await make_safe(machine, SAFE, 0.2)
@@ -120,7 +120,7 @@ async def test_an_unreachable_controller_is_tried_again_and_given_up():
     assert machine.done == []
 
 
-async def test_a_controller_that_reports_nothing_is_reset_all_the_same():
+async def test_a_controller_that_reports_nothing_is_reset_all_the_same() -> None:
     machine = Machine()
     machine.slowing = 0
     real = machine.report
@@ -135,6 +135,6 @@ async def test_a_controller_that_reports_nothing_is_reset_all_the_same():
     assert machine.done == ["!", "reset", LIFT, *RELEASE]
 
 
-def test_the_safe_state_of_a_machine_has_all_its_outputs_off_and_z_at_travel_height():
+def test_the_safe_state_of_a_machine_has_all_its_outputs_off_and_z_at_travel_height() -> None:
     machine = load.machine("demo-table")
     assert SafeState.of(machine) == SafeState((0, 1, 2), 20.0)

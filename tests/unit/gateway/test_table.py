@@ -14,7 +14,7 @@ MACHINE = load.machine("demo-table")
 class Bench:
     """A table whose answers are kept."""
 
-    def __init__(self, **options):
+    def __init__(self, **options) -> None:
         self.said = []
         self.table = Table(MACHINE, **options)
         self.table.answer = self.said.append
@@ -28,7 +28,7 @@ class Bench:
         return list(self.said)
 
 
-async def test_a_rapid_and_a_feed_end_where_they_should_and_take_their_time():
+async def test_a_rapid_and_a_feed_end_where_they_should_and_take_their_time() -> None:
     bench = Bench()
     assert bench.tell(b"G21 G90 G94\nG1 X500 F30000\n", elapse=10.0) == ["ok", "ok"]
     # 500 mm at 500 mm/s is 1 s, and both ramps of 500 / 8,000 s are half as fast on average.
@@ -36,7 +36,7 @@ async def test_a_rapid_and_a_feed_end_where_they_should_and_take_their_time():
     assert bench.table.position == (500.0, 0.0, 20.0, 0.0)
 
 
-async def test_the_status_report_has_four_axes_buffers_and_the_line_number():
+async def test_the_status_report_has_four_axes_buffers_and_the_line_number() -> None:
     bench = Bench()
     bench.tell(b"N7 G1 X500 F30000\nN8 G1 X0\n", elapse=0.0625)
     assert bench.tell(b"?") == [
@@ -44,14 +44,14 @@ async def test_the_status_report_has_four_axes_buffers_and_the_line_number():
     ]
 
 
-async def test_lines_are_answered_until_the_planner_is_full():
+async def test_lines_are_answered_until_the_planner_is_full() -> None:
     bench = Bench()
     lines = b"".join(b"X%d\n" % row for row in range(1, 21))
     assert bench.tell(b"G1 F600\n" + lines) == ["ok"] * 16
     assert bench.tell(b"", elapse=0.15) == ["ok"]
 
 
-async def test_bytes_that_overflow_the_buffer_are_lost_and_garble_what_follows():
+async def test_bytes_that_overflow_the_buffer_are_lost_and_garble_what_follows() -> None:
     bench = Bench()
     bench.tell(b"G1 F600\n" + b"".join(b"X%d\n" % row for row in range(1, 16)))
     bench.tell(b"X100\n" * 40)  # one is taken out, then 128 bytes fit: 25 lines and "X10"
@@ -61,14 +61,14 @@ async def test_bytes_that_overflow_the_buffer_are_lost_and_garble_what_follows()
     assert bench.tell(b"0 Y\n", elapse=500.0) == ["error:2"]
 
 
-async def test_realtime_bytes_pass_a_full_buffer():
+async def test_realtime_bytes_pass_a_full_buffer() -> None:
     bench = Bench()
     bench.tell(b"G1 F600\n" + b"".join(b"X%d\n" % row for row in range(1, 16)))
     bench.tell(b"X100\n" * 40)
     assert bench.tell(b"?")[0].startswith("<Run|")
 
 
-async def test_a_hold_decelerates_in_mid_arc_and_resume_goes_on():
+async def test_a_hold_decelerates_in_mid_arc_and_resume_goes_on() -> None:
     bench = Bench(sample=0.001)
     bench.tell(b"G0 X200\nG4 P0\n", elapse=10.0)
     bench.tell(b"G3 X0 Y200 I-200 J0 F30000\n", elapse=0.3)
@@ -86,7 +86,7 @@ async def test_a_hold_decelerates_in_mid_arc_and_resume_goes_on():
     np.testing.assert_allclose(np.hypot(on_arc[:, 1], on_arc[:, 2]), 200.0, atol=1e-9)
 
 
-async def test_outputs_act_when_they_are_read_and_oscillation_waits():
+async def test_outputs_act_when_they_are_read_and_oscillation_waits() -> None:
     bench = Bench()
     said = bench.tell(b"G1 X100 F6000\nM64 P1\nM3 S1\n", elapse=0.5)
     assert said == ["ok", "ok"]
@@ -97,7 +97,7 @@ async def test_outputs_act_when_they_are_read_and_oscillation_waits():
     assert bench.table.oscillating
 
 
-async def test_a_dwell_holds_back_its_answer_and_what_follows():
+async def test_a_dwell_holds_back_its_answer_and_what_follows() -> None:
     bench = Bench()
     assert bench.tell(b"G4 P0.5\nG0 X10\n", elapse=0.4) == []
     assert bench.table.position[0] == 0.0
@@ -105,7 +105,7 @@ async def test_a_dwell_holds_back_its_answer_and_what_follows():
     assert bench.table.position[0] == 10.0
 
 
-async def test_check_mode_reads_without_moving():
+async def test_check_mode_reads_without_moving() -> None:
     bench = Bench()
     said = bench.tell(b"$C\nG1 X100 F6000\nG1 Y\nM64 P1\nG4 P10\n$C\n", elapse=1.0)
     assert said[:6] == ["[MSG:Enabled]", "ok", "ok", "error:2", "ok", "ok"]
@@ -116,7 +116,7 @@ async def test_check_mode_reads_without_moving():
     assert bench.table.time == 0.0
 
 
-async def test_a_move_beyond_the_travel_alarms_and_locks_until_reset_and_unlock():
+async def test_a_move_beyond_the_travel_alarms_and_locks_until_reset_and_unlock() -> None:
     bench = Bench()
     assert bench.tell(b"G0 X1700.1\n") == ["ALARM:2", "[MSG:Reset to continue]"]
     assert bench.tell(b"?G0 X1\n") == []
@@ -125,13 +125,13 @@ async def test_a_move_beyond_the_travel_alarms_and_locks_until_reset_and_unlock(
     assert bench.tell(b"$X\nG0 X1\n") == ["[MSG:Caution: Unlocked]", "ok", "ok"]
 
 
-async def test_the_belly_of_an_arc_may_not_leave_the_travel_either():
+async def test_the_belly_of_an_arc_may_not_leave_the_travel_either() -> None:
     # Ends at y = 0 and 1,200; the belly of r = 600 reaches x = -600.
     bench = Bench()
     assert bench.tell(b"G2 X0 Y1200 I0 J600 F6000\n") == ["ALARM:2", "[MSG:Reset to continue]"]
 
 
-async def test_a_reset_while_moving_alarms_and_one_at_rest_does_not():
+async def test_a_reset_while_moving_alarms_and_one_at_rest_does_not() -> None:
     bench = Bench()
     assert "ALARM:3" not in bench.tell(b"\x18")
     bench.tell(b"G1 X100 F6000\n", elapse=0.5)
@@ -141,7 +141,7 @@ async def test_a_reset_while_moving_alarms_and_one_at_rest_does_not():
     assert bench.tell(b"?")[0].startswith("<Alarm|")
 
 
-async def test_a_reset_after_a_hold_keeps_the_machine_unlocked():
+async def test_a_reset_after_a_hold_keeps_the_machine_unlocked() -> None:
     bench = Bench()
     bench.tell(b"G1 X100 F6000\n", elapse=0.5)
     bench.tell(b"!", elapse=1.0)
@@ -151,7 +151,7 @@ async def test_a_reset_after_a_hold_keeps_the_machine_unlocked():
     assert bench.table.position[0] == 0.0
 
 
-async def test_jogging_moves_and_other_lines_wait_their_turn():
+async def test_jogging_moves_and_other_lines_wait_their_turn() -> None:
     bench = Bench()
     assert bench.tell(b"$J=G90 G21 Z30 F6000\n", elapse=0.01) == ["ok"]
     assert bench.tell(b"?")[0].startswith("<Jog|")
@@ -165,24 +165,24 @@ async def test_jogging_moves_and_other_lines_wait_their_turn():
 @pytest.mark.parametrize(
     ("line", "answer"), [(b"$Q\n", "error:3"), (b"$\n", "ok"), (b"$I\n", "ok"), (b"$$\n", "ok")]
 )
-async def test_commands_are_answered(line, answer):
+async def test_commands_are_answered(line: bytes, answer: str) -> None:
     assert Bench().tell(line)[-1] == answer
 
 
-async def test_homing_unlocks():
+async def test_homing_unlocks() -> None:
     bench = Bench()
     bench.tell(b"G0 X5000\n")
     bench.tell(b"\x18")
     assert bench.tell(b"$H\nG0 X10\n", elapse=5.0) == ["ok", "ok"]
 
 
-async def test_faults_count_the_lines_of_the_program_outside_check_mode():
+async def test_faults_count_the_lines_of_the_program_outside_check_mode() -> None:
     bench = Bench(faults=Faults(drop_ok=frozenset({2}), errors={3: 24}))
     assert bench.tell(b"$C\nG21\nG90\nG94\n$C\n").count("ok") == 5
     assert bench.tell(b"G21\nG90\nG94\nG17\n") == ["ok", "error:24", "ok"]
 
 
-async def test_the_reset_fault_strikes_half_way_along_its_arc():
+async def test_the_reset_fault_strikes_half_way_along_its_arc() -> None:
     bench = Bench(faults=Faults(reset_in_arc=2))
     bench.tell(b"G0 X600 Y400\nG3 X400 Y600 I-200 F30000\n", elapse=60.0)
     # About (400, 400), three quarters of a turn from 90 degrees: half way is at 225.
@@ -194,6 +194,6 @@ async def test_the_reset_fault_strikes_half_way_along_its_arc():
     assert bench.tell(b"?")[0].startswith("<Alarm|")
 
 
-async def test_a_speed_that_never_moves_is_refused():
+async def test_a_speed_that_never_moves_is_refused() -> None:
     with pytest.raises(ValueError, match="never move"):
         Table(MACHINE, speed=0.0)

@@ -12,12 +12,12 @@ from knifetip.gateway.transport import connect
 
 
 @pytest.mark.parametrize("address", ["", "table", "table:", ":23", "http://x:1", "a:b", "a:99999"])
-async def test_what_is_no_address_is_refused_with_an_example(address):
+async def test_what_is_no_address_is_refused_with_an_example(address: str) -> None:
     with pytest.raises(ControllerError, match=r"127\.0\.0\.1:2323"):
         await connect(address)
 
 
-async def test_nobody_there_is_a_controller_error():
+async def test_nobody_there_is_a_controller_error() -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         port = taken.getsockname()[1]
@@ -26,8 +26,8 @@ async def test_nobody_there_is_a_controller_error():
 
 
 @pytest.mark.parametrize("scheme", ["", "tcp://"])
-async def test_bytes_go_there_and_come_back_until_the_other_side_leaves(scheme):
-    async def echo(reader, writer):
+async def test_bytes_go_there_and_come_back_until_the_other_side_leaves(scheme: str) -> None:
+    async def echo(reader, writer) -> None:
         writer.write(await reader.read(100))
         await writer.drain()
         writer.close()

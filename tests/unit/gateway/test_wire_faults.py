@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import asyncio
 import re
+from collections.abc import Callable
 from contextlib import aclosing
+from typing import Any
 
 import pytest
 
@@ -18,6 +20,7 @@ from knifetip.errors import (
     ControllerRejected,
     ControllerReset,
     ControllerSilent,
+    KnifetipError,
 )
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl import Grbl
@@ -51,7 +54,7 @@ class Wire:
 
     address = "wire"
 
-    def __init__(self, table):
+    def __init__(self, table) -> None:
         self.table = table
         self.spoil_answer = lambda line: [line]
         self.spoil_line = lambda line: line
@@ -64,7 +67,7 @@ class Wire:
         self._out = asyncio.Queue()
         table.answer = self._answer
 
-    def _answer(self, line):
+    def _answer(self, line) -> None:
         # Its greeting ends the check; greetings before it are those of the takeover's reset.
         self._disabled = self._disabled or line == "[MSG:Disabled]"
         self.checked = self.checked or (self._disabled and line == BANNER)
@@ -73,11 +76,11 @@ class Wire:
         for part in self.spoil_answer(line):
             self.say(part + "\r\n")
 
-    def say(self, text):
+    def say(self, text) -> None:
         if self.open and not self.muted:
             self._out.put_nowait(text.encode("latin-1"))
 
-    def cut(self):
+    def cut(self) -> None:
         self.open = False
         self.table.answer = lambda line: None
         self._out.put_nowait(b"")
@@ -85,7 +88,7 @@ class Wire:
     async def read(self):
         return await self._out.get()
 
-    async def write(self, data):
+    async def write(self, data) -> None:
         if not self.open:
             return
         if data == b"?":
@@ -95,14 +98,14 @@ class Wire:
             data = self.spoil_line(data)
         self.table.receive(data)
 
-    async def close(self):
+    async def close(self) -> None:
         self.open = False
 
 
 class Bench:
     """A table, the wire to it, and a controller that streams the program."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.table = Table(MACHINE)
         self.wire = Wire(self.table)
         self.controller = Grbl(
@@ -119,7 +122,7 @@ class Bench:
         async with asyncio.timeout(30.0), aclosing(course) as steps:
             return [progress async for progress in steps][-1]
 
-    def at_answer(self, spoil, number=MIDDLE):
+    def at_answer(self, spoil, number=MIDDLE) -> None:
         """Spoil the answer to one line of the program."""
 
         def spoil_answer(line):
@@ -130,7 +133,7 @@ class Bench:
 
         self.wire.spoil_answer = spoil_answer
 
-    def at_move(self, spoil, number=3):
+    def at_move(self, spoil, number=3) -> None:
         """Spoil one move on its way to the table."""
 
         def spoil_line(line):
@@ -138,7 +141,7 @@ class Bench:
 
         self.wire.spoil_line = spoil_line
 
-    def assert_safe(self):
+    def assert_safe(self) -> None:
         assert self.table.state == "Idle"
         assert self.table.position[2] == 20.0
         assert not any(self.table.outputs.values())
@@ -154,7 +157,7 @@ async def bench():
     await bench.controller.close()
 
 
-async def test_the_program_runs_to_its_end_and_its_station_was_lowered(bench):
+async def test_the_program_runs_to_its_end_and_its_station_was_lowered(bench) -> None:
     progress = await bench.run()
     assert progress.executed == progress.lines == LINES
     assert [event.on for event in bench.table.switched if event.output == 1] == [False, True, False]
@@ -198,7 +201,7 @@ ANSWERS = {
 
 
 @pytest.mark.parametrize("kind", ANSWERS)
-async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench, kind):
+async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench, kind: str) -> None:
     spoil, error, words = ANSWERS[kind]
     bench.at_answer(spoil(bench))
     with pytest.raises(error, match=words) as raised:
@@ -212,14 +215,16 @@ async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench, kind):
 
 
 @pytest.mark.parametrize("number", range(1, LINES + 1))
-async def test_a_doubled_answer_is_noticed_wherever_it_comes_and_overruns_nothing(bench, number):
+async def test_a_doubled_answer_is_noticed_wherever_it_comes_and_overruns_nothing(
+    bench, number: int
+) -> None:
     bench.at_answer(lambda line: [line, line], number)
     with pytest.raises(ControllerError, match="doubled"):
         await bench.run()
     bench.assert_safe()
 
 
-async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench):
+async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench) -> None:
     bench.at_answer(lambda line: cut(bench))
     with pytest.raises(ControllerError) as raised:
         await bench.run()
@@ -231,8 +236,10 @@ async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench
     assert executed < MIDDLE <= executed + more <= executed + 15 + 12
 
 
-async def test_a_connection_that_stays_lost_ends_in_words_that_the_machine_is_not_safe(bench):
-    async def nobody():
+async def test_a_connection_that_stays_lost_ends_in_words_that_the_machine_is_not_safe(
+    bench,
+) -> None:
+    async def nobody() -> None:
         raise ControllerError("No controller answers at wire.", "Switch it on.")
 
     bench.controller._reconnect = nobody
@@ -242,7 +249,7 @@ async def test_a_connection_that_stays_lost_ends_in_words_that_the_machine_is_no
     assert bench.controller.fault is not None
 
 
-async def test_an_alarm_with_a_cause_at_the_machine_is_left_to_the_operator(bench):
+async def test_an_alarm_with_a_cause_at_the_machine_is_left_to_the_operator(bench) -> None:
     def limit_switch(line):
         bench.table._alarm(1)
         return [line]
@@ -262,7 +269,9 @@ async def test_an_alarm_with_a_cause_at_the_machine_is_left_to_the_operator(benc
     ],
     ids=["digit", "newline", "doubled"],
 )
-async def test_a_line_spoilt_on_its_way_never_ends_as_done(bench, spoil, error, words):
+async def test_a_line_spoilt_on_its_way_never_ends_as_done(
+    bench, spoil: Callable[..., Any], error: type[KnifetipError], words: str
+) -> None:
     bench.at_move(spoil)
     with pytest.raises(error, match=words):
         await bench.run()
@@ -282,15 +291,15 @@ async def test_a_line_spoilt_on_its_way_never_ends_as_done(bench, spoil, error, 
     ],
     ids=["idle", "elsewhere", "noise", "torn"],
 )
-async def test_a_false_report_and_noise_are_borne(bench, extra):
+async def test_a_false_report_and_noise_are_borne(bench, extra: str) -> None:
     bench.at_answer(lambda line: [extra, line])
     assert (await bench.run()).executed == LINES
 
 
-async def test_lines_that_come_in_pieces_are_borne(bench):
+async def test_lines_that_come_in_pieces_are_borne(bench) -> None:
     real = bench.wire.say
 
-    def say(text):
+    def say(text) -> None:
         real(text[:1])
         real(text[1:])
 

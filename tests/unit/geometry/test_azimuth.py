@@ -9,21 +9,21 @@ from knifetip.errors import ZeroLengthEdge
 from knifetip.geometry.azimuth import azimuth, left, right, turn, unit, unwrap
 
 
-def test_just_below_due_east_is_zero_and_not_a_full_turn():
+def test_just_below_due_east_is_zero_and_not_a_full_turn() -> None:
     assert azimuth(np.array([[1.0, -1e-18]]))[0] == 0.0
 
 
-def test_unit_vectors_have_length_one():
+def test_unit_vectors_have_length_one() -> None:
     np.testing.assert_allclose(unit(np.array([[3.0, 4.0]])), [[0.6, 0.8]])
 
 
 @pytest.mark.parametrize("length", [0.0, 1e-7, np.nan])
-def test_an_edge_without_length_has_no_direction(length):
+def test_an_edge_without_length_has_no_direction(length: float) -> None:
     with pytest.raises(ZeroLengthEdge, match="Edge 1 has no length"):
         unit(np.array([[1.0, 0.0], [length, 0.0]]))
 
 
-def test_right_of_north_is_east_and_left_is_west():
+def test_right_of_north_is_east_and_left_is_west() -> None:
     north = np.array([[0.0, 1.0]])
     np.testing.assert_array_equal(right(north), [[1.0, 0.0]])
     np.testing.assert_array_equal(left(north), [[-1.0, 0.0]])
@@ -33,9 +33,9 @@ def test_right_of_north_is_east_and_left_is_west():
     ("before", "after", "expected"),
     [(350.0, 10.0, 20.0), (10.0, 350.0, -20.0), (0.0, 180.0, 180.0), (90.0, 90.0, 0.0)],
 )
-def test_the_smaller_turn_is_taken(before, after, expected):
+def test_the_smaller_turn_is_taken(before: float, after: float, expected: float) -> None:
     assert turn(np.array([before]), np.array([after]))[0] == expected
 
 
-def test_headings_are_unwrapped():
+def test_headings_are_unwrapped() -> None:
     np.testing.assert_allclose(unwrap(np.array([350.0, 10.0, 30.0])), [350.0, 370.0, 390.0])

@@ -7,6 +7,7 @@ import pytest
 
 from knifetip.errors import ZeroLengthEdge
 from knifetip.geometry import batch, cores
+from knifetip.geometry.columns import I64
 from knifetip.geometry.offset import Equidistant, equidistant
 from knifetip.geometry.path import Paths
 
@@ -25,7 +26,9 @@ def notched(count: int) -> Paths:
     )
 
 
-def on(number: int, monkeypatch: pytest.MonkeyPatch, *args, **options) -> Equidistant:
+def on(
+    number: int, monkeypatch: pytest.MonkeyPatch, *args: Paths | float | I64, **options: I64
+) -> Equidistant:
     """Return an equidistant done on so many cores."""
     monkeypatch.setattr(batch, "_WORTH_A_CORE", 8)
     monkeypatch.setattr(cores.os, "cpu_count", lambda: number)
@@ -33,7 +36,7 @@ def on(number: int, monkeypatch: pytest.MonkeyPatch, *args, **options) -> Equidi
 
 
 @pytest.mark.parametrize("number", [2, 3, 7, 64])
-def test_several_cores_give_what_one_gives(number: int, monkeypatch: pytest.MonkeyPatch):
+def test_several_cores_give_what_one_gives(number: int, monkeypatch: pytest.MonkeyPatch) -> None:
     paths = notched(41)
     side = np.where(np.arange(41) % 3 == 0, 1, -1)
     one = on(1, monkeypatch, paths, 2.0, side)
@@ -46,7 +49,7 @@ def test_several_cores_give_what_one_gives(number: int, monkeypatch: pytest.Monk
     assert many.unreached[side == -1] == pytest.approx(8.0 - 0.0424752, abs=1e-6)
 
 
-def test_paths_of_one_region_stay_together(monkeypatch: pytest.MonkeyPatch):
+def test_paths_of_one_region_stay_together(monkeypatch: pytest.MonkeyPatch) -> None:
     paths, group = notched(40), np.arange(40) // 4
     one = on(1, monkeypatch, paths, 6.0, -1, group=group)
     many = on(3, monkeypatch, paths, 6.0, -1, group=group)
@@ -55,7 +58,7 @@ def test_paths_of_one_region_stay_together(monkeypatch: pytest.MonkeyPatch):
     assert np.array_equal(one.paths.start, many.paths.start)
 
 
-def test_of_several_failures_the_first_is_told(monkeypatch: pytest.MonkeyPatch):
+def test_of_several_failures_the_first_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     paths = notched(40)
     end, start = paths.end.copy(), paths.start.copy()
     for path in (35, 12, 27):
@@ -66,7 +69,7 @@ def test_of_several_failures_the_first_is_told(monkeypatch: pytest.MonkeyPatch):
     assert told.value.source == ("97",) or "97" in str(told.value)
 
 
-def test_a_small_batch_is_left_to_one_core(monkeypatch: pytest.MonkeyPatch):
+def test_a_small_batch_is_left_to_one_core(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cores.os, "cpu_count", lambda: 8)
     monkeypatch.setattr(cores, "ThreadPoolExecutor", None)
     assert len(equidistant(notched(100), 2.0, -1).paths) == 100

@@ -6,25 +6,25 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.geometry.chain import chain, nodes, run_on
+from knifetip.geometry.chain import Chains, chain, nodes, run_on
 from knifetip.geometry.tolerance import ANGLE
 from tests.support.shapes import closed, edges
 
 SQUARE = closed((0, 0), (100, 0), (100, 100), (0, 100))
 
 
-def sizes(chains):
+def sizes(chains: Chains) -> list[int]:
     return np.diff(chains.first).tolist()
 
 
-def test_a_square_of_loose_edges_is_one_closed_path():
+def test_a_square_of_loose_edges_is_one_closed_path() -> None:
     chains = chain(SQUARE, np.zeros(4))
     assert sizes(chains) == [4]
     assert chains.paths(SQUARE, np.zeros(4)).closed.tolist() == [True]
 
 
 @given(seed=st.integers(0, 10_000))
-def test_order_and_direction_of_the_edges_do_not_matter(seed):
+def test_order_and_direction_of_the_edges_do_not_matter(seed: int) -> None:
     random = np.random.default_rng(seed)
     shuffled = SQUARE[random.permutation(4)]
     backwards = random.random(4) < 0.5
@@ -35,41 +35,41 @@ def test_order_and_direction_of_the_edges_do_not_matter(seed):
     assert paths.lengths[0] == 400.0
 
 
-def test_where_three_edges_meet_the_straight_one_goes_through():
+def test_where_three_edges_meet_the_straight_one_goes_through() -> None:
     tee = edges(((0, 0), (50, 0)), ((50, 0), (100, 0)), ((50, 0), (50, 30)))
     assert sorted(sizes(chain(tee, np.zeros(3)))) == [1, 2]
 
 
-def test_where_three_edges_meet_at_angles_none_is_joined():
+def test_where_three_edges_meet_at_angles_none_is_joined() -> None:
     star = edges(((0, 0), (50, 0)), ((0, 0), (-30, 40)), ((0, 0), (-30, -40)))
     assert sizes(chain(star, np.zeros(3))) == [1, 1, 1]
 
 
-def test_two_ways_straight_on_are_left_open():
+def test_two_ways_straight_on_are_left_open() -> None:
     fork = edges(((0, 0), (50, 0)), ((50, 0), (100, 0)), ((50, 0), (100, 0.2)))
     assert sizes(chain(fork, np.zeros(3))) == [1, 1, 1]
 
 
-def test_a_corner_sharper_than_the_kink_is_not_joined():
+def test_a_corner_sharper_than_the_kink_is_not_joined() -> None:
     corner = edges(((0, 0), (50, 0)), ((50, 0), (50, 50)))
     assert sizes(chain(corner, np.zeros(2), kink=89.0)) == [1, 1]
     assert sizes(chain(corner, np.zeros(2), kink=91.0)) == [2]
 
 
-def test_a_line_runs_smoothly_into_an_arc():
+def test_a_line_runs_smoothly_into_an_arc() -> None:
     # From the line's end due east an arc of a quarter turn to the left.
     smooth = edges(((0, 0), (50, 0)), ((50, 0), (60, 10)))
     assert sizes(chain(smooth, np.array([0.0, np.tan(np.pi / 8)]), kink=ANGLE)) == [2]
 
 
-def test_ends_further_apart_than_the_gap_are_not_joined():
+def test_ends_further_apart_than_the_gap_are_not_joined() -> None:
     apart = edges(((0, 0), (50, 0)), ((50.003, 0), (100, 0)))
     assert sizes(chain(apart, np.zeros(2))) == [1, 1]
     assert sizes(chain(apart, np.zeros(2), gap=0.004)) == [2]
 
 
 @given(seed=st.integers(0, 1000), gap=st.sampled_from([0.05, 0.5, 2.0]))
-def test_places_are_those_of_an_exhaustive_search(seed, gap):
+def test_places_are_those_of_an_exhaustive_search(seed: int, gap: float) -> None:
     points = np.random.default_rng(seed).uniform(-10, 10, (60, 2))
     near = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1)) <= gap
     reach = np.linalg.matrix_power(near.astype(float), 60) > 0
@@ -77,11 +77,11 @@ def test_places_are_those_of_an_exhaustive_search(seed, gap):
     np.testing.assert_array_equal(found[:, None] == found[None], reach)
 
 
-def test_a_crease_is_continued_by_another_that_leaves_straight_on():
+def test_a_crease_is_continued_by_another_that_leaves_straight_on() -> None:
     points = np.array([[0.0, 0.0], [0.01, 0.0], [50.0, 0.0]])
     directions = np.array([[1.0, 0.0], [-1.0, 0.0], [1.0, 0.0]])
     assert run_on(points, directions).tolist() == [True, True, False]
 
 
-def test_nothing_chains_to_nothing():
+def test_nothing_chains_to_nothing() -> None:
     assert sizes(chain(np.zeros((0, 2, 2)), np.zeros(0))) == []

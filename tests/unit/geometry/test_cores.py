@@ -11,19 +11,19 @@ def _fails() -> int:
     raise ZeroDivisionError
 
 
-def test_runs_cover_everything_once(monkeypatch: pytest.MonkeyPatch):
+def test_runs_cover_everything_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cores, "number", lambda: 3)
     assert cores.runs(10, 2) == [(0, 3), (3, 6), (6, 10)]
     assert cores.runs(10, 6) == [(0, 10)]
     assert cores.runs(0, 6) == [(0, 0)]
 
 
-def test_what_is_done_of_each_run_is_in_the_order_of_the_runs():
+def test_what_is_done_of_each_run_is_in_the_order_of_the_runs() -> None:
     assert cores.each(lambda run: run * run, [3, 1, 2]) == [9, 1, 4]
 
 
 @pytest.mark.parametrize("machine", [1, 2])
-def test_two_things_at_once_are_told_apart(machine: int, monkeypatch: pytest.MonkeyPatch):
+def test_two_things_at_once_are_told_apart(machine: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cores, "number", lambda: machine)
     assert cores.both(lambda: "one", lambda: "other") == ("one", "other")
     for pair in ((_fails, int), (int, _fails)):
@@ -31,11 +31,11 @@ def test_two_things_at_once_are_told_apart(machine: int, monkeypatch: pytest.Mon
             cores.both(*pair)
 
 
-def test_nothing_to_do_is_done():
+def test_nothing_to_do_is_done() -> None:
     assert cores.each(_fails, []) == []
 
 
-def test_all_runs_are_done_before_the_first_error_is_raised():
+def test_all_runs_are_done_before_the_first_error_is_raised() -> None:
     seen = []
 
     def done(run: int) -> None:
@@ -48,7 +48,7 @@ def test_all_runs_are_done_before_the_first_error_is_raised():
     assert sorted(seen) == [0, 1, 2, 3]
 
 
-def test_work_within_work_waits_for_nobody():
+def test_work_within_work_waits_for_nobody() -> None:
     def outer(run: int) -> int:
         return sum(cores.each(lambda inner: run * inner, [1, 2, 3]))
 

@@ -10,12 +10,14 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from knifetip.errors import GeometryError
 from knifetip.geometry import arc, curve
+from knifetip.geometry.columns import F64
+from knifetip.geometry.curve import Spline
 
 #: The walk's own chords stand off an arc by this much at most (mm).
 SAGITTA = 1e-5
 
 
-def walked(segments):
+def walked(segments: tuple[F64, F64, F64]) -> F64:
     """Points along the segments, so dense that their chords are off by SAGITTA at most."""
     walk = []
     for start, end, bulge in zip(*segments, strict=True):
@@ -29,7 +31,7 @@ def walked(segments):
     return np.concatenate(walk)
 
 
-def deviation(segments, points):
+def deviation(segments: tuple[F64, F64, F64], points: F64) -> float:
     """The farthest that points of a true curve are from the segments, by brute force."""
     walk = walked(segments)
     pieces = np.stack([walk[:-1], walk[1:]], axis=1)
@@ -43,12 +45,12 @@ def deviation(segments, points):
     return worst
 
 
-def chained(segments):
+def chained(segments: tuple[F64, F64, F64]) -> bool:
     start, end, _ = segments
     return np.array_equal(start[1:], end[:-1])
 
 
-def corners(segments):
+def corners(segments: tuple[F64, F64, F64]) -> F64:
     """The angles between one segment's end and the next one's start (degrees)."""
     before = arc.tangents(*segments)[1][:-1]
     after = arc.tangents(*segments)[0][1:]
@@ -56,7 +58,9 @@ def corners(segments):
     return np.degrees(np.abs(np.arctan2(cross, (before * after).sum(axis=1))))
 
 
-def on_ellipse(major, minor, first=0.0, last=2.0 * np.pi, count=1500):
+def on_ellipse(
+    major: float, minor: float, first: float = 0.0, last: float = 2.0 * np.pi, count: int = 1500
+) -> F64:
     t = np.linspace(first, last, count)
     return np.stack([major * np.cos(t), minor * np.sin(t)], axis=1)
 
@@ -65,7 +69,9 @@ def on_ellipse(major, minor, first=0.0, last=2.0 * np.pi, count=1500):
     ("major", "minor", "tolerance", "most"),
     [(50.0, 25.0, 0.01, 48), (100.0, 50.0, 0.01, 60), (100.0, 1.0, 0.01, 80), (50, 25, 0.1, 24)],
 )
-def test_ellipse_stays_within_tolerance_with_few_arcs(major, minor, tolerance, most):
+def test_ellipse_stays_within_tolerance_with_few_arcs(
+    major: float, minor: float, tolerance: float, most: int
+) -> None:
     fit = curve.ellipse((0.0, 0.0), (major, 0.0), minor / major, tolerance=tolerance)
     assert deviation(fit, on_ellipse(major, minor)) <= tolerance
     assert len(fit[2]) <= most
@@ -74,7 +80,7 @@ def test_ellipse_stays_within_tolerance_with_few_arcs(major, minor, tolerance, m
     assert corners(fit).max() < 1e-5
 
 
-def test_points_of_the_fit_are_as_near_to_the_ellipse_as_its_points_to_the_fit():
+def test_points_of_the_fit_are_as_near_to_the_ellipse_as_its_points_to_the_fit() -> None:
     fit = curve.ellipse((0.0, 0.0), (50.0, 0.0), 0.5)
     t = np.linspace(0.0, 2.0 * np.pi, 40_000)
     true = np.stack([50.0 * np.cos(t), 25.0 * np.sin(t)], axis=1)
@@ -83,24 +89,24 @@ def test_points_of_the_fit_are_as_near_to_the_ellipse_as_its_points_to_the_fit()
     assert far <= 0.0105
 
 
-def test_circle_is_two_exact_half_turns():
+def test_circle_is_two_exact_half_turns() -> None:
     start, end, bulge = curve.ellipse((5.0, 6.0), (10.0, 0.0), 1.0)
     assert_allclose(start, [[15.0, 6.0], [-5.0, 6.0]], atol=1e-14)
     assert_allclose(end, [[-5.0, 6.0], [15.0, 6.0]], atol=1e-14)
     assert_allclose(bulge, [1.0, 1.0])
 
 
-def test_clockwise_circle_has_negative_bulges():
+def test_clockwise_circle_has_negative_bulges() -> None:
     assert_allclose(curve.ellipse((0.0, 0.0), (10.0, 0.0), -1.0)[2], [-1.0, -1.0])
 
 
-def test_nearly_round_ellipse_takes_at_most_16_arcs():
+def test_nearly_round_ellipse_takes_at_most_16_arcs() -> None:
     fit = curve.ellipse((0.0, 0.0), (100.0, 0.0), 0.999)
     assert len(fit[2]) <= 16
     assert deviation(fit, on_ellipse(100.0, 99.9)) <= 0.01
 
 
-def test_elliptic_arc_starts_and_ends_exactly_at_its_parameters():
+def test_elliptic_arc_starts_and_ends_exactly_at_its_parameters() -> None:
     start, end, bulge = curve.ellipse((1.0, 2.0), (0.0, 40.0), 0.25, 0.3, 4.0)
 
     def at(t):
@@ -111,7 +117,7 @@ def test_elliptic_arc_starts_and_ends_exactly_at_its_parameters():
     assert (np.abs(bulge) <= 1.0).all()
 
 
-def test_conjugate_radii_need_not_be_square():
+def test_conjugate_radii_need_not_be_square() -> None:
     # A circle of radius 10 sheared by x += y: u = (10, 0), v = (10, 10).
     shape = curve.Ellipse(np.zeros(2), np.array([10.0, 0.0]), np.array([10.0, 10.0]), 0.0, 6.0)
     t = np.linspace(0.0, 6.0, 1500)
@@ -119,7 +125,7 @@ def test_conjugate_radii_need_not_be_square():
     assert deviation(shape.fitted(0.01), true) <= 0.01
 
 
-def test_ellipse_without_width_is_a_line_there_and_back():
+def test_ellipse_without_width_is_a_line_there_and_back() -> None:
     start, end, bulge = curve.ellipse((0.0, 0.0), (10.0, 0.0), 0.0)
     assert_array_equal(bulge, np.zeros(len(bulge)))
     assert arc.length(start, end, bulge).sum() == pytest.approx(40.0)
@@ -132,7 +138,9 @@ def test_ellipse_without_width_is_a_line_there_and_back():
     first=st.floats(-6.0, 6.0),
     turn=st.floats(0.05, 6.28),
 )
-def test_any_elliptic_arc_stays_within_a_hundredth(major, ratio, first, turn):
+def test_any_elliptic_arc_stays_within_a_hundredth(
+    major: float, ratio: float, first: float, turn: float
+) -> None:
     fit = curve.ellipse((0.0, 0.0), (major, 0.0), ratio, first, first + turn)
     true = on_ellipse(major, major * ratio, first, first + turn, 400)
     assert deviation(fit, true) <= 0.01 + SAGITTA
@@ -141,13 +149,19 @@ def test_any_elliptic_arc_stays_within_a_hundredth(major, ratio, first, turn):
     assert_allclose(fit[1][-1], true[-1], atol=1e-10)
 
 
-def bezier(*control):
+def bezier(*control: tuple[float, float]) -> Spline:
     return curve.Spline(
         np.array(control, dtype=float), np.ones(4), np.array([0.0] * 4 + [1.0] * 4), 3
     )
 
 
-def bernstein(control, count=1500):
+def bernstein(
+    control: tuple[
+        tuple[float, float], tuple[float, float], tuple[float, float], tuple[float, float]
+    ]
+    | list[tuple[float, float]],
+    count: int = 1500,
+) -> F64:
     t = np.linspace(0.0, 1.0, count)[:, None]
     a, b, c, d = np.array(control, dtype=float)
     return (1 - t) ** 3 * a + 3 * t * (1 - t) ** 2 * b + 3 * t * t * (1 - t) * c + t**3 * d
@@ -164,7 +178,9 @@ def bernstein(control, count=1500):
         ((0, 0), (100, 100), (0, 100), (100, 0)),  # a cusp
     ],
 )
-def test_cubic_stays_within_tolerance(control):
+def test_cubic_stays_within_tolerance(
+    control: tuple[tuple[int, int], tuple[int, int], tuple[int, float], tuple[int, float]],
+) -> None:
     fit = bezier(*control).fitted(0.01)
     assert deviation(fit, bernstein(control)) <= 0.01
     assert chained(fit)
@@ -173,13 +189,13 @@ def test_cubic_stays_within_tolerance(control):
     assert len(fit[2]) < 120
 
 
-def test_straight_cubic_is_one_line():
+def test_straight_cubic_is_one_line() -> None:
     start, end, bulge = bezier((0, 0), (10, 10), (20, 20), (30, 30)).fitted()
     assert_allclose(np.hstack([start, end]), [[0.0, 0.0, 30.0, 30.0]], atol=1e-12)
     assert_array_equal(bulge, [0.0])
 
 
-def test_rational_quadratic_draws_a_true_quarter_circle():
+def test_rational_quadratic_draws_a_true_quarter_circle() -> None:
     # Weights 1, cos 45°, 1 over a right angle: a circle of radius 10.
     control = np.array([[10.0, 0.0], [10.0, 10.0], [0.0, 10.0]])
     weights = np.array([1.0, np.sqrt(0.5), 1.0])
@@ -191,7 +207,7 @@ def test_rational_quadratic_draws_a_true_quarter_circle():
     assert len(bulge) <= 2
 
 
-def test_spline_with_a_corner_keeps_it():
+def test_spline_with_a_corner_keeps_it() -> None:
     # Degree 2 with a double knot in the middle: two straight legs that meet at (10, 0).
     control = np.array([[0.0, 0], [5, 0], [10, 0], [10, 5], [10, 10]])
     knots = np.array([0.0, 0, 0, 1, 1, 2, 2, 2])
@@ -201,7 +217,7 @@ def test_spline_with_a_corner_keeps_it():
     assert_array_equal(bulge, [0.0, 0.0])
 
 
-def test_corner_between_curved_legs_costs_no_extra_arcs():
+def test_corner_between_curved_legs_costs_no_extra_arcs() -> None:
     # Two cubics that meet at (100, 0): falling into the corner, and rising out of it.
     first = [(0, 0), (0, 50), (100, 50), (100, 0)]
     second = [(100, 0), (100, 50), (200, 50), (200, 0)]
@@ -214,7 +230,7 @@ def test_corner_between_curved_legs_costs_no_extra_arcs():
     assert corners(both).max() == pytest.approx(180.0, abs=1e-3)
 
 
-def test_unclamped_spline_lives_between_its_inner_knots():
+def test_unclamped_spline_lives_between_its_inner_knots() -> None:
     # A uniform quadratic: at the ends of its domain it is midway between control points.
     control = np.array([[0.0, 0], [10, 0], [10, 10], [0, 10]])
     spline = curve.Spline(control, np.ones(4), np.arange(7.0), 2)
@@ -224,7 +240,7 @@ def test_unclamped_spline_lives_between_its_inner_knots():
     assert_allclose(end[-1], [5.0, 10.0])
 
 
-def test_tangent_is_the_derivative_of_the_point():
+def test_tangent_is_the_derivative_of_the_point() -> None:
     spline = bezier((0, 0), (10, 30), (40, 20), (50, 0))
     t = np.linspace(0.05, 0.95, 20)
     step = 1e-6
@@ -241,23 +257,25 @@ def test_tangent_is_the_derivative_of_the_point():
         ([[0.0, 0], [1, 1], [2, 0]], [0.0, 0, 0, 0, 0, 0], 2),
     ],
 )
-def test_damaged_spline_is_refused(control, knots, degree):
+def test_damaged_spline_is_refused(
+    control: list[list[float]], knots: list[float], degree: int
+) -> None:
     with pytest.raises(GeometryError):
         curve.Spline(np.array(control), np.ones(len(control)), np.array(knots), degree)
 
 
 @pytest.mark.parametrize("size", [(np.nan, 0.0), (np.inf, 0.0)], ids=["not a number", "endless"])
-def test_ellipse_without_a_size_is_refused(size):
+def test_ellipse_without_a_size_is_refused(size: tuple[float, float]) -> None:
     with pytest.raises(GeometryError):
         curve.ellipse((0.0, 0.0), size, 0.5)
 
 
-def test_parameters_that_do_not_increase_are_refused():
+def test_parameters_that_do_not_increase_are_refused() -> None:
     with pytest.raises(GeometryError, match="increase"):
         curve.fit(lambda t: np.stack([t, t], axis=1), lambda t: np.ones((len(t), 2)), [1.0, 1.0])
 
 
-def test_curve_that_cannot_be_followed_is_refused_in_time():
+def test_curve_that_cannot_be_followed_is_refused_in_time() -> None:
     def noise(t):
         return np.stack([t, np.sin(1e9 * t * t) * 50.0], axis=1)
 
@@ -279,7 +297,7 @@ def cubics(control: np.ndarray):
     return point, tangent
 
 
-def test_many_curves_at_once_are_each_followed_and_do_not_touch_each_other():
+def test_many_curves_at_once_are_each_followed_and_do_not_touch_each_other() -> None:
     control = np.random.default_rng(4).uniform(-50.0, 50.0, (300, 4, 2))
     point, tangent = cubics(control)
     start, end, bulge, which = curve.each(point, tangent, len(control), 0.01)
@@ -300,7 +318,7 @@ def test_many_curves_at_once_are_each_followed_and_do_not_touch_each_other():
         assert off.max() <= 0.0101
 
 
-def test_a_curve_without_length_among_others_has_no_segment():
+def test_a_curve_without_length_among_others_has_no_segment() -> None:
     control = np.array(
         [[[0, 0], [1, 2], [3, 2], [4, 0]], [[5, 5]] * 4, [[9, 0]] * 2 + [[9, 9]] * 2]
     )
@@ -309,5 +327,5 @@ def test_a_curve_without_length_among_others_has_no_segment():
     assert (bulge[which == 2] == 0.0).all()
 
 
-def test_no_curves_are_no_segments():
+def test_no_curves_are_no_segments() -> None:
     assert [len(column) for column in curve.each(*cubics(np.zeros((0, 4, 2))), 0)] == [0] * 4

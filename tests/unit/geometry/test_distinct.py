@@ -9,7 +9,7 @@ from knifetip.geometry.distinct import distinct
 
 
 @pytest.mark.parametrize("kinds", [1, 3, 700, 40_000])
-def test_rows_of_few_and_of_many_kinds_are_told_apart(kinds: int):
+def test_rows_of_few_and_of_many_kinds_are_told_apart(kinds: int) -> None:
     rng = np.random.default_rng(kinds)
     table = rng.integers(-(1 << 40), 1 << 40, (kinds, 3))[rng.integers(0, kinds, 60_000)]
     first, kind = distinct(table)
@@ -19,11 +19,11 @@ def test_rows_of_few_and_of_many_kinds_are_told_apart(kinds: int):
     np.testing.assert_array_equal(first[kind], expected[inverse.ravel()])
 
 
-def test_columns_of_one_table_and_columns_by_themselves_are_the_same():
+def test_columns_of_one_table_and_columns_by_themselves_are_the_same() -> None:
     one, two = np.array([5, 5, 5, 7]), np.array([1, 2, 1, 1], np.int32)
     for result in (distinct(one, two), distinct(np.column_stack([one, two]))):
         assert [column.tolist() for column in result] == [[0, 1, 3], [0, 1, 0, 2]]
 
 
-def test_nothing_has_no_kinds():
+def test_nothing_has_no_kinds() -> None:
     assert [len(column) for column in distinct(np.zeros(0, np.int64))] == [0, 0]

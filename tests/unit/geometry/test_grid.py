@@ -13,7 +13,7 @@ from tests.support.shapes import edges
 NONE = np.array([-1], np.int32)
 
 
-def test_a_point_on_the_belly_of_an_arc_touches_it():
+def test_a_point_on_the_belly_of_an_arc_touches_it() -> None:
     half = edges(((0, 0), (20, 0)))
     on, off = np.array([[10.0, -10.02]]), np.array([[10.0, 10.0]])
     for points, expected in ((on, True), (off, False)):
@@ -22,7 +22,7 @@ def test_a_point_on_the_belly_of_an_arc_touches_it():
         ]
 
 
-def test_the_segment_that_a_point_belongs_to_does_not_count():
+def test_the_segment_that_a_point_belongs_to_does_not_count() -> None:
     line = edges(((0, 0), (20, 0)))
     args = (line[:, 0], line[:, 1], np.zeros(1), 0.05)
     assert not touching(np.zeros((1, 2)), np.array([0], np.int32), *args)[0]
@@ -30,7 +30,7 @@ def test_the_segment_that_a_point_belongs_to_does_not_count():
 
 
 @given(seed=st.integers(0, 1000))
-def test_shapely_agrees_about_lines(seed):
+def test_shapely_agrees_about_lines(seed: int) -> None:
     random = np.random.default_rng(seed)
     ends = random.uniform(0, 100, (30, 2, 2))
     points = random.uniform(-10, 110, (40, 2))

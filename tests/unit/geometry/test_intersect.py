@@ -8,13 +8,17 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from knifetip.geometry import arc
+from knifetip.geometry.columns import F64
 from knifetip.geometry.intersect import crossings
 
 #: From (10, 0) over (0, 10) to (-10, 0).
 HALF = ((10.0, 0.0), (-10.0, 0.0), 1.0)
 
 
-def shared(one, two):
+def shared(
+    one: tuple[tuple[float, float], tuple[float, float], float],
+    two: tuple[tuple[float, float], tuple[float, float], float],
+) -> F64:
     """Return the points of one pair, sorted, with the shares of both lengths."""
     columns = [np.array([value]) for value in (*one, *two)]
     found = crossings(*columns)
@@ -64,7 +68,11 @@ def shared(one, two):
         "one in the other",
     ],
 )
-def test_points_in_common(one, two, points):
+def test_points_in_common(
+    one: tuple[tuple[float, float], tuple[float, float], float],
+    two: tuple[tuple[float, float], tuple[float, float], float],
+    points: list[list[float | None]],
+) -> None:
     found = shared(one, two)
     assert len(found) == len(points)
     for have, want in zip(found, points, strict=True):
@@ -73,7 +81,7 @@ def test_points_in_common(one, two, points):
                 assert value == pytest.approx(wanted, abs=1e-7)
 
 
-def test_two_arcs_of_one_circle_may_overlap_twice():
+def test_two_arcs_of_one_circle_may_overlap_twice() -> None:
     # Three quarters of a circle each, begun opposite each other.
     three = np.tan(np.radians(67.5))
     assert len(shared(((10, 0), (0, -10), three), ((-10, 0), (0, 10), three))) == 4
@@ -87,7 +95,9 @@ bulges = st.one_of(st.just(0.0), st.floats(-2.0, 2.0).filter(lambda b: abs(b) > 
 @given(st.tuples(*[places] * 8), bulges, bulges)
 # Two arcs that end where they touch.
 @example((-4.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0), 0.1875, 0.1875)
-def test_points_lie_on_both_where_they_are_said_to_and_none_is_missed(places, b1, b2):
+def test_points_lie_on_both_where_they_are_said_to_and_none_is_missed(
+    places: tuple[float, float, float, float, float, float, float, float], b1: float, b2: float
+) -> None:
     ends = np.array(places).reshape(4, 1, 2)
     if min(np.hypot(*(ends[1] - ends[0])[0]), np.hypot(*(ends[3] - ends[2])[0])) < 1.0:
         return
@@ -124,7 +134,7 @@ def test_points_lie_on_both_where_they_are_said_to_and_none_is_missed(places, b1
         assert np.hypot(*(found.points[0, :count] - at).T).min() < 3.0 * step + 1e-6
 
 
-def test_many_pairs_go_through_one_call():
+def test_many_pairs_go_through_one_call() -> None:
     rows = 1000
     x = np.arange(rows, dtype=float)
     found = crossings(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 import shapely
@@ -10,8 +12,9 @@ from hypothesis import strategies as st
 
 from knifetip.errors import CompensationError, GeometryError, ZeroLengthEdge
 from knifetip.geometry import arc
+from knifetip.geometry.columns import F64
 from knifetip.geometry.intersect import crossings
-from knifetip.geometry.offset import NEARER, equidistant
+from knifetip.geometry.offset import NEARER, Equidistant, equidistant
 from knifetip.geometry.path import Paths, reversed_where, taken
 from knifetip.geometry.transition import Corner
 from tests.support.shapes import rotation
@@ -24,7 +27,7 @@ DUMBBELL = [
 ]  # fmt: skip
 
 
-def rings(*contours, bulge=None):
+def rings(*contours: list[tuple[float, float]] | F64, bulge: list[float] | None = None) -> Paths:
     """Return closed paths through lists of corners."""
     corners = [np.array(contour, float) for contour in contours]
     start = np.concatenate(corners)
@@ -33,14 +36,14 @@ def rings(*contours, bulge=None):
     return Paths(start, end, np.zeros(len(start)) if bulge is None else bulge, first)
 
 
-def strip(*corners, bulge=None):
+def strip(*corners: tuple[float, float], bulge=None) -> Paths:
     """Return one open path."""
     xy = np.array(corners, float)
     bent = np.zeros(len(xy) - 1) if bulge is None else np.array(bulge, float)
     return Paths(xy[:-1], xy[1:], bent, [0, len(bent)])
 
 
-def stars(count, corners, seed, arcs=False):
+def stars(count: int, corners: int, seed: int, arcs: bool = False) -> Paths:
     """Return star-shaped contours with spikes and notches, many of them too narrow for a tool."""
     random = np.random.default_rng(seed)
     angle = 2.0 * np.pi * (np.arange(corners) + random.uniform(-0.4, 0.4, (count, corners)))
@@ -60,7 +63,7 @@ def stars(count, corners, seed, arcs=False):
     )
 
 
-def simple(paths):
+def simple(paths: Paths) -> Paths:
     """Return the paths that do not cross themselves, not even by a hair at a sharp corner."""
     good = []
     for low, high in zip(paths.first[:-1], paths.first[1:], strict=True):
@@ -72,7 +75,7 @@ def simple(paths):
     return taken(paths, np.flatnonzero(good))[0]
 
 
-def flattened(paths, pieces):
+def flattened(paths: Paths, pieces: int) -> list[F64]:
     """Return the corners of each path with its arcs as chords."""
     points = arc.points_along(paths.start, paths.end, paths.bulge, pieces + 1)
     return [
@@ -81,7 +84,7 @@ def flattened(paths, pieces):
     ]
 
 
-def areas(paths):
+def areas(paths: Paths) -> F64:
     """Return the signed areas inside closed paths, arcs exactly."""
     sweep = arc.sweep(paths.bulge)
     radius = np.where(paths.bulge != 0.0, arc.radius(paths.start, paths.end, paths.bulge), 0.0)
@@ -90,12 +93,12 @@ def areas(paths):
     return np.bincount(paths.path_of, 0.5 * under, minlength=len(paths))
 
 
-def made_area(made, count):
+def made_area(made: Equidistant, count: int) -> F64:
     """Return the signed area inside all results of each input path."""
     return np.bincount(made.owner, areas(made.paths), minlength=count)
 
 
-def clearance(made, paths, pieces=16):
+def clearance(made: Equidistant, paths: Paths, pieces=16) -> float:
     """Return the least distance from points of the results to the path that they belong to."""
     least = np.inf
     points = arc.points_along(made.paths.start, made.paths.end, made.paths.bulge, pieces + 1)
@@ -120,7 +123,7 @@ def clearance(made, paths, pieces=16):
     return least
 
 
-def region(paths):
+def region(paths: Paths) -> Any:
     """Return what closed paths enclose, holes left out."""
     found = shapely.Polygon()
     for ring in flattened(paths, 64):
@@ -128,7 +131,7 @@ def region(paths):
     return found
 
 
-def tight(made):
+def tight(made: Equidistant) -> bool:
     """Return whether every result path hangs together and has no specks."""
     paths = made.paths
     chord = np.hypot(*(paths.end - paths.start).T)
@@ -141,7 +144,7 @@ def tight(made):
 # By hand.
 
 
-def test_inside_a_rectangle_the_path_is_a_smaller_rectangle():
+def test_inside_a_rectangle_the_path_is_a_smaller_rectangle() -> None:
     made = equidistant(rings(SQUARE), 5.0, 1)
     np.testing.assert_allclose(made.paths.start, [[5, 5], [95, 5], [95, 55], [5, 55]])
     assert made.source.tolist() == [0, 1, 2, 3]
@@ -154,7 +157,9 @@ def test_inside_a_rectangle_the_path_is_a_smaller_rectangle():
     ("kind", "length", "inserted"),
     [(Corner.B, 10.0 * np.pi, 4), (Corner.C, 40.0, 8), (Corner.D, 10.0 * np.pi / 2 + 20.0, 12)],
 )
-def test_outside_a_rectangle_each_type_goes_round_its_own_way(kind, length, inserted):
+def test_outside_a_rectangle_each_type_goes_round_its_own_way(
+    kind: Corner, length: float, inserted: int
+) -> None:
     made = equidistant(rings(SQUARE), 5.0, -1, corner=kind, k=0.5)
     assert made.paths.closed.all()
     assert made.paths.lengths[0] == pytest.approx(320.0 + length)
@@ -164,12 +169,12 @@ def test_outside_a_rectangle_each_type_goes_round_its_own_way(kind, length, inse
     assert made.source[made.inserted].tolist() == np.repeat(np.arange(4), inserted // 4).tolist()
 
 
-def test_each_corner_may_have_its_own_type():
+def test_each_corner_may_have_its_own_type() -> None:
     made = equidistant(rings(SQUARE), 5.0, -1, corner=[0, 1, 2, 0], k=0.5)
     assert np.bincount(made.source[made.inserted]).tolist() == [1, 2, 3, 1]
 
 
-def test_a_circle_stays_a_circle():
+def test_a_circle_stays_a_circle() -> None:
     circle = rings([(10, 0), (-10, 0)], bulge=[1.0, 1.0])
     for side, radius in ((1, 7.0), (-1, 13.0)):
         made = equidistant(circle, 3.0, side)
@@ -179,14 +184,14 @@ def test_a_circle_stays_a_circle():
         np.testing.assert_array_equal(made.paths.bulge, [1.0, 1.0])
 
 
-def test_nothing_is_left_of_a_circle_as_small_as_the_tool():
+def test_nothing_is_left_of_a_circle_as_small_as_the_tool() -> None:
     circle = rings([(10, 0), (-10, 0)], bulge=[1.0, 1.0])
     made = equidistant(circle, 12.0, 1)
     assert len(made.paths) == 0
     assert made.unreached[0] == pytest.approx(100.0 * np.pi)
 
 
-def test_smooth_joints_need_no_transition():
+def test_smooth_joints_need_no_transition() -> None:
     # A slot of two lines and two half circles.
     slot = rings([(0, 0), (50, 0), (50, 20), (0, 20)], bulge=[0.0, 1.0, 0.0, 1.0])
     for side in (1, -1):
@@ -196,7 +201,7 @@ def test_smooth_joints_need_no_transition():
         assert made.unreached[0] == pytest.approx(0.0, abs=1e-9)
 
 
-def test_a_door_too_narrow_makes_two_rooms():
+def test_a_door_too_narrow_makes_two_rooms() -> None:
     made = equidistant(rings(DUMBBELL), 7.0, 1)
     assert made.owner.tolist() == [0, 0]
     assert made.paths.closed.all()
@@ -208,19 +213,19 @@ def test_a_door_too_narrow_makes_two_rooms():
     assert made.unreached[0] == pytest.approx(shape.area - swept.area, abs=0.02)
 
 
-def test_a_door_wide_enough_is_passed():
+def test_a_door_wide_enough_is_passed() -> None:
     assert len(equidistant(rings(DUMBBELL), 4.9, 1).paths) == 1
     assert len(equidistant(rings(DUMBBELL), 5.1, 1).paths) == 2
 
 
-def test_a_pocket_too_small_is_left_alone():
+def test_a_pocket_too_small_is_left_alone() -> None:
     made = equidistant(rings(SQUARE), 30.5, 1)
     assert len(made.paths) == 0
     assert len(made.source) == 0
     assert made.unreached[0] == pytest.approx(6000.0)
 
 
-def test_a_horseshoe_that_closes_leaves_a_ring_inside():
+def test_a_horseshoe_that_closes_leaves_a_ring_inside() -> None:
     shoe = rings(
         [
             (0, 0),
@@ -246,7 +251,7 @@ def test_a_horseshoe_that_closes_leaves_a_ring_inside():
     assert -inner == pytest.approx(900.0, abs=3.0)
 
 
-def test_an_island_is_kept_clear_of():
+def test_an_island_is_kept_clear_of() -> None:
     outline = rings(SQUARE, [(45, 25), (45, 35), (55, 35), (55, 25)])
     apart = equidistant(outline, 5.0, 1, group=[0, 0])
     assert len(apart.paths) == 2
@@ -263,7 +268,7 @@ def test_an_island_is_kept_clear_of():
     assert equidistant(outline, 14.0, 1).owner.tolist() == [0, 1]
 
 
-def test_an_island_that_fills_the_pocket_leaves_nothing():
+def test_an_island_that_fills_the_pocket_leaves_nothing() -> None:
     outline = rings(SQUARE, [(10, 10), (10, 50), (90, 50), (90, 10)])
     assert len(equidistant(outline, 6.0, 1, group=[0, 0]).paths) == 0
 
@@ -272,13 +277,13 @@ def test_an_island_that_fills_the_pocket_leaves_nothing():
 
 
 @pytest.mark.parametrize(("side", "y"), [(1, 3.0), (-1, -3.0)])
-def test_beside_a_line_runs_a_line(side, y):
+def test_beside_a_line_runs_a_line(side: int, y: float) -> None:
     made = equidistant(strip((0, 0), (10, 0)), 3.0, side)
     np.testing.assert_allclose(made.paths.start, [[0, y]], atol=1e-12)
     np.testing.assert_allclose(made.paths.end, [[10, y]], atol=1e-12)
 
 
-def test_an_open_angle_is_shortened_inside_and_rounded_outside():
+def test_an_open_angle_is_shortened_inside_and_rounded_outside() -> None:
     angle = strip((0, 0), (20, 0), (20, 20))
     inside = equidistant(angle, 3.0, 1)
     np.testing.assert_allclose(inside.paths.end, [[17, 3], [17, 20]])
@@ -288,7 +293,7 @@ def test_an_open_angle_is_shortened_inside_and_rounded_outside():
     assert outside.paths.lengths[0] == pytest.approx(40.0 + 1.5 * np.pi)
 
 
-def test_an_open_path_keeps_clear_of_its_own_ends_and_back():
+def test_an_open_path_keeps_clear_of_its_own_ends_and_back() -> None:
     # A hook that comes back to 6 mm from its own beginning.
     hook = strip((0, 0), (40, 0), (40, 30), (20, 30), (20, 6))
     for side in (1, -1):
@@ -306,7 +311,7 @@ def test_an_open_path_keeps_clear_of_its_own_ends_and_back():
 @pytest.mark.parametrize(
     ("side", "radius"), [(1, 0.5), (1, 3.0), (1, 9.0), (-1, 0.5), (-1, 4.0), (-1, 30.0)]
 )
-def test_a_thousand_stars_enclose_what_shapely_says(side, radius):
+def test_a_thousand_stars_enclose_what_shapely_says(side: int, radius: float) -> None:
     paths = stars(1000, 17, seed=int(radius * 2) + side)
     made = equidistant(paths, radius, side)
     shapes = shapely.polygons(paths.start.reshape(1000, 17, 2))
@@ -330,7 +335,7 @@ def test_a_thousand_stars_enclose_what_shapely_says(side, radius):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_hausdorff_distance_to_shapely_is_that_of_the_chords(seed):
+def test_hausdorff_distance_to_shapely_is_that_of_the_chords(seed: int) -> None:
     paths = stars(60, 14, seed)
     for side, radius in ((1, 4.0), (-1, 8.0)):
         made = equidistant(paths, radius, side)
@@ -356,7 +361,7 @@ def test_hausdorff_distance_to_shapely_is_that_of_the_chords(seed):
 
 @settings(max_examples=60, deadline=None)
 @given(seed=st.integers(0, 10_000), radius=st.floats(0.2, 20.0), side=st.sampled_from([1, -1]))
-def test_contours_with_arcs_enclose_what_shapely_says(seed, radius, side):
+def test_contours_with_arcs_enclose_what_shapely_says(seed: int, radius: float, side: int) -> None:
     paths = simple(stars(1, 12, seed, arcs=True))
     if len(paths) == 0:
         return
@@ -378,7 +383,7 @@ def test_contours_with_arcs_enclose_what_shapely_says(seed, radius, side):
 
 @settings(max_examples=40, deadline=None)
 @given(seed=st.integers(0, 10_000), radius=st.floats(0.5, 12.0))
-def test_islands_in_pockets_against_shapely(seed, radius):
+def test_islands_in_pockets_against_shapely(seed: int, radius: float) -> None:
     random = np.random.default_rng(seed)
     outer = stars(1, 12, seed).start * 3.0
     holes = [
@@ -408,14 +413,16 @@ def test_islands_in_pockets_against_shapely(seed, radius):
 # What every engine answers to.
 
 
-def described(made):
+def described(made: Equidistant) -> tuple[float, float, float, int, int]:
     """Return what must not change when the board is turned."""
     size = np.bincount(made.owner, areas(made.paths), minlength=len(made.unreached))
     arcs = int((made.paths.bulge != 0.0).sum())
     return abs(size[0]), made.paths.lengths.sum(), made.unreached[0], arcs, len(made.paths)
 
 
-def alike(one, other):
+def alike(
+    one: tuple[float, float, float, float, float], other: tuple[float, float, float, float, float]
+) -> None:
     assert one[:3] == pytest.approx(other[:3], rel=1e-6, abs=1e-5)
     assert one[3:] == other[3:]
 
@@ -430,8 +437,8 @@ def alike(one, other):
     shift=st.integers(1, 10),
 )
 def test_turned_mirrored_reversed_or_begun_elsewhere_it_is_the_same(
-    seed, radius, side, kind, turn, shift
-):
+    seed: int, radius: float, side: int, kind: Corner, turn: float, shift: int
+) -> None:
     paths = simple(stars(1, 11, seed, arcs=True))
     if len(paths) == 0:
         return
@@ -456,7 +463,9 @@ def test_turned_mirrored_reversed_or_begun_elsewhere_it_is_the_same(
     side=st.sampled_from([1, -1]),
     k=st.floats(0.0, 1.0),
 )
-def test_c_and_d_stay_as_clear_as_b_and_never_shorter(seed, radius, side, k):
+def test_c_and_d_stay_as_clear_as_b_and_never_shorter(
+    seed: int, radius: float, side: int, k: float
+) -> None:
     paths = simple(stars(1, 13, seed, arcs=True))
     if len(paths) == 0:
         return
@@ -467,7 +476,7 @@ def test_c_and_d_stay_as_clear_as_b_and_never_shorter(seed, radius, side, k):
         assert tight(made)
 
 
-def test_a_batch_is_the_same_as_one_by_one():
+def test_a_batch_is_the_same_as_one_by_one() -> None:
     paths = simple(stars(120, 12, 5, arcs=True))
     count = len(paths)
     assert count > 20
@@ -490,7 +499,7 @@ def test_a_batch_is_the_same_as_one_by_one():
     assert at == len(made.source)
 
 
-def test_no_radius_gives_the_paths_back():
+def test_no_radius_gives_the_paths_back() -> None:
     paths = stars(5, 9, 2, arcs=True)
     made = equidistant(paths, 0.0, 1)
     np.testing.assert_array_equal(made.paths.start, paths.start)
@@ -500,28 +509,28 @@ def test_no_radius_gives_the_paths_back():
 
 
 @pytest.mark.parametrize("radius", [1e-5, 1e-3, 1e3, 1e5])
-def test_tiny_and_huge_tools(radius):
+def test_tiny_and_huge_tools(radius: float) -> None:
     made = equidistant(rings(SQUARE), radius, -1)
     assert areas(made.paths)[0] == pytest.approx(6000.0 + 320.0 * radius + np.pi * radius**2)
     inside = equidistant(rings(SQUARE), radius, 1)
     assert len(inside.paths) == (radius < 30.0)
 
 
-def test_no_paths_give_none():
+def test_no_paths_give_none() -> None:
     nothing = Paths(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), [0])
     made = equidistant(nothing, 1.0, 1)
     assert len(made.paths) == 0
     assert len(made.unreached) == 0
 
 
-def test_round_both_sides_of_a_slit():
+def test_round_both_sides_of_a_slit() -> None:
     # There and back again: the tool goes round both ends.
     made = equidistant(rings([(0, 0), (40, 0)]), 5.0, -1)
     assert areas(made.paths)[0] == pytest.approx(400.0 + 25.0 * np.pi)
     assert (made.paths.bulge != 0.0).sum() == 2
 
 
-def test_twenty_thousand_segments_with_notches():
+def test_twenty_thousand_segments_with_notches() -> None:
     paths = stars(1, 20_000, 3)
     ring = paths.start / np.hypot(*paths.start.T)[:, None] * 1000.0 + paths.start * 0.02
     made = equidistant(rings(ring), 1.0, -1)
@@ -533,27 +542,27 @@ def test_twenty_thousand_segments_with_notches():
 # Refusals.
 
 
-def test_refuse_names_the_segments_and_the_depth():
+def test_refuse_names_the_segments_and_the_depth() -> None:
     with pytest.raises(CompensationError, match="would cut") as caught:
         equidistant(rings(SQUARE, DUMBBELL), 7.0, 1, interference="refuse")
     assert len(caught.value.source) == 2
     assert {int(row) for row in caught.value.source} <= set(range(4, 16))
 
 
-def test_refuse_says_how_much_too_tight_an_arc_is():
+def test_refuse_says_how_much_too_tight_an_arc_is() -> None:
     circle = rings([(10, 0), (-10, 0)], bulge=[1.0, 1.0])
     with pytest.raises(CompensationError, match="cut 2 mm into"):
         equidistant(circle, 12.0, 1, interference="refuse")
 
 
-def test_refuse_accepts_what_fits():
+def test_refuse_accepts_what_fits() -> None:
     paths = rings(SQUARE, DUMBBELL)
     for side in (1, -1):
         assert len(equidistant(paths, 4.0, side, interference="refuse").paths) == 2
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
-def test_a_coordinate_that_is_no_number_is_refused(value):
+def test_a_coordinate_that_is_no_number_is_refused(value: float) -> None:
     start = np.array(SQUARE, float)
     end = np.roll(start, -1, axis=0)
     start[2, 1] = value
@@ -561,7 +570,7 @@ def test_a_coordinate_that_is_no_number_is_refused(value):
         equidistant(Paths(start, end, np.zeros(4), [0, 4]), 1.0, 1)
 
 
-def test_a_segment_without_length_is_refused():
+def test_a_segment_without_length_is_refused() -> None:
     with pytest.raises(ZeroLengthEdge, match="Edge 2"):
         equidistant(rings([(0, 0), (10, 0), (10, 10), (10, 10), (0, 10)]), 1.0, 1)
 
@@ -577,11 +586,13 @@ def test_a_segment_without_length_is_refused():
         ({"corner": Corner.D, "k": np.nan}, "k = nan"),
     ],
 )
-def test_what_makes_no_sense_is_refused(given_, words):
+def test_what_makes_no_sense_is_refused(
+    given_: dict[str, float | str | Corner], words: str
+) -> None:
     with pytest.raises((GeometryError, CompensationError), match=words):
         equidistant(rings(SQUARE), **({"distance": 1.0, "side": 1} | given_))
 
 
-def test_a_group_has_one_tool_on_one_side():
+def test_a_group_has_one_tool_on_one_side() -> None:
     with pytest.raises(GeometryError, match="Path 1 has another"):
         equidistant(rings(SQUARE, DUMBBELL), 1.0, [1, -1], group=[0, 0])

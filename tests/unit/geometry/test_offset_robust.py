@@ -3,26 +3,29 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import numpy as np
 import pytest
 import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
-from knifetip.geometry.offset import equidistant
+from knifetip.geometry.columns import F64
+from knifetip.geometry.offset import Equidistant, equidistant
 from knifetip.geometry.path import Paths
 from knifetip.geometry.transition import Corner
 
 
-def ring(corners):
+def ring(corners: F64 | list[tuple[float, float]]) -> Paths:
     xy = np.array(corners, float)
     return Paths(xy, np.roll(xy, -1, axis=0), np.zeros(len(xy)), [0, len(xy)])
 
 
-def points(made):
+def points(made: Equidistant) -> NDArray[Any]:
     paths = made.paths
     along = arc.points_along(paths.start, paths.end, paths.bulge, 9)
     return shapely.points(along.reshape(-1, 2))
@@ -35,7 +38,9 @@ def points(made):
     radius=st.floats(0.3, 8.0),
     side=st.sampled_from([1, -1]),
 )
-def test_edges_drawn_in_pieces_and_rounded_make_the_same_path(seed, jitter, radius, side):
+def test_edges_drawn_in_pieces_and_rounded_make_the_same_path(
+    seed: int, jitter: float, radius: float, side: int
+) -> None:
     random = np.random.default_rng(seed)
     angle = 2.0 * np.pi * (np.arange(9) + random.uniform(-0.3, 0.3, 9)) / 9
     corners = np.stack([np.cos(angle), np.sin(angle)], axis=1) * random.uniform(15, 50, (9, 1))
@@ -58,7 +63,7 @@ def test_edges_drawn_in_pieces_and_rounded_make_the_same_path(seed, jitter, radi
 
 
 @pytest.mark.parametrize("over", [1e-4, 1e-5, 2e-6])
-def test_walls_that_cross_by_micrometres_are_named_with_their_place(over):
+def test_walls_that_cross_by_micrometres_are_named_with_their_place(over: float) -> None:
     # A notch in the upper edge whose walls cross on their way down.
     contour = [(0, 0), (100, 0), (100, 60), (50 + over, 60), (50 - over, 30), (50 + over, 30),
                (50 - over, 60), (0, 60)]  # fmt: skip
@@ -71,7 +76,7 @@ def test_walls_that_cross_by_micrometres_are_named_with_their_place(over):
 
 @pytest.mark.parametrize("apart", [1e-4, 1e-5, 2e-6])
 @pytest.mark.parametrize("side", [1, -1])
-def test_a_slit_of_micrometres_is_gone_round_or_over(apart, side):
+def test_a_slit_of_micrometres_is_gone_round_or_over(apart: float, side: int) -> None:
     contour = [(0, 0), (100, 0), (100, 60), (50 + apart, 60), (50, 30), (50 - apart, 60), (0, 60)]
     made = equidistant(ring(contour), 3.0, side)
     assert shapely.distance(shapely.LinearRing(contour), points(made)).min() >= 3.0 - 1e-9
@@ -83,7 +88,7 @@ def test_a_slit_of_micrometres_is_gone_round_or_over(apart, side):
 
 
 @pytest.mark.parametrize("radius", [1.0, 4.0, 9.0])
-def test_two_islands_of_a_pocket_may_touch_in_a_point(radius):
+def test_two_islands_of_a_pocket_may_touch_in_a_point(radius: float) -> None:
     outline = [(0, 0), (100, 0), (100, 60), (0, 60)]
     left = [(40, 20), (30, 30), (40, 40), (50, 30)]
     right = [(60, 20), (50, 30), (60, 40), (70, 30)]
@@ -112,7 +117,9 @@ def test_two_islands_of_a_pocket_may_touch_in_a_point(radius):
     radius=st.floats(0.3, 12.0),
     side=st.sampled_from([1, -1]),
 )
-def test_open_paths_with_c_and_d_corners_keep_clear_and_start_square(seed, kind, k, radius, side):
+def test_open_paths_with_c_and_d_corners_keep_clear_and_start_square(
+    seed: int, kind: Corner, k: float, radius: float, side: int
+) -> None:
     random = np.random.default_rng(seed)
     xy = np.stack([np.arange(8) * 15.0, random.uniform(-20.0, 20.0, 8)], axis=1)
     made = equidistant(Paths(xy[:-1], xy[1:], np.zeros(7), [0, 7]), radius, side, corner=kind, k=k)
@@ -132,7 +139,9 @@ def test_open_paths_with_c_and_d_corners_keep_clear_and_start_square(seed, kind,
 
 @settings(max_examples=40, deadline=None)
 @given(kind=st.sampled_from([Corner.C, Corner.D]), k=st.floats(0, 1), radius=st.floats(0.5, 12.0))
-def test_islands_with_c_and_d_corners_stay_within_what_b_leaves(kind, k, radius):
+def test_islands_with_c_and_d_corners_stay_within_what_b_leaves(
+    kind: Corner, k: float, radius: float
+) -> None:
     outline = [(0, 0), (100, 0), (100, 60), (0, 60)]
     hole = [(40, 20), (30, 30), (60, 42), (70, 25)]
     xy = np.concatenate([outline, hole]).astype(float)

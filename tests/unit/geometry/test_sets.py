@@ -12,7 +12,7 @@ _PAIRS = st.lists(st.tuples(st.integers(0, 19), st.integers(0, 19)), max_size=30
 
 
 @given(_PAIRS)
-def test_the_least_of_all_that_hang_together_stands_for_them(pairs: list[tuple[int, int]]):
+def test_the_least_of_all_that_hang_together_stands_for_them(pairs: list[tuple[int, int]]) -> None:
     parent = np.arange(20)
     beside: list[set[int]] = [{one} for one in range(20)]
     for one, other in pairs:

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from knifetip.errors import CompensationError, ZeroLengthEdge
 from knifetip.geometry import arc
+from knifetip.geometry.path import Paths
 from knifetip.geometry.transition import Corner, transitions
 from tests.support.shapes import rotation
 
@@ -25,14 +26,16 @@ knobs = st.floats(0.01, 0.99)
 radii = st.floats(0.01, 100.0)
 
 
-def round_corner(kind, degrees, radius=1.0, side=1, k=0.5):
+def round_corner(
+    kind: Corner, degrees: float, radius: float = 1.0, side: int = 1, k: float = 0.5
+) -> Paths:
     """Travel due east, turn away from the tool by so many degrees."""
     out = rotation(-side * degrees) @ [1.0, 0.0]
     return transitions(kind, np.array([[1.0, 0.0]]), out[None], np.zeros((1, 2)), radius, side, k)
 
 
 @pytest.mark.parametrize("row", TABLE, ids=lambda row: f"{row[0]:g}°")
-def test_lengths_of_the_table(row):
+def test_lengths_of_the_table(row: tuple[float, float, float, float, float, float]) -> None:
     degrees, b, c, d, straight, small = row
     assert round_corner(Corner.B, degrees).lengths[0] == pytest.approx(b, abs=5e-5)
     assert round_corner(Corner.C, degrees).lengths[0] == pytest.approx(c, abs=5e-5)
@@ -42,7 +45,7 @@ def test_lengths_of_the_table(row):
     assert arc.radius(path.start, path.end, path.bulge)[1] == pytest.approx(small, abs=5e-5)
 
 
-def test_b_is_one_arc_about_the_vertex():
+def test_b_is_one_arc_about_the_vertex() -> None:
     path = round_corner(Corner.B, 90.0, radius=2.0)
     np.testing.assert_allclose(path.start, [[0.0, 2.0]], atol=1e-15)
     np.testing.assert_allclose(path.end, [[2.0, 0.0]], atol=1e-15)
@@ -50,18 +53,20 @@ def test_b_is_one_arc_about_the_vertex():
     assert path.bulge[0] < 0.0
 
 
-def test_c_at_a_right_angle_goes_over_the_outer_corner_of_the_square():
+def test_c_at_a_right_angle_goes_over_the_outer_corner_of_the_square() -> None:
     path = round_corner(Corner.C, 90.0, radius=2.0)
     np.testing.assert_allclose(path.end, [[2.0, 2.0], [2.0, 0.0]], atol=1e-15)
 
 
-def test_c_beyond_a_right_angle_is_cut_off():
+def test_c_beyond_a_right_angle_is_cut_off() -> None:
     path = round_corner(Corner.C, 180.0, radius=2.0)
     np.testing.assert_allclose(path.end, [[2.0, 2.0], [2.0, -2.0], [0.0, -2.0]], atol=1e-14)
 
 
 @given(degrees=angles, radius=radii, k=knobs, side=st.sampled_from([-1, 1]))
-def test_d_is_as_long_as_k_says_between_b_and_c(degrees, radius, k, side):
+def test_d_is_as_long_as_k_says_between_b_and_c(
+    degrees: float, radius: float, k: float, side: int
+) -> None:
     b, c, d = (round_corner(kind, degrees, radius, side, k).lengths[0] for kind in Corner)
     assert d == pytest.approx((1.0 - k) * b + k * c, rel=1e-6, abs=1e-6)
     assert b <= c * (1.0 + 1e-12)
@@ -73,7 +78,9 @@ def test_d_is_as_long_as_k_says_between_b_and_c(degrees, radius, k, side):
     k=knobs,
     side=st.sampled_from([-1, 1]),
 )
-def test_d_turns_no_corner_and_touches_the_vertex_only_at_its_ends(degrees, radius, k, side):
+def test_d_turns_no_corner_and_touches_the_vertex_only_at_its_ends(
+    degrees: float, radius: float, k: float, side: int
+) -> None:
     path = round_corner(Corner.D, degrees, radius, side, k)
     if len(path.bulge) < 3:
         return
@@ -91,7 +98,7 @@ def test_d_turns_no_corner_and_touches_the_vertex_only_at_its_ends(degrees, radi
     assert away[21:42].min() >= np.hypot(radius, straight) * (1.0 - 1e-9)
 
 
-def test_k_of_0_is_b_and_k_of_1_up_to_a_right_angle_is_c():
+def test_k_of_0_is_b_and_k_of_1_up_to_a_right_angle_is_c() -> None:
     assert round_corner(Corner.D, 70.0, k=0.0).lengths == round_corner(Corner.B, 70.0).lengths
     np.testing.assert_allclose(
         round_corner(Corner.D, 70.0, k=1.0).end, round_corner(Corner.C, 70.0).end, atol=1e-12
@@ -99,7 +106,9 @@ def test_k_of_0_is_b_and_k_of_1_up_to_a_right_angle_is_c():
 
 
 @given(degrees=angles, turn=st.floats(-180.0, 180.0), kind=st.sampled_from(Corner))
-def test_corners_turn_with_the_board_and_mirror_with_the_side(degrees, turn, kind):
+def test_corners_turn_with_the_board_and_mirror_with_the_side(
+    degrees: float, turn: float, kind: Corner
+) -> None:
     plain = round_corner(kind, degrees)
     out = rotation(-degrees) @ [1.0, 0.0]
     spin = rotation(turn)
@@ -112,7 +121,7 @@ def test_corners_turn_with_the_board_and_mirror_with_the_side(degrees, turn, kin
     np.testing.assert_allclose(mirrored.bulge, -plain.bulge)
 
 
-def test_a_corner_that_is_concave_for_the_tool_has_no_transition():
+def test_a_corner_that_is_concave_for_the_tool_has_no_transition() -> None:
     east, north = np.array([[1.0, 0.0]]), np.array([[0.0, 1.0]])
     both = transitions(
         Corner.B,
@@ -136,11 +145,13 @@ def test_a_corner_that_is_concave_for_the_tool_has_no_transition():
         (Corner.B, -1.0, 0.5, "radius is not a number"),
     ],
 )
-def test_what_makes_no_sense_is_refused(kind, radius, k, words):
+def test_what_makes_no_sense_is_refused(
+    kind: Corner | int, radius: float, k: float, words: str
+) -> None:
     with pytest.raises(CompensationError, match=words):
         round_corner(kind, 90.0, radius, 1, k)
 
 
-def test_a_corner_without_direction_is_refused():
+def test_a_corner_without_direction_is_refused() -> None:
     with pytest.raises(ZeroLengthEdge):
         transitions(0, np.zeros((1, 2)), np.ones((1, 2)), np.zeros((1, 2)), 1.0, 1, 0.5)

@@ -16,7 +16,7 @@ COLUMNS = {
 }
 
 
-def test_columns_come_back_as_they_went_in():
+def test_columns_come_back_as_they_went_in() -> None:
     columns, meta = unpacked(packed(COLUMNS, {"layer": 'Größe "1"', "placement": [20.0, 20.0]}))
     assert meta == {"layer": 'Größe "1"', "placement": [20.0, 20.0]}
     assert list(columns) == list(COLUMNS)
@@ -25,7 +25,7 @@ def test_columns_come_back_as_they_went_in():
         np.testing.assert_array_equal(columns[name], column)
 
 
-def test_the_layout_is_as_the_browser_reads_it():
+def test_the_layout_is_as_the_browser_reads_it() -> None:
     block = packed(COLUMNS, {"ü": 1})
     assert block[:4] == b"KTIP"
     (length,) = struct.unpack("<I", block[4:8])
@@ -40,11 +40,11 @@ def test_the_layout_is_as_the_browser_reads_it():
     assert len(block) == start + 80
 
 
-def test_other_bytes_are_refused():
+def test_other_bytes_are_refused() -> None:
     with pytest.raises(ValueError, match="KTIP"):
         unpacked(b"PK\x03\x04 something else")
 
 
-def test_a_number_that_json_cannot_say_is_refused_in_the_meta_data():
+def test_a_number_that_json_cannot_say_is_refused_in_the_meta_data() -> None:
     with pytest.raises(ValueError, match="JSON compliant"):
         packed({}, {"seconds": float("nan")})

@@ -35,7 +35,7 @@ def gone(process: int) -> bool:
     return False
 
 
-def test_a_task_runs_in_another_process_and_tells_how_far_it_is(crew: Crew):
+def test_a_task_runs_in_another_process_and_tells_how_far_it_is(crew: Crew) -> None:
     heard = []
     assert (
         crew.run(crew_tasks.double, 21, limit=30.0, watch=lambda *said: not heard.append(said))
@@ -45,26 +45,26 @@ def test_a_task_runs_in_another_process_and_tells_how_far_it_is(crew: Crew):
     assert crew.run(crew_tasks.process_id, limit=30.0) != os.getpid()
 
 
-def test_a_process_is_kept_for_the_next_task(crew: Crew):
+def test_a_process_is_kept_for_the_next_task(crew: Crew) -> None:
     first = crew.run(crew_tasks.process_id, limit=30.0)
     assert crew.run(crew_tasks.process_id, limit=30.0) == first
 
 
-def test_an_error_comes_back_with_mend_and_source(crew: Crew):
+def test_an_error_comes_back_with_mend_and_source(crew: Crew) -> None:
     with pytest.raises(CurvedGroove) as caught:
         crew.run(crew_tasks.refuse, limit=30.0)
     assert caught.value.hint == "Make it straight."
     assert caught.value.source == ("2F4",)
 
 
-def test_a_failure_that_nobody_foresaw_leaves_the_process_alive(crew: Crew):
+def test_a_failure_that_nobody_foresaw_leaves_the_process_alive(crew: Crew) -> None:
     before = crew.run(crew_tasks.process_id, limit=30.0)
     with pytest.raises(Fault, match="one by none"):
         crew.run(crew_tasks.fail, limit=30.0)
     assert crew.run(crew_tasks.process_id, limit=30.0) == before
 
 
-def test_a_task_that_hangs_is_killed_and_another_process_takes_its_place(crew: Crew):
+def test_a_task_that_hangs_is_killed_and_another_process_takes_its_place(crew: Crew) -> None:
     before = crew.run(crew_tasks.process_id, limit=30.0)
     began = time.monotonic()
     with pytest.raises(DrawingTooLarge, match="Stage plan was not finished after 0 s"):
@@ -74,23 +74,23 @@ def test_a_task_that_hangs_is_killed_and_another_process_takes_its_place(crew: C
     assert crew.run(crew_tasks.double, 1, limit=30.0) == 2
 
 
-def test_a_task_that_nobody_wants_any_more_is_killed(crew: Crew):
+def test_a_task_that_nobody_wants_any_more_is_killed(crew: Crew) -> None:
     with pytest.raises(Withdrawn):
         crew.run(crew_tasks.hang, limit=30.0, watch=lambda *_: False)
 
 
-def test_a_task_that_eats_all_memory_is_refused(crew: Crew):
+def test_a_task_that_eats_all_memory_is_refused(crew: Crew) -> None:
     with pytest.raises(DrawingTooLarge, match="GB"):
         crew.run(crew_tasks.eat, 8, limit=30.0)
 
 
-def test_a_process_that_dies_is_told_apart_from_one_that_answers(crew: Crew):
+def test_a_process_that_dies_is_told_apart_from_one_that_answers(crew: Crew) -> None:
     with pytest.raises(DrawingTooLarge, match="exit code 3"):
         crew.run(crew_tasks.die, limit=30.0)
     assert crew.run(crew_tasks.double, 4, limit=30.0) == 8
 
 
-def test_a_crew_that_closes_breaks_its_tasks_off(tmp_path: Path):
+def test_a_crew_that_closes_breaks_its_tasks_off(tmp_path: Path) -> None:
     crew = Crew(size=1)
     note = tmp_path / "process"
     ends: list[BaseException] = []

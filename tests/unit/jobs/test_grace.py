@@ -14,13 +14,13 @@ def seconds(grace: Grace, start: float, count: float) -> bool:
     return over
 
 
-def test_a_process_that_has_just_started_waits_one_lease():
+def test_a_process_that_has_just_started_waits_one_lease() -> None:
     grace = Grace()
     assert not seconds(grace, 1000.0, LEASE)
     assert grace.over(1000.0 + LEASE + 1.0)
 
 
-def test_a_process_that_was_suspended_waits_anew():
+def test_a_process_that_was_suspended_waits_anew() -> None:
     grace = Grace()
     assert seconds(grace, 1000.0, LEASE + 5.0)
     assert not grace.over(5000.0)
@@ -28,7 +28,7 @@ def test_a_process_that_was_suspended_waits_anew():
     assert seconds(grace, 5001.0 + LEASE - 1.0, 3.0)
 
 
-def test_a_clock_that_was_set_back_interrupts_nothing():
+def test_a_clock_that_was_set_back_interrupts_nothing() -> None:
     grace = Grace()
     assert seconds(grace, 1000.0, LEASE + 5.0)
     assert not grace.over(500.0)

@@ -10,16 +10,16 @@ def reachable(start: State, without: frozenset[State] = frozenset()) -> set[Stat
     return found
 
 
-def test_every_state_can_be_reached_from_received():
+def test_every_state_can_be_reached_from_received() -> None:
     assert reachable(State.RECEIVED) == set(State)
 
 
-def test_nothing_leads_out_of_the_four_ends():
+def test_nothing_leads_out_of_the_four_ends() -> None:
     ends = {State.DONE, State.REFUSED, State.SCRAPPED, State.CANCELLED}
     assert {a for a, _ in TRANSITIONS} == set(State) - ends
 
 
-def test_only_an_operator_returns_an_interrupted_job_to_the_queue():
+def test_only_an_operator_returns_an_interrupted_job_to_the_queue() -> None:
     leaving = {
         end: movers for (start, end), movers in TRANSITIONS.items() if start == "interrupted"
     }
@@ -31,25 +31,25 @@ def test_only_an_operator_returns_an_interrupted_job_to_the_queue():
     }
 
 
-def test_a_job_that_ran_is_never_queued_again_except_through_interrupted():
+def test_a_job_that_ran_is_never_queued_again_except_through_interrupted() -> None:
     assert State.QUEUED not in reachable(State.RUNNING, without=frozenset({State.INTERRUPTED}))
 
 
-def test_nothing_runs_that_was_not_ready_and_queued():
+def test_nothing_runs_that_was_not_ready_and_queued() -> None:
     assert State.RUNNING not in reachable(State.RECEIVED, without=frozenset({State.READY}))
     assert State.RUNNING not in reachable(State.RECEIVED, without=frozenset({State.QUEUED}))
 
 
-def test_sources_are_told_apart_by_who_moves():
+def test_sources_are_told_apart_by_who_moves() -> None:
     assert sources(State.CANCELLED, Who.GATEWAY) == (State.RUNNING, State.HELD)
     assert sources(State.INTERRUPTED, Who.OPERATOR) == ()
 
 
-def test_a_board_lies_on_the_table_while_running_held_and_interrupted():
+def test_a_board_lies_on_the_table_while_running_held_and_interrupted() -> None:
     assert {*ON_TABLE} == {"running", "held", "interrupted"}
 
 
-def test_ids_are_ten_signs_that_cannot_be_mistaken_for_another():
+def test_ids_are_ten_signs_that_cannot_be_mistaken_for_another() -> None:
     ids = {new_id() for _ in range(1000)}
     assert len(ids) == 1000
     assert {len(id) for id in ids} == {10}

@@ -11,7 +11,7 @@ def words(layer: str, x: float, y: float, said: str, *more: text.Tag) -> str:
     return text.entity("TEXT", (8, layer), (10, x), (20, y), (40, 5), (1, said), *more)
 
 
-def test_words_stand_where_the_file_puts_them():
+def test_words_stand_where_the_file_puts_them() -> None:
     drawing = pipeline.read(
         text.dxf(
             words("NOTES", 10.0, 20.0, "Rev. B"),
@@ -29,12 +29,12 @@ def test_words_stand_where_the_file_puts_them():
     ]
 
 
-def test_words_are_measured_in_the_unit_that_was_decided():
+def test_words_are_measured_in_the_unit_that_was_decided() -> None:
     drawing = pipeline.read(text.dxf(words("NOTES", 1.0, 2.0, "Lid"), units=None), "in")
     assert listed(drawing)[0]["place"] == [25.4, 50.8, 127.0]
 
 
-def test_words_of_a_block_or_of_the_paper_take_no_place_of_the_sheets():
+def test_words_of_a_block_or_of_the_paper_take_no_place_of_the_sheets() -> None:
     drawing = pipeline.read(
         text.dxf(
             words("NOTES", 1.0, 1.0, "paper", (67, 1)),

@@ -140,7 +140,7 @@ def course(store: Store, id: str) -> list[str]:
 # The way of a job
 
 
-def test_a_job_goes_from_received_to_done_and_every_step_is_an_event(store: Store):
+def test_a_job_goes_from_received_to_done_and_every_step_is_an_event(store: Store) -> None:
     job = running(store)
     assert (job.state, job.lines, job.program_sha256) == ("running", LINES, "ab" * 32)
     store.finish(job.id, job.epoch, "done", "")
@@ -156,7 +156,7 @@ def test_a_job_goes_from_received_to_done_and_every_step_is_an_event(store: Stor
     assert (done.line, done.copies_done, done.seconds_left) == (LINES, 1, 0.0)
 
 
-def test_a_job_that_was_not_ordered_to_be_queued_waits_to_be_released(store: Store):
+def test_a_job_that_was_not_ordered_to_be_queued_waits_to_be_released(store: Store) -> None:
     job = compiling(store)
     store.compiled(job.id, job.epoch, RESULT)
     assert store.job(job.id).state == "ready"
@@ -164,14 +164,14 @@ def test_a_job_that_was_not_ordered_to_be_queued_waits_to_be_released(store: Sto
     assert store.release(job.id).state == "queued"
 
 
-def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store):
+def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store) -> None:
     job = compiling(store, release=True)
     store.compiled(job.id, job.epoch, REFUSED)
     job = store.job(job.id)
     assert (job.state, job.reason, job.source) == ("refused", "Edge 3 is 0.4 mm off.", ["2F4"])
 
 
-def test_the_event_is_written_with_the_move_or_not_at_all(store: Store):
+def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState):
         store.release(job.id)
@@ -180,7 +180,7 @@ def test_the_event_is_written_with_the_move_or_not_at_all(store: Store):
 
 
 @pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume"])
-def test_a_received_job_can_only_be_cancelled(store: Store, move: str):
+def test_a_received_job_can_only_be_cancelled(store: Store, move: str) -> None:
     job = ordered(store)
     with pytest.raises(WrongState, match="is received"):
         getattr(store, move)(job.id)
@@ -188,14 +188,14 @@ def test_a_received_job_can_only_be_cancelled(store: Store, move: str):
 
 
 @pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume", "cancel"])
-def test_a_job_that_is_done_stays_done(store: Store, move: str):
+def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
     job = running(store)
     store.finish(job.id, job.epoch, "done", "")
     with pytest.raises(WrongState, match="is done"):
         getattr(store, move)(job.id)
 
 
-def test_a_job_that_does_not_exist_is_named(store: Store):
+def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
     with pytest.raises(NoSuchJob, match="no job 'nothing'"):
         store.cancel("nothing")
     with pytest.raises(NoSuchJob, match="no drawing"):
@@ -205,7 +205,7 @@ def test_a_job_that_does_not_exist_is_named(store: Store):
 # One job on a table
 
 
-def test_two_claims_on_one_machine_give_one_job(store: Store):
+def test_two_claims_on_one_machine_give_one_job(store: Store) -> None:
     first, second = queued(store), queued(store)
     claimed = store.claim("table", "one", manual=False)
     assert claimed is not None
@@ -218,7 +218,7 @@ def test_two_claims_on_one_machine_give_one_job(store: Store):
 @pytest.mark.parametrize("state", ["running", "held", "interrupted"])
 def test_the_database_itself_refuses_a_second_job_on_a_table(
     store: Store, tmp_path: Path, state: str
-):
+) -> None:
     running(store)
     second = queued(store)
     direct = sqlite3.connect(f"{tmp_path}/shop.sqlite")
@@ -226,7 +226,7 @@ def test_the_database_itself_refuses_a_second_job_on_a_table(
         direct.execute("UPDATE job SET state = ? WHERE id = ?", (state, second.id))
 
 
-def test_postgresql_is_told_the_same_index():
+def test_postgresql_is_told_the_same_index() -> None:
     (index,) = [index for index in Job.__table__.indexes if index.name == "one_job_on_a_table"]
     said = str(CreateIndex(index).compile(dialect=postgresql.dialect()))
     assert "UNIQUE" in said
@@ -234,7 +234,7 @@ def test_postgresql_is_told_the_same_index():
     assert "OR (state = 'queued' AND confirmation <> '')" in said
 
 
-def test_ten_gateways_that_claim_at_once_get_one_job(store: Store):
+def test_ten_gateways_that_claim_at_once_get_one_job(store: Store) -> None:
     for _ in range(3):
         queued(store)
     got: list[Job | None] = []
@@ -258,7 +258,7 @@ def test_ten_gateways_that_claim_at_once_get_one_job(store: Store):
     assert len(got) + len(refused) == 10
 
 
-def test_machines_do_not_wait_for_each_other(store: Store):
+def test_machines_do_not_wait_for_each_other(store: Store) -> None:
     running(store)
     other = queued(store, machine="other")
     claimed = store.claim("other", "gateway", manual=False)
@@ -266,7 +266,7 @@ def test_machines_do_not_wait_for_each_other(store: Store):
     assert claimed.id == other.id
 
 
-def test_a_claim_takes_the_highest_priority_and_then_the_oldest(store: Store, clock: Clock):
+def test_a_claim_takes_the_highest_priority_and_then_the_oldest(store: Store, clock: Clock) -> None:
     late = queued(store, priority=0)
     clock.now += 1.0
     urgent = queued(store, priority=5)
@@ -285,7 +285,9 @@ def test_a_claim_takes_the_highest_priority_and_then_the_oldest(store: Store, cl
 # Epochs and leases
 
 
-def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(store: Store, clock: Clock):
+def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(
+    store: Store, clock: Clock
+) -> None:
     job = running(store)
     clock.now += LEASE + 0.1
     store.sweep()
@@ -300,7 +302,9 @@ def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(store: Store
     assert store.job(job.id).state == "running"
 
 
-def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(store: Store, clock: Clock):
+def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(
+    store: Store, clock: Clock
+) -> None:
     job = running(store)
     store.heartbeat(job.id, job.epoch, Report(line=199))
     clock.now += LEASE - 0.1
@@ -317,7 +321,7 @@ def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(store: Store, c
     assert store.on_table() == {"table": job.id}
 
 
-def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock):
+def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock) -> None:
     job = running(store)
     for line in range(20):
         clock.now += LEASE / 2
@@ -326,7 +330,7 @@ def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock):
     assert store.job(job.id).state == "running"
 
 
-def test_a_finish_that_is_said_twice_does_no_harm(store: Store):
+def test_a_finish_that_is_said_twice_does_no_harm(store: Store) -> None:
     job = running(store)
     store.finish(job.id, job.epoch, "interrupted", "a belt tore")
     again = store.finish(job.id, job.epoch, "interrupted", "a belt tore")
@@ -334,7 +338,7 @@ def test_a_finish_that_is_said_twice_does_no_harm(store: Store):
     assert course(store, job.id).count("interrupted") == 1
 
 
-def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(store: Store):
+def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(store: Store) -> None:
     job = running(store)
     store.heartbeat(job.id, job.epoch, Report(line=100))
     store.finish(job.id, job.epoch, "interrupted", "a belt tore")
@@ -347,7 +351,7 @@ def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(stor
     assert store.on_table() == {}
 
 
-def test_copies_that_were_cut_before_an_interruption_count(store: Store):
+def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None:
     job = fed(store, copies=3)
     store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
     assert store.events_of(job.id)[-1].why == "copy 1 of 3 is done: put a new sheet on the table"
@@ -359,7 +363,7 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store):
     assert store.job(job.id).copies_done == 2
 
 
-def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store):
+def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
     job = fed(store, copies=3)
     store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
     store.resume(job.id)
@@ -375,7 +379,7 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store):
 # The operator starts
 
 
-def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store):
+def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> None:
     job = waiting(store)
     assert (job.state, job.owner, job.confirmation) == ("queued", "gateway", "awaited")
     assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
@@ -395,7 +399,7 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store):
     ]
 
 
-def test_a_confirmation_that_is_repeated_changes_nothing(store: Store):
+def test_a_confirmation_that_is_repeated_changes_nothing(store: Store) -> None:
     job = waiting(store)
     store.confirm(job.id)
     events = len(course(store, job.id))
@@ -406,7 +410,7 @@ def test_a_confirmation_that_is_repeated_changes_nothing(store: Store):
     assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "continue"
 
 
-def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store):
+def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState, match="has not taken it yet"):
         store.confirm(job.id)
@@ -424,20 +428,20 @@ def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store):
         store.confirm(job.id)
 
 
-def test_a_job_on_a_machine_that_feeds_itself_has_nothing_to_confirm(store: Store):
+def test_a_job_on_a_machine_that_feeds_itself_has_nothing_to_confirm(store: Store) -> None:
     job = running(store)
     with pytest.raises(WrongState, match="is running"):
         store.confirm(job.id)
 
 
-def test_another_board_on_the_table_is_refused(store: Store):
+def test_another_board_on_the_table_is_refused(store: Store) -> None:
     job = waiting(store)
     with pytest.raises(WrongState, match=r"for the board e-flute, not 'greyboard-2\.0'"):
         store.confirm(job.id, board="greyboard-2.0")
     assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
 
 
-def test_a_machine_whose_job_waits_gives_no_other_job_to_another_gateway(store: Store):
+def test_a_machine_whose_job_waits_gives_no_other_job_to_another_gateway(store: Store) -> None:
     first = waiting(store)
     second = queued(store, priority=50)
     with pytest.raises(MachineBusy, match="table"):
@@ -452,7 +456,9 @@ def test_a_machine_whose_job_waits_gives_no_other_job_to_another_gateway(store: 
     assert store.job(second.id).state == "queued"
 
 
-def test_the_database_itself_refuses_a_second_claim_that_waits(store: Store, tmp_path: Path):
+def test_the_database_itself_refuses_a_second_claim_that_waits(
+    store: Store, tmp_path: Path
+) -> None:
     waiting(store)
     second = queued(store)
     direct = sqlite3.connect(f"{tmp_path}/shop.sqlite")
@@ -460,7 +466,7 @@ def test_the_database_itself_refuses_a_second_claim_that_waits(store: Store, tmp
         direct.execute("UPDATE job SET confirmation = 'awaited' WHERE id = ?", (second.id,))
 
 
-def test_a_confirmation_counts_for_its_claim_only(store: Store):
+def test_a_confirmation_counts_for_its_claim_only(store: Store) -> None:
     job = waiting(store)
     store.confirm(job.id)
     again = store.claim("table", "gateway", manual=True)
@@ -468,7 +474,9 @@ def test_a_confirmation_counts_for_its_claim_only(store: Store):
     assert store.heartbeat(again.id, again.epoch, WAITING) == "wait"
 
 
-def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(store: Store, clock: Clock):
+def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(
+    store: Store, clock: Clock
+) -> None:
     job = waiting(store)
     store.confirm(job.id)
     clock.now += LEASE + 0.1
@@ -485,7 +493,7 @@ def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(store: Store, 
 
 def test_a_waiting_claim_that_has_run_out_is_not_confirmed_and_goes_to_another_gateway(
     store: Store, clock: Clock
-):
+) -> None:
     job = waiting(store)
     clock.now += LEASE + 0.1
     with pytest.raises(WrongState, match="does not answer"):
@@ -498,7 +506,7 @@ def test_a_waiting_claim_that_has_run_out_is_not_confirmed_and_goes_to_another_g
 
 def test_a_heartbeat_keeps_a_waiting_claim_alive_and_its_machine_connected(
     store: Store, clock: Clock
-):
+) -> None:
     job = waiting(store)
     for _ in range(5):
         clock.now += LEASE / 2
@@ -508,7 +516,7 @@ def test_a_heartbeat_keeps_a_waiting_claim_alive_and_its_machine_connected(
     assert store.job(job.id).owner == "gateway"
 
 
-def test_a_waiting_job_is_cancelled_at_once_and_its_gateway_drops_it(store: Store):
+def test_a_waiting_job_is_cancelled_at_once_and_its_gateway_drops_it(store: Store) -> None:
     job = waiting(store)
     assert store.cancel(job.id).state == "cancelled"
     with pytest.raises(StaleEpoch):
@@ -519,7 +527,7 @@ def test_a_waiting_job_is_cancelled_at_once_and_its_gateway_drops_it(store: Stor
     assert claimed.id == other.id
 
 
-def test_a_claim_that_its_gateway_returns_is_queued_and_never_interrupted(store: Store):
+def test_a_claim_that_its_gateway_returns_is_queued_and_never_interrupted(store: Store) -> None:
     job = waiting(store)
     row = store.finish(job.id, job.epoch, "returned", "The controller is not idle.")
     assert (row.state, row.confirmation, row.epoch) == ("queued", "", job.epoch + 1)
@@ -527,7 +535,7 @@ def test_a_claim_that_its_gateway_returns_is_queued_and_never_interrupted(store:
         store.finish(job.id, job.epoch, "returned", "")
 
 
-def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: Store):
+def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: Store) -> None:
     job = fed(store)
     row = store.finish(job.id, job.epoch, "returned", "Nothing was sent.")
     assert (row.state, row.reason) == (
@@ -536,7 +544,9 @@ def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: St
     )
 
 
-def test_a_gateway_that_runs_without_a_confirmation_is_held_until_somebody_confirms(store: Store):
+def test_a_gateway_that_runs_without_a_confirmation_is_held_until_somebody_confirms(
+    store: Store,
+) -> None:
     job = waiting(store)
     assert store.heartbeat(job.id, job.epoch, Report(line=1)) == "hold"
     assert store.job(job.id).state == "running"
@@ -549,7 +559,7 @@ def test_a_gateway_that_runs_without_a_confirmation_is_held_until_somebody_confi
     assert store.heartbeat(job.id, job.epoch, Report(line=3)) == "continue"
 
 
-def test_a_hold_between_confirmation_and_start_keeps_the_machine_waiting(store: Store):
+def test_a_hold_between_confirmation_and_start_keeps_the_machine_waiting(store: Store) -> None:
     job = fed(store)
     store.hold(job.id)
     assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
@@ -563,7 +573,7 @@ def test_a_hold_between_confirmation_and_start_keeps_the_machine_waiting(store: 
 
 
 @pytest.mark.parametrize("command", ["confirm", "resume"])
-def test_a_new_sheet_is_confirmed_by_either_command(store: Store, command: str):
+def test_a_new_sheet_is_confirmed_by_either_command(store: Store, command: str) -> None:
     job = fed(store, copies=2)
     between = Report(line=LINES, copies_done=1, held=True)
     assert store.heartbeat(job.id, job.epoch, between) == "continue"
@@ -574,7 +584,7 @@ def test_a_new_sheet_is_confirmed_by_either_command(store: Store, command: str):
     assert store.heartbeat(job.id, job.epoch, Report(line=1, copies_done=1)) == "continue"
 
 
-def test_a_copy_that_begins_without_its_sheet_confirmed_is_held(store: Store):
+def test_a_copy_that_begins_without_its_sheet_confirmed_is_held(store: Store) -> None:
     job = fed(store, copies=2)
     assert store.heartbeat(job.id, job.epoch, Report(line=1, copies_done=1)) == "hold"
     assert store.heartbeat(job.id, job.epoch, Report(line=2, copies_done=1)) == "hold"
@@ -582,7 +592,9 @@ def test_a_copy_that_begins_without_its_sheet_confirmed_is_held(store: Store):
     assert store.heartbeat(job.id, job.epoch, Report(line=2, copies_done=1)) == "continue"
 
 
-def test_a_machine_that_feeds_itself_goes_on_to_the_next_copy_unless_it_is_held(store: Store):
+def test_a_machine_that_feeds_itself_goes_on_to_the_next_copy_unless_it_is_held(
+    store: Store,
+) -> None:
     job = running(store, copies=3)
     between = Report(line=LINES, copies_done=1, held=True)
     assert store.heartbeat(job.id, job.epoch, between) == "resume"
@@ -593,7 +605,9 @@ def test_a_machine_that_feeds_itself_goes_on_to_the_next_copy_unless_it_is_held(
     assert store.job(job.id).state == "held"
 
 
-def test_an_interrupted_job_that_is_queued_again_keeps_its_place(store: Store, clock: Clock):
+def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
+    store: Store, clock: Clock
+) -> None:
     job = running(store)
     clock.now += 1.0
     queued(store)
@@ -617,7 +631,7 @@ def interrupted(store: Store, clock: Clock, line: int, **more: object) -> Job:
     return job
 
 
-def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock):
+def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 56, copies=2)
     row = store.finish(job.id, job.epoch, "done", "")
     assert (row.state, row.line, row.copies_done) == ("done", LINES, 2)
@@ -629,7 +643,9 @@ def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock):
 
 
 @pytest.mark.parametrize("outcome", ["interrupted", "cancelled"])
-def test_a_late_report_of_another_end_corrects_the_line(store: Store, clock: Clock, outcome: str):
+def test_a_late_report_of_another_end_corrects_the_line(
+    store: Store, clock: Clock, outcome: str
+) -> None:
     job = interrupted(store, clock, 56)
     row = store.finish(job.id, job.epoch, outcome, "A belt tore.", line=77)
     assert (row.state, row.line) == ("interrupted", 77)
@@ -639,7 +655,7 @@ def test_a_late_report_of_another_end_corrects_the_line(store: Store, clock: Clo
     assert len(course(store, job.id)) == events
 
 
-def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, clock: Clock):
+def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 56)
     with pytest.raises(StaleEpoch):
         store.heartbeat(job.id, job.epoch, Report(line=60))
@@ -660,7 +676,7 @@ def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, cl
 
 def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
     store: Store, clock: Clock
-):
+) -> None:
     job = interrupted(store, clock, LINES)
     row = store.job(job.id)
     assert row.reason.startswith("Interrupted at line 231 of 231. ")
@@ -671,7 +687,7 @@ def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
     assert "again" not in caught.value.hint
 
 
-def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: Clock):
+def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: Clock) -> None:
     job = fed(store, copies=3)
     store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
     clock.now += LEASE + 0.1
@@ -686,12 +702,12 @@ def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: 
     assert row.reason.startswith("Interrupted after copy 2 of 3")
 
 
-def test_a_copy_that_was_cut_to_its_last_line_is_counted(store: Store, clock: Clock):
+def test_a_copy_that_was_cut_to_its_last_line_is_counted(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, LINES, copies=3)
     assert (store.job(job.id).line, store.job(job.id).copies_done) == (0, 1)
 
 
-def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: Clock):
+def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 200, copies=2)
     row = store.declare_finished(job.id)
     assert (row.state, row.line, row.copies_done, row.reason) == ("done", LINES, 2, "")
@@ -702,7 +718,7 @@ def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: C
 
 
 @pytest.mark.parametrize("state", ["ready", "queued", "running"])
-def test_only_an_interrupted_job_can_be_declared_finished(store: Store, state: str):
+def test_only_an_interrupted_job_can_be_declared_finished(store: Store, state: str) -> None:
     job = {"ready": compiling, "queued": queued, "running": running}[state](store)
     with pytest.raises(WrongState):
         store.declare_finished(job.id)
@@ -710,7 +726,7 @@ def test_only_an_interrupted_job_can_be_declared_finished(store: Store, state: s
 
 def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(
     store: Store, clock: Clock
-):
+) -> None:
     job = running(store)
     clock.now += LEASE + 0.1
     store.sweep(gateways=False)
@@ -721,7 +737,7 @@ def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(
 # What the operator wants
 
 
-def test_hold_and_resume_go_through_the_gateway(store: Store):
+def test_hold_and_resume_go_through_the_gateway(store: Store) -> None:
     job = running(store)
     assert store.hold(job.id).state == "running"
     assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "hold"
@@ -734,7 +750,7 @@ def test_hold_and_resume_go_through_the_gateway(store: Store):
     assert store.job(job.id).state == "running"
 
 
-def test_a_running_job_is_cancelled_by_its_gateway(store: Store):
+def test_a_running_job_is_cancelled_by_its_gateway(store: Store) -> None:
     job = running(store)
     assert store.cancel(job.id).state == "running"
     with pytest.raises(WrongState, match="being cancelled"):
@@ -744,7 +760,7 @@ def test_a_running_job_is_cancelled_by_its_gateway(store: Store):
     assert store.finish(job.id, job.epoch, "cancelled", "").state == "cancelled"
 
 
-def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store):
+def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store) -> None:
     job = running(store)
     store.finish(job.id, job.epoch, "interrupted", "")
     with pytest.raises(WrongState) as caught:
@@ -756,7 +772,7 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
 # Compiles
 
 
-def test_a_compile_that_was_cancelled_cannot_leave_its_result(store: Store):
+def test_a_compile_that_was_cancelled_cannot_leave_its_result(store: Store) -> None:
     job = compiling(store)
     store.cancel(job.id)
     assert not store.compile_progress(job.id, job.epoch, Stage.PLAN, 0.1)
@@ -767,7 +783,7 @@ def test_a_compile_that_was_cancelled_cannot_leave_its_result(store: Store):
 
 def test_a_compile_whose_worker_fell_silent_is_tried_again_and_the_old_one_is_fenced(
     store: Store, clock: Clock
-):
+) -> None:
     job = compiling(store)
     store.compile_progress(job.id, job.epoch, Stage.VERIFY, 0.7)
     clock.now += LEASE + 0.1
@@ -781,7 +797,9 @@ def test_a_compile_whose_worker_fell_silent_is_tried_again_and_the_old_one_is_fe
     assert store.job(job.id).state == "ready"
 
 
-def test_a_worker_that_comes_back_under_the_same_attempt_takes_its_compile_up_again(store: Store):
+def test_a_worker_that_comes_back_under_the_same_attempt_takes_its_compile_up_again(
+    store: Store,
+) -> None:
     job = compiling(store)
     again = store.begin_compile(job.id, 1, "worker")
     assert again is not None
@@ -790,7 +808,9 @@ def test_a_worker_that_comes_back_under_the_same_attempt_takes_its_compile_up_ag
         store.refuse(job.id, job.epoch, "late", "")
 
 
-def test_a_drawing_that_kills_every_compile_is_refused_in_the_end(store: Store, clock: Clock):
+def test_a_drawing_that_kills_every_compile_is_refused_in_the_end(
+    store: Store, clock: Clock
+) -> None:
     job = compiling(store)
     for attempt in range(2, ATTEMPTS + 1):
         clock.now += LEASE + 0.1
@@ -802,7 +822,7 @@ def test_a_drawing_that_kills_every_compile_is_refused_in_the_end(store: Store, 
     assert "5 compiles" in store.job(job.id).reason
 
 
-def test_a_job_that_nobody_compiles_is_handed_out_again(store: Store, clock: Clock):
+def test_a_job_that_nobody_compiles_is_handed_out_again(store: Store, clock: Clock) -> None:
     job = ordered(store)
     assert store.sweep() == []
     clock.now += 3.0
@@ -812,7 +832,7 @@ def test_a_job_that_nobody_compiles_is_handed_out_again(store: Store, clock: Clo
 # Drawings, keys, events
 
 
-def test_a_key_answers_with_the_first_result_and_refuses_another_request(store: Store):
+def test_a_key_answers_with_the_first_result_and_refuses_another_request(store: Store) -> None:
     first = drawing(store, key="k", fingerprint="f")
     assert drawing(store, key="k", fingerprint="f").id == first.id
     with pytest.raises(KeyReused):
@@ -823,7 +843,7 @@ def test_a_key_answers_with_the_first_result_and_refuses_another_request(store: 
         store.job_of("k", "another")
 
 
-def test_a_change_to_a_drawing_that_changed_meanwhile_is_refused(store: Store):
+def test_a_change_to_a_drawing_that_changed_meanwhile_is_refused(store: Store) -> None:
     row = drawing(store)
     assert store.change_drawing(row.id, row.version, "first", overrides=b"\x01").version == 2
     with pytest.raises(StaleRevision, match="revision 2") as stale:
@@ -832,14 +852,14 @@ def test_a_change_to_a_drawing_that_changed_meanwhile_is_refused(store: Store):
     assert store.drawing_column(row.id, "overrides") == b"\x01"
 
 
-def test_a_change_to_a_drawing_that_was_deleted_meanwhile_is_refused(store: Store):
+def test_a_change_to_a_drawing_that_was_deleted_meanwhile_is_refused(store: Store) -> None:
     row = drawing(store)
     store.delete_drawing(row.id)
     with pytest.raises(NoSuchJob):
         store.change_drawing(row.id, row.version, "late", overrides=b"\x01")
 
 
-def test_what_is_read_of_a_drawing_is_of_one_revision(store: Store):
+def test_what_is_read_of_a_drawing_is_of_one_revision(store: Store) -> None:
     row = drawing(store)
     store.change_drawing(row.id, 1, "second", overrides=b"\x02", edges=b"two", unit_given="in")
     read = store.drawing_with(row.id, "overrides", "edges")
@@ -848,7 +868,7 @@ def test_what_is_read_of_a_drawing_is_of_one_revision(store: Store):
     assert seen == (2, b"\x02", b"two", "in")
 
 
-def test_a_drawing_with_jobs_is_kept(store: Store):
+def test_a_drawing_with_jobs_is_kept(store: Store) -> None:
     job = ordered(store)
     with pytest.raises(WrongState, match=job.id):
         store.delete_drawing(job.drawing)
@@ -858,7 +878,7 @@ def test_a_drawing_with_jobs_is_kept(store: Store):
         store.drawing(free.id)
 
 
-def test_events_are_numbered_upwards_and_never_twice(store: Store):
+def test_events_are_numbered_upwards_and_never_twice(store: Store) -> None:
     job = queued(store)
     last = store.last_event()
     store.cancel(job.id)
@@ -867,7 +887,9 @@ def test_events_are_numbered_upwards_and_never_twice(store: Store):
     assert event.id > last
 
 
-def test_a_gateway_is_connected_while_it_asks_and_while_it_works(store: Store, clock: Clock):
+def test_a_gateway_is_connected_while_it_asks_and_while_it_works(
+    store: Store, clock: Clock
+) -> None:
     assert store.connected(6.0) == set()
     store.saw_gateway("table", "gateway")
     store.saw_gateway("table", "gateway")
@@ -884,20 +906,20 @@ def test_a_gateway_is_connected_while_it_asks_and_while_it_works(store: Store, c
 # The database
 
 
-def test_the_migrations_make_the_tables_that_the_code_expects(store: Store, tmp_path: Path):
+def test_the_migrations_make_the_tables_that_the_code_expects(store: Store, tmp_path: Path) -> None:
     engine = sa.create_engine(store.url)
     with engine.connect() as connection:
         assert compare_metadata(MigrationContext.configure(connection), Base.metadata) == []
     engine.dispose()
 
 
-def test_to_migrate_twice_changes_nothing(store: Store):
+def test_to_migrate_twice_changes_nothing(store: Store) -> None:
     job = queued(store)
     store.migrate()
     assert store.job(job.id).state == "queued"
 
 
-def test_a_database_of_before_corners_could_be_chosen_keeps_its_jobs(store: Store):
+def test_a_database_of_before_corners_could_be_chosen_keeps_its_jobs(store: Store) -> None:
     job = queued(store)
     settings = Config()
     settings.set_main_option("script_location", str(MIGRATIONS))
@@ -912,7 +934,7 @@ def test_a_database_of_before_corners_could_be_chosen_keeps_its_jobs(store: Stor
     assert (kept.state, kept.corners) == ("queued", None)
 
 
-def test_a_database_of_before_confirmations_keeps_what_runs_and_who_runs_it(store: Store):
+def test_a_database_of_before_confirmations_keeps_what_runs_and_who_runs_it(store: Store) -> None:
     job = running(store)
     settings = Config()
     settings.set_main_option("script_location", str(MIGRATIONS))
@@ -932,13 +954,13 @@ def test_a_database_of_before_confirmations_keeps_what_runs_and_who_runs_it(stor
 
 
 @pytest.mark.parametrize("url", ["nonsense", "sqlite://", "sqlite:///:memory:", "mysql://h/d", ""])
-def test_a_database_that_cannot_be_used_is_refused_with_a_mend(url: str):
+def test_a_database_that_cannot_be_used_is_refused_with_a_mend(url: str) -> None:
     with pytest.raises(StoreError) as caught:
         Store(url)
     assert "sqlite:///FILE" in caught.value.hint
 
 
-def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Store):
+def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Store) -> None:
     first = store.keep_profile("acme", "Acme", "title = 'Acme'", None)
     assert first.version == 1
     with pytest.raises(WrongState, match="already, at version 1"):

@@ -23,7 +23,7 @@ def waiting(turns: Turns, name: str, order: list[str], urgent: bool) -> threadin
     return thread
 
 
-def test_urgent_ones_come_before_those_that_wait_longer():
+def test_urgent_ones_come_before_those_that_wait_longer() -> None:
     turns = Turns()
     order: list[str] = []
     with turns.turn(False):
@@ -39,7 +39,7 @@ def test_urgent_ones_come_before_those_that_wait_longer():
     assert sorted(order[1:]) == ["first", "second"]
 
 
-def test_a_turn_ends_when_its_work_fails():
+def test_a_turn_ends_when_its_work_fails() -> None:
     turns = Turns()
     for _ in range(2):
         with pytest.raises(ZeroDivisionError), turns.turn(True):
@@ -49,7 +49,7 @@ def test_a_turn_ends_when_its_work_fails():
     assert order == ["next"]
 
 
-def test_there_is_never_more_than_one():
+def test_there_is_never_more_than_one() -> None:
     turns = Turns()
     inside, most = 0, 0
 

@@ -6,6 +6,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -64,7 +65,9 @@ def begun(store: Store, id: str) -> Job:
     return job
 
 
-def test_a_refusal_keeps_reason_mend_and_source(store, workshop, job, compiles_by):
+def test_a_refusal_keeps_reason_mend_and_source(
+    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+) -> None:
     compiles_by(crew_tasks.refuse)
     workshop.compile(job.id, 1)
     job = store.job(job.id)
@@ -80,14 +83,23 @@ def test_a_refusal_keeps_reason_mend_and_source(store, workshop, job, compiles_b
     ("task", "words"),
     [(crew_tasks.fail, "nobody foresaw: ZeroDivisionError"), (crew_tasks.die, "exit code 3")],
 )
-def test_a_compile_that_breaks_down_refuses_the_job(store, workshop, job, compiles_by, task, words):
+def test_a_compile_that_breaks_down_refuses_the_job(
+    store: Store,
+    workshop: Workshop,
+    job: Job,
+    compiles_by: Callable[[object], None],
+    task: Callable[..., Any],
+    words: str,
+) -> None:
     compiles_by(task)
     workshop.compile(job.id, 1)
     assert store.job(job.id).state == "refused"
     assert words in store.job(job.id).reason
 
 
-def test_a_compile_that_takes_too_long_refuses_the_job(store, workshop, job, compiles_by):
+def test_a_compile_that_takes_too_long_refuses_the_job(
+    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+) -> None:
     compiles_by(crew_tasks.hang_in_verify)
     workshop.limit = 4.0
     workshop.compile(job.id, 1)
@@ -95,8 +107,8 @@ def test_a_compile_that_takes_too_long_refuses_the_job(store, workshop, job, com
 
 
 def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(
-    store, workshop, job, compiles_by
-):
+    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+) -> None:
     compiles_by(crew_tasks.hang_in_verify)
     thread = threading.Thread(target=workshop.compile, args=(job.id, 1))
     thread.start()
@@ -107,7 +119,9 @@ def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(
     assert store.job(job.id).state == "cancelled"
 
 
-def test_a_silent_compile_keeps_its_lease(store, workshop, job, compiles_by):
+def test_a_silent_compile_keeps_its_lease(
+    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+) -> None:
     compiles_by(crew_tasks.hang_in_verify)
     thread = threading.Thread(target=workshop.compile, args=(job.id, 1))
     thread.start()
@@ -118,7 +132,9 @@ def test_a_silent_compile_keeps_its_lease(store, workshop, job, compiles_by):
     thread.join(5.0)
 
 
-def test_a_workshop_that_stops_gives_its_compile_back(store, workshop, job, compiles_by):
+def test_a_workshop_that_stops_gives_its_compile_back(
+    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+) -> None:
     compiles_by(crew_tasks.hang_in_verify)
     thread = threading.Thread(target=workshop.compile, args=(job.id, 1))
     thread.start()
@@ -130,7 +146,9 @@ def test_a_workshop_that_stops_gives_its_compile_back(store, workshop, job, comp
     assert (given.state, given.attempt, given.owner) == ("received", 2, "")
 
 
-def test_an_attempt_that_was_given_to_another_is_left_alone(store, workshop, job, compiles_by):
+def test_an_attempt_that_was_given_to_another_is_left_alone(
+    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+) -> None:
     compiles_by(crew_tasks.refuse)
     workshop.compile(job.id, 2)
     assert store.job(job.id).state == "received"
@@ -138,8 +156,8 @@ def test_an_attempt_that_was_given_to_another_is_left_alone(store, workshop, job
 
 @pytest.mark.parametrize("gateways", [True, False])
 def test_only_a_process_that_gateways_reach_takes_jobs_from_them(
-    store, workshop, monkeypatch, gateways: bool
-):
+    store: Store, workshop: Workshop, monkeypatch: pytest.MonkeyPatch, gateways: bool
+) -> None:
     asked: list[bool] = []
     monkeypatch.setattr("knifetip.jobs.work.Grace.over", lambda _grace, _now: len(asked) >= 1)
 

@@ -87,7 +87,7 @@ def _frozen(values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
 VALUES = np.arange(1.0, 5.0)
 
 
-def test_a_kernel_is_compiled_at_its_first_call_and_not_before():
+def test_a_kernel_is_compiled_at_its_first_call_and_not_before() -> None:
     @kernel
     def twice(x: float) -> float:
         return 2.0 * x
@@ -97,14 +97,14 @@ def test_a_kernel_is_compiled_at_its_first_call_and_not_before():
     assert _signatures(twice) == 1
 
 
-def test_read_only_arrays_narrow_numbers_and_integers_for_floats_use_one_signature():
+def test_read_only_arrays_narrow_numbers_and_integers_for_floats_use_one_signature() -> None:
     assert _sum(VALUES, 1, 0.0, False) == 1.0 + 2.0 + 4.0
     assert _sum(_frozen(VALUES.copy()), np.int32(1), 3, True) == 20.0
     assert _sum(VALUES, np.int64(1), np.float64(3.0), np.bool_(True)) == 20.0
     assert _signatures(_sum) == 1
 
 
-def test_constants_and_slices_inside_kernels_use_one_signature():
+def test_constants_and_slices_inside_kernels_use_one_signature() -> None:
     tables = Tables(VALUES, 4, np.zeros(1, np.int64))
     frozen = Tables(_frozen(VALUES.copy()), 4, np.zeros(1, np.int64))
     assert _sum_of_sums(tables, VALUES) == 6.0 + 20.0 + 16.0 + 4 + 2
@@ -124,12 +124,12 @@ def test_constants_and_slices_inside_kernels_use_one_signature():
         (lambda: _count(Tables(VALUES, 1, _frozen(np.zeros(1, np.int64)))), "argument tables"),
     ],
 )
-def test_what_is_not_as_declared_is_refused_by_the_name_of_its_argument(call, named):
+def test_what_is_not_as_declared_is_refused_by_the_name_of_its_argument(call, named) -> None:
     with pytest.raises(TypeError, match=named):
         call()
 
 
-def test_no_kernel_casts_a_float_to_an_integer_in_a_call():
+def test_no_kernel_casts_a_float_to_an_integer_in_a_call() -> None:
     @kernel
     def wrong(values: F64_1) -> float:
         return _at(values, values[0])
@@ -138,7 +138,7 @@ def test_no_kernel_casts_a_float_to_an_integer_in_a_call():
         wrong(VALUES)
 
 
-def test_a_kernel_cannot_write_to_what_it_declares_as_read_only():
+def test_a_kernel_cannot_write_to_what_it_declares_as_read_only() -> None:
     @kernel
     def wrong(values: F64_1) -> float:
         values[0] = 1.0
@@ -149,7 +149,7 @@ def test_a_kernel_cannot_write_to_what_it_declares_as_read_only():
 
 
 @pytest.mark.parametrize("missing", ["annotation", "default", "vocabulary"])
-def test_a_declaration_that_is_not_complete_is_refused(missing):
+def test_a_declaration_that_is_not_complete_is_refused(missing) -> None:
     def no_annotation(x) -> float:
         return float(x)
 
@@ -164,13 +164,13 @@ def test_a_declaration_that_is_not_complete_is_refused(missing):
         kernel(function)(1.0)
 
 
-def test_division_by_zero_is_an_error_only_where_that_is_wanted():
+def test_division_by_zero_is_an_error_only_where_that_is_wanted() -> None:
     assert _half(1.0, 0.0) == np.inf
     with pytest.raises(ZeroDivisionError):
         _checked_half(1.0, 0.0)
 
 
-def test_every_kernel_of_the_package_declares_one_signature():
+def test_every_kernel_of_the_package_declares_one_signature() -> None:
     found = list(kernels_of("knifetip"))
     for each in found:
         assert isinstance(each, Kernel)

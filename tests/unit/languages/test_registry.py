@@ -21,7 +21,7 @@ ROOM = Path(registry.__file__).parent
 
 
 @pytest.mark.parametrize("name", registry.names())
-def test_every_part_of_a_language_can_be_imported(name: str):
+def test_every_part_of_a_language_can_be_imported(name: str) -> None:
     language = find_language(name)
     for part in PARTS:
         assert language.part(part) is not None
@@ -31,7 +31,7 @@ def test_every_part_of_a_language_can_be_imported(name: str):
         assert language.no_driver
 
 
-def test_an_unknown_name_is_refused_with_the_known_ones():
+def test_an_unknown_name_is_refused_with_the_known_ones() -> None:
     with pytest.raises(LibraryError) as refusal:
         find_language("GRBL")
     assert "'GRBL'" in refusal.value.message
@@ -39,12 +39,12 @@ def test_an_unknown_name_is_refused_with_the_known_ones():
     assert "linuxcnc" in refusal.value.hint
 
 
-def test_a_language_without_a_driver_has_a_hint_instead():
+def test_a_language_without_a_driver_has_a_hint_instead() -> None:
     with pytest.raises(ControllerError, match=r"LinuxCNC.*Download the program"):
         find_language("linuxcnc").dial()
 
 
-def test_a_machine_with_an_unknown_language_is_refused_when_it_is_read(tmp_path: Path):
+def test_a_machine_with_an_unknown_language_is_refused_when_it_is_read(tmp_path: Path) -> None:
     text = (Path(load.__file__).parent / "machines" / "demo-table.toml").read_text("utf-8")
     file = tmp_path / "table.toml"
     file.write_text(text.replace('"grblhal"', '"fanuc"'), "utf-8")
@@ -52,7 +52,7 @@ def test_a_machine_with_an_unknown_language_is_refused_when_it_is_read(tmp_path:
         load.machine(str(file))
 
 
-def test_settings_are_refused_where_the_language_has_none(tmp_path: Path):
+def test_settings_are_refused_where_the_language_has_none(tmp_path: Path) -> None:
     text = (Path(load.__file__).parent / "machines" / "demo-table.toml").read_text("utf-8")
     file = tmp_path / "table.toml"
     file.write_text(text + "\n[controller]\nbaud = 9600\n", "utf-8")
@@ -97,7 +97,7 @@ def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     sys.modules.pop("elsewhere", None)
 
 
-def test_a_language_of_another_package_is_found_by_its_entry_point(package):
+def test_a_language_of_another_package_is_found_by_its_entry_point(package) -> None:
     package("elsewhere", "elsewhere")
     assert "elsewhere" in registry.names()
     machine = with_language(load.machine("demo-table"), "elsewhere")
@@ -105,13 +105,13 @@ def test_a_language_of_another_package_is_found_by_its_entry_point(package):
     assert emitter(None, machine, tolerance=0.01, notes=()) == "elsewhere"
 
 
-def test_an_entry_point_that_is_another_language_is_refused(package):
+def test_an_entry_point_that_is_another_language_is_refused(package) -> None:
     package("elsewhere", "nowhere")
     with pytest.raises(LibraryError, match="no language of this name"):
         find_language("elsewhere")
 
 
-def test_the_language_reaches_the_time_estimate():
+def test_the_language_reaches_the_time_estimate() -> None:
     drawing = pipeline.read(samples()["tuck-end-carton.dxf"])
     line = pipeline.classify(drawing, load.profile("default"))
     machine, board = load.machine("demo-table"), load.board("fbb-0.4")
@@ -125,7 +125,7 @@ def test_the_language_reaches_the_time_estimate():
     assert (halting.seconds, halting.program.text) == (own.seconds, own.program.text)
 
 
-def test_a_record_imports_none_of_its_parts():
+def test_a_record_imports_none_of_its_parts() -> None:
     code = (
         "import sys; from knifetip.languages import registry\n"
         f"[registry.find_language(name) for name in {registry.names()!r}]\n"
@@ -136,7 +136,7 @@ def test_a_record_imports_none_of_its_parts():
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_no_other_room_names_a_language():
+def test_no_other_room_names_a_language() -> None:
     own = {"languages", "rs274", "hpgl", "grbl.py", "linuxcnc.py"}
     package = ROOM.parent
     for file in package.rglob("*.py"):

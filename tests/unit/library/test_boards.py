@@ -31,31 +31,31 @@ MORE = {
 }
 
 
-def test_a_board_that_says_nothing_asks_for_nothing():
+def test_a_board_that_says_nothing_asks_for_nothing() -> None:
     board = load.parse_board("a", FIELDS)
     assert [getattr(board, key) for key in MORE] == [0.0] * 5
 
 
-def test_what_it_asks_for_is_read():
+def test_what_it_asks_for_is_read() -> None:
     board = load.parse_board("a", FIELDS | MORE)
     assert {key: getattr(board, key) for key in MORE} == MORE
 
 
 @pytest.mark.parametrize("key", MORE)
 @pytest.mark.parametrize("value", [-1.0, float("nan"), "wide"])
-def test_what_is_no_measure_is_refused(key, value):
+def test_what_is_no_measure_is_refused(key: str, value: float | str) -> None:
     with pytest.raises(ValueError, match=key):
         load.parse_board("a", FIELDS | {key: value})
 
 
-def test_passes_and_bridges_beyond_all_sense_are_refused():
+def test_passes_and_bridges_beyond_all_sense_are_refused() -> None:
     with pytest.raises(ValueError, match="more than 50 passes"):
         load.parse_board("a", FIELDS | {"groove_pass": 0.001})
     with pytest.raises(ValueError, match="must be 10 or more"):
         load.parse_board("a", FIELDS | {"bridge_spacing": 0.5})
 
 
-def test_the_shelf_keeps_bridges_and_double_creases_off():
+def test_the_shelf_keeps_bridges_and_double_creases_off() -> None:
     for name in load.names("boards"):
         board = load.board(name)
         assert [getattr(board, key) for key in MORE] == [0.0] * 5

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -82,24 +84,24 @@ def put(tmp_path: Path):
 
 
 @pytest.mark.parametrize("name", load.names("machines"))
-def test_every_shipped_machine_can_be_read(name: str):
+def test_every_shipped_machine_can_be_read(name: str) -> None:
     assert load.machine(name).name == name
     assert load.machine(name).stations
 
 
 @pytest.mark.parametrize("name", load.names("boards"))
-def test_every_shipped_board_can_be_read(name: str):
+def test_every_shipped_board_can_be_read(name: str) -> None:
     assert load.board(name).name == name
     assert 0.0 < load.board(name).groove_depth < load.board(name).caliper
 
 
 @pytest.mark.parametrize("name", load.names("profiles"))
-def test_every_shipped_profile_can_be_read(name: str):
+def test_every_shipped_profile_can_be_read(name: str) -> None:
     assert load.profile(name).name == name
     assert load.profile(name).rules
 
 
-def test_the_shelves_hold_what_the_first_release_promises():
+def test_the_shelves_hold_what_the_first_release_promises() -> None:
     assert "demo-table" in load.names("machines")
     assert {
         "greyboard-1.5",
@@ -112,12 +114,12 @@ def test_the_shelves_hold_what_the_first_release_promises():
     assert "default" in load.names("profiles")
 
 
-def test_a_board_of_ones_own_is_named_after_its_file(put):
+def test_a_board_of_ones_own_is_named_after_its_file(put) -> None:
     board = load.board(put(BOARD, "house.toml"))
     assert (board.name, board.caliper, board.perforation) == ("house", 2.0, (3.0, 2.0))
 
 
-def test_a_machine_of_ones_own_keeps_its_figures(put):
+def test_a_machine_of_ones_own_keeps_its_figures(put) -> None:
     machine = load.machine(put(MACHINE))
     (station,) = machine.stations
     assert station.tool == VCutter(6.0, 1.5, 45.0)
@@ -130,7 +132,7 @@ def test_a_machine_of_ones_own_keeps_its_figures(put):
     assert (machine.x.high, machine.origin) == (1400.0, (20.0, 20.0))
 
 
-def test_a_machine_is_fed_by_hand_unless_its_file_states_otherwise(put):
+def test_a_machine_is_fed_by_hand_unless_its_file_states_otherwise(put) -> None:
     assert load.machine(put(MACHINE)).feed == "manual"
     own = MACHINE.replace("into_mat = 0.3", 'into_mat = 0.3\nfeed = "automatic"')
     assert own != MACHINE
@@ -138,7 +140,7 @@ def test_a_machine_is_fed_by_hand_unless_its_file_states_otherwise(put):
     assert {load.machine(name).feed for name in load.names("machines")} == {"manual"}
 
 
-def test_a_profile_of_ones_own_keeps_the_order_of_its_rules(put):
+def test_a_profile_of_ones_own_keeps_the_order_of_its_rules(put) -> None:
     first, second = load.profile(put(PROFILE)).rules
     assert (first.line_type, first.layer, first.colour) == (
         LineType.CUT,
@@ -148,7 +150,7 @@ def test_a_profile_of_ones_own_keeps_the_order_of_its_rules(put):
     assert (second.line_type, second.layer) == (LineType.V_GROOVE, ("RIEFE",))
 
 
-def test_a_profile_that_extends_another_has_its_rules_first(put):
+def test_a_profile_that_extends_another_has_its_rules_first(put) -> None:
     own = load.profile(put('extends = "default"\n' + PROFILE))
     assert own.rules[:-2] == load.profile("default").rules
     assert own.rules[-1].layer == ("RIEFE",)
@@ -163,7 +165,7 @@ def test_a_profile_that_extends_another_has_its_rules_first(put):
         (Cutter(3.0, 1.0, 1.0), "cutter"),
     ],
 )
-def test_each_tool_has_its_word(tool, word: str):
+def test_each_tool_has_its_word(tool: Knife | CreaseWheel | VCutter | Cutter, word: str) -> None:
     assert kind_of(tool).name == word
 
 
@@ -198,7 +200,7 @@ def test_each_tool_has_its_word(tool, word: str):
         ("caliper = 2.0", "caliper = = 2", "Invalid value"),
     ],
 )
-def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str):
+def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str) -> None:
     assert old in BOARD
     with pytest.raises(LibraryError, match="cannot be read") as caught:
         load.board(put(BOARD.replace(old, new)))
@@ -252,14 +254,14 @@ def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str):
         ("datum = {", "datum = 5 # {", ""),
     ],
 )
-def test_a_wrong_machine_says_what_is_wrong(put, old: str, new: str, told: str):
+def test_a_wrong_machine_says_what_is_wrong(put, old: str, new: str, told: str) -> None:
     assert old in MACHINE
     with pytest.raises(LibraryError, match="cannot be read") as caught:
         load.machine(put(MACHINE.replace(old, new)))
     assert told in caught.value.message
 
 
-def test_two_stations_of_one_number_are_refused(put):
+def test_two_stations_of_one_number_are_refused(put) -> None:
     station = MACHINE[MACHINE.index("[[station]]") :]
     with pytest.raises(LibraryError, match=r"station numbers \[3, 3\]"):
         load.machine(put(MACHINE + station))
@@ -318,7 +320,7 @@ def test_two_stations_of_one_number_are_refused(put):
         ),
     ],
 )
-def test_a_wrong_profile_says_what_is_wrong(put, old: str, new: str, told: str):
+def test_a_wrong_profile_says_what_is_wrong(put, old: str, new: str, told: str) -> None:
     assert old in PROFILE
     with pytest.raises(ProfileError, match="cannot be read") as caught:
         load.profile(put(PROFILE.replace(old, new)))
@@ -337,12 +339,12 @@ def test_a_wrong_profile_says_what_is_wrong(put, old: str, new: str, told: str):
     ],
     ids=["no rules", "not tables", "a number", "empty", "not text", "deep"],
 )
-def test_a_profile_without_rules_is_refused(put, text: str):
+def test_a_profile_without_rules_is_refused(put, text: str) -> None:
     with pytest.raises(ProfileError):
         load.profile(put(text))
 
 
-def test_a_file_that_is_not_utf8_is_refused(tmp_path: Path):
+def test_a_file_that_is_not_utf8_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "latin.toml"
     path.write_bytes(b'title = "Rillen f\xfcr die Wellpappe"')
     with pytest.raises(ProfileError, match="cannot be read"):
@@ -354,7 +356,7 @@ def test_a_file_that_is_not_utf8_is_refused(tmp_path: Path):
     "name",
     ["", "nope", "../boards/e-flute", "nowhere.toml", "x" * 5000 + ".toml", "\0.toml"],
 )
-def test_an_unknown_name_is_told_what_there_is(shelf, name: str):
+def test_an_unknown_name_is_told_what_there_is(shelf: Callable[..., Any], name: str) -> None:
     with pytest.raises(KnifetipError) as caught:
         shelf(name)
     assert caught.value.hint
@@ -372,7 +374,7 @@ def routed(text: str) -> str:
     return MACHINE[: MACHINE.index('kind = "v-cutter"')] + text
 
 
-def test_a_router_keeps_its_figures_and_sets_up_on_one_and_a_half_radii(put):
+def test_a_router_keeps_its_figures_and_sets_up_on_one_and_a_half_radii(put) -> None:
     (station,) = load.machine(put(routed(CUTTER))).stations
     assert station.tool == Cutter(3.0, 9000.0, 1500.0, speed=18000.0)
     assert station.tool.set_up == 4.5
@@ -388,14 +390,14 @@ def test_a_router_keeps_its_figures_and_sets_up_on_one_and_a_half_radii(put):
         ("teeth = 2", "teeth"),
     ],
 )
-def test_a_wrong_router_says_what_is_wrong(put, line: str, told: str):
+def test_a_wrong_router_says_what_is_wrong(put, line: str, told: str) -> None:
     text = CUTTER.replace("speed = 18000.0\n", "") + line + "\n"
     with pytest.raises(LibraryError, match="cannot be read") as caught:
         load.machine(put(routed(text)))
     assert told in caught.value.message
 
 
-def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put):
+def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put) -> None:
     given = '\n[deflection.Router]\nx = 0.08\ny = 0.05\n[deflection."Router 6"]\nx = 0.1\ny = 0\n'
     board = load.board(put(BOARD + given))
     assert board.deflection == (Deflection("Router", 0.08, 0.05), Deflection("Router 6", 0.1, 0.0))
@@ -413,7 +415,7 @@ def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put):
         ("[deflection]\nRouter = 3", "cannot be read"),
     ],
 )
-def test_a_wrong_deflection_says_what_is_wrong(put, given: str, told: str):
+def test_a_wrong_deflection_says_what_is_wrong(put, given: str, told: str) -> None:
     with pytest.raises(LibraryError) as caught:
         load.board(put(BOARD + "\n" + given + "\n"))
     assert told in caught.value.message
@@ -422,7 +424,7 @@ def test_a_wrong_deflection_says_what_is_wrong(put, given: str, told: str):
 # ── profiles written out, and read again ─────────────────────────────────────────────────────────
 
 
-def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put):
+def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put) -> None:
     text = PROFILE + '[[rule]]\ntype = "crease"\ncolour = [5, "#00AEEF"]\nblock = "LID*"\n'
     rule = load.profile(put(text)).rules[-1]
     assert (rule.colour, rule.true_colour, rule.block) == ((5,), (0x00AEEF,), ("LID*",))
@@ -430,12 +432,12 @@ def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put):
 
 
 @pytest.mark.parametrize("colour", ['"#00AEE"', '"red"', '["#gggggg"]', '[1, "#12345"]'])
-def test_a_true_colour_that_is_none_is_refused(put, colour: str):
+def test_a_true_colour_that_is_none_is_refused(put, colour: str) -> None:
     with pytest.raises(ProfileError, match="rule 3: colour is"):
         load.profile(put(PROFILE + f'[[rule]]\ntype = "cut"\ncolour = {colour}\n'))
 
 
-def test_a_profile_that_overrules_has_the_rules_that_it_extends_last(put):
+def test_a_profile_that_overrules_has_the_rules_that_it_extends_last(put) -> None:
     own = load.profile(put('extends = "default"\noverrules = true\n' + PROFILE))
     assert own.rules[2:] == load.profile("default").rules
     assert own.rules[1].layer == ("RIEFE",)
@@ -444,13 +446,13 @@ def test_a_profile_that_overrules_has_the_rules_that_it_extends_last(put):
 
 
 @pytest.mark.parametrize("name", load.names("profiles"))
-def test_every_shipped_profile_is_the_same_when_it_is_written_out_and_read(name: str):
+def test_every_shipped_profile_is_the_same_when_it_is_written_out_and_read(name: str) -> None:
     rules = load.profile(name)
     again = load.parse_profile(name, tomllib.loads(load.profile_toml(rules)))
     assert again == rules
 
 
-def test_only_what_is_ones_own_is_written_where_a_profile_extends_another():
+def test_only_what_is_ones_own_is_written_where_a_profile_extends_another() -> None:
     default = load.profile("default")
     mine = LineRule(LineType.CREASE, layer=('say "x" \\ \x7f ü',), true_colour=(0x0A0B0C,))
     for rules in ((mine, *default.rules), (*default.rules, mine)):
@@ -462,17 +464,17 @@ def test_only_what_is_ones_own_is_written_where_a_profile_extends_another():
         load.profile_toml(LineRules("own", "", (mine,)), "default")
 
 
-def test_a_profile_without_rules_of_its_own_can_be_written():
+def test_a_profile_without_rules_of_its_own_can_be_written() -> None:
     own = LineRules("own", "Ours", ())
     assert load.parse_profile("own", tomllib.loads(load.profile_toml(own))) == own
 
 
-def test_a_name_that_is_not_text_for_utf_8_is_written_as_a_pattern_that_matches_it():
+def test_a_name_that_is_not_text_for_utf_8_is_written_as_a_pattern_that_matches_it() -> None:
     text = load.profile_toml(LineRules("own", "", (LineRule(LineType.CUT, layer=("a\udcffb",)),)))
     assert tomllib.loads(text)["rule"][0]["layer"] == ["a?b"]
 
 
-def test_names_from_elsewhere_open_no_file(put):
+def test_names_from_elsewhere_open_no_file(put) -> None:
     path = put(PROFILE)
     assert load.profile(path).rules
     for shelf in (load.profile, load.machine, load.board):
@@ -480,13 +482,13 @@ def test_names_from_elsewhere_open_no_file(put):
             shelf(path, files=False)
 
 
-def test_a_file_of_ones_own_is_read_again_after_it_was_edited(put):
+def test_a_file_of_ones_own_is_read_again_after_it_was_edited(put) -> None:
     assert load.profile(put(PROFILE)).title == "Ours"
     assert load.profile(put(PROFILE.replace("Ours", "Mine"))).title == "Mine"
     assert load.profile("default") is load.profile("default")
 
 
-def test_conventions_are_what_profiles_add_to_the_default():
+def test_conventions_are_what_profiles_add_to_the_default() -> None:
     found = {one.name: one.rules for one in load.conventions()}
     assert "default" not in found
     assert found["lightburn"] == load.profile("lightburn").rules[-2:]

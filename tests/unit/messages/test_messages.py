@@ -31,51 +31,51 @@ def fields(template: str) -> set[str]:
     return {name for _, name, _, _ in Formatter().parse(template) if name is not None}
 
 
-def test_every_code_has_a_text_and_no_text_is_without_a_code():
+def test_every_code_has_a_text_and_no_text_is_without_a_code() -> None:
     assert english.TEXTS.keys() == CODES.keys()
     assert english.HINTS.keys() <= CODES.keys()
 
 
 @pytest.mark.parametrize("code", CODES)
-def test_text_and_hint_use_every_argument_and_no_other(code):
+def test_text_and_hint_use_every_argument_and_no_other(code: str) -> None:
     used = fields(english.TEXTS[code]) | fields(english.HINTS.get(code, ""))
     assert used == CODES[code].keys()
 
 
 @pytest.mark.parametrize("code", CODES)
-def test_a_message_is_rendered_stored_and_restored(code):
+def test_a_message_is_rendered_stored_and_restored(code: str) -> None:
     message = sample(code)
     assert "{" not in render(message) + hint(message)
     assert from_json(json.loads(json.dumps(message.as_json()))) == message
     assert pickle.loads(pickle.dumps(message)) == message
 
 
-def test_arguments_of_other_names_are_refused():
+def test_arguments_of_other_names_are_refused() -> None:
     with pytest.raises(TypeError, match=r"question\.tool takes edges, type, machine"):
         Message("question.tool", edges=1)
     with pytest.raises(TypeError, match="is not listed"):
         Message("question.none")
 
 
-def test_numbers_of_numpy_become_plain_and_those_that_json_cannot_contain_finite():
+def test_numbers_of_numpy_become_plain_and_those_that_json_cannot_contain_finite() -> None:
     size = Message("question.unit-size", unit="mm", width=np.float64(2), height=np.inf)
     assert json.loads(json.dumps(size.as_json()))["arguments"]["height"] == 1e9
     assert json.dumps(Message("question.tool", edges=np.int64(1), type="", machine="").as_json())
 
 
-def test_text_that_utf8_cannot_encode_is_replaced():
+def test_text_that_utf8_cannot_encode_is_replaced() -> None:
     plain = Message("stored.text", text="a\udc80\0b", hint="").as_json()
     assert plain["arguments"]["text"] == "a?b"
 
 
-def test_plural_and_lists():
+def test_plural_and_lists() -> None:
     one = Message("question.tool", edges=1, type="crease", machine="T")
     many = Message("question.tool", edges=1200, type="crease", machine="T")
     assert "(1 edge)" in render(one)
     assert "(1,200 edges)" in render(many)
 
 
-def test_sentences_stored_without_a_code_stay_readable():
+def test_sentences_stored_without_a_code_stay_readable() -> None:
     assert with_text({"text": "Old.", "hint": "Do.", "edges": [1]}) == {
         "code": "stored.text",
         "arguments": {"text": "Old.", "hint": "Do."},

@@ -32,7 +32,7 @@ def number_for(table: Machine, line_type: LineType, caliper: float | None = None
     return station and station.number
 
 
-def test_a_row_of_the_registry_belongs_to_one_class_and_one_name():
+def test_a_row_of_the_registry_belongs_to_one_class_and_one_name() -> None:
     assert len({kind.name for kind in KINDS}) == len({kind.tool for kind in KINDS}) == len(KINDS)
     assert [kind_of(tool).name for tool in (KNIFE, WHEEL, V_CUTTER, CUTTER)] == [
         "knife",
@@ -42,7 +42,7 @@ def test_a_row_of_the_registry_belongs_to_one_class_and_one_name():
     ]
 
 
-def test_a_knife_cuts_where_there_is_one_and_else_a_router():
+def test_a_knife_cuts_where_there_is_one_and_else_a_router() -> None:
     both, router = machine(CUTTER, KNIFE), machine(WHEEL, CUTTER)
     assert number_for(both, LineType.CUT) == 2
     assert number_for(router, LineType.CUT) == 2
@@ -55,12 +55,12 @@ def test_a_knife_cuts_where_there_is_one_and_else_a_router():
 
 
 @pytest.mark.parametrize(("caliper", "number"), [(0.4, 3), (0.7, 2), (0.9, 1), (9.0, 1)])
-def test_the_narrowest_rim_that_is_as_wide_as_the_board_is_taken(caliper, number):
+def test_the_narrowest_rim_that_is_as_wide_as_the_board_is_taken(caliper, number) -> None:
     wheels = machine(*(replace(WHEEL, width=width) for width in (1.5, 0.7, 0.5)))
     assert number_for(wheels, LineType.CREASE, caliper) == number
 
 
-def test_footprints_have_the_tips_and_the_widths_of_the_tools_drawings():
+def test_footprints_have_the_tips_and_the_widths_of_the_tools_drawings() -> None:
     assert (KNIFE.footprint.shape, KNIFE.footprint.behind) == ("line", 1.5)
     assert (WHEEL.footprint.radius, WHEEL.footprint.width) == (15.0, 0.7)
     groove = V_CUTTER.footprint
@@ -69,13 +69,13 @@ def test_footprints_have_the_tips_and_the_widths_of_the_tools_drawings():
     assert (CUTTER.footprint.shape, CUTTER.footprint.radius) == ("disc", 3.0)
 
 
-def test_a_router_turns_at_its_speed_and_waits_until_it_does():
+def test_a_router_turns_at_its_speed_and_waits_until_it_does() -> None:
     assert (CUTTER.spindle, CUTTER.settle(0.15), KNIFE.settle(0.15)) == (18000, 2.0, 0.15)
     assert (KNIFE.spindle, replace(KNIFE, oscillating=True).spindle) == (0, 1)
     assert CUTTER.passes(2.5).tolist() == pytest.approx([2.5 / 3, 5 / 3, 2.5])
 
 
-def test_dimensions_are_the_fields_of_the_record():
+def test_dimensions_are_the_fields_of_the_record() -> None:
     assert V_CUTTER.dimensions == {
         "back": 6.0, "half_width": 1.5, "tilt": 45.0, "feed": 12000.0, "plunge": 3000.0,
     }  # fmt: skip

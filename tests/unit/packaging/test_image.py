@@ -15,7 +15,7 @@ DOCKERFILE = (ROOT / "backend" / "Dockerfile").read_text()
 COMPOSE = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
 
 
-def test_the_start_command_is_one_that_the_command_line_takes():
+def test_the_start_command_is_one_that_the_command_line_takes() -> None:
     words = json.loads(re.findall(r"^CMD (\[.*\])$", DOCKERFILE, re.M)[-1])
     command = loaded(words[0])
     with command.make_context(words[0], words[1:]) as context:
@@ -23,14 +23,14 @@ def test_the_start_command_is_one_that_the_command_line_takes():
         assert context.params["database"].startswith("sqlite:////data/")
 
 
-def test_kernels_are_compiled_for_the_processor_that_they_run_on():
+def test_kernels_are_compiled_for_the_processor_that_they_run_on() -> None:
     # A cache of machine code is looked up by these variables: both stages must set the same.
     settings = re.findall(r"NUMBA_CPU_NAME=(\S+) NUMBA_CPU_FEATURES=(\S*)", DOCKERFILE)
     assert len(settings) == 2
     assert settings[0] == settings[1]
 
 
-def test_whatever_the_image_copies_is_sent_to_the_build():
+def test_whatever_the_image_copies_is_sent_to_the_build() -> None:
     allowed = {
         line.removeprefix("!").rstrip("/")
         for line in (ROOT / ".dockerignore").read_text().splitlines()
@@ -44,7 +44,7 @@ def test_whatever_the_image_copies_is_sent_to_the_build():
         assert any(source == entry or source.startswith(f"{entry}/") for entry in allowed), source
 
 
-def test_compose_keeps_the_data_and_gives_the_machine_time_to_stop():
+def test_compose_keeps_the_data_and_gives_the_machine_time_to_stop() -> None:
     service = COMPOSE["services"]["knifetip"]
     assert [volume.split(":")[1] for volume in service["volumes"]] == ["/data"]
     assert int(service["stop_grace_period"].removesuffix("s")) >= 10

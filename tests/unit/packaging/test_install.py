@@ -21,7 +21,7 @@ def install():
 
 
 @pytest.fixture
-def commands(install, monkeypatch):
+def commands(install, monkeypatch: pytest.MonkeyPatch):
     """Record the commands; those that contain a word of ``failing`` exit with 1."""
     failing: set[str] = set()
     calls: list[list[str]] = []
@@ -35,7 +35,9 @@ def commands(install, monkeypatch):
     return calls, failing
 
 
-def test_the_environment_overrides_the_section_install_overrides_the_section_global(install):
+def test_the_environment_overrides_the_section_install_overrides_the_section_global(
+    install,
+) -> None:
     listing = (
         ":env:.find-links='/env'\n"
         "install.index-url='https://install/simple'\n"
@@ -49,7 +51,7 @@ def test_the_environment_overrides_the_section_install_overrides_the_section_glo
     }
 
 
-def test_every_index_of_pip_is_handed_on_in_the_separator_of_its_variable(install):
+def test_every_index_of_pip_is_handed_on_in_the_separator_of_its_variable(install) -> None:
     options = {
         "index-url": "https://a/simple",
         "extra-index-url": "https://b/simple\nfile:///c/simple",
@@ -67,19 +69,19 @@ def test_every_index_of_pip_is_handed_on_in_the_separator_of_its_variable(instal
     }
 
 
-def test_a_variable_that_is_set_stays(install):
+def test_a_variable_that_is_set_stays(install) -> None:
     found = install.uv_environment({"index-url": "https://a"}, {"UV_DEFAULT_INDEX": "https://mine"})
     assert found["UV_DEFAULT_INDEX"] == "https://mine"
 
 
-def test_pip_is_not_asked_where_uv_installs(install, commands):
+def test_pip_is_not_asked_where_uv_installs(install, commands) -> None:
     calls, _ = commands
     assert install.main() == 0
     assert calls[-1][1:5] == ["-m", "uv", "pip", "install"]
     assert calls[-1][-2:] == ["-r", "some.lock"]
 
 
-def test_pip_installs_where_uv_fails(install, commands):
+def test_pip_installs_where_uv_fails(install, commands) -> None:
     calls, failing = commands
     failing.add("uv")
     assert install.main() == 0
@@ -87,7 +89,9 @@ def test_pip_installs_where_uv_fails(install, commands):
     assert calls[-1][-2:] == ["-r", "some.lock"]
 
 
-def test_pip_installs_where_uv_cannot_be_fetched(install, commands, monkeypatch):
+def test_pip_installs_where_uv_cannot_be_fetched(
+    install, commands, monkeypatch: pytest.MonkeyPatch
+) -> None:
     calls, failing = commands
     monkeypatch.setattr(install.importlib.util, "find_spec", lambda _name: None)
     failing.add(str(install.UV_LOCK))
@@ -96,13 +100,13 @@ def test_pip_installs_where_uv_cannot_be_fetched(install, commands, monkeypatch)
     assert calls[-1][-2:] == ["-r", "some.lock"]
 
 
-def test_the_exit_code_is_that_of_pip_where_both_fail(install, commands):
+def test_the_exit_code_is_that_of_pip_where_both_fail(install, commands) -> None:
     _, failing = commands
     failing.add("some.lock")
     assert install.main() == 1
 
 
-def test_the_lock_of_uv_pins_the_uv_of_the_development_lock(install):
+def test_the_lock_of_uv_pins_the_uv_of_the_development_lock(install) -> None:
     first = install.UV_LOCK.read_text().split(" ")[0]
     assert first.startswith("uv==")
     assert f"\n{first} " in (ROOT / "backend" / "requirements-dev.lock").read_text()

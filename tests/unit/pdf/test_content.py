@@ -15,7 +15,7 @@ def said(data: bytes) -> list[tuple[str, list[object]]]:
     return list(operations(data))
 
 
-def test_numbers_stand_before_their_operator():
+def test_numbers_stand_before_their_operator() -> None:
     assert said(b"1 0 0 RG\n10 -20.5 m +3 .5 l 4. 0 l S") == [
         ("RG", [1.0, 0.0, 0.0]),
         ("m", [10.0, -20.5]),
@@ -25,7 +25,7 @@ def test_numbers_stand_before_their_operator():
     ]
 
 
-def test_names_strings_arrays_and_dictionaries_are_told_apart():
+def test_names_strings_arrays_and_dictionaries_are_told_apart() -> None:
     ((first, given), (second, more), last) = said(
         b"/OC /Lay#20er BDC % said\n(a \\(b\\) (c) \\101\\n) <41 4> [3 [2] 1] <</A (>>)>> x EMC"
     )
@@ -35,7 +35,7 @@ def test_names_strings_arrays_and_dictionaries_are_told_apart():
     assert last == ("EMC", [])
 
 
-def test_operators_may_touch_what_follows():
+def test_operators_may_touch_what_follows() -> None:
     assert said(b"[3 2]0 d/Cut CS(a)Tj") == [
         ("d", [[3.0, 2.0], 0.0]),
         ("CS", ["Cut"]),
@@ -43,7 +43,7 @@ def test_operators_may_touch_what_follows():
     ]
 
 
-def test_a_picture_in_the_stream_is_one_operator():
+def test_a_picture_in_the_stream_is_one_operator() -> None:
     data = b"BI /W 2 /H 2 /BPC 8 ID \x00 EI\xff\x01 l S( EI Q 1 w"
     assert [operator for operator, _ in said(data)] == ["BI", "Q", "w"]
 
@@ -57,7 +57,7 @@ def test_a_picture_in_the_stream_is_one_operator():
         (b"[" * 100, "nested too deep"),
     ],
 )
-def test_a_stream_that_is_cut_short_is_not_taken_for_whole(data: bytes, where: str):
+def test_a_stream_that_is_cut_short_is_not_taken_for_whole(data: bytes, where: str) -> None:
     with pytest.raises(CutShort, match=where):
         said(data)
 
@@ -65,7 +65,7 @@ def test_a_stream_that_is_cut_short_is_not_taken_for_whole(data: bytes, where: s
 @pytest.mark.parametrize(
     "again", [b"1", b"(", b"<", b"[1]", b"((", b"\\(", b"% ", b"BI ", b"<<>>", b" \t"]
 )
-def test_what_is_repeated_a_million_times_takes_seconds_and_not_hours(again: bytes):
+def test_what_is_repeated_a_million_times_takes_seconds_and_not_hours(again: bytes) -> None:
     begun = time.process_time()
     try:
         for _ in operations(again * (1_000_000 // len(again)) + b"x"):
@@ -76,7 +76,7 @@ def test_what_is_repeated_a_million_times_takes_seconds_and_not_hours(again: byt
 
 
 @given(st.binary(max_size=200))
-def test_no_bytes_stop_it_but_by_name(data: bytes):
+def test_no_bytes_stop_it_but_by_name(data: bytes) -> None:
     try:
         for operator, given_ in operations(data):
             assert operator
@@ -86,6 +86,6 @@ def test_no_bytes_stop_it_but_by_name(data: bytes):
 
 
 @given(st.lists(st.floats(-1e6, 1e6).map(lambda value: round(value, 4)), max_size=6))
-def test_what_is_written_is_read(numbers: list[float]):
+def test_what_is_written_is_read(numbers: list[float]) -> None:
     written = " ".join(f"{value:.4f}" for value in numbers)
     assert said(f"{written} x".encode()) == [("x", numbers)]

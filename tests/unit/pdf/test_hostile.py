@@ -92,7 +92,7 @@ def laughs(width: int, depth: int) -> bytes:
         (pdf("BT (a) Tj ET", page="/PieceInfo <</Illustrator <<>>>>"), "without its PDF"),
     ],
 )
-def test_what_is_no_drawing_is_refused_with_what_to_do(data: bytes, words: str):
+def test_what_is_no_drawing_is_refused_with_what_to_do(data: bytes, words: str) -> None:
     with pytest.raises(NotADrawing) as caught:
         read(data, limits=FEW)
     assert words in caught.value.message
@@ -114,14 +114,14 @@ def test_what_is_no_drawing_is_refused_with_what_to_do(data: bytes, words: str):
         (page(stream(LINE.encode()), boxes="[0 0 1000000000 900000000]"), "reaches to"),
     ],
 )
-def test_what_is_too_large_is_refused_with_what_to_do(data: bytes, words: str):
+def test_what_is_too_large_is_refused_with_what_to_do(data: bytes, words: str) -> None:
     with pytest.raises(DrawingTooLarge) as caught:
         read(data, limits=FEW)
     assert words in caught.value.message
     assert caught.value.hint
 
 
-def test_a_bomb_does_not_fill_the_memory():
+def test_a_bomb_does_not_fill_the_memory() -> None:
     bomb = page(flate(zlib.compress(b"0 0 m " * (40 << 20))))
     tracemalloc.start()
     with pytest.raises(DrawingTooLarge):
@@ -131,7 +131,7 @@ def test_a_bomb_does_not_fill_the_memory():
     assert peak < 16 << 20
 
 
-def test_a_file_whose_time_is_over_is_refused():
+def test_a_file_whose_time_is_over_is_refused() -> None:
     with pytest.raises(DrawingTooLarge, match="takes longer than 0 s"):
         read(carton(), limits=Limits(seconds=0.0))
 
@@ -156,14 +156,14 @@ def packed(first: bytes, count: int) -> bytes:
     ],
     ids=["strings in a stream", "strings", "arrays", "trailers"],
 )
-def test_what_would_take_hours_is_left_when_its_time_is_over(data: bytes):
+def test_what_would_take_hours_is_left_when_its_time_is_over(data: bytes) -> None:
     begun = time.process_time()
     with pytest.raises((DrawingTooLarge, NotADrawing)):
         read(data, limits=Limits(seconds=0.5))
     assert time.process_time() - begun < 5.0
 
 
-def test_a_reference_that_leads_nowhere_or_round_costs_no_lines_elsewhere():
+def test_a_reference_that_leads_nowhere_or_round_costs_no_lines_elsewhere() -> None:
     drawing = read(
         pdf(
             "/Loop CS 1 SCN /Nobody gs /Gone Do /Nobody CS",
@@ -191,7 +191,7 @@ def test_a_reference_that_leads_nowhere_or_round_costs_no_lines_elsewhere():
         ("1 2 3", "its numbers for 'l' cannot be read"),
     ],
 )
-def test_a_number_that_is_none_costs_its_path_and_no_other(numbers: str, why: str):
+def test_a_number_that_is_none_costs_its_path_and_no_other(numbers: str, why: str) -> None:
     drawing = read(pdf(f"0 0 m {numbers} l S {LINE}"))
     assert len(drawing) == 1
     rows = zip(drawing.ledger.kind, drawing.ledger.reason, strict=True)
@@ -199,12 +199,12 @@ def test_a_number_that_is_none_costs_its_path_and_no_other(numbers: str, why: st
 
 
 @pytest.mark.parametrize("matrix", ["1 0 0 1 0 x cm", "cm", "1 0 0 cm", "(a) 0 0 1 0 0 cm"])
-def test_what_stands_behind_a_matrix_that_cannot_be_read_is_nowhere(matrix: str):
+def test_what_stands_behind_a_matrix_that_cannot_be_read_is_nowhere(matrix: str) -> None:
     drawing = read(pdf(f"q {matrix} {LINE} Q {LINE}"))
     assert [fate for fate in drawing.ledger.fate if fate == Fate.KEPT] == [Fate.KEPT]
 
 
-def test_operators_out_of_place_stop_nothing():
+def test_operators_out_of_place_stop_nothing() -> None:
     given = "Q Q EMC ET Tj h W n BDC d gs SCN CS g G K cs scn Do Tf Tm TJ ' \" Td TL sh re v y c f*"
     drawing = read(pdf(given, "d0 [(a)] TJ /x /y BDC", LINE))
     assert drawing.ledger.fate[-1] == Fate.KEPT
@@ -266,7 +266,9 @@ words = st.sampled_from([*WORDS.split(), *PHRASES]).map(str.encode)
         max_size=6,
     ),
 )
-def test_a_mutated_file_is_read_or_refused(whole: bytes, changes: list[tuple[float, int, bytes]]):
+def test_a_mutated_file_is_read_or_refused(
+    whole: bytes, changes: list[tuple[float, int, bytes]]
+) -> None:
     data = bytearray(whole)
     for where, gone, new in changes:
         at = int(where * len(data))
@@ -275,7 +277,7 @@ def test_a_mutated_file_is_read_or_refused(whole: bytes, changes: list[tuple[flo
 
 
 @given(st.floats(0, 1), st.sampled_from(WHOLE))
-def test_a_file_that_breaks_off_anywhere_is_refused(where: float, whole: bytes):
+def test_a_file_that_breaks_off_anywhere_is_refused(where: float, whole: bytes) -> None:
     # Its last bytes are what says that it is whole; without a line's end it still does.
     cut = whole[: int(where * (len(whole) - len(b"F\n")))]
     with pytest.raises(NotADrawing):
@@ -283,7 +285,7 @@ def test_a_file_that_breaks_off_anywhere_is_refused(where: float, whole: bytes):
 
 
 @given(st.binary(max_size=400))
-def test_any_page_is_read_or_refused(content: bytes):
+def test_any_page_is_read_or_refused(content: bytes) -> None:
     sound(pdf(content))
 
 
@@ -298,7 +300,7 @@ tokens = st.lists(
 
 
 @given(tokens)
-def test_any_order_of_operators_is_read_or_refused(given_: list[str]):
+def test_any_order_of_operators_is_read_or_refused(given_: list[str]) -> None:
     sound(
         pdf(
             " ".join(given_),

@@ -48,7 +48,7 @@ def off(one: Drawing, other: Drawing) -> float:
 
 @pytest.mark.parametrize("layered", [True, False])
 @pytest.mark.parametrize("flate", [True, False])
-def test_the_carton_is_that_of_the_svg(layered: bool, flate: bool):
+def test_the_carton_is_that_of_the_svg(layered: bool, flate: bool) -> None:
     # Without its ellipse, which both fit with arcs of their own within 0.01 mm.
     ellipse = b'<ellipse cx="85" cy="50" rx="12" ry="6"/>'
     as_svg = read_svg(svg_text.carton().replace(ellipse, b""))
@@ -76,7 +76,7 @@ def pick(drawing: Drawing, kept: np.ndarray) -> Drawing:
     return Drawing(**given, **rest, evidence="")
 
 
-def test_its_ellipse_is_followed_within_a_hundredth():
+def test_its_ellipse_is_followed_within_a_hundredth() -> None:
     drawing = read(carton())
     ellipse = drawing.entity == 2
     points = arc.points_along(
@@ -88,7 +88,7 @@ def test_its_ellipse_is_followed_within_a_hundredth():
 
 
 @pytest.mark.parametrize("layered", [True, False])
-def test_it_is_classified_without_a_question(layered: bool):
+def test_it_is_classified_without_a_question(layered: bool) -> None:
     drawing = pipeline.read(carton(layered=layered))
     dieline = pipeline.classify(drawing, load.profile("default"))
     assert pipeline.questions(drawing, dieline) == []
@@ -105,20 +105,20 @@ def test_it_is_classified_without_a_question(layered: bool):
 # ── Places ────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_a_point_is_a_seventy_second_of_an_inch():
+def test_a_point_is_a_seventy_second_of_an_inch() -> None:
     drawing = read(pdf("0 0 m 72 36 l S"))
     assert_allclose(drawing.ends, [[[0, 0], [25.4, 12.7]]])
     assert (drawing.unit, drawing.stated) == ("pt", "pt")
     assert drawing.evidence == "a PDF counts in points of 1/72 in"
 
 
-def test_a_user_unit_makes_the_page_larger():
+def test_a_user_unit_makes_the_page_larger() -> None:
     drawing = read(pdf("0 0 m 72 36 l S", page="/UserUnit 10"))
     assert_allclose(drawing.ends, [[[0, 0], [254, 127]]])
     assert drawing.evidence == "UserUnit = 10 points of 1/72 in"
 
 
-def test_the_user_has_the_last_word_on_the_unit():
+def test_the_user_has_the_last_word_on_the_unit() -> None:
     drawing = read(pdf("0 0 m 72 36 l S"), "mm")
     assert_allclose(drawing.ends, [[[0, 0], [72, 36]]])
     assert (drawing.unit, drawing.evidence, drawing.stated) == ("mm", "given", "pt")
@@ -135,12 +135,12 @@ def test_the_user_has_the_last_word_on_the_unit():
         (-90, [[1, 0], [1, 1]]),
     ],
 )
-def test_a_page_is_turned_clockwise(turn: int, ends: list[list[float]]):
+def test_a_page_is_turned_clockwise(turn: int, ends: list[list[float]]) -> None:
     drawing = read(pdf("0 0 m 72 0 l S", size=(144.0, 72.0), page=f"/Rotate {turn}"))
     assert_allclose(drawing.ends / 25.4, [ends], atol=1e-12)
 
 
-def test_the_crop_is_the_page_and_what_lies_beside_it_is_dropped():
+def test_the_crop_is_the_page_and_what_lies_beside_it_is_dropped() -> None:
     drawing = read(
         pdf(
             "20 20 m 30 30 l S 0 0 m 5 5 l S 15 15 m 0 0 l S",
@@ -155,7 +155,7 @@ def test_the_crop_is_the_page_and_what_lies_beside_it_is_dropped():
     ]
 
 
-def test_states_are_kept_and_matrices_are_nested():
+def test_states_are_kept_and_matrices_are_nested() -> None:
     drawing = read(
         pdf(
             "q 2 0 0 2 10 0 cm q 0 1 -1 0 0 0 cm 0 0 m 5 0 l S Q 0 0 m 5 0 l S Q 0 0 m 5 0 l S",
@@ -167,14 +167,14 @@ def test_states_are_kept_and_matrices_are_nested():
     )
 
 
-def test_a_rectangle_is_four_lines_all_round():
+def test_a_rectangle_is_four_lines_all_round() -> None:
     drawing = read(pdf("10 20 30 40 re S"))
     assert_allclose(drawing.bounds * MM, [10, 20, 40, 60])
     assert (drawing.ends[:-1, 1] == drawing.ends[1:, 0]).all()
     assert_allclose(drawing.ends[-1, 1], drawing.ends[0, 0])
 
 
-def test_the_three_ways_to_write_a_curve():
+def test_the_three_ways_to_write_a_curve() -> None:
     # The first handle on the begin, the second on the end, neither: the same curve.
     by_v = read(pdf("0 0 m 30 40 60 0 v S"))
     by_y = read(pdf("0 0 m 30 40 60 0 y S"))
@@ -189,7 +189,7 @@ def test_the_three_ways_to_write_a_curve():
 @pytest.mark.parametrize(
     ("paints", "lines"), [("S", 2), ("s", 3), ("B", 2), ("b*", 3), ("f", 2), ("n", 0)]
 )
-def test_what_paints_a_path_may_close_it(paints: str, lines: int):
+def test_what_paints_a_path_may_close_it(paints: str, lines: int) -> None:
     assert len(read(pdf(f"0 0 m 10 0 l 10 10 l {paints}"))) == lines
 
 
@@ -197,7 +197,7 @@ coordinates = st.integers(0, 200).map(lambda value: value / 2)
 
 
 @given(st.lists(st.tuples(coordinates, coordinates), min_size=4, max_size=4, unique=True))
-def test_a_curve_is_followed_within_a_hundredth(control):
+def test_a_curve_is_followed_within_a_hundredth(control: list[tuple[float, float]]) -> None:
     (a, b), (c, d), (e, f), (x, y) = control
     drawing = read(pdf(f"{MM!r} 0 0 {MM!r} 0 0 cm {a} {b} m {c} {d} {e} {f} {x} {y} c S"))
     t = np.linspace(0, 1, 200)[:, None]
@@ -215,7 +215,9 @@ def test_a_curve_is_followed_within_a_hundredth(control):
 
 
 @given(st.floats(-180, 180), st.booleans(), st.floats(0.1, 10))
-def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(turn, mirror, size):
+def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(
+    turn: float, mirror: bool, size: float
+) -> None:
     path = f"10 0 m {bends(0, 0, 10, 10, 0, 2.0)} 30 40 l S"
     angle = math.radians(turn)
     spin = size * np.array(
@@ -258,7 +260,9 @@ def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(turn, mirror
         ("1 0 0 rg", 0x000000, 7),
     ],
 )
-def test_a_stroke_has_a_true_colour_and_the_nearest_index(looks, true_colour, index):
+def test_a_stroke_has_a_true_colour_and_the_nearest_index(
+    looks: str, true_colour: int, index: int
+) -> None:
     table = "/FunctionType 0 /Domain [0 1] /Range [0 1 0 1 0 1] /Size [2] /BitsPerSample 8"
     drawing = read(
         pdf(
@@ -279,7 +283,7 @@ def test_a_stroke_has_a_true_colour_and_the_nearest_index(looks, true_colour, in
     assert (drawing.true_colour.tolist(), drawing.colour.tolist()) == ([true_colour], [index])
 
 
-def test_a_spot_colour_is_the_layer_of_what_lies_on_none():
+def test_a_spot_colour_is_the_layer_of_what_lies_on_none() -> None:
     drawing = read(
         pdf("/Cut CS 1 SCN 0 0 m 9 0 l S /Fold CS 1 SCN 0 5 m 9 5 l S 0 G 0 9 m 9 9 l S")
     )
@@ -290,13 +294,13 @@ def test_a_spot_colour_is_the_layer_of_what_lies_on_none():
     ("ink", "layer"),
     [("Thru-cut", "Thru-cut"), ("Kiss#20cut", "Kiss cut"), ("Dieline", "Dieline"), ("Black", "0")],
 )
-def test_the_name_of_an_ink_is_taken_as_it_is(ink: str, layer: str):
+def test_the_name_of_an_ink_is_taken_as_it_is(ink: str, layer: str) -> None:
     spot = separation(ink, "0 0 0 1")
     drawing = read(pdf("/X CS 1 SCN 0 0 m 9 0 l S", spaces=f"/X {spot}"))
     assert drawing.layers == (layer,)
 
 
-def test_of_several_inks_at_once_the_one_that_is_used_is_the_name():
+def test_of_several_inks_at_once_the_one_that_is_used_is_the_name() -> None:
     space = (
         "[/DeviceN [/Cyan /Perf] /DeviceCMYK <</FunctionType 2 /Domain [0 1] /C0 [0 0 0 0] "
         "/C1 [1 0 0 0] /N 1>>]"
@@ -315,7 +319,9 @@ def test_of_several_inks_at_once_the_one_that_is_used_is_the_name():
         (("Layer 1", "Ebene 2"), ("CutContour", "Crease")),
     ],
 )
-def test_the_layer_is_the_name_unless_it_says_nothing(names, layers):
+def test_the_layer_is_the_name_unless_it_says_nothing(
+    names: tuple[str, str], layers: tuple[str, str]
+) -> None:
     drawing = read(
         pdf(
             "/OC /L0 BDC /Cut CS 1 SCN 0 0 m 9 0 l S EMC",
@@ -326,7 +332,7 @@ def test_the_layer_is_the_name_unless_it_says_nothing(names, layers):
     assert drawing.layers == layers
 
 
-def test_where_lines_of_several_spot_colours_lie_on_one_layer_the_colours_are_the_names():
+def test_where_lines_of_several_spot_colours_lie_on_one_layer_the_colours_are_the_names() -> None:
     drawing = read(
         pdf(
             "/OC /L0 BDC /Cut CS 1 SCN 0 0 m 9 0 l S /Fold CS 1 SCN 0 5 m 9 5 l S EMC",
@@ -346,11 +352,11 @@ def test_where_lines_of_several_spot_colours_lie_on_one_layer_the_colours_are_th
         ("", "Continuous"),
     ],
 )
-def test_dashes_are_a_linetype(dash: str, linetype: str):
+def test_dashes_are_a_linetype(dash: str, linetype: str) -> None:
     assert read(pdf(f"{dash} 0 0 m 9 0 l S")).linetypes == (linetype,)
 
 
-def test_a_dictionary_of_the_graphics_state_dashes_and_hides():
+def test_a_dictionary_of_the_graphics_state_dashes_and_hides() -> None:
     drawing = read(
         pdf(
             "q /Dash gs 0 0 m 9 0 l S Q /Gone gs 0 5 m 9 5 l S",
@@ -375,7 +381,7 @@ TWO = "/OC /L0 BDC 0 0 m 9 0 l S EMC /OC /L1 BDC 0 5 m 8 5 l S EMC"
         ("/BaseState /OFF", []),
     ],
 )
-def test_a_layer_that_is_switched_off_is_hidden(default: str, shown: list[int]):
+def test_a_layer_that_is_switched_off_is_hidden(default: str, shown: list[int]) -> None:
     drawing = read(pdf(TWO, layers=["Cut", "Perf"], default=default))
     assert [("Cut", "Perf").index(name) for name in drawing.layers] == shown
     for row in {0, 1} - set(shown):
@@ -388,7 +394,7 @@ def test_a_layer_that_is_switched_off_is_hidden(default: str, shown: list[int]):
     ("policy", "shown"),
     [("", True), ("/P /AllOn", False), ("/P /AnyOff", True), ("/P /AllOff", False)],
 )
-def test_a_membership_is_shown_as_its_policy_says(policy: str, shown: bool):
+def test_a_membership_is_shown_as_its_policy_says(policy: str, shown: bool) -> None:
     drawing = read(
         pdf(
             "/OC /L2 BDC 0 0 m 9 0 l S EMC",
@@ -401,7 +407,7 @@ def test_a_membership_is_shown_as_its_policy_says(policy: str, shown: bool):
     assert len(drawing) == shown
 
 
-def test_what_lies_on_a_hidden_layer_is_hidden_on_any_other():
+def test_what_lies_on_a_hidden_layer_is_hidden_on_any_other() -> None:
     drawing = read(
         pdf(
             "/OC /L0 BDC /OC /L1 BDC 0 0 m 9 0 l S EMC EMC 0 5 m 9 5 l S",
@@ -419,7 +425,7 @@ def form(content: str, entries: str = "") -> bytes:
     return stream(content.encode(), f"/Type /XObject /Subtype /Form {entries}")
 
 
-def test_a_form_is_drawn_where_it_stands():
+def test_a_form_is_drawn_where_it_stands() -> None:
     drawing = read(
         pdf(
             "1 0 0 1 20 0 cm /Fm0 Do 1 0 0 1 20 0 cm /Cut CS 1 SCN /Fm0 Do",
@@ -432,7 +438,7 @@ def test_a_form_is_drawn_where_it_stands():
     assert drawing.layers == ("0", "CutContour")
 
 
-def test_a_form_has_names_of_its_own_and_lies_on_layers():
+def test_a_form_has_names_of_its_own_and_lies_on_layers() -> None:
     inner = "/Resources <</ColorSpace <</Cut [/Separation /Perf /DeviceGray 9 0 R]>>>> /OC 6 0 R"
     drawing = read(
         pdf(
@@ -445,7 +451,7 @@ def test_a_form_has_names_of_its_own_and_lies_on_layers():
     assert drawing.layers == ("Perf", "CutContour")
 
 
-def test_what_a_form_bounds_is_not_seen_beyond_it():
+def test_what_a_form_bounds_is_not_seen_beyond_it() -> None:
     drawing = read(
         pdf(
             "/Fm0 Do",
@@ -459,7 +465,7 @@ def test_what_a_form_bounds_is_not_seen_beyond_it():
     ]
 
 
-def test_a_form_that_contains_itself_is_dropped():
+def test_a_form_that_contains_itself_is_dropped() -> None:
     drawing = read(
         pdf(
             "/A Do",
@@ -474,7 +480,7 @@ def test_a_form_that_contains_itself_is_dropped():
 # ── The ledger ────────────────────────────────────────────────────────────────────────────────
 
 
-def test_lengths_in_the_ledger_add_up():
+def test_lengths_in_the_ledger_add_up() -> None:
     drawing = read(carton())
     assert_allclose(drawing.ledger.length.sum(), drawing.lengths.sum())
     by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
@@ -483,7 +489,7 @@ def test_lengths_in_the_ledger_add_up():
     assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped)] == ["text"]
 
 
-def test_everything_on_the_page_has_a_row_and_what_is_no_line_its_reason():
+def test_everything_on_the_page_has_a_row_and_what_is_no_line_its_reason() -> None:
     drawing = read(
         pdf(
             "0 0 m 9 0 l S 0 0 9 9 re f 0 0 50 50 re W n 0 0 9 9 re n",
@@ -515,7 +521,7 @@ def test_everything_on_the_page_has_a_row_and_what_is_no_line_its_reason():
     ]
 
 
-def test_areas_are_lines_only_where_nothing_has_a_stroke():
+def test_areas_are_lines_only_where_nothing_has_a_stroke() -> None:
     drawing = read(pdf("1 0 0 rg 0 0 9 9 re f"))
     assert len(drawing) == 4
     assert drawing.true_colour.tolist() == [0xFF0000] * 4
@@ -524,7 +530,7 @@ def test_areas_are_lines_only_where_nothing_has_a_stroke():
     )
 
 
-def test_only_the_first_page_is_read_and_that_is_said():
+def test_only_the_first_page_is_read_and_that_is_said() -> None:
     page = "<</Type /Page /Parent 2 0 R /MediaBox [0 0 9 9] /Contents {} 0 R>>"
     drawing = read(
         objects(
@@ -540,7 +546,7 @@ def test_only_the_first_page_is_read_and_that_is_said():
     assert fates(drawing)[-1] == ("page", "only the first of 2 pages is read")
 
 
-def test_a_page_may_be_written_in_several_streams():
+def test_a_page_may_be_written_in_several_streams() -> None:
     drawing = read(
         objects(
             "<</Type /Catalog /Pages 2 0 R>>",
@@ -553,7 +559,7 @@ def test_a_page_may_be_written_in_several_streams():
     assert_allclose(drawing.lengths * MM, [9])
 
 
-def test_words_are_read_by_the_table_of_their_font():
+def test_words_are_read_by_the_table_of_their_font() -> None:
     table = b"1 beginbfrange <0003> <0005> <0041> endbfrange 1 beginbfchar <0009> <00DF> endbfchar"
     drawing = read(
         pdf(
@@ -573,7 +579,7 @@ def test_words_are_read_by_the_table_of_their_font():
     assert fates(drawing)[1] == ("text", "text is not cut, and its letters are not known")
 
 
-def test_objects_may_be_packed_into_a_stream():
+def test_objects_may_be_packed_into_a_stream() -> None:
     """As every program since PDF 1.5 writes them: an object stream and a cross-reference stream."""
     content = stream(b"0 0 m 72 0 l S", flate=True)
     packed = [

@@ -27,7 +27,7 @@ from knifetip.pdf.tints import _calculated
         (b"{" + b"1 " * 200 + b"}", []),
     ],
 )
-def test_a_program_leaves_what_it_calculates_from_a_half(program: bytes, left: list[float]):
+def test_a_program_leaves_what_it_calculates_from_a_half(program: bytes, left: list[float]) -> None:
     assert _calculated(program, 0.5) == left
 
 
@@ -35,5 +35,5 @@ WORDS = "add sub mul div neg pop dup exch index copy roll 0 1 2 -1 3 1e308 { }"
 
 
 @given(st.lists(st.sampled_from(WORDS.split()), max_size=40))
-def test_any_program_ends(program: list[str]):
+def test_any_program_ends(program: list[str]) -> None:
     assert len(_calculated(" ".join(program).encode(), 1.0)) <= 100

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.errors import FlankOutside
+from knifetip.geometry.columns import F64
 from knifetip.planning.boundary import Outline, run_out
 from knifetip.planning.outer import outside
 from tests.support.shapes import closed, edges, rotation
@@ -15,7 +16,13 @@ from tests.support.shapes import closed, edges, rotation
 SQUARE = closed((0, 0), (100, 0), (100, 100), (0, 100))
 
 
-def out(point, towards, ends=SQUARE, bulge=None, width=2.0):
+def out(
+    point: tuple[float, float],
+    towards: tuple[float, float],
+    ends: F64 = SQUARE,
+    bulge=None,
+    width: float = 2.0,
+) -> tuple[float, bool]:
     """Run-out and whether the end lies on the edge, for one groove that leaves at ``point``."""
     bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
     outline = Outline.of(ends, bent, outside(ends, bent))
@@ -24,37 +31,39 @@ def out(point, towards, ends=SQUARE, bulge=None, width=2.0):
     return size[0], bool(on_edge[0])
 
 
-def test_square_to_the_edge_nothing_is_run_out_and_the_end_is_on_the_edge():
+def test_square_to_the_edge_nothing_is_run_out_and_the_end_is_on_the_edge() -> None:
     assert out((100, 50), (1, 0)) == (pytest.approx(0.0, abs=1e-12), True)
 
 
 @pytest.mark.parametrize(("degrees", "extra"), [(45.0, 1.0), (30.0, 1.7320508), (60.0, 0.5773503)])
-def test_at_an_angle_to_the_edge_the_far_corner_has_the_cotangent_further_to_go(degrees, extra):
+def test_at_an_angle_to_the_edge_the_far_corner_has_the_cotangent_further_to_go(
+    degrees: float, extra: float
+) -> None:
     # The groove is 2 wide; it meets the top edge at this angle.
     towards = (np.cos(np.radians(degrees)), np.sin(np.radians(degrees)))
     assert out((50, 100), towards) == (pytest.approx(extra), True)
 
 
-def test_an_end_inside_or_one_that_points_into_the_board_does_not_run_out():
+def test_an_end_inside_or_one_that_points_into_the_board_does_not_run_out() -> None:
     assert out((100 - 0.06, 50), (1, 1)) == (0.0, False)
     assert out((100, 50), (-1, 1)) == (0.0, False)
 
 
-def test_an_end_short_of_the_edge_within_the_gap_goes_that_much_further():
+def test_an_end_short_of_the_edge_within_the_gap_goes_that_much_further() -> None:
     assert out((100 - 0.04, 50), (1, 1))[0] == pytest.approx(1.0 + 0.04 * 2**0.5)
 
 
-def test_along_the_edge_is_refused():
+def test_along_the_edge_is_refused() -> None:
     with pytest.raises(FlankOutside, match=r"edge 7 meets the board's edge at 4\.0°"):
         out((50, 100), (np.cos(np.radians(4)), np.sin(np.radians(4))))
 
 
-def test_out_of_an_outer_corner_along_the_diagonal_both_flanks_leave_at_once():
+def test_out_of_an_outer_corner_along_the_diagonal_both_flanks_leave_at_once() -> None:
     # Each flank is 1 beside the diagonal, and so 1 behind the edge on its side.
     assert out((100, 100), (1, 1)) == (pytest.approx(-1.0 + 1.0), True)
 
 
-def test_out_of_an_outer_corner_each_flank_needs_only_its_nearer_edge():
+def test_out_of_an_outer_corner_each_flank_needs_only_its_nearer_edge() -> None:
     # At 10° above due east the lower flank is past x = 100 after tan 10° mm, never past y = 100.
     towards = (np.cos(np.radians(10)), np.sin(np.radians(10)))
     size, on_edge = out((100, 100), towards)
@@ -71,7 +80,7 @@ PLUS = closed(
 )  # fmt: skip
 
 
-def test_into_a_notch_both_halves_go_on_until_they_are_past_its_sides():
+def test_into_a_notch_both_halves_go_on_until_they_are_past_its_sides() -> None:
     # 1 mm beside the middle a side of the notch is 2 mm above its bottom.
     assert out((50, 80), (0, 1), NOTCHED) == (pytest.approx(2.0), True)
     # At tan⁻¹ ¼ off the middle the left side is nearer in angle, and later to leave.
@@ -83,11 +92,11 @@ def test_into_a_notch_both_halves_go_on_until_they_are_past_its_sides():
     assert 2.0 * left_corner[0] + left_corner[1] == pytest.approx(180.0)
 
 
-def test_into_an_inner_corner_along_its_diagonal_both_halves_leave_together():
+def test_into_an_inner_corner_along_its_diagonal_both_halves_leave_together() -> None:
     assert out((200, 100), (1, -1), PLUS) == (pytest.approx(1.0), True)
 
 
-def test_where_an_inner_corner_has_board_ahead_the_groove_stops():
+def test_where_an_inner_corner_has_board_ahead_the_groove_stops() -> None:
     # Along y = 100 the upper half of the groove would cut into the right arm for ever.
     assert out((200, 100), (1, 0), PLUS) == (0.0, False)
     # So it would 4° below it; at 6° it leaves, after 1 / tan 6°.
@@ -99,7 +108,7 @@ def test_where_an_inner_corner_has_board_ahead_the_groove_stops():
     assert out((200, 100), (1, 1), PLUS) == (0.0, False)
 
 
-def test_a_run_out_that_would_reach_board_beyond_a_slot_is_refused():
+def test_a_run_out_that_would_reach_board_beyond_a_slot_is_refused() -> None:
     # Over the left wall of a slot 1.5 wide at 30°: √3 to go, and 1.5 / sin 30° = 3 to the far wall.
     slot = closed(
         (0, 0), (100, 0), (100, 100), (51.5, 100), (51.5, 20), (50, 20), (50, 100), (0, 100)
@@ -110,14 +119,14 @@ def test_a_run_out_that_would_reach_board_beyond_a_slot_is_refused():
         out((50, 60), towards, slot, width=4.0)
 
 
-def test_a_run_out_into_the_neighbouring_blank_is_refused():
+def test_a_run_out_into_the_neighbouring_blank_is_refused() -> None:
     two = np.concatenate([SQUARE, SQUARE + np.array([101.0, 0.0])])
     assert out((100, 50), (1, 0), two) == (pytest.approx(0.0, abs=1e-12), True)
     with pytest.raises(FlankOutside, match="board beyond"):
         out((100, 50), (1, 1), two, width=3.0)
 
 
-def test_a_round_edge_adds_its_sagitta():
+def test_a_round_edge_adds_its_sagitta() -> None:
     # A disc of radius 50 about (50, 0) in two halves; leaving its top at 45°.
     disc = edges(((0, 0), (100, 0)), ((100, 0), (0, 0)))
     size, on_edge = out((50, 50), (1, 1), disc, [1.0, 1.0])
@@ -126,7 +135,7 @@ def test_a_round_edge_adds_its_sagitta():
     assert size == pytest.approx(1.0 + 0.02 * 2**0.5)
 
 
-def test_no_cuts_bound_nothing():
+def test_no_cuts_bound_nothing() -> None:
     assert out((50, 100), (0, 1), edges(((0, 100), (100, 100)))) == (0.0, False)
 
 
@@ -139,8 +148,8 @@ def test_no_cuts_bound_nothing():
     width=st.floats(0.2, 5.0),
 )
 def test_both_corners_of_the_tool_are_past_the_edge_and_one_of_them_just(
-    side, share, angle, degrees, backwards, width
-):
+    side: int, share: float, angle: float, degrees: float, backwards: bool, width: float
+) -> None:
     turn = rotation(degrees)
     ends = SQUARE @ turn.T
     if backwards:

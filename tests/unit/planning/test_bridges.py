@@ -11,8 +11,10 @@ from hypothesis import strategies as st
 
 from knifetip.compensation.knife import knife
 from knifetip.errors import NoRoomForBridges
+from knifetip.geometry.columns import F64
+from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
-from knifetip.model.operation import End
+from knifetip.model.operation import End, Operation
 from knifetip.model.toolpath import Motion
 from knifetip.planning.plan import plan
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges, rotation
@@ -21,18 +23,18 @@ HELD = replace(BOARD, bridge_width=0.5, bridge_spacing=150.0)
 OUTLINE = closed((0, 0), (200, 0), (200, 100), (0, 100))
 
 
-def cut(ends, board=HELD, bulge=None):
+def cut(ends: F64, board: Board = HELD, bulge: dict[int, float] | None = None) -> Operation:
     return plan(dieline((LineType.CUT, ends), bulge=bulge), MACHINE, board)[-1]
 
 
-def gaps(operation):
+def gaps(operation: Operation) -> tuple[F64, F64]:
     """The middles and widths of the bridges of one contour."""
     end, start = operation.paths.end[operation.paths.first[1:] - 1], operation.paths.start
     begin = np.roll(start[operation.paths.first[:-1]], -1, axis=0)
     return (end + begin) / 2.0, np.hypot(*(begin - end).T)
 
 
-def test_a_blank_of_600_mm_is_held_by_four_bridges_of_half_a_millimetre():
+def test_a_blank_of_600_mm_is_held_by_four_bridges_of_half_a_millimetre() -> None:
     operation = cut(OUTLINE)
     middle, width = gaps(operation)
     assert len(operation.paths) == 4
@@ -44,11 +46,11 @@ def test_a_blank_of_600_mm_is_held_by_four_bridges_of_half_a_millimetre():
     assert operation.paths.lengths.sum() == pytest.approx(600.0 - 4 * 0.5)
 
 
-def test_no_contour_is_held_by_fewer_than_two():
+def test_no_contour_is_held_by_fewer_than_two() -> None:
     assert len(cut(closed((0, 0), (30, 0), (30, 20), (0, 20))).paths) == 2
 
 
-def test_a_bridge_due_on_a_corner_moves_five_millimetres_off_it():
+def test_a_bridge_due_on_a_corner_moves_five_millimetres_off_it() -> None:
     # Of 4 × 100 the bridges are due at 50, 150 …; of a square begun in a side's middle at corners.
     square = edges(((50, 0), (100, 0)), ((100, 0), (100, 100)), ((100, 100), (0, 100)),
                    ((0, 100), (0, 0)), ((0, 0), (50, 0)))  # fmt: skip
@@ -57,7 +59,7 @@ def test_a_bridge_due_on_a_corner_moves_five_millimetres_off_it():
     assert corner.min() >= 5.0 + 0.25 - 1e-9
 
 
-def test_the_top_face_ends_at_the_bridge():
+def test_the_top_face_ends_at_the_bridge() -> None:
     path = knife(cut(OUTLINE))
     lifted = np.flatnonzero(path.motion == Motion.LIFT)
     middle, _ = gaps(cut(OUTLINE))
@@ -68,21 +70,21 @@ def test_the_top_face_ends_at_the_bridge():
     np.testing.assert_allclose(apart, 2.3 + 0.25)
 
 
-def test_holes_slits_and_open_outlines_have_no_bridges():
+def test_holes_slits_and_open_outlines_have_no_bridges() -> None:
     hole = closed((20, 20), (40, 20), (40, 40), (20, 40))
     inner = plan(dieline((LineType.CUT, OUTLINE), (LineType.CUT, hole)), MACHINE, HELD)[0]
     assert inner.start.tolist() == [End.CLOSED]
     assert cut(OUTLINE[:3]).start.tolist() == [End.FREE]
 
 
-def test_a_disc_is_held_on_its_arcs_because_it_has_no_straight_piece():
+def test_a_disc_is_held_on_its_arcs_because_it_has_no_straight_piece() -> None:
     disc = edges(((0, 0), (100, 0)), ((100, 0), (0, 0)))
     operation = cut(disc, bulge={0: 1.0, 1: 1.0})
     # Round by 314 mm: three.
     assert len(operation.paths) == 3
 
 
-def test_a_rounded_blank_is_held_on_its_straight_pieces():
+def test_a_rounded_blank_is_held_on_its_straight_pieces() -> None:
     quarter = np.tan(np.pi / 8)
     ends = edges(((10, 0), (90, 0)), ((90, 0), (100, 10)), ((100, 10), (100, 90)),
                  ((100, 90), (90, 100)), ((90, 100), (10, 100)), ((10, 100), (0, 90)),
@@ -92,7 +94,7 @@ def test_a_rounded_blank_is_held_on_its_straight_pieces():
     assert (np.minimum(np.abs(middle), np.abs(middle - 100)).min(axis=1) < 1e-9).all()
 
 
-def test_where_there_is_no_room_the_contour_is_refused():
+def test_where_there_is_no_room_the_contour_is_refused() -> None:
     with pytest.raises(NoRoomForBridges, match=r"12\.0 mm round and has no places for 2 bridges"):
         cut(closed((0, 0), (3, 0), (3, 3), (0, 3)), replace(HELD, bridge_width=2.0))
 
@@ -103,8 +105,14 @@ def test_where_there_is_no_room_the_contour_is_refused():
     start=st.integers(0, 3),
 )  # fmt: skip
 def test_at_least_two_never_too_far_apart_and_clear_of_corners(
-    width, height, slant, bridge, spacing, degrees, start
-):
+    width: float,
+    height: float,
+    slant: float,
+    bridge: float,
+    spacing: float,
+    degrees: float,
+    start: int,
+) -> None:
     corners = [(0, 0), (width, slant), (width, height), (0, height)]
     ends = np.roll(closed(*corners), -start, axis=0) @ rotation(degrees).T
     operation = cut(ends, replace(BOARD, bridge_width=bridge, bridge_spacing=spacing))
@@ -118,7 +126,7 @@ def test_at_least_two_never_too_far_apart_and_clear_of_corners(
     assert operation.paths.lengths.sum() == pytest.approx(whole - len(middle) * bridge)
 
 
-def test_bridges_stay_clear_of_slit_mouths_and_ends_of_creases():
+def test_bridges_stay_clear_of_slit_mouths_and_ends_of_creases() -> None:
     # By themselves they would stand at 75 of the lower side and at 125 of the upper one.
     slit, crease = edges(((75, 0), (75, 30))), edges(((125, 60), (125, 100)))
     line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, slit), (LineType.CREASE, crease))
@@ -129,7 +137,7 @@ def test_bridges_stay_clear_of_slit_mouths_and_ends_of_creases():
     assert np.abs(upper - 125.0).min() == pytest.approx(5.25)
 
 
-def test_where_creases_end_all_along_a_contour_it_is_held_all_the_same():
+def test_where_creases_end_all_along_a_contour_it_is_held_all_the_same() -> None:
     creases = edges(*[((x, 0), (x, 100)) for x in range(8, 200, 8)],
                     *[((0, y), (200, y)) for y in range(8, 100, 8)])  # fmt: skip
     operation = plan(dieline((LineType.CUT, OUTLINE), (LineType.CREASE, creases)), MACHINE, HELD)[
@@ -138,7 +146,7 @@ def test_where_creases_end_all_along_a_contour_it_is_held_all_the_same():
     assert len(operation.paths) == 4
 
 
-def test_no_bridge_is_one_too_many():
+def test_no_bridge_is_one_too_many() -> None:
     # At 160 mm six would do by their number, but not all where they are due.
     long = closed((0, 0), (400, 0), (400, 8), (0, 8))
     middle, _ = gaps(cut(long, replace(HELD, bridge_spacing=170.0)))

@@ -12,22 +12,22 @@ from hypothesis import strategies as st
 from knifetip.compensation.vgroove import vgroove
 from knifetip.errors import CurvedGroove
 from knifetip.model.dieline import LineType
-from knifetip.model.operation import End
+from knifetip.model.operation import End, Operation
 from knifetip.planning.plan import plan
 from tests.support.shapes import BOARD, CUTTER, MACHINE, dieline, edges
 
 
-def grooved(bulge, span, error):
+def grooved(bulge: float, span: float, error: float) -> Operation:
     line = dieline((LineType.V_GROOVE, edges(((0, 0), (span, 0)))), bulge={0: bulge})
     return plan(line, MACHINE, replace(BOARD, groove_curve=error))[0]
 
 
-def test_a_board_that_does_not_say_refuses_arcs():
+def test_a_board_that_does_not_say_refuses_arcs() -> None:
     with pytest.raises(CurvedGroove, match="straight blade"):
         vgroove(grooved(0.1, 400.0, 0.0))
 
 
-def test_an_arc_too_tight_for_the_blade_is_refused():
+def test_an_arc_too_tight_for_the_blade_is_refused() -> None:
     # At R 50 the blade's 3 mm leave by 9 / 100 = 0.09 mm even from a chord of no length.
     with pytest.raises(CurvedGroove, match=r"radius of 50\.0 mm; a blade of 3\.00 mm"):
         grooved(1.0, 100.0, 0.08)
@@ -38,8 +38,8 @@ def test_an_arc_too_tight_for_the_blade_is_refused():
     left=st.booleans(),
 )  # fmt: skip
 def test_neither_a_chord_nor_the_blade_past_its_end_leaves_the_arc_by_more(
-    bulge, span, error, left
-):
+    bulge: float, span: float, error: float, left: bool
+) -> None:
     operation = grooved(bulge if left else -bulge, span, error)
     radius = span * (1 + bulge**2) / (4 * bulge)
     middle = np.array([span / 2, (1 - bulge**2) / (4 * bulge) * span * (1 if left else -1)])

@@ -11,6 +11,7 @@ from knifetip.errors import PlanError
 from knifetip.library import load
 from knifetip.model.corners import AS_OTHERS, CornerAt, Corners
 from knifetip.model.dieline import LineType
+from knifetip.model.operation import Operation
 from knifetip.planning.plan import plan
 from tests.support.shapes import closed, dieline
 
@@ -22,29 +23,29 @@ HOLE = closed((120, 120), (170, 120), (170, 160), (120, 160))
 LINE = dieline((LineType.CUT, BLANK), (LineType.CUT, HOLE))
 
 
-def outer(corners: Corners):
+def outer(corners: Corners) -> Operation:
     return plan(LINE, ROUTER, BOARD, corners)[-1]
 
 
-def at(operation, x, y):
+def at(operation: Operation, x: float, y: float) -> tuple[int, float]:
     """Return type and knob at a corner."""
     (row,) = np.flatnonzero((operation.paths.start == (x, y)).all(axis=1))
     return int(operation.corner_at[row]), float(operation.k_at[row])
 
 
-def test_without_a_choice_corners_are_left_to_the_machine():
+def test_without_a_choice_corners_are_left_to_the_machine() -> None:
     operation = plan(LINE, ROUTER, BOARD)[-1]
     assert (operation.corner, operation.k, operation.interference) == ("auto", 0.5, "trim")
     assert (operation.corner_at == AS_OTHERS).all()
 
 
-def test_type_knob_and_interference_are_those_of_every_operation_that_mills():
+def test_type_knob_and_interference_are_those_of_every_operation_that_mills() -> None:
     operations = plan(LINE, ROUTER, BOARD, Corners("D", 0.3, "refuse"))
     said = {(one.corner, one.k, one.interference) for one in operations}
     assert said == {("D", 0.3, "refuse")}
 
 
-def test_a_choice_finds_its_corner_and_no_other():
+def test_a_choice_finds_its_corner_and_no_other() -> None:
     operation = outer(Corners("D", at=(CornerAt(300.2, 99.8, "C", 0.25), CornerAt(100, 250, "B"))))
     assert at(operation, 300, 100) == (1, 0.25)
     kind, k = at(operation, 100, 250)
@@ -52,25 +53,25 @@ def test_a_choice_finds_its_corner_and_no_other():
     assert (operation.corner_at == AS_OTHERS).sum() == 4
 
 
-def test_a_place_is_the_drawings_and_not_the_sheets():
+def test_a_place_is_the_drawings_and_not_the_sheets() -> None:
     moved = replace(LINE, ends=LINE.ends + np.array([20.0, 30.0]))
     corners = Corners(at=(CornerAt(300, 100, "C"),), placement=(20.0, 30.0))
     operation = plan(moved, ROUTER, BOARD, corners)[-1]
     assert at(operation, 320, 130)[0] == 1
 
 
-def test_a_place_with_no_corner_is_refused_with_the_nearest_ones():
+def test_a_place_with_no_corner_is_refused_with_the_nearest_ones() -> None:
     with pytest.raises(PlanError, match=r"within 0\.5 mm of \(299, 100\).* 1\.00 mm away") as said:
         outer(Corners(at=(CornerAt(299, 100, "C"),)))
     assert "(300.00, 100.00)" in said.value.hint
 
 
-def test_an_inside_corner_has_nothing_to_choose():
+def test_an_inside_corner_has_nothing_to_choose() -> None:
     with pytest.raises(PlanError, match=r"\(200, 200\) is an inside corner"):
         outer(Corners(at=(CornerAt(200, 200, "C"),)))
 
 
-def test_every_corner_of_a_hole_is_an_inside_corner():
+def test_every_corner_of_a_hole_is_an_inside_corner() -> None:
     with pytest.raises(PlanError, match="inside corner"):
         outer(Corners(at=(CornerAt(120, 120, "D"),)))
 
@@ -87,11 +88,11 @@ def test_every_corner_of_a_hole_is_an_inside_corner():
         (Corners(at=(CornerAt(float("inf"), 100, "D"),)), "no place"),
     ],
 )
-def test_a_choice_that_is_none_is_refused(corners, words):
+def test_a_choice_that_is_none_is_refused(corners: Corners, words: str) -> None:
     with pytest.raises(PlanError, match=words):
         outer(corners)
 
 
-def test_a_table_with_a_knife_has_no_corner_types():
+def test_a_table_with_a_knife_has_no_corner_types() -> None:
     with pytest.raises(PlanError, match="does not cut with a cutter"):
         plan(LINE, load.machine("demo-table"), BOARD, Corners("D"))

@@ -10,8 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.errors import EdgeTooShort
+from knifetip.geometry.columns import F64
+from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
-from knifetip.model.operation import End
+from knifetip.model.machine import Machine
+from knifetip.model.operation import End, Operation
 from knifetip.model.tool import CreaseWheel
 from knifetip.planning.plan import plan
 from tests.support.shapes import BOARD, MACHINE, dieline, edges
@@ -19,14 +22,20 @@ from tests.support.shapes import BOARD, MACHINE, dieline, edges
 ACROSS = edges(((0, 0), (100, 0)))
 
 
-def rolled(creases, cuts=None, bulge=None, board=BOARD, machine=MACHINE):
+def rolled(
+    creases: F64,
+    cuts: F64 | None = None,
+    bulge: dict[int, float] | None = None,
+    board: Board = BOARD,
+    machine: Machine = MACHINE,
+) -> Operation:
     groups = [(LineType.CREASE, creases)]
     if cuts is not None:
         groups.append((LineType.CUT, cuts))
     return plan(dieline(*groups, bulge=bulge), machine, board)[0]
 
 
-def test_a_crease_that_a_cut_crosses_is_two_with_free_ends():
+def test_a_crease_that_a_cut_crosses_is_two_with_free_ends() -> None:
     operation = rolled(ACROSS, edges(((40, -10), (40, 10))))
     np.testing.assert_allclose(operation.paths.end, [[40, 0], [100, 0]])
     np.testing.assert_allclose(operation.paths.start, [[0, 0], [40, 0]])
@@ -39,7 +48,9 @@ def test_a_crease_that_a_cut_crosses_is_two_with_free_ends():
     [((40, 0), (40, 10)), ((0, -10), (0, 10)), ((40, 1), (40, 10)), ((20, 0), (80, 0))],
     ids=["ends on it", "runs through its end", "stops before it", "runs along it"],
 )
-def test_a_cut_that_does_not_cross_splits_nothing(cut):
+def test_a_cut_that_does_not_cross_splits_nothing(
+    cut: tuple[tuple[int, int], tuple[int, int]],
+) -> None:
     assert len(rolled(ACROSS, edges(cut)).paths) == 1
 
 
@@ -53,7 +64,9 @@ def test_a_cut_that_does_not_cross_splits_nothing(cut):
     ids=["straight", "slanted", "within the gap"],
 )
 @pytest.mark.parametrize("pieces", [1, 2])
-def test_a_crease_is_split_where_a_cut_goes_through_it_at_a_vertex(cuts, pieces):
+def test_a_crease_is_split_where_a_cut_goes_through_it_at_a_vertex(
+    cuts: tuple[tuple[tuple[int, int], tuple[float, float]], ...], pieces: int
+) -> None:
     crease = (
         edges(((0, 0), (100, 0))) if pieces == 1 else edges(((0, 0), (40, 0)), ((100, 0), (40, 0)))
     )
@@ -63,7 +76,7 @@ def test_a_crease_is_split_where_a_cut_goes_through_it_at_a_vertex(cuts, pieces)
     assert operation.start.tolist() == operation.finish.tolist() == [End.FREE, End.FREE]
 
 
-def test_cuts_that_end_on_a_crease_from_one_side_split_nothing():
+def test_cuts_that_end_on_a_crease_from_one_side_split_nothing() -> None:
     vee = edges(((30, 10), (40, 0)), ((40, 0), (50, 10)))
     assert len(rolled(ACROSS, vee).paths) == 1
     # Nor does one that is drawn a hundredth too long, in two pieces.
@@ -72,7 +85,7 @@ def test_cuts_that_end_on_a_crease_from_one_side_split_nothing():
     assert len(rolled(ACROSS, edges(((40, 0), (40, 10)), ((41, 0), (41, -10)))).paths) == 1
 
 
-def test_a_curved_crease_is_split_where_a_cut_goes_through_it_at_a_vertex():
+def test_a_curved_crease_is_split_where_a_cut_goes_through_it_at_a_vertex() -> None:
     # The lowest point of half a circle; the crease runs due east there.
     cuts = edges(((50, -80), (50, -50)), ((50, -50), (60, 0)))
     operation = rolled(ACROSS, cuts, bulge={0: 1.0})
@@ -80,7 +93,7 @@ def test_a_curved_crease_is_split_where_a_cut_goes_through_it_at_a_vertex():
     assert len(operation.paths) == 2
 
 
-def test_a_crease_of_two_pieces_is_split_at_its_joint_once():
+def test_a_crease_of_two_pieces_is_split_at_its_joint_once() -> None:
     pieces = edges(((0, 0), (40, 0)), ((40, 0), (100, 0)))
     operation = rolled(pieces, edges(((40, -10), (40, 10))))
     assert len(operation.paths) == 2
@@ -88,21 +101,21 @@ def test_a_crease_of_two_pieces_is_split_at_its_joint_once():
     assert operation.finish.tolist() == [End.FREE, End.FREE]
 
 
-def test_a_curved_crease_is_split_by_a_straight_cut():
+def test_a_curved_crease_is_split_by_a_straight_cut() -> None:
     # Half a circle of radius 50 from (0, 0) to (100, 0); the cut stands on its lowest point.
     operation = rolled(ACROSS, edges(((50, -80), (50, 0))), bulge={0: 1.0})
     np.testing.assert_allclose(operation.paths.end[0], [50, -50], atol=1e-9)
     np.testing.assert_allclose(operation.paths.bulge, np.tan(np.pi / 8), atol=1e-9)
 
 
-def test_a_double_crease_is_two_lines_side_by_side_and_equally_long():
+def test_a_double_crease_is_two_lines_side_by_side_and_equally_long() -> None:
     operation = rolled(ACROSS, board=replace(BOARD, double_crease=3.0))
     np.testing.assert_allclose(operation.paths.start, [[0, 1.5], [0, -1.5]])
     np.testing.assert_allclose(operation.paths.end, [[100, 1.5], [100, -1.5]])
     assert operation.source.tolist() == [0, 0]
 
 
-def test_a_double_crease_bends_on_two_circles_about_one_centre():
+def test_a_double_crease_bends_on_two_circles_about_one_centre() -> None:
     operation = rolled(ACROSS, bulge={0: 1.0}, board=replace(BOARD, double_crease=3.0))
     # Radius 50 about (50, 0): the lines begin 48.5 and 51.5 west of it.
     np.testing.assert_allclose(np.sort(operation.paths.start[:, 0]), [-1.5, 1.5], atol=1e-12)
@@ -110,12 +123,12 @@ def test_a_double_crease_bends_on_two_circles_about_one_centre():
     np.testing.assert_allclose(operation.paths.bulge, 1.0)
 
 
-def test_a_bend_tighter_than_half_a_double_crease_is_refused():
+def test_a_bend_tighter_than_half_a_double_crease_is_refused() -> None:
     with pytest.raises(EdgeTooShort, match=r"radius of 1\.00 mm"):
         rolled(edges(((0, 0), (2, 0))), bulge={0: 1.0}, board=replace(BOARD, double_crease=2.0))
 
 
-def test_a_double_crease_of_two_pieces_meets_on_the_mitre():
+def test_a_double_crease_of_two_pieces_meets_on_the_mitre() -> None:
     pieces = edges(((0, 0), (50, 0)), ((50, 0), (100, 0.5)))
     operation = rolled(pieces, board=replace(BOARD, double_crease=2.0))
     for path in range(2):
@@ -124,7 +137,9 @@ def test_a_double_crease_of_two_pieces_meets_on_the_mitre():
 
 
 @pytest.mark.parametrize(("caliper", "number"), [(0.4, 2), (1.4, 4), (1.5, 4), (2.0, 5), (9.0, 5)])
-def test_the_narrowest_wheel_at_least_as_wide_as_the_board_is_thick(caliper, number):
+def test_the_narrowest_wheel_at_least_as_wide_as_the_board_is_thick(
+    caliper: float, number: int
+) -> None:
     wheels = [replace(MACHINE.stations[1], number=n, tool=CreaseWheel(15.0, w, 30000.0, 6000.0))
               for n, w in ((2, 0.7), (5, 3.0), (4, 1.5))]  # fmt: skip
     machine = replace(MACHINE, stations=(*wheels, MACHINE.stations[0]))
@@ -136,7 +151,7 @@ def test_the_narrowest_wheel_at_least_as_wide_as_the_board_is_thick(caliper, num
     places=st.lists(st.integers(2, 97), min_size=1, max_size=8, unique=True),
     slant=st.floats(-60.0, 60.0),
 )
-def test_cuts_at_any_angle_split_where_they_cross(places, slant):
+def test_cuts_at_any_angle_split_where_they_cross(places: list[int], slant: float) -> None:
     lean = 10.0 * np.tan(np.radians(slant))
     cuts = edges(*[((x - lean, -10.0), (x + lean, 10.0)) for x in places])
     operation = rolled(ACROSS, cuts)

@@ -7,24 +7,27 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from knifetip.geometry.columns import F64
 from knifetip.planning.dashes import once
 from tests.support.shapes import edges, rotation
 
 NO_CUTS = (np.zeros((0, 2, 2)), np.zeros(0))
 
 
-def dashes(count, length, gap):
+def dashes(count: int, length: float, gap: float) -> F64:
     begin = np.arange(count) * (length + gap)
     return edges(*[((x, 0.0), (x + length, 0.0)) for x in begin])
 
 
-def stretches(ends, cuts=NO_CUTS, bulge=None):
+def stretches(
+    ends: F64, cuts: tuple[F64, F64] = NO_CUTS, bulge: list[float] | None = None
+) -> tuple[F64, list[int]]:
     bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
     new, _, row = once(ends, bent, cuts)
     return new, row.tolist()
 
 
-def test_three_dashes_become_one_line_with_its_gaps_filled():
+def test_three_dashes_become_one_line_with_its_gaps_filled() -> None:
     new, row = stretches(dashes(3, 4.0, 3.0))
     assert sorted(new[:, 0, 0].tolist()) == [0.0, 4.0, 7.0, 11.0, 14.0]
     assert sorted(new[:, 1, 0].tolist()) == [4.0, 7.0, 11.0, 14.0, 18.0]
@@ -37,19 +40,19 @@ def test_three_dashes_become_one_line_with_its_gaps_filled():
     [(2, 4.0, 3.0), (5, 4.0, 6.1), (5, 20.0, 12.1), (5, 4.0, 0.001)],
     ids=["only two", "gaps of more than 1.5 dashes", "gaps of more than 12 mm", "no gaps"],
 )
-def test_what_is_no_row_of_dashes_stays_as_it_is(count, length, gap):
+def test_what_is_no_row_of_dashes_stays_as_it_is(count: int, length: float, gap: float) -> None:
     drawn = dashes(count, length, gap)
     new, row = stretches(drawn)
     np.testing.assert_array_equal(new, drawn)
     assert row == list(range(count))
 
 
-def test_irregular_gaps_are_no_dashes():
+def test_irregular_gaps_are_no_dashes() -> None:
     drawn = edges(((0, 0), (50, 0)), ((53, 0), (90, 0)), ((100, 0), (150, 0)))
     np.testing.assert_array_equal(stretches(drawn)[0], drawn)
 
 
-def test_creases_between_slots_are_no_dashes():
+def test_creases_between_slots_are_no_dashes() -> None:
     # Flaps of a case: the slot's walls end on the ends of the creases.
     drawn = dashes(4, 100.0, 6.0)
     walls = edges(*[((x, 0.0), (x, 80.0)) for x in (100.0, 106.0, 206.0, 212.0, 312.0, 318.0)])
@@ -57,7 +60,7 @@ def test_creases_between_slots_are_no_dashes():
     np.testing.assert_array_equal(new, drawn)
 
 
-def test_dashes_on_either_side_of_a_cut_are_two_creases():
+def test_dashes_on_either_side_of_a_cut_are_two_creases() -> None:
     # The cut runs through the gap between the fourth dash and the fifth, at 34.5.
     cut = edges(((34.5, -9.0), (34.5, 9.0)))
     new, _ = stretches(dashes(8, 6.0, 3.0), (cut, np.zeros(1)))
@@ -67,13 +70,13 @@ def test_dashes_on_either_side_of_a_cut_are_two_creases():
     assert (24.0 in filled, 42.0 in filled) == (True, True)
 
 
-def test_a_piece_beside_the_line_is_no_dash_of_it():
+def test_a_piece_beside_the_line_is_no_dash_of_it() -> None:
     drawn = dashes(4, 4.0, 3.0)
     drawn[1, :, 1] += 0.01
     np.testing.assert_array_equal(stretches(drawn)[0], drawn)
 
 
-def test_a_line_drawn_twice_is_made_once_and_an_overlap_too():
+def test_a_line_drawn_twice_is_made_once_and_an_overlap_too() -> None:
     drawn = edges(((0, 0), (50, 0)), ((50, 0), (0, 0)), ((40, 0), (70, 0)), ((60, 5), (90, 5)))
     new, row = stretches(drawn)
     np.testing.assert_array_equal(
@@ -82,7 +85,7 @@ def test_a_line_drawn_twice_is_made_once_and_an_overlap_too():
     assert row == [0, 2, 3]
 
 
-def test_an_arc_drawn_twice_is_made_once():
+def test_an_arc_drawn_twice_is_made_once() -> None:
     arcs = edges(((0, 0), (10, 0)), ((10, 0), (0, 0)), ((0, 0), (10, 0)))
     # The second is the first one backwards; the third bends the other way.
     assert stretches(arcs, bulge=[0.5, -0.5, -0.5])[1] == [0, 2]
@@ -93,7 +96,9 @@ def test_an_arc_drawn_twice_is_made_once():
     degrees=st.floats(0.0, 360.0),
     seed=st.integers(0, 99),
 )
-def test_each_stretch_is_covered_once_and_nothing_else(cuts, degrees, seed):
+def test_each_stretch_is_covered_once_and_nothing_else(
+    cuts: list[tuple[int, int]], degrees: float, seed: int
+) -> None:
     turn = rotation(degrees)
     random = np.random.default_rng(seed)
     drawn = np.array([[[a, 3.0], [a + b, 3.0]] for a, b in cuts], float)
@@ -110,7 +115,7 @@ def test_each_stretch_is_covered_once_and_nothing_else(cuts, degrees, seed):
 
 
 @given(count=st.integers(3, 30), length=st.floats(2.0, 10.0), degrees=st.floats(0.0, 360.0))
-def test_dashes_at_every_azimuth_become_one_line(count, length, degrees):
+def test_dashes_at_every_azimuth_become_one_line(count: int, length: float, degrees: float) -> None:
     turn = rotation(degrees)
     new, bulge, _ = once(dashes(count, length, length) @ turn.T, np.zeros(count), NO_CUTS)
     flat = new @ turn

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from knifetip.errors import FlankOutside
+from knifetip.geometry.columns import F64
 from knifetip.model.dieline import LineType
+from knifetip.model.operation import Operation
 from knifetip.planning.plan import plan
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
@@ -14,22 +16,24 @@ from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 OUTLINE = (LineType.CUT, closed((0, 0), (200, 0), (200, 100), (0, 100)))
 
 
-def planned(groove, *more, bulge=None):
+def planned(
+    groove: F64, *more: tuple[LineType, F64], bulge: dict[int, float] | None = None
+) -> list[Operation]:
     return plan(dieline(OUTLINE, (LineType.V_GROOVE, groove), *more, bulge=bulge), MACHINE, BOARD)
 
 
-def test_a_groove_across_the_board_may_run_out_at_its_ends():
+def test_a_groove_across_the_board_may_run_out_at_its_ends() -> None:
     assert planned(edges(((50, 0), (60, 100))))
 
 
-def test_a_groove_beside_the_edge_is_refused_where_its_flank_would_leave():
+def test_a_groove_beside_the_edge_is_refused_where_its_flank_would_leave() -> None:
     assert planned(edges(((0, 1.1), (200, 1.1))))
     slanted = edges(((10, 0.5), (190, 2.0)))
     with pytest.raises(FlankOutside, match=r"edge 4 is 2\.00 mm wide"):
         planned(slanted)
 
 
-def test_a_hole_beside_a_groove_is_refused():
+def test_a_hole_beside_a_groove_is_refused() -> None:
     hole = (LineType.CUT, edges(((100, 50), (110, 50)), ((110, 50), (100, 50))))
     beside = edges(((20, 55.5), (180, 55.5)))
     with pytest.raises(FlankOutside):
@@ -39,7 +43,9 @@ def test_a_hole_beside_a_groove_is_refused():
 
 @pytest.mark.parametrize("aside", [0.1, 0.5, 0.95, 0.99])
 @pytest.mark.parametrize("far", [False, True])
-def test_a_groove_along_a_cut_is_refused_with_the_cut_and_by_how_much(aside, far):
+def test_a_groove_along_a_cut_is_refused_with_the_cut_and_by_how_much(
+    aside: float, far: bool
+) -> None:
     y = 100.0 - aside if far else aside
     with pytest.raises(FlankOutside) as refused:
         planned(edges(((25, y), (175, y))))
@@ -59,12 +65,14 @@ def test_a_groove_along_a_cut_is_refused_with_the_cut_and_by_how_much(aside, far
         ((100, 0.5), (103, 0.5)),  # shorter than what is left out at ends that meet cuts
     ],
 )
-def test_a_groove_of_any_length_along_the_edge_is_refused(groove):
+def test_a_groove_of_any_length_along_the_edge_is_refused(
+    groove: tuple[tuple[int, float], tuple[int, float]],
+) -> None:
     with pytest.raises(FlankOutside):
         planned(edges(groove))
 
 
-def test_a_slit_inside_the_strip_is_refused_although_it_crosses_no_flank():
+def test_a_slit_inside_the_strip_is_refused_although_it_crosses_no_flank() -> None:
     groove = edges(((20, 50), (180, 50)))
     for slit in (((60, 50.5), (90, 50.5)), ((90, 49.5), (60, 49.5)), ((60, 49.6), (90, 50.4))):
         with pytest.raises(FlankOutside, match="cut at edge 5"):
@@ -84,12 +92,14 @@ def test_a_slit_inside_the_strip_is_refused_although_it_crosses_no_flank():
         ((181, 50.5), (190, 50.5)),
     ],
 )
-def test_a_groove_may_end_on_a_cut_cross_one_or_run_well_beside(slit):
+def test_a_groove_may_end_on_a_cut_cross_one_or_run_well_beside(
+    slit: tuple[tuple[float, float], tuple[float, float]],
+) -> None:
     assert planned(edges(((20, 50), (180, 50))), (LineType.CUT, edges(slit)))
 
 
 @pytest.mark.parametrize(("gap", "fine"), [(0.99, False), (1.01, True)])
-def test_a_round_cut_counts_by_its_belly_and_not_by_its_chord(gap, fine):
+def test_a_round_cut_counts_by_its_belly_and_not_by_its_chord(gap: float, fine: bool) -> None:
     # A hole of r 30, whose chords of 45° would stand 2.3 mm off it.
     hole = (LineType.CUT, edges(((70, 65), (130, 65)), ((130, 65), (70, 65))))
     groove = edges(((20, 35 - gap), (180, 35 - gap)))
@@ -100,6 +110,6 @@ def test_a_round_cut_counts_by_its_belly_and_not_by_its_chord(gap, fine):
             planned(groove, hole, bulge={5: 1.0, 6: 1.0})
 
 
-def test_a_groove_that_is_shorter_than_its_ends_may_end_on_cuts_at_both():
+def test_a_groove_that_is_shorter_than_its_ends_may_end_on_cuts_at_both() -> None:
     slits = edges(((100, 40), (100, 60)), ((102, 45), (102, 55)), ((101, 51.2), (103, 51.2)))
     assert planned(edges(((100, 50), (102, 50))), (LineType.CUT, slits))

@@ -20,12 +20,12 @@ SHEET = np.concatenate([OUTLINE, SLIT, HOLE, NEIGHBOUR])
 EXPECTED = np.array([True] * 5 + [False] * 5 + [True] * 4)
 
 
-def test_outlines_are_outer_and_slits_and_holes_are_not():
+def test_outlines_are_outer_and_slits_and_holes_are_not() -> None:
     np.testing.assert_array_equal(outer(SHEET, np.zeros(len(SHEET))), EXPECTED)
 
 
 @given(seed=st.integers(0, 1000), degrees=st.floats(0, 360))
-def test_order_direction_and_turn_do_not_matter(seed, degrees):
+def test_order_direction_and_turn_do_not_matter(seed: int, degrees: float) -> None:
     random = np.random.default_rng(seed)
     order = random.permutation(len(SHEET))
     turned = (SHEET @ rotation(degrees).T)[order]
@@ -35,21 +35,23 @@ def test_order_direction_and_turn_do_not_matter(seed, degrees):
 
 
 @given(degrees=st.floats(0, 360), backwards=st.booleans())
-def test_the_waste_is_right_of_an_outline_drawn_counter_clockwise(degrees, backwards):
+def test_the_waste_is_right_of_an_outline_drawn_counter_clockwise(
+    degrees: float, backwards: bool
+) -> None:
     turned = OUTLINE @ rotation(degrees).T
     side = outside(turned[:, ::-1] if backwards else turned, np.zeros(5))
     assert side.tolist() == [1 if backwards else -1] * 5
 
 
-def test_a_circle_of_two_arcs_is_outer_and_the_one_inside_it_is_not():
+def test_a_circle_of_two_arcs_is_outer_and_the_one_inside_it_is_not() -> None:
     circles = edges(((0, 0), (20, 0)), ((20, 0), (0, 0)), ((5, 0), (9, 0)), ((9, 0), (5, 0)))
     assert outer(circles, np.ones(4)).tolist() == [True, True, False, False]
 
 
-def test_a_lone_slit_bounds_nothing():
+def test_a_lone_slit_bounds_nothing() -> None:
     assert outer(SLIT, np.zeros(1)).tolist() == [False]
 
 
-def test_a_line_between_two_cells_is_inner():
+def test_a_line_between_two_cells_is_inner() -> None:
     cells = np.concatenate([OUTLINE, edges(((100, 50), (0, 100)))])
     assert outer(cells, np.zeros(6)).tolist() == [True] * 5 + [False]

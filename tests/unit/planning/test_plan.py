@@ -9,7 +9,7 @@ import pytest
 
 from knifetip.errors import NoToolForLineType
 from knifetip.model.dieline import LineType
-from knifetip.model.operation import End
+from knifetip.model.operation import End, Operation
 from knifetip.planning.plan import missing, plan
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
@@ -17,12 +17,12 @@ OUTLINE = closed((0, 0), (200, 0), (200, 100), (0, 100))
 HOLE = closed((20, 20), (40, 20), (40, 40), (20, 40))
 
 
-def only(operations):
+def only(operations: list[Operation]) -> Operation:
     assert len(operations) == 1
     return operations[0]
 
 
-def test_creases_come_first_and_the_outline_last():
+def test_creases_come_first_and_the_outline_last() -> None:
     line = dieline(
         (LineType.CUT, OUTLINE),
         (LineType.CUT, HOLE),
@@ -38,7 +38,7 @@ def test_creases_come_first_and_the_outline_last():
     assert sorted(set(operations[4].source.tolist())) == [0, 1, 2, 3]
 
 
-def test_depths_are_the_boards():
+def test_depths_are_the_boards() -> None:
     line = dieline(
         (LineType.CUT, OUTLINE),
         (LineType.HALF_CUT, edges(((50, 10), (50, 90)))),
@@ -50,7 +50,7 @@ def test_depths_are_the_boards():
     assert set(cut.depth.ravel()) == {2.3}  # caliper 2.0 and 0.3 into the mat
 
 
-def test_a_groove_goes_down_in_equal_passes_none_deeper_than_the_board_allows():
+def test_a_groove_goes_down_in_equal_passes_none_deeper_than_the_board_allows() -> None:
     line = dieline((LineType.V_GROOVE, edges(((80, 10), (80, 90)))))
     assert only(plan(line, MACHINE, BOARD)).depth.tolist() == [[1.0]]
     three = only(plan(line, MACHINE, replace(BOARD, groove_pass=0.4)))
@@ -59,7 +59,7 @@ def test_a_groove_goes_down_in_equal_passes_none_deeper_than_the_board_allows():
     np.testing.assert_allclose(two.depth, [[0.5, 1.0]])
 
 
-def test_a_groove_runs_out_where_it_meets_the_outline_and_only_there():
+def test_a_groove_runs_out_where_it_meets_the_outline_and_only_there() -> None:
     # 2 mm wide; from the left edge at 45° to the middle of the board.
     line = dieline((LineType.CUT, OUTLINE), (LineType.V_GROOVE, edges(((0, 20), (50, 70)))))
     groove = plan(line, MACHINE, BOARD)[0]
@@ -67,14 +67,14 @@ def test_a_groove_runs_out_where_it_meets_the_outline_and_only_there():
     assert (groove.start[0], groove.finish[0]) == (End.MEETS, End.FREE)
 
 
-def test_a_groove_that_ends_on_a_hole_or_on_a_slit_does_not_run_out():
+def test_a_groove_that_ends_on_a_hole_or_on_a_slit_does_not_run_out() -> None:
     slit = (LineType.CUT, edges(((120, 10), (120, 90))))
     groove = (LineType.V_GROOVE, edges(((40, 30), (120, 50))))
     line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, HOLE), slit, groove)
     assert not plan(line, MACHINE, BOARD)[0].run_out.any()
 
 
-def test_a_groove_that_meets_the_edge_at_ten_degrees_runs_out_and_is_no_flank_outside():
+def test_a_groove_that_meets_the_edge_at_ten_degrees_runs_out_and_is_no_flank_outside() -> None:
     reach = 30.0 / np.tan(np.radians(10.0))
     line = dieline(
         (LineType.CUT, OUTLINE), (LineType.V_GROOVE, edges(((10, 70), (10 + reach, 100))))
@@ -83,7 +83,7 @@ def test_a_groove_that_meets_the_edge_at_ten_degrees_runs_out_and_is_no_flank_ou
     assert plan(line, MACHINE, BOARD)[0].run_out[0, 1] == pytest.approx(5.67128, abs=1e-5)
 
 
-def test_a_cut_drawn_twice_is_cut_once():
+def test_a_cut_drawn_twice_is_cut_once() -> None:
     line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, OUTLINE[:2, ::-1]))
     operation = only(plan(line, MACHINE, BOARD))
     assert sorted(set(operation.source.tolist())) == [0, 1, 2, 3]
@@ -91,25 +91,27 @@ def test_a_cut_drawn_twice_is_cut_once():
 
 
 @pytest.mark.parametrize(("end", "depth"), [((0, 50), 0.4), ((50, 0), 0.6), ((50, 50), 0.5)])
-def test_a_crease_is_as_deep_as_its_angle_to_the_grain_asks(end, depth):
+def test_a_crease_is_as_deep_as_its_angle_to_the_grain_asks(
+    end: tuple[int, int], depth: float
+) -> None:
     operation = only(plan(dieline((LineType.CREASE, edges(((0, 0), end)))), MACHINE, BOARD))
     assert operation.depth[0, 0] == pytest.approx(depth)
 
 
-def test_a_slit_from_the_outline_is_cut_from_its_free_end():
+def test_a_slit_from_the_outline_is_cut_from_its_free_end() -> None:
     line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, edges(((200, 50), (150, 50)))))
     slit, _ = plan(line, MACHINE, BOARD)
     np.testing.assert_array_equal(slit.paths.start, [[150.0, 50.0]])
     assert (slit.start[0], slit.finish[0]) == (End.FREE, End.MEETS)
 
 
-def test_a_slit_that_ends_on_the_middle_of_an_edge_meets_it():
+def test_a_slit_that_ends_on_the_middle_of_an_edge_meets_it() -> None:
     line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, edges(((100, 0.03), (100, 60)))))
     slit, _ = plan(line, MACHINE, BOARD)
     assert slit.finish[0] == End.MEETS
 
 
-def test_a_crease_that_another_continues_is_not_free_there():
+def test_a_crease_that_another_continues_is_not_free_there() -> None:
     # Three ways leave (100, 50): straight on there are two, so chaining has left them all open.
     line = dieline(
         (
@@ -122,7 +124,7 @@ def test_a_crease_that_another_continues_is_not_free_there():
     assert operation.finish.tolist() == [End.CONTINUED, End.FREE, End.FREE]
 
 
-def test_a_perforation_begins_and_ends_with_a_cut():
+def test_a_perforation_begins_and_ends_with_a_cut() -> None:
     operation = only(
         plan(dieline((LineType.PERFORATION, edges(((0, 0), (23, 0))))), MACHINE, BOARD)
     )
@@ -131,12 +133,12 @@ def test_a_perforation_begins_and_ends_with_a_cut():
     np.testing.assert_allclose(operation.paths.end[:, 0], [3, 8, 13, 18, 23])
 
 
-def test_a_combi_edge_is_creased_and_perforated():
+def test_a_combi_edge_is_creased_and_perforated() -> None:
     operations = plan(dieline((LineType.COMBI, edges(((0, 0), (23, 0))))), MACHINE, BOARD)
     assert [operation.station for operation in operations] == [2, 1]
 
 
-def test_ignored_and_unclassified_edges_are_left_alone():
+def test_ignored_and_unclassified_edges_are_left_alone() -> None:
     line = dieline(
         (LineType.IGNORED, edges(((0, 0), (23, 0)))),
         (LineType.UNCLASSIFIED, edges(((0, 10), (23, 10)))),
@@ -144,7 +146,7 @@ def test_ignored_and_unclassified_edges_are_left_alone():
     assert plan(line, MACHINE, BOARD) == []
 
 
-def test_a_machine_without_the_tool_refuses():
+def test_a_machine_without_the_tool_refuses() -> None:
     knife_only = replace(MACHINE, stations=MACHINE.stations[:1])
     assert missing(LineType.CREASE, knife_only)
     assert not missing(LineType.CUT, knife_only)

@@ -80,7 +80,7 @@ TWO_STATIONS = (
 )
 
 
-def test_a_program_for_linuxcnc_leaves_datums_to_the_tool_table():
+def test_a_program_for_linuxcnc_leaves_datums_to_the_tool_table() -> None:
     program = process(
         toolpath(*TWO_STATIONS),
         TABLE,
@@ -133,7 +133,7 @@ def test_a_program_for_linuxcnc_leaves_datums_to_the_tool_table():
     assert program.dialect == "linuxcnc"
 
 
-def test_a_program_for_grblhal_has_the_datums_in_its_numbers():
+def test_a_program_for_grblhal_has_the_datums_in_its_numbers() -> None:
     program = process(
         toolpath(*TWO_STATIONS), TABLE, "grblhal", notes=["placement X20.0000 Y20.0000"]
     )
@@ -180,7 +180,9 @@ def test_a_program_for_grblhal_has_the_datums_in_its_numbers():
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_every_program_begins_and_ends_by_lifting_and_then_releasing_everything(dialect):
+def test_every_program_begins_and_ends_by_lifting_and_then_releasing_everything(
+    dialect: str,
+) -> None:
     # Two stations share output 2, and one is mounted 4 mm above the others.
     wheel, cutter = TABLE.stations[1], replace(TABLE.stations[2], z=4.0)
     twin = replace(wheel, number=7, output=2)
@@ -196,33 +198,33 @@ def test_every_program_begins_and_ends_by_lifting_and_then_releasing_everything(
     assert lines[-len(last) :] == last
 
 
-def test_the_first_lift_stays_within_the_travel():
+def test_the_first_lift_stays_within_the_travel() -> None:
     low = replace(TABLE, z=replace(TABLE.z, high=19.0))
     text = process(toolpath(rapid(1, 1, 10.0)), low, "grblhal").text
     assert b"G54\nG0 Z19.0000\n" in text
 
 
-def test_leaving_the_oscillating_knife_stops_it_and_lifts_its_piston():
+def test_leaving_the_oscillating_knife_stops_it_and_lifts_its_piston() -> None:
     rows = [rapid(1, 1), feed(2, 1), rapid(2, 1), rapid(5, 5, station=3)]
     lines = process(toolpath(*rows), TABLE, "linuxcnc").text.decode().splitlines()
     at = lines.index("(station 3 V-cutter)")
     assert lines[at + 1 : at + 6] == ["M65 P0", "M5", "T3 M6 G43", "M64 P2", "G4 P0.15"]
 
 
-def test_a_station_without_a_piston_and_a_machine_without_settling_say_nothing_of_them():
+def test_a_station_without_a_piston_and_a_machine_without_settling_say_nothing_of_them() -> None:
     bare = replace(TABLE, stations=(replace(TABLE.stations[1], output=-1),), settle=0.0)
     text = process(toolpath(rapid(1, 1, station=2)), bare, "linuxcnc").text
     for word in (b"M64", b"M65", b"G4 ", b"M3"):
         assert word not in text
 
 
-def test_the_first_move_of_a_station_says_all_axes_although_nothing_changed():
+def test_the_first_move_of_a_station_says_all_axes_although_nothing_changed() -> None:
     rows = [rapid(0, 0), feed(5, 0), rapid(5, 0), rapid(5, 0, station=2)]
     assert linuxcnc(*rows)[-1] == "G0 X5.0000 Y0.0000 Z20.0000 C0.0000"
     assert grblhal(*rows)[-1] == "G0 X65.0000 Y0.0000 Z18.5000 C0.0000"
 
 
-def test_words_are_printed_only_where_they_change_at_the_printed_place():
+def test_words_are_printed_only_where_they_change_at_the_printed_place() -> None:
     rows = [rapid(1, 1), feed(10, 1.00004), feed(10.00004, 2), feed(10.00004, 2)]
     assert linuxcnc(*rows) == [
         "G0 X1.0000 Y1.0000 Z20.0000 C0.0000",
@@ -231,7 +233,7 @@ def test_words_are_printed_only_where_they_change_at_the_printed_place():
     ]
 
 
-def test_a_move_that_rounds_to_nothing_has_no_line_and_the_next_row_keeps_its_number():
+def test_a_move_that_rounds_to_nothing_has_no_line_and_the_next_row_keeps_its_number() -> None:
     program = process(
         toolpath(rapid(1, 1), feed(2, 1), feed(2.00001, 1), feed(3, 1)),
         TABLE,
@@ -240,18 +242,18 @@ def test_a_move_that_rounds_to_nothing_has_no_line_and_the_next_row_keeps_its_nu
     assert [row for row in program.source if row >= 0] == [0, 1, 3]
 
 
-def test_a_thousand_steps_of_a_third_of_a_unit_do_not_drift():
+def test_a_thousand_steps_of_a_third_of_a_unit_do_not_drift() -> None:
     step = 0.0001 / 3
     rows = [rapid(0, 0), *(feed(step * n, 0) for n in range(1, 3001))]
     assert linuxcnc(*rows)[-1] == "G1 X0.1000"
 
 
-def test_zero_is_printed_without_a_sign():
+def test_zero_is_printed_without_a_sign() -> None:
     rows = [rapid(-0.0, -0.00004, c=-0.00001), feed(3, -0.0), feed(-0.00004, -1.0)]
     assert not any("-0.0000" in line for line in linuxcnc(*rows) + grblhal(*rows))
 
 
-def test_an_arc_is_consistent_with_its_rounded_ends():
+def test_an_arc_is_consistent_with_its_rounded_ends() -> None:
     # Ends off the grid: the centre is found again from what is printed.
     rows = [
         rapid(0.00003, 0),
@@ -262,30 +264,30 @@ def test_an_arc_is_consistent_with_its_rounded_ends():
     assert line == "G3 X10.0001 Y10.0000 C90.0000 I0.0000 J10.0000"
 
 
-def test_an_arc_to_the_right_is_g2_and_says_c_even_where_it_stays():
+def test_an_arc_to_the_right_is_g2_and_says_c_even_where_it_stays() -> None:
     rows = [rapid(0, 0, c=30), feed(0, 0, c=30), feed(0, -20, c=30, bulge=-1)]
     assert linuxcnc(*rows)[-1] == "G2 X0.0000 Y-20.0000 C30.0000 I0.0000 J-10.0000"
     assert grblhal(*rows)[-1] == "G2 X0.0000 Y-20.0000 C30.0000 I0.0000 J-10.0000"
 
 
-def test_an_arc_that_climbs_says_z():
+def test_an_arc_that_climbs_says_z() -> None:
     rows = [rapid(0, 0), feed(0, 0), feed(0, 20, z=0.7, c=180, bulge=1)]
     assert linuxcnc(*rows)[-1] == "G3 X0.0000 Y20.0000 Z0.7000 C180.0000 I0.0000 J10.0000"
 
 
 @pytest.mark.parametrize(("bow", "code"), [(0.00049, "G1"), (0.00051, "G3")])
-def test_an_arc_flatter_than_half_a_micrometre_becomes_a_line(bow: float, code: str):
+def test_an_arc_flatter_than_half_a_micrometre_becomes_a_line(bow: float, code: str) -> None:
     rows = [rapid(0, 0), feed(0, 0), feed(20, 0, bulge=2 * bow / 20)]
     assert linuxcnc(*rows)[-1].split()[0] == code
 
 
 @pytest.mark.parametrize(("radius", "code"), [(0.0019, "G1"), (0.0021, "G3")])
-def test_an_arc_smaller_than_linuxcnc_reads_becomes_a_line(radius: float, code: str):
+def test_an_arc_smaller_than_linuxcnc_reads_becomes_a_line(radius: float, code: str) -> None:
     rows = [rapid(0, 0), feed(0, 0), feed(2 * radius, 0, bulge=1)]
     assert linuxcnc(*rows)[-1].split()[0] == code
 
 
-def test_a_tiny_arc_becomes_a_line_or_a_turn_on_the_spot():
+def test_a_tiny_arc_becomes_a_line_or_a_turn_on_the_spot() -> None:
     rows = [
         rapid(0, 0),
         feed(0, 0),
@@ -299,19 +301,19 @@ def test_a_tiny_arc_becomes_a_line_or_a_turn_on_the_spot():
     assert turn == "G93 G1 C180.0000 F2400"
 
 
-def test_a_line_along_which_c_turns_goes_by_inverse_time():
+def test_a_line_along_which_c_turns_goes_by_inverse_time() -> None:
     # 60 mm at 24,000 mm/min are 1 / 400 of a minute.
     rows = [rapid(0, 0), feed(0, 0), feed(60, 0, c=10), feed(60, 30, c=10)]
     for lines in (linuxcnc(*rows), grblhal(*rows)):
         assert lines[2:] == ["G93 G1 X60.0000 C10.0000 F400", "G94 G1 Y30.0000 F24000"]
 
 
-def test_a_slow_move_by_inverse_time_keeps_six_figures():
+def test_a_slow_move_by_inverse_time_keeps_six_figures() -> None:
     slow = (1, Motion.FEED, (1300.0, 0.0, -0.3, 10.0), 0.0, 100.0)
     assert linuxcnc(rapid(0, 0, -0.3), slow)[-1].endswith("F0.0769231")
 
 
-def test_rapids_leave_inverse_time_too_and_a_run_never_ends_in_it():
+def test_rapids_leave_inverse_time_too_and_a_run_never_ends_in_it() -> None:
     swivel = (1, Motion.SWIVEL, (0, 0, 20, 90), 0.0, 36000.0)
     lines = linuxcnc(rapid(0, 0), swivel, rapid(0, 0, 20, 180))
     assert lines[1:] == ["G93 G1 C90.0000 F400", "G94 G0 C180.0000"]
@@ -319,14 +321,14 @@ def test_rapids_leave_inverse_time_too_and_a_run_never_ends_in_it():
     assert b"G93 G1 C90.0000 F400\nG94\nG0 Z20.0000\n" in text
 
 
-def test_the_feed_is_said_again_after_inverse_time_although_its_number_is_the_same():
+def test_the_feed_is_said_again_after_inverse_time_although_its_number_is_the_same() -> None:
     swivel = (1, Motion.SWIVEL, (0, 0, 20, 90), 0.0, 36000.0)
     slow = (1, Motion.FEED, (10, 0, 20, 90), 0.0, 400.0)
     lines = linuxcnc(rapid(0, 0), swivel, slow)
     assert lines[1:] == ["G93 G1 C90.0000 F400", "G94 G1 X10.0000 F400"]
 
 
-def test_the_end_lifts_the_last_tool_by_its_own_datum():
+def test_the_end_lifts_the_last_tool_by_its_own_datum() -> None:
     text = process(toolpath(rapid(1, 1, station=2)), TABLE, "grblhal").text
     assert text.endswith(b"G0 Z18.5000\nG4 P0\nM65 P0\nM65 P1\nM65 P2\nM5\nG49\nM30\n")
 
@@ -338,7 +340,7 @@ def halts(*rows: tuple) -> list[str]:
     return [program.source[n - 1] for n, line in enumerate(lines) if line == b"G4 P0"]
 
 
-def test_linuxcnc_halts_where_c_begins_or_ends_to_turn_and_not_within_a_circle():
+def test_linuxcnc_halts_where_c_begins_or_ends_to_turn_and_not_within_a_circle() -> None:
     start = [rapid(0, 0), feed(0, 0), feed(50, 0)]
     circle = [
         feed(60, 10, c=90, bulge=QUARTER),
@@ -351,12 +353,12 @@ def test_linuxcnc_halts_where_c_begins_or_ends_to_turn_and_not_within_a_circle()
     assert grblhal.count(b"G4 P0\n") == grblhal.count(b"G4 P0\nM6") == 2
 
 
-def test_linuxcnc_halts_between_arcs_that_bend_to_different_sides():
+def test_linuxcnc_halts_between_arcs_that_bend_to_different_sides() -> None:
     wave = [feed(10, 10, c=90, bulge=QUARTER), feed(20, 20, c=0, bulge=-QUARTER)]
     assert halts(rapid(0, 0), feed(0, 0), *wave) == [1, 2]
 
 
-def test_linuxcnc_blends_where_slow_and_slight_bends_stay_within_its_share():
+def test_linuxcnc_blends_where_slow_and_slight_bends_stay_within_its_share() -> None:
     # From a line into an arc of r = 1,000 mm at v: aside = (v² / a)² / 2r, a = 8,000 mm/s².
     # 5 micrometres of it, half the tolerance, come with 159.05 mm/s.
     c = np.degrees(4 * np.arctan(0.1))
@@ -368,12 +370,12 @@ def test_linuxcnc_blends_where_slow_and_slight_bends_stay_within_its_share():
         assert halts(*rows) == expected
 
 
-def test_a_tool_turns_before_it_goes_down_but_rapids_flow_into_each_other():
+def test_a_tool_turns_before_it_goes_down_but_rapids_flow_into_each_other() -> None:
     rows = [rapid(0, 0), rapid(50, 50, c=90), rapid(50, 50, c=180), feed(50, 50, c=180)]
     assert halts(*rows) == [2]
 
 
-def test_a_drag_knife_swings_its_arc_in_the_time_of_its_turn():
+def test_a_drag_knife_swings_its_arc_in_the_time_of_its_turn() -> None:
     swing = (1, Motion.SWIVEL, (5.0, 5.0, -0.3, 90.0), QUARTER, 36000.0)
     for lines in (
         linuxcnc(rapid(0, 0, -0.3), swing),
@@ -382,7 +384,7 @@ def test_a_drag_knife_swings_its_arc_in_the_time_of_its_turn():
         assert lines[-1] == "G93 G3 X5.0000 Y5.0000 C90.0000 I0.0000 J5.0000 F400"
 
 
-def test_an_arc_too_large_for_32_bits_is_sent_to_grblhal_as_chords_that_stay_on_it():
+def test_an_arc_too_large_for_32_bits_is_sent_to_grblhal_as_chords_that_stay_on_it() -> None:
     # 500 mm wide and 1 mm high: a radius of 31,250.5 mm.
     bulge = 2 * 1.0 / 500
     c = np.degrees(4 * np.arctan(bulge))
@@ -404,7 +406,7 @@ def test_an_arc_too_large_for_32_bits_is_sent_to_grblhal_as_chords_that_stay_on_
     assert [row for row in program.source if row >= 0] == [0, 1] + [2] * 32
 
 
-def test_the_same_input_gives_the_same_bytes():
+def test_the_same_input_gives_the_same_bytes() -> None:
     first, second = (process(toolpath(*TWO_STATIONS), TABLE, "linuxcnc") for _ in range(2))
     assert first.text == second.text
 
@@ -412,18 +414,20 @@ def test_the_same_input_gives_the_same_bytes():
 @pytest.mark.parametrize(
     ("tolerance", "word"), [(0.004, "0.0020"), (0.01, "0.0050"), (1.0, "0.0050")]
 )
-def test_blending_takes_half_the_tolerance_and_never_more_than_five_micrometres(tolerance, word):
+def test_blending_takes_half_the_tolerance_and_never_more_than_five_micrometres(
+    tolerance: float, word: str
+) -> None:
     text = process(toolpath(rapid(1, 1)), TABLE, "linuxcnc", tolerance=tolerance).text.decode()
     assert f"G64 P{word} Q{word}\n" in text
 
 
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, 0.0001, float("nan")])
-def test_no_tolerance_is_refused_because_p0_means_no_limit(tolerance):
+def test_no_tolerance_is_refused_because_p0_means_no_limit(tolerance: float) -> None:
     with pytest.raises(ProgramError, match="tolerance"):
         process(toolpath(rapid(1, 1)), TABLE, "linuxcnc", tolerance=tolerance)
 
 
-def test_notes_cannot_speak_to_a_controller():
+def test_notes_cannot_speak_to_a_controller() -> None:
     notes = [
         "(PY,import os)",
         "hold! now? ~",
@@ -445,7 +449,7 @@ def test_notes_cannot_speak_to_a_controller():
         ]
 
 
-def test_the_name_of_a_station_cannot_speak_either():
+def test_the_name_of_a_station_cannot_speak_either() -> None:
     station = replace(TABLE.stations[0], name="knife)\nG0 Z-50 (PY,x")
     odd = replace(TABLE, stations=(station,))
     text = process(toolpath(rapid(1, 1)), odd, "linuxcnc").text.decode()
@@ -475,40 +479,44 @@ def test_the_name_of_a_station_cannot_speak_either():
     ],
 )
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_a_move_that_cannot_be_printed_is_refused_with_its_place(row, words, dialect):
+def test_a_move_that_cannot_be_printed_is_refused_with_its_place(
+    row: tuple[int, Motion | int, tuple[float, int, float, float], float, float],
+    words: str,
+    dialect: str,
+) -> None:
     with pytest.raises(ProgramError, match=words):
         process(toolpath(rapid(0, 0), row, rapid(1, 1)), TABLE, dialect)
 
 
-def test_no_moves_are_refused():
+def test_no_moves_are_refused() -> None:
     empty = Toolpath(np.zeros((1, 4)), [], [], [], [], [], [])
     with pytest.raises(ProgramError, match="no moves"):
         process(empty, TABLE, "grblhal")
 
 
-def test_an_unknown_dialect_is_refused_with_those_that_there_are():
+def test_an_unknown_dialect_is_refused_with_those_that_there_are() -> None:
     with pytest.raises(LibraryError, match=r"fanuc.*grblhal, .*linuxcnc"):
         process(toolpath(rapid(1, 1)), TABLE, "fanuc")
 
 
-def test_an_unknown_station_is_refused_with_those_that_there_are():
+def test_an_unknown_station_is_refused_with_those_that_there_are() -> None:
     with pytest.raises(ProgramError, match=r"station 7, which demo-table lacks\. It has 1, 2, 3"):
         process(toolpath(rapid(1, 1, station=7)), TABLE, "grblhal")
 
 
-def test_a_station_that_begins_in_its_work_is_refused():
+def test_a_station_that_begins_in_its_work_is_refused() -> None:
     with pytest.raises(ProgramError, match=r"Row 1 .* begins the work of station 2"):
         process(toolpath(rapid(1, 1), feed(2, 2, station=2)), TABLE, "linuxcnc")
 
 
-def test_a_rotating_cutter_is_refused_because_nothing_says_its_speed():
+def test_a_rotating_cutter_is_refused_because_nothing_says_its_speed() -> None:
     router = replace(TABLE.stations[0], tool=Cutter(3.0, 1000.0, 500.0))
     with pytest.raises(ProgramError, match="no spindle speed"):
         process(toolpath(rapid(1, 1)), replace(TABLE, stations=(router,)), "grblhal")
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_a_router_turns_at_its_speed_before_it_goes_down_and_stops_after(dialect):
+def test_a_router_turns_at_its_speed_before_it_goes_down_and_stops_after(dialect: str) -> None:
     router = Cutter(3.0, 1000.0, 500.0, speed=18000.0, spin_up=2.5)
     table = replace(TABLE, stations=(replace(TABLE.stations[0], tool=router),))
     text = process(toolpath(rapid(1, 1), feed(5, 1, -0.3)), table, dialect).text
@@ -520,14 +528,14 @@ def test_a_router_turns_at_its_speed_before_it_goes_down_and_stops_after(dialect
     assert head.index(b"M5\n") < head.index(b"M64")
 
 
-def test_the_pause_of_the_pistons_stands_where_the_spindle_is_quicker():
+def test_the_pause_of_the_pistons_stands_where_the_spindle_is_quicker() -> None:
     router = Cutter(3.0, 1000.0, 500.0, speed=18000.0, spin_up=0.05)
     table = replace(TABLE, stations=(replace(TABLE.stations[0], tool=router),))
     text = process(toolpath(rapid(1, 1), feed(5, 1, -0.3)), table, "linuxcnc").text
     assert b"M3 S18000\nG4 P0.15\n" in text
 
 
-def test_a_line_that_grbl_cannot_read_is_refused():
+def test_a_line_that_grbl_cannot_read_is_refused() -> None:
     # A climbing arc with every number at its longest.
     rows = [
         rapid(-1234.5678, -1234.5678, c=-1080.1234),
@@ -551,7 +559,9 @@ steps = st.tuples(
 
 @settings(max_examples=60, deadline=None)
 @given(walk=st.lists(steps, min_size=1, max_size=20))
-def test_what_grbl_reads_is_the_toolpath_within_half_a_unit(walk):
+def test_what_grbl_reads_is_the_toolpath_within_half_a_unit(
+    walk: list[tuple[float, float, float, float, float, float]],
+) -> None:
     rows = [rapid(*walk[0][:2], c=walk[0][3], station=2)]
     height = walk[0][2]
     for x, y, z, c, bulge, speed in walk:

@@ -10,17 +10,22 @@ import pytest
 from knifetip import pipeline
 from knifetip.gateway.table import Table
 from knifetip.library import load
+from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.duration import duration, durations
 from tests.support.shapes import MACHINE
-from tests.support.truth.named import SAMPLES
+from tests.support.truth.named import SAMPLES, Named
 
 R, F, S = Motion.RAPID, Motion.FEED, Motion.SWIVEL
 #: Does not wait for pistons.
 QUICK = replace(MACHINE, settle=0.0, dialect="grblhal")
 
 
-def path(*moves, start=(0.0, 0.0, 0.0, 0.0), bulge=()):
+def path(
+    *moves: tuple[Motion, int, int, int, int, int],
+    start=(0.0, 0.0, 0.0, 0.0),
+    bulge: list[float] = (),
+) -> Toolpath:
     """Moves as (motion, x, y, z, c, feed)."""
     pose = np.array([start, *[move[1:5] for move in moves]], float)
     n = len(moves)
@@ -30,23 +35,23 @@ def path(*moves, start=(0.0, 0.0, 0.0, 0.0), bulge=()):
     return Toolpath(pose, bent, motion, feed, [0] * n, [1] * n, [0] * n)
 
 
-def test_a_long_feed_is_a_trapezoid():
+def test_a_long_feed_is_a_trapezoid() -> None:
     # 400 mm/s at 8000 mm/s²: 800/400 and once 400/8000.
     assert duration(path((F, 800, 0, 0, 0, 24000)), QUICK) == pytest.approx(2.05)
 
 
-def test_a_short_rapid_is_a_triangle():
+def test_a_short_rapid_is_a_triangle() -> None:
     # 50 mm never reaches 1500 mm/s: 2 √(50/8000).
     assert duration(path((R, 50, 0, 0, 0, 0)), QUICK) == pytest.approx(0.158113883)
 
 
-def test_a_diagonal_has_both_axes_to_push_it():
+def test_a_diagonal_has_both_axes_to_push_it() -> None:
     # √2 · 8000 along the way, 400 mm/s: 565.685/400 + 400/11313.7.
     expected = 565.685425 / 400.0 + 400.0 / 11313.70850
     assert duration(path((F, 400, 400, 0, 0, 24000)), QUICK) == pytest.approx(expected)
 
 
-def test_a_tangent_joint_is_passed_at_speed_and_a_reversal_stops():
+def test_a_tangent_joint_is_passed_at_speed_and_a_reversal_stops() -> None:
     on = path((F, 400, 0, 0, 0, 24000), (F, 800, 0, 0, 0, 24000))
     assert duration(on, QUICK) == pytest.approx(2.05)
     back = path((F, 400, 0, 0, 0, 24000), (F, 0, 0, 0, 0, 24000))
@@ -54,26 +59,26 @@ def test_a_tangent_joint_is_passed_at_speed_and_a_reversal_stops():
     assert 2.09 < duration(back, QUICK) < 2.1
 
 
-def test_a_right_angle_is_slower_than_straight_on_by_slowing_down_and_up():
+def test_a_right_angle_is_slower_than_straight_on_by_slowing_down_and_up() -> None:
     corner = path((F, 400, 0, 0, 0, 24000), (F, 400, 400, 0, 0, 24000))
     # From 400 to 16 mm/s and back costs (384/8000)·(1 - 208/400) each way.
     lost = 2.0 * 384.0 / 8000.0 * (1.0 - 208.0 / 400.0)
     assert duration(corner, QUICK) == pytest.approx(2.05 + lost)
 
 
-def test_an_arc_keeps_its_centripetal_acceleration():
+def test_an_arc_keeps_its_centripetal_acceleration() -> None:
     # A half circle of 5 mm: v² = 8000 · 5, v = 200 of the 400 mm/s asked; 15.70796 mm.
     half = path((F, 0, 10, 0, 0, 24000), bulge=[1.0])
     assert duration(half, QUICK) == pytest.approx(15.707963 / 200.0 + 200.0 / 8000.0)
 
 
-def test_a_swivel_has_its_feed_in_degrees():
+def test_a_swivel_has_its_feed_in_degrees() -> None:
     # 90° at 1800°/s and 36000°/s²: 90/1800 + 1800/36000.
     turn = path((S, 0, 0, 0, 90, 108000))
     assert duration(turn, QUICK) == pytest.approx(0.1)
 
 
-def test_c_holds_back_an_arc_that_would_turn_it_too_fast():
+def test_c_holds_back_an_arc_that_would_turn_it_too_fast() -> None:
     # A half circle of 100 mm turns C by 180° and would take 0.0785 · 10 s; C at 90°/s takes 2 s.
     slow = replace(QUICK, c=replace(QUICK.c, velocity=90.0))
     half = path((F, 0, 200, 0, 180, 24000), bulge=[1.0])
@@ -81,14 +86,14 @@ def test_c_holds_back_an_arc_that_would_turn_it_too_fast():
     assert duration(half, QUICK) == pytest.approx(314.159 / 400.0, rel=0.1)
 
 
-def test_each_change_of_tool_waits_for_its_piston():
+def test_each_change_of_tool_waits_for_its_piston() -> None:
     two = path((R, 50, 0, 0, 0, 0), (R, 100, 0, 0, 0, 0))
     two = replace(two, tool=np.array([1, 2], np.uint8))
     slow = replace(QUICK, settle=0.15)
     np.testing.assert_allclose(durations(two, slow), 0.15 + 0.158113883)
 
 
-def test_linuxcnc_halts_where_c_begins_to_turn():
+def test_linuxcnc_halts_where_c_begins_to_turn() -> None:
     # A line at 400 mm/s into an arc of 50 mm with C on the tangent: ADR 0008.
     moves = path(
         (F, 400, 0, 0, 0, 24000), (F, 450, 50, 0, 90, 24000), bulge=[0.0, np.tan(np.pi / 8)]
@@ -99,14 +104,14 @@ def test_linuxcnc_halts_where_c_begins_to_turn():
     assert linuxcnc > grbl + 0.015
 
 
-def test_rows_that_move_nothing_take_no_time_and_stop_nobody():
+def test_rows_that_move_nothing_take_no_time_and_stop_nobody() -> None:
     still = path((F, 400, 0, 0, 0, 24000), (F, 400, 0, 0, 0, 24000), (F, 800, 0, 0, 0, 24000))
     seconds = durations(still, QUICK)
     assert seconds[1] == 0.0
     assert seconds.sum() == pytest.approx(2.05)
 
 
-def simulated(text, machine):
+def simulated(text: bytes, machine: Machine) -> float:
     """Seconds that the simulated table takes for a program."""
     table = Table(machine)
     refused = []
@@ -122,7 +127,7 @@ def simulated(text, machine):
 
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
-def test_the_simulated_table_takes_as_long(named):
+def test_the_simulated_table_takes_as_long(named: Named) -> None:
     machine = load.machine("demo-table")
     drawing, dieline, board = named.classified(None)
     made = pipeline.compile(drawing, dieline, machine, board, dialect="grblhal")

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from knifetip.geometry.columns import F64, I64
 from knifetip.model.tool import Reversal
 from knifetip.sequencing.nearest import nearest_neighbour
 from knifetip.sequencing.order import greedy, link_times, shortest
@@ -17,7 +18,7 @@ PACE = np.array([[1500.0, 1500.0, 3600.0], [8000.0, 8000.0, 36000.0]])
 HOME = np.zeros(3)
 
 
-def tracks(seed, count, way):
+def tracks(seed: int, count: int, way: Reversal) -> tuple[F64, F64]:
     """Strokes of 30 mm at every heading, and what they are from their far ends."""
     random = np.random.default_rng(seed)
     start, azimuth = random.uniform(0, 800, (count, 2)), random.uniform(0, 360, count)
@@ -31,14 +32,14 @@ def tracks(seed, count, way):
     return np.stack([begin, finish + half]), np.stack([begin + half, finish])
 
 
-def total(entry, leave, order, flip, period=360.0):
+def total(entry: F64, leave: F64, order: I64, flip: I64, period=360.0) -> float:
     side = flip.astype(int)
     return link_times(entry[side, order], leave[side, order], HOME, PACE, period).sum()
 
 
 @settings(deadline=None)
 @given(seed=st.integers(0, 500), count=st.integers(1, 60))
-def test_the_nearest_start_is_always_taken(seed, count):
+def test_the_nearest_start_is_always_taken(seed: int, count: int) -> None:
     random = np.random.default_rng(seed)
     start, end = random.uniform(0, 100, (2, count, 2))
     order = nearest_neighbour(start, end, np.zeros(2))
@@ -52,7 +53,7 @@ def test_the_nearest_start_is_always_taken(seed, count):
         here = end[track]
 
 
-def test_a_link_takes_as_long_as_its_slowest_axis():
+def test_a_link_takes_as_long_as_its_slowest_axis() -> None:
     # X 450 mm at 8000 mm/s² up to 1500 mm/s: 450/1500 + 1500/8000 = 0.4875 s.
     # C 100° at 36000°/s²: 2 √(100/36000) = 0.1054 s; Y 2 mm: 2 √(2/8000) = 0.0316 s.
     entry = np.array([[450.0, 0.0, 0.0], [450.0, 0.0, 460.0], [450.0, 2.0, 460.0]])
@@ -64,7 +65,7 @@ def test_a_link_takes_as_long_as_its_slowest_axis():
 
 @pytest.mark.parametrize("way", Reversal)
 @pytest.mark.parametrize("seed", range(6))
-def test_of_five_tracks_the_best_order_of_all_is_found(way, seed):
+def test_of_five_tracks_the_best_order_of_all_is_found(way: Reversal, seed: int) -> None:
     entry, leave = tracks(seed, 5, way)
     order, flip = shortest(entry, leave, HOME, PACE, 360.0, way)
     sides = [(0,)] * 5 if way == Reversal.ONE else [(0, 1)] * 5
@@ -79,7 +80,9 @@ def test_of_five_tracks_the_best_order_of_all_is_found(way, seed):
 @pytest.mark.parametrize("way", Reversal)
 @settings(deadline=None, max_examples=25)
 @given(seed=st.integers(0, 10_000), count=st.integers(1, 60))
-def test_every_track_comes_once_and_never_later_than_greedily(way, seed, count):
+def test_every_track_comes_once_and_never_later_than_greedily(
+    way: Reversal, seed: int, count: int
+) -> None:
     entry, leave = tracks(seed, count, way)
     order, flip = shortest(entry, leave, HOME, PACE, 360.0, way)
     assert sorted(order) == list(range(count))
@@ -91,7 +94,9 @@ def test_every_track_comes_once_and_never_later_than_greedily(way, seed, count):
 
 
 @pytest.mark.parametrize(("way", "share"), list(zip(Reversal, (0.93, 0.92, 0.92), strict=True)))
-def test_two_hundred_tracks_are_linked_well_faster_than_greedily(way, share):
+def test_two_hundred_tracks_are_linked_well_faster_than_greedily(
+    way: Reversal, share: float
+) -> None:
     entry, leave = tracks(1, 200, way)
     order, flip = shortest(entry, leave, HOME, PACE, 360.0, way)
     best = total(entry, leave, order, flip)
@@ -100,14 +105,16 @@ def test_two_hundred_tracks_are_linked_well_faster_than_greedily(way, share):
 
 
 @pytest.mark.parametrize(("way", "seconds"), list(zip(Reversal, (102, 90, 92.5), strict=True)))
-def test_a_thousand_tracks_are_linked_about_as_fast_as_they_ever_were(way, seconds):
+def test_a_thousand_tracks_are_linked_about_as_fast_as_they_ever_were(
+    way: Reversal, seconds: float
+) -> None:
     # Greedily 117.6, 108.7 and 115.1 s.
     entry, leave = tracks(1, 1000, way)
     assert total(entry, leave, *shortest(entry, leave, HOME, PACE, 360.0, way)) < seconds
 
 
 @pytest.mark.parametrize("way", Reversal)
-def test_tracks_on_one_point_are_no_trouble(way):
+def test_tracks_on_one_point_are_no_trouble(way: Reversal) -> None:
     entry = np.zeros((2, 40, 3))
     order, _ = shortest(entry, entry, HOME, PACE, 360.0, way)
     assert sorted(order) == list(range(40))

@@ -9,28 +9,29 @@ import pytest
 
 from knifetip.compensation.compensate import compensate
 from knifetip.errors import PlanError, TravelExceeded
+from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
 from knifetip.model.dieline import LineType
-from knifetip.model.machine import Axis
+from knifetip.model.machine import Axis, Machine
 from knifetip.model.tool import VCutter
-from knifetip.model.toolpath import Motion
+from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.plan import plan
 from knifetip.sequencing.sequence import sequence
 from tests.support.shapes import BOARD, KNIFE, MACHINE, closed, dieline, edges
 
 
-def sequenced(*groups, machine=MACHINE):
+def sequenced(*groups: tuple[LineType, F64], machine: Machine = MACHINE) -> Toolpath:
     operations = plan(dieline(*groups), machine, BOARD)
     return sequence([compensate(operation) for operation in operations], machine)
 
 
-def test_the_way_begins_and_ends_parked():
+def test_the_way_begins_and_ends_parked() -> None:
     path = sequenced((LineType.CUT, edges(((10, 10), (90, 10)))))
     np.testing.assert_array_equal(path.pose[0], [0, 0, 20, 0])
     np.testing.assert_array_equal(path.pose[-1], [0, 0, 20, 0])
 
 
-def test_a_tool_is_changed_at_travel_height():
+def test_a_tool_is_changed_at_travel_height() -> None:
     path = sequenced(
         (LineType.CREASE, edges(((10, 10), (10, 90)))),
         (LineType.CUT, edges(((20, 10), (90, 10)))),
@@ -42,7 +43,7 @@ def test_a_tool_is_changed_at_travel_height():
     np.testing.assert_allclose(path.pose[change[0] + 2, :3], [20, 10, 20])
 
 
-def test_links_between_tracks_stay_above_the_board():
+def test_links_between_tracks_stay_above_the_board() -> None:
     path = sequenced(
         (
             LineType.CUT,
@@ -53,7 +54,7 @@ def test_links_between_tracks_stay_above_the_board():
     assert path.pose[1:][rapid][:, 2].min() == 4.0  # caliper 2 and clearance 2
 
 
-def test_every_row_of_the_tracks_is_there_once():
+def test_every_row_of_the_tracks_is_there_once() -> None:
     groups = [(LineType.CREASE, edges(*[((x, 10), (x, 90)) for x in range(10, 90, 7)]))]
     operation = plan(dieline(*groups), MACHINE, BOARD)[0]
     before = compensate(operation)
@@ -63,7 +64,7 @@ def test_every_row_of_the_tracks_is_there_once():
     assert after.track.max() == before.track.max()
 
 
-def test_the_wheel_turns_by_less_than_a_quarter_between_creases():
+def test_the_wheel_turns_by_less_than_a_quarter_between_creases() -> None:
     path = sequenced(
         (
             LineType.CREASE,
@@ -74,7 +75,7 @@ def test_the_wheel_turns_by_less_than_a_quarter_between_creases():
     assert np.abs(np.diff(path.pose[:, 3]))[rapid].max() <= 90.0
 
 
-def test_c_stays_within_its_travel_though_the_work_winds_up():
+def test_c_stays_within_its_travel_though_the_work_winds_up() -> None:
     squares = np.concatenate(
         [closed((x, 0), (x + 9, 0), (x + 9, 9), (x, 9)) for x in range(0, 400, 20)]
     )
@@ -83,7 +84,7 @@ def test_c_stays_within_its_travel_though_the_work_winds_up():
     assert path.pose[:, 3].max() <= 1080
 
 
-def test_c_unwinds_in_the_air_inside_a_track_too():
+def test_c_unwinds_in_the_air_inside_a_track_too() -> None:
     # Sixty right angles to the left would be fifteen turns.
     size = np.arange(300.0, 0.0, -5.0)
     turns = np.array([[1, 0], [0, 1], [-1, 0], [0, -1]])[np.arange(60) % 4]
@@ -94,7 +95,7 @@ def test_c_unwinds_in_the_air_inside_a_track_too():
     assert (path.motion == Motion.FEED).sum() == 60
 
 
-def test_a_head_that_would_leave_the_machine_is_named():
+def test_a_head_that_would_leave_the_machine_is_named() -> None:
     narrow = replace(MACHINE, x=Axis(-500.0, 100.0, 1500.0, 8000.0))
     with pytest.raises(
         TravelExceeded, match=r"Wheel \(station 2\) would go 10\.00 mm above .* axis X"
@@ -102,12 +103,12 @@ def test_a_head_that_would_leave_the_machine_is_named():
         sequenced((LineType.CREASE, edges(((50, 10), (50, 90)))), machine=narrow)
 
 
-def test_nothing_to_do_is_said():
+def test_nothing_to_do_is_said() -> None:
     with pytest.raises(PlanError, match="Nothing in this drawing"):
         sequence([], MACHINE)
 
 
-def test_a_crease_is_rolled_from_the_end_that_is_nearer():
+def test_a_crease_is_rolled_from_the_end_that_is_nearer() -> None:
     # From (0, 0) the first crease begins 3 mm before (90, 10): it is run back to x = 13.
     path = sequenced(
         (LineType.CREASE, edges(((90, 10), (10, 10)), ((90, 20), (10, 20)))),
@@ -122,7 +123,7 @@ def test_a_crease_is_rolled_from_the_end_that_is_nearer():
         assert path.pose[row + 2, 2] > path.pose[row + 1, 2]
 
 
-def test_a_way_back_bends_the_other_way_and_keeps_the_wheel_on_the_tangent():
+def test_a_way_back_bends_the_other_way_and_keeps_the_wheel_on_the_tangent() -> None:
     # A half circle over (0, 50) … (100, 50), drawn from its far end: bulge 1 becomes -1.
     line = dieline((LineType.CREASE, edges(((100, 50), (0, 50)))), bulge={0: 1.0})
     path = sequence([compensate(plan(line, MACHINE, BOARD)[0])], MACHINE)
@@ -136,7 +137,7 @@ def test_a_way_back_bends_the_other_way_and_keeps_the_wheel_on_the_tangent():
     )
 
 
-def test_a_v_groove_is_begun_at_its_nearer_end_and_both_its_flanks_are_cut():
+def test_a_v_groove_is_begun_at_its_nearer_end_and_both_its_flanks_are_cut() -> None:
     line = (LineType.V_GROOVE, edges(((300, 50), (100, 50))))
     path = sequenced(line)
     fed = np.flatnonzero(path.motion == Motion.FEED)
@@ -149,14 +150,14 @@ def test_a_v_groove_is_begun_at_its_nearer_end_and_both_its_flanks_are_cut():
     assert abs(path.pose[fed[1], 3] - path.pose[fed[0], 3]) == pytest.approx(180.0)
 
 
-def test_a_slanted_blade_is_never_run_backwards():
+def test_a_slanted_blade_is_never_run_backwards() -> None:
     cuts = edges(*[((90, y), (10, y)) for y in range(10, 60, 10)])
     path = sequenced((LineType.CUT, cuts))
     for row in np.flatnonzero(path.motion == Motion.FEED):
         assert path.pose[row + 1, 0] < path.pose[row, 0]
 
 
-def test_an_upright_blade_is_and_turns_round_for_it():
+def test_an_upright_blade_is_and_turns_round_for_it() -> None:
     upright = replace(
         MACHINE,
         stations=(
@@ -172,19 +173,19 @@ def test_an_upright_blade_is_and_turns_round_for_it():
     np.testing.assert_allclose(np.cos(np.radians(path.pose[fed, 3])), way, atol=1e-9)
 
 
-def test_two_runs_give_the_same_way():
+def test_two_runs_give_the_same_way() -> None:
     random = np.random.default_rng(3)
     ends = random.uniform(0, 500, (60, 2, 2))
     one, two = (sequenced((LineType.CREASE, ends)) for _ in range(2))
     np.testing.assert_array_equal(one.pose, two.pose)
 
 
-def sheet(x, y, width, height):
+def sheet(x: float, y: float, width: float, height: float) -> Paths:
     ends = closed((x, y), (x + width, y), (x + width, y + height), (x, y + height))
     return Paths(ends[:, 0], ends[:, 1], np.zeros(4), np.array([0, 4]))
 
 
-def test_a_groove_that_has_left_the_board_turns_without_a_lift():
+def test_a_groove_that_has_left_the_board_turns_without_a_lift() -> None:
     # The board is 100 … 300 wide; the grooves run out by 40 mm on both sides of it.
     lines = edges(((60, 50), (340, 50)), ((60, 80), (340, 80)))
     operation = plan(dieline((LineType.V_GROOVE, lines)), MACHINE, BOARD)[0]
@@ -200,7 +201,7 @@ def test_a_groove_that_has_left_the_board_turns_without_a_lift():
     np.testing.assert_allclose(*fed)
 
 
-def test_a_groove_that_has_not_quite_left_the_board_turns_above_it():
+def test_a_groove_that_has_not_quite_left_the_board_turns_above_it() -> None:
     # 2 mm past the edge the tip circle of 1.5 mm about the blade still reaches back over it.
     lines = edges(((98.5, 50), (301.5, 50)))
     operation = plan(dieline((LineType.V_GROOVE, lines)), MACHINE, BOARD)[0]
@@ -208,7 +209,7 @@ def test_a_groove_that_has_not_quite_left_the_board_turns_above_it():
     assert low.pose[:, 2][1:][low.motion == Motion.RAPID].min() == 4.0
 
 
-def test_a_knife_beside_the_board_is_lifted_off_the_mat():
+def test_a_knife_beside_the_board_is_lifted_off_the_mat() -> None:
     cuts = edges(((60, 50), (20, 50)), ((60, 80), (20, 80)))
     operation = plan(dieline((LineType.CUT, cuts)), MACHINE, BOARD)[0]
     low = sequence([compensate(operation)], MACHINE, sheet(100, 0, 200, 400))
@@ -218,7 +219,7 @@ def test_a_knife_beside_the_board_is_lifted_off_the_mat():
     assert len(link) == 1
 
 
-def test_a_blade_so_wide_that_its_circle_would_dip_is_lifted_further_along_itself():
+def test_a_blade_so_wide_that_its_circle_would_dip_is_lifted_further_along_itself() -> None:
     wide = VCutter(back=4.0, half_width=6.0, tilt=45.0)
     machine = replace(MACHINE, stations=(replace(MACHINE.stations[2], tool=wide),))
     board = replace(BOARD, groove_overcut=20.0)

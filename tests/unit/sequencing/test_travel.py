@@ -10,6 +10,7 @@ from knifetip.compensation.compensate import compensate
 from knifetip.errors import TravelExceeded
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Axis
+from knifetip.model.toolpath import Toolpath
 from knifetip.planning.plan import plan
 from knifetip.sequencing.sequence import sequence
 from tests.support.shapes import BOARD, MACHINE, dieline, edges
@@ -22,19 +23,19 @@ BEAM = replace(
 )
 
 
-def travelled(kind, left, right):
+def travelled(kind: LineType, left: float, right: float) -> Toolpath:
     line = dieline((kind, edges(((left, 100), (right, 100)))))
     return sequence([compensate(plan(line, BEAM, BOARD)[0])], BEAM)
 
 
-def test_what_the_knife_reaches_on_the_left_the_v_cutter_does_not():
+def test_what_the_knife_reaches_on_the_left_the_v_cutter_does_not() -> None:
     travelled(LineType.CUT, 10, 200)
     # Its tip at 10 on the way back, the head 1.5 further left: joint 10 - 1.5 - 60.
     with pytest.raises(TravelExceeded, match=r"V-cutter \(station 3\) would go 51\.50 mm below"):
         travelled(LineType.V_GROOVE, 10, 200)
 
 
-def test_what_the_v_cutter_reaches_on_the_right_the_knife_does_not():
+def test_what_the_v_cutter_reaches_on_the_right_the_knife_does_not() -> None:
     travelled(LineType.V_GROOVE, 300, 550)
     with pytest.raises(TravelExceeded, match=r"Knife \(station 1\) would go 47\.70 mm above"):
         travelled(LineType.CUT, 300, 550)

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from knifetip.errors import CompensationError
+from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.model.tool import TipCircle
 from knifetip.model.toolpath import Motion, Toolpath
@@ -35,7 +36,7 @@ BOARD = outline(closed((0, 0), (100, 0), (100, 60), (0, 60)), np.array([0.0, 1.0
 FACE = 2.0
 
 
-def dots(pose, circle, count=48):
+def dots(pose: F64, circle: TipCircle, count=48) -> F64:
     """Points of the tip circle by its drawing: an orthogonal triad about the leaning axis."""
     c, b = math.radians(pose[3]), math.radians(circle.tilt)
     ahead = np.array([math.cos(c), math.sin(c), 0.0])
@@ -47,20 +48,20 @@ def dots(pose, circle, count=48):
     return centre + circle.radius * (np.cos(angle) * ahead + np.sin(angle) * across)
 
 
-def over_board(xy):
+def over_board(xy: F64) -> Bool:
     """Whether points are over BOARD: a rectangle and a half disc."""
     x, y = xy.T
     inside = (x > 0) & (x < 100) & (y > 0) & (y < 60)
     return inside | ((x >= 100) & (np.hypot(x - 100, y - 30) < 30))
 
 
-def test_headings_take_the_nearest_equivalent_turn():
+def test_headings_take_the_nearest_equivalent_turn() -> None:
     start = np.array([350.0, 10.0, 350.0])
     shift = unwound(start, start, start, start, 0.0, -1080.0, 1080.0, 360.0)
     np.testing.assert_array_equal(start + shift, [-10.0, 10.0, -10.0])
 
 
-def test_headings_come_back_before_the_limit():
+def test_headings_come_back_before_the_limit() -> None:
     start, end = np.array([0.0, 0.0]), np.array([300.0, 300.0])
     shift = unwound(start, end, start, end, 0.0, -100.0, 400.0, 360.0)
     np.testing.assert_array_equal(shift, [0.0, 0.0])
@@ -68,25 +69,27 @@ def test_headings_come_back_before_the_limit():
 
 @pytest.mark.parametrize(("here", "goes"), [(700.0, 520.0), (-700.0, -520.0)])
 @pytest.mark.parametrize("off", [0.0, 1e-8, -1e-8])
-def test_at_exactly_half_a_turn_c_goes_away_from_its_limit(here, goes, off):
+def test_at_exactly_half_a_turn_c_goes_away_from_its_limit(
+    here: float, goes: float, off: float
+) -> None:
     start = np.array([160.0 if here > 0 else -160.0]) + off
     shift = unwound(start, start, start, start, here, -1080.0, 1080.0, 360.0)
     assert start[0] + shift[0] == pytest.approx(goes)
 
 
-def test_a_wheel_is_the_same_after_half_a_turn():
+def test_a_wheel_is_the_same_after_half_a_turn() -> None:
     start = np.array([170.0])
     assert unwound(start, start, start, start, 0.0, -1080.0, 1080.0, 180.0)[0] == -180.0
 
 
-def test_tip_circles_come_from_the_tools_drawings():
+def test_tip_circles_come_from_the_tools_drawings() -> None:
     assert CUTTER.tip_circle(1.0) == TipCircle(1.5, 4.0, 45.0)
     assert KNIFE.tip_circle(1.0) == TipCircle(3.0, 0.0, 0.0)
     # A wheel of 15 mm at 0.4 mm touches ± 3.4409 mm, and is 0.7 mm wide.
     assert WHEEL.tip_circle(0.4).radius == pytest.approx(math.hypot(3.4409, 0.35), abs=1e-4)
 
 
-def test_a_bow_belongs_to_the_board_and_what_lies_beside_it_does_not():
+def test_a_bow_belongs_to_the_board_and_what_lies_beside_it_does_not() -> None:
     circle = TipCircle(1.0, 0.0, 0.0)
     # 28 mm from the bow's centre, at 45° 28 mm, 31.5 mm; a corner that the bow leaves free.
     xy = [(128, 30), (100 + 28 * 0.7071, 30 + 28 * 0.7071), (131.5, 30), (129, 59)]
@@ -94,7 +97,7 @@ def test_a_bow_belongs_to_the_board_and_what_lies_beside_it_does_not():
     np.testing.assert_allclose(interference(pose, circle, FACE, BOARD), [0.75, 0.75, 0.0, 0.0])
 
 
-def test_a_tip_that_swings_over_the_board_while_the_head_stands_beside_it_is_seen():
+def test_a_tip_that_swings_over_the_board_while_the_head_stands_beside_it_is_seen() -> None:
     # The tip's circle is 10 mm to the left of a head at x = -8: at C 90 at x = -18, at 270 at 2.
     circle = TipCircle(1.0, 10.0, 0.0)
     here = np.array([[-8.0, 30.0, 1.0, 90.0]])
@@ -104,14 +107,14 @@ def test_a_tip_that_swings_over_the_board_while_the_head_stands_beside_it_is_see
     assert clear_ways(here, quarter, circle, BOARD)[0]
 
 
-def test_a_way_across_the_board_is_not_clear_though_both_its_ends_are():
+def test_a_way_across_the_board_is_not_clear_though_both_its_ends_are() -> None:
     circle = TipCircle(1.0, 0.0, 0.0)
     start = np.array([[-20.0, 30.0, 1.0, 0.0], [-20.0, -5.0, 1.0, 0.0], [-20.0, -5.0, 1.0, 0.0]])
     end = np.array([[150.0, 30.0, 1.0, 0.0], [150.0, -5.0, 1.0, 0.0], [150.0, 7.0, 1.0, 0.0]])
     assert clear_ways(start, end, circle, BOARD).tolist() == [False, True, False]
 
 
-def test_a_hole_in_the_board_is_outside():
+def test_a_hole_in_the_board_is_outside() -> None:
     ends = np.concatenate(
         [closed((0, 0), (90, 0), (90, 90), (0, 90)), closed((30, 30), (60, 30), (60, 60), (30, 60))]
     )
@@ -129,7 +132,12 @@ circles = st.builds(TipCircle, st.floats(0.1, 12.0), st.floats(0.0, 10.0), st.fl
 
 @settings(deadline=None, max_examples=3000)
 @given(start=poses, end=poses, circle=circles, share=st.floats(0.0, 1.0))
-def test_no_pose_of_a_corrected_turn_dips_the_tip_circle_below_the_face(start, end, circle, share):
+def test_no_pose_of_a_corrected_turn_dips_the_tip_circle_below_the_face(
+    start: tuple[float, float, float, float],
+    end: tuple[float, float, float, float],
+    circle: TipCircle,
+    share: float,
+) -> None:
     ends = np.array([start, end])
     if not clear_ways(ends[:1], ends[1:], circle, BOARD)[0]:
         ends = lifted(ends, interference(ends, circle, FACE), circle)
@@ -141,7 +149,9 @@ def test_no_pose_of_a_corrected_turn_dips_the_tip_circle_below_the_face(start, e
 
 @settings(deadline=None, max_examples=1000)
 @given(pose=poses, circle=circles)
-def test_the_lift_is_the_least_that_clears(pose, circle):
+def test_the_lift_is_the_least_that_clears(
+    pose: tuple[float, float, float, float], circle: TipCircle
+) -> None:
     ends = np.array([pose])
     depth = interference(ends, circle, FACE)
     up = lifted(ends, depth, circle)
@@ -154,7 +164,12 @@ def test_the_lift_is_the_least_that_clears(pose, circle):
 
 @settings(deadline=None, max_examples=300)
 @given(start=poses, end=poses, circle=circles, angle=st.floats(0.0, 360.0))
-def test_turning_the_board_turns_everything(start, end, circle, angle):
+def test_turning_the_board_turns_everything(
+    start: tuple[float, float, float, float],
+    end: tuple[float, float, float, float],
+    circle: TipCircle,
+    angle: float,
+) -> None:
     turn = rotation(angle)
     ends = np.array([start, end])
     moved = ends.copy()
@@ -172,23 +187,23 @@ def test_turning_the_board_turns_everything(start, end, circle, angle):
     assert far[0] or not near[0]
 
 
-def _rest(circle):
+def _rest(circle: TipCircle) -> tuple[float, float]:
     return circle.aside, circle.tilt
 
 
-def test_a_tool_that_lies_down_is_not_lifted_along_itself():
+def test_a_tool_that_lies_down_is_not_lifted_along_itself() -> None:
     with pytest.raises(CompensationError, match=r"leans by 89\.50°"):
         lifted(np.zeros((1, 4)), np.ones(1), TipCircle(1.0, 0.0, 89.5))
 
 
-def test_steps_of_a_turn_are_no_longer_than_asked():
+def test_steps_of_a_turn_are_no_longer_than_asked() -> None:
     # 90° by 4° are 23 steps, 30 mm by 2 mm are 15: the same 23 for both.
     pose = interpolated(np.zeros(4), np.array([30.0, 0.0, 0.0, 90.0]), 4.0, 2.0)
     assert len(pose) == 24
     np.testing.assert_allclose(pose[12], [30 * 12 / 23, 0, 0, 90 * 12 / 23])
 
 
-def test_a_full_retract_goes_up_along_and_down():
+def test_a_full_retract_goes_up_along_and_down() -> None:
     pose = np.array([[0, 0, 1, 0], [0, 0, 4, 0], [50, 0, 4, 90], [50, 0, 1, 90]], float)
     path = Toolpath(
         pose,

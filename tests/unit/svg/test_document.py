@@ -31,14 +31,14 @@ def declared(*declarations: str, body: str = "<path d='M0 0h1' stroke='red'/>") 
     return f"<!DOCTYPE svg [{''.join(declarations)}]><svg {SVG}>{body}</svg>".encode()
 
 
-def test_a_billion_laughs_are_refused_before_the_first():
+def test_a_billion_laughs_are_refused_before_the_first() -> None:
     lines = ['<!ENTITY a "ha">']
     for before, name in pairwise("abcdefghij"):
         lines.append(f'<!ENTITY {name} "' + f"&{before};" * 10 + '">')
     assert "stands for more than words" in refused(declared(*lines, body="<text>&j;</text>"))
 
 
-def test_a_long_entity_named_often_is_refused():
+def test_a_long_entity_named_often_is_refused() -> None:
     body = f'<path d="{"&a;" * 20_000}"/>'
     assert "would swell" in refused(declared(f'<!ENTITY a "{"x" * 1000}">', body=body))
 
@@ -51,15 +51,15 @@ def test_a_long_entity_named_often_is_refused():
         '<!ENTITY % a SYSTEM "http://example.org/x.dtd">',
     ],
 )
-def test_entities_that_stand_for_files_are_refused(declaration: str):
+def test_entities_that_stand_for_files_are_refused(declaration: str) -> None:
     assert "nothing is fetched" in refused(declared(declaration, body="<text>&a;</text>"))
 
 
-def test_parameter_entities_are_refused():
+def test_parameter_entities_are_refused() -> None:
     assert "more than words" in refused(declared('<!ENTITY % a "b">'))
 
 
-def test_the_entities_of_illustrator_are_read_and_its_doctype_is_not_fetched():
+def test_the_entities_of_illustrator_are_read_and_its_doctype_is_not_fetched() -> None:
     drawing = read(
         b'<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" '
         b'"http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd" ['
@@ -70,7 +70,7 @@ def test_the_entities_of_illustrator_are_read_and_its_doctype_is_not_fetched():
     assert drawing.true_colour.tolist() == [0xFF0000]
 
 
-def test_a_use_bomb_is_refused_before_it_is_expanded():
+def test_a_use_bomb_is_refused_before_it_is_expanded() -> None:
     groups = ['<g id="g0"><path d="M0 0h1"/></g>']
     for k in range(1, 12):
         uses = f'<use href="#g{k - 1}"/>' * 10
@@ -79,19 +79,19 @@ def test_a_use_bomb_is_refused_before_it_is_expanded():
     assert "stand for more than 1,000,000 elements" in refused(data, DrawingTooLarge)
 
 
-def test_deep_chains_of_use_are_refused():
+def test_deep_chains_of_use_are_refused() -> None:
     chain = [f'<g id="g{k}"><use href="#g{k + 1}"/></g>' for k in range(5000)]
     message = refused(svg("<defs>", *chain, "</defs>", '<use href="#g0"/>'), DrawingTooLarge)
     assert "nested more than 16 deep" in message
 
 
-def test_deep_nesting_is_refused():
+def test_deep_nesting_is_refused() -> None:
     data = svg("<g>" * 100_000 + "</g>" * 100_000)
     assert "nested more than 256 deep" in refused(data, DrawingTooLarge)
     assert len(read(svg("<g>" * 200 + '<path d="M0 0h1"/>' + "</g>" * 200))) == 1
 
 
-def test_limits_are_kept():
+def test_limits_are_kept() -> None:
     many = svg('<path d="M0 0h1"/>' * 50)
     assert "more than 40 elements" in refused(many, DrawingTooLarge, entities=40)
     lines = svg(f'<path d="M0 0{"h1" * 100}"/>')
@@ -106,17 +106,17 @@ def test_limits_are_kept():
 
 
 @pytest.mark.parametrize("data", [b"", b"   ", b"<", b"<svg", b"<svg ", b"<?xml", b"<!--"])
-def test_the_beginning_of_a_file_is_cut_short(data: bytes):
+def test_the_beginning_of_a_file_is_cut_short(data: bytes) -> None:
     assert "cut short" in refused(data)
 
 
-def test_a_file_cut_anywhere_is_refused():
+def test_a_file_cut_anywhere_is_refused() -> None:
     whole = carton()
     for length in range(len(whole)):
         assert "SVG" in refused(whole[:length]) or length == 0
 
 
-def test_a_packed_file_cut_anywhere_is_refused():
+def test_a_packed_file_cut_anywhere_is_refused() -> None:
     whole = gzip.compress(carton())
     for length in range(2, len(whole), 7):
         assert "packed SVG" in refused(whole[:length])
@@ -134,11 +134,11 @@ def test_a_packed_file_cut_anywhere_is_refused():
         (b"\x1f\x8bnonsense", "packed SVG (.svgz) is damaged"),
     ],
 )
-def test_what_is_no_svg_says_so(data: bytes, words: str):
+def test_what_is_no_svg_says_so(data: bytes, words: str) -> None:
     assert words in refused(data)
 
 
-def test_numbers_without_end_take_no_time():
+def test_numbers_without_end_take_no_time() -> None:
     data = svg(
         f'<path d="M{"1" * 100_000} 0h5"/>',
         f'<path d="M0 0h1" transform="{"scale(1) " * 50_000}"/>',
@@ -170,7 +170,9 @@ texts = st.one_of(
 
 
 @given(st.lists(st.tuples(st.integers(0, 7), texts, texts, texts, texts), max_size=5), texts)
-def test_any_numbers_end_in_a_drawing_or_an_error_of_ours(elements, side: str):
+def test_any_numbers_end_in_a_drawing_or_an_error_of_ours(
+    elements: list[tuple[int, str, str, str, str]], side: str
+) -> None:
     forms = (
         '<path d="M{0} {1}C{2} {3} {1} {0} {3} {2}"/>',
         '<path d="M{0} {1}A{2} {3} 30 1 0 {3} {2}"/>',
@@ -189,6 +191,6 @@ def test_any_numbers_end_in_a_drawing_or_an_error_of_ours(elements, side: str):
 
 
 @given(st.binary(max_size=200), st.integers(0, 700), st.integers(0, 20))
-def test_any_damage_ends_in_a_drawing_or_an_error_of_ours(noise: bytes, at: int, gone: int):
+def test_any_damage_ends_in_a_drawing_or_an_error_of_ours(noise: bytes, at: int, gone: int) -> None:
     whole = carton()
     read_or_refused(whole[:at] + noise + whole[at + gone :])

@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
-from knifetip.svg.path import ARC, CUBIC, LINE, scanned
+from knifetip.svg.path import ARC, CUBIC, LINE, Scanned, scanned
 
 
-def table(*paths: str):
+def table(*paths: str) -> Scanned:
     found = scanned(paths, 10**6)
     assert found is not None
     return found
@@ -24,11 +24,11 @@ def corners(path: str) -> list[list[float]]:
     return table(path).numbers[:, :4].tolist()
 
 
-def test_a_closed_triangle_is_three_lines():
+def test_a_closed_triangle_is_three_lines() -> None:
     assert corners("M 0 0 L 10 0 L 10 5 Z") == [[0, 0, 10, 0], [10, 0, 10, 5], [10, 5, 0, 0]]
 
 
-def test_relative_commands_count_from_where_the_pen_is():
+def test_relative_commands_count_from_where_the_pen_is() -> None:
     assert corners("m1 2 l3 4 h5 v-6 z") == [
         [1, 2, 4, 6],
         [4, 6, 9, 6],
@@ -37,16 +37,16 @@ def test_relative_commands_count_from_where_the_pen_is():
     ]
 
 
-def test_numbers_behind_a_move_are_lines():
+def test_numbers_behind_a_move_are_lines() -> None:
     assert corners("M0,0 10,0 10,5") == [[0, 0, 10, 0], [10, 0, 10, 5]]
     assert corners("m1,1 2,0 0,3") == [[1, 1, 3, 1], [3, 1, 3, 4]]
 
 
-def test_after_closing_the_pen_stands_where_the_contour_began():
+def test_after_closing_the_pen_stands_where_the_contour_began() -> None:
     assert corners("M1 1 h2 v2 z l-1 -1")[-1] == [1, 1, 0, 0]
 
 
-def test_a_contour_that_is_closed_already_gets_no_line_of_no_length():
+def test_a_contour_that_is_closed_already_gets_no_line_of_no_length() -> None:
     assert len(corners("M0 0H10V10H0V0Z")) == 4
 
 
@@ -62,11 +62,11 @@ def test_a_contour_that_is_closed_already_gets_no_line_of_no_length():
         ("M0 0 1e-400 1e400", [0, 0, 0, math.inf]),
     ],
 )  # fmt: skip
-def test_numbers_may_touch(text: str, numbers: list[float]):
+def test_numbers_may_touch(text: str, numbers: list[float]) -> None:
     assert_allclose(table(text).numbers[0, :4], numbers, rtol=1e-15)
 
 
-def test_flags_of_an_arc_may_touch_what_follows():
+def test_flags_of_an_arc_may_touch_what_follows() -> None:
     one = table("M0 0a5 5 30 0110 0")
     two = table("M0 0 A 5,5 30 0 1 10,0")
     assert_array_equal(one.numbers, two.numbers)
@@ -74,21 +74,21 @@ def test_flags_of_an_arc_may_touch_what_follows():
     assert one.numbers[0].tolist() == [0, 0, 10, 0, 5, 5, 30, 2]
 
 
-def test_an_arc_without_a_radius_is_a_line():
+def test_an_arc_without_a_radius_is_a_line() -> None:
     assert table("M0 0A0 5 0 0 1 3 4").kind.tolist() == [LINE]
 
 
-def test_a_smooth_cubic_mirrors_the_handle_before_it():
+def test_a_smooth_cubic_mirrors_the_handle_before_it() -> None:
     found = table("M0 0C1 2 3 4 5 5S9 9 10 0")
     assert found.kind.tolist() == [CUBIC, CUBIC]
     assert found.numbers[1].tolist() == [5, 5, 10, 0, 7, 6, 9, 9]
 
 
-def test_a_smooth_cubic_behind_a_line_begins_at_its_own_end():
+def test_a_smooth_cubic_behind_a_line_begins_at_its_own_end() -> None:
     assert table("M0 0H5S9 9 10 0").numbers[1].tolist() == [5, 0, 10, 0, 5, 0, 9, 9]
 
 
-def test_quadratic_curves_become_cubic_ones():
+def test_quadratic_curves_become_cubic_ones() -> None:
     # Q with the handle (3, 6): the handles of the cubic are two thirds of the way to it.
     found = table("M0 0Q3 6 6 0t6 0")
     assert_allclose(found.numbers[0], [0, 0, 6, 0, 2, 4, 4, 4])
@@ -109,19 +109,19 @@ def test_quadratic_curves_become_cubic_ones():
         ("M0 0 5 5 <!ENTITY", 1, 9),
     ],
 )
-def test_a_path_is_drawn_up_to_where_it_is_wrong(text: str, drawn: int, at: int):
+def test_a_path_is_drawn_up_to_where_it_is_wrong(text: str, drawn: int, at: int) -> None:
     found = table(text)
     assert len(found.kind) == drawn
     assert found.wrong.tolist() == [at]
 
 
-def test_paths_do_not_run_into_each_other():
+def test_paths_do_not_run_into_each_other() -> None:
     found = table("M0 0H1", "", "M5 5", "H7", "M2 2V3")
     assert found.path.tolist() == [0, 4]
     assert found.wrong.tolist() == [-1, -1, -1, 0, -1]
 
 
-def test_more_segments_than_wanted_are_not_read():
+def test_more_segments_than_wanted_are_not_read() -> None:
     assert scanned(["M0 0" + "h1" * 1000], 999) is None
     assert scanned(["M0 0" + "h1" * 999], 999) is not None
 
@@ -191,7 +191,9 @@ def at(control: tuple[complex, ...], t: float) -> complex:
 
 
 @given(drawings(), st.sampled_from([" ", ",", " , ", "\n"]))
-def test_any_path_is_what_the_standard_says(commands, between: str):
+def test_any_path_is_what_the_standard_says(
+    commands: list[tuple[str, list[float]]], between: str
+) -> None:
     text = "".join(
         name + between.join(repr(number) for number in values) for name, values in commands
     )
@@ -208,13 +210,13 @@ def test_any_path_is_what_the_standard_says(commands, between: str):
 
 
 @given(st.text(alphabet="MmLlHhVvCcSsQqTtAaZz0123456789.-+eE ,\nx", max_size=60))
-def test_any_text_ends_in_segments_or_a_place(text: str):
+def test_any_text_ends_in_segments_or_a_place(text: str) -> None:
     found = table(text)
     assert len(found.kind) == len(found.numbers) == len(found.path)
     assert -1 <= found.wrong[0] <= len(text)
 
 
 @given(st.floats(-1e12, 1e12))
-def test_any_number_is_read_as_python_reads_it(number: float):
+def test_any_number_is_read_as_python_reads_it(number: float) -> None:
     read = table(f"M0 0L{number!r} 0").numbers[0, 2]
     assert math.isclose(read, number, rel_tol=4e-16, abs_tol=1e-25)

@@ -34,14 +34,14 @@ def only(text: str, **fields: str) -> Drawing:
 # ── Places ────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_y_counts_upwards_from_the_lower_edge_of_the_page():
+def test_y_counts_upwards_from_the_lower_edge_of_the_page() -> None:
     drawing = only('<line x1="10" y1="10" x2="30" y2="40"/>')
     assert drawing.ends.tolist() == [[[10, 90], [30, 60]]]
     assert drawing.unit == drawing.stated == "mm"
     assert drawing.evidence == 'width = "100mm" and height = "100mm", viewBox 100 × 100'
 
 
-def test_groups_turn_and_move_what_is_in_them():
+def test_groups_turn_and_move_what_is_in_them() -> None:
     drawing = only(
         '<g transform="translate(0,100) scale(1,-1)"><g transform="rotate(90)">'
         '<path transform="translate(5)" d="M0 0H10"/></g></g>'
@@ -50,14 +50,14 @@ def test_groups_turn_and_move_what_is_in_them():
     assert_allclose(drawing.ends, [[[0, 5], [0, 15]]], atol=1e-12)
 
 
-def test_a_circle_is_two_exact_arcs():
+def test_a_circle_is_two_exact_arcs() -> None:
     drawing = only('<circle cx="50" cy="40" r="7"/>')
     assert_allclose(drawing.bulge, [-1.0, -1.0], rtol=1e-15)
     assert_allclose(drawing.bounds, [43, 53, 57, 67])
     assert_allclose(drawing.lengths.sum(), 14 * math.pi)
 
 
-def test_a_rounded_rectangle_is_four_lines_and_four_arcs():
+def test_a_rounded_rectangle_is_four_lines_and_four_arcs() -> None:
     drawing = only('<rect x="10" y="20" width="40" height="30" rx="5"/>')
     assert np.count_nonzero(drawing.bulge) == 4
     assert_allclose(drawing.lengths.sum(), 2 * (30 + 20) + 10 * math.pi)
@@ -66,12 +66,12 @@ def test_a_rounded_rectangle_is_four_lines_and_four_arcs():
     assert (drawing.ends[:-1, 1] == drawing.ends[1:, 0]).all()
 
 
-def test_the_corners_of_a_rectangle_are_at_most_half_its_side():
+def test_the_corners_of_a_rectangle_are_at_most_half_its_side() -> None:
     drawing = only('<rect width="40" height="30" rx="90" ry="4"/>')
     assert_allclose(drawing.bounds, [0, 70, 40, 100])
 
 
-def test_the_arc_goes_to_the_side_that_its_flags_say():
+def test_the_arc_goes_to_the_side_that_its_flags_say() -> None:
     # From (20, 50) to (40, 50) about (30, 50), rising y being downwards on the page.
     up = only('<path d="M20 50A10 10 0 0 1 40 50"/>')
     down = only('<path d="M20 50A10 10 0 0 0 40 50"/>')
@@ -79,19 +79,19 @@ def test_the_arc_goes_to_the_side_that_its_flags_say():
     assert_allclose(down.bounds, [20, 40, 40, 50])
 
 
-def test_a_large_arc_is_two_rows():
+def test_a_large_arc_is_two_rows() -> None:
     drawing = only('<path d="M20 50A10 10 0 1 1 30 60"/>')
     assert len(drawing) == 2
     assert_allclose(drawing.lengths.sum(), 15 * math.pi)
     assert_allclose(drawing.ends[[0, -1], [0, 1]], [[20, 50], [30, 40]])
 
 
-def test_radii_that_do_not_reach_grow():
+def test_radii_that_do_not_reach_grow() -> None:
     drawing = only('<path d="M20 50A1 1 0 0 1 40 50"/>')
     assert_allclose(drawing.lengths.sum(), 10 * math.pi)
 
 
-def test_a_mirrored_arc_turns_the_other_way():
+def test_a_mirrored_arc_turns_the_other_way() -> None:
     plain = only('<path d="M20 50A10 10 0 0 1 30 60"/>')
     over = only(
         '<g transform="translate(100) scale(-1,1)"><path d="M20 50A10 10 0 0 1 30 60"/></g>'
@@ -100,7 +100,7 @@ def test_a_mirrored_arc_turns_the_other_way():
     assert_allclose(over.bulge, -plain.bulge)
 
 
-def test_an_unevenly_scaled_circle_is_an_ellipse_within_a_hundredth():
+def test_an_unevenly_scaled_circle_is_an_ellipse_within_a_hundredth() -> None:
     drawing = only('<circle transform="scale(3,1)" cx="15" cy="50" r="10"/>')
     points = arc.points_along(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge, 50)
     x, y = (points.reshape(-1, 2) - [45, 50]).T
@@ -109,7 +109,7 @@ def test_an_unevenly_scaled_circle_is_an_ellipse_within_a_hundredth():
     assert "fitted with" in reasons(drawing)["#1"]
 
 
-def test_a_curve_that_is_its_chord_is_a_line():
+def test_a_curve_that_is_its_chord_is_a_line() -> None:
     drawing = only('<path d="M0 0C10 0 20 0 30 0"/>')
     assert drawing.ends.tolist() == [[[0, 100], [30, 100]]]
     assert drawing.bulge.tolist() == [0]
@@ -119,7 +119,7 @@ coordinates = st.integers(-200, 200).map(lambda value: value / 2)
 
 
 @given(st.lists(st.tuples(coordinates, coordinates), min_size=4, max_size=4, unique=True))
-def test_a_curve_is_followed_within_a_hundredth(control):
+def test_a_curve_is_followed_within_a_hundredth(control: list[tuple[float, float]]) -> None:
     (ax, ay), (bx, by), (cx, cy), (dx, dy) = control
     drawing = only(f'<path d="M{ax} {ay}C{bx} {by} {cx} {cy} {dx} {dy}"/>')
     t = np.linspace(0, 1, 200)[:, None]
@@ -141,7 +141,9 @@ def test_a_curve_is_followed_within_a_hundredth(control):
     st.floats(1, 40), st.floats(1, 40), st.floats(-180, 180), st.booleans(), st.booleans(),
     coordinates, coordinates,
 )  # fmt: skip
-def test_an_elliptic_arc_keeps_to_its_ellipse_and_its_ends(rx, ry, angle, large, sweep, x, y):
+def test_an_elliptic_arc_keeps_to_its_ellipse_and_its_ends(
+    rx: float, ry: float, angle: float, large: bool, sweep: bool, x: float, y: float
+) -> None:
     if math.hypot(x, y) < 0.5:
         return
     path = f"M50 50a{rx!r} {ry!r} {angle!r} {int(large)} {int(sweep)} {x!r} {y!r}"
@@ -184,14 +186,16 @@ def test_an_elliptic_arc_keeps_to_its_ellipse_and_its_ends(rx, ry, angle, large,
         ('width="300mm" height="50mm" preserveAspectRatio="none"', "0 0 100 100", "mm", 30.0),
     ],
 )
-def test_ten_along_x_are_as_long_as_the_page_says(size, box, unit, length):
+def test_ten_along_x_are_as_long_as_the_page_says(
+    size: str, box: str, unit: str, length: float
+) -> None:
     drawing = only('<path d="M0 0h10"/>', size=size, box=box)
     assert drawing.unit == unit
     assert_allclose(drawing.lengths, [length])
 
 
 @pytest.mark.parametrize("size", ["", 'width="100" height="80"', 'width="100px"', 'width="100%"'])
-def test_pixels_and_bare_numbers_are_no_size(size: str):
+def test_pixels_and_bare_numbers_are_no_size(size: str) -> None:
     drawing = only('<path d="M0 0h10"/>', size=size)
     assert (drawing.unit, drawing.stated) == ("", "")
     assert "0.2646 mm" in drawing.evidence
@@ -199,7 +203,7 @@ def test_pixels_and_bare_numbers_are_no_size(size: str):
     assert drawing.lengths.tolist() == [10.0]
 
 
-def test_a_page_without_a_size_is_asked_and_pixels_and_points_are_among_the_answers():
+def test_a_page_without_a_size_is_asked_and_pixels_and_points_are_among_the_answers() -> None:
     folds = "".join(f'<path d="M{x} 51V233"/>' for x in (171, 313, 455))
     data = svg(f'<rect x="31" y="31" width="587" height="217"/>{folds}', size="", box="0 0 650 280")
     drawing = pipeline.read(data)
@@ -213,7 +217,7 @@ def test_a_page_without_a_size_is_asked_and_pixels_and_points_are_among_the_answ
     assert "155.3 × 57.4 mm" in question.text
 
 
-def test_what_illustrator_wrote_is_likelier_in_points_than_in_pixels():
+def test_what_illustrator_wrote_is_likelier_in_points_than_in_pixels() -> None:
     data = svg('<rect width="587" height="217"/>', size="", box="0 0 650 280")
     plain = judge(read(data)).ranking
     signed = judge(read(b"<!-- Adobe Illustrator -->" + data)).ranking
@@ -221,7 +225,7 @@ def test_what_illustrator_wrote_is_likelier_in_points_than_in_pixels():
     assert signed.index("pt") <= plain.index("pt")
 
 
-def test_the_user_has_the_last_word_on_the_unit():
+def test_the_user_has_the_last_word_on_the_unit() -> None:
     data = svg('<path d="M0 0h96"/>', size='width="500"')
     assert_allclose(read(data, "px").lengths, [25.4])
     assert_allclose(read(data, "pt").lengths, [96 * 25.4 / 72])
@@ -229,7 +233,7 @@ def test_the_user_has_the_last_word_on_the_unit():
     assert (read(data, "px").evidence, read(data, "px").stated) == ("given", "")
 
 
-def test_a_packed_file_is_the_same_drawing():
+def test_a_packed_file_is_the_same_drawing() -> None:
     assert read(gzip.compress(carton())).ends.tolist() == read(carton()).ends.tolist()
 
 
@@ -253,12 +257,14 @@ def test_a_packed_file_is_the_same_drawing():
         ("", 0x000000, 7),
     ],
 )  # fmt: skip
-def test_a_stroke_has_a_true_colour_and_the_nearest_index(look, true_colour, index):
+def test_a_stroke_has_a_true_colour_and_the_nearest_index(
+    look: str, true_colour: int, index: int
+) -> None:
     drawing = only(f'<path {look} d="M0 0h10"/>')
     assert (drawing.true_colour.tolist(), drawing.colour.tolist()) == ([true_colour], [index])
 
 
-def test_rules_of_a_style_sheet_are_weighed():
+def test_rules_of_a_style_sheet_are_weighed() -> None:
     drawing = read(
         svg(
             "<defs><style><![CDATA[ /* house colours */ path{stroke:#111}",
@@ -278,7 +284,7 @@ def test_rules_of_a_style_sheet_are_weighed():
     assert reasons(drawing)["style"] == "rules that are not read: @media print, line + path"
 
 
-def test_a_selector_may_name_ancestors_and_attributes():
+def test_a_selector_may_name_ancestors_and_attributes() -> None:
     drawing = read(
         svg(
             "<style>#cuts path{stroke:#111} #cuts > path{stroke:#222}",
@@ -296,7 +302,7 @@ def test_a_selector_may_name_ancestors_and_attributes():
     ("dash", "linetype"),
     [("4 2", "dashed"), ("none", "Continuous"), ("0", "Continuous"), ("", "Continuous")],
 )
-def test_dashes_are_a_linetype(dash: str, linetype: str):
+def test_dashes_are_a_linetype(dash: str, linetype: str) -> None:
     drawing = only(f'<g style="stroke-dasharray:{dash}"><path d="M0 0h10"/></g>')
     assert drawing.linetypes == (linetype,)
 
@@ -314,7 +320,7 @@ def test_dashes_are_a_linetype(dash: str, linetype: str):
         ("<g><g>", "0"),
     ],
 )  # fmt: skip
-def test_the_layer_is_what_people_named(open_: str, layer: str):
+def test_the_layer_is_what_people_named(open_: str, layer: str) -> None:
     assert only(f'{open_}<path id="path42" d="M0 0h10"/></g></g>').layers == (layer,)
 
 
@@ -326,14 +332,14 @@ def test_the_layer_is_what_people_named(open_: str, layer: str):
         ('id="rect7" inkscape:label="Outline"', "Outline"),
     ],
 )
-def test_an_element_outside_groups_may_name_itself(names: str, layer: str):
+def test_an_element_outside_groups_may_name_itself(names: str, layer: str) -> None:
     assert only(f'<path {names} d="M0 0h10"/>').layers == (layer,)
 
 
 # ── The ledger ────────────────────────────────────────────────────────────────────────────────
 
 
-def test_lengths_in_the_ledger_add_up():
+def test_lengths_in_the_ledger_add_up() -> None:
     drawing = read(carton())
     assert_allclose(drawing.ledger.length.sum(), drawing.lengths.sum())
     by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
@@ -342,14 +348,14 @@ def test_lengths_in_the_ledger_add_up():
     assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped)] == ["text"]
 
 
-def test_words_are_kept_as_inscriptions():
+def test_words_are_kept_as_inscriptions() -> None:
     (words,) = read(carton()).inscriptions
     assert (words.text, words.x, words.y, words.height) == ("A carton", 20.0, 2.0, 4.0)
     assert words.kind == "text"
     assert math.isnan(words.measure)
 
 
-def test_what_is_hidden_is_dropped_with_all_that_is_in_it():
+def test_what_is_hidden_is_dropped_with_all_that_is_in_it() -> None:
     drawing = read(
         svg(
             '<g style="display:none"><path id="a" d="M0 0h1"/></g>',
@@ -364,7 +370,7 @@ def test_what_is_hidden_is_dropped_with_all_that_is_in_it():
     assert told["d"] == told["e"] == "it has neither a stroke nor a fill: nothing of it is seen"
 
 
-def test_areas_are_lines_only_where_nothing_has_a_stroke():
+def test_areas_are_lines_only_where_nothing_has_a_stroke() -> None:
     area = '<path id="area" stroke="none" fill="#f00" d="M0 0h10v10z"/>'
     alone = only(area)
     assert len(alone) == 3
@@ -377,7 +383,7 @@ def test_areas_are_lines_only_where_nothing_has_a_stroke():
     assert reasons(beside)["area"] == "a filled area without a stroke; others have one"
 
 
-def test_damaged_elements_say_what_is_wrong_and_the_others_are_drawn():
+def test_damaged_elements_say_what_is_wrong_and_the_others_are_drawn() -> None:
     drawing = read(
         svg(
             '<path id="a" d="M0 0h5 oops"/><rect id="b" width="-3" height="2"/>',
@@ -413,7 +419,7 @@ def test_damaged_elements_say_what_is_wrong_and_the_others_are_drawn():
 # ── use, symbol, svg ──────────────────────────────────────────────────────────────────────────
 
 
-def test_use_repeats_a_group_where_it_stands():
+def test_use_repeats_a_group_where_it_stands() -> None:
     drawing = read(
         svg(
             '<defs><g id="hole"><path id="slit" d="M0 0h10"/></g></defs>',
@@ -426,7 +432,7 @@ def test_use_repeats_a_group_where_it_stands():
     assert drawing.true_colour.tolist() == [0, 0xFF0000]
 
 
-def test_a_symbol_is_fitted_into_the_window_of_its_use():
+def test_a_symbol_is_fitted_into_the_window_of_its_use() -> None:
     drawing = read(
         svg(
             '<symbol id="s" viewBox="0 0 10 10"><path d="M0 0H10"/></symbol>',
@@ -436,12 +442,12 @@ def test_a_symbol_is_fitted_into_the_window_of_its_use():
     assert_allclose(drawing.ends, [[[20, 80], [60, 80]]])
 
 
-def test_an_svg_inside_has_a_window_of_its_own():
+def test_an_svg_inside_has_a_window_of_its_own() -> None:
     drawing = only('<svg x="10" y="10" width="50%" viewBox="0 0 5 10"><path d="M0 0h5"/></svg>')
     assert_allclose(drawing.lengths, [50.0])
 
 
-def test_what_contains_itself_is_dropped():
+def test_what_contains_itself_is_dropped() -> None:
     drawing = read(
         svg(
             '<g id="a"><path d="M0 0h1"/><use id="u" href="#a"/></g>',
@@ -475,7 +481,7 @@ def off(one: Drawing, other: Drawing) -> np.ndarray:
 
 @pytest.mark.corpus
 @pytest.mark.parametrize("name", ["mailer_200x150x60_t3", "mailer_120x80x40_all_layers"])
-def test_a_mailer_is_the_same_as_svg_and_as_dxf(name: str, corpus: Path):
+def test_a_mailer_is_the_same_as_svg_and_as_dxf(name: str, corpus: Path) -> None:
     folder = corpus / "generated__kyholdings__diecut_generator"
     ours = read((folder / f"{name}.svg").read_bytes())
     twin = dxf.read((folder / f"{name}.dxf").read_bytes(), "mm")
@@ -488,7 +494,7 @@ def test_a_mailer_is_the_same_as_svg_and_as_dxf(name: str, corpus: Path):
 
 
 @pytest.mark.corpus
-def test_a_tuck_carton_is_the_same_as_svg_and_as_dxf(corpus: Path):
+def test_a_tuck_carton_is_the_same_as_svg_and_as_dxf(corpus: Path) -> None:
     folder = corpus / "generated__eridur-de__mightyscape-inkpacking"
     ours = read((folder / "box_rwlf.svg").read_bytes())
     assert ours.unit == "mm"
@@ -500,7 +506,7 @@ def test_a_tuck_carton_is_the_same_as_svg_and_as_dxf(corpus: Path):
     assert off(ours, twin)[on_page].max() <= 0.05
 
 
-def test_a_prefix_for_svg_is_read_and_other_vocabularies_are_left_out():
+def test_a_prefix_for_svg_is_read_and_other_vocabularies_are_left_out() -> None:
     drawing = read(
         b'<s:svg xmlns:s="http://www.w3.org/2000/svg" xmlns:x="urn:x" width="9mm" '
         b'viewBox="0 0 9 9">'
@@ -510,6 +516,6 @@ def test_a_prefix_for_svg_is_read_and_other_vocabularies_are_left_out():
     assert drawing.lengths.tolist() == [3.0]
 
 
-def test_a_file_without_lines_is_an_empty_drawing():
+def test_a_file_without_lines_is_an_empty_drawing() -> None:
     drawing = read(f"<svg {SVG}/>".encode())
     assert len(drawing) == len(drawing.ledger) == 0

@@ -36,11 +36,11 @@ def moved(text: str, x: float, y: float) -> tuple[float, float]:
         (" translate( 1e1 , .5 )rotate(0) ", (13, 2.5)),
     ],
 )
-def test_the_point_three_two_goes_where_it_should(text: str, place: tuple[float, float]):
+def test_the_point_three_two_goes_where_it_should(text: str, place: tuple[float, float]) -> None:
     assert moved(text, 3.0, 2.0) == place
 
 
-def test_skewing_by_45_degrees_moves_by_the_other_coordinate():
+def test_skewing_by_45_degrees_moves_by_the_other_coordinate() -> None:
     assert_allclose(moved("skewX(45)", 3.0, 2.0), (5.0, 2.0))
     assert_allclose(moved("skewY(45)", 3.0, 2.0), (3.0, 5.0))
 
@@ -60,7 +60,7 @@ def test_skewing_by_45_degrees_moves_by_the_other_coordinate():
         "javascript:alert(1)",
     ],
 )
-def test_what_is_no_transform_is_refused(text: str):
+def test_what_is_no_transform_is_refused(text: str) -> None:
     with pytest.raises(ValueError):
         matrix(text)
 
@@ -97,7 +97,7 @@ def as_array(name: str, given_: list[float]) -> np.ndarray:
 
 
 @given(st.lists(calls(), max_size=5))
-def test_a_list_is_the_product_of_its_matrices(listed):
+def test_a_list_is_the_product_of_its_matrices(listed: list[tuple[str, list[float]]]) -> None:
     text = " ".join(f"{name}({','.join(map(repr, given_))})" for name, given_ in listed)
     expected = np.eye(3)
     for name, given_ in listed:
@@ -106,6 +106,6 @@ def test_a_list_is_the_product_of_its_matrices(listed):
     assert_allclose([[a, c, e], [b, d, f]], expected[:2], rtol=1e-9, atol=1e-6)
 
 
-def test_nothing_before_or_after_changes_a_matrix():
+def test_nothing_before_or_after_changes_a_matrix() -> None:
     one = matrix("rotate(30) translate(4 5)")
     assert chained(IDENTITY, one) == one == chained(one, IDENTITY)

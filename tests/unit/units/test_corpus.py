@@ -35,7 +35,9 @@ KNOWN = [
 
 
 @pytest.mark.parametrize(("name", "truth", "decided"), KNOWN)
-def test_known_drawing_is_read_in_its_unit_or_asks_with_it_first(corpus, name, truth, decided):
+def test_known_drawing_is_read_in_its_unit_or_asks_with_it_first(
+    corpus: Path, name: str, truth: str, decided: str
+) -> None:
     drawing = pipeline.read((corpus / name).read_bytes())
     finding = judge(drawing)
     assert drawing.unit == decided
@@ -51,7 +53,7 @@ def read(path: Path) -> Drawing | None:
     return drawing if len(drawing) else None
 
 
-def test_no_drawing_is_absurd_in_silence(corpus):
+def test_no_drawing_is_absurd_in_silence(corpus: Path) -> None:
     asked, against, stood = [], [], []
     for path in sorted(corpus.rglob("*.dxf")):
         drawing = read(path)
@@ -76,7 +78,7 @@ def test_no_drawing_is_absurd_in_silence(corpus):
     assert len(asked) + len(against) + len(stood) >= 65
 
 
-def test_metre_headers_of_a_library_do_not_make_cartons_of_hundred_metres(corpus):
+def test_metre_headers_of_a_library_do_not_make_cartons_of_hundred_metres(corpus: Path) -> None:
     folder = corpus / "mozman__ezdxf"
     stated = [read(path) for path in sorted(folder.rglob("*.dxf"))]
     metres = [drawing for drawing in stated if drawing is not None and drawing.stated == "m"]

@@ -57,7 +57,9 @@ def outcomes(header: str, seed: int) -> Counter[tuple[str, str]]:
     ("header", "with_words", "silent"),
     [("right", 97, 82), ("missing", 96, 40), ("lying", 93, 25)],
 )
-def test_no_carton_is_read_in_a_wrong_unit(header, with_words, silent, seed):
+def test_no_carton_is_read_in_a_wrong_unit(
+    header: str, with_words: int, silent: int, seed: int
+) -> None:
     count = outcomes(header, seed)
     for kind, least in (("words", with_words), ("silent", silent)):
         right, asked = count[kind, "right"], count[kind, "asked"]

@@ -33,11 +33,11 @@ from knifetip.units.numbers import mentions, scales, statement
         ("99999999 0 A4", []),
     ],
 )
-def test_lengths_are_read_with_their_units(text, said):
+def test_lengths_are_read_with_their_units(text: str, said: list[tuple[float, str]]) -> None:
     assert [(one.value, one.unit) for one in mentions(text)] == said
 
 
-def test_half_of_the_last_place_is_told():
+def test_half_of_the_last_place_is_told() -> None:
     assert [one.half for one in mentions("350; 13.78")] == [0.5, 0.005]
 
 
@@ -53,16 +53,16 @@ def test_half_of_the_last_place_is_told():
         ("a unit of minimalism", ""),
     ],
 )
-def test_sheet_may_say_its_unit(text, unit):
+def test_sheet_may_say_its_unit(text: str, unit: str) -> None:
     assert statement(text) == unit
 
 
-def test_scales_are_read():
+def test_scales_are_read() -> None:
     assert scales("Detail A, 1:10 (sheet 2:1), 16:9") == [(1, 10), (2, 1)]
 
 
 @given(st.text(max_size=200))
-def test_any_text_is_read(text):
+def test_any_text_is_read(text: str) -> None:
     assert all(0.0 < one.value <= 20000.0 for one in mentions(text))
     statement(text)
     scales(text)

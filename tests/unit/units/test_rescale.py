@@ -16,12 +16,12 @@ from tests.support.writers.dxf_text import dxf, entity, line
 BOX = (line(0, 0, 250, 0), line(250, 0, 250, 180))
 
 
-def test_unknown_unit_is_refused():
+def test_unknown_unit_is_refused() -> None:
     with pytest.raises(UnitUnknown):
         rescaled(read(dxf(*BOX)), "furlong")
 
 
-def test_giving_a_unit_scales_ends_ledger_and_words():
+def test_giving_a_unit_scales_ends_ledger_and_words() -> None:
     words = entity("TEXT", (10, 5), (20, 6), (40, 3), (1, "350"))
     silent = read(dxf(*BOX, words, units=None))
     inches = rescaled(silent, "in")
@@ -33,19 +33,19 @@ def test_giving_a_unit_scales_ends_ledger_and_words():
     assert_array_equal(inches.bulge, silent.bulge)
 
 
-def test_points_and_pixels_are_units():
+def test_points_and_pixels_are_units() -> None:
     silent = read(dxf(line(0, 0, 72, 0), line(0, 0, 0, 96), units=None))
     assert_allclose(rescaled(silent, "pt").bounds[2], 25.4)
     assert_allclose(rescaled(silent, "px").bounds[3], 25.4)
 
 
-def test_giving_the_unit_later_is_the_same_as_giving_it_to_read():
+def test_giving_the_unit_later_is_the_same_as_giving_it_to_read() -> None:
     early, late = read(dxf(*BOX), "in"), rescaled(read(dxf(*BOX, units=None)), "in")
     assert_array_equal(early.ends, late.ends)
     assert_array_equal(early.ledger.length, late.ledger.length)
 
 
-def test_correcting_a_unit_starts_from_file_units_again():
+def test_correcting_a_unit_starts_from_file_units_again() -> None:
     wrong = read(dxf(*BOX, units=6))
     assert_allclose(rescaled(wrong, "mm").bounds, [0, 0, 250, 180])
     assert_allclose(rescaled(wrong, "").bounds, [0, 0, 250, 180])
@@ -53,7 +53,7 @@ def test_correcting_a_unit_starts_from_file_units_again():
 
 
 @given(x=st.floats(-1e5, 1e5), units=st.lists(st.sampled_from([*MILLIMETRES, ""]), max_size=6))
-def test_any_tour_through_the_units_comes_home(x, units):
+def test_any_tour_through_the_units_comes_home(x: float, units: list[str]) -> None:
     first = read(dxf(line(x, 0, x + 1.0, 7.0), units=4))
     drawing = first
     for unit in units:
@@ -61,6 +61,6 @@ def test_any_tour_through_the_units_comes_home(x, units):
     assert_allclose(rescaled(drawing, "mm").ends, first.ends, rtol=4e-15, atol=1e-300)
 
 
-def test_from_mm_to_mm_no_bit_changes():
+def test_from_mm_to_mm_no_bit_changes() -> None:
     drawing = read(dxf(line(0.1, 0.7, 1 / 3, 0.123456789), units=4))
     assert rescaled(drawing, "mm").ends.tobytes() == drawing.ends.tobytes()

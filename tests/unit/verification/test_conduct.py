@@ -1,4 +1,6 @@
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -37,13 +39,15 @@ def of_nothing(text: bytes) -> list[Finding]:
         ("G1 X110.0000 F24000", "G1 X110.0000 F34000", 57, "34000 mm/min instead of 24000"),
     ],
 )
-def test_a_feed_that_is_not_the_tools_own_is_found(old, new, line, said):
+def test_a_feed_that_is_not_the_tools_own_is_found(
+    old: str, new: str, line: int, said: str
+) -> None:
     found = [finding for finding in findings(changed(LINUXCNC, old, new)) if finding.line == line]
     assert found[0].kind == "feed"
     assert said in found[0].text
 
 
-def test_a_timed_arc_that_takes_another_time_is_found():
+def test_a_timed_arc_that_takes_another_time_is_found() -> None:
     arc = "X120.0000 Y30.0000 C90.0000 I0.0000 J10.0000 F1527.887"
     found = findings(changed(GRBLHAL, arc, arc.replace("1527", "1627")))
     assert [(finding.kind, finding.line) for finding in found] == [("feed", 49)]
@@ -51,7 +55,7 @@ def test_a_timed_arc_that_takes_another_time_is_found():
     assert "takes 0.0369 s instead of 0.0393 s" in found[0].text
 
 
-def test_c_must_not_share_a_feed_in_mm_per_minute():
+def test_c_must_not_share_a_feed_in_mm_per_minute() -> None:
     arc = "G93 G3 X120.0000 Y30.0000 C90.0000 I0.0000 J10.0000 F1527.887\nG94 G1 Y70.0000 F24000"
     plain = "G3 X120.0000 Y30.0000 C90.0000 I0.0000 J10.0000\nG1 Y70.0000"
     found = findings(changed(GRBLHAL, arc, plain))
@@ -59,7 +63,7 @@ def test_c_must_not_share_a_feed_in_mm_per_minute():
     assert "C turns by 90.0000°" in found[0].text
 
 
-def test_a_rapid_in_the_board_is_found_with_its_depth():
+def test_a_rapid_in_the_board_is_found_with_its_depth() -> None:
     found = findings(changed(LINUXCNC, "G1 Y65.6000 F30000", "G0 Y65.6000"))
     assert any(
         finding.kind == "stray" and finding.line == 18 and finding.measure == pytest.approx(0.6)
@@ -67,12 +71,12 @@ def test_a_rapid_in_the_board_is_found_with_its_depth():
     )
 
 
-def test_a_lift_that_stays_in_the_board_lets_the_next_rapid_be_found():
+def test_a_lift_that_stays_in_the_board_lets_the_next_rapid_be_found() -> None:
     found = findings(changed(LINUXCNC, "G1 Y65.6000 F30000\nG1 Z4", "G1 Y65.6000 F30000\nG1 Z1.9"))
     assert any(finding.kind == "stray" and finding.line == 20 for finding in found)
 
 
-def test_a_plunge_that_leaves_the_blades_own_line_is_found():
+def test_a_plunge_that_leaves_the_blades_own_line_is_found() -> None:
     # Straight down instead of along the blade: 1.3 mm deep at 45° is 1.3 mm sideways.
     text = cutter_program(
         "G0 X41.5 Y44 Z20 C0", "G0 Z4", "G1 Z0.7 F3000", "G1 X81.5 F12000", "G1 Z4 F3000"
@@ -82,14 +86,14 @@ def test_a_plunge_that_leaves_the_blades_own_line_is_found():
     assert [finding.measure for finding in found] == pytest.approx([1.3, 1.3])
 
 
-def test_a_knife_that_travels_while_it_plunges_is_found():
+def test_a_knife_that_travels_while_it_plunges_is_found() -> None:
     text = knife_program("G0 X41.5 Y44 Z20 C0", "G0 Z4", "G1 X42 Z-0.3 F6000", "G1 Z4")
     found = [finding for finding in of_nothing(text) if finding.kind == "deviation"]
     # 2.3 of the 4.3 mm down are in the board, and so are as much of the 0.5 mm across.
     assert found[0].measure == pytest.approx(0.5 * 2.3 / 4.3)
 
 
-def test_a_knife_may_turn_in_the_board_by_its_swivel_angle_and_no_more():
+def test_a_knife_may_turn_in_the_board_by_its_swivel_angle_and_no_more() -> None:
     def turned(degrees: float) -> list[str]:
         # 3,600 degrees a second are 216,000 a minute.
         text = knife_program(
@@ -105,7 +109,7 @@ def test_a_knife_may_turn_in_the_board_by_its_swivel_angle_and_no_more():
     assert turned(16.0) == ["heading"]
 
 
-def test_a_wheel_does_not_turn_in_one_place():
+def test_a_wheel_does_not_turn_in_one_place() -> None:
     text = wheel_program(
         "G0 X90 Y40 Z20 C90",
         "G0 Z4",
@@ -126,7 +130,7 @@ def test_a_wheel_does_not_turn_in_one_place():
         ("M64 P1\n", "M64 P1\nM3 S1\n", "station 2 works while the oscillation is on"),
     ],
 )
-def test_outputs_must_be_those_of_the_station_at_work(old, new, said):
+def test_outputs_must_be_those_of_the_station_at_work(old: str, new: str, said: str) -> None:
     text = LINUXCNC.replace(old.encode(), new.encode(), 1)
     found = [finding for finding in findings(text) if finding.kind == "program"]
     assert any(said in finding.text for finding in found), found
@@ -141,32 +145,32 @@ def test_outputs_must_be_those_of_the_station_at_work(old, new, said):
         ("G0 X0 Y0 Z20 C1080.5", "C", 0.5),
     ],
 )
-def test_a_joint_past_its_travel_is_found(line, axis, past):
+def test_a_joint_past_its_travel_is_found(line: str, axis: str, past: float) -> None:
     found = of_nothing(knife_program(line))
     assert [finding.kind for finding in found] == ["travel"]
     assert f"joint {axis}" in found[0].text
     assert found[0].measure == pytest.approx(past)
 
 
-def test_the_datum_counts_in_the_travel():
+def test_the_datum_counts_in_the_travel() -> None:
     # 860 + 60 for the wheel's station is 20 past 900.
     found = of_nothing(wheel_program("G0 X860 Y0 Z20 C0"))
     assert [finding.kind for finding in found] == ["travel"]
     assert found[0].measure == pytest.approx(20.0)
 
 
-def test_the_belly_of_an_arc_counts_in_the_travel():
+def test_the_belly_of_an_arc_counts_in_the_travel() -> None:
     text = knife_program("G0 X895 Y100 Z20 C-90", "G3 X895 Y120 C90 I0 J10 F24000")
     found = [finding for finding in of_nothing(text) if finding.kind == "travel"]
     assert [round(finding.measure, 6) for finding in found] == [5.0]
 
 
-def test_a_feed_from_a_place_that_nobody_stated_is_found():
+def test_a_feed_from_a_place_that_nobody_stated_is_found() -> None:
     found = of_nothing(knife_program("G1 X5 F24000"))
     assert any("no line before it states" in finding.text for finding in found)
 
 
-def test_the_time_is_lengths_over_feeds_rapids_and_waits():
+def test_the_time_is_lengths_over_feeds_rapids_and_waits() -> None:
     text = knife_program("G0 X0 Y0 Z20 C0", "G0 X150 Y30", "G1 X550 F24000")
     verdict = verify(text, dieline(), PLACEMENT, MACHINE, BOARD)
     # 150 mm at 1,500 mm/s, 400 mm at 400 mm/s, 0.15 s for the piston.
@@ -181,7 +185,7 @@ def headings(text: bytes, machine: Machine = MACHINE) -> list[Finding]:
 
 @pytest.mark.parametrize("turns", [360, -360, 720])
 @pytest.mark.parametrize("end", ["C90.0000 I0", "C180.0000 I-10", "C270.0000 I0", "C360.0000 I10"])
-def test_a_blade_does_not_turn_further_than_the_arc_that_it_cuts(end, turns):
+def test_a_blade_does_not_turn_further_than_the_arc_that_it_cuts(end: str, turns: int) -> None:
     word, _ = end.split()
     turned = end.replace(word, f"C{float(word[1:]) + turns:.4f}")
     found = findings(changed(LINUXCNC, end, turned))
@@ -203,7 +207,9 @@ def test_a_blade_does_not_turn_further_than_the_arc_that_it_cuts(end, turns):
         (cutter_program, "G1 Y40.7 Z0.7 F3000", 12000.0),
     ],
 )
-def test_a_tool_does_not_turn_along_a_line(program, down, speed, turned):
+def test_a_tool_does_not_turn_along_a_line(
+    program: Callable[..., Any], down: str, speed: float, turned: float
+) -> None:
     def along(degrees: float) -> list[Finding]:
         plunge = down.replace("40.7", "37.4")
         return headings(
@@ -224,7 +230,9 @@ def test_a_tool_does_not_turn_along_a_line(program, down, speed, turned):
 
 
 @pytest.mark.parametrize(("end", "fine"), [(90.0, True), (-90.0, False), (270.0, False)])
-def test_a_wheel_turns_with_its_arc_although_both_of_its_sides_are_alike(end, fine):
+def test_a_wheel_turns_with_its_arc_although_both_of_its_sides_are_alike(
+    end: float, fine: bool
+) -> None:
     text = wheel_program(
         "G0 X40 Y40 Z20 C0",
         "G0 Z4",
@@ -235,7 +243,7 @@ def test_a_wheel_turns_with_its_arc_although_both_of_its_sides_are_alike(end, fi
     assert bool(headings(text)) != fine
 
 
-def test_a_knife_turns_the_short_way_round_in_the_board_whatever_its_swivel_angle():
+def test_a_knife_turns_the_short_way_round_in_the_board_whatever_its_swivel_angle() -> None:
     free = replace(MACHINE.stations[0].tool, swivel=360.0)
     machine = replace(
         MACHINE, stations=(replace(MACHINE.stations[0], tool=free), *MACHINE.stations[1:])
@@ -255,7 +263,7 @@ def test_a_knife_turns_the_short_way_round_in_the_board_whatever_its_swivel_angl
     assert "270.000° in the board, where 180.01° is the most" in swivelled(270.0)[0].text
 
 
-def test_a_short_line_is_no_place_to_turn_either_unless_it_stands_for_a_tiny_arc():
+def test_a_short_line_is_no_place_to_turn_either_unless_it_stands_for_a_tiny_arc() -> None:
     def turned(length: float) -> list[Finding]:
         text = knife_program(
             "G0 X40 Y40 Z20 C0",
@@ -272,7 +280,7 @@ def test_a_short_line_is_no_place_to_turn_either_unless_it_stands_for_a_tiny_arc
     assert turned(0.0005)
 
 
-def test_a_first_move_sideways_from_an_unknown_height_is_found():
+def test_a_first_move_sideways_from_an_unknown_height_is_found() -> None:
     for first in ("G0 X5 Y5 Z20", "G0 C90 Z20", "G0 Y5"):
         text = changed(GRBLHAL, "G0 Z20.0000\nM65 P0\nM65 P1", f"{first}\nM65 P0\nM65 P1")
         found = [finding for finding in findings(text) if finding.line == 3]

@@ -42,7 +42,7 @@ def told(kind: str, edge: int, findings: list[Finding]) -> Finding:
     return chosen[0]
 
 
-def test_a_crease_that_stops_early_is_short_by_as_much():
+def test_a_crease_that_stops_early_is_short_by_as_much() -> None:
     finding = told("uncut", FOLD, found("G1 Y65.6000 F30000", "G1 Y64.7600 F30000"))
     assert finding.measure == pytest.approx(0.84)
     assert finding.text == (
@@ -51,7 +51,7 @@ def test_a_crease_that_stops_early_is_short_by_as_much():
     )
 
 
-def test_a_crease_that_goes_on_too_far_is_past_where_it_should_stop():
+def test_a_crease_that_goes_on_too_far_is_past_where_it_should_stop() -> None:
     verdict = judged(changed(LINUXCNC, "G1 Y65.6000 F30000", "G1 Y65.7000 F30000"))
     finding = told("overcut", FOLD, list(verdict.findings))
     assert finding.measure == pytest.approx(0.1)
@@ -62,23 +62,25 @@ def test_a_crease_that_goes_on_too_far_is_past_where_it_should_stop():
 
 
 @pytest.mark.parametrize(("z", "measure"), [("1.3940", 0.006), ("1.4060", 0.006)])
-def test_a_wheel_pressed_six_micrometres_too_deep_or_not_enough_is_found(z, measure):
+def test_a_wheel_pressed_six_micrometres_too_deep_or_not_enough_is_found(
+    z: str, measure: float
+) -> None:
     finding = told("depth", FOLD, found("G1 Z1.4000 F6000", f"G1 Z{z} F6000"))
     assert finding.measure == pytest.approx(measure)
 
 
-def test_a_wheel_pressed_four_micrometres_too_deep_is_let_pass():
+def test_a_wheel_pressed_four_micrometres_too_deep_is_let_pass() -> None:
     assert found("G1 Z1.4000 F6000", "G1 Z1.3960 F6000") == []
 
 
-def test_a_line_beside_its_edge_is_a_deviation():
+def test_a_line_beside_its_edge_is_a_deviation() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0300").encode()
     finding = told("deviation", SLIT, list(judged(text).findings))
     assert finding.measure == pytest.approx(0.03)
     assert "edge 8: the knife is 0.030 mm off the line" in finding.text
 
 
-def test_what_the_controller_rounds_is_added_to_what_is_measured():
+def test_what_the_controller_rounds_is_added_to_what_is_measured() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0040").encode()
     assert judged(text).accepted
     assert judged(text).deviation[SLIT] == pytest.approx(0.009)
@@ -89,7 +91,7 @@ def test_what_the_controller_rounds_is_added_to_what_is_measured():
     assert {finding.kind for finding in judged(wide).findings} == {"deviation"}
 
 
-def test_work_far_from_every_edge_is_a_stray():
+def test_work_far_from_every_edge_is_a_stray() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y38.0000").encode()
     findings = list(judged(text).findings)
     assert any(
@@ -99,7 +101,7 @@ def test_work_far_from_every_edge_is_a_stray():
     assert told("uncut", SLIT, findings).measure == pytest.approx(20.0)
 
 
-def test_a_knife_on_a_crease_is_a_stray_that_names_it():
+def test_a_knife_on_a_crease_is_a_stray_that_names_it() -> None:
     text = knife_program(
         "G0 X90 Y34.4 Z20 C90", "G0 Z4", "G1 Z-0.3 F6000", "G1 Y60 F24000", "G1 Z4 F6000"
     )
@@ -107,7 +109,7 @@ def test_a_knife_on_a_crease_is_a_stray_that_names_it():
     assert "along edge 10, which is crease" in strays[0].text
 
 
-def test_work_on_an_ignored_edge_is_a_stray():
+def test_work_on_an_ignored_edge_is_a_stray() -> None:
     text = knife_program(
         "G0 X20 Y90 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", "G1 X60 F24000", "G1 Z4 F6000"
     )
@@ -115,7 +117,7 @@ def test_work_on_an_ignored_edge_is_a_stray():
     assert "along edge 13, which is ignored" in strays[0].text
 
 
-def test_a_slit_must_stop_where_its_top_face_ends():
+def test_a_slit_must_stop_where_its_top_face_ends() -> None:
     far = told("overcut", SLIT, found("G1 X59.5944 F24000", "G1 X60.0000 F24000"))
     assert far.measure == pytest.approx(0.4056, abs=1e-4)
     assert "0.406 mm past where it should" in far.text
@@ -123,14 +125,14 @@ def test_a_slit_must_stop_where_its_top_face_ends():
     assert short.measure == pytest.approx(0.0944, abs=1e-4)
 
 
-def test_a_cut_that_meets_another_must_run_over_by_its_slant():
+def test_a_cut_that_meets_another_must_run_over_by_its_slant() -> None:
     assert judged(LINUXCNC).overcut[RUN_OUT] == pytest.approx(2.0 * math.tan(math.radians(10.0)))
     for y, kind, measure in (("80.4527", "overcut", 0.1), ("80.2527", "uncut", 0.1)):
         finding = told(kind, RUN_OUT, found("G1 Y80.3527 F24000", f"G1 Y{y} F24000"))
         assert finding.measure == pytest.approx(measure, abs=1e-4)
 
 
-def test_a_closed_contour_must_run_over_its_start():
+def test_a_closed_contour_must_run_over_its_start() -> None:
     for x, past, measure in (("70.4527", "past", 0.1), ("70.2527", "short of", 0.1)):
         findings = found("G1 X70.3527\n", f"G1 X{x}\n")
         assert [finding.kind for finding in findings] == ["overcut" if past == "past" else "uncut"]
@@ -138,13 +140,13 @@ def test_a_closed_contour_must_run_over_its_start():
         assert findings[0].measure == pytest.approx(measure, abs=1e-4)
 
 
-def test_a_contour_may_start_anywhere_on_itself():
+def test_a_contour_may_start_anywhere_on_itself() -> None:
     text = LINUXCNC.decode().replace("G0 X70.0000 Y20.0000 C0", "G0 X33.3000 Y20.0000 C0")
     text = text.replace("G1 X70.0000\nG1 X70.3527", "G1 X33.6527")
     assert judged(text.encode()).accepted
 
 
-def test_a_contour_may_be_cut_the_other_way_round_with_the_corners_turned_in_the_air():
+def test_a_contour_may_be_cut_the_other_way_round_with_the_corners_turned_in_the_air() -> None:
     drawn = dieline(
         (CUT, 0, 0, 40, 0, 0.0), (CUT, 40, 0, 40, 40, 0.0), (CUT, 40, 40, 0, 40, 0.0),
         (CUT, 0, 40, 0, 0, 0.0),
@@ -165,7 +167,7 @@ def test_a_contour_may_be_cut_the_other_way_round_with_the_corners_turned_in_the
     assert [finding.kind for finding in short.findings] == ["uncut"]
 
 
-def test_a_groove_needs_both_its_passes():
+def test_a_groove_needs_both_its_passes() -> None:
     back = (
         "G0 X78.5000 Y59.3000 C180.0000\n"
         "G1 Y56.0000 Z0.7000\n"
@@ -178,7 +180,7 @@ def test_a_groove_needs_both_its_passes():
     assert "not grooved from its end" in finding.text
 
 
-def test_the_blade_runs_past_both_ends_of_a_groove_by_its_width():
+def test_the_blade_runs_past_both_ends_of_a_groove_by_its_width() -> None:
     assert judged(LINUXCNC).overcut[GROOVE] == 3.0
     strict = replace(BOARD, groove_overcut=2.5)
     findings = verify(LINUXCNC, DIELINE, PLACEMENT, MACHINE, strict).findings
@@ -186,7 +188,7 @@ def test_the_blade_runs_past_both_ends_of_a_groove_by_its_width():
     assert findings[0].measure == 3.0
 
 
-def test_a_groove_whose_tip_is_mirrored_is_refused():
+def test_a_groove_whose_tip_is_mirrored_is_refused() -> None:
     # 6 to the left of travel instead of the right: the tip runs 12 mm beside the line.
     text = LINUXCNC.decode()
     for old, new in (("Y40.7", "Y59.3"), ("Y44.0", "Y56.0")):
@@ -195,7 +197,7 @@ def test_a_groove_whose_tip_is_mirrored_is_refused():
     assert {"stray", "uncut", "deviation"} <= kinds
 
 
-def test_a_half_cut_at_the_depth_of_a_cut_is_a_stray():
+def test_a_half_cut_at_the_depth_of_a_cut_is_a_stray() -> None:
     findings = found("G1 Z1.0000 F6000", "G1 Z-0.3000 F6000")
     assert any("which is half-cut" in finding.text for finding in findings)
     assert told("uncut", HALF, findings).measure == pytest.approx(40.0)
@@ -206,7 +208,9 @@ def test_a_half_cut_at_the_depth_of_a_cut_is_a_stray():
     # 3 mm of blade swing 0.01 mm at 2 arcsin(0.01 / 6) = 0.19099°.
     [(0.19, True), (0.192, False), (-0.19, True), (-0.192, False), (179.0, False)],
 )
-def test_a_knife_may_be_turned_off_its_line_by_as_much_as_swings_a_hundredth(degrees, fine):
+def test_a_knife_may_be_turned_off_its_line_by_as_much_as_swings_a_hundredth(
+    degrees: float, fine: bool
+) -> None:
     text = LINUXCNC.decode().replace("Y70.0000 C90.0000\n", f"Y70.0000 C{90 + degrees:.4f}\n", 1)
     findings = list(judged(text.encode()).findings)
     if fine:
@@ -215,14 +219,14 @@ def test_a_knife_may_be_turned_off_its_line_by_as_much_as_swings_a_hundredth(deg
         assert told("heading", RUN_OUT, findings).measure == pytest.approx(abs(degrees), abs=1e-3)
 
 
-def test_a_wheel_is_the_same_from_both_sides():
+def test_a_wheel_is_the_same_from_both_sides() -> None:
     assert found("Y34.4000 Z20.0000 C90.0000", "Y34.4000 Z20.0000 C-90.0000") == []
     # Its contact of 4.2 mm swings 0.01 mm at 0.1364°.
     findings = found("Y34.4000 Z20.0000 C90.0000", "Y34.4000 Z20.0000 C-89.8600")
     assert told("heading", FOLD, findings).measure == pytest.approx(0.14)
 
 
-def test_a_short_crease_is_pressed_at_the_depth_that_fits():
+def test_a_short_crease_is_pressed_at_the_depth_that_fits() -> None:
     drawn = dieline((CREASE, 50, 10, 50, 16.4, 0.0))
     depth = 15.0 - math.sqrt(216.0)
 
@@ -239,7 +243,7 @@ def test_a_short_crease_is_pressed_at_the_depth_that_fits():
     assert {finding.kind for finding in pressed(depth, y=33.4).findings} == {"overcut", "uncut"}
 
 
-def test_creases_in_one_line_may_be_rolled_in_one_go_and_at_their_own_depths():
+def test_creases_in_one_line_may_be_rolled_in_one_go_and_at_their_own_depths() -> None:
     drawn = dieline((CREASE, 0, 0, 30, 0, 0.0), (CREASE, 60, 0, 30, 0, 0.0))
     back = math.sqrt(0.8 * 29.2) + 0.2
     text = wheel_program(
@@ -251,7 +255,7 @@ def test_creases_in_one_line_may_be_rolled_in_one_go_and_at_their_own_depths():
     np.testing.assert_allclose(verdict.setback, [back, back], atol=1e-9)
 
 
-def test_a_perforation_is_cut_in_pieces_with_gaps():
+def test_a_perforation_is_cut_in_pieces_with_gaps() -> None:
     drawn = dieline((LineType.PERFORATION, 0, 0, 18, 0, 0.0))
     lead = 2.3 * math.tan(math.radians(10.0))
 

@@ -62,7 +62,7 @@ def grooved(x0: float, x1: float, y: float, *depths: float, aside: float = 0.0) 
 INSIDE = dieline((GROOVE, 20, 30, 60, 30, 0.0))
 
 
-def test_the_width_the_web_and_the_flanks_of_a_groove_are_told():
+def test_the_width_the_web_and_the_flanks_of_a_groove_are_told() -> None:
     verdict = judged(cutter_program(*grooved(20, 60, 30, 1.3)), INSIDE)
     assert verdict.findings == ()
     np.testing.assert_allclose(
@@ -70,7 +70,7 @@ def test_the_width_the_web_and_the_flanks_of_a_groove_are_told():
     )
 
 
-def test_a_flank_beside_its_place_widens_the_groove_by_as_much():
+def test_a_flank_beside_its_place_widens_the_groove_by_as_much() -> None:
     # 0.004 to the right and 0.003 too deep: at 45° the flank is out by 0.007.
     verdict = judged(cutter_program(*grooved(20, 60, 30, 1.303, aside=0.004)), INSIDE)
     assert verdict.findings == ()
@@ -80,7 +80,7 @@ def test_a_flank_beside_its_place_widens_the_groove_by_as_much():
     assert any("flank comes out 0.0109 mm outside" in finding.text for finding in far)
 
 
-def test_a_groove_may_be_cut_in_passes_that_go_deeper():
+def test_a_groove_may_be_cut_in_passes_that_go_deeper() -> None:
     assert judged(cutter_program(*grooved(20, 60, 30, 0.5, 1.0, 1.3)), INSIDE).findings == ()
     back = judged(cutter_program(*grooved(20, 60, 30, 1.0, 0.5, 1.3)), INSIDE)
     assert kinds(back) == {("depth", 0)}
@@ -104,7 +104,7 @@ def groove_findings(x0: float, x1: float) -> list:
     return [finding for finding in verdict.findings if finding.edge == 4]
 
 
-def test_a_groove_runs_out_until_its_whole_width_has_left_the_board():
+def test_a_groove_runs_out_until_its_whole_width_has_left_the_board() -> None:
     # Square to the right side nothing is asked; at 45° (W/2) tan 45° = 1.3.
     assert groove_findings(28.7, 100.0) == []
     short = groove_findings(28.75, 100.0)
@@ -117,7 +117,7 @@ def test_a_groove_runs_out_until_its_whole_width_has_left_the_board():
     assert {finding.kind for finding in groove_findings(28.7, 100.1)} == {"overcut"}
 
 
-def test_where_grooves_must_run_out_and_where_not():
+def test_where_grooves_must_run_out_and_where_not() -> None:
     outline_ = dieline(
         (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 50, 100, 0, 0.0), (CUT, 100, 50, 50, 50, 0.0),
         (CUT, 50, 50, 50, 100, 0.0), (CUT, 50, 100, 0, 100, 0.0), (CUT, 0, 0, 0, 100, 0.0),
@@ -143,7 +143,7 @@ def test_where_grooves_must_run_out_and_where_not():
     np.testing.assert_allclose(asked.least, [0, 0, 0, 0, 0.78, 0.78, 0, 0], atol=1e-9)
 
 
-def test_a_curved_groove_is_refused_unless_the_board_lets_it_leave_its_arc():
+def test_a_curved_groove_is_refused_unless_the_board_lets_it_leave_its_arc() -> None:
     # A chord of 40 over an arc with a sagitta of 0.1: bulge 0.1 / 20.
     drawn = dieline((GROOVE, 20, 30, 60, 30, 0.1 / 20.0))
     text = cutter_program(*grooved(20, 60, 30, 1.3))
@@ -165,7 +165,7 @@ def rolled(*ways: tuple[float, float, float]) -> bytes:
     return wheel_program(*lines)
 
 
-def test_a_double_crease_needs_both_its_lines():
+def test_a_double_crease_needs_both_its_lines() -> None:
     drawn, board = dieline((CREASE, 0, 0, 60, 0, 0.0)), replace(BOARD, double_crease=2.0)
     both = judged(rolled((BACK, 60 - BACK, 1), (BACK, 60 - BACK, -1)), drawn, board)
     assert both.findings == ()
@@ -180,7 +180,7 @@ def test_a_double_crease_needs_both_its_lines():
 DASHES = dieline(*((CREASE, 20 * k, 0, 20 * k + 12, 0, 0.0) for k in range(4)))
 
 
-def test_dashes_may_be_rolled_as_one_crease():
+def test_dashes_may_be_rolled_as_one_crease() -> None:
     assert judged(rolled((BACK, 72 - BACK, 0)), DASHES).findings == ()
     # One by one each keeps its own distance.
     alone = [(20 * k + BACK, 20 * k + 12 - BACK, 0.0) for k in range(4)]
@@ -197,7 +197,7 @@ def test_dashes_may_be_rolled_as_one_crease():
     assert not judged(rolled((BACK, 105 - BACK, 0)), wide).accepted
 
 
-def test_a_crease_drawn_twice_in_part_is_rolled_once():
+def test_a_crease_drawn_twice_in_part_is_rolled_once() -> None:
     drawn = dieline((CREASE, 0, 0, 60, 0, 0.0), (CREASE, 100, 0, 57, 0, 0.0),
                     (CREASE, 0, 20, 50, 20, 0.0), (CREASE, 50, 20, 0, 20, 0.0))  # fmt: skip
     verdict = judged(rolled((BACK, 100 - BACK, 0), (BACK, 50 - BACK, 20)), drawn)
@@ -205,7 +205,7 @@ def test_a_crease_drawn_twice_in_part_is_rolled_once():
     np.testing.assert_allclose(verdict.setback, [BACK, BACK, 2 * BACK, 2 * BACK])
 
 
-def test_a_crease_that_a_cut_runs_through_keeps_off_it_on_both_sides():
+def test_a_crease_that_a_cut_runs_through_keeps_off_it_on_both_sides() -> None:
     drawn = dieline((CREASE, 0, 0, 60, 0, 0.0), (CUT, 30, -20, 30, 20, 0.0))
     kept = judged(rolled((BACK, 30 - BACK, 0), (30 + BACK, 60 - BACK, 0)), drawn)
     assert {finding.edge for finding in kept.findings} == {1}
@@ -214,7 +214,7 @@ def test_a_crease_that_a_cut_runs_through_keeps_off_it_on_both_sides():
     assert ("overcut", 0) in kinds(through)
 
 
-def test_each_crease_is_judged_by_the_wheel_that_rolls_it():
+def test_each_crease_is_judged_by_the_wheel_that_rolls_it() -> None:
     # A second wheel of R 10 in station 4: s = √(0.8 · 19.2) = 3.9192.
     small = Station(4, "Small", CreaseWheel(10.0, 0.7, 30000.0, 6000.0), 0, 0, 0, 0, 3)
     machine = replace(MACHINE, stations=(*MACHINE.stations, small))
@@ -264,7 +264,7 @@ def nicked(first: float = 30.0, second: float = 30.0, stop: float = 0.25) -> byt
     )  # fmt: skip
 
 
-def test_bridges_of_the_board_s_width_in_the_top_face_are_accepted():
+def test_bridges_of_the_board_s_width_in_the_top_face_are_accepted() -> None:
     verdict = judged(nicked(), SQUARE, NICKED)
     assert verdict.findings == ()
     np.testing.assert_allclose(verdict.setback, [0.5 + LEAD, 0, 0.5 + LEAD, 0], atol=1e-3)
@@ -273,13 +273,13 @@ def test_bridges_of_the_board_s_width_in_the_top_face_are_accepted():
 
 
 @pytest.mark.parametrize(("stop", "kind"), [(0.2, "overcut"), (0.3, "uncut")])
-def test_a_bridge_too_narrow_or_too_wide_is_refused(stop, kind):
+def test_a_bridge_too_narrow_or_too_wide_is_refused(stop: float, kind: str) -> None:
     verdict = judged(nicked(stop=stop), SQUARE, NICKED)
     assert kinds(verdict) == {(kind, 0)}
     assert verdict.findings[0].measure == pytest.approx(0.05, abs=1e-3)
 
 
-def test_bridges_too_far_apart_too_near_a_corner_or_too_few_are_refused():
+def test_bridges_too_far_apart_too_near_a_corner_or_too_few_are_refused() -> None:
     # Half way round is 100: moved by 12 mm each the longer way is 124.
     far = judged(nicked(18.0, 42.0 + 0.0), SQUARE, NICKED).findings
     assert far == ()
@@ -302,7 +302,7 @@ def test_bridges_too_far_apart_too_near_a_corner_or_too_few_are_refused():
 
 
 @pytest.mark.parametrize("again", [(0, 0, 50, 0), (50, 0, 0, 0), (20, 0, 50, 0), (50, 0, 10, 0)])
-def test_a_slit_drawn_twice_is_cut_once(again):
+def test_a_slit_drawn_twice_is_cut_once(again: tuple[int, int, int, int]) -> None:
     drawn = dieline((CUT, 0, 0, 50, 0, 0.0), (CUT, *again, 0.0))
     text = knife_program(
         "G0 X0 Y0 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", f"G1 X{50 - LEAD:.4f} F24000", "G1 Z4 F6000"
@@ -315,7 +315,7 @@ def test_a_slit_drawn_twice_is_cut_once(again):
 # -- the map
 
 
-def test_the_map_says_where_on_which_edge_how_far_off_the_work_is():
+def test_the_map_says_where_on_which_edge_how_far_off_the_work_is() -> None:
     # From 0.006 to the left to 0.002 to the right of an edge that is drawn westward.
     drawn = dieline((CUT, 50, 0, 0, 0, 0.0))
     text = knife_program(
@@ -329,7 +329,7 @@ def test_the_map_says_where_on_which_edge_how_far_off_the_work_is():
     np.testing.assert_allclose(told.deviation, [0.002, -0.002, -0.006], atol=1e-6)
 
 
-def test_the_faces_of_the_board_are_told_apart():
+def test_the_faces_of_the_board_are_told_apart() -> None:
     # A slit that ends inside: the bottom face lacks 2 tan 10°, the top none.
     drawn = dieline((CUT, 0, 0, 50, 0, 0.0), (CUT, 0, 30, 50, 30, 0.0), (CUT, 50, 30, 50, 20, 0.0))
     text = knife_program(

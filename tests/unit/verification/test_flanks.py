@@ -27,25 +27,25 @@ def torn(*edges: tuple, out: float = 0.0) -> Torn:
 
 
 @pytest.mark.parametrize("aside", [0.1, 0.5, 1.0, 1.25, -0.1, -1.25])
-def test_a_parallel_cut_inside_the_strip_is_found_on_either_side(aside):
+def test_a_parallel_cut_inside_the_strip_is_found_on_either_side(aside: float) -> None:
     # Drawn backwards, and longer than the groove.
     found = torn((CUT, 120, aside, -20, aside, 0.0))
     assert found.nearest == pytest.approx([abs(aside)])
 
 
 @pytest.mark.parametrize("aside", [1.31, -1.31, 5.0])
-def test_a_parallel_cut_outside_the_strip_is_not(aside):
+def test_a_parallel_cut_outside_the_strip_is_not(aside: float) -> None:
     assert len(torn((CUT, 120, aside, -20, aside, 0.0)).cut) == 0
 
 
-def test_the_place_is_where_the_cut_is_nearest():
+def test_the_place_is_where_the_cut_is_nearest() -> None:
     found = torn((CUT, 40, 1.2, 60, 0.6, 0.0))
     assert found.nearest == pytest.approx([0.6])
     assert found.place == pytest.approx([60.0])
 
 
 @pytest.mark.parametrize(("top", "through"), [(1.29, 0.01), (0.3, 1.0), (1.31, None)])
-def test_a_round_cut_counts_by_its_belly(top, through):
+def test_a_round_cut_counts_by_its_belly(top: float, through: float | None) -> None:
     # A semicircle of r 20 whose lowest point is at (50, top).
     found = torn((CUT, 30, 20 + top, 70, 20 + top, 1.0))
     if through is None:
@@ -55,7 +55,7 @@ def test_a_round_cut_counts_by_its_belly(top, through):
         assert found.place == pytest.approx([50.0], abs=0.5)
 
 
-def test_a_round_groove_has_a_round_strip():
+def test_a_round_groove_has_a_round_strip() -> None:
     # r 100 round (0, 100), a quarter; a cut along a circle of r 99 and one of r 98.
     quarter = math.tan(math.radians(90.0) / 4.0)
     groove = (GROOVE, 0, 0, 100, 100, quarter)
@@ -84,28 +84,30 @@ def test_a_round_groove_has_a_round_strip():
         (CUT, 110, 0.5, 160, 0.5, 0.0),  # beside what is no longer groove
     ],
 )
-def test_what_a_groove_ends_on_or_crosses_is_not_torn(cut):
+def test_what_a_groove_ends_on_or_crosses_is_not_torn(
+    cut: tuple[LineType, float, float, float, float, float],
+) -> None:
     assert len(torn(cut).cut) == 0
 
 
-def test_only_as_much_as_a_groove_runs_out_is_left_out_where_it_meets_an_edge_flatly():
+def test_only_as_much_as_a_groove_runs_out_is_left_out_where_it_meets_an_edge_flatly() -> None:
     # An edge at 10° through the end: the flanks leave it 1.3 / tan 10° = 7.37 mm before.
     flat = (CUT, 100 - 50, -50 * math.tan(math.radians(10.0)), 100 + 9, 1.587, 0.0)
     assert len(torn(flat).cut) == 1
     assert len(torn(flat, out=REACH / math.tan(math.radians(10.0))).cut) == 0
 
 
-def test_where_a_groove_ends_on_a_cut_another_beside_it_is_still_found():
+def test_where_a_groove_ends_on_a_cut_another_beside_it_is_still_found() -> None:
     found = torn((CUT, 100, -20, 100, 20, 0.0), (CUT, 60, 0.5, 90, 0.5, 0.0))
     assert found.cut.tolist() == [1]
 
 
-def test_a_short_groove_beside_a_cut_is_found_although_it_is_shorter_than_its_ends():
+def test_a_short_groove_beside_a_cut_is_found_although_it_is_shorter_than_its_ends() -> None:
     found = torn((GROOVE, 10, 0, 14, 0, 0.0), (CUT, 0, 0.5, 100, 0.5, 0.0))
     assert found.nearest == pytest.approx([0.5])
 
 
-def test_each_groove_and_cut_is_told_once():
+def test_each_groove_and_cut_is_told_once() -> None:
     found = torn(
         (GROOVE, 0, 0, 100, 0, 0.0),
         (GROOVE, 0, 50, 100, 50, 0.0),
@@ -115,7 +117,7 @@ def test_each_groove_and_cut_is_told_once():
     assert list(zip(found.groove.tolist(), found.cut.tolist(), strict=True)) == [(0, 0), (1, 1)]
 
 
-def test_the_verdict_names_both_edges_and_the_measure():
+def test_the_verdict_names_both_edges_and_the_measure() -> None:
     drawn = dieline((GROOVE, 20, 30, 60, 30, 0.0), (CUT, 10, 30.5, 70, 30.5, 0.0))
     found = verify(b"M2\n", drawn, PLACEMENT, MACHINE, BOARD).findings
     (finding,) = [finding for finding in found if "flank" in finding.text]

@@ -23,19 +23,21 @@ from tests.support.programs.handwritten import (
 )
 
 
-def test_the_tip_of_a_v_cutter_is_six_north_and_one_and_a_half_west_of_a_head_that_goes_east():
+def test_the_tip_of_a_v_cutter_is_six_north_and_one_and_a_half_west_of_a_head_that_goes_east() -> (
+    None
+):
     station = MACHINE.station(3)
     np.testing.assert_allclose(tip_offset(np.array([0.0]), station), [[-1.5, 6.0]], atol=1e-12)
     np.testing.assert_allclose(tip_offset(np.array([90.0]), station), [[-6.0, -1.5]], atol=1e-12)
     np.testing.assert_allclose(tip_offset(np.array([180.0]), station), [[1.5, -6.0]], atol=1e-12)
 
 
-def test_a_drag_knife_trails_its_axis():
+def test_a_drag_knife_trails_its_axis() -> None:
     drag = Station(1, "Drag", Knife(10.0, 1.0, 15.0, 1.0, 1.0, trail=2.0), 0, 0, 0, 0, -1)
     np.testing.assert_allclose(tip_offset(np.array([90.0]), drag), [[0.0, -2.0]], atol=1e-12)
 
 
-def test_the_tips_of_the_hand_written_program_stand_where_its_author_put_them():
+def test_the_tips_of_the_hand_written_program_stand_where_its_author_put_them() -> None:
     _, tip, work = followed(LINUXCNC, MACHINE, BOARD)
     row = {int(line): index for index, line in enumerate(tip.line)}
     np.testing.assert_allclose(tip.end[row[18]], [90.0, 65.6, 1.4, 90.0], atol=1e-9)
@@ -48,7 +50,7 @@ def test_the_tips_of_the_hand_written_program_stand_where_its_author_put_them():
     np.testing.assert_allclose(ends[0][0], [90.0, 34.4], atol=1e-9)
 
 
-def test_a_tool_that_only_goes_down_and_up_works_one_point():
+def test_a_tool_that_only_goes_down_and_up_works_one_point() -> None:
     text = knife_program("G0 X50 Y60 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", "G1 Z4")
     _, _, work = followed(text, MACHINE, BOARD)
     assert len(work.z) == 1
@@ -56,13 +58,13 @@ def test_a_tool_that_only_goes_down_and_up_works_one_point():
     np.testing.assert_array_equal(work.ends()[1], [[50.0, 60.0]])
 
 
-def test_every_stay_in_the_board_is_a_track():
+def test_every_stay_in_the_board_is_a_track() -> None:
     _, _, work = followed(LINUXCNC, MACHINE, BOARD)
     assert len(np.unique(work.track)) == 7
     assert (np.diff(work.track) >= 0).all()
 
 
-def test_a_v_cutter_that_turns_as_it_goes_is_followed_within_a_tenth_of_a_micrometre_of_chords():
+def test_a_v_cutter_that_turns_on_its_way_is_followed_within_a_tenth_of_a_micrometre() -> None:
     text = cutter_program(
         "G0 X0 Y0 Z20 C0", "G0 Z4", "G1 Y3.3 Z0.7 F3000", "G93 G1 X10 C90 F100", "G94 G1 Z4 F3000"
     )
@@ -80,7 +82,7 @@ def test_a_v_cutter_that_turns_as_it_goes_is_followed_within_a_tenth_of_a_microm
 
 
 @pytest.mark.parametrize("sweep", [1.0, -1.0])
-def test_points_and_directions_along_an_arc(sweep):
+def test_points_and_directions_along_an_arc(sweep: float) -> None:
     quarter = sweep * math.pi / 2.0
     curve = arcs(np.array([[5.0, 5.0]]), np.array([[7.0, 5.0]]), np.array([quarter]))
     np.testing.assert_allclose(curve[0, 5], math.pi)
@@ -90,6 +92,6 @@ def test_points_and_directions_along_an_arc(sweep):
     np.testing.assert_allclose(turned, 180.0)
 
 
-def test_a_line_without_length_is_a_point():
+def test_a_line_without_length_is_a_point() -> None:
     curve = lines(np.array([[1.0, 2.0]]), np.array([[1.0, 2.0]]))
     np.testing.assert_array_equal(point_at(curve, np.zeros(1)), [[1.0, 2.0]])

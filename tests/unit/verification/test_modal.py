@@ -18,7 +18,7 @@ def faults_of(text: str) -> list[str]:
     return [f"{line}: {fault}" for line, fault in moves_of(text)[1]]
 
 
-def test_a_joint_is_the_number_plus_the_datum_of_the_station_in_force():
+def test_a_joint_is_the_number_plus_the_datum_of_the_station_in_force() -> None:
     moves, faults = moves_of(
         HEADER + "G64 P0.005 Q0.005\nG0 Z20\nT2 M6 G43\nG0 X10 Y20 Z20 C5\nG49\nM2\n"
     )
@@ -26,13 +26,13 @@ def test_a_joint_is_the_number_plus_the_datum_of_the_station_in_force():
     np.testing.assert_array_equal(moves.end[1], [70.0, 20.0, 18.5, 5.0])
 
 
-def test_an_axis_that_is_not_said_stays_where_the_joint_is():
+def test_an_axis_that_is_not_said_stays_where_the_joint_is() -> None:
     moves, _ = moves_of(HEADER + "G0 X10 Y20 Z20 C5\nT2 M6 G43\nG0 X0\nM2\n")
     # The wheel's datum moves X by 60 and lowers Z by 1.5; only X is said anew.
     np.testing.assert_array_equal(moves.end[1], [60.0, 20.0, 20.0, 5.0])
 
 
-def test_without_tool_words_the_station_is_the_one_that_was_lowered_last():
+def test_without_tool_words_the_station_is_the_one_that_was_lowered_last() -> None:
     moves, _ = moves_of(
         HEADER + "G0 Z20\nM64 P1\nG4 P0.15\nG0 X0\nM65 P1\nM64 P2\nG4 P0.15\nG0 X1\nM65 P2\nM2\n"
     )
@@ -40,7 +40,7 @@ def test_without_tool_words_the_station_is_the_one_that_was_lowered_last():
     assert moves.piston.tolist() == [[False] * 3, [False, True, False], [False, False, True]]
 
 
-def test_the_sweep_of_an_arc_has_the_sign_of_its_turn():
+def test_the_sweep_of_an_arc_has_the_sign_of_its_turn() -> None:
     moves, faults = moves_of(
         HEADER
         + "G0 X10 Y0 Z20 C0\nG3 X0 Y10 I-10 J0 F600\nG2 X10 Y0 I0 J-10\nG3 X10 Y0 I-5 J0\nM2\n"
@@ -50,7 +50,7 @@ def test_the_sweep_of_an_arc_has_the_sign_of_its_turn():
     np.testing.assert_allclose(moves.centre[1:], [[0, 0], [0, 0], [5, 0]], atol=1e-12)
 
 
-def test_a_feed_is_forgotten_when_the_feed_mode_changes():
+def test_a_feed_is_forgotten_when_the_feed_mode_changes() -> None:
     start = HEADER + "G0 X0 Y0 Z20 C0\nG1 X1 F600\nG93 G1 X2 F10\n"
     assert moves_of(start + "G94 G1 X3 F600\nM2\n")[1] == []
     assert faults_of(start + "G94 G1 X3\nM2\n") == [
@@ -94,7 +94,7 @@ def test_a_feed_is_forgotten_when_the_feed_mode_changes():
         ("N-1", "has a line number that is none."),
     ],
 )
-def test_a_line_that_says_something_else_is_a_fault(line, said):
+def test_a_line_that_says_something_else_is_a_fault(line: str, said: str) -> None:
     faults = faults_of(HEADER + f"G0 X10 Y0 Z20 C0\n{line}\nG0 X0\nM2\n")
     assert f"3: {said}" in faults, faults
 
@@ -112,17 +112,19 @@ def test_a_line_that_says_something_else_is_a_fault(line, said):
         (" G54", "the coordinate system (G54)"),
     ],
 )
-def test_what_the_controller_may_remember_must_be_stated_before_the_first_move(word, said):
+def test_what_the_controller_may_remember_must_be_stated_before_the_first_move(
+    word: str, said: str
+) -> None:
     faults = faults_of(HEADER.replace(word, "") + "G0 X0 Y0 Z20 C0\nM2\n")
     assert faults == [f"2: moves before {said} is stated."]
 
 
-def test_a_piston_needs_its_time_before_anything_moves():
+def test_a_piston_needs_its_time_before_anything_moves() -> None:
     text = LINUXCNC.decode().replace("M64 P1\nG4 P0.15\n", "M64 P1\n")
     assert any("moves before what was switched has settled" in fault for fault in faults_of(text))
 
 
-def test_the_end_leaves_nothing_switched_on():
+def test_the_end_leaves_nothing_switched_on() -> None:
     text = LINUXCNC.decode()
     end = "M65 P0\nM5\nG49\nM2\n"
     assert faults_of(text) == []
@@ -137,18 +139,18 @@ def test_the_end_leaves_nothing_switched_on():
         assert said in faults[0]
 
 
-def test_nothing_moves_after_the_end():
+def test_nothing_moves_after_the_end() -> None:
     moves, faults = moves_of(LINUXCNC.decode() + "G0 X500\n")
     assert (73, "stands after the end of the program.") in faults
     assert moves.end[-1, 0] == 70.3527
 
 
-def test_a_tool_table_without_a_bound_for_rounded_corners_is_a_fault():
+def test_a_tool_table_without_a_bound_for_rounded_corners_is_a_fault() -> None:
     text = LINUXCNC.decode().replace("G64 P0.0050 Q0.0050\n", "")
     assert any("nothing (G64 P) bounds" in fault for fault in faults_of(text))
     zero = changed(LINUXCNC, "G64 P0.0050 Q0.0050", "G64 P0.0000 Q0.0050").decode()
     assert any("nothing (G64 P) bounds" in fault for fault in faults_of(zero))
 
 
-def test_no_lines_are_no_program():
+def test_no_lines_are_no_program() -> None:
     assert faults_of("") == ["1: is the last, and does not end (M2)."]

@@ -20,7 +20,9 @@ def refused(text: bytes) -> bool:
 
 
 @pytest.mark.parametrize(("text", "seed"), [(LINUXCNC, 1), (GRBLHAL, 2)], ids=["linuxcnc", "grbl"])
-def test_every_digit_that_moves_the_working_tip_by_more_than_a_hundredth_is_caught(text, seed):
+def test_every_digit_that_moves_the_working_tip_by_more_than_a_hundredth_is_caught(
+    text: bytes, seed: int
+) -> None:
     everything, caught, missed = digit_mutation.shares(
         text, MACHINE, BOARD, refused, count=250, seed=seed
     )
@@ -55,13 +57,13 @@ def test_every_digit_that_moves_the_working_tip_by_more_than_a_hundredth_is_caug
         ("J10.0000", "J10.0001", "smaller"),
     ],
 )
-def test_what_a_change_does_is_told_without_the_judge(old, new, kind):
+def test_what_a_change_does_is_told_without_the_judge(old: str, new: str, kind: str) -> None:
     mutant = changed(LINUXCNC, old, new)
     place = next(i for i, (a, b) in enumerate(zip(LINUXCNC, mutant, strict=True)) if a != b)
     assert digit_mutation.effect(LINUXCNC, place, mutant, MACHINE, BOARD) == kind
 
 
-def test_a_point_that_slides_along_its_line_moves_nothing():
+def test_a_point_that_slides_along_its_line_moves_nothing() -> None:
     # The end of the round and what is run over lie in one line: 70 is only where they meet.
     mutant = changed(LINUXCNC, "G1 X70.0000\n", "G1 X70.2000\n")
     place = next(i for i, (a, b) in enumerate(zip(LINUXCNC, mutant, strict=True)) if a != b)

@@ -15,7 +15,7 @@ def read(text: bytes) -> list[tuple[int, str, float]]:
     ]
 
 
-def test_words_keep_their_line_letter_and_value():
+def test_words_keep_their_line_letter_and_value() -> None:
     assert read(b"G1 X-12.5000 Y.25\n\nz3.\n") == [
         (1, "G", 1.0),
         (1, "X", -12.5),
@@ -24,14 +24,14 @@ def test_words_keep_their_line_letter_and_value():
     ]
 
 
-def test_a_decimal_is_the_nearest_number_as_python_reads_it():
+def test_a_decimal_is_the_nearest_number_as_python_reads_it() -> None:
     chance = np.random.default_rng(3)
     numbers = [f"{value:.4f}" for value in chance.uniform(-2000.0, 2000.0, 2000)]
     text = "".join(f"X{number}\n" for number in numbers).encode()
     assert parse(text).value.tolist() == [float(number) for number in numbers]
 
 
-def test_comments_say_nothing():
+def test_comments_say_nothing() -> None:
     assert read(b"(G1 X1) G0 (X2) Y3 ; Z4 (\n;G1\nC5\n") == [
         (1, "G", 0.0),
         (1, "Y", 3.0),
@@ -39,7 +39,7 @@ def test_comments_say_nothing():
     ]
 
 
-def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all():
+def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all() -> None:
     words = parse(b"G0 X1\r\nM2")
     assert words.faults == ()
     assert words.lines == 2
@@ -63,28 +63,28 @@ def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all():
         (b"(" + b"a" * 260 + b")", "longer than 255"),
     ],
 )
-def test_what_is_wrong_with_a_line_is_said_with_its_number(text, said):
+def test_what_is_wrong_with_a_line_is_said_with_its_number(text: bytes, said: str) -> None:
     _, faults = interpret(parse(b"\n" + text), MACHINE)
     assert any(line == 2 and said in fault for line, fault in faults), faults
 
 
-def test_any_bytes_are_read_without_an_error():
+def test_any_bytes_are_read_without_an_error() -> None:
     chance = np.random.default_rng(7)
     for size in (0, 1, 2, 50, 5000):
         parse(chance.integers(0, 256, size, dtype=np.uint8).tobytes())
 
 
-def test_what_is_not_bytes_or_too_large_is_refused():
+def test_what_is_not_bytes_or_too_large_is_refused() -> None:
     with pytest.raises(ProgramUnreadable, match="a str, not bytes"):
         parse("G0 X1\n")
     with pytest.raises(ProgramUnreadable, match="at most 67,108,864"):
         parse(bytes(LARGEST + 1))
 
 
-def test_the_placement_is_read_from_the_header():
+def test_the_placement_is_read_from_the_header() -> None:
     assert placement_of(b"(machine)\n(placement X20.0000 Y-3.5000)\nG21\n") == (20.0, -3.5)
     assert placement_of(b"G21\n") is None
 
 
-def test_bytes_that_grbl_obeys_at_once_are_found_in_comments_too():
+def test_bytes_that_grbl_obeys_at_once_are_found_in_comments_too() -> None:
     assert [line for line, _ in obeyed(b"(ok)\n(carton!)\nG0 X1\n(\x85)\n")] == [2, 4]

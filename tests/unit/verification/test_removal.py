@@ -68,7 +68,9 @@ def judged(text: bytes, drawn: Dieline = PART, board: Board = BOARD) -> Verdict:
 
 
 @pytest.mark.parametrize("outside", [ROUND, SQUARE, BETWEEN], ids="BCD")
-def test_a_part_cut_from_outside_and_its_hole_from_inside_is_accepted(outside):
+def test_a_part_cut_from_outside_and_its_hole_from_inside_is_accepted(
+    outside: tuple[str, ...],
+) -> None:
     verdict = judged(program(*HOLE, *outside))
     assert verdict.findings == ()
     np.testing.assert_allclose(verdict.deviation, 0.005)
@@ -77,7 +79,7 @@ def test_a_part_cut_from_outside_and_its_hole_from_inside_is_accepted(outside):
     np.testing.assert_allclose(verdict.unreached, [0, 0, 0, 0, 6, 6, 6, 6], atol=0.03)
 
 
-def test_what_the_disc_sweeps_leaves_the_part_whole_says_shapely_too():
+def test_what_the_disc_sweeps_leaves_the_part_whole_says_shapely_too() -> None:
     rectangle = shapely.box(0, 0, 100, 80) - shapely.box(30, 30, 60, 50)
     way = shapely.union_all(
         [
@@ -103,15 +105,15 @@ def test_what_the_disc_sweeps_leaves_the_part_whole_says_shapely_too():
     ],
 )
 def test_a_disc_that_cuts_into_the_part_is_refused_with_the_edge_and_how_far(
-    old, new, edge, measure
-):
+    old: str, new: str, edge: int, measure: float
+) -> None:
     findings = judged(changed(program(*HOLE, *ROUND), old, new)).findings
     mine = [finding for finding in findings if (finding.kind, finding.edge) == ("overcut", edge)]
     assert mine[0].measure == pytest.approx(measure, abs=1e-6)
     assert f"takes {measure:.3f} mm off the part" in mine[0].text
 
 
-def test_a_corner_cut_across_is_refused():
+def test_a_corner_cut_across_is_refused() -> None:
     # From B0 straight to E0: the chord is 3 / √2 = 2.1213 from the corner.
     text = changed(program(*HOLE, *ROUND), "G2 X-3 Y0 I0 J3", "G1 X-3 Y0")
     findings = judged(text).findings
@@ -119,14 +121,14 @@ def test_a_corner_cut_across_is_refused():
     assert {finding.kind for finding in findings} == {"overcut"}
 
 
-def test_an_edge_that_is_not_touched_is_uncut():
+def test_an_edge_that_is_not_touched_is_uncut() -> None:
     text = program(*HOLE, *(line.replace("-3", "-3.03") for line in SQUARE))
     findings = {(finding.kind, finding.edge): finding for finding in judged(text).findings}
     assert set(findings) == {("uncut", 0), ("uncut", 3)}
     assert findings["uncut", 0].measure == pytest.approx(100.0)
 
 
-def test_a_hole_left_out_and_a_hole_cut_from_outside_are_refused():
+def test_a_hole_left_out_and_a_hole_cut_from_outside_are_refused() -> None:
     assert {f.edge for f in judged(program(*SQUARE)).findings} == {4, 5, 6, 7}
     outside = ("G0 X45 Y27 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 X63 F6000", "G1 Y53", "G1 X27",
                "G1 Y27", "G1 X45", "G1 Z4 F1200")  # fmt: skip
@@ -134,29 +136,29 @@ def test_a_hole_left_out_and_a_hole_cut_from_outside_are_refused():
     assert kinds == {"uncut", "stray"}
 
 
-def test_an_edge_left_early_is_uncut_by_as_much():
+def test_an_edge_left_early_is_uncut_by_as_much() -> None:
     text = changed(program(*HOLE, *SQUARE), "G1 X50\n", "G1 X80\n")
     (finding,) = judged(text).findings
     assert (finding.kind, finding.edge) == ("uncut", 0)
     assert finding.measure == pytest.approx(30.0)
 
 
-def test_a_cutter_that_is_not_through_is_refused():
+def test_a_cutter_that_is_not_through_is_refused() -> None:
     text = program(*HOLE, *SQUARE).replace(b"Z-0.3", b"Z0.1")
     assert {"depth", "uncut"} == {finding.kind for finding in judged(text).findings}
 
 
-def test_a_cutter_at_rest_is_refused():
+def test_a_cutter_at_rest_is_refused() -> None:
     text = program(*HOLE, *SQUARE).replace(b"M3 S20000\n", b"")
     assert any("does not turn" in finding.text for finding in judged(text).findings)
 
 
-def test_work_far_off_in_the_waste_is_a_stray():
+def test_work_far_off_in_the_waste_is_a_stray() -> None:
     text = program(*HOLE, *SQUARE, "G0 X200 Y200", "G1 Z-0.3 F1200", "G1 X220 F6000", "G1 Z4 F1200")
     assert [finding.kind for finding in judged(text).findings] == ["stray"]
 
 
-def test_a_machine_with_a_knife_has_no_work_for_its_cutter():
+def test_a_machine_with_a_knife_has_no_work_for_its_cutter() -> None:
     both = replace(MACHINE, stations=(*MACHINE.stations, replace(ROUTER.stations[0], number=4,
                                                                   output=3)))  # fmt: skip
     text = program(*HOLE, *SQUARE).replace(b"T1", b"T4").replace(b"P0\n", b"P3\n")
@@ -164,7 +166,7 @@ def test_a_machine_with_a_knife_has_no_work_for_its_cutter():
     assert {"uncut", "stray"} <= found
 
 
-def test_a_round_part_and_a_hole_too_tight_for_the_disc():
+def test_a_round_part_and_a_hole_too_tight_for_the_disc() -> None:
     drawn = dieline(
         (CUT, 60, 40, 20, 40, 1.0), (CUT, 20, 40, 60, 40, 1.0),  # R 20
         (CUT, 42.5, 40, 37.5, 40, 1.0), (CUT, 37.5, 40, 42.5, 40, 1.0),  # R 2.5
@@ -182,7 +184,7 @@ def test_a_round_part_and_a_hole_too_tight_for_the_disc():
     assert finding.measure == pytest.approx(0.02)
 
 
-def test_a_round_hole_is_milled_from_inside():
+def test_a_round_hole_is_milled_from_inside() -> None:
     drawn = dieline(
         (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 80, 0.0), (CUT, 100, 80, 0, 80, 0.0),
         (CUT, 0, 80, 0, 0, 0.0), (CUT, 60, 40, 40, 40, 1.0), (CUT, 40, 40, 60, 40, 1.0),  # R 10
@@ -202,7 +204,7 @@ def test_a_round_hole_is_milled_from_inside():
     assert wide[0].measure == pytest.approx(0.02)
 
 
-def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not():
+def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not() -> None:
     def slotted(width: float) -> Dieline:
         left, right = 50 - width / 2, 50 + width / 2
         return dieline(
@@ -222,7 +224,7 @@ def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not
     np.testing.assert_allclose(wide.uncut[[3, 4, 5]], [17, 2, 17], atol=0.05)
 
 
-def test_an_open_cut_is_followed_on_its_line_from_end_to_end():
+def test_an_open_cut_is_followed_on_its_line_from_end_to_end() -> None:
     drawn = dieline((CUT, 10, 10, 60, 10, 0.0))
 
     def kinds(x: float, y: float, until: float) -> set[str]:
@@ -237,7 +239,7 @@ def test_an_open_cut_is_followed_on_its_line_from_end_to_end():
     assert kinds(10, 10, 80) == {"overcut", "stray"}
 
 
-def test_a_cutter_that_gives_way_is_led_nearer_and_round_its_corners_on_an_ellipse():
+def test_a_cutter_that_gives_way_is_led_nearer_and_round_its_corners_on_an_ellipse() -> None:
     # δx = 0.2, δy = 0.1: 2.8 from the edges at the sides, 2.9 above and below.
     board = replace(BOARD, deflection=(Deflection("Router", 0.2, 0.1),))
     hole = [line.replace("57", "57.2").replace("33", "32.8" if "X33" in line else "32.9")
@@ -261,7 +263,7 @@ def test_a_cutter_that_gives_way_is_led_nearer_and_round_its_corners_on_an_ellip
     assert soft == {"uncut"}
 
 
-def test_a_round_part_is_cut_on_an_ellipse_where_x_and_y_give_way_differently():
+def test_a_round_part_is_cut_on_an_ellipse_where_x_and_y_give_way_differently() -> None:
     board = replace(BOARD, deflection=(Deflection("Router", 0.2, 0.1),))
     drawn = dieline((CUT, 60, 40, 20, 40, 1.0), (CUT, 20, 40, 60, 40, 1.0))
 
@@ -277,7 +279,7 @@ def test_a_round_part_is_cut_on_an_ellipse_where_x_and_y_give_way_differently():
     assert not judged(way(22.78, 22.9), drawn, board).accepted
 
 
-def test_one_digit_changed_is_caught_where_it_moves_the_disc():
+def test_one_digit_changed_is_caught_where_it_moves_the_disc() -> None:
     text = program(*HOLE, *ROUND)
     chance = np.random.default_rng(3)
     raw = np.frombuffer(text, np.uint8)
@@ -298,7 +300,7 @@ def test_one_digit_changed_is_caught_where_it_moves_the_disc():
     assert caught >= total - 6
 
 
-def test_gaps_are_what_stretches_leave_bare():
+def test_gaps_are_what_stretches_leave_bare() -> None:
     edge, begin, end = gaps(
         np.array([1, 0, 1]), np.array([2.0, 0.0, 1.0]), np.array([5.0, 4.0, 3.0]),
         np.array([4.0, 9.0, 2.0]),
@@ -308,7 +310,7 @@ def test_gaps_are_what_stretches_leave_bare():
     np.testing.assert_array_equal(end, [1.0, 9.0, 2.0])
 
 
-def test_where_a_line_is_within_a_distance_of_a_point():
+def test_where_a_line_is_within_a_distance_of_a_point() -> None:
     line: F64 = lines(np.array([[0.0, 0.0]]), np.array([[10.0, 0.0]]))
     low, high = within(line, np.array([[5.0, 3.0]]), 5.0)
     np.testing.assert_allclose([low[0], high[0]], [1.0, 9.0])

@@ -43,7 +43,7 @@ def with_head(program: bytes, head: str) -> bytes:
         ("G0 Z20.0000\n", "switches at a height that no line before it states; lift to 20.000 mm"),
     ],
 )
-def test_each_line_of_the_head_is_needed(program, gone, what):
+def test_each_line_of_the_head_is_needed(program: bytes, gone: str, what: str) -> None:
     assert said(program) == []
     # The first station's own output is stated again by the line that lowers it.
     if gone == "M65 P1\n":
@@ -69,14 +69,16 @@ def test_each_line_of_the_head_is_needed(program, gone, what):
         (HEAD.replace("M65 P2\n", "M64 P2\n"), "lowers station 3 while"),
     ],
 )
-def test_until_everything_is_stated_a_program_may_only_lift(program, head, what):
+def test_until_everything_is_stated_a_program_may_only_lift(
+    program: bytes, head: str, what: str
+) -> None:
     if head.endswith("M64 P2\nM5\n"):
         what = "lowers station 2 while station 3 may be lowered"
     lines = said(with_head(program, head))
     assert any(what in line for line in lines), lines
 
 
-def test_the_first_lift_clears_the_longest_station():
+def test_the_first_lift_clears_the_longest_station() -> None:
     long = replace(MACHINE, stations=(replace(MACHINE.stations[0], z=6.0), *MACHINE.stations[1:]))
     lift = "G21 G90 G91.1 G17 G40 G49 G94 G54\n" + HEAD + "G49\nM2\n"
     low = said(lift.encode(), long, drawn=False)
@@ -87,7 +89,7 @@ def test_the_first_lift_clears_the_longest_station():
 
 @BOTH
 @pytest.mark.parametrize("lift", [None, "G0 Z17.0000"])
-def test_a_station_is_changed_at_the_travel_height(program, lift):
+def test_a_station_is_changed_at_the_travel_height(program: bytes, lift: str | None) -> None:
     text = program.decode()
     at = text.index("G0 Z", text.index("F30000"))
     line = text[at : text.index("\n", at) + 1]
@@ -96,7 +98,7 @@ def test_a_station_is_changed_at_the_travel_height(program, lift):
 
 
 @BOTH
-def test_the_lift_before_the_last_release_is_needed(program):
+def test_the_lift_before_the_last_release_is_needed(program: bytes) -> None:
     text = program.decode()
     at = text.rindex("G0 Z20.0000\n")
     lines = said((text[:at] + text[at + 12 :]).encode())
@@ -105,7 +107,7 @@ def test_the_lift_before_the_last_release_is_needed(program):
 
 
 @BOTH
-def test_the_next_station_comes_down_after_the_one_before_is_released(program):
+def test_the_next_station_comes_down_after_the_one_before_is_released(program: bytes) -> None:
     text = program.decode()
     at = text.index("M65 P1\n", text.index("F30000"))
     down = text.index("M64 P2\n")
@@ -116,14 +118,14 @@ def test_the_next_station_comes_down_after_the_one_before_is_released(program):
 
 
 @BOTH
-def test_a_spindle_is_not_started_again_in_the_board(program):
+def test_a_spindle_is_not_started_again_in_the_board(program: bytes) -> None:
     plunge = "G1 Z1.0000 F6000\nG1 X79.8237 F24000"
     again = "G1 Z1.0000 F6000\nM5\nM3 S1\nG4 P0.15\nG1 X79.8237 F24000"
     lines = said(changed(program, plunge, again))
     assert any("switches at joint Z 1.000 mm" in line for line in lines), lines
 
 
-def test_a_program_without_work_states_everything_too():
+def test_a_program_without_work_states_everything_too() -> None:
     bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM2\n"
     assert said(bare, drawn=False) == [
         "The program ends without stating output 0 (M65 P0).",
@@ -133,7 +135,7 @@ def test_a_program_without_work_states_everything_too():
     ]
 
 
-def test_a_station_without_an_output_has_none_to_state():
+def test_a_station_without_an_output_has_none_to_state() -> None:
     fixed = replace(MACHINE, stations=(replace(MACHINE.stations[0], output=-1),))
     bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM5\nG4 P0.15\nG0 X5 Y5\nM2\n"
     assert said(bare, fixed, drawn=False) == []

@@ -32,13 +32,13 @@ def told(made: Cleaned, line: Dieline = LINE) -> str:
     return " ".join(finding.text for finding in tidied(line, made))
 
 
-def test_what_cleaning_does_is_accepted():
+def test_what_cleaning_does_is_accepted() -> None:
     made = clean(LINE)
     assert np.flatnonzero(made.changed).tolist() == [3, 4, 5, 6, 8]
     assert tidied(LINE, made) == []
 
 
-def test_an_edge_moved_by_two_hundredths_is_found_and_its_measure_told():
+def test_an_edge_moved_by_two_hundredths_is_found_and_its_measure_told() -> None:
     made = clean(LINE)
     ends = made.dieline.ends.copy()
     ends[1] += (0.02, 0.0)
@@ -47,28 +47,28 @@ def test_an_edge_moved_by_two_hundredths_is_found_and_its_measure_told():
     assert findings[0].measure == pytest.approx(0.02)
 
 
-def test_a_line_that_became_an_arc_is_found():
+def test_a_line_that_became_an_arc_is_found() -> None:
     made = clean(LINE)
     bulge = made.dieline.bulge.copy()
     bulge[1] = 0.001
     assert "moved by 0.0500 mm" in told(bent(made, bulge=bulge))
 
 
-def test_an_edge_that_is_ignored_is_found():
+def test_an_edge_that_is_ignored_is_found() -> None:
     made = clean(LINE)
     kinds = made.dieline.line_type.copy()
     kinds[2] = LineType.IGNORED
     assert "edge 2: it is cut, and is worked as ignored" in told(bent(made, line_type=kinds))
 
 
-def test_a_cut_that_became_a_crease_is_found():
+def test_a_cut_that_became_a_crease_is_found() -> None:
     made = clean(LINE)
     kinds = made.dieline.line_type.copy()
     kinds[1] = CREASE
     assert "edge 1: it is cut, and is worked as crease" in told(bent(made, line_type=kinds))
 
 
-def test_an_edge_that_nobody_drew_is_found():
+def test_an_edge_that_nobody_drew_is_found() -> None:
     made = clean(LINE)
     line = made.dieline
     more = replace(
@@ -83,21 +83,21 @@ def test_an_edge_that_nobody_drew_is_found():
     assert told(replace(made, dieline=more)) == "Cleaning, edge 3: nothing of it was drawn."
 
 
-def test_an_edge_drawn_out_is_found():
+def test_an_edge_drawn_out_is_found() -> None:
     made = clean(LINE)
     ends = made.dieline.ends.copy()
     ends[1, 1] = (100, 103)
     assert "edge 1: it is worked where nothing was drawn" in told(bent(made, ends=ends))
 
 
-def test_an_edge_cut_short_is_found():
+def test_an_edge_cut_short_is_found() -> None:
     made = clean(LINE)
     ends = made.dieline.ends.copy()
     ends[1, 1] = (100, 99.9)
     assert "edge 1: it was moved by 0.1000 mm" in told(bent(made, ends=ends))
 
 
-def test_a_stretch_that_is_not_told_of_is_found():
+def test_a_stretch_that_is_not_told_of_is_found() -> None:
     made = clean(LINE)
     parts = made.stretches
     keep = np.arange(len(parts)) != np.flatnonzero(parts.row == 6)[-1]
@@ -107,7 +107,7 @@ def test_a_stretch_that_is_not_told_of_is_found():
     assert "edge 6: its stretches do not add up to it" in told(replace(made, stretches=short))
 
 
-def test_an_edge_that_was_dropped_is_found():
+def test_an_edge_that_was_dropped_is_found() -> None:
     made = clean(LINE)
     parts = made.stretches
     kinds = made.dieline.line_type.copy()

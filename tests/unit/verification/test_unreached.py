@@ -11,9 +11,12 @@ import shapely
 
 from knifetip import compensate, plan, process, sequence
 from knifetip.compensation.radius import centres
+from knifetip.geometry.columns import F64
 from knifetip.library import load
-from knifetip.model.board import Deflection
+from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import LineType
+from knifetip.model.operation import Operation
+from knifetip.model.verdict import Verdict
 from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline
 
@@ -26,7 +29,12 @@ HOLE = closed((150, 150), (200, 150), (200, 190), (150, 190))
 BLANK = closed((100, 100), (300, 100), (300, 250), (100, 250))
 
 
-def judged(*shapes, bulge=None, board=BOARD, at=(0.0, 0.0)):
+def judged(
+    *shapes: F64,
+    bulge: dict[int, float] | None = None,
+    board: Board = BOARD,
+    at: tuple[float, float] = (0.0, 0.0),
+) -> tuple[Verdict, list[Operation]]:
     line = dieline(*((LineType.CUT, shape) for shape in shapes), bulge=bulge or {})
     placed = replace(line, ends=line.ends + np.array(at))
     work = plan(placed, ROUTER, board)
@@ -34,7 +42,7 @@ def judged(*shapes, bulge=None, board=BOARD, at=(0.0, 0.0)):
     return verify(text, line, at, ROUTER, board), work
 
 
-def by_engine(work) -> float:
+def by_engine(work: list[Operation]) -> float:
     return sum(float(centres(one).unreached.sum()) for one in work if one.side != 0)
 
 
@@ -46,14 +54,14 @@ def by_shapely(*waste: shapely.Polygon) -> float:
     )
 
 
-def test_a_square_hole_keeps_four_corners():
+def test_a_square_hole_keeps_four_corners() -> None:
     verdict, work = judged(HOLE, BLANK)
     assert verdict.accepted
     np.testing.assert_allclose(verdict.areas.area, [SQUARE] * 4, atol=0.02)
     assert by_engine(work) == pytest.approx(4 * SQUARE, abs=1e-9)
 
 
-def test_each_loop_goes_from_the_disc_to_the_corner_and_back_along_the_disc():
+def test_each_loop_goes_from_the_disc_to_the_corner_and_back_along_the_disc() -> None:
     areas = judged(HOLE, BLANK)[0].areas
     assert list(np.diff(areas.first)) == [3, 3, 3, 3]
     loop = next(
@@ -70,18 +78,20 @@ def test_each_loop_goes_from_the_disc_to_the_corner_and_back_along_the_disc():
     assert min(bulge) == pytest.approx(-math.tan(math.pi / 8), abs=0.005)
 
 
-def test_areas_are_told_in_the_drawings_millimetres():
+def test_areas_are_told_in_the_drawings_millimetres() -> None:
     areas = judged(HOLE, BLANK, at=(50.0, 20.0))[0].areas
     assert areas.ends.min(axis=(0, 1)) == pytest.approx((150.0, 150.0), abs=1e-9)
 
 
-def test_a_blank_of_outside_corners_keeps_nothing():
+def test_a_blank_of_outside_corners_keeps_nothing() -> None:
     verdict, _ = judged(BLANK)
     assert len(verdict.areas) == 0
 
 
 @pytest.mark.parametrize("wide", [2.0, 4.0, 5.9])
-def test_a_slot_too_narrow_for_the_cutter_stays_whole_but_for_the_bulge_of_the_disc(wide):
+def test_a_slot_too_narrow_for_the_cutter_stays_whole_but_for_the_bulge_of_the_disc(
+    wide: float,
+) -> None:
     low, high = 200 - wide / 2, 200 + wide / 2
     notched = closed(
         (100, 100), (300, 100), (300, 250), (high, 250), (high, 220), (low, 220), (low, 250),
@@ -96,7 +106,7 @@ def test_a_slot_too_narrow_for_the_cutter_stays_whole_but_for_the_bulge_of_the_d
     assert area == pytest.approx(30 * wide - segment, rel=2e-3)
 
 
-def test_a_hole_with_a_neck_is_left_uncut_on_both_of_its_sides():
+def test_a_hole_with_a_neck_is_left_uncut_on_both_of_its_sides() -> None:
     # Two chambers joined by a neck of 4 mm: no disc of 6 mm goes through.
     hole = closed(
         (130, 130), (160, 130), (160, 148), (180, 148), (180, 130), (210, 130), (210, 170),
@@ -111,7 +121,7 @@ def test_a_hole_with_a_neck_is_left_uncut_on_both_of_its_sides():
 
 
 @pytest.mark.parametrize("turn", [30, 60, 120, 150])
-def test_a_corner_of_any_angle_keeps_what_the_formula_says(turn):
+def test_a_corner_of_any_angle_keeps_what_the_formula_says(turn: int) -> None:
     phi = math.radians(turn)
     # A triangle whose corner at (150, 150) turns the disc by φ.
     inner = math.pi - phi
@@ -125,7 +135,7 @@ def test_a_corner_of_any_angle_keeps_what_the_formula_says(turn):
     assert by_engine(work) == pytest.approx(want, rel=5e-3)
 
 
-def test_a_corner_of_a_line_and_an_arc_too():
+def test_a_corner_of_a_line_and_an_arc_too() -> None:
     # A half disc of 20 mm radius, standing on its diameter.
     hole = closed((150, 150), (190, 150))
     verdict, work = judged(hole, BLANK, bulge={1: 1.0})
@@ -137,7 +147,7 @@ def test_a_corner_of_a_line_and_an_arc_too():
     assert by_engine(work) == pytest.approx(want, rel=0.01)
 
 
-def test_two_corners_on_one_short_edge_keep_what_each_would():
+def test_two_corners_on_one_short_edge_keep_what_each_would() -> None:
     # The bevel between two panels: 45° twice, 3.11 mm apart.
     bevelled = closed(
         (100, 100), (300, 100), (300, 200), (202.2, 200), (200, 202.2), (200, 250), (100, 250)
@@ -149,7 +159,7 @@ def test_two_corners_on_one_short_edge_keep_what_each_would():
     assert by_engine(work) == pytest.approx(2 * corner, rel=1e-6)
 
 
-def test_a_cutter_that_gives_way_leaves_what_it_leaves_at_rest():
+def test_a_cutter_that_gives_way_leaves_what_it_leaves_at_rest() -> None:
     board = replace(BOARD, deflection=(Deflection("Router", 0.08, 0.05),))
     verdict, _ = judged(HOLE, BLANK, board=board)
     assert verdict.accepted

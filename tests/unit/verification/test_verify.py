@@ -29,14 +29,14 @@ BOTH = pytest.mark.parametrize("text", [LINUXCNC, GRBLHAL], ids=["linuxcnc", "gr
 
 
 @BOTH
-def test_the_hand_written_programs_are_accepted(text):
+def test_the_hand_written_programs_are_accepted(text: bytes) -> None:
     verdict = verify(text, DIELINE, PLACEMENT, MACHINE, BOARD)
     assert verdict.findings == ()
     assert verdict.accepted
 
 
 @BOTH
-def test_the_figures_are_those_that_were_worked_out_by_hand(text):
+def test_the_figures_are_those_that_were_worked_out_by_hand(text: bytes) -> None:
     verdict = verify(text, DIELINE, PLACEMENT, MACHINE, BOARD)
     rounds = 0.005 if text is LINUXCNC else 0.0
     worked = np.arange(len(DIELINE)) < 13
@@ -48,7 +48,7 @@ def test_the_figures_are_those_that_were_worked_out_by_hand(text):
     np.testing.assert_array_equal(verdict.overcut[list(CONTOUR)], 0.0)
 
 
-def test_both_dialects_take_the_same_time():
+def test_both_dialects_take_the_same_time() -> None:
     one, other = (verify(text, DIELINE, PLACEMENT, MACHINE, BOARD) for text in (LINUXCNC, GRBLHAL))
     assert one.seconds == pytest.approx(other.seconds, abs=1e-5)
 
@@ -61,7 +61,7 @@ def test_both_dialects_take_the_same_time():
         {"tilt": 44.0},
     ],
 )
-def test_a_program_for_another_v_cutter_is_refused(other):
+def test_a_program_for_another_v_cutter_is_refused(other: dict[str, float]) -> None:
     stations = tuple(
         replace(held, tool=replace(held.tool, **other)) if held.number == 3 else held
         for held in MACHINE.stations
@@ -72,7 +72,7 @@ def test_a_program_for_another_v_cutter_is_refused(other):
 
 @pytest.mark.parametrize("column", ["x", "y", "z", "c"])
 @pytest.mark.parametrize("text", [GRBLHAL])
-def test_a_program_with_another_datum_in_its_numbers_is_refused(text, column):
+def test_a_program_with_another_datum_in_its_numbers_is_refused(text: bytes, column: str) -> None:
     stations = tuple(
         replace(held, **{column: getattr(held, column) + 0.2}) for held in MACHINE.stations
     )
@@ -80,20 +80,20 @@ def test_a_program_with_another_datum_in_its_numbers_is_refused(text, column):
     assert not verify(text, DIELINE, PLACEMENT, machine, BOARD).accepted
 
 
-def test_a_tool_table_brings_its_own_datum():
+def test_a_tool_table_brings_its_own_datum() -> None:
     stations = tuple(replace(held, x=held.x + 5.0, c=held.c + 30.0) for held in MACHINE.stations)
     machine = replace(MACHINE, stations=stations)
     assert verify(LINUXCNC, DIELINE, PLACEMENT, machine, BOARD).accepted
 
 
-def test_another_placement_is_refused_with_both_told():
+def test_another_placement_is_refused_with_both_told() -> None:
     verdict = verify(LINUXCNC, DIELINE, (20.0, 21.0), MACHINE, BOARD)
     assert not verdict.accepted
     assert any("X20.0000 Y20.0000, and the job has it at X20.0000 Y21.0000" in finding.text
                for finding in verdict.findings)  # fmt: skip
 
 
-def test_an_edge_that_nobody_classified_is_refused():
+def test_an_edge_that_nobody_classified_is_refused() -> None:
     kinds = DIELINE.line_type.copy()
     kinds[13] = LineType.UNCLASSIFIED
     verdict = verify(LINUXCNC, replace(DIELINE, line_type=kinds), PLACEMENT, MACHINE, BOARD)
@@ -104,13 +104,13 @@ def test_an_edge_that_nobody_classified_is_refused():
     "text",
     [b"", b"\n", b"()", b"M2\n", b"G0 X1\n", bytes(range(256)), b"G1 " * 10_000, b"\xff" * 1000],
 )
-def test_a_text_that_is_no_program_is_refused_and_raises_nothing(text):
+def test_a_text_that_is_no_program_is_refused_and_raises_nothing(text: bytes) -> None:
     verdict = verify(text, DIELINE, PLACEMENT, MACHINE, BOARD)
     assert not verdict.accepted
     assert verdict.uncut[0] == 80.0
 
 
-def test_scrambled_programs_raise_nothing():
+def test_scrambled_programs_raise_nothing() -> None:
     chance = np.random.default_rng(11)
     for _ in range(150):
         raw = np.frombuffer(LINUXCNC, np.uint8).copy()
@@ -119,7 +119,7 @@ def test_scrambled_programs_raise_nothing():
         verify(raw.tobytes(), DIELINE, PLACEMENT, MACHINE, BOARD)
 
 
-def test_what_cannot_be_judged_raises_an_error_that_says_why():
+def test_what_cannot_be_judged_raises_an_error_that_says_why() -> None:
     with pytest.raises(ProgramUnreadable):
         verify("G0", DIELINE, PLACEMENT, MACHINE, BOARD)
     with pytest.raises(GeometryError, match="The placement"):
@@ -132,20 +132,20 @@ def test_what_cannot_be_judged_raises_an_error_that_says_why():
             verify(LINUXCNC, DIELINE, PLACEMENT, MACHINE, BOARD, tolerance=tolerance)
 
 
-def test_at_most_a_thousand_findings_are_kept():
+def test_at_most_a_thousand_findings_are_kept() -> None:
     drawn = dieline(*((CUT, 0.0, float(y), 5.0, float(y), 0.0) for y in range(1500)))
     verdict = verify(LINUXCNC, drawn, PLACEMENT, MACHINE, BOARD)
     assert len(verdict.findings) == MOST
     assert verdict.uncut[1499] == 5.0
 
 
-def test_a_wider_tolerance_lets_more_pass():
+def test_a_wider_tolerance_lets_more_pass() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0300").encode()
     assert not verify(text, DIELINE, PLACEMENT, MACHINE, BOARD).accepted
     assert verify(text, DIELINE, PLACEMENT, MACHINE, BOARD, tolerance=0.05).accepted
 
 
-def test_findings_come_in_the_order_of_the_lines():
+def test_findings_come_in_the_order_of_the_lines() -> None:
     text = changed(LINUXCNC, "G1 X59.5944 F24000", "G1 X59.4000 F24000")
     text = changed(text, "G1 Y65.6000 F30000", "G1 Y65.0000 F30000")
     lines = [finding.line for finding in verify(text, DIELINE, PLACEMENT, MACHINE, BOARD).findings]
@@ -153,7 +153,7 @@ def test_findings_come_in_the_order_of_the_lines():
     assert len(lines) >= 2
 
 
-def test_ten_times_the_moves_take_no_more_than_thirty_times_as_long():
+def test_ten_times_the_moves_take_no_more_than_thirty_times_as_long() -> None:
     def seconds(rows: int) -> float:
         edges, lines = [], ["G0 X0 Y0 Z20 C0", "G0 Z4"]
         for row in range(rows):
