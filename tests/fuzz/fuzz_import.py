@@ -10,6 +10,7 @@ from tests.fuzz.fuzzing import known, main, watched
 with watched("knifetip.units", "knifetip.classification", "knifetip.cleaning", "knifetip.jobs"):
     from knifetip.errors import KnifetipError
     from knifetip.jobs import tasks
+    from knifetip.model.interpretation import Interpretation
 
 _UNITS = ("", "mm", "in", "m")
 
@@ -18,7 +19,7 @@ def one(data: bytes) -> None:
     """Read, classify, ask and clean."""
     unit = _UNITS[data[0] % len(_UNITS)] if data else ""
     try:
-        reading = tasks.read(lambda _stage, _share: None, data[1:], unit, "default")
+        reading = tasks.read(lambda _stage, _share: None, data[1:], Interpretation(unit))
     except KnifetipError as error:
         known(error)
         return

@@ -14,6 +14,7 @@ from knifetip.errors import KnifetipError
 from knifetip.intake.limits import REACH
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
+from knifetip.model.interpretation import Interpretation
 from tests.support.writers import cf2_text, svg_text
 from tests.support.writers import dxf_text as dxf
 
@@ -99,7 +100,7 @@ def damage(draw: st.DrawFn, whole: bytes) -> bytes:
 def check_import(data: bytes, unit: str) -> bool:
     """Take a file as far as the server takes it; return whether it was read."""
     try:
-        reading = tasks.read(lambda _stage, _share: None, data, unit, "default")
+        reading = tasks.read(lambda _stage, _share: None, data, Interpretation(unit))
     except KnifetipError as error:
         refused = error
     else:

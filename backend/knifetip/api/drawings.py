@@ -7,7 +7,7 @@ import json
 import unicodedata
 import zlib
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -54,9 +54,11 @@ from knifetip.geometry.columns import U8
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
 from knifetip.jobs.crew import Fault
+from knifetip.jobs.interpretations import drawing_columns, interpretation_of
 from knifetip.jobs.tables import Drawing
 from knifetip.library import own
 from knifetip.model.dieline import LineType
+from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 
 router = APIRouter(prefix="/drawings", tags=["drawings"])
 
@@ -102,15 +104,13 @@ def added(
     request = fingerprint(name, sha256, unit, profile)
     row = here.store.drawing_of(key, request) if key else None
     if row is None:
-        reading = read(here, name, content, unit, profile, rules)
+        interpretation = Interpretation(unit, profile, rules)
+        reading = read(here, name, content, interpretation)
         row = here.store.add_drawing(
             name=name,
             content=content,
             sha256=sha256,
-            unit_given=unit,
-            profile=profile,
-            rules=rules,
-            overrides=reading.overrides,
+            interpretation=replace(interpretation, overrides=reading.overrides),
             summary=reading.summary,
             edges=reading.edges,
             ledger=reading.ledger,
@@ -168,7 +168,7 @@ def change_drawing(
         elif patch.profile is not None:
             profile, rules = patch.profile, rules_named(here, patch.profile)
         why = f"unit {unit or 'open'}, profile {profile}"
-        return _Decision(unit, profile, rules, row.overrides, why)
+        return _Decision(Interpretation(unit, profile, rules, row.overrides), why)
 
     return _changed(here, response, id, match, decide)
 
@@ -207,7 +207,7 @@ def override_edges(
     def decide(row: Drawing) -> _Decision:
         overrides = overridden(row.edges, row.overrides, patch.overrides)
         why = f"{len(patch.overrides)} override{'s' * (len(patch.overrides) != 1)}"
-        return _Decision(row.unit_given, row.profile, row.rules, overrides, why)
+        return _Decision(interpretation_of(row, overrides), why)
 
     return _changed(here, response, id, match, decide)
 
@@ -242,12 +242,10 @@ def read(
     here: Service,
     name: str,
     content: bytes,
-    unit: str,
-    profile: str,
-    rules: str = "",
-    carried: tasks.Carried | None = None,
+    interpretation: Interpretation,
+    handles: Sequence[str] | None = None,
 ) -> tasks.Reading:
-    """Read a drawing in a process of the crew; ``rules`` as in ``rules_named``.
+    """Read a drawing in a process of the crew; parameters as for ``tasks.read``.
 
     Raises
     ------
@@ -256,7 +254,7 @@ def read(
     """
     try:
         return here.crew.run(
-            tasks.read, content, unit, profile, carried, rules, limit=here.settings.limit
+            tasks.read, content, interpretation, handles, limit=here.settings.limit
         )
     except Fault as reason:
         raise NotADrawing(
@@ -273,10 +271,7 @@ def read(
 class _Decision:
     """What a change makes of a drawing."""
 
-    unit: str
-    profile: str
-    rules: str
-    overrides: bytes
+    interpretation: Interpretation
     why: str
 
 
@@ -300,17 +295,15 @@ def _changed(
         row = here.store.drawing_with(id, "content", "overrides", "edges")
         check_match(match, row)
         made = decide(row)
-        carried = tasks.Carried(made.overrides, unpacked(row.edges)[1]["handles"])
-        reading = read(here, row.name, row.content, made.unit, made.profile, made.rules, carried)
+        handles = unpacked(row.edges)[1]["handles"]
+        reading = read(here, row.name, row.content, made.interpretation, handles)
+        kept = replace(made.interpretation, overrides=reading.overrides)
         try:
             changed = here.store.change_drawing(
                 row.id,
                 row.version,
                 made.why,
-                unit_given=made.unit,
-                profile=made.profile,
-                rules=made.rules,
-                overrides=reading.overrides,
+                **drawing_columns(kept),
                 summary=reading.summary,
                 edges=reading.edges,
                 ledger=reading.ledger,
@@ -338,7 +331,7 @@ def overridden(block: bytes, before: bytes, overrides: Sequence[Override]) -> by
     block
         The drawing's edges, see ``columns``.
     before
-        (n,) uint8, ``tasks.NONE`` or a LineType.
+        (n,) uint8, ``NO_OVERRIDE`` or a LineType.
 
     Raises
     ------
@@ -352,7 +345,7 @@ def overridden(block: bytes, before: bytes, overrides: Sequence[Override]) -> by
         for row, handle in enumerate(meta["handles"]):
             rows_of.setdefault(handle, []).append(row)
     for override in overrides:
-        value = tasks.NONE if override.type is None else LineType.of(override.type)
+        value = NO_OVERRIDE if override.type is None else LineType.of(override.type)
         after[_chosen(override, columns, meta["layers"], rows_of, len(after))] = value
     return after.tobytes()
 

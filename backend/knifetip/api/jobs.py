@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -27,6 +28,7 @@ from knifetip.api.service import (
     Here,
     Key,
     Limit,
+    Service,
     bytes_answer,
     fingerprint,
     next_page,
@@ -37,9 +39,13 @@ from knifetip.api.waiting import Waiting, waiting_of
 from knifetip.errors import OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
+from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.job import State
+from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Job
+from knifetip.jobs.tables import Drawing, Job
+from knifetip.model.corners import Corners
+from knifetip.model.interpretation import Interpretation
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
 
@@ -62,23 +68,14 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
     # One revision: what was asked about, what is kept and what is compiled.
     drawing = here.store.drawing_with(order.drawing, "content", "overrides", "edges")
     check_revision(order.revision, drawing)
-    # What was looked at is what is made, whatever became of the profile since.
-    profile, rules = drawing.profile, drawing.rules
-    if order.profile is not None:
-        profile, rules = order.profile, rules_named(here, order.profile)
-    overrides = drawing.overrides
-    if order.overrides:
-        overrides = overridden(drawing.edges, overrides, order.overrides)
-    corners = None if order.corners is None else order.corners.model_dump()
+    interpretation = _interpretation(here, order, drawing)
     questions = here.crew.run(
         tasks.ask,
-        drawing.content,
-        drawing.unit_given,
-        profile,
-        overrides,
+        StoredDrawing(
+            drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
+        ),
+        interpretation,
         order.machine,
-        corners,
-        rules,
         limit=here.settings.limit,
     )
     if questions:
@@ -87,18 +84,30 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
         drawing,
         machine=order.machine,
         board=order.board,
-        profile=profile,
-        overrides=overrides,
+        interpretation=interpretation,
         copies=order.copies,
         priority=order.priority,
         release=order.release,
-        corners=corners,
-        rules=rules,
         key=key,
         fingerprint=request,
     )
     here.workshop.submit(row.id)
     return row
+
+
+def _interpretation(here: Service, order: JobIn, drawing: Drawing) -> Interpretation:
+    """Return the drawing's interpretation with the changes of an order."""
+    interpretation = interpretation_of(drawing, drawing.overrides)
+    if order.profile is not None:
+        rules = rules_named(here, order.profile)
+        interpretation = replace(interpretation, profile=order.profile, rules=rules)
+    if order.overrides:
+        overrides = overridden(drawing.edges, drawing.overrides, order.overrides)
+        interpretation = replace(interpretation, overrides=overrides)
+    if order.corners is not None:
+        corners = Corners.from_json(order.corners.model_dump())
+        interpretation = replace(interpretation, corners=corners)
+    return interpretation
 
 
 @router.get("")

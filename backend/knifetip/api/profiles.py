@@ -17,6 +17,7 @@ from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, Pro
 from knifetip.api.service import Here, bytes_answer, not_shipped, on_shelf
 from knifetip.errors import ProfileError, RequestError
 from knifetip.jobs import profiling
+from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.tables import Profile
 from knifetip.library import load, own
 
@@ -113,14 +114,11 @@ def delete_profile(here: Here, name: str, match: IfMatch = None) -> None:
 @queued
 def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
     """Say what a profile would do to a drawing; nothing is kept."""
-    row = here.store.drawing(id)
+    row = here.store.drawing_with(id, "content", "overrides")
     found = here.crew.run(
         profiling.preview,
-        here.store.drawing_column(id, "content"),
-        row.unit_given,
-        row.profile,
-        row.rules,
-        here.store.drawing_column(id, "overrides"),
+        row.content,
+        interpretation_of(row, row.overrides),
         own.written(profile.title[:80], fields_of(profile)),
         limit=here.settings.limit,
     )
@@ -131,14 +129,11 @@ def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
 @queued
 def learn_from_corrections(here: Here, id: str) -> list[ProposalOut]:
     """Propose rules that would have said what somebody corrected by hand; nothing is kept."""
-    row = here.store.drawing(id)
+    row = here.store.drawing_with(id, "content", "overrides")
     found = here.crew.run(
         profiling.learn,
-        here.store.drawing_column(id, "content"),
-        row.unit_given,
-        row.profile,
-        row.rules,
-        here.store.drawing_column(id, "overrides"),
+        row.content,
+        interpretation_of(row, row.overrides),
         limit=here.settings.limit,
     )
     return [ProposalOut.model_validate(one) for one in found]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import re
-from dataclasses import asdict
 from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any
@@ -81,12 +80,6 @@ def choice(text: str) -> CornerAt:
         )
     k = None if found["k"] is None else float(found["k"])
     return CornerAt(float(found["x"]), float(found["y"]), found["type"], k)
-
-
-def _plain(corners: Corners) -> dict[str, Any]:
-    plain = asdict(corners)
-    del plain["placement"]
-    return plain
 
 
 MachineName = Annotated[str, typer.Option(help="Machine of the library, or a TOML file.")]
@@ -241,7 +234,7 @@ def register(app: typer.Typer) -> None:
                 "board": sheet.name,
                 "profile": profile,
                 "placement": list(result.placement),
-                "corners": None if choices is None else _plain(choices),
+                "corners": None if choices is None else choices.as_json(),
                 "seconds": result.seconds,
                 "seconds_retracted": result.seconds_retracted,
                 "program": {

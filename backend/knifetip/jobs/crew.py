@@ -191,6 +191,7 @@ def _work(line: Connection, memory: int) -> None:
     with contextlib.suppress(EOFError, OSError):
         while True:
             task, arguments = line.recv()
+            said = None
             line.send(_answer(task, progress, arguments))
 
 

@@ -9,9 +9,11 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import undefer
 
 from knifetip.errors import NoSuchJob, StaleRevision, WrongState
+from knifetip.jobs.interpretations import drawing_columns
 from knifetip.jobs.job import Who, new_id
 from knifetip.jobs.moves import Moves, rows, same_request, short
 from knifetip.jobs.tables import Drawing, Job
+from knifetip.model.interpretation import Interpretation
 
 
 class Drawings(Moves):
@@ -23,13 +25,10 @@ class Drawings(Moves):
         name: str,
         content: bytes,
         sha256: str,
-        unit_given: str,
-        profile: str,
-        overrides: bytes,
+        interpretation: Interpretation,
         summary: dict[str, Any],
         edges: bytes,
         ledger: bytes,
-        rules: str = "",
         key: str | None = None,
         fingerprint: str = "",
     ) -> Drawing:
@@ -45,15 +44,12 @@ class Drawings(Moves):
             name=name,
             created=self.clock(),
             sha256=sha256,
-            unit_given=unit_given,
-            profile=profile,
-            rules=rules,
+            **drawing_columns(interpretation),
             version=1,
             summary=summary,
             key=key,
             fingerprint=fingerprint,
             content=content,
-            overrides=overrides,
             edges=edges,
             ledger=ledger,
         )

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
 from knifetip.errors import NoSuchJob, WrongState
+from knifetip.jobs.interpretations import job_columns
 from knifetip.jobs.job import LEASED, Confirmation, State, Who, new_id, sources
 from knifetip.jobs.moves import Moves, hint_for, rows, same_request, short
 from knifetip.jobs.tables import Drawing, Event, Job
+from knifetip.model.interpretation import Interpretation
 
 
 class Orders(Moves):
@@ -23,13 +24,10 @@ class Orders(Moves):
         *,
         machine: str,
         board: str,
-        profile: str,
-        overrides: bytes,
+        interpretation: Interpretation,
         copies: int = 1,
         priority: int = 0,
         release: bool = False,
-        corners: dict[str, Any] | None = None,
-        rules: str = "",
         key: str | None = None,
         fingerprint: str = "",
     ) -> Job:
@@ -48,9 +46,7 @@ class Orders(Moves):
             drawing_name=drawing.name,
             machine=machine,
             board=board,
-            profile=profile,
-            rules=rules,
-            unit_given=drawing.unit_given,
+            **job_columns(interpretation),
             copies=copies,
             priority=priority,
             release=release,
@@ -82,8 +78,6 @@ class Orders(Moves):
             judged=None,
             key=key,
             fingerprint=fingerprint,
-            corners=corners,
-            overrides=overrides,
             program=None,
             toolpath=None,
             verdict=None,

@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 
 from knifetip.geometry.columns import U8
-from knifetip.jobs.tasks import NONE, drawing_of, rules_of
+from knifetip.jobs.readings import read_drawing
 from knifetip.library import own
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing
+from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.profile import LineRule, LineRules
 from knifetip.model.stage import Progress, Stage
 
@@ -24,13 +25,7 @@ _MOST = 12
 
 
 def preview(
-    progress: Progress,
-    content: bytes,
-    unit: str,
-    profile: str,
-    rules: str,
-    overrides: bytes,
-    text: str,
+    progress: Progress, content: bytes, interpretation: Interpretation, text: str
 ) -> dict[str, Any]:
     """Return what the profile in ``text`` would do to a drawing that has another.
 
@@ -44,11 +39,11 @@ def preview(
     from knifetip.classification.rules import rule_of_each_edge
 
     progress(Stage.READ, 0.0)
-    drawing = drawing_of(content, unit)
-    given = np.frombuffer(overrides, np.uint8)
+    drawing = read_drawing(content, interpretation.unit)
+    given = np.frombuffer(interpretation.overrides, np.uint8)
     progress(Stage.CLASSIFY, 0.6)
     other = own.parsed("preview", text)
-    before = pipeline.classify(drawing, rules_of(profile, rules), given)
+    before = pipeline.interpret(drawing, interpretation)
     after = pipeline.classify(drawing, other, given)
     taken = rule_of_each_edge(drawing, other)
     lengths = drawing.lengths
@@ -72,7 +67,7 @@ def preview(
 
 
 def learn(
-    progress: Progress, content: bytes, unit: str, profile: str, rules: str, overrides: bytes
+    progress: Progress, content: bytes, interpretation: Interpretation
 ) -> list[dict[str, Any]]:
     """Return rules that would have said what somebody corrected, the surest first.
 
@@ -91,19 +86,20 @@ def learn(
     from knifetip.classification.rules import rule_of_each_edge
 
     progress(Stage.READ, 0.0)
-    drawing = drawing_of(content, unit)
-    mine = rules_of(profile, rules)
-    given = np.frombuffer(overrides, np.uint8)
+    drawing = read_drawing(content, interpretation.unit)
+    mine = pipeline.rules_of(interpretation)
+    given = np.frombuffer(interpretation.overrides, np.uint8)
     progress(Stage.CLASSIFY, 0.6)
-    before = pipeline.classify(drawing, mine, given)
+    before = pipeline.interpret(drawing, interpretation)
+    alone = pipeline.classify(drawing, mine)
     # A kind of line alone is no habit of a customer: it would take half of any other drawing.
     sure = [
         one
-        for one in learned(drawing, pipeline.classify(drawing, mine), given, mine)
+        for one in learned(drawing, alone, given, mine)
         if one.rule.layer or one.rule.block or one.rule.colour or one.rule.true_colour
     ]
     explained = {row for one in sure for row in one.explains}
-    left = np.flatnonzero((given != NONE) & (pipeline.classify(drawing, mine).line_type != given))
+    left = np.flatnonzero((given != NO_OVERRIDE) & (alone.line_type != given))
     rest = _by_attributes(drawing, given, [row for row in left.tolist() if row not in explained])
     proposed = []
     for rule in [*(one.rule for one in sure), *rest][:_MOST]:

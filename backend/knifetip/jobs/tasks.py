@@ -1,9 +1,9 @@
 """tasks: what the crew's processes do, with bytes in and bytes and plain data out.
 
-read      DXF bytes, unit, profile -> Reading     what the page shows of a drawing
-ask       … and a machine -> questions            what must be decided before it is compiled
-compile   … and a board -> Result                 program, head path and verdict
-cleaned   edges of a Reading -> plain data        what cleaning makes of each edge
+read      bytes, Interpretation -> Reading                     what the page shows of a drawing
+ask       StoredDrawing, Interpretation, machine -> questions  what must be decided first
+compile   … and a board -> Result                              program, head path and verdict
+cleaned   edges of a Reading -> plain data                     what cleaning makes of each edge
 """
 
 from __future__ import annotations
@@ -12,31 +12,35 @@ import hashlib
 import json
 import zlib
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from knifetip.errors import UnitUnknown
 from knifetip.geometry.columns import F64, U8
-from knifetip.jobs.columns import packed, unpacked
+from knifetip.jobs.columns import packed
 from knifetip.jobs.ledger import listed
+from knifetip.jobs.readings import (
+    StoredDrawing,
+    edge_block,
+    interpreted,
+    read_drawing,
+    unpacked_reading,
+)
 from knifetip.jobs.report import reported, said, unit_of
 from knifetip.jobs.store import Result
-from knifetip.library import load, own
-from knifetip.model.corners import CornerAt, Corners
+from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.machine import Machine
-from knifetip.model.profile import LineRules
 from knifetip.model.stage import Progress, Stage
 from knifetip.model.tool import kind_of
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
 
-NONE = 255  #: no override
 #: Columns of a verdict with a row to every edge.
 EDGE_COLUMNS = (
     "deviation",
@@ -61,95 +65,52 @@ class Reading:
     summary: dict[str, Any]
     edges: bytes  #: see ``columns``
     ledger: bytes  #: JSON, deflated
-    overrides: bytes  #: (n,) NONE or a LineType
-
-
-@dataclass(frozen=True, slots=True)
-class Carried:
-    """Overrides that were given to an earlier reading of the same file."""
-
-    overrides: bytes  #: (n,) NONE or a LineType
-    handles: Sequence[str]  #: (n,)
-
-
-# The same drawing is read again for each override and each order: keep the last few.
-@lru_cache(maxsize=4)
-def drawing_of(content: bytes, unit: str) -> Drawing:
-    """Return the drawing in a file; ``unit`` as the user gave it, empty for the file's own."""
-    from knifetip import pipeline
-
-    return pipeline.read(content, unit or None)
-
-
-def rules_of(profile: str, rules: str) -> LineRules:
-    """Return a profile: of the library, or, where there is a text, a customer's own."""
-    return own.parsed(profile, rules) if rules else load.profile(profile, files=False)
+    overrides: bytes  #: (n,) ``NO_OVERRIDE`` or a LineType
 
 
 def read(
     progress: Progress,
     content: bytes,
-    unit: str,
-    profile: str,
-    carried: Carried | None = None,
-    rules: str = "",
+    interpretation: Interpretation,
+    handles: Sequence[str] | None = None,
 ) -> Reading:
-    """Return what the page shows of a drawing.
+    """Return a drawing as the store and the page have it.
 
     Parameters
     ----------
-    unit
-        As the user gave it; empty for what the file says.
-    carried
-        Overrides to keep: row by row where the reading has the same rows, and else by handle
-        where all rows of the handle agreed.
-    rules
-        TOML of the profile, where it is a customer's own.
+    interpretation
+        Its overrides are those of an earlier reading of the same file, if there was one.
+    handles : (n,)
+        Of the edges of that earlier reading.  Overrides are carried over row by row where the
+        handles are the same, else by handle where all edges of the handle have the same override.
     """
     from knifetip import pipeline
 
     progress(Stage.READ, 0.0)
-    drawing = drawing_of(content, unit)
-    handles = [said(handle) for handle in drawing.handles]
-    overrides = np.full(len(drawing), NONE, np.uint8)
-    if carried is not None:
-        overrides = _carry(carried, handles)
+    drawing = read_drawing(content, interpretation.unit)
+    overrides = np.full(len(drawing), NO_OVERRIDE, np.uint8)
+    if handles is not None:
+        before = np.frombuffer(interpretation.overrides, np.uint8)
+        overrides = _carried(before, handles, [said(handle) for handle in drawing.handles])
     progress(Stage.CLASSIFY, 0.6)
-    dieline = pipeline.classify(drawing, rules_of(profile, rules), overrides)
-    questions = pipeline.questions(drawing, dieline)
+    dieline = pipeline.interpret(drawing, replace(interpretation, overrides=overrides.tobytes()))
     report = reported(drawing, dieline)
     progress(Stage.STORE, 0.9)
-    layers = [said(layer) for layer in drawing.layers]
-    edges = packed(
-        {
-            "ends": dieline.ends,
-            "bulge": dieline.bulge,
-            "line_type": dieline.line_type,
-            "layer": drawing.layer,
-            "colour": drawing.colour,
-            "linetype": drawing.linetype,
-            "rule": dieline.rule,
-            "confidence": dieline.confidence,
-            "length": drawing.lengths,
-            "fate": report.fate,
-            "reason": report.reason,
-        },
-        {
-            "handles": handles,
-            "layers": layers,
-            "linetypes": [said(name) for name in drawing.linetypes],
-            "rules": [said(rule) for rule in dieline.rules],
-            "alternatives": [[kind.word for kind in one] for one in dieline.alternatives],
-            "fates": [fate.name.lower() for fate in Fate],
-            "reasons": [said(reason) for reason in report.reasons],
-            "types": [kind.word for kind in LineType],
-            "unit": drawing.unit,
-        },
-    )
-    ledger = drawing.ledger
+    edges = edge_block(drawing, dieline, report)
     rows = listed(drawing)
+    summary = _summary(drawing, dieline, overrides, report.summary)
+    return Reading(summary, edges, zlib.compress(json.dumps(rows).encode(), 6), overrides.tobytes())
+
+
+def _summary(
+    drawing: Drawing, dieline: Dieline, overrides: U8, report: dict[str, Any]
+) -> dict[str, Any]:
+    """Return what the page shows of a drawing before its edges."""
+    from knifetip import pipeline
+
+    ledger = drawing.ledger
     low_x, low_y, high_x, high_y = (float(side) for side in drawing.bounds)
-    summary = {
+    return {
         "unit": drawing.unit,
         "evidence": said(drawing.evidence),
         "unit_finding": unit_of(drawing),
@@ -158,24 +119,23 @@ def read(
         "width": high_x - low_x,
         "height": high_y - low_y,
         "counts": _counts(dieline.line_type, drawing.lengths),
-        "layers": _layers(drawing, dieline, layers),
-        "questions": [question.as_json() for question in questions],
-        "overrides": int((overrides != NONE).sum()),
+        "layers": _layers(drawing, dieline, [said(layer) for layer in drawing.layers]),
+        "questions": [question.as_json() for question in pipeline.questions(drawing, dieline)],
+        "overrides": int((overrides != NO_OVERRIDE).sum()),
         "ledger": {fate.name.lower(): int((ledger.fate == fate).sum()) for fate in Fate},
-        "report": report.summary,
+        "report": report,
     }
-    return Reading(summary, edges, zlib.compress(json.dumps(rows).encode(), 6), overrides.tobytes())
 
 
-def _carry(carried: Carried, handles: Sequence[str]) -> U8:
-    before = np.frombuffer(carried.overrides, np.uint8)
-    if list(carried.handles) == list(handles):
+def _carried(before: U8, handles: Sequence[str], now: Sequence[str]) -> U8:
+    """Return the overrides of an earlier reading for the edges of the present one."""
+    if list(handles) == list(now):
         return before
-    said: dict[str, set[int]] = {}
-    for handle, override in zip(carried.handles, before.tolist(), strict=True):
-        said.setdefault(handle, set()).add(override)
-    agreed = {handle: values.pop() for handle, values in said.items() if len(values) == 1}
-    return np.array([agreed.get(handle, NONE) for handle in handles], np.uint8)
+    given: dict[str, set[int]] = {}
+    for handle, override in zip(handles, before.tolist(), strict=True):
+        given.setdefault(handle, set()).add(override)
+    agreed = {handle: values.pop() for handle, values in given.items() if len(values) == 1}
+    return np.array([agreed.get(handle, NO_OVERRIDE) for handle in now], np.uint8)
 
 
 def _counts(line_type: U8, lengths: F64) -> list[dict[str, Any]]:
@@ -220,34 +180,17 @@ def cleaned(progress: Progress, edges: bytes) -> dict[str, Any]:
     from knifetip import pipeline
 
     progress(Stage.CLEAN, 0.0)
-    columns, meta = unpacked(edges)
-    if not meta["unit"]:
+    drawing, dieline = unpacked_reading(edges)
+    if not drawing.unit:
         raise UnitUnknown(
             "The drawing does not say its unit, so nobody knows how long a speck is.",
             "Set it with PATCH /api/drawings/{id}, or on the page.",
         )
-    count = len(columns["bulge"])
-    line = Dieline(
-        columns["ends"],
-        columns["bulge"],
-        columns["line_type"],
-        np.arange(count, dtype=np.int32),
-        columns["rule"],
-        columns["confidence"],
-        tuple(meta["rules"]),
-    )
-    return pipeline.clean(line).as_json(meta["handles"])
+    return pipeline.clean(dieline).as_json(drawing.handles)
 
 
 def ask(
-    progress: Progress,
-    content: bytes,
-    unit: str,
-    profile: str,
-    overrides: bytes,
-    machine: str,
-    corners: dict[str, Any] | None = None,
-    rules: str = "",
+    progress: Progress, stored: StoredDrawing, wanted: Interpretation, machine: str
 ) -> list[dict[str, Any]]:
     """Return what must be decided before the drawing can be made on this machine.
 
@@ -260,34 +203,22 @@ def ask(
     from knifetip.planning.plan import check_corners
 
     progress(Stage.READ, 0.0)
-    if corners is not None:
-        check_corners(corners_of(corners), load.machine(machine))
-    drawing = drawing_of(content, unit)
-    dieline = pipeline.classify(
-        drawing, rules_of(profile, rules), np.frombuffer(overrides, np.uint8)
-    )
-    questions = pipeline.questions(drawing, dieline, load.machine(machine))
-    return [question.as_json() for question in questions]
+    table = load.machine(machine)
+    if wanted.corners is not None:
+        check_corners(wanted.corners, table)
+    drawing, dieline = interpreted(stored, wanted)
+    return [question.as_json() for question in pipeline.questions(drawing, dieline, table)]
 
 
 def compile(
     progress: Progress,
-    content: bytes,
-    unit: str,
-    profile: str,
-    overrides: bytes,
+    stored: StoredDrawing,
+    wanted: Interpretation,
     machine: str,
     board: str,
     notes: Sequence[str],
-    corners: dict[str, Any] | None = None,
-    rules: str = "",
 ) -> Result:
     """Return the program of a drawing on a board and a machine, with its verdict.
-
-    Parameters
-    ----------
-    corners
-        How a cutter goes round corners, as the store keeps it; None leaves it to the machine.
 
     Raises
     ------
@@ -297,27 +228,34 @@ def compile(
     from knifetip import pipeline
 
     progress(Stage.READ, 0.0)
-    drawing = drawing_of(content, unit)
+    drawing, dieline = interpreted(stored, wanted)
     if not drawing.unit:
         raise UnitUnknown(
             f"The drawing does not say its unit ({drawing.evidence}).",
             "Set it with PATCH /api/drawings/{id}, or on the page.",
         )
-    dieline = pipeline.classify(
-        drawing, rules_of(profile, rules), np.frombuffer(overrides, np.uint8)
-    )
     table = load.machine(machine)
     made = pipeline.compile(
         drawing,
         dieline,
         table,
         load.board(board),
-        corners=None if corners is None else corners_of(corners),
+        corners=wanted.corners,
         notes=notes,
         progress=progress,
     )
+    return _result(made, [said(handle) for handle in drawing.handles], table)
+
+
+def _result(made: Compiled, handles: Sequence[str], table: Machine) -> Result:
+    """Return what a compile made as the store keeps it.
+
+    Parameters
+    ----------
+    handles : (n,)
+        Of the drawing's edges.
+    """
     verdict = made.verdict
-    handles = [said(handle) for handle in drawing.handles]
     findings = [
         {
             "kind": finding.kind,
@@ -369,16 +307,6 @@ def compile(
         judged=judged,
         source=sorted({str(finding["handle"]) for finding in findings if finding["handle"]})[:200],
         tools=_tools(made, table),
-    )
-
-
-def corners_of(plain: dict[str, Any]) -> Corners:
-    """Return the choices for corners that an order holds as plain data."""
-    return Corners(
-        plain["type"],
-        plain["k"],
-        plain["interference"],
-        tuple(CornerAt(one["x"], one["y"], one["type"], one["k"]) for one in plain["at"]),
     )
 
 

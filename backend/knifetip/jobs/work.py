@@ -23,6 +23,8 @@ from knifetip.errors import JobError, KnifetipError, OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.crew import Crew, Fault, Withdrawn
 from knifetip.jobs.grace import Grace
+from knifetip.jobs.interpretations import interpretation_of
+from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.store import Store
 from knifetip.model.stage import Stage
 
@@ -142,19 +144,18 @@ class Workshop:
             renewed, said = now, stage
             return self.store.compile_progress(id, epoch, stage, fraction)
 
-        drawing = self.store.drawing(job.drawing)
+        drawing = self.store.drawing_with(job.drawing, "content", "edges", "overrides")
+        stored = StoredDrawing(
+            drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
+        )
         try:
             result = self.crew.run(
                 tasks.compile,
-                self.store.drawing_column(job.drawing, "content"),
-                job.unit_given,
-                job.profile,
-                self.store.job_column(id, "overrides"),
+                stored,
+                interpretation_of(job, self.store.job_column(id, "overrides")),
                 job.machine,
                 job.board,
                 (f"knifetip {_version()}", f"drawing {drawing.sha256[:40]}"),
-                job.corners,
-                job.rules,
                 limit=self.limit,
                 watch=watch,
             )

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any, Final
 
 #: The types of transition; a code in a column is an index into this.
 TYPES: Final = ("B", "C", "D", "auto")
@@ -32,3 +33,19 @@ class Corners:
     interference: str = "trim"  #: one of ``INTERFERENCES``
     at: tuple[CornerAt, ...] = ()  #: corners that are made otherwise
     placement: tuple[float, float] = (0.0, 0.0)  #: added to the drawing's mm on the sheet
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the choices as plain data, in the drawing's coordinates."""
+        plain = asdict(self)
+        del plain["placement"]
+        return plain
+
+    @classmethod
+    def from_json(cls, plain: Mapping[str, Any]) -> Corners:
+        """Return the choices in plain data, as an order has them."""
+        return cls(
+            plain["type"],
+            plain["k"],
+            plain["interference"],
+            tuple(CornerAt(one["x"], one["y"], one["type"], one["k"]) for one in plain["at"]),
+        )

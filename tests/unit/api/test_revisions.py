@@ -12,6 +12,7 @@ import pytest
 from knifetip.api import revisions
 from knifetip.jobs import tasks
 from knifetip.model.dieline import LineType
+from knifetip.model.interpretation import NO_OVERRIDE
 from tests.support.serving.server import LocalClient, ordered, square, until, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -140,7 +141,7 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
     row = client.service.store.job(job["id"])
     kept = np.frombuffer(client.service.store.job_column(job["id"], "overrides"), np.uint8)
     assert row.unit_given == ""
-    assert (kept == tasks.NONE).all()
+    assert (kept == NO_OVERRIDE).all()
     program = until(client, job["id"], "ready")
     assert program["seconds"] > 0
 

@@ -10,6 +10,7 @@ import pytest
 from knifetip.api.waiting import ABSENT, Waiting, waiting_of
 from knifetip.jobs.store import LEASE, Report, Result, Store
 from knifetip.jobs.tables import Job
+from knifetip.model.interpretation import Interpretation
 
 TITLE = "Demo table 1600 × 1200"
 TOOLS = [
@@ -43,15 +44,13 @@ def queued(store: Store, **more: object) -> Job:
         name="tray.dxf",
         content=b"",
         sha256="0" * 64,
-        unit_given="mm",
-        profile="default",
-        overrides=b"",
+        interpretation=Interpretation("mm"),
         summary={},
         edges=b"",
         ledger=b"",
     )
     fields = {"machine": "demo-table", "board": "e-flute", **more}
-    row = store.add_job(drawing, profile="default", overrides=b"", release=True, **fields)
+    row = store.add_job(drawing, interpretation=Interpretation("mm"), release=True, **fields)
     job = store.begin_compile(row.id, 1, "worker")
     assert job is not None
     judged = {"seconds": 1.0, "accepted": True}

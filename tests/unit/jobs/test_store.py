@@ -28,6 +28,7 @@ from knifetip.errors import (
 from knifetip.jobs import migrations
 from knifetip.jobs.store import ATTEMPTS, LEASE, Report, Result, Store
 from knifetip.jobs.tables import Base, Drawing, Job
+from knifetip.model.interpretation import Interpretation
 from knifetip.model.stage import Stage
 
 LINES = 231
@@ -83,9 +84,7 @@ def drawing(store: Store, **more: str) -> Drawing:
         name="tray.dxf",
         content=b"0\nEOF\n",
         sha256="0" * 64,
-        unit_given="mm",
-        profile="default",
-        overrides=b"\xff",
+        interpretation=Interpretation("mm", overrides=b"\xff"),
         summary={"unit": "mm"},
         edges=b"KTIP",
         ledger=b"",
@@ -94,7 +93,7 @@ def drawing(store: Store, **more: str) -> Drawing:
 
 
 def ordered(store: Store, **more: object) -> Job:
-    fields = {"machine": "table", "board": "e-flute", "profile": "default", "overrides": b""}
+    fields = {"machine": "table", "board": "e-flute", "interpretation": Interpretation("mm")}
     return store.add_job(drawing(store), **{**fields, **more})
 
 

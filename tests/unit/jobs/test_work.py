@@ -15,6 +15,7 @@ from knifetip.jobs.crew import Crew
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.work import Workshop
+from knifetip.model.interpretation import Interpretation
 from tests.support.serving import crew_tasks
 
 pytestmark = pytest.mark.xdist_group("crew")
@@ -41,15 +42,13 @@ def job(store: Store) -> Job:
         name="tray.dxf",
         content=b"",
         sha256="0" * 64,
-        unit_given="mm",
-        profile="default",
-        overrides=b"",
+        interpretation=Interpretation("mm"),
         summary={},
         edges=b"",
         ledger=b"",
     )
     return store.add_job(
-        drawing, machine="demo-table", board="e-flute", profile="default", overrides=b""
+        drawing, machine="demo-table", board="e-flute", interpretation=Interpretation("mm")
     )
 
 

@@ -1,0 +1,167 @@
+"""readings: a drawing as the store keeps it, and the records that a compile makes of it again.
+
+    Drawing, Dieline, Report  ⇄  block of columns, one row per edge
+
+A reading holds all that questions, planning and verification need of a drawing, so that its file
+is read and classified once: when it is uploaded, or when its unit or profile is changed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from knifetip.geometry.columns import U8
+from knifetip.jobs.columns import packed, unpacked
+from knifetip.jobs.report import Report, said
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, Fate, Ledger
+from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
+from knifetip.model.words import Repeated
+
+
+@dataclass(frozen=True, slots=True)
+class StoredDrawing:
+    """A file with its reading."""
+
+    content: bytes  #: the file
+    edges: bytes  #: its reading, see ``edge_block``
+    interpretation: Interpretation  #: by which it was read
+
+
+def edge_block(drawing: Drawing, dieline: Dieline, report: Report) -> bytes:
+    """Return the reading of a drawing as a block of columns, see ``columns``."""
+    return packed(
+        {
+            "ends": dieline.ends,
+            "bulge": dieline.bulge,
+            "line_type": dieline.line_type,
+            "layer": drawing.layer,
+            "colour": drawing.colour,
+            "true_colour": drawing.true_colour,
+            "linetype": drawing.linetype,
+            "rule": dieline.rule,
+            "confidence": dieline.confidence,
+            "length": drawing.lengths,
+            "fate": report.fate,
+            "reason": report.reason,
+        },
+        {
+            "handles": [said(handle) for handle in drawing.handles],
+            "layers": [said(layer) for layer in drawing.layers],
+            "linetypes": [said(name) for name in drawing.linetypes],
+            "rules": [said(rule) for rule in dieline.rules],
+            "alternatives": [[kind.word for kind in one] for one in dieline.alternatives],
+            "fates": [fate.name.lower() for fate in Fate],
+            "reasons": [said(reason) for reason in report.reasons],
+            "types": [kind.word for kind in LineType],
+            "unit": drawing.unit,
+        },
+    )
+
+
+def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
+    """Return the drawing and the dieline of a reading.
+
+    The drawing's ledger has one row per edge: entities without edges are not in the reading, nor
+    are the file's texts.
+
+    Raises
+    ------
+    KeyError
+        The reading is of an older version and lacks a column.
+    """
+    columns, meta = unpacked(edges)
+    count = len(columns["bulge"])
+    row = np.arange(count, dtype=np.int32)
+    layers = tuple(meta["layers"])
+    ledger = Ledger(
+        handle=meta["handles"],
+        kind=Repeated(("",), np.zeros(count, np.int32)),
+        layer=Repeated(layers, columns["layer"]),
+        fate=np.full(count, Fate.KEPT, np.uint8),
+        reason=Repeated(("",), np.zeros(count, np.int32)),
+        length=columns["length"],
+    )
+    drawing = Drawing(
+        ends=columns["ends"],
+        bulge=columns["bulge"],
+        entity=row,
+        layer=columns["layer"],
+        colour=columns["colour"],
+        true_colour=columns["true_colour"],
+        linetype=columns["linetype"],
+        layers=layers,
+        linetypes=tuple(meta["linetypes"]),
+        ledger=ledger,
+        unit=meta["unit"],
+        evidence="",
+    )
+    dieline = Dieline(
+        columns["ends"],
+        columns["bulge"],
+        columns["line_type"],
+        row,
+        columns["rule"],
+        columns["confidence"],
+        tuple(meta["rules"]),
+        tuple(tuple(LineType.of(word) for word in words) for words in meta["alternatives"]),
+    )
+    return drawing, dieline
+
+
+def interpreted(stored: StoredDrawing, wanted: Interpretation) -> tuple[Drawing, Dieline]:
+    """Return a drawing by the wanted interpretation: from its reading, or else from its file.
+
+    The reading serves as long as unit and profile are the same and no override was taken back:
+    the line type under an override is not in it.
+
+    Raises
+    ------
+    ReadError, ProfileError
+        The file or the profile cannot be read.
+    """
+    changed = _new_overrides(stored.interpretation, wanted)
+    if changed is not None:
+        try:
+            drawing, dieline = unpacked_reading(stored.edges)
+        except KeyError:
+            pass
+        else:
+            # The unit is asked with evidence from the whole file.
+            if drawing.unit:
+                return drawing, _overridden(dieline, changed)
+    from knifetip import pipeline
+
+    drawing = read_drawing(stored.content, wanted.unit)
+    return drawing, pipeline.interpret(drawing, wanted)
+
+
+# A change of overrides or profile needs the same drawing again: the last few are kept.
+@lru_cache(maxsize=4)
+def read_drawing(content: bytes, unit: str) -> Drawing:
+    """Return the drawing in a file; ``unit`` as the user gave it, "" for the file's own."""
+    from knifetip import pipeline
+
+    return pipeline.read(content, unit or None)
+
+
+def _new_overrides(stored: Interpretation, wanted: Interpretation) -> U8 | None:
+    """Return the overrides that a reading lacks, (n,); None where it does not serve."""
+    if (stored.unit, stored.profile, stored.rules) != (wanted.unit, wanted.profile, wanted.rules):
+        return None
+    before, after = (np.frombuffer(one.overrides, np.uint8) for one in (stored, wanted))
+    changed = before != after if len(before) == len(after) else None
+    if changed is None or (after[changed] == NO_OVERRIDE).any():
+        return None
+    return np.where(changed, after, NO_OVERRIDE).astype(np.uint8)
+
+
+def _overridden(dieline: Dieline, overrides: U8) -> Dieline:
+    if (overrides == NO_OVERRIDE).all():
+        return dieline
+    from knifetip.classification import classify
+
+    return classify.overridden(dieline, overrides)

@@ -1,0 +1,117 @@
+"""Readings serve in place of the file, and only where they give the same."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from knifetip import pipeline
+from knifetip.dxf.samples import samples
+from knifetip.jobs import readings, tasks
+from knifetip.jobs.columns import packed, unpacked
+from knifetip.jobs.readings import StoredDrawing, interpreted
+from knifetip.library import load
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing
+from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
+from knifetip.model.stage import no_progress
+
+CONTENT = samples()["tuck-end-carton.dxf"]
+
+
+def stored(interpretation: Interpretation) -> StoredDrawing:
+    """Return a sample as the store keeps it after its upload."""
+    handles = None
+    if interpretation.overrides:
+        handles = pipeline.read(CONTENT, interpretation.unit or None).handles
+    reading = tasks.read(no_progress, CONTENT, interpretation, handles)
+    kept = replace(interpretation, overrides=reading.overrides)
+    return StoredDrawing(CONTENT, reading.edges, kept)
+
+
+def overrides(of: StoredDrawing, **changes: LineType) -> bytes:
+    column = np.frombuffer(of.interpretation.overrides, np.uint8).copy()
+    for row, kind in changes.items():
+        column[int(row.removeprefix("row"))] = kind
+    return column.tobytes()
+
+
+def same(one: tuple[Drawing, Dieline], other: tuple[Drawing, Dieline]) -> None:
+    for name in ("ends", "bulge", "layer", "colour", "true_colour", "linetype", "lengths"):
+        assert (getattr(one[0], name) == getattr(other[0], name)).all()
+    for name in ("layers", "linetypes", "handles", "unit"):
+        assert getattr(one[0], name) == getattr(other[0], name)
+    for name in ("ends", "bulge", "line_type", "source", "confidence"):
+        assert (getattr(one[1], name) == getattr(other[1], name)).all()
+    words = [[line.rules[rule] for rule in line.rule] for _, line in (one, other)]
+    assert words[0] == words[1]
+    assert one[1].alternatives[: len(other[1].alternatives)] == other[1].alternatives
+
+
+@pytest.fixture
+def unread(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Fail where a compile or its questions read a file."""
+
+    def refuse(*_: object) -> None:
+        raise AssertionError("the file was read again")
+
+    # ``tasks.read`` has the function by a name of its own.
+    monkeypatch.setattr(readings, "read_drawing", refuse)
+
+
+def from_file(wanted: Interpretation) -> tuple[Drawing, Dieline]:
+    drawing = pipeline.read(CONTENT, wanted.unit or None)
+    return drawing, pipeline.interpret(drawing, wanted)
+
+
+def test_a_reading_has_what_its_file_has(unread: None):
+    kept = stored(Interpretation())
+    same(interpreted(kept, kept.interpretation), from_file(Interpretation()))
+
+
+def test_more_overrides_are_laid_over_a_reading(unread: None):
+    kept = stored(Interpretation())
+    wanted = replace(kept.interpretation, overrides=overrides(kept, row3=LineType.IGNORED))
+    same(interpreted(kept, wanted), from_file(wanted))
+
+
+@pytest.mark.parametrize(
+    "wanted",
+    [
+        Interpretation(unit="in"),
+        Interpretation(profile="german"),
+        Interpretation(rules='title = "Mine"\n[[rule]]\ntype = "half-cut"\ncolour = 1\n'),
+    ],
+)
+def test_another_unit_or_profile_reads_the_file_again(wanted: Interpretation):
+    kept = stored(Interpretation())
+    wanted = replace(wanted, overrides=kept.interpretation.overrides)
+    same(interpreted(kept, wanted), from_file(wanted))
+
+
+def test_an_override_that_is_taken_back_is_classified_anew():
+    count = len(pipeline.read(CONTENT))
+    kept = stored(Interpretation(overrides=bytes([LineType.HALF_CUT] * count)))
+    wanted = replace(kept.interpretation, overrides=bytes([NO_OVERRIDE] * count))
+    found = interpreted(kept, wanted)
+    same(found, from_file(wanted))
+    assert LineType.HALF_CUT not in found[1].line_type
+
+
+def test_a_reading_of_an_older_version_is_made_anew():
+    kept = stored(Interpretation())
+    columns, meta = unpacked(kept.edges)
+    del columns["true_colour"]
+    old = replace(kept, edges=packed(columns, meta))
+    same(interpreted(old, kept.interpretation), from_file(kept.interpretation))
+
+
+def test_a_program_of_a_reading_is_that_of_its_file(unread: None):
+    kept = stored(Interpretation())
+    made = tasks.compile(no_progress, kept, kept.interpretation, "demo-table", "fbb-0.4", ())
+    drawing, dieline = from_file(Interpretation())
+    table, board = load.machine("demo-table"), load.board("fbb-0.4")
+    assert made.accepted
+    assert made.program == pipeline.compile(drawing, dieline, table, board).program.text
