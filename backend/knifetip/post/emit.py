@@ -12,6 +12,7 @@ from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
 from knifetip.model.program import Program
 from knifetip.model.toolpath import Toolpath
+from knifetip.post.check import check_toolpath
 
 
 class Emitter(Protocol):
@@ -20,7 +21,9 @@ class Emitter(Protocol):
     def __call__(
         self, toolpath: Toolpath, machine: Machine, *, tolerance: float, notes: Sequence[str]
     ) -> Program:
-        """Return the program; raise ProgramError where the language cannot express it.
+        """Return the program of a checked toolpath.
+
+        Raises ProgramError where the language cannot express it.
 
         The same input gives the same bytes: no dates, no names of hosts.
         """
@@ -58,5 +61,6 @@ def process(
     ProgramError
         The toolpath cannot be written in this language.
     """
+    check_toolpath(toolpath)
     emitter: Emitter = find_language(dialect or machine.dialect).part("emitter")
     return emitter(toolpath, machine, tolerance=tolerance, notes=notes)

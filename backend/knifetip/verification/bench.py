@@ -60,9 +60,11 @@ class Bench:
     edges: Edges  #: all edges on the sheet
     machine: Machine
     board: Board
-    tolerance: float  #: mm
+    tolerance: float  #: mm, the rounding of printed points included
     figures: Figures
     found: Findings
+    programmed: str = "XYZC"  #: the axes that the program moves
+    resolution: float = 0.0  #: how far rounding alone moves a printed point (mm)
     #: rows of the dieline, places (share of the edge) and how far left of it the work is (mm)
     samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
     unreached: list[Unreached] = field(default_factory=list)  #: of every cutter, on the sheet

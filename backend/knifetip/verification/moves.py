@@ -47,6 +47,10 @@ class Moves:
     tabled: bool  #: stations are called by T words, so there is a tool table
     dwell: float  #: seconds of all G4
     switches: Switches
+    #: the axes that the program moves; the machine itself sets depth (Z) and heading (C) otherwise
+    programmed: str = "XYZC"
+    #: how far rounding alone moves a printed point (mm), where that is not far below the tolerance
+    resolution: float = 0.0
 
 
 class Reader(Protocol):

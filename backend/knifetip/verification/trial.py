@@ -40,7 +40,10 @@ class Trial(ABC):
         self.blend = work.blend[rows]
         # Along its line, too, the tip may be off by what the controller rounds.
         rounds = self.blend[np.isfinite(self.blend)].max(initial=0.0)
-        self.slack = float(np.clip(self.tolerance - rounds, PLACE, self.tolerance))
+        # A length lies between two printed points, each of them rounded.
+        self.slack = bench.resolution + float(
+            np.clip(self.tolerance - rounds, PLACE, self.tolerance)
+        )
         self.track = np.unique(work.track[rows], return_inverse=True)[1].astype(np.int64)
         self.laid(edges)
 
@@ -120,6 +123,8 @@ class Trial(ABC):
             off = off_line(self.curve[work], along, self.edges.curve[edge])
             place = rows.place[best] @ (1.0 - share, share) - self.before[edge]
             self.bench.samples.append((self.edges.row[edge], place / drawn, off))
+        if "Z" not in self.bench.programmed:
+            return
         deep = self.bench.board.caliper - self.z[work]
         wrong = np.abs(deep - self.depth[edge])
         if final is not None:
@@ -182,6 +187,8 @@ class Trial(ABC):
 
     def swung(self, off: F64, reach: F64, slack: F64, work: I32 | I64, edge: I32 | I64) -> None:
         """Judge by how much the tool swings where it is turned off the line by degrees."""
+        if "C" not in self.bench.programmed:
+            return
         turned = np.maximum(off - slack, 0.0)
         swing = 2.0 * reach * np.sin(np.radians(turned) / 2.0)
         for row in np.flatnonzero(swing > self.tolerance)[:MOST]:

@@ -59,7 +59,8 @@ def verify(
     machine, board
         What the program is for.
     tolerance : float, mm
-        How far the tip may be from its line, the controller's rounding (G64) included.
+        How far the tip may be from its line, the controller's rounding (G64) included.  Where a
+        language prints coarse coordinates, their rounding is added: see the verdict.
 
     Returns
     -------
@@ -85,7 +86,10 @@ def verify(
     moves, _, ways = _followed(text, machine, board, tolerance, found)
     _stated(text, placement, machine, found)
     _unclassified(dieline, found)
-    bench = Bench(edges, machine, board, tolerance, figures, found)
+    tolerance += moves.resolution
+    bench = Bench(
+        edges, machine, board, tolerance, figures, found, moves.programmed, moves.resolution
+    )
     compare(bench, ways)
     judge_order(bench, ways)
     return Verdict(
@@ -133,7 +137,7 @@ def _followed(
     conduct.feeds(moves, tip, machine, found)
     conduct.outputs(moves, tip, machine, found)
     check_switching(moves, machine, board, found)
-    conduct.in_the_board(moves, tip, machine, board, tolerance, found)
+    conduct.in_the_board(moves, tip, machine, board, tolerance + moves.resolution, found)
     usable &= ~np.isnan(tip.start).any(axis=1) & ~np.isnan(tip.end).any(axis=1)
     return moves, tip, work(moves, tip, usable, machine, board)
 

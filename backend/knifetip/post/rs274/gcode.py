@@ -12,10 +12,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Final, TypeAlias
+from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from knifetip.errors import ProgramError
 from knifetip.geometry import arc
@@ -23,6 +22,8 @@ from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.tolerance import BULGE
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.post.chords import split
+from knifetip.post.digits import Characters, digits
 from knifetip.post.rs274.controller import Dialect
 
 #: An arc that stands off its chord by less than this is printed as a line (mm).
@@ -41,8 +42,6 @@ HALT: Final = b"\nG4 P0\n"
 COMMENT: Final = 66
 #: Lines that are composed together, which bounds the memory.
 BATCH: Final = 1 << 15
-
-Characters: TypeAlias = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -138,13 +137,7 @@ def _followable(toolpath: Toolpath, first: int, last: int, datum: F64, dialect: 
     straight = large | (bow < FLAT) | (radius < SMALL)
     # A piece of an arc bows by the square of its share.
     pieces = np.where(large, np.ceil(np.sqrt(bow / CHORD)), 1.0).astype(np.int64).clip(1)
-    rows = np.repeat(np.arange(last - first), pieces)
-    if len(rows) > len(bulge):
-        ordinal = np.arange(len(rows)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
-        share = ordinal / pieces[rows]
-        between = pose[rows] + (pose[rows + 1] - pose[rows]) * share[:, None]
-        between[:, :2] = arc.point_at(start[rows], end[rows], bulge[rows], share)
-        pose = np.concatenate([pose[:1], between])
+    pose, rows = split(pose, bulge, pieces)
     bulge[straight] = 0.0
     picked = rows + first
     return _Moves(
@@ -322,26 +315,4 @@ def _word(
         return
     head = np.frombuffer(f" {letter}".encode(), np.uint8)
     yield head * where[:, None]
-    yield _number(np.where(where, values, 0), decimals, brief=brief) * where[:, None]
-
-
-def _number(values: I64, decimals: int, *, brief: bool) -> Characters:
-    """Return the digits of numbers in units of their last place; ``brief`` drops end zeros."""
-    rest = np.abs(values)
-    whole = max(1, len(str(int(rest.max(initial=0)))) - decimals)
-    field = np.zeros((len(values), 2 + whole + decimals), np.uint8)
-    field[:, 0] = np.where(values < 0, ord("-"), 0)
-    shown = np.full(len(values), not brief)
-    for column in range(whole + decimals + 1, whole + 1, -1):
-        tenth = rest // 10
-        digit = rest - 10 * tenth
-        shown = shown | (digit != 0)
-        field[:, column] = np.where(shown, digit + ord("0"), 0)
-        rest = tenth
-    field[:, whole + 1] = np.where(shown, ord("."), 0)
-    for column in range(whole, 0, -1):
-        tenth = rest // 10
-        digit = rest - 10 * tenth
-        field[:, column] = np.where((rest > 0) | (column == whole), digit + ord("0"), 0)
-        rest = tenth
-    return field
+    yield digits(np.where(where, values, 0), decimals, brief=brief) * where[:, None]

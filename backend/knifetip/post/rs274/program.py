@@ -21,10 +21,11 @@ from typing import Final
 import numpy as np
 
 from knifetip.errors import ProgramError
-from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.columns import F64, I32
 from knifetip.model.machine import Machine, Station
 from knifetip.model.program import Program
 from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.post.check import place_of
 from knifetip.post.rs274 import gcode
 from knifetip.post.rs274.controller import Dialect
 
@@ -34,12 +35,6 @@ HEADER: Final = "G21 G90 G91.1 G17 G40 G49 G94 G54"
 STILL: Final = "G4 P0"
 #: The controller may round corners by half the tolerance, and never by more than half of this (mm).
 BLENDED: Final = 0.01
-#: Coordinates beyond this are a mistake, on any table (mm, degrees).
-FARTHEST: Final = 1e6
-#: The slowest feed that says something (mm/min).
-SLOWEST: Final = 1e-3
-#: Any faster is a mistake (mm/min, degrees/min).
-FASTEST: Final = 1e8
 
 
 def write_program(
@@ -69,10 +64,9 @@ def write_program(
     Raises
     ------
     ProgramError
-        The toolpath is empty, has a number that is none, a feed that does not move, a station
-        that the machine lacks, or a station that begins in the middle of its work.
+        A station that the machine lacks, or that begins in the middle of its work, or a cutter
+        without a speed.
     """
-    _check(toolpath)
     texts: list[bytes] = []
     sources: list[I32] = []
 
@@ -178,7 +172,7 @@ def _station(toolpath: Toolpath, machine: Machine, first: int) -> Station:
     except KeyError:
         known = ", ".join(str(station.number) for station in machine.stations)
         raise ProgramError(
-            f"{_place(toolpath, first)} is for station {number}, which {machine.name} lacks.",
+            f"{place_of(toolpath, first)} is for station {number}, which {machine.name} lacks.",
             f"It has {known}.",
         ) from None
     if reason := station.tool.spindle_missing:
@@ -188,48 +182,8 @@ def _station(toolpath: Toolpath, machine: Machine, first: int) -> Station:
         )
     if toolpath.motion[first] != Motion.RAPID:
         raise ProgramError(
-            f"{_place(toolpath, first)} begins the work of station {number}, and is no rapid:"
+            f"{place_of(toolpath, first)} begins the work of station {number}, and is no rapid:"
             " the head is not there yet.",
             "Begin each station with a rapid.",
         )
     return station
-
-
-def _place(toolpath: Toolpath, row: int) -> str:
-    edge = int(toolpath.source[row])
-    motion = int(toolpath.motion[row])
-    name = Motion(motion).name if motion in set(Motion) else f"motion {motion}"
-    return f"Row {row} of the toolpath ({name}" + (f", edge {edge})" if edge >= 0 else ")")
-
-
-def _check(toolpath: Toolpath) -> None:
-    """Refuse a toolpath that cannot be printed, naming the first row that is wrong."""
-    if len(toolpath) == 0:
-        raise ProgramError("The toolpath has no moves.", "Classify an edge as something to make.")
-
-    def refuse(wrong: Bool, what: str, hint: str) -> None:
-        if wrong.any():
-            row = int(np.argmax(wrong))
-            edge = int(toolpath.source[row])
-            values = f"bulge {toolpath.bulge[row]:g}, feed {toolpath.feed[row]:g}"
-            here, there = (
-                ", ".join(f"{value:g}" for value in pose) for pose in toolpath.pose[row : row + 2]
-            )
-            raise ProgramError(
-                f"{_place(toolpath, row)} {what}: from ({here}) to ({there}), {values}.",
-                hint,
-                [str(edge)] if edge >= 0 else [],
-            )
-
-    numbers: Bool = np.logical_and.reduce(np.isfinite(toolpath.pose), axis=1)
-    finite = numbers[1:] & numbers[:-1] & np.isfinite(toolpath.bulge) & np.isfinite(toolpath.feed)
-    again = "Send the drawing with a report: a stage before this one went wrong."
-    refuse(~finite, "has a value that is not a number", again)
-    far: Bool = np.logical_or.reduce(np.abs(toolpath.pose) > FARTHEST, axis=1)
-    refuse(far[1:] | far[:-1], f"is farther than {FARTHEST:g} mm away", "Look at the unit.")
-    rapid = toolpath.motion == Motion.RAPID
-    refuse(toolpath.motion > max(Motion), "has a motion that is none", again)
-    refuse(~rapid & (toolpath.feed < SLOWEST), "has no feed", "Give the tool a feed.")
-    refuse(toolpath.feed > FASTEST, "has a feed beyond any machine", "Look at the tool's feed.")
-    refuse(rapid & (np.abs(toolpath.bulge) > 0), "is a rapid along an arc", again)
-    refuse(np.abs(toolpath.bulge) > 1.0 + 1e-6, "is an arc of more than half a turn", again)

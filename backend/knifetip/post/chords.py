@@ -1,0 +1,31 @@
+"""chords: moves split into equal shares, for controllers that cannot follow their arcs."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, I64
+
+
+def split(pose: F64, bulge: F64, pieces: I64) -> tuple[F64, I64]:
+    """Return the poses between the pieces of moves, (m + 1, k), and the move of each piece, (m,).
+
+    Parameters
+    ----------
+    pose : (n + 1, k) float64
+        X and Y first, then axes that turn or lift evenly along each move.
+    bulge : (n,) float64
+        tan(sweep / 4) of each move in XY.
+    pieces : (n,) int64
+        How many pieces to make of each, 1 or more.
+    """
+    rows = np.repeat(np.arange(len(bulge)), pieces)
+    if len(rows) == len(bulge):
+        return pose, rows
+    ordinal = np.arange(len(rows)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
+    share = ordinal / pieces[rows]
+    between = pose[rows] + (pose[rows + 1] - pose[rows]) * share[:, None]
+    start, end = pose[:-1, :2], pose[1:, :2]
+    between[:, :2] = arc.point_at(start[rows], end[rows], bulge[rows], share)
+    return np.concatenate([pose[:1], between]), rows

@@ -1,0 +1,38 @@
+"""digits: numbers as columns of characters, 0 where nothing is printed.
+
+A line of a program is a row of characters in a matrix, so that all lines are written at once;
+leaving out the zeros makes the text.
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from knifetip.geometry.columns import I64
+
+Characters: TypeAlias = NDArray[np.uint8]
+
+
+def digits(values: I64, decimals: int, *, brief: bool) -> Characters:
+    """Return the digits of numbers in units of their last place; ``brief`` drops end zeros."""
+    rest = np.abs(values)
+    whole = max(1, len(str(int(rest.max(initial=0)))) - decimals)
+    field = np.zeros((len(values), 2 + whole + decimals), np.uint8)
+    field[:, 0] = np.where(values < 0, ord("-"), 0)
+    shown = np.full(len(values), not brief)
+    for column in range(whole + decimals + 1, whole + 1, -1):
+        tenth = rest // 10
+        digit = rest - 10 * tenth
+        shown = shown | (digit != 0)
+        field[:, column] = np.where(shown, digit + ord("0"), 0)
+        rest = tenth
+    field[:, whole + 1] = np.where(shown, ord("."), 0)
+    for column in range(whole, 0, -1):
+        tenth = rest // 10
+        digit = rest - 10 * tenth
+        field[:, column] = np.where((rest > 0) | (column == whole), digit + ord("0"), 0)
+        rest = tenth
+    return field
