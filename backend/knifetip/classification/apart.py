@@ -12,12 +12,12 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.evidence import Shape
 from knifetip.classification.role import Role
 from knifetip.geometry.columns import U8, Bool
 from knifetip.geometry.sets import settle, unite
+from knifetip.kernels import I32_2, kernel
 from knifetip.model.dieline import LineType
 
 #: What holds less of a blank's area than this has come off; else two blanks share a cut.
@@ -53,8 +53,8 @@ def parting(shape: Shape, line_type: U8) -> Bool:
     return off
 
 
-@njit(cache=True, error_model="numpy")
-def _held(faces: int, holding: Any) -> Any:
+@kernel
+def _held(faces: int, holding: I32_2) -> Any:
     """Number the faces by what they hang together with."""
     parent = np.arange(faces)
     for k in range(len(holding)):

@@ -10,16 +10,15 @@ a crease opens the other way, and its ends go on in the outline.
 from __future__ import annotations
 
 import math
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.cutting import WORTH
 from knifetip.classification.net import Net
-from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.compiled import whole
+from knifetip.geometry.columns import Bool
 from knifetip.geometry.cores import each, runs
+from knifetip.kernels import F64_1, F64_2, I32_1, Bool_1, OutBool_1, kernel
 
 #: An arrowhead is no longer than this (mm), and than this share of the line that it ends.
 _LONG: Final = 12.0
@@ -36,18 +35,18 @@ _FULL: Final = 24
 class _Lines(NamedTuple):
     """Columns of a ``Net``."""
 
-    place: F64
-    start: I32
-    end: I32
-    edge: I32
-    first: I32
+    place: F64_2
+    start: I32_1
+    end: I32_1
+    edge: I32_1
+    first: I32_1
 
 
 class _Around(NamedTuple):
     """The pieces that meet at each of q places."""
 
-    first: I32  #: (q + 1,) those of each place are first … first + 1 - 1
-    piece: I32
+    first: I32_1  #: (q + 1,) those of each place are first … first + 1 - 1
+    piece: I32_1
 
 
 def arrows(net: Net, count: int, unit: float) -> Bool:
@@ -70,8 +69,8 @@ def arrows(net: Net, count: int, unit: float) -> Bool:
     return found
 
 
-@njit(cache=True, error_model="numpy")
-def _around(lines: _Lines, same: Any) -> _Around:
+@kernel
+def _around(lines: _Lines, same: I32_1) -> _Around:
     """Return the pieces at each place."""
     place, start, end, edge, _ = lines
     places, count = len(place), len(start)
@@ -93,9 +92,9 @@ def _around(lines: _Lines, same: Any) -> _Around:
     return _Around(first, meeting)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@kernel
 def _heads(
-    lines: _Lines, bulge: Any, around: _Around, unit: float, found: Any, tip: Any,
+    lines: _Lines, bulge: F64_1, around: _Around, unit: float, found: OutBool_1, tip: OutBool_1,
     begin: int, stop: int,
 ) -> None:  # fmt: skip
     """Mark the arrowheads at some places, and the lines that they end."""
@@ -166,8 +165,10 @@ def _heads(
                                 found[edge[meeting[m]]] = True
 
 
-@whole
-def _rest(lines: _Lines, same: Any, around: _Around, unit: float, found: Any, tip: Any) -> None:
+@kernel(allocates=False)
+def _rest(
+    lines: _Lines, same: I32_1, around: _Around, unit: float, found: OutBool_1, tip: Bool_1
+) -> None:
     """Mark what an arrow begins at, and what lies on arrows."""
     place, start, end, edge, pieces = lines
     first, meeting = around
@@ -205,8 +206,8 @@ def _rest(lines: _Lines, same: Any, around: _Around, unit: float, found: Any, ti
         found[i] = on
 
 
-@whole
-def _other(start: Any, end: Any, pieces: Any, i: int, at: int) -> int:
+@kernel(allocates=False)
+def _other(start: I32_1, end: I32_1, pieces: I32_1, i: int, at: int) -> int:
     """The place where an edge ends that begins at a place, -1 where it does not."""
     one, two = start[pieces[i]], end[pieces[i + 1] - 1]
     if one == at:
@@ -218,9 +219,16 @@ def _other(start: Any, end: Any, pieces: Any, i: int, at: int) -> int:
     return -1
 
 
-@whole
+@kernel(allocates=False)
 def _joined(
-    start: Any, end: Any, pieces: Any, edge: Any, first: Any, meeting: Any, one: int, two: int
+    start: I32_1,
+    end: I32_1,
+    pieces: I32_1,
+    edge: I32_1,
+    first: I32_1,
+    meeting: I32_1,
+    one: int,
+    two: int,
 ) -> bool:
     """Whether an edge runs between two places."""
     for k in range(first[one], first[one + 1]):
@@ -230,13 +238,13 @@ def _joined(
     return False
 
 
-@whole
-def _length(place: Any, start: Any, end: Any, pieces: Any, i: int) -> float:
+@kernel(allocates=False)
+def _length(place: F64_2, start: I32_1, end: I32_1, pieces: I32_1, i: int) -> float:
     a, b = start[pieces[i]], end[pieces[i + 1] - 1]
     return math.hypot(place[b, 0] - place[a, 0], place[b, 1] - place[a, 1])
 
 
-@whole
+@kernel(allocates=False)
 def _turn(one: float, other: float) -> float:
     """The angle from one direction to another, -π … π."""
     turn = (other - one) % (2.0 * math.pi)

@@ -6,14 +6,14 @@ from functools import partial
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.grid import Grid, cell_of
-from knifetip.classification.places import Places, longer, placed, roomy
+from knifetip.classification.places import Places, placed, roomy
 from knifetip.classification.segment import BULGE, chord, crossing, near
+from knifetip.geometry.capacity import double_f64, double_f64_2, double_i32, double_i32_2
 from knifetip.geometry.columns import F64, I32
-from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, number, runs
+from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, I32_2, OutI32_1, kernel
 
 #: Places, and cells of the grid, that one core has looked at before another has begun.
 WORTH: Final = 40_000
@@ -22,9 +22,9 @@ WORTH: Final = 40_000
 class Partings(NamedTuple):
     """Where edges are parted."""
 
-    row: I32  #: (c,) the edge
-    share: F64  #: (c,) where on it, 0 … 1
-    place: I32  #: (c,)
+    row: I32_1  #: (c,) the edge
+    share: F64_1  #: (c,) where on it, 0 … 1
+    place: I32_1  #: (c,)
 
 
 def together(*several: Partings) -> Partings:
@@ -35,8 +35,8 @@ def together(*several: Partings) -> Partings:
 class Crossings(NamedTuple):
     """Where two lines cross between their ends."""
 
-    pair: I32  #: (c, 2) the lines
-    share: F64  #: (c, 2) where on each of them, 0 … 1
+    pair: I32_2  #: (c, 2) the lines
+    share: F64_2  #: (c, 2) where on each of them, 0 … 1
 
 
 def crossings(ends: F64, bulge: F64, touch: float, grid: Grid, most: int) -> Crossings:
@@ -84,9 +84,16 @@ def _joined(ends: F64, touch: float, pairs: Crossings, spots: Places) -> tuple[P
     return Partings(pair.ravel(), share.ravel(), np.repeat(at, 2)), spots._replace(known=count)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@kernel
 def _ended(
-    ends: Any, bulge: Any, touch: float, node: Any, point: Any, grid: Grid, begin: int, end: int
+    ends: F64_3,
+    bulge: F64_1,
+    touch: float,
+    node: I32_1,
+    point: F64_2,
+    grid: Grid,
+    begin: int,
+    end: int,
 ) -> Any:
     """Return row, share and place where one of the places lies on an edge that ends elsewhere."""
     low, size, side, first, listed = grid
@@ -108,15 +115,15 @@ def _ended(
             if node[2 * i] == at or node[2 * i + 1] == at:
                 continue
             if cuts == len(row):
-                row, share, cut = longer(row), longer(share), longer(cut)
+                row, share, cut = double_i32(row), double_f64(share), double_i32(cut)
             row[cuts], share[cuts], cut[cuts] = i, part, at
             cuts += 1
     return row[:cuts], share[:cuts], cut[:cuts]
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@kernel
 def _crossed(
-    ends: Any, bulge: Any, touch: float, grid: Grid, most: int, begin: int, end: int
+    ends: F64_3, bulge: F64_1, touch: float, grid: Grid, most: int, begin: int, end: int
 ) -> Any:
     """Return which lines cross between their ends in some of the cells, and where on both.
 
@@ -148,7 +155,7 @@ def _crossed(
                 if not (left <= x < left + size[0] and floor <= y < floor + size[1]):
                     continue
                 if found == len(pair):
-                    pair, share = longer(pair), longer(share)
+                    pair, share = double_i32_2(pair), double_f64_2(share)
                 pair[found, 0], pair[found, 1] = i, j
                 share[found, 0], share[found, 1] = s, t
                 found += 1
@@ -157,8 +164,8 @@ def _crossed(
     return pair[:found], share[:found]
 
 
-@whole
-def _join(ends: Any, touch: float, pair: Any, share: Any, spots: Places, at: Any) -> int:
+@kernel(allocates=False)
+def _join(ends: F64_3, touch: float, pair: I32_2, share: F64_2, spots: Places, at: OutI32_1) -> int:
     """Write the places where lines cross; return how many places there are."""
     count = spots.known
     for k in range(len(pair)):

@@ -10,15 +10,14 @@ import math
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.cutting import WORTH
 from knifetip.classification.grid import Grid, by_cell, cell_of
-from knifetip.classification.places import longer
 from knifetip.classification.segment import BULGE, chord, leaves
+from knifetip.geometry.capacity import double_i32_2
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, runs
+from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, Bool_1, OutBool_1, OutI32_1, kernel
 
 
 def rows_of_dashes(
@@ -51,9 +50,9 @@ def rows_of_dashes(
     return dashed, tie, gap_of
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _rows(
-    ends: Any, link: Any, touch: float, reach: float, node: Any, twin: Any, loose: Any
+    ends: F64_3, link: I32_1, touch: float, reach: float, node: I32_1, twin: I32_1, loose: OutBool_1
 ) -> Any:
     n = len(twin)
     tie = np.empty((64, 2), np.int32)
@@ -96,7 +95,7 @@ def _rows(
             dashed[chain[k] // 2] = True
             if k:
                 if ties == len(tie):
-                    tie = longer(tie)
+                    tie = double_i32_2(tie)
                 tie[ties, 0] = node[chain[k - 1]]
                 tie[ties, 1] = node[chain[k] ^ 1]
                 ties += 1
@@ -109,9 +108,9 @@ def _rows(
     return dashed, tie[:ties], gap_of
 
 
-@whole
+@kernel(allocates=False)
 def _tips(
-    ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, grid: Grid, cell: Any,
+    ends: F64_3, bulge: F64_1, node: I32_1, twin: I32_1, loose: Bool_1, grid: Grid, cell: OutI32_1,
     begin: int, end: int,
 ) -> None:  # fmt: skip
     """Write the cell of each loose end of lines that may be dashes; those of others stay."""
@@ -126,10 +125,10 @@ def _tips(
                 cell[half] = row * side + cell_of(x, low[0], size[0], side)
 
 
-@whole
+@kernel(allocates=False)
 def _link(
-    ends: Any, bulge: Any, touch: float, unit: float, grid: Grid, begins: Any, tips: Any,
-    place: Any, link: Any, begin: int, end: int,
+    ends: F64_3, bulge: F64_1, touch: float, unit: float, grid: Grid, begins: I32_1, tips: I32_1,
+    place: F64_2, link: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
     """Write which loose end each of some loose ends looks at across a gap."""
     low, size, side, _, _ = grid

@@ -17,7 +17,6 @@ from dataclasses import dataclass, fields
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.arrows import arrows
 from knifetip.classification.cutting import WORTH
@@ -31,9 +30,21 @@ from knifetip.classification.parts import Parts
 from knifetip.classification.role import Role
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
-from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import both, each, runs
 from knifetip.geometry.tolerance import GAP
+from knifetip.kernels import (
+    F64_1,
+    I32_1,
+    U8_1,
+    U8_2,
+    Bool_1,
+    OutBool_1,
+    OutF64_1,
+    OutI32_1,
+    OutI32_2,
+    OutU8_1,
+    kernel,
+)
 from knifetip.model.drawing import Inscription
 
 #: A loose end nearer than this to another line was meant to touch it (mm).
@@ -206,8 +217,8 @@ def _seen(
     )
 
 
-@njit(cache=True, error_model="numpy")
-def _slender(left: Any, right: Any, length: Any, area: Any, narrow: float) -> Any:
+@kernel
+def _slender(left: I32_1, right: I32_1, length: F64_1, area: F64_1, narrow: float) -> Any:
     """Return which faces are long and narrower than this, (f,)."""
     one, other = np.zeros(len(area)), np.zeros(len(area))
     for p in range(len(length)):
@@ -221,10 +232,10 @@ def _slender(left: Any, right: Any, length: Any, area: Any, narrow: float) -> An
     return result
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@kernel
 def _gather(
-    first: Any, part: Any, length: Any, role: Any, left: Any, right: Any, slender: Any,
-    greatest: Any, share: Any, whole: Any, narrow: Any, part_of: Any, sides: Any,
+    first: I32_1, part: I32_1, length: F64_1, role: U8_1, left: I32_1, right: I32_1, slender: Bool_1,
+    greatest: OutU8_1, share: OutF64_1, whole: OutF64_1, narrow: OutBool_1, part_of: OutI32_1, sides: OutI32_2,
     begin: int, end: int,
 ) -> None:  # fmt: skip
     """Write of some edges what their pieces have the most of.
@@ -316,9 +327,9 @@ def _roles(net: Net, sides: Faces, parts: Parts) -> U8:
     return role
 
 
-@whole
+@kernel(allocates=False)
 def _look_up(
-    table: Any, kind: Any, part: Any, left: Any, right: Any, outside: Any, role: Any,
+    table: U8_2, kind: U8_1, part: I32_1, left: I32_1, right: I32_1, outside: I32_1, role: OutU8_1,
     begin: int, end: int,
 ) -> None:  # fmt: skip
     for p in range(begin, end):

@@ -13,14 +13,13 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.nesting import held, looked_left
 from knifetip.classification.net import Net
 from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32
-from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import both
+from knifetip.kernels import F64_1, F64_2, I32_1, kernel
 
 #: Directions are told apart to so many parts of a right angle.
 _FINE: Final = 10_000_000
@@ -49,7 +48,7 @@ def faces(net: Net, ends: F64, bulge: F64, touch: float) -> Faces:
     return Faces(left, right, area, owner, outside, within)
 
 
-@whole
+@kernel(allocates=False)
 def _angle(x: float, y: float) -> int:
     """A number that grows with the angle of a direction, the same for all that are nearly one."""
     across = abs(x) + abs(y)
@@ -58,8 +57,8 @@ def _angle(x: float, y: float) -> int:
     return int(quarters * _FINE + 0.5) % (4 * _FINE)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _around(place: Any, start: Any, end: Any, bent: Any, same: Any) -> Any:
+@kernel
+def _around(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1) -> Any:
     """Return the halves of pieces round each place against the clock, and where each place's begin.
 
     Half 2 p of piece p leaves its beginning, half 2 p + 1 its end.
@@ -98,8 +97,8 @@ def _around(place: Any, start: Any, end: Any, bent: Any, same: Any) -> Any:
     return around, begins
 
 
-@whole
-def _leaves(place: Any, start: Any, end: Any, bent: Any, half: int) -> int:
+@kernel(allocates=False)
+def _leaves(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> int:
     """The direction in which half a piece leaves its place, by its tangent, as ``_angle``."""
     p = half // 2
     a, b, bend = start[p], end[p], bent[p]
@@ -114,8 +113,8 @@ def _leaves(place: Any, start: Any, end: Any, bent: Any, half: int) -> int:
     return _angle(s * dy - c * dx, -c * dy - s * dx)
 
 
-@whole
-def _curve(place: Any, start: Any, end: Any, bent: Any, half: int) -> float:
+@kernel(allocates=False)
+def _curve(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> float:
     """How far half a piece bends to the left of where it leaves."""
     p = half // 2
     a, b = start[p], end[p]
@@ -124,9 +123,9 @@ def _curve(place: Any, start: Any, end: Any, bent: Any, half: int) -> float:
     return curve if half % 2 == 0 else -curve
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@kernel
 def _walked(
-    place: Any, start: Any, end: Any, bent: Any, same: Any, around: Any, begins: Any
+    place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1, around: I32_1, begins: I32_1
 ) -> Any:
     """Return the faces on the left and on the right of each piece, and the area of each face."""
     pieces = len(start)
@@ -176,8 +175,8 @@ def _walked(
     return left, right, area[:count]
 
 
-@njit(cache=True, error_model="numpy")
-def _owned(parts: int, part: Any, left: Any, right: Any, area: Any) -> Any:
+@kernel
+def _owned(parts: int, part: I32_1, left: I32_1, right: I32_1, area: F64_1) -> Any:
     """Return the face that is the outside of each part, and the part of each face."""
     outside = np.full(parts, -1, np.int32)
     owner = np.empty(len(area), np.int32)

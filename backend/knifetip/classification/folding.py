@@ -17,12 +17,12 @@ from itertools import pairwise
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.faces import Faces
 from knifetip.classification.net import Net
 from knifetip.classification.role import HOLES, Role
 from knifetip.geometry.columns import F64, I64, U8, Bool
+from knifetip.kernels import I64_1, I64_2, kernel
 
 #: Two lines are one straight line if their directions differ by less (radians).
 _STRAIGHT: Final = math.radians(1.0)
@@ -253,8 +253,8 @@ def _bridges(pair: I64, faces: int) -> Bool:
     return bridge
 
 
-@njit(cache=True, error_model="numpy")
-def _bridged(pair: Any, first: Any, listed: Any, faces: int) -> Any:
+@kernel
+def _bridged(pair: I64_2, first: I64_1, listed: I64_1, faces: int) -> Any:
     """Walk the faces depth first; a pair is a bridge where nothing beyond it leads back."""
     bridge = np.zeros(len(pair), np.bool_)
     entered = np.full(faces, -1, np.int64)

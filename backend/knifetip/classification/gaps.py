@@ -6,15 +6,28 @@ import math
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.cutting import WORTH, Partings
 from knifetip.classification.grid import Grid, cell_of
-from knifetip.classification.places import Places, longer, placed, roomy
+from knifetip.classification.places import Places, placed, roomy
 from knifetip.classification.segment import BULGE, chord, crossing, leaves, near, point_at
+from knifetip.geometry.capacity import double_f64, double_f64_2, double_i32, double_i32_2
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, runs
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    F64_3,
+    I32_1,
+    I32_2,
+    I64_1,
+    Bool_1,
+    OutBool_1,
+    OutF64_1,
+    OutI32_1,
+    OutI32_2,
+    kernel,
+)
 
 #: Both ends of a crease may stop so short of what they were meant to meet (mm).
 _SHORT: Final = 2.5
@@ -50,10 +63,10 @@ def tied(
     return Partings(row, share, cut), tie, spots._replace(known=count)
 
 
-@whole
+@kernel(allocates=False)
 def _look(
-    ends: Any, bulge: Any, node: Any, twin: Any, loose: Any, ahead: float, gap_of: Any, grid: Grid,
-    partner: Any, where: Any, begin: int, end: int,
+    ends: F64_3, bulge: F64_1, node: I32_1, twin: I32_1, loose: Bool_1, ahead: float, gap_of: F64_1, grid: Grid,
+    partner: OutI32_1, where: OutF64_1, begin: int, end: int,
 ) -> None:  # fmt: skip
     """Write what the loose ends of some edges look at, and where on it."""
     low, size, side, first, listed = grid
@@ -89,9 +102,9 @@ def _look(
                                 partner[half], where[half] = j, part
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _tie(
-    ends: Any, bulge: Any, touch: float, node: Any, met: Any, partner: Any, where: Any,
+    ends: F64_3, bulge: F64_1, touch: float, node: I32_1, met: I32_1, partner: I32_1, where: F64_1,
     spots: Places,
 ) -> Any:  # fmt: skip
     """Return row, share and place of partings, ties, and how many places there are."""
@@ -138,19 +151,26 @@ def crossed(
     return Partings(row, share, cut), tie, Places(point, count, onward, spots.head)
 
 
-@whole
+@kernel(allocates=False)
 def _look_through(
-    ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, point: Any, grid: Grid,
-    is_crossed: Any, begin: int, end: int,
+    ends: F64_3, bulge: F64_1, touch: float, twin: I32_1, tie: I32_2, point: F64_2, grid: Grid,
+    is_crossed: OutBool_1, begin: int, end: int,
 ) -> None:  # fmt: skip
     """Write of some ties whether a line runs through them."""
     for k in range(begin, end):
         is_crossed[k] = _first_through(ends, bulge, touch, twin, tie, point, grid, k)[0] >= 0
 
 
-@whole
+@kernel(allocates=False)
 def _first_through(
-    ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, point: Any, grid: Grid, k: int
+    ends: F64_3,
+    bulge: F64_1,
+    touch: float,
+    twin: I32_1,
+    tie: I32_2,
+    point: F64_2,
+    grid: Grid,
+    k: int,
 ) -> tuple[int, float, float, float]:
     """Return the first line that runs through a tie, -1 for none, its share there, and where."""
     low, size, side, first, listed = grid
@@ -176,9 +196,9 @@ def _first_through(
     return through, where, ax + least * ux, ay + least * uy
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _cross(
-    ends: Any, bulge: Any, touch: float, twin: Any, tie: Any, wanted: Any, spots: Places,
+    ends: F64_3, bulge: F64_1, touch: float, twin: I32_1, tie: OutI32_2, wanted: I64_1, spots: Places,
     grid: Grid,
 ) -> Any:  # fmt: skip
     """Part the wanted ties, and what is left of them."""
@@ -194,17 +214,17 @@ def _cross(
         through, where, x, y = _first_through(ends, bulge, touch, twin, tie, point, grid, k)
         if through >= 0:
             if places + 1 >= len(point):
-                point, onward = longer(point), longer(onward)
+                point, onward = double_f64_2(point), double_i32(onward)
             at = placed(x, y, touch, point, places, head, onward)
             if at == places:
                 places += 1
             if cuts == len(row):
-                row, share, cut = longer(row), longer(share), longer(cut)
+                row, share, cut = double_i32(row), double_f64(share), double_i32(cut)
             row[cuts], share[cuts], cut[cuts] = through, where, at
             cuts += 1
             if at != tie[k, 0] and at != tie[k, 1]:
                 if ties == len(tie):
-                    tie = longer(tie)
+                    tie = double_i32_2(tie)
                 tie[ties, 0], tie[ties, 1] = at, tie[k, 1]
                 tie[k, 1] = at
                 ties += 1
@@ -212,8 +232,8 @@ def _cross(
     return row[:cuts], share[:cuts], cut[:cuts], tie[:ties], point, onward, places
 
 
-@whole
-def _meets(ends: Any, bulge: Any, half: int, far: float, grid: Grid) -> bool:
+@kernel(allocates=False)
+def _meets(ends: F64_3, bulge: F64_1, half: int, far: float, grid: Grid) -> bool:
     """Whether another line lies straight ahead of an end, no farther than ``far``."""
     low, size, side, first, listed = grid
     i = half // 2

@@ -9,11 +9,10 @@ import math
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.segment import BULGE
-from knifetip.geometry.columns import F64, I32
-from knifetip.geometry.compiled import whole
+from knifetip.geometry.columns import F64
+from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutF64_1, OutF64_2, kernel
 
 #: At so many pairs of lines in one cell, as a multiple of the edges, a drawing is too tangled.
 _WORK: Final = 400
@@ -24,11 +23,11 @@ _SAMPLE: Final = 10_000
 class Grid(NamedTuple):
     """Which edges pass through which cell."""
 
-    low: F64  #: (2,)
-    size: F64  #: (2,) of a cell
+    low: F64_1  #: (2,)
+    size: F64_1  #: (2,) of a cell
     side: int  #: cells in each direction
-    first: I32  #: (side² + 1,)
-    listed: I32  #: edges, cell by cell
+    first: I32_1  #: (side² + 1,)
+    listed: I32_1  #: edges, cell by cell
 
 
 def gridded(ends: F64, bulge: F64, touch: float, reach: float) -> Grid | None:
@@ -65,8 +64,8 @@ def gridded(ends: F64, bulge: F64, touch: float, reach: float) -> Grid | None:
     return grid
 
 
-@whole
-def _boxes(ends: Any, bulge: Any, boxes: Any, bounds: Any) -> None:
+@kernel(allocates=False)
+def _boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None:
     """Write the box of each edge, and of all."""
     for i in range(len(bulge)):
         ax, ay, bx, by = ends[i, 0, 0], ends[i, 0, 1], ends[i, 1, 0], ends[i, 1, 1]
@@ -85,15 +84,15 @@ def _boxes(ends: Any, bulge: Any, boxes: Any, bounds: Any) -> None:
             bounds[axis + 2] = max(bounds[axis + 2], boxes[i, axis + 2])
 
 
-@whole
+@kernel(allocates=False)
 def cell_of(value: float, low: float, size: float, side: int) -> int:
     """The row or column of cells that a coordinate is in; what lies outside counts to the rim."""
     return min(max(int((value - low) / size), 0), side - 1)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _rows(
-    ends: Any, bulge: Any, boxes: Any, i: int, left: float, right: float, pad: float
+    ends: F64_3, bulge: F64_1, boxes: F64_2, i: int, left: float, right: float, pad: float
 ) -> tuple[float, float]:
     """Between which y a segment runs in a column of cells."""
     if abs(bulge[i]) > BULGE:
@@ -109,9 +108,16 @@ def _rows(
     return min(y0, y1) - pad, max(y0, y1) + pad
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@kernel
 def _passed(
-    ends: Any, bulge: Any, boxes: Any, low: Any, size: Any, side: int, pad: float, most: int
+    ends: F64_3,
+    bulge: F64_1,
+    boxes: F64_2,
+    low: F64_1,
+    size: F64_1,
+    side: int,
+    pad: float,
+    most: int,
 ) -> Any:
     """Return the cells that edges pass through, and which edge each is of; none for too many."""
     cell, edge = np.empty(most, np.int32), np.empty(most, np.int32)
@@ -132,8 +138,8 @@ def _passed(
     return cell[:total], edge[:total]
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def by_cell(cell: Any, cells: int, listed: Any) -> Any:
+@kernel
+def by_cell(cell: I32_1, cells: int, listed: I32_1) -> Any:
     """Return where each of so many cells begins, and what is listed of each, in order.
 
     What has no cell, -1, is left out.

@@ -8,12 +8,12 @@ are, and no word has a hole's shape five times.
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.kernels import F64_2, I64_1, OutBool_1, kernel
 
 #: Letters are no higher and no wider than this (mm).
 _HIGH: Final = 25.0
@@ -47,8 +47,8 @@ def lettering(box: F64, drawn: F64, pieces: I64, unit: float) -> Bool:
     return found
 
 
-@njit(cache=True, error_model="numpy")
-def _rows(box: Any, shape: Any, order: Any, axis: int, word: Any) -> None:
+@kernel
+def _rows(box: F64_2, shape: F64_2, order: I64_1, axis: int, word: OutBool_1) -> None:
     """Mark the parts that stand in a row along an axis with others of other shapes."""
     across = 1 - axis
     count = len(order)

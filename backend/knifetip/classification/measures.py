@@ -6,19 +6,18 @@ Net, Faces, inscriptions -> Extents, Measures
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.faces import Faces
 from knifetip.classification.letters import lettering
 from knifetip.classification.net import Net
 from knifetip.classification.words import hint
 from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import each, runs
 from knifetip.geometry.tolerance import GAP
+from knifetip.kernels import F64_1, F64_2, I32_1, OutBool_1, OutF64_1, OutF64_2, OutI64_1, kernel
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Inscription
 
@@ -100,9 +99,16 @@ class Measures(NamedTuple):
         )
 
 
-@whole
+@kernel(allocates=False)
 def _measure(
-    place: Any, start: Any, end: Any, bulge: Any, part: Any, off: float, box: Any, level: Any
+    place: F64_2,
+    start: I32_1,
+    end: I32_1,
+    bulge: F64_1,
+    part: I32_1,
+    off: float,
+    box: OutF64_2,
+    level: OutBool_1,
 ) -> None:
     """Write the box of each part, and which are level but for ``off``."""
     for p in range(len(start)):
@@ -121,10 +127,10 @@ def _measure(
             box[c, 3] = max(box[c, 3], y)
 
 
-@whole
+@kernel(allocates=False)
 def _drawn(
-    edge: Any, part: Any, left: Any, right: Any, outside: Any, length: Any,
-    drawn: Any, nowhere: Any, closing: Any, pieces: Any,
+    edge: I32_1, part: I32_1, left: I32_1, right: I32_1, outside: I32_1, length: F64_1,
+    drawn: OutF64_1, nowhere: OutF64_1, closing: OutF64_1, pieces: OutI64_1,
 ) -> None:  # fmt: skip
     """Add up what is drawn of each part, what leads nowhere, and what closes its outline."""
     for p in range(len(edge)):
@@ -182,8 +188,8 @@ def _texts(inscriptions: Sequence[Inscription], box: F64) -> tuple[I64, Bool]:
     return holds, beside
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _read(text: Any, box: Any, holds: Any, beside: Any) -> None:
+@kernel
+def _read(text: F64_2, box: F64_2, holds: OutI64_1, beside: OutBool_1) -> None:
     widest, lowest, highest = 0.0, np.inf, -np.inf
     for t in range(len(text)):
         widest = max(widest, text[t, 3] + 2.0 * text[t, 2])

@@ -11,15 +11,14 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.cutting import WORTH
 from knifetip.classification.grid import Grid
 from knifetip.classification.net import Net
 from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.compiled import part, whole
 from knifetip.geometry.cores import each, runs
+from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutBool_1, OutI32_1, inline_kernel, kernel
 
 
 class Beside(NamedTuple):
@@ -61,10 +60,10 @@ def held(beside: Beside, left: I32, right: I32, outside: I32, owner: I32) -> I32
     return within
 
 
-@whole
+@kernel(allocates=False)
 def _look_left(
-    ends: Any, bulge: Any, grid: Grid, place: Any, first_piece: Any, share: Any, part: Any,
-    leftmost: Any, touch: float, piece: Any, upward: Any, begin: int, end: int,
+    ends: F64_3, bulge: F64_1, grid: Grid, place: F64_2, first_piece: I32_1, share: F64_1, part: I32_1,
+    leftmost: I32_1, touch: float, piece: OutI32_1, upward: OutBool_1, begin: int, end: int,
 ) -> None:  # fmt: skip
     """Write what is met first to the left of the leftmost place of some parts."""
     low, size, side, first, listed = grid
@@ -96,8 +95,8 @@ def _look_left(
             piece[c] = p
 
 
-@njit(cache=True, error_model="numpy")
-def _within(hit: Any, outside: Any, owner: Any) -> Any:
+@kernel
+def _within(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
     """Return the faces that hold parts, where the faces met are the outsides of others, too."""
     parts = len(hit)
     within = np.full(parts, -1, np.int32)
@@ -120,8 +119,8 @@ def _within(hit: Any, outside: Any, owner: Any) -> Any:
     return within
 
 
-@part
-def _met(ends: Any, bulge: Any, i: int, y: float, root: int) -> tuple[float, bool]:
+@inline_kernel
+def _met(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
     """Where a level line meets a segment, NaN for nowhere, and whether that goes upward there."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     bx, by = ends[i, 1, 0], ends[i, 1, 1]
@@ -146,8 +145,8 @@ def _met(ends: Any, bulge: Any, i: int, y: float, root: int) -> tuple[float, boo
     return cx + half, (half > 0.0) == (b > 0.0)
 
 
-@whole
-def _share(ends: Any, bulge: Any, i: int, x: float, y: float) -> float:
+@kernel(allocates=False)
+def _share(ends: F64_3, bulge: F64_1, i: int, x: float, y: float) -> float:
     """At which share of a segment a point on it lies."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay

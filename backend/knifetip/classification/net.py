@@ -17,7 +17,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.cutting import Crossings, crossings, parted, together
 from knifetip.classification.dashes import rows_of_dashes
@@ -29,6 +28,7 @@ from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.cores import both
 from knifetip.geometry.sets import settle, unite
 from knifetip.geometry.tolerance import GAP
+from knifetip.kernels import F64_1, F64_2, I32_1, I32_2, kernel
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -55,8 +55,8 @@ class Net:
         return chord
 
 
-@njit(cache=True, error_model="numpy")
-def _chords(place: Any, start: Any, end: Any) -> Any:
+@kernel
+def _chords(place: F64_2, start: I32_1, end: I32_1) -> Any:
     result = np.empty(len(start))
     for p in range(len(start)):
         x = place[end[p], 0] - place[start[p], 0]
@@ -123,8 +123,8 @@ def _lines(ends: F64, bulge: F64, touch: float) -> tuple[Places, I32, I32]:
     return spots, node, alike(node[::2].copy(), node[1::2].copy(), bulge, spots.point, touch)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _parts(place: Any, start: Any, end: Any) -> Any:
+@kernel
+def _parts(place: F64_2, start: I32_1, end: I32_1) -> Any:
     """Return the connected part of each piece, and the leftmost place of each part."""
     pieces, places = len(start), len(place)
     parent = np.arange(places)
@@ -150,8 +150,8 @@ def _parts(place: Any, start: Any, end: Any) -> Any:
     return part, leftmost[:parts]
 
 
-@njit(cache=True, error_model="numpy")
-def _loose(node: Any, twin: Any, on: Any, across: Any, places: int) -> Any:
+@kernel
+def _loose(node: I32_1, twin: I32_1, on: I32_1, across: I32_1, places: int) -> Any:
     """Return at which places nothing but one line ends, (q,)."""
     degree = np.zeros(places, np.uint8)
     for half in range(len(node)):
@@ -163,8 +163,8 @@ def _loose(node: Any, twin: Any, on: Any, across: Any, places: int) -> Any:
     return degree == 1
 
 
-@njit(cache=True, error_model="numpy")
-def _pieces(bulge: Any, node: Any, row: Any, share: Any, cut: Any, tie: Any) -> Any:
+@kernel
+def _pieces(bulge: F64_1, node: I32_1, row: I32_1, share: F64_1, cut: I32_1, tie: I32_2) -> Any:
     """Return where each piece begins and ends, its bulge and edge, and the pieces of each edge."""
     n, cuts, ties = len(bulge), len(row), len(tie)
     begins = np.zeros(n + 1, np.int32)

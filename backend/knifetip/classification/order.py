@@ -12,9 +12,9 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
-from numba import njit, types
 
 from knifetip.geometry.columns import F64, I64
+from knifetip.kernels import F64_3, kernel
 
 #: Fewer edges than this lie near each other in any order.
 _MANY: Final = 20_000
@@ -24,8 +24,6 @@ _FAR: Final = 1.0 / 16.0
 _LEAPS: Final = 0.2
 #: Cells along each side of the drawing, a power of two.
 _CELLS: Final = 256
-#: Ends that nobody need be able to write to.
-_ENDS: Final = types.Array(types.float64, 3, "C", readonly=True)
 
 
 def neighbourly(ends: F64) -> I64 | None:
@@ -39,7 +37,7 @@ def neighbourly(ends: F64) -> I64 | None:
     return order
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _spread(number: int) -> int:
     """Return a number of eight bits with a 0 between any two of them."""
     number = (number | number << 4) & 0x0F0F
@@ -47,9 +45,8 @@ def _spread(number: int) -> int:
     return (number | number << 1) & 0x5555
 
 
-# With their types said, for no drawing is so large that it is read to compile them.
-@njit(types.float64[::1](_ENDS), cache=True, error_model="numpy")
-def _frame(ends: Any) -> Any:
+@kernel
+def _frame(ends: F64_3) -> Any:
     """Return the least x and the least y of beginnings, and how far they reach."""
     left = right = ends[0, 0, 0]
     low = high = ends[0, 0, 1]
@@ -60,8 +57,8 @@ def _frame(ends: Any) -> Any:
     return np.array([left, low, max(right - left, high - low)])
 
 
-@njit(types.int64(_ENDS, types.float64), cache=True, error_model="numpy")
-def _leaps(ends: Any, far: float) -> int:
+@kernel
+def _leaps(ends: F64_3, far: float) -> int:
     """Return how many edges are far from the one before."""
     leaps = 0
     for i in range(1, len(ends)):
@@ -70,12 +67,8 @@ def _leaps(ends: Any, far: float) -> int:
     return leaps
 
 
-@njit(
-    types.int64[::1](_ENDS, types.float64, types.float64, types.float64),
-    cache=True,
-    error_model="numpy",
-)
-def _by_cell(ends: Any, left: float, low: float, scale: float) -> Any:
+@kernel
+def _by_cell(ends: F64_3, left: float, low: float, scale: float) -> Any:
     """Return the edges in the order of their cells, and the cells in that of Morton."""
     count = len(ends)
     cell = np.empty(count, np.int64)

@@ -7,13 +7,11 @@ A crease drawn on a cut needs nobody's answer: the board ends there whatever it 
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numba import njit
 
 from knifetip.classification.net import Net
 from knifetip.geometry.columns import F64, I32
+from knifetip.kernels import F64_1, I32_1, OutI32_1, kernel
 
 
 def overlaid(net: Net, length: F64) -> I32:
@@ -29,8 +27,8 @@ def overlaid(net: Net, length: F64) -> I32:
     return on
 
 
-@njit(cache=True, error_model="numpy")
-def _overlaid(edge: Any, first: Any, same: Any, length: Any, on: Any) -> None:
+@kernel
+def _overlaid(edge: I32_1, first: I32_1, same: I32_1, length: F64_1, on: OutI32_1) -> None:
     # Of each piece that others lie on, an edge that one of them is of.
     mate = np.full(len(edge), -1, np.int32)
     for p in range(len(edge)):

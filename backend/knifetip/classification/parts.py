@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
@@ -21,8 +21,8 @@ from knifetip.classification.measures import Extents, Measures
 from knifetip.classification.net import Net
 from knifetip.classification.surrounds import Surrounds
 from knifetip.geometry.columns import F64, Bool
-from knifetip.geometry.compiled import whole
 from knifetip.geometry.cores import both, each, runs
+from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_1, kernel
 from knifetip.model.drawing import Inscription
 
 #: A part smaller than this share of the largest is a mark or a letter, not a blank.
@@ -135,9 +135,15 @@ def _doubtful(found: Measures, box: F64, some: Bool, small: Bool, tiny: float) -
     return blank & (lost > _DOUBT * found.closing)
 
 
-@whole
+@kernel(allocates=False)
 def _covered(
-    open_: Any, around: Any, nowhere: Any, box: Any, size: Any, blank: Any, lost: Any
+    open_: I64_1,
+    around: F64_2,
+    nowhere: F64_1,
+    box: F64_2,
+    size: F64_1,
+    blank: I64_1,
+    lost: OutF64_1,
 ) -> None:
     """Add to what each blank has lost the open parts that lie round most of it."""
     for m in range(len(blank)):

@@ -11,10 +11,19 @@ import math
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.columns import F64, I32
-from knifetip.geometry.compiled import part, whole
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    F64_3,
+    I32_1,
+    OutBool_1,
+    OutF64_2,
+    OutI32_1,
+    inline_kernel,
+    kernel,
+)
 
 #: Places are looked for in cells so many times as wide as what touches.
 _CELL: Final = 16.0
@@ -28,10 +37,10 @@ _FINE: Final = 1000.0
 class Places(NamedTuple):
     """q places, found again by where they are."""
 
-    point: F64  #: (≥ q, 2)
+    point: OutF64_2  #: (≥ q, 2)
     known: int  #: q
-    onward: I32  #: (≥ q,) the next place whose cell has the same number
-    head: I32  #: (2^k,) of each number the last place
+    onward: OutI32_1  #: (≥ q,) the next place whose cell has the same number
+    head: OutI32_1  #: (2^k,) of each number the last place
 
 
 def placed_ends(ends: F64, touch: float) -> tuple[Places, I32]:
@@ -57,8 +66,8 @@ def roomy(spots: Places, more: int) -> Places:
     return Places(point, spots.known, onward, spots.head)
 
 
-@whole
-def _place(ends: Any, touch: float, spots: Places, node: Any, several: Any) -> Any:
+@kernel(allocates=False)
+def _place(ends: F64_3, touch: float, spots: Places, node: OutI32_1, several: OutBool_1) -> Any:
     """Write the place of each end, and whether it had several near; return how many there are."""
     count = near = 0
     for half in range(len(node)):
@@ -76,8 +85,8 @@ def _place(ends: Any, touch: float, spots: Places, node: Any, several: Any) -> A
     return count, near
 
 
-@njit(cache=True, error_model="numpy")
-def _slot(ends: Any, half: int, fine: float, known: Any) -> Any:
+@kernel
+def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
     """Return where an end at the point of this one is kept, or may be."""
     mask = len(known) - 1
     x, y = _rounded(ends, half, fine)
@@ -87,15 +96,15 @@ def _slot(ends: Any, half: int, fine: float, known: Any) -> Any:
     return slot
 
 
-@njit(cache=True, error_model="numpy")
-def _rounded(ends: Any, half: int, fine: float) -> Any:
+@kernel
+def _rounded(ends: F64_3, half: int, fine: float) -> Any:
     return (
         np.int64(np.rint(ends[half // 2, half % 2, 0] * fine)),
         np.int64(np.rint(ends[half // 2, half % 2, 1] * fine)),
     )
 
 
-@whole
+@kernel(allocates=False)
 def _hashed(cx: int, cy: int, mask: int) -> Any:
     key = np.uint64(cx) * np.uint64(0x9E3779B97F4A7C15) ^ np.uint64(cy) * np.uint64(
         0xC2B2AE3D27D4EB4F
@@ -103,8 +112,10 @@ def _hashed(cx: int, cy: int, mask: int) -> Any:
     return np.int64((key ^ (key >> np.uint64(31))) & np.uint64(mask))
 
 
-@part
-def placed(x: float, y: float, touch: float, point: Any, count: int, head: Any, onward: Any) -> int:
+@inline_kernel
+def placed(
+    x: float, y: float, touch: float, point: OutF64_2, count: int, head: OutI32_1, onward: OutI32_1
+) -> int:
     """The number of the place at a point: one that is known, or ``count`` for a new one."""
     at = _nearest(x, y, touch, point, head, onward)
     if at == _NONE:
@@ -113,8 +124,8 @@ def placed(x: float, y: float, touch: float, point: Any, count: int, head: Any, 
     return at if at >= 0 else _SEVERAL - at
 
 
-@part
-def _nearest(x: float, y: float, touch: float, point: Any, head: Any, onward: Any) -> int:
+@inline_kernel
+def _nearest(x: float, y: float, touch: float, point: F64_2, head: I32_1, onward: I32_1) -> int:
     """Return the nearest place that touches a point, as one number: a second takes time.
 
     ``_NONE`` where there is none; ``_SEVERAL`` less the nearest where several do, and none of them
@@ -150,8 +161,10 @@ def _nearest(x: float, y: float, touch: float, point: Any, head: Any, onward: An
     return _SEVERAL - nearest if many and not exact else nearest
 
 
-@part
-def _add(x: float, y: float, touch: float, point: Any, number: int, head: Any, onward: Any) -> None:
+@inline_kernel
+def _add(
+    x: float, y: float, touch: float, point: OutF64_2, number: int, head: OutI32_1, onward: OutI32_1
+) -> None:
     """Keep a new place."""
     fx, fy = x / (_CELL * touch), y / (_CELL * touch)
     own = _hashed(math.floor(fx), math.floor(fy), len(head) - 1)
@@ -160,16 +173,8 @@ def _add(x: float, y: float, touch: float, point: Any, number: int, head: Any, o
     head[own] = number
 
 
-@njit(cache=True, error_model="numpy")
-def longer(column: Any) -> Any:
-    """Return a column with room for twice as many rows."""
-    more = np.empty((2 * len(column) + 16, *column.shape[1:]), column.dtype)
-    more[: len(column)] = column
-    return more
-
-
-@njit(cache=True, error_model="numpy", nogil=True)
-def alike(start: Any, end: Any, bent: Any, point: Any, touch: float) -> Any:
+@kernel
+def alike(start: I32_1, end: I32_1, bent: F64_1, point: F64_2, touch: float) -> Any:
     """The first of the lines between two places that each line lies on."""
     count = len(start)
     same = np.empty(count, np.int32)
@@ -201,8 +206,8 @@ def alike(start: Any, end: Any, bent: Any, point: Any, touch: float) -> Any:
 
 
 # With its types said: it is needed by few drawings, and nobody shall wait for it then.
-@njit("(f8[:,:,::1], f8, i4[::1], i4[::1])", cache=True, error_model="numpy", nogil=True)
-def _settle(ends: Any, touch: float, several: Any, node: Any) -> None:
+@kernel
+def _settle(ends: F64_3, touch: float, several: I32_1, node: OutI32_1) -> None:
     """Give all ends at one point, of those that had several places near, the place of the first."""
     mask = 1
     while mask < 4 * len(several):

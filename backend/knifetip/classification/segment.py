@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
-from knifetip.geometry.compiled import part, whole
+from knifetip.kernels import F64_1, F64_3, inline_kernel, kernel
 
 #: What bends less is straight.
 BULGE: Final = 1e-9
@@ -15,8 +15,8 @@ BULGE: Final = 1e-9
 _CLEARLY: Final = 1.000001
 
 
-@part
-def near(ends: Any, bulge: Any, i: int, x: float, y: float, far: float) -> tuple[float, float]:
+@inline_kernel
+def near(ends: F64_3, bulge: F64_1, i: int, x: float, y: float, far: float) -> tuple[float, float]:
     """Distance from a point to a segment, and at which share of it that is.
 
     What is clearly farther than ``far`` may be infinitely far.
@@ -41,7 +41,7 @@ def near(ends: Any, bulge: Any, i: int, x: float, y: float, far: float) -> tuple
     return _near_arc(dx, dy, bulge[i], ox, oy, far)
 
 
-@whole
+@kernel(allocates=False)
 def _near_arc(
     dx: float, dy: float, b: float, x: float, y: float, far: float
 ) -> tuple[float, float]:
@@ -72,8 +72,8 @@ def _near_arc(
     return from_end, 1.0
 
 
-@part
-def point_at(ends: Any, bulge: Any, i: int, share: float) -> tuple[float, float]:
+@inline_kernel
+def point_at(ends: F64_3, bulge: F64_1, i: int, share: float) -> tuple[float, float]:
     """The point at a share of a segment."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
@@ -88,8 +88,8 @@ def point_at(ends: Any, bulge: Any, i: int, share: float) -> tuple[float, float]
     return cx + c * (ax - cx) - s * (ay - cy), cy + s * (ax - cx) + c * (ay - cy)
 
 
-@part
-def leaves(ends: Any, bulge: Any, half: int) -> tuple[float, float]:
+@inline_kernel
+def leaves(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, float]:
     """The direction in which a segment goes on beyond its end number ``half`` % 2."""
     i = half // 2
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
@@ -104,8 +104,10 @@ def leaves(ends: Any, bulge: Any, half: int) -> tuple[float, float]:
     return (c * dx - s * dy) / long, (s * dx + c * dy) / long
 
 
-@part
-def crossing(ax: float, ay: float, ux: float, uy: float, ends: Any, j: int) -> tuple[float, float]:
+@inline_kernel
+def crossing(
+    ax: float, ay: float, ux: float, uy: float, ends: F64_3, j: int
+) -> tuple[float, float]:
     """At which shares of itself and of line ``j`` a line from ``ax``, ``ay`` crosses it.
 
     NaN for both where they do not cross between their ends.
@@ -121,8 +123,8 @@ def crossing(ax: float, ay: float, ux: float, uy: float, ends: Any, j: int) -> t
     return s / cross, t / cross
 
 
-@part
-def chord(ends: Any, i: int) -> float:
+@inline_kernel
+def chord(ends: F64_3, i: int) -> float:
     """How far apart the ends of a segment are."""
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
     return math.sqrt(dx * dx + dy * dy)

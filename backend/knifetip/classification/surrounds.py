@@ -8,14 +8,13 @@ from __future__ import annotations
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-from numba import njit
 
 from knifetip.classification.faces import Faces
 from knifetip.classification.measures import Extents
 from knifetip.classification.net import Net
 from knifetip.classification.segment import near, point_at
 from knifetip.geometry.columns import F64, I32, I64, Bool
-from knifetip.geometry.compiled import whole
+from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, I64_1, I64_2, OutBool_1, kernel
 
 #: A frame without a title block holds at least this share of its face, one with it this.
 _HELD: Final = 0.15
@@ -130,19 +129,19 @@ def _bleeds(net: Net, parent: I32, frame: Bool, many: I64, box: F64, unit: float
     around = around[np.argsort(-np.diff(pieces.first)[around], kind="stable")[:_MOST]]
     of = np.searchsorted(holder, around), np.searchsorted(holder, around, side="right")
     lines = net.place, net.start, net.end, net.bulge
-    _follow(lines, pieces, around, np.column_stack(of), held, low, bleed)
+    _follow(lines, pieces, around.astype(np.int64), np.column_stack(of), held, low, bleed)
     return bleed
 
 
 class _Pieces(NamedTuple):
     """The pieces of c parts."""
 
-    listed: I32  #: (p,) part by part
-    first: I64  #: (c + 1,) those of each part are first … first + 1 - 1
+    listed: I32_1  #: (p,) part by part
+    first: I64_1  #: (c + 1,) those of each part are first … first + 1 - 1
 
 
-@njit(cache=True, error_model="numpy")
-def _by_part(part: Any, count: int) -> _Pieces:
+@kernel
+def _by_part(part: I32_1, count: int) -> _Pieces:
     """Return the pieces, part by part."""
     first = np.zeros(count + 1, np.int64)
     for p in range(len(part)):
@@ -156,9 +155,15 @@ def _by_part(part: Any, count: int) -> _Pieces:
     return _Pieces(order, first)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _follow(
-    lines: Any, pieces: _Pieces, around: Any, of: Any, held: Any, nearest: float, bleed: Any
+    lines: tuple[F64_2, I32_1, I32_1, F64_1],
+    pieces: _Pieces,
+    around: I64_1,
+    of: I64_2,
+    held: I64_1,
+    nearest: float,
+    bleed: OutBool_1,
 ) -> None:
     """Write which of some parts follow the outlines of those in them.
 
@@ -176,8 +181,8 @@ def _follow(
         bleed[around[k]] = nearest <= least and most <= _MITRE * least
 
 
-@njit(cache=True, error_model="numpy")
-def _drawn_by(lines: Any, pieces: _Pieces, parts: Any) -> Any:
+@kernel
+def _drawn_by(lines: tuple[F64_2, I32_1, I32_1, F64_1], pieces: _Pieces, parts: I64_1) -> Any:
     """Return the pieces of some parts as lines, (m, 2, 2), and their bulges, (m,)."""
     place, start, end, bulge = lines
     count = 0
@@ -196,8 +201,8 @@ def _drawn_by(lines: Any, pieces: _Pieces, parts: Any) -> Any:
     return ends, bent
 
 
-@whole
-def _distances(ends: Any, bulge: Any, among: Any, bent: Any) -> tuple[float, float]:
+@kernel(allocates=False)
+def _distances(ends: F64_3, bulge: F64_1, among: F64_3, bent: F64_1) -> tuple[float, float]:
     """How near to, and how far from, other lines the beginnings and middles of lines are."""
     least, most = np.inf, 0.0
     for p in range(len(bulge)):

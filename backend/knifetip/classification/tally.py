@@ -5,14 +5,24 @@ Shape, style of each edge -> Tally -> cells
 
 from __future__ import annotations
 
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from knifetip.classification.evidence import Shape
 from knifetip.classification.role import Role
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.compiled import whole
+from knifetip.kernels import (
+    F64_1,
+    I64_1,
+    U8_1,
+    Bool_1,
+    OutF64_1,
+    OutF64_2,
+    OutI64_1,
+    OutI64_2,
+    kernel,
+)
 
 #: Flags of a cell beside its style and role.
 MIXED: Final = 1  #: a third of the edge has another role
@@ -77,10 +87,10 @@ class Tally(NamedTuple):
         return cell
 
 
-@whole
+@kernel(allocates=False)
 def _add(
-    style: Any, lengths: Any, role: Any, dashed: Any, paired: Any, held: Any,
-    count: Any, length: Any, dashes: Any, pairs: Any, holds: Any, all_held: Any,
+    style: I64_1, lengths: F64_1, role: U8_1, dashed: Bool_1, paired: Bool_1, held: Bool_1,
+    count: OutI64_2, length: OutF64_2, dashes: OutF64_1, pairs: OutF64_1, holds: OutF64_1, all_held: OutF64_2,
 ) -> None:  # fmt: skip
     for i in range(len(style)):
         s, long = style[i], lengths[i]
@@ -99,10 +109,10 @@ def _add(
                 holds[s] += long
 
 
-@whole
+@kernel(allocates=False)
 def _number(
-    style: Any, role: Any, sure: Any, annotated: Any, holds: Any, dashed: Any, dashes_hold: Any,
-    cell: Any,
+    style: I64_1, role: U8_1, sure: F64_1, annotated: Bool_1, holds: Bool_1, dashed: Bool_1, dashes_hold: Bool_1,
+    cell: OutI64_1,
 ) -> None:  # fmt: skip
     for i in range(len(style)):
         flags = 0

@@ -20,13 +20,13 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.cleaning.meeting import CROWD, Meetings
 from knifetip.geometry.chain import outward
 from knifetip.geometry.columns import F64, U8, Bool
 from knifetip.geometry.sets import root, unite
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN, SAME
+from knifetip.kernels import F64_1, F64_2, I64_1, I64_2, Bool_1, kernel
 
 #: Edges that leave their ends within this of one direction end side by side (degrees).
 _BESIDE: Final = 10.0
@@ -77,8 +77,10 @@ def closed(ends: F64, bulge: F64, kind: U8, settled: Bool, met: Meetings) -> Clo
     return Closed(moved.reshape(-1, 2, 2), off.max(axis=1))
 
 
-@njit(cache=True, error_model="numpy")
-def _specks(points: Any, length: Any, place: Any, near: Any, gap: float, same: float) -> Any:
+@kernel
+def _specks(
+    points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float, same: float
+) -> Any:
     count = len(length)
     many = np.zeros(len(place), np.int64)
     short = np.zeros(len(place), np.int64)
@@ -135,8 +137,8 @@ def _specks(points: Any, length: Any, place: Any, near: Any, gap: float, same: f
     return speck
 
 
-@njit(cache=True, error_model="numpy")
-def _links(points: Any, length: Any, place: Any, near: Any, gap: float) -> Any:
+@kernel
+def _links(points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float) -> Any:
     """Which short edges stand between two places, near or at their ends, that are farther apart
     than a gap: without them the gap stays open."""
     count = len(length)
@@ -173,15 +175,15 @@ def _links(points: Any, length: Any, place: Any, near: Any, gap: float) -> Any:
     return linked
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _closed(
-    points: Any,
-    bulge: Any,
-    kind: Any,
-    out: Any,
-    place: Any,
-    near: Any,
-    fixed: Any,
+    points: F64_2,
+    bulge: F64_1,
+    kind: I64_1,
+    out: F64_2,
+    place: I64_1,
+    near: I64_2,
+    fixed: Bool_1,
     gap: float,
     join: float,
     same: float,
@@ -256,8 +258,8 @@ def _closed(
     return moved
 
 
-@njit(cache=True, error_model="numpy")
-def _held(a: int, b: int, place: Any, by_place: Any, first: Any) -> bool:
+@kernel
+def _held(a: int, b: int, place: I64_1, by_place: I64_1, first: I64_1) -> bool:
     """Whether an edge stands between two places."""
     found = False
     for p in range(first[a], first[a + 1]):
@@ -265,13 +267,13 @@ def _held(a: int, b: int, place: Any, by_place: Any, first: Any) -> bool:
     return found
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _may_move(
-    points: Any,
-    moved: Any,
-    place: Any,
-    by_place: Any,
-    first: Any,
+    points: F64_2,
+    moved: F64_2,
+    place: I64_1,
+    by_place: I64_1,
+    first: I64_1,
     at: int,
     x: float,
     y: float,
@@ -289,8 +291,8 @@ def _may_move(
     return True
 
 
-@njit(cache=True, error_model="numpy")
-def _inside(points: Any, bulge: Any, end: int, edge: int, join: float, same: float) -> bool:
+@kernel
+def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same: float) -> bool:
     """Whether an end touches the inside of another edge."""
     x0, y0 = points[2 * edge, 0], points[2 * edge, 1]
     x1, y1 = points[2 * edge + 1, 0], points[2 * edge + 1, 1]
@@ -313,9 +315,9 @@ def _inside(points: Any, bulge: Any, end: int, edge: int, join: float, same: flo
     return bool(abs(math.hypot(x - cx, y - cy) - radius) <= join)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _common(
-    points: Any, bulge: Any, out: Any, one: int, other: int, gap: float, slant: float
+    points: F64_2, bulge: F64_1, out: F64_2, one: int, other: int, gap: float, slant: float
 ) -> tuple[float, float]:
     """Where two ends are to meet."""
     x0, y0 = points[one, 0], points[one, 1]

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.sets import root, settle, unite
 from knifetip.geometry.tolerance import JOIN
+from knifetip.kernels import F64_2, U64, kernel
 
 #: A point is compared with so many others in a cell at most: where there are more, nobody can say
 #: what was meant to meet, and a drawing must not take forever.
@@ -43,16 +43,16 @@ def meetings(ends: F64, near: float) -> Meetings:
     return Meetings(ends, place, pairs)
 
 
-@njit(cache=True, error_model="numpy")
-def _slot(x: int, y: int, mask: Any) -> Any:
+@kernel
+def _slot(x: int, y: int, mask: U64) -> Any:
     key = np.uint64(x) * np.uint64(0x9E3779B97F4A7C15)
     key = key ^ (key >> np.uint64(29)) ^ (np.uint64(y) * np.uint64(0xBF58476D1CE4E5B9))
     key = key ^ (key >> np.uint64(31))
     return key & mask
 
 
-@njit(cache=True, error_model="numpy")
-def _meetings(points: Any, near: float, join: float) -> Any:
+@kernel
+def _meetings(points: F64_2, near: float, join: float) -> Any:
     count = len(points)
     size = 16
     while size < 2 * count:

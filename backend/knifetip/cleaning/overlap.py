@@ -16,12 +16,12 @@ import math
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.cleaning.stretch import circle_of, middle_of, range_of, size_of
 from knifetip.geometry.boxes import STACK, next_near, tree, tree_size
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import ANGLE, BULGE, SAME
+from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_2, kernel
 
 #: Lines are laid beside those whose direction is the nearest of so many (degrees apart).
 _FAN: Final = 2.0
@@ -62,8 +62,8 @@ def overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
     return pair // len(bulge), pair % len(bulge)
 
 
-@njit(cache=True, error_model="numpy")
-def _laid(rows: Any, fan: float, most: float, same: float) -> Any:
+@kernel
+def _laid(rows: F64_2, fan: float, most: float, same: float) -> Any:
     """Boxes of edges, lines laid along the nearest direction of the fan, and which that is."""
     count = len(rows)
     boxes = np.empty((count, 4))
@@ -93,8 +93,8 @@ def _laid(rows: Any, fan: float, most: float, same: float) -> Any:
     return boxes, bucket, angle, width
 
 
-@njit(cache=True, error_model="numpy")
-def _box(rows: Any, i: int, turn: float, same: float, boxes: Any, at: int) -> None:
+@kernel
+def _box(rows: F64_2, i: int, turn: float, same: float, boxes: OutF64_2, at: int) -> None:
     """The box of a line in a frame that is turned."""
     c, s = math.cos(turn), math.sin(turn)
     u0 = c * rows[i, 0] + s * rows[i, 1]
@@ -107,13 +107,13 @@ def _box(rows: Any, i: int, turn: float, same: float, boxes: Any, at: int) -> No
     boxes[at, 3] = max(v0, v1) + same
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _overlapping(
-    rows: Any,
-    boxes: Any,
-    bucket: Any,
-    angle: Any,
-    width: Any,
+    rows: F64_2,
+    boxes: F64_2,
+    bucket: I64_1,
+    angle: F64_1,
+    width: F64_1,
     reach: float,
     fan: float,
     same: float,
@@ -168,8 +168,8 @@ def _overlapping(
     return found[:size].copy()
 
 
-@njit(cache=True, error_model="numpy")
-def _share(rows: Any, i: int, j: int, same: float) -> bool:
+@kernel
+def _share(rows: F64_2, i: int, j: int, same: float) -> bool:
     """Whether two edges lie on each other along more than ``same``."""
     if (abs(rows[i, 4]) >= BULGE) != (abs(rows[j, 4]) >= BULGE):
         return False

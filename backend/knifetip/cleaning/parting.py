@@ -13,16 +13,17 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.cleaning.overlap import overlapping
 from knifetip.cleaning.rank import HIDES, RANK
 from knifetip.cleaning.stretch import place_of, range_of, size_of
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry import arc
+from knifetip.geometry.capacity import reserve_f64_2, reserve_i64_2
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE, POINT, SAME
+from knifetip.kernels import F64_2, I64_1, Bool_2, kernel
 
 #: More stretches than this, or than so many to an edge, are nothing that anybody has drawn: lines
 #: of which each lies on hundreds of others come to the square of their number.
@@ -146,18 +147,16 @@ def _twins(ends: F64, bulge: F64, kind: U8) -> I64:
     return twin
 
 
-@njit(cache=True, error_model="numpy")
-def _grown(table: Any, wanted: int) -> Any:
-    if wanted <= len(table):
-        return table
-    more = np.empty((2 * wanted, table.shape[1]), table.dtype)
-    more[: len(table)] = table
-    return more
-
-
-@njit(cache=True, error_model="numpy")
+@kernel
 def _given_up(
-    rows: Any, kind: Any, order: Any, near: Any, bounds: Any, hides: Any, same: float, most: int
+    rows: F64_2,
+    kind: I64_1,
+    order: I64_1,
+    near: I64_1,
+    bounds: I64_1,
+    hides: Bool_2,
+    same: float,
+    most: int,
 ) -> Any:
     """Take edges up in order; each gives up what lies on pieces that stand already.  Past ``most``
     stretches it stops."""
@@ -190,7 +189,7 @@ def _given_up(
                     high = 1.0
                 if (high - low) * length <= same:
                     continue
-                claim = _grown(claim, claims + 1)
+                claim = reserve_f64_2(claim, claims + 1)
                 turned = place_of(rows, e, piece[p, 0], piece[p, 1]) > place_of(
                     rows, e, piece[p, 2], piece[p, 3]
                 )
@@ -201,10 +200,10 @@ def _given_up(
                 claim[claims, 2] = p
                 claim[claims, 3] = 2 if turned else 0
                 claims += 1
-        piece = _grown(piece, pieces + claims + 1)
-        owner = _grown(owner, pieces + claims + 1)
-        cover = _grown(cover, stretches + 2 * claims + 1)
-        told = _grown(told, stretches + 2 * claims + 1)
+        piece = reserve_f64_2(piece, pieces + claims + 1)
+        owner = reserve_i64_2(owner, pieces + claims + 1)
+        cover = reserve_f64_2(cover, stretches + 2 * claims + 1)
+        told = reserve_i64_2(told, stretches + 2 * claims + 1)
         if claims == 0:
             piece[pieces] = rows[e]
             owner[pieces, 0] = e

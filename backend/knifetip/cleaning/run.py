@@ -15,13 +15,25 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.cleaning.meeting import Meetings
 from knifetip.geometry import arc
 from knifetip.geometry.chain import walked
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.tolerance import BULGE, GAP, JOIN, SAME
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    I32_1,
+    I64_1,
+    I64_2,
+    U8_1,
+    Bool_1,
+    OutBool_1,
+    OutF64_1,
+    OutI32_1,
+    kernel,
+)
 
 #: Segments shorter than this are no edges that somebody drew, but a curve flattened (mm).
 FINE: Final = GAP
@@ -89,8 +101,8 @@ def joined(ends: F64, bulge: F64, kind: U8, met: Meetings, *, curves_only: bool 
     )
 
 
-@njit(cache=True, error_model="numpy")
-def _links(place: Any, near: Any, kind: Any, fine: Any, curves_only: bool) -> Any:
+@kernel
+def _links(place: I64_1, near: I64_2, kind: U8_1, fine: Bool_1, curves_only: bool) -> Any:
     """Which end is joined to which: where two meet that are of one line type, and no third."""
     many = np.zeros(len(place), np.int64)
     short = np.zeros(len(place), np.bool_)
@@ -122,22 +134,22 @@ def _links(place: Any, near: Any, kind: Any, fine: Any, curves_only: bool) -> An
     return link
 
 
-@njit(cache=True, error_model="numpy")
-def _turned(row: Any, back: bool, out: Any) -> None:
+@kernel
+def _turned(row: F64_1, back: bool, out: OutF64_1) -> None:
     if back:
         out[0], out[1], out[2], out[3], out[4] = row[2], row[3], row[0], row[1], -row[4]
     else:
         out[:] = row
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _cut_up(
-    rows: Any,
-    length: Any,
-    order: Any,
-    flipped: Any,
-    first: Any,
-    closed: Any,
+    rows: F64_2,
+    length: F64_1,
+    order: OutI32_1,
+    flipped: OutBool_1,
+    first: I32_1,
+    closed: Bool_1,
     join: float,
     fitted: float,
     fine: float,
@@ -190,8 +202,8 @@ def _cut_up(
     return begin[:groups].copy(), code[:groups].copy(), off[:groups].copy()
 
 
-@njit(cache=True, error_model="numpy")
-def _sharpest(run: Any, many: int) -> int:
+@kernel
+def _sharpest(run: F64_2, many: int) -> int:
     """Which segment of a closed run begins at its sharpest corner; the first of several."""
     best = 0
     least = 2.0
@@ -206,8 +218,8 @@ def _sharpest(run: Any, many: int) -> int:
     return best
 
 
-@njit(cache=True, error_model="numpy")
-def _direction(row: Any, last: bool) -> tuple[float, float]:
+@kernel
+def _direction(row: F64_1, last: bool) -> tuple[float, float]:
     half = 2.0 * math.atan(row[4])
     if not last:
         half = -half
@@ -217,9 +229,9 @@ def _direction(row: Any, last: bool) -> tuple[float, float]:
     return dx * c - dy * s, dx * s + dy * c
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _reach(
-    run: Any, size: Any, i: int, many: int, join: float, fitted: float, fine: float
+    run: F64_2, size: F64_1, i: int, many: int, join: float, fitted: float, fine: float
 ) -> tuple[int, float, float]:
     """How far one line or arc holds from segment i on, its bulge, and how far it is off."""
     best = i + 1
@@ -259,8 +271,8 @@ def _reach(
     return best, bulge, far
 
 
-@njit(cache=True, error_model="numpy")
-def _straight(run: Any, i: int, limit: int, within: float) -> int:
+@kernel
+def _straight(run: F64_2, i: int, limit: int, within: float) -> int:
     """How far one line holds: its end must be seen from its start past every joint between."""
     x, y = run[i, 0], run[i, 1]
     low, high = -math.inf, math.inf
@@ -289,8 +301,8 @@ def _straight(run: Any, i: int, limit: int, within: float) -> int:
     return best
 
 
-@njit(cache=True, error_model="numpy")
-def _round(run: Any, size: Any, i: int, limit: int, within: float) -> tuple[int, float, float]:
+@kernel
+def _round(run: F64_2, size: F64_1, i: int, limit: int, within: float) -> tuple[int, float, float]:
     """How far one arc holds, by doubling and halving."""
     good, code, off = i, 0.0, 0.0
     step = 4
@@ -319,8 +331,8 @@ def _round(run: Any, size: Any, i: int, limit: int, within: float) -> tuple[int,
     return good, code, off
 
 
-@njit(cache=True, error_model="numpy")
-def _bow(run: Any, size: Any, i: int, end: int) -> float:
+@kernel
+def _bow(run: F64_2, size: F64_1, i: int, end: int) -> float:
     """The bulge of the arc from the start of segment i to that of ``end`` through the joint that
     is nearest to the middle."""
     total = 0.0
@@ -341,8 +353,8 @@ def _bow(run: Any, size: Any, i: int, end: int) -> float:
     return -bulge if angle > 0.0 else bulge
 
 
-@njit(cache=True, error_model="numpy")
-def _off(run: Any, i: int, end: int, bulge: float) -> float:
+@kernel
+def _off(run: F64_2, i: int, end: int, bulge: float) -> float:
     """How far joints, and middles of segments, are from one line or arc; infinite where they do
     not follow it."""
     x0, y0, x1, y1 = run[i, 0], run[i, 1], run[end - 1, 2], run[end - 1, 3]

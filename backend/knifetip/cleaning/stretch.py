@@ -8,16 +8,15 @@ Compiled, for those who go from edge to edge.
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_1, F64_2, kernel
 
 
-@njit(cache=True, error_model="numpy")
-def circle_of(rows: Any, i: int) -> tuple[float, float, float, float]:
+@kernel
+def circle_of(rows: F64_2, i: int) -> tuple[float, float, float, float]:
     """Centre, radius and sweep of an arc."""
     b = rows[i, 4]
     dx = rows[i, 2] - rows[i, 0]
@@ -29,8 +28,8 @@ def circle_of(rows: Any, i: int) -> tuple[float, float, float, float]:
     return cx, cy, radius, 4.0 * math.atan(b)
 
 
-@njit(cache=True, error_model="numpy")
-def size_of(rows: Any, i: int) -> float:
+@kernel
+def size_of(rows: F64_2, i: int) -> float:
     """Length of a line or an arc."""
     chord = math.hypot(rows[i, 2] - rows[i, 0], rows[i, 3] - rows[i, 1])
     b = abs(rows[i, 4])
@@ -39,8 +38,8 @@ def size_of(rows: Any, i: int) -> float:
     return float(chord * (1.0 + b * b) * math.atan(b) / b)
 
 
-@njit(cache=True, error_model="numpy")
-def middle_of(rows: Any, i: int) -> tuple[float, float]:
+@kernel
+def middle_of(rows: F64_2, i: int) -> tuple[float, float]:
     """The middle of a line or an arc."""
     b = rows[i, 4]
     return (
@@ -49,8 +48,8 @@ def middle_of(rows: Any, i: int) -> tuple[float, float]:
     )
 
 
-@njit(cache=True, error_model="numpy")
-def place_of(rows: Any, i: int, x: float, y: float) -> float:
+@kernel
+def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
     """How far along edge i a point lies beside it, in lengths of the edge; of an arc, to ± half
     the circle from its middle."""
     if abs(rows[i, 4]) < BULGE:
@@ -66,8 +65,8 @@ def place_of(rows: Any, i: int, x: float, y: float) -> float:
     return 0.5 + math.atan2(mx * y - my * x, mx * x + my * y) / sweep
 
 
-@njit(cache=True, error_model="numpy")
-def range_of(rows: Any, i: int, piece: Any) -> tuple[float, float]:
+@kernel
+def range_of(rows: F64_2, i: int, piece: F64_1) -> tuple[float, float]:
     """From where to where on edge i a piece lies, in lengths of the edge; not clipped."""
     if abs(rows[i, 4]) < BULGE:
         a = place_of(rows, i, piece[0], piece[1])

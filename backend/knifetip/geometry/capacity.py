@@ -1,0 +1,65 @@
+"""capacity: room for more rows in arrays that kernels append to.
+
+    column of n rows -> a copy with room for 2 n + 16
+
+One kernel for each type, since a kernel has one signature.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I32, I64
+from knifetip.kernels import F64_1, F64_2, I32_1, I32_2, OutF64_2, OutI64_2, kernel
+
+
+@kernel
+def double_f64(column: F64_1) -> F64:
+    """Return a column with room for twice as many numbers."""
+    more = np.empty(2 * len(column) + 16)
+    more[: len(column)] = column
+    return more
+
+
+@kernel
+def double_i32(column: I32_1) -> I32:
+    """Return a column with room for twice as many rows or indices."""
+    more = np.empty(2 * len(column) + 16, np.int32)
+    more[: len(column)] = column
+    return more
+
+
+@kernel
+def double_f64_2(table: F64_2) -> F64:
+    """Return a table of numbers with room for twice as many rows."""
+    more = np.empty((2 * len(table) + 16, table.shape[1]))
+    more[: len(table)] = table
+    return more
+
+
+@kernel
+def double_i32_2(table: I32_2) -> I32:
+    """Return a table of indices with room for twice as many rows."""
+    more = np.empty((2 * len(table) + 16, table.shape[1]), np.int32)
+    more[: len(table)] = table
+    return more
+
+
+@kernel
+def reserve_f64_2(table: OutF64_2, rows: int) -> F64:
+    """Return a table of numbers with room for so many rows, a copy where it had less."""
+    if rows <= len(table):
+        return table
+    more = np.empty((2 * rows, table.shape[1]))
+    more[: len(table)] = table
+    return more
+
+
+@kernel
+def reserve_i64_2(table: OutI64_2, rows: int) -> I64:
+    """Return a table of indices with room for so many rows, a copy where it had less."""
+    if rows <= len(table):
+        return table
+    more = np.empty((2 * rows, table.shape[1]), np.int64)
+    more[: len(table)] = table
+    return more
