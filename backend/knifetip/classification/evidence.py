@@ -234,10 +234,22 @@ def _slender(left: I32_1, right: I32_1, length: F64_1, area: F64_1, narrow: floa
 
 @kernel
 def _gather(
-    first: I32_1, part: I32_1, length: F64_1, role: U8_1, left: I32_1, right: I32_1, slender: Bool_1,
-    greatest: OutU8_1, share: OutF64_1, whole: OutF64_1, narrow: OutBool_1, part_of: OutI32_1, sides: OutI32_2,
-    begin: int, end: int,
-) -> None:  # fmt: skip
+    first: I32_1,
+    part: I32_1,
+    length: F64_1,
+    role: U8_1,
+    left: I32_1,
+    right: I32_1,
+    slender: Bool_1,
+    greatest: OutU8_1,
+    share: OutF64_1,
+    whole: OutF64_1,
+    narrow: OutBool_1,
+    part_of: OutI32_1,
+    sides: OutI32_2,
+    begin: int,
+    end: int,
+) -> None:
     """Write of some edges what their pieces have the most of.
 
     Parameters
@@ -329,9 +341,16 @@ def _roles(net: Net, sides: Faces, parts: Parts) -> U8:
 
 @kernel(allocates=False)
 def _look_up(
-    table: U8_2, kind: U8_1, part: I32_1, left: I32_1, right: I32_1, outside: I32_1, role: OutU8_1,
-    begin: int, end: int,
-) -> None:  # fmt: skip
+    table: U8_2,
+    kind: U8_1,
+    part: I32_1,
+    left: I32_1,
+    right: I32_1,
+    outside: I32_1,
+    role: OutU8_1,
+    begin: int,
+    end: int,
+) -> None:
     for p in range(begin, end):
         out = outside[part[p]]
         if left[p] == right[p]:

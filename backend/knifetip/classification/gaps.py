@@ -34,9 +34,17 @@ _SHORT: Final = 2.5
 
 
 def tied(
-    ends: F64, bulge: F64, touch: float, unit: float, node: I32, twin: I32, loose: Bool,
-    gap_of: F64, spots: Places, grid: Grid,
-) -> tuple[Partings, I32, Places]:  # fmt: skip
+    ends: F64,
+    bulge: F64,
+    touch: float,
+    unit: float,
+    node: I32,
+    twin: I32,
+    loose: Bool,
+    gap_of: F64,
+    spots: Places,
+    grid: Grid,
+) -> tuple[Partings, I32, Places]:
     """Tie loose ends to the nearest line that they look at, within ``gap_of`` each end, (2n,).
 
     Rules for creases end before those that cut, at both ends: what lies straight ahead is meant.
@@ -65,9 +73,19 @@ def tied(
 
 @kernel(allocates=False)
 def _look(
-    ends: F64_3, bulge: F64_1, node: I32_1, twin: I32_1, loose: Bool_1, ahead: float, gap_of: F64_1, grid: Grid,
-    partner: OutI32_1, where: OutF64_1, begin: int, end: int,
-) -> None:  # fmt: skip
+    ends: F64_3,
+    bulge: F64_1,
+    node: I32_1,
+    twin: I32_1,
+    loose: Bool_1,
+    ahead: float,
+    gap_of: F64_1,
+    grid: Grid,
+    partner: OutI32_1,
+    where: OutF64_1,
+    begin: int,
+    end: int,
+) -> None:
     """Write what the loose ends of some edges look at, and where on it."""
     low, size, side, first, listed = grid
     for i in range(begin, end):
@@ -104,9 +122,15 @@ def _look(
 
 @kernel
 def _tie(
-    ends: F64_3, bulge: F64_1, touch: float, node: I32_1, met: I32_1, partner: I32_1, where: F64_1,
+    ends: F64_3,
+    bulge: F64_1,
+    touch: float,
+    node: I32_1,
+    met: I32_1,
+    partner: I32_1,
+    where: F64_1,
     spots: Places,
-) -> Any:  # fmt: skip
+) -> Any:
     """Return row, share and place of partings, ties, and how many places there are."""
     count = spots.known
     row = np.empty(len(met), np.int32)
@@ -153,9 +177,17 @@ def crossed(
 
 @kernel(allocates=False)
 def _look_through(
-    ends: F64_3, bulge: F64_1, touch: float, twin: I32_1, tie: I32_2, point: F64_2, grid: Grid,
-    is_crossed: OutBool_1, begin: int, end: int,
-) -> None:  # fmt: skip
+    ends: F64_3,
+    bulge: F64_1,
+    touch: float,
+    twin: I32_1,
+    tie: I32_2,
+    point: F64_2,
+    grid: Grid,
+    is_crossed: OutBool_1,
+    begin: int,
+    end: int,
+) -> None:
     """Write of some ties whether a line runs through them."""
     for k in range(begin, end):
         is_crossed[k] = _first_through(ends, bulge, touch, twin, tie, point, grid, k)[0] >= 0
@@ -198,9 +230,15 @@ def _first_through(
 
 @kernel
 def _cross(
-    ends: F64_3, bulge: F64_1, touch: float, twin: I32_1, tie: OutI32_2, wanted: I64_1, spots: Places,
+    ends: F64_3,
+    bulge: F64_1,
+    touch: float,
+    twin: I32_1,
+    tie: OutI32_2,
+    wanted: I64_1,
+    spots: Places,
     grid: Grid,
-) -> Any:  # fmt: skip
+) -> Any:
     """Part the wanted ties, and what is left of them."""
     point, places, onward, head = spots
     row = np.empty(16, np.int32)

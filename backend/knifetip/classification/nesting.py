@@ -62,9 +62,20 @@ def held(beside: Beside, left: I32, right: I32, outside: I32, owner: I32) -> I32
 
 @kernel(allocates=False)
 def _look_left(
-    ends: F64_3, bulge: F64_1, grid: Grid, place: F64_2, first_piece: I32_1, share: F64_1, part: I32_1,
-    leftmost: I32_1, touch: float, piece: OutI32_1, upward: OutBool_1, begin: int, end: int,
-) -> None:  # fmt: skip
+    ends: F64_3,
+    bulge: F64_1,
+    grid: Grid,
+    place: F64_2,
+    first_piece: I32_1,
+    share: F64_1,
+    part: I32_1,
+    leftmost: I32_1,
+    touch: float,
+    piece: OutI32_1,
+    upward: OutBool_1,
+    begin: int,
+    end: int,
+) -> None:
     """Write what is met first to the left of the leftmost place of some parts."""
     low, size, side, first, listed = grid
     for c in range(begin, end):

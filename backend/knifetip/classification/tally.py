@@ -89,9 +89,19 @@ class Tally(NamedTuple):
 
 @kernel(allocates=False)
 def _add(
-    style: I64_1, lengths: F64_1, role: U8_1, dashed: Bool_1, paired: Bool_1, held: Bool_1,
-    count: OutI64_2, length: OutF64_2, dashes: OutF64_1, pairs: OutF64_1, holds: OutF64_1, all_held: OutF64_2,
-) -> None:  # fmt: skip
+    style: I64_1,
+    lengths: F64_1,
+    role: U8_1,
+    dashed: Bool_1,
+    paired: Bool_1,
+    held: Bool_1,
+    count: OutI64_2,
+    length: OutF64_2,
+    dashes: OutF64_1,
+    pairs: OutF64_1,
+    holds: OutF64_1,
+    all_held: OutF64_2,
+) -> None:
     for i in range(len(style)):
         s, long = style[i], lengths[i]
         count[s, role[i]] += 1
@@ -111,9 +121,15 @@ def _add(
 
 @kernel(allocates=False)
 def _number(
-    style: I64_1, role: U8_1, sure: F64_1, annotated: Bool_1, holds: Bool_1, dashed: Bool_1, dashes_hold: Bool_1,
+    style: I64_1,
+    role: U8_1,
+    sure: F64_1,
+    annotated: Bool_1,
+    holds: Bool_1,
+    dashed: Bool_1,
+    dashes_hold: Bool_1,
     cell: OutI64_1,
-) -> None:  # fmt: skip
+) -> None:
     for i in range(len(style)):
         flags = 0
         if sure[i] < _SURE and role[i] != _UNKNOWN:
