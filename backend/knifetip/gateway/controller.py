@@ -51,12 +51,14 @@ class SafeState:
 
     outputs: tuple[int, ...]  #: digital outputs that must be off
     lift: float  #: least Z (program coordinates, mm)
+    #: the controller itself must switch a beam off at every hold and for every rapid
+    beam: bool = False
 
     @classmethod
     def of(cls, machine: Machine) -> SafeState:
         """Return the safe state of a machine: all its outputs off, Z at travel height."""
-        outputs = sorted({station.output for station in machine.stations if station.output >= 0})
-        return cls(tuple(outputs), min(machine.travel_z, machine.z.high))
+        lift = min(machine.travel_z, machine.z.high)
+        return cls(machine.outputs, lift, machine.has_beam)
 
 
 class Observer(Protocol):

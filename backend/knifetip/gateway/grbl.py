@@ -185,7 +185,23 @@ class Grbl:
                 self._window = max(int(options[2]), 2) - 1
             elif axes := _AXES.match(line):
                 self._rotary = answers.rotary_axis(axes[1])
+        if self._safe is not None and self._safe.beam:
+            await self._require_laser_mode()
         await recovery.secure(self, self._safe, self._silence)
+
+    async def _require_laser_mode(self) -> None:
+        """Refuse a machine with a beam whose controller leaves it on at a hold.
+
+        Only in laser mode does grbl switch the spindle output off at every hold, of the gateway or
+        of its own button, and for every rapid.
+        """
+        if "$32=1" not in await self.command(b"$$"):
+            raise self._fail(
+                ControllerError(
+                    f"{self.name} is not in laser mode, so a hold would leave the beam on.",
+                    "Set $32=1 at the controller and connect again; nothing was sent.",
+                )
+            )
 
     async def close(self) -> None:
         """Close the transport; what the controller has in its buffer it still does."""

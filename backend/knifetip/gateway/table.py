@@ -355,7 +355,7 @@ class Table:
 
     def _settings(self) -> list[str]:
         limits = self._limits
-        rows = ["$10=511", "$13=0", "$20=1", "$22=1", "$32=0"]
+        rows = ["$10=511", "$13=0", "$20=1", "$22=1", f"$32={int(self.machine.has_beam)}"]
         for axis in range(4):
             rows.append(f"$11{axis}={limits.velocity[axis] * 60.0:.3f}")
             rows.append(f"$12{axis}={limits.acceleration[axis]:.3f}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from knifetip.model.dieline import LineType
-from knifetip.model.tool import KINDS, Planner, Tool, kind_of
+from knifetip.model.tool import KINDS, Planner, Switching, Tool, kind_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +34,11 @@ class Station:
     c: float  #: mounting angle (degrees)
     output: int  #: digital output of the piston that lowers the station; -1 where it has none
 
+    @property
+    def beams(self) -> bool:
+        """Whether its tool is switched on only while it cuts."""
+        return kind_of(self.tool).switching == Switching.CUT
+
     def planner(self, line_type: LineType) -> Planner:
         """Return how its tool makes a line type that it makes."""
         return kind_of(self.tool).planners[line_type]
@@ -60,6 +65,18 @@ class Machine:
     settle: float  #: seconds to wait after a piston or the oscillation is switched
     feed: str = "manual"  #: how a sheet gets onto the table: ``manual`` or ``automatic``
     controller: object = None  #: settings of the controller, as its language reads them
+
+    @property
+    def outputs(self) -> tuple[int, ...]:
+        """All digital outputs, of pistons and of what the tools need besides, ascending."""
+        pistons = {station.output for station in self.stations if station.output >= 0}
+        others = {output for station in self.stations for output in station.tool.outputs}
+        return tuple(sorted(pistons | others))
+
+    @property
+    def has_beam(self) -> bool:
+        """Whether a station holds a beam, which must be off for every rapid."""
+        return any(station.beams for station in self.stations)
 
     @property
     def offset_cuts(self) -> bool:

@@ -19,7 +19,7 @@ import numpy as np
 from numba import njit
 
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64
+from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.tolerance import BULGE
 from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
@@ -94,9 +94,23 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     seconds = np.maximum(asked, safe / velocity)
     waits = timing(toolpath, np.hypot(flat, change[:, 2]), seconds, machine)
     stops[1:] |= waits[:-1] > 0.0
+    switched, pierced = _beams(toolpath, machine)
+    stops |= switched
     times: F64 = _travelled(length, velocity, acceleration, first, last, hardest * JOLT, stops)
-    times += changed * machine.settle + waits
+    times += changed * machine.settle + waits + pierced
     return times
+
+
+def _beams(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
+    """Return the rows at whose start a beam is switched, and how long it pierces there (s)."""
+    beams = np.zeros(256, np.bool_)
+    pierce = np.zeros(256)
+    for station in machine.stations:
+        beams[station.number] = station.beams
+        pierce[station.number] = station.tool.pierce
+    on = beams[toolpath.tool] & (toolpath.motion != Motion.RAPID)
+    before = np.concatenate([[False], on[:-1]])
+    return on != before, np.where(on & ~before, pierce[toolpath.tool], 0.0)
 
 
 def _asked(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:

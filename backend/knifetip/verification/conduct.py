@@ -13,9 +13,9 @@ from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.findings import MOST, Findings
-from knifetip.verification.kinematics import LEVEL, Tips
+from knifetip.verification.kinematics import LEVEL, Tips, beams
 from knifetip.verification.moves import Moves
-from knifetip.verification.tools import EXACT, expected
+from knifetip.verification.tools import EXACT, expected, extra_outputs
 
 #: A feed may differ from the tool's by this share of it: programs print six figures.
 FEED: Final = 1e-5
@@ -139,6 +139,7 @@ def _name(moves: Moves, machine: Machine, row: int) -> str:
 def outputs(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
     """Note work by a station that is not lowered, beside another one that is, or at rest."""
     wrong: list[tuple[Bool, str]] = []
+    extra = extra_outputs(machine)
     for index, station in enumerate(machine.stations):
         mine = tip.inside & (moves.station == index)
         if station.output >= 0:
@@ -158,6 +159,11 @@ def outputs(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
                     )
                 )
         tool = expected(station.tool)
+        for output in tool.outputs:
+            on = moves.extra[:, extra.index(output)]
+            wrong.append(
+                (mine & ~on, f"station {station.number} works while output {output} is off.")
+            )
         if tool.turns:
             wrong.append((mine & ~moves.oscillating, tool.at_rest))
         else:
@@ -181,7 +187,9 @@ def in_the_board(
 ) -> None:
     """Note rapids below the top face, moves from nowhere, slanted ways in, wide turns inside."""
     lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
-    for row in np.flatnonzero(tip.inside & (moves.code == 0))[:MOST]:
+    beam = beams(moves, machine)
+    _burning(moves, tip, beam, found)
+    for row in np.flatnonzero(tip.inside & ~beam & (moves.code == 0))[:MOST]:
         found.add(
             "stray",
             f"Line {moves.line[row]}: a rapid takes {_name(moves, machine, row)} "
@@ -202,7 +210,7 @@ def in_the_board(
 
     stay = tip.inside & (moves.code > 0) & ~unknown
     drop = tip.end[:, 2] - tip.start[:, 2]
-    slanted = stay & (np.abs(drop) > LEVEL)
+    slanted = stay & ~beam & (np.abs(drop) > LEVEL)
     top = np.minimum(np.maximum(tip.start[:, 2], tip.end[:, 2]), board.caliper)
     share = np.divide(top - lowest, np.abs(drop), out=np.zeros(len(drop)), where=slanted)
     slope = np.array([expected(station.tool).slope for station in machine.stations])
@@ -219,6 +227,19 @@ def in_the_board(
             line=moves.line[row],
         )
     _turns(moves, tip, machine, stay, slanted, found)
+
+
+def _burning(moves: Moves, tip: Tips, beam: Bool, found: Findings) -> None:
+    """Note rapids with the beam on, and feeds along which its focus changes its height."""
+    on = beam & tip.inside
+    way = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
+    for row in np.flatnonzero(on & (moves.code == 0))[:MOST]:
+        text = f"Line {moves.line[row]}: the beam is on along a rapid of {way[row]:.3f} mm."
+        found.add("stray", text, way[row], line=moves.line[row])
+    for row in np.flatnonzero(on & (moves.code > 0) & (drop > LEVEL))[:MOST]:
+        text = f"Line {moves.line[row]}: the beam is on while its focus moves {drop[row]:.3f} mm."
+        found.add("depth", text, drop[row], line=moves.line[row])
 
 
 def _turns(

@@ -129,7 +129,17 @@ def tips(moves: Moves, machine: Machine, board: Board) -> Tips:
             pose[rows, :2] += tip_offset(pose[rows, 3], station)
     lowest = np.fmin(start[:, 2], end[:, 2])
     inside = (moves.station >= 0) & (lowest < board.caliper - LEVEL)
+    beam = beams(moves, machine)
+    # A beam works where it is on, whatever its height.
+    inside[beam] = moves.oscillating[beam]
     return Tips(start, end, moves.line, moves.station, inside)
+
+
+def beams(moves: Moves, machine: Machine) -> Bool:
+    """Return which moves are those of a beam, (n,)."""
+    held = [expected(station.tool).beam is not None for station in machine.stations]
+    result: Bool = np.array([*held, False])[moves.station]
+    return result
 
 
 def work(moves: Moves, tip: Tips, usable: Bool, machine: Machine, board: Board) -> Work:
@@ -148,7 +158,7 @@ def work(moves: Moves, tip: Tips, usable: Bool, machine: Machine, board: Board) 
         drop = tip.end[:, 2] - tip.start[:, 2]
     stay = usable & tip.inside & (moves.code > 0)
     flat = stay & (np.abs(drop) <= LEVEL)
-    entered = stay & ~(tip.start[:, 2] < board.caliper - LEVEL)
+    entered = stay & ~(tip.start[:, 2] < board.caliper - LEVEL) & ~beams(moves, machine)
     # A stay goes on as long as each move begins inside.
     broken = np.ones(len(stay), np.bool_)
     broken[1:] = ~stay[:-1] | entered[1:] | (moves.station[1:] != moves.station[:-1])

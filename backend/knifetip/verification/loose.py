@@ -202,10 +202,10 @@ def _worked(bench: Bench, work: Work, cuts: Edges) -> _Stretches:
     for index in np.unique(work.station[mill]):
         held = bench.machine.stations[int(index)]
         assert bounds is not None
-        disc = expected(held.tool).disc
-        assert disc is not None
+        tool = expected(held.tool)
+        assert tool.disc is not None
         give = next((one for one in bench.board.deflection if one.tool == held.name), None)
-        reach = np.full(2, disc.radius) - ((give.x, give.y) if give else 0.0)
+        reach = np.full(2, tool.disc.radius) - ((give.x, give.y) if give else 0.0)
         widest = max(widest, float(reach.max()))
         beside = equidistants(bounds, reach)
         rows = np.flatnonzero(mill & (work.station == index))
@@ -215,7 +215,8 @@ def _worked(bench: Bench, work: Work, cuts: Edges) -> _Stretches:
         )
         low, high = beside.on_edge(near.edge, near.place)
         deep = bench.board.caliper - work.z[rows[near.curve]]
-        through = deep >= bench.board.caliper + bench.machine.into_mat - DEPTH
+        planned = tool.through_depth(bench.board.caliper, bench.machine.into_mat)
+        through = deep >= planned - DEPTH
         columns.append((beside.edge[near.edge], low, high, rows[near.curve], through))
     edge, low, high, way, through = (np.concatenate(one) for one in zip(*columns, strict=True))
     # What only crosses a cut, or touches its end, is no work on it.

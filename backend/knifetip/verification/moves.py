@@ -23,7 +23,8 @@ class Switches:
     move: I64  #: (k,) the last move before it, -1 for none
     lowers: I32  #: (k,) index into ``machine.stations`` of the station that it lowers, or -1
     beside: Bool  #: (k, stations) which outputs are on, or not stated
-    at_end: Bool  #: (stations + 1,) what is stated when the program ends, as ``Moves.stated``
+    at_end: Bool  #: (stations + e + 1,) what is stated when the program ends, as ``Moves.stated``
+    spindle: Bool  #: (k,) it switches the spindle and nothing else
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -41,9 +42,10 @@ class Moves:
     station: I32  #: (n,) index into ``machine.stations``, -1 while none is chosen
     piston: Bool  #: (n, stations) output on
     oscillating: Bool  #: (n,) M3
-    stated: Bool  #: (n, stations + 1) each station's output, and last the spindle, on or off
+    extra: Bool  #: (n, e) output of ``tools.extra_outputs`` on
+    stated: Bool  #: (n, stations + e + 1) outputs as above, and last the spindle, on or off
     blend: F64  #: (n,) mm, the larger of G64's P and Q; inf where the path is not bounded
-    waited: F64  #: (n,) seconds of G4 since an output was last switched, inf if never
+    waited: F64  #: (n,) seconds of G4 since something was last switched, inf if never
     tabled: bool  #: stations are called by T words, so there is a tool table
     dwell: float  #: seconds of all G4
     switches: Switches

@@ -68,11 +68,12 @@ def judge_removal(bench: Bench, edges: Edges, ways: Ways, station: Station, slac
     slack : mm
         Shorter gaps are none.
     """
-    tool = expected(station.tool).disc
-    assert tool is not None
+    tool = expected(station.tool)
+    assert tool.disc is not None
+    planned = tool.through_depth(bench.board.caliper, bench.machine.into_mat)
     give = next((held for held in bench.board.deflection if held.tool == station.name), None)
-    reach = np.array([tool.radius, tool.radius]) - ((give.x, give.y) if give else 0.0)
-    _Removal(bench, edges, ways, tool, reach, slack).run()
+    reach = np.array([tool.disc.radius, tool.disc.radius]) - ((give.x, give.y) if give else 0.0)
+    _Removal(bench, edges, ways, tool.disc, reach, slack).run(planned)
 
 
 class _Removal:
@@ -87,9 +88,9 @@ class _Removal:
         self.size = edges.curve[:, 5]
         self.rounds = np.where(np.isfinite(ways.blend), ways.blend, 0.0)
 
-    def run(self) -> None:
+    def run(self, planned: float) -> None:
+        """Judge the work, which goes ``planned`` mm below the top face."""
         deep = self.bench.board.caliper - self.ways.z
-        planned = self.bench.board.caliper + self.bench.machine.into_mat
         wrong = deep - planned
         if self.tool.step == 0.0:
             wrong = np.abs(wrong)

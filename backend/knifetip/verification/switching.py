@@ -20,6 +20,7 @@ from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, Bool
 from knifetip.verification.findings import MOST, Findings
 from knifetip.verification.moves import Moves
+from knifetip.verification.tools import expected, extra_outputs, has_beam
 
 #: A height may be less than asked by this, half of the last printed digit (mm).
 PRINT: Final = 5e-5
@@ -44,15 +45,24 @@ def _check_stated(moves: Moves, machine: Machine, highest: float, found: Finding
         for index, station in enumerate(machine.stations)
         if station.output >= 0
     }
-    things[len(machine.stations)] = "the spindle (M5)"
+    spindle = moves.stated.shape[1] - 1
+    for index, output in enumerate(extra_outputs(machine), len(machine.stations)):
+        things[index] = f"output {output} (M65 P{output})"
+    things[spindle] = "the spindle (M5)"
+    burns = has_beam(machine)
     for index, thing in things.items():
-        early = ~lift & ~moves.stated[:, index]
+        early = ~moves.stated[:, index]
+        # A beam that was left on burns along a lift too.
+        if not (burns and index == spindle):
+            early &= ~lift
         if early.any():
             line = int(moves.line[np.argmax(early)])
-            text = (
-                f"moves before the state of {thing} is stated; until then a program may only lift "
-                f"straight up, to joint Z {highest:.3f} mm or higher."
-            )
+            until = f"straight up, to joint Z {highest:.3f} mm or higher."
+            text = f"moves before the state of {thing} is stated; "
+            if burns and index == spindle:
+                text += "a beam may still be on."
+            else:
+                text += f"until then a program may only lift {until}"
             found.program([(line, text)])
         elif not moves.switches.at_end[index]:
             found.add("program", f"The program ends without stating {thing}.", 0.0)
@@ -79,6 +89,10 @@ def _check_heights(
     longer = datum[switches.lowers] + board.caliper + machine.clearance
     needed = np.where(switches.lowers >= 0, np.maximum(needed, longer), needed)
     low = ~(height >= needed - PRINT)
+    # A beam works without touching: only where it is on is looked at, by its work.
+    beams = np.array([expected(held.tool).beam is not None for held in machine.stations] + [False])
+    unused = (station < 0) & beams.any()
+    low &= ~(switches.spindle & (beams[station] | unused))
     first = low.copy()
     first[1:] &= ~(low[:-1] & (switches.move[1:] == switches.move[:-1]))
     for row in np.flatnonzero(first)[:MOST]:

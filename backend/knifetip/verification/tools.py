@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any, Final
 
+from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
 
 #: Inside a pass C may turn alone by this, where a tool has no swivel angle of its own (degrees).
@@ -54,6 +55,14 @@ class Disc:
 
 
 @dataclass(frozen=True, slots=True)
+class Beam:
+    """What is asked of a beam, which works wherever it is on, at any height."""
+
+    focus: float  #: height of the focus above the board's top face (mm)
+    pierce: float  #: seconds that it stays where it is switched on
+
+
+@dataclass(frozen=True, slots=True)
 class Expected:
     """What a program may do with a tool, and what the tool then does to the board."""
 
@@ -71,6 +80,12 @@ class Expected:
     at_rest: str = ""  #: what is wrong where it is not in force
     wait: float = 0.0  #: seconds after it is switched, if longer than the machine's own
     disc: Disc | None = None
+    beam: Beam | None = None
+    outputs: tuple[int, ...] = ()  #: that must be on while it works, besides its station's
+
+    def through_depth(self, caliper: float, into_mat: float) -> float:
+        """Return how deep below the top face its tip is where it cuts the board through (mm)."""
+        return -self.beam.focus if self.beam else caliper + into_mat
 
 
 def _knife(tool: Knife) -> Expected:
@@ -118,6 +133,16 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], Expected]]] = {
     VCutter: _v_cutter,
     Cutter: _cutter,
 }
+
+
+def extra_outputs(machine: Machine) -> tuple[int, ...]:
+    """Return the outputs that tools need besides their stations', ascending."""
+    return tuple(sorted({one for held in machine.stations for one in expected(held.tool).outputs}))
+
+
+def has_beam(machine: Machine) -> bool:
+    """Return whether a station holds a beam."""
+    return any(expected(held.tool).beam is not None for held in machine.stations)
 
 
 def expected(tool: Tool) -> Expected:

@@ -116,6 +116,23 @@ async def test_a_machine_in_alarm_is_not_unlocked_from_here() -> None:
     assert "$X" not in wire.lines
 
 
+@pytest.mark.parametrize(("mode", "taken"), [("$32=1", True), ("$32=0", False), ("$30=1", False)])
+async def test_a_machine_with_a_beam_is_taken_over_in_laser_mode_only(
+    mode: str, taken: bool
+) -> None:
+    wire = Wire({"$$": f"$10=511\n{mode}\nok"})
+    safe = SafeState((5,), 0.0, beam=True)
+    if taken:
+        async with opened(wire, safe=safe):
+            assert wire.lines[-2:] == ["M5", "M65 P5"]
+        return
+    with pytest.raises(ControllerError, match="not in laser mode") as refused:
+        async with opened(wire, safe=safe):
+            pass
+    assert "$32=1" in refused.value.hint
+    assert "M5" not in wire.lines
+
+
 async def test_a_wire_without_a_controller_is_silent() -> None:
     wire = Wire()
     wire.mute = True

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum, StrEnum
-from typing import ClassVar, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 
 class Reversal(IntEnum):
@@ -65,8 +65,16 @@ class Tool(ABC):
     #: It gives way under load, by what the board's file says.
     yields: ClassVar[bool] = False
 
-    feed: float  #: while it works (mm/min)
-    plunge: float  #: down into the board and up out of it (mm/min)
+    # Declared for the type checker only: a dataclass would take a property for a field's default.
+    if TYPE_CHECKING:
+
+        @property
+        def feed(self) -> float:
+            """Feed while it works (mm/min)."""
+
+        @property
+        def plunge(self) -> float:
+            """Feed down into the board and up out of it (mm/min)."""
 
     @abstractmethod
     def tip_circle(self, depth: float) -> TipCircle:

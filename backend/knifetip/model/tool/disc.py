@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from knifetip.geometry.columns import F64
@@ -13,10 +15,24 @@ class DiscTool(Tool):
 
     __slots__ = ()
 
-    radius: float  #: r (mm)
-    lead: float  #: straight way on which the offset is set up (mm); 0 for 1.5 r
-    approach: float  #: of that way to the contour (degrees): 0 in line, −90 round outside
-    dwell: float  #: longest touch of one corner before it burns (s); 0 for no limit
+    # Declared for the type checker only: a dataclass would take a property for a field's default.
+    if TYPE_CHECKING:
+
+        @property
+        def radius(self) -> float:
+            """r (mm)."""
+
+        @property
+        def lead(self) -> float:
+            """Straight way on which the offset is set up (mm); 0 for 1.5 r."""
+
+        @property
+        def approach(self) -> float:
+            """Of that way to the contour (degrees): 0 in line, −90 round outside."""
+
+        @property
+        def dwell(self) -> float:
+            """Longest touch of one corner before it burns (s); 0 for no limit."""
 
     @property
     def set_up(self) -> float:

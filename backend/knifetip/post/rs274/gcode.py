@@ -87,6 +87,11 @@ def plain(value: float) -> str:
     return f"{round(value, 4) + 0.0:.4f}"
 
 
+def dwell(seconds: float) -> str:
+    """Return the line that waits."""
+    return f"G4 P{plain(seconds)}".rstrip("0").rstrip(".")
+
+
 def lines(
     toolpath: Toolpath,
     first: int,

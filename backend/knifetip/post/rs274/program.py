@@ -27,6 +27,7 @@ from knifetip.model.program import Program
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.check import place_of
 from knifetip.post.rs274 import gcode
+from knifetip.post.rs274.beam import switched_beam
 from knifetip.post.rs274.controller import Dialect
 
 #: mm, absolute, arc centres from the start, XY plane, no compensation in the controller, mm/min.
@@ -86,6 +87,9 @@ def write_program(
         text, source = gcode.lines(
             toolpath, first, last, _added(station, dialect), machine, dialect, blending
         )
+        if station.beams:
+            height = _added(station, dialect)[2]
+            text, source = switched_beam(text, source, toolpath, station.tool, height)
         texts.append(text)
         sources.append(source)
         previous = station
@@ -115,6 +119,9 @@ def _header(
     yield HEADER
     if dialect.blending:
         yield f"G64 P{blending:.4f} Q{blending:.4f}"
+    if machine.has_beam:
+        # A beam that was left on would burn along the lift.
+        yield "M5"
     # The station that is still lowered, if any, is not known: lift high enough for each of them.
     highest = machine.travel_z + max(station.z for station in machine.stations)
     yield f"G0 Z{gcode.plain(min(highest, machine.z.high))}"
@@ -125,7 +132,7 @@ def _all_off(machine: Machine, dialect: Dialect) -> Iterator[str]:
     """Release every output of the machine and stop the spindle; the head has been lifted."""
     if dialect.eager_outputs:
         yield STILL
-    for output in sorted({station.output for station in machine.stations if station.output >= 0}):
+    for output in machine.outputs:
         yield f"M65 P{output}"
     yield "M5"
 
@@ -140,16 +147,21 @@ def _change(
             yield STILL
         if previous.output >= 0:
             yield f"M65 P{previous.output}"
-        if previous.tool.spindle:
+        for output in previous.tool.outputs:
+            yield f"M65 P{output}"
+        if previous.tool.spindle and not previous.beams:
             yield "M5"
     if dialect.tool_table:
         yield f"T{station.number} M6 G43"
+    # The piston last: the gateway takes the output last switched on for the station in use.
+    for output in station.tool.outputs:
+        yield f"M64 P{output}"
     if station.output >= 0:
         yield f"M64 P{station.output}"
-    if speed := station.tool.spindle:
+    if (speed := station.tool.spindle) and not station.beams:
         yield f"M3 S{speed}"
     if (pause := station.tool.settle(machine.settle)) > 0:
-        yield f"G4 P{gcode.plain(pause)}".rstrip("0").rstrip(".")
+        yield gcode.dwell(pause)
 
 
 def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[str]:

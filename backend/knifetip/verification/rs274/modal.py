@@ -20,7 +20,7 @@ from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
 from knifetip.verification.moves import Moves, Switches
 from knifetip.verification.rs274.parse import Words
-from knifetip.verification.tools import expected
+from knifetip.verification.tools import expected, extra_outputs, has_beam
 
 #: More lines than this are no program for one sheet.
 BLOCKS: Final = 2_000_000
@@ -189,7 +189,14 @@ class _State:
         self.loaded = _held(self.chosen, change)
         self.on = np.zeros((count, len(stations)), np.bool_)
         # An output that no line has switched yet is as the job before has left it.
-        self.stated = np.ones((count, len(stations) + 1), np.bool_)
+        extra = extra_outputs(machine)
+        self.stated = np.ones((count, len(stations) + len(extra) + 1), np.bool_)
+        self.extra = np.zeros((count, len(extra)), np.bool_)
+        for place, output in enumerate(extra):
+            mine = blocks.says(_OUTPUT) & (number["P"] == output)
+            held = _held(blocks.says(_OUTPUT, 64).astype(np.float64), mine)
+            self.extra[:, place] = held > 0.5
+            self.stated[:, len(stations) + place] = ~np.isnan(held)
         self.lowers = np.full(count, -1, np.int32)
         switched = blocks.says(_OUTPUT) | blocks.says(_SPINDLE)
         latest = np.full(count, -1, np.int64)
@@ -246,6 +253,8 @@ class _State:
         spent = np.cumsum(dwell)
         last = _last(switched)
         self.waited = np.where(last >= 0, spent - spent[last], np.inf) if count else np.zeros(0)
+        #: (count,) the spindle was switched last, and no output after it
+        self.by_spindle: Bool = _last(blocks.says(_SPINDLE)) > _last(blocks.says(_OUTPUT))
         self.dwell = float(dwell.sum())
 
 
@@ -281,10 +290,18 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
     tools = [expected(held.tool) for held in machine.stations]
     turns = np.array([*(tool.speed for tool in tools), 1.0])
     settle = np.maximum([*(tool.wait for tool in tools), 0.0], machine.settle)[state.station]
+    # A beam has nothing to settle: it stays until it has pierced the board.
+    unused = 0.0 if has_beam(machine) else -1.0
+    pierce = np.array([*(tool.beam.pierce if tool.beam else -1.0 for tool in tools), unused])
+    switched_beam = state.by_spindle & (pierce[state.station] >= 0.0)
+    settle = np.where(
+        switched_beam, np.where(state.oscillating, pierce[state.station], 0.0), settle
+    )
     waits = (number["P"] == 0.0) | (np.abs(number["P"] - settle) <= PRINT)
     fault(timed & ~waits, f"waits for another time than the machine's {machine.settle:g} s.")
     fault(has("F") & ~(number["F"] > 0.0), "has a feed that does not move.")
     outputs = [station.output for station in machine.stations if station.output >= 0]
+    outputs += extra_outputs(machine)
     fault(
         says(_OUTPUT) & ~np.isin(number["P"], outputs),
         f"switches an output that {machine.name} lacks.",
@@ -341,6 +358,7 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
     fault(after, "stands after the end of the program.")
     here = np.arange(blocks.count) == end
     fault(here & state.oscillating, "ends the program while something oscillates or turns.")
+    fault(here & state.extra.any(axis=1), "ends the program with an output on.")
     fault(here & state.on.any(axis=1), "ends the program with a station lowered.")
     fault(here & (state.offset_of >= 0), "ends the program with the offset of a station in force.")
 
@@ -352,8 +370,9 @@ def _switches(blocks: _Blocks, state: _State, moving: I64) -> Switches:
         line=blocks.line[rows],
         move=np.searchsorted(moving, rows) - 1,
         lowers=state.lowers[rows],
-        beside=state.on[rows] | ~state.stated[rows, :-1],
+        beside=state.on[rows] | ~state.stated[rows, : state.on.shape[1]],
         at_end=np.logical_or.reduce(state.stated, axis=0),
+        spindle=(blocks.says(_SPINDLE) & ~blocks.says(_OUTPUT) & ~blocks.says(_CHANGE))[rows],
     )
 
 
@@ -380,6 +399,7 @@ def _moves(blocks: _Blocks, state: _State) -> Moves:
         inverse=state.inverse[rows],
         station=state.station[rows].astype(np.int32),
         piston=state.on[rows],
+        extra=state.extra[rows],
         oscillating=state.oscillating[rows],
         stated=state.stated[rows],
         blend=state.blend[rows],
