@@ -11,6 +11,7 @@ import pytest
 from knifetip.library.load import machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.emit import process
+from tests.support.programs import laser
 
 QUARTER = np.tan(np.pi / 8)
 R, P, F, S, L = Motion.RAPID, Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.LIFT
@@ -54,6 +55,11 @@ def small_program(dialect: str, path: Toolpath | None = None) -> bytes:
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
 def test_the_small_job_is_what_it_was(dialect: str, golden: Callable[[str, bytes], None]) -> None:
     golden(f"small-job-{dialect}.ngc", small_program(dialect))
+
+
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+def test_the_laser_job_is_what_it_was(dialect: str, golden: Callable[[str, bytes], None]) -> None:
+    golden(f"laser-job-{dialect}.ngc", laser.program(dialect).text)
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])

@@ -15,7 +15,7 @@ from enum import IntEnum
 from typing import Any, Final
 
 from knifetip.model.machine import Machine
-from knifetip.model.tool import CreaseWheel, Cutter, Knife, Tool, VCutter
+from knifetip.model.tool import CreaseWheel, Cutter, Knife, Laser, Tool, VCutter
 
 #: Inside a pass C may turn alone by this, where a tool has no swivel angle of its own (degrees).
 TURN: Final = 1.01
@@ -127,11 +127,27 @@ def _cutter(tool: Cutter) -> Expected:
     )
 
 
+def _laser(tool: Laser) -> Expected:
+    radius = 0.5 * tool.kerf
+    return Expected(
+        Trade.MILL,
+        Trade.MILL,
+        follows=False,
+        speed=tool.power,
+        turns=True,
+        at_rest="the laser cuts while it is off.",
+        disc=Disc(radius, 0.0, tool.lead or _SET_UP * radius),
+        beam=Beam(tool.focus, tool.pierce),
+        outputs=(int(tool.air),) if tool.air >= 0 else (),
+    )
+
+
 _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], Expected]]] = {
     Knife: _knife,
     CreaseWheel: _crease_wheel,
     VCutter: _v_cutter,
     Cutter: _cutter,
+    Laser: _laser,
 }
 
 

@@ -213,8 +213,8 @@ def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str) ->
     [
         (
             '"v-cutter"',
-            '"laser"',
-            "'laser' is not a tool; there are knife, crease-wheel",
+            '"axe"',
+            "'axe' is not a tool; there are knife, crease-wheel",
         ),
         ('kind = "v-cutter"\n', "", "'kind' is missing"),
         ("tilt = 45.0", "tilt = 90.0", "tilt is 90.0, and must lie between 0 and 90"),

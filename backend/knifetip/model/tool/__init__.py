@@ -9,6 +9,7 @@ from knifetip.model.tool.cutter import Cutter
 from knifetip.model.tool.disc import DiscTool
 from knifetip.model.tool.kinds import KINDS, Engine, Kind, Planner, kind_of
 from knifetip.model.tool.knife import Knife
+from knifetip.model.tool.laser import Laser
 from knifetip.model.tool.v_cutter import VCutter
 
 __all__ = [
@@ -20,6 +21,7 @@ __all__ = [
     "Footprint",
     "Kind",
     "Knife",
+    "Laser",
     "Planner",
     "Reversal",
     "Switching",

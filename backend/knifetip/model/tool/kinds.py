@@ -16,6 +16,7 @@ from knifetip.model.tool.base import Switching, Tool
 from knifetip.model.tool.crease_wheel import CreaseWheel
 from knifetip.model.tool.cutter import Cutter
 from knifetip.model.tool.knife import Knife
+from knifetip.model.tool.laser import Laser
 from knifetip.model.tool.v_cutter import VCutter
 
 
@@ -65,6 +66,7 @@ KINDS: Final = (
     Kind("crease-wheel", CreaseWheel, {LineType.CREASE: Planner.CREASES}, Engine.CREASE),
     Kind("v-cutter", VCutter, {LineType.V_GROOVE: Planner.GROOVES}, Engine.V_GROOVE),
     Kind("cutter", Cutter, {LineType.CUT: Planner.OFFSET_CUTS}, Engine.RADIUS),
+    Kind("laser", Laser, {LineType.CUT: Planner.OFFSET_CUTS}, Engine.RADIUS, Switching.CUT),
 )
 
 _BY_TOOL: Final = {kind.tool: kind for kind in KINDS}

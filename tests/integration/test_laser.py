@@ -1,0 +1,159 @@
+"""The laser table: what it makes is accepted, what burns elsewhere is refused."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from knifetip.compensation import radius
+from knifetip.errors import ProgramError
+from knifetip.geometry.path import Paths
+from knifetip.model.machine import Machine
+from knifetip.model.tool import Laser
+from knifetip.model.verdict import Verdict
+from knifetip.sequencing.duration import durations
+from knifetip.verification.verify import verify
+from tests.support.programs.laser import BOARD, LASER, LINE, program, toolpath
+
+
+def judged(text: bytes, dialect: str = "grblhal", machine: Machine = LASER) -> Verdict:
+    return verify(text, LINE, (0.0, 0.0), replace(machine, dialect=dialect), BOARD)
+
+
+def findings(text: str) -> str:
+    """Return the texts of the findings about a program, which must be refused."""
+    verdict = judged(text.encode())
+    assert not verdict.accepted
+    return "\n".join(finding.text for finding in verdict.findings)
+
+
+def with_laser(**dimensions: float) -> Machine:
+    """Return the table with other dimensions of its laser."""
+    stations = (
+        replace(one, tool=replace(one.tool, **dimensions)) if isinstance(one.tool, Laser) else one
+        for one in LASER.stations
+    )
+    return replace(LASER, stations=tuple(stations))
+
+
+@pytest.fixture(scope="module")
+def text() -> str:
+    """The program of the job for grblHAL."""
+    return program("grblhal").text.decode()
+
+
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+@pytest.mark.parametrize("corner", ["B", "C", "D", "auto"])
+def test_what_the_laser_makes_is_accepted(dialect: str, corner: str) -> None:
+    verdict = judged(program(dialect, corner).text, dialect)
+    assert verdict.accepted, verdict.findings[:3]
+    assert verdict.uncut.max() == 0.0
+
+
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+def test_the_beam_is_off_for_every_rapid_and_is_never_turned_up_or_down(dialect: str) -> None:
+    on, cuts = True, 0  # until M5, a job before may have left it on
+    for line in program(dialect).text.decode().splitlines():
+        if re.match(r"M[35]\b", line):
+            assert line in ("M5", "M3 S800")
+            on = line != "M5"
+        elif re.match(r"G0\b", line):
+            assert not on, line
+        elif on and re.match(r"G[123]\b", line):
+            assert "Z" not in line
+            cuts += 1
+    assert not on
+    assert cuts > 10
+
+
+@pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
+def test_each_line_belongs_to_the_move_that_it_makes(dialect: str) -> None:
+    made = program(dialect)
+    lines = made.text.decode().splitlines()
+    assert len(made.source) == len(lines)
+    path = toolpath()
+    # A G0 is a rapid, every other motion is none; what switches belongs to no move.
+    moves = [line[:2] == "G0" for line, row in zip(lines, made.source, strict=True) if row >= 0]
+    rapid = path.motion[made.source[made.source >= 0]] == 0
+    np.testing.assert_array_equal(moves, rapid)
+    switches = [line for line, row in zip(lines, made.source, strict=True) if row < 0]
+    assert sum(line == "M3 S800" for line in switches) == 3
+
+
+def test_the_focus_stays_at_one_height_while_the_laser_is_in_use() -> None:
+    path = toolpath()
+    work = (path.tool == 5) & (path.track >= 0)
+    np.testing.assert_allclose(path.pose[1:][work, 2], BOARD.caliper)
+    deeper = with_laser(focus=-0.2)
+    text = program("grblhal", machine=deeper).text
+    assert not judged(text, machine=deeper).accepted  # planned for another focus
+
+
+@pytest.mark.parametrize("factor", [0.85, 1.15])
+def test_half_a_kerf_wrong_by_15_micrometres_is_refused(
+    monkeypatch: pytest.MonkeyPatch, factor: float
+) -> None:
+    right = radius.equidistant
+
+    def wrong(paths: Paths, distance: float, side: int, **more: object) -> object:
+        return right(paths, distance * factor, side, **more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(radius, "equidistant", wrong)
+    assert not judged(program("grblhal").text).accepted
+
+
+def test_a_kerf_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = radius.equidistant
+
+    def wrong(paths: Paths, distance: float, side: int, **more: object) -> object:
+        return right(paths, distance, -side, **more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(radius, "equidistant", wrong)
+    assert not judged(program("grblhal").text).accepted
+
+
+FAULTS: dict[str, tuple[Callable[[str], str], str]] = {
+    "on along a rapid": (lambda text: text.replace("M5\nG0 X", "G0 X", 1), "on along a rapid"),
+    "on from the job before": (lambda text: text.replace("M5\nG0 Z", "G0 Z", 1), "may still be on"),
+    "on at the end": (
+        lambda text: text.replace("M5\nG49", "M3 S800\nG49"), "while something oscillates"
+    ),
+    "no power": (lambda text: text.replace("M3 S800", "M3", 1), "another speed"),
+    "less power": (lambda text: text.replace("M3 S800", "M3 S700", 1), "another speed"),
+    "no pierce": (lambda text: text.replace("M3 S800\nG4 P0.2\n", "M3 S800\n", 1), "has settled"),
+    "short pierce": (lambda text: text.replace("G4 P0.2\n", "G4 P0.1\n", 1), "another time"),
+    "never on": (lambda text: text.replace("M3 S800\nG4 P0.2\n", ""), "not cut"),
+    "once off": (lambda text: text.replace("M3 S800\nG4 P0.2\n", "", 1), "not cut"),
+    "no air": (lambda text: text.replace("M64 P5\n", ""), "output 5 is off"),
+    "air left on": (lambda text: "".join(text.rsplit("M65 P5\n", 1)), ""),
+    "shutter closed": (lambda text: text.replace("M64 P4\n", ""), ""),
+    "out of focus": (lambda text: text.replace("Z0.4000", "Z1.4000"), "is planned"),
+    "focus moves": (
+        lambda text: text.replace("G4 P0.2\nG1 ", "G4 P0.2\nG1 Z0.9000 ", 1), "its focus moves"
+    ),
+    "too fast": (lambda text: text.replace("F9000", "F12000"), "a feed of 12000"),
+    "too slow": (lambda text: text.replace("F9000", "F6000"), "a feed of 6000"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_program_with_a_fault_is_refused(text: str, fault: str) -> None:
+    spoil, said = FAULTS[fault]
+    wrong = spoil(text)
+    assert wrong != text
+    assert said in findings(wrong)
+
+
+def test_a_laser_without_power_has_no_program() -> None:
+    with pytest.raises(ProgramError, match="The laser has no power"):
+        program("grblhal", machine=with_laser(power=0.0))
+
+
+def test_the_time_counts_where_the_beam_pierces() -> None:
+    slow = with_laser(pierce=1.2)
+    path = toolpath()
+    assert durations(path, slow).sum() - durations(path, LASER).sum() == pytest.approx(3 * 1.0)
