@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from tests.fuzz.fuzzing import main, read_or_refused, watched
 
-with watched("knifetip.cf2", "knifetip.intake"):
+with watched("knifetip.cf2", "knifetip.drawing_builder"):
     from knifetip.cf2.read import read
-    from knifetip.intake.limits import Limits
+    from knifetip.formats.limits import Limits
 
 
 LIMITS = Limits(entities=2000, segments=20_000)

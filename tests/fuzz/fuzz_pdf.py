@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from tests.fuzz.fuzzing import main, read_or_refused, watched
 
-with watched("knifetip.pdf", "knifetip.intake", "pypdf"):
-    from knifetip.intake.limits import Limits
+with watched("knifetip.pdf", "knifetip.drawing_builder", "pypdf"):
+    from knifetip.formats.limits import Limits
     from knifetip.pdf.read import read
 
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from tests.fuzz.fuzzing import main, read_or_refused, watched
 
-with watched("knifetip.svg", "knifetip.intake"):
-    from knifetip.intake.limits import Limits
+with watched("knifetip.svg", "knifetip.drawing_builder"):
+    from knifetip.formats.limits import Limits
     from knifetip.svg.read import read
 
 

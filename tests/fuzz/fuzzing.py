@@ -28,7 +28,7 @@ import numpy as np
 
 from knifetip import geometry, kernels
 from knifetip.errors import KnifetipError
-from knifetip.intake.limits import REACH
+from knifetip.formats.limits import REACH
 from knifetip.model.drawing import Drawing
 
 AGAIN = "--again"

@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from knifetip.errors import KnifetipError
-from knifetip.intake.limits import REACH
+from knifetip.formats.limits import REACH
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
 from knifetip.model.interpretation import Interpretation

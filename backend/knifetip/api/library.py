@@ -1,4 +1,4 @@
-"""library: the boards and tools that orders may name."""
+"""library: the import formats, and the boards and tools that orders may name."""
 
 from __future__ import annotations
 
@@ -6,15 +6,25 @@ from dataclasses import asdict
 
 from fastapi import APIRouter
 
-from knifetip.api.schemas.library import BoardOut, CalibrationIn, CalibrationOut
+from knifetip.api.schemas.library import BoardOut, CalibrationIn, CalibrationOut, FormatOut
 from knifetip.api.schemas.machines import StationTool
 from knifetip.api.service import on_shelf
+from knifetip.formats import FORMATS
 from knifetip.library import deflection, load
 from knifetip.library.load import cutter_of
 from knifetip.model.board import Deflection
 from knifetip.model.tool import kind_of
 
 router = APIRouter(tags=["library"])
+
+
+@router.get("/formats")
+def list_formats() -> list[FormatOut]:
+    """List the file formats that drawings are imported from."""
+    return [
+        FormatOut(name=one.name, title=one.title, extensions=list(one.extensions))
+        for one in FORMATS
+    ]
 
 
 @router.get("/boards")

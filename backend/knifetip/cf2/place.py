@@ -1,6 +1,6 @@
 """place: the sections of a CF2 where they are called, as columns of lines and arcs.
 
-    Source, tolerance -> Placed: Sheet, Columns, inscriptions
+    Source, tolerance -> Placed: ReportWriter, Columns, inscriptions
 
 What the calls stand for is counted before it is followed.  Bridges are kept in the ledger's words
 and nowhere else: they are gaps of the rule in the die board, and not in the carton (decision 9).
@@ -17,13 +17,13 @@ from typing import Final
 import numpy as np
 
 from knifetip.cf2.records import Section, Source
+from knifetip.drawing_builder.columns import Columns, Style
+from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
+from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.curve import each
 from knifetip.geometry.tolerance import BULGE
-from knifetip.intake.columns import Columns, Style
-from knifetip.intake.limits import Limits
-from knifetip.intake.sheet import Sheet
 from knifetip.model.drawing import Inscription
 
 #: Radii at both ends of an arc that differ by more than this share of them are worth a word.
@@ -35,7 +35,7 @@ _NAMES: Final = {"L": "L (line)", "A": "A (arc)", "T": "T (text)", "C": "C (call
 class Placed:
     """What a file draws, in file units."""
 
-    sheet: Sheet = field(default_factory=Sheet)
+    sheet: ReportWriter = field(default_factory=ReportWriter)
     styles: list[Style] = field(default_factory=list)
     inscriptions: list[Inscription] = field(default_factory=list)
     ends: list[F64] = field(default_factory=list)
@@ -184,7 +184,7 @@ class _Walk:
             if child is None:
                 sheet.dropped[row] = f"there is no subroutine {call.name[:40]}"
                 x, y = linear @ np.array(call.place[:2]) + shift
-                sheet.stands(row, (x, y, x, y))
+                sheet.set_location(row, (x, y, x, y))
             elif name in above:
                 sheet.dropped[row] = f"the subroutine {call.name[:40]} contains itself"
             elif not all(math.isfinite(value) for value in call.place):
@@ -203,7 +203,7 @@ class _Walk:
         size = math.sqrt(abs(float(np.linalg.det(linear))))
         for words in section.words:
             x, y = linear @ np.array(words.place[:2]) + shift
-            sheet.stands(int(row_of[words.row]), (x, y, x, y))
+            sheet.set_location(int(row_of[words.row]), (x, y, x, y))
             if math.isfinite(x) and math.isfinite(y) and math.isfinite(words.place[2]):
                 self.found.inscriptions.append(
                     Inscription(

@@ -17,11 +17,11 @@ import numpy as np
 
 from knifetip.cf2.place import placed
 from knifetip.cf2.records import Source, source
+from knifetip.drawing_builder.assemble import KnownUnit, assemble
 from knifetip.errors import KnifetipError, NotADrawing
+from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import CURVE
-from knifetip.intake.assemble import Known, assemble
-from knifetip.intake.limits import REACH, Limits
 from knifetip.model.drawing import Drawing, extents
 from knifetip.model.unit import factor
 
@@ -102,7 +102,7 @@ def _read(found: Source, unit: str, given: float, limits: Limits) -> Drawing:
             columns = drawn.columns(reach)
     if unit:
         evidence = "given"
-    known = Known(scale, chosen, evidence, stated)
+    known = KnownUnit(scale, chosen, evidence, stated)
     return assemble(drawn.sheet, columns, drawn.styles, drawn.inscriptions, known)
 
 

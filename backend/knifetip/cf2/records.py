@@ -21,7 +21,7 @@ from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
 from knifetip.errors import DrawingTooLarge, NotADrawing
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 
 _AGAIN: Final = "Send or export it again."
 _DECIMALS: Final = "Export it with decimal points instead of commas."

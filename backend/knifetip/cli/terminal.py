@@ -18,7 +18,7 @@ from knifetip.errors import (
     NotADrawing,
     OpenQuestions,
 )
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 from knifetip.messages import from_json
 from knifetip.model.question import Question
 

@@ -12,8 +12,8 @@ from typing import Final, NamedTuple
 from ezdxf.document import Drawing as Document
 from ezdxf.entities.dxfgfx import DXFGraphic
 
+from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.encoding import spelled
-from knifetip.intake.columns import Style
 
 #: What an entity that is silent says of its linetype.
 BYLAYER: Final = "BYLAYER"

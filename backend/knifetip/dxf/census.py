@@ -17,7 +17,7 @@ from ezdxf.lldxf.tagger import binary_tags_loader
 
 from knifetip.dxf.encoding import encoding_of, spelled
 from knifetip.dxf.inscriptions import WORDS, of_tags
-from knifetip.dxf.standing import around
+from knifetip.dxf.location_boxes import around
 from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Inscription
 

@@ -25,9 +25,9 @@ from knifetip.dxf.shapes import (
     round_rows,
     swept,
 )
+from knifetip.formats.limits import REACH
 from knifetip.geometry.columns import F64
 from knifetip.geometry.curve import Ellipse, Spline
-from knifetip.intake.limits import REACH
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -1,6 +1,6 @@
 """expand: a document of ezdxf, walked through entity by entity.
 
-document, census -> Sheet: ledger rows in file order, and what is drawn with its placements
+document, census -> ReportWriter: ledger rows in file order, and what is drawn with its placements
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ import numpy as np
 from ezdxf.document import Drawing as Document
 from ezdxf.entities.dxfentity import DXFEntity
 
+from knifetip.drawing_builder.report import ReportWriter
 from knifetip.dxf.attributes import Styles, layers_of
 from knifetip.dxf.census import Census, Counted
 from knifetip.dxf.single import ByEzdxf
 from knifetip.dxf.walk import Block, Entry, Placed, Walk, idle
-from knifetip.intake.limits import Limits
-from knifetip.intake.sheet import Sheet
+from knifetip.formats.limits import Limits
 
 #: An entity as counted, its name in the ledger, and as ezdxf read it, if it did.
 _Pair = tuple[Counted, str, DXFEntity | None]
 
 
-def expand(document: Document, census: Census, limits: Limits) -> tuple[Sheet, list[Placed]]:
+def expand(document: Document, census: Census, limits: Limits) -> tuple[ReportWriter, list[Placed]]:
     """Return the ledger's rows and the placed shapes of a document.
 
     Raises

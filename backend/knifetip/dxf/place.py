@@ -1,6 +1,6 @@
 """place: shapes through their placements, as columns of lines and arcs.
 
-    Sheet, scale -> Columns: ends, bulge and the attributes of each segment, in file order
+    ReportWriter, scale -> Columns: ends, bulge and the attributes of each segment, in file order
 
 Turned, mirrored and evenly scaled, a line stays a line and an arc an arc.  Scaled unevenly, an arc
 becomes a piece of an ellipse.  Ellipses and splines are fitted here, once for all placements that
@@ -19,24 +19,24 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.drawing_builder.columns import Columns, Style
+from knifetip.drawing_builder.report import ReportWriter
 from knifetip.dxf.entities import Lines, Shape
 from knifetip.dxf.shapes import moved
 from knifetip.dxf.walk import ON_SHEET, Placed
 from knifetip.errors import DrawingTooLarge, GeometryError
+from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.curve import Ellipse, Segments, Spline
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE, CURVE
-from knifetip.intake.columns import Columns, Style
-from knifetip.intake.limits import REACH, Limits
-from knifetip.intake.sheet import Sheet
 
 _SHARE: Final = 1.0 / 250_000.0
 
 
 def columns(
-    sheet: Sheet,
+    sheet: ReportWriter,
     shapes: list[Placed],
     scale: float,
     limits: Limits,

@@ -1,6 +1,6 @@
 """plain: what a plain DXF draws, from its bytes, in columns from end to end.
 
-    bytes -> Scan -> entities drawn, INSERTs placed -> Written, Columns, Styles and inscriptions
+    bytes -> Scan -> entities drawn, INSERTs placed -> ReportRows, Columns, Styles and inscriptions
 
 The same as by way of ezdxf (``expand`` and ``place``), to the bit and to the word, for most files
 and in a hundredth of the time.  What stands on the sheet, and blocks that an INSERT only shifts,
@@ -18,6 +18,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from knifetip.drawing_builder.columns import Columns, Style
+from knifetip.drawing_builder.report import ReportRows, ReportWriter
 from knifetip.dxf import fields as f
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.census import Counted
@@ -30,13 +32,11 @@ from knifetip.dxf.single import ByEzdxf, Singles
 from knifetip.dxf.tables import NotPlainError, Tables
 from knifetip.dxf.walk import Block, Entry, Reference, Walk, idle
 from knifetip.dxf.written import Inserts, Order, Variant, boxes, inscriptions, left_out, written
+from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE
-from knifetip.intake.columns import Columns, Style
-from knifetip.intake.limits import REACH, Limits
-from knifetip.intake.sheet import Sheet, Written
 from knifetip.model.drawing import Inscription
 
 #: What an entity says of its style.
@@ -46,7 +46,7 @@ _STYLE = [f.LAYER, f.LINETYPE, f.COLOUR, f.TRUE_COLOUR]
 class Plain(NamedTuple):
     """What a plain DXF holds."""
 
-    sheet: Written
+    sheet: ReportRows
     columns: Columns  #: file units
     styles: list[Style]  #: of the columns
     inscriptions: tuple[Inscription, ...]
@@ -434,7 +434,7 @@ class PlainReader:
     def _key(self, block: int) -> str:
         return self.tables.block_name(block).lower()
 
-    def _name_idle_blocks(self, sheet: Sheet, used: set[str]) -> None:
+    def _name_idle_blocks(self, sheet: ReportWriter, used: set[str]) -> None:
         """Say of the blocks that nothing places that they hold lines and draw none."""
         for key, number in self.tables.blocks.items():
             if key in used or number not in self.tables.span:

@@ -23,6 +23,7 @@ from ezdxf import recover
 from ezdxf.document import Drawing as Document
 from ezdxf.lldxf.tagger import binary_tags_loader
 
+from knifetip.drawing_builder.assemble import KnownUnit, assemble
 from knifetip.dxf.census import BINARY, Census, census
 from knifetip.dxf.expand import expand
 from knifetip.dxf.place import columns, refuse_after, styled
@@ -32,8 +33,7 @@ from knifetip.dxf.tables import NotPlainError
 from knifetip.dxf.units import hints, stated
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats import format_of
-from knifetip.intake.assemble import Known, assemble
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import factor
 
@@ -123,13 +123,13 @@ def by_ezdxf(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
     return assemble(sheet, found, styles, counted.inscriptions, known)
 
 
-def _known(unit: str, given: float, variables: Mapping[str, str]) -> Known:
+def _known(unit: str, given: float, variables: Mapping[str, str]) -> KnownUnit:
     """Return the unit that the caller gives, else the one that the file states."""
     written, evidence = stated(variables)
     if unit:
-        return Known(given, unit, "given", written, hints(variables))
+        return KnownUnit(given, unit, "given", written, hints(variables))
     scale = factor(written) if written else 0.0
-    return Known(scale, written, evidence, written, hints(variables))
+    return KnownUnit(scale, written, evidence, written, hints(variables))
 
 
 def _stripped(data: bytes) -> bytes:

@@ -19,11 +19,11 @@ from ezdxf.lldxf.extendedtags import ExtendedTags
 from ezdxf.lldxf.tagger import ascii_tags_loader, tag_compiler
 from ezdxf.lldxf.tags import group_tags
 
+from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.entities import Drawn, drawn, mirrored
 from knifetip.dxf.rewrite import UNMARKED, with_markers
 from knifetip.dxf.walk import Reference
-from knifetip.intake.columns import Style
 
 
 class ByEzdxf:

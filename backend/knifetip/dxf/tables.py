@@ -14,13 +14,13 @@ from ezdxf.entities.dxfentity import DXFTagStorage
 from ezdxf.entities.dxfgfx import DXFGraphic
 from ezdxf.entities.factory import ENTITY_CLASSES
 
+from knifetip.drawing_builder.columns import Style
 from knifetip.dxf import fields as f
 from knifetip.dxf.attributes import BYLAYER, Layer, Styles, layer_of
 from knifetip.dxf.census import header_of
 from knifetip.dxf.encoding import encoding_of, spelled
 from knifetip.dxf.handles import handles_of
 from knifetip.dxf.scan import Scan
-from knifetip.intake.columns import Style
 
 #: Signs that the format does not allow in names; what ezdxf makes of them is its own affair.
 _NOT_IN_NAMES: Final = frozenset('<>/\\":;?*=`|,\ufffd')

@@ -18,16 +18,16 @@ from typing import Final, NamedTuple, Protocol
 
 import numpy as np
 
+from knifetip.drawing_builder.columns import Style
+from knifetip.drawing_builder.report import ReportWriter
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.census import Counted
 from knifetip.dxf.entities import READ, REASONS, Drawn, Shape, Undrawable, flat
+from knifetip.dxf.location_boxes import through
 from knifetip.dxf.shapes import moved, turning
-from knifetip.dxf.standing import through
 from knifetip.errors import DrawingTooLarge, GeometryError
+from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64, frozen
-from knifetip.intake.columns import Style
-from knifetip.intake.limits import Limits
-from knifetip.intake.sheet import Sheet
 
 #: The linear part of what no INSERT moves: most of a drawing, and nothing to be done.
 ON_SHEET: Final[F64] = frozen(np.eye(2)[None], np.float64, 1, 2, 2)
@@ -151,7 +151,7 @@ class Walk:
         styles: Styles,
         limits: Limits,
     ) -> None:
-        self.sheet = Sheet()
+        self.sheet = ReportWriter()
         self.placed: list[Placed] = []
         self.used: set[str] = set()
         self._blocks = blocks
@@ -257,7 +257,7 @@ class Walk:
         row = self.sheet.row(handle, counted.kind, counted.layer, why)
         if counted.box is not None:
             box = counted.box
-            self.sheet.stands(row, box if here[0] is ON_SHEET else through(box, *here))
+            self.sheet.set_location(row, box if here[0] is ON_SHEET else through(box, *here))
 
     def _insert(self, insert: Reference, handle: str, here: tuple[F64, F64], style: Style) -> None:
         name = insert.block

@@ -1,6 +1,6 @@
 """written: the ledger of a plain drawing, in columns, and the words on its sheet.
 
-rows of a Scan, INSERTs, what was walked through -> Written
+rows of a Scan, INSERTs, what was walked through -> ReportRows
 texts and dimensions -> inscriptions
 """
 
@@ -12,17 +12,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from knifetip.drawing_builder.report import ReportRows, ReportWriter, SharedOutcome
 from knifetip.dxf import fields as f
 from knifetip.dxf.handles import paths_of
 from knifetip.dxf.inscriptions import inscription, is_coded, of_lines, uncoded
-from knifetip.dxf.standing import around_each, through
+from knifetip.dxf.location_boxes import around_each, through
 from knifetip.dxf.tables import Tables
 from knifetip.dxf.walk import IN_PAPER_SPACE, not_read, places
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
-from knifetip.intake.sheet import Alike, Sheet, Written
-from knifetip.model.drawing import Inscription, Standing
+from knifetip.model.drawing import Inscription, LocationBoxes
 from knifetip.model.words import Repeated
 
 
@@ -30,7 +30,9 @@ class Variant(NamedTuple):
     """A block as INSERTs of one style place it: what all of those have in common."""
 
     layers: list[str]  #: of its entities
-    said: dict[int, tuple[str, tuple[str, ...]]]  #: by the number of the entity, as in ``Alike``
+    said: dict[
+        int, tuple[str, tuple[str, ...]]
+    ]  #: by the number of the entity, as in ``SharedOutcome``
     first: int  #: where the styles of its segments begin
 
 
@@ -66,7 +68,7 @@ def left_out(tables: Tables, row: int) -> str:
     return ""
 
 
-def written(tables: Tables, order: Order, inserts: Inserts, walk: Sheet) -> Written:
+def written(tables: Tables, order: Order, inserts: Inserts, walk: ReportWriter) -> ReportRows:
     """Return the ledger of a sheet, of what its INSERTs place, and of what was walked through."""
     entity, span = tables.found.entity, tables.span
     numbers = {name: number for number, name in enumerate(tables.names)}
@@ -110,8 +112,11 @@ def written(tables: Tables, order: Order, inserts: Inserts, walk: Sheet) -> Writ
             [*_on_sheet(tables, order, spots), *_in_blocks(tables, order, inserts)],
         ),
     )
-    walked = [Standing(order.walked[one.rows].astype(np.int32), one.box) for one in walk.standing]
-    return Written(
+    walked = [
+        LocationBoxes(order.walked[one.rows].astype(np.int32), one.box)
+        for one in walk.location_boxes
+    ]
+    return ReportRows(
         handles,
         Repeated(tuple(numbers), kind),
         Repeated(tuple(numbers), layer),
@@ -122,7 +127,9 @@ def written(tables: Tables, order: Order, inserts: Inserts, walk: Sheet) -> Writ
     )
 
 
-def _of_sheet(tables: Tables, order: Order, inserts: Inserts, spots: I64) -> Iterator[Alike]:
+def _of_sheet(
+    tables: Tables, order: Order, inserts: Inserts, spots: I64
+) -> Iterator[SharedOutcome]:
     """Say what is said of the entities of the sheet itself.
 
     Parameters
@@ -137,7 +144,7 @@ def _of_sheet(tables: Tables, order: Order, inserts: Inserts, spots: I64) -> Ite
     # How many bytes a text has is no reason.
     first, kind = distinct(paper, sort, word, np.where(sort == f.OTHER, 0, count))
     for spot, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
-        yield Alike(order.ledger[spots[same]], left_out(tables, int(rows[spots[spot]])))
+        yield SharedOutcome(order.ledger[spots[same]], left_out(tables, int(rows[spots[spot]])))
     of_layer = {
         layer: notes
         for layer in np.flatnonzero(np.bincount(entity[rows, f.LAYER] + 1)).tolist()
@@ -145,22 +152,22 @@ def _of_sheet(tables: Tables, order: Order, inserts: Inserts, spots: I64) -> Ite
     }
     for layer, notes in of_layer.items():
         there = order.drawn & (entity[rows, f.LAYER] == layer - 1)
-        yield Alike(order.ledger[there], "", notes)
+        yield SharedOutcome(order.ledger[there], "", notes)
     layer = entity[rows[inserts.spot], f.LAYER]
     first, kind = distinct(layer, inserts.block)
     for one, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
         said = places(tables.block_name(int(inserts.block[one])))
         notes = of_layer.get(int(layer[one]) + 1, ())
-        yield Alike(order.ledger[inserts.spot[same]], "", (said, *notes))
+        yield SharedOutcome(order.ledger[inserts.spot[same]], "", (said, *notes))
 
 
-def _of_blocks(order: Order, inserts: Inserts) -> Iterator[Alike]:
+def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
     """Say what is said of the entities that INSERTs place."""
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
         first = order.ledger[inserts.spot[same]] + 1
         for number, (dropped, notes) in variant.said.items():
-            yield Alike(first + number, dropped, notes)
+            yield SharedOutcome(first + number, dropped, notes)
 
 
 def boxes(tables: Tables, rows: I64) -> F64:
@@ -172,14 +179,14 @@ def boxes(tables: Tables, rows: I64) -> F64:
     return around_each(tables.found.data, kinds, kind, spans)
 
 
-def _on_sheet(tables: Tables, order: Order, spots: I64) -> Iterator[Standing]:
+def _on_sheet(tables: Tables, order: Order, spots: I64) -> Iterator[LocationBoxes]:
     """Say where those entities of the sheet stand that are left out."""
     spots = spots[tables.found.entity[order.rows[spots], f.PAPER] == 0]
     if len(spots):
-        yield Standing(order.ledger[spots].astype(np.int32), boxes(tables, order.rows[spots]))
+        yield LocationBoxes(order.ledger[spots].astype(np.int32), boxes(tables, order.rows[spots]))
 
 
-def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Standing]:
+def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[LocationBoxes]:
     """Say where that stands which INSERTs place and is left out."""
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
@@ -192,7 +199,7 @@ def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Stand
         first = np.repeat(order.ledger[inserts.spot[same]] + 1, len(rows))
         move = np.repeat(inserts.move[same], len(rows), axis=0)
         box = np.tile(boxes(tables, rows), (len(same), 1))
-        yield Standing(
+        yield LocationBoxes(
             (first + np.tile(numbers, len(same))).astype(np.int32),
             through(box, move[:, :, :2], move[:, :, 2]),
         )

@@ -43,7 +43,9 @@ def listed(drawing: Drawing) -> list[dict[str, Any]]:
             strict=True,
         )
     ]
-    for row, box in zip(ledger.standing.rows.tolist(), ledger.standing.box.tolist(), strict=True):
+    for row, box in zip(
+        ledger.location_boxes.rows.tolist(), ledger.location_boxes.box.tolist(), strict=True
+    ):
         rows[row]["box"] = [round(side, 6) for side in box]
     for row, found in inscribed(drawing).items():
         rows[row] |= {"text": said(found.text), "place": [found.x, found.y, found.height]}

@@ -22,14 +22,14 @@ class Fate(IntEnum):
     DROPPED = 2
 
 
-class Standing(NamedTuple):
-    """Where k entities stand that gave no line, of which the place is known."""
+class LocationBoxes(NamedTuple):
+    """Bounding boxes of k entities that gave no segments and whose location is known."""
 
     rows: I32  #: (k,) of the ledger, rising
     box: F64  #: (k, 4) x min, y min, x max, y max (mm; file units while the unit is unknown)
 
 
-NOWHERE: Final = Standing(
+NO_BOXES: Final = LocationBoxes(
     frozen(np.zeros(0, np.int32), np.int32, 0), frozen(np.zeros((0, 4)), np.float64, 0, 4)
 )
 
@@ -49,7 +49,7 @@ class Ledger:
     reason: Sequence[str]  #: (m,) why it was kept, merged or dropped, in the user's words
     length: F64  #: (m,) length of its segments (mm; file units while the unit is unknown)
     block: Sequence[str] = ()  #: (m,) the block that holds it, "" for none; or () where unknown
-    standing: Standing = NOWHERE  #: where those stand that gave no line
+    location_boxes: LocationBoxes = NO_BOXES  #: of entities without segments
 
     def __post_init__(self) -> None:
         rows = len(self.handle)
@@ -58,9 +58,11 @@ class Ledger:
         same = len(self.kind) == len(self.layer) == len(self.reason) == rows
         if not same or len(self.block) not in (0, rows):
             raise ValueError("ledger columns differ in length")
-        where, box = self.standing
+        where, box = self.location_boxes
         box = frozen(box, np.float64, len(where), 4)
-        object.__setattr__(self, "standing", Standing(frozen(where, np.int32, len(box)), box))
+        object.__setattr__(
+            self, "location_boxes", LocationBoxes(frozen(where, np.int32, len(box)), box)
+        )
 
     def __len__(self) -> int:
         return len(self.handle)

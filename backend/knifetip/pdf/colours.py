@@ -15,7 +15,7 @@ from typing import Any, Final, NamedTuple
 
 from pypdf.generic import ArrayObject, NameObject
 
-from knifetip.intake.colours import UNTOLD
+from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
 from knifetip.pdf.document import File
 from knifetip.pdf.tints import shown
 
@@ -23,7 +23,7 @@ from knifetip.pdf.tints import shown
 class Paint(NamedTuple):
     """What a line or an area is drawn with."""
 
-    colour: int  #: 0xRRGGBB, or ``UNTOLD``
+    colour: int  #: 0xRRGGBB, or ``UNKNOWN_COLOUR``
     spot: str  #: name of the ink, empty where it is mixed from those of every printer
     drawn: bool = True  #: whether it leaves a mark
 
@@ -39,7 +39,7 @@ class Space(NamedTuple):
 
 
 BLACK: Final = Paint(0, "")
-PATTERN: Final = Paint(UNTOLD, "")
+PATTERN: Final = Paint(UNKNOWN_COLOUR, "")
 GRAY: Final = Space("Gray", 1)
 RGB: Final = Space("RGB", 3)
 CMYK: Final = Space("CMYK", 4)
@@ -87,10 +87,10 @@ def paint(file: File, where: Space, given: list[float]) -> Paint:
         return Paint(_mixed(where.kind, given), "")
     inks = dict(zip(where.inks, given, strict=False))
     if set(where.inks) == {"None"}:
-        return Paint(UNTOLD, "", drawn=False)
+        return Paint(UNKNOWN_COLOUR, "", drawn=False)
     names = [name for name, tint in inks.items() if tint > 0.0 and name not in _PROCESS]
     spot = names[0] if len(names) == 1 else ""
-    colour = UNTOLD
+    colour = UNKNOWN_COLOUR
     if len(given) == 1 and len(where.inks) == 1:
         colour = _mixed(where.under.kind, shown(file, where.tint, given[0]))
     return Paint(colour, spot)
@@ -100,13 +100,13 @@ def _mixed(kind: str, given: list[float]) -> int:
     """Return the components of a device's space as 0xRRGGBB, without colour management."""
     parts = [min(max(part, 0.0), 1.0) for part in given]
     if not all(map(math.isfinite, given)):
-        return UNTOLD
+        return UNKNOWN_COLOUR
     if kind == "Gray" and len(parts) == 1:
         parts = parts * 3
     elif kind == "CMYK" and len(parts) == 4:
         *inks, black = parts
         parts = [(1.0 - ink) * (1.0 - black) for ink in inks]
     elif kind != "RGB" or len(parts) != 3:
-        return UNTOLD
+        return UNKNOWN_COLOUR
     red, green, blue = (round(part * 255.0) for part in parts)
     return red << 16 | green << 8 | blue

@@ -33,7 +33,7 @@ from pypdf.generic import (
 )
 
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
-from knifetip.intake.limits import REACH, Limits
+from knifetip.formats.limits import REACH, Limits
 from knifetip.model.unit import MILLIMETRES
 
 # pypdf tells of everything that it mends; the ledger tells the user what matters.

@@ -11,15 +11,15 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
+from knifetip.drawing_builder.colours import nearest_index
+from knifetip.drawing_builder.columns import Style
+from knifetip.drawing_builder.paths import Paths, Table, boxes
+from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
+from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.intake.colours import index
-from knifetip.intake.columns import Style
-from knifetip.intake.limits import Limits
-from knifetip.intake.place import Paths, Table, boxes
-from knifetip.intake.sheet import Sheet
-from knifetip.model.drawing import Inscription, Standing
+from knifetip.model.drawing import Inscription, LocationBoxes
 from knifetip.pdf.colours import Paint
 from knifetip.pdf.document import Box
 from knifetip.pdf.layers import names
@@ -60,7 +60,7 @@ class Drawn:
     """The lines and words of a page."""
 
     def __init__(self, limits: Limits) -> None:
-        self.sheet = Sheet()
+        self.sheet = ReportWriter()
         self.outline = Outline(limits)
         self.inscriptions: list[Inscription] = []  #: in points
         self._limits = limits
@@ -103,7 +103,7 @@ class Drawn:
         with np.errstate(all="ignore"):
             box = boxes(table, matrix)
             keep = self._shown(box) & self._areas()
-        self.sheet.standing.append(Standing(row[~keep], box[~keep]))
+        self.sheet.location_boxes.append(LocationBoxes(row[~keep], box[~keep]))
         of = keep[path]
         number = np.cumsum(keep) - 1
         table = Table(table.kind[of], numbers[of], number[path[of]])
@@ -163,7 +163,7 @@ class Drawn:
             if found is None:
                 found = known[line.look] = len(styles)
                 linetype = "dashed" if dashed else "Continuous"
-                styles.append(Style(name, index(colour), max(colour, -1), linetype))
+                styles.append(Style(name, nearest_index(colour), max(colour, -1), linetype))
             style[number] = found
         return styles, style
 

@@ -13,9 +13,9 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.drawing_builder.paths import CUBIC, LINE, too_many
+from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64
-from knifetip.intake.limits import Limits
-from knifetip.intake.place import CUBIC, LINE, too_many
 
 
 class Outline:
@@ -23,7 +23,7 @@ class Outline:
 
     def __init__(self, limits: Limits) -> None:
         self.kind = array("B")
-        self.numbers = array("d")  #: eight to a segment, as ``place.Table`` has them
+        self.numbers = array("d")  #: eight to a segment, as ``paths.Table`` has them
         self.wrong: str  #: the operator that cannot be read
         self.begun: bool
         self._limits = limits

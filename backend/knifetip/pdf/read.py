@@ -12,10 +12,10 @@ from __future__ import annotations
 
 from pypdf.errors import PyPdfError
 
+from knifetip.drawing_builder.assemble import KnownUnit, assemble
+from knifetip.drawing_builder.paths import columns
 from knifetip.errors import KnifetipError, NotADrawing
-from knifetip.intake.assemble import Known, assemble
-from knifetip.intake.limits import Limits
-from knifetip.intake.place import columns
+from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, factor
 from knifetip.pdf.document import AGAIN, File, Page, bounded, first_page
@@ -88,7 +88,7 @@ def _read(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
     evidence = "a PDF counts in points of 1/72 in"
     if page.unit != 1.0:
         evidence = f"UserUnit = {page.unit:g} points of 1/72 in"
-    known = Known(given, unit or "pt", "given" if unit else evidence, "pt")
+    known = KnownUnit(given, unit or "pt", "given" if unit else evidence, "pt")
     return assemble(drawn.sheet, found, styles, drawn.inscriptions, known)
 
 

@@ -123,7 +123,7 @@ class Stream:
         why = f"it is hidden: the layer {mark.hidden} is switched off" if mark.hidden else why
         row = drawn.row(self._around.path, kind, mark, why)
         if points:
-            drawn.sheet.stands(row, boxed(self._state.matrix, points))
+            drawn.sheet.set_location(row, boxed(self._state.matrix, points))
         return row
 
     def _left(self, why: str) -> None:
@@ -313,7 +313,7 @@ class Stream:
 
     def _shaded(self, _operator: str, _given: list[Any]) -> None:
         row = self._row("shading", "an area of colour is not cut")
-        self._here.drawn.sheet.stands(row, self._state.clip)
+        self._here.drawn.sheet.set_location(row, self._state.clip)
 
     def _text(self, operator: str, _given: list[Any]) -> None:
         if operator == "BT":

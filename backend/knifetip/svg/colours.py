@@ -10,12 +10,12 @@ from functools import lru_cache
 import tinycss2
 from tinycss2 import color4
 
-from knifetip.intake.colours import UNTOLD
+from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
 
 
 @lru_cache(maxsize=4096)
 def paint(text: str, current: int | None = 0) -> int | None:
-    """Return the colour of a paint: 0xRRGGBB, ``UNTOLD``, or None where nothing is painted.
+    """Return the colour of a paint: 0xRRGGBB, ``UNKNOWN_COLOUR``, or None where nothing is painted.
 
     Parameters
     ----------
@@ -36,14 +36,14 @@ def paint(text: str, current: int | None = 0) -> int | None:
         # A reference to a pattern or gradient may be followed by a colour to use without it.
         tokens = tokens[1:]
         if not tokens:
-            return UNTOLD
+            return UNKNOWN_COLOUR
     if not tokens:
         raise ValueError(f"{text[:30]!r} is not a colour")
     word = tokens[0].lower_value if tokens[0].type == "ident" else ""
     if word == "none":
         return None
     if word.startswith("context-"):
-        return UNTOLD
+        return UNKNOWN_COLOUR
     # An ICC colour may follow the colour that replaces it.
     colour = color4.parse_color(tokens[0])
     if colour == "currentcolor":
@@ -56,6 +56,6 @@ def paint(text: str, current: int | None = 0) -> int | None:
         shares = colour.to("srgb").coordinates
     except NotImplementedError:
         # A colour space that only displays use.
-        return UNTOLD
+        return UNKNOWN_COLOUR
     red, green, blue = (int(255.0 * min(max(share, 0.0), 1.0) + 0.5) for share in shares)
     return red << 16 | green << 8 | blue

@@ -16,7 +16,7 @@ from typing import Any, Final
 from xml.parsers import expat
 
 from knifetip.errors import DrawingTooLarge, NotADrawing
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 
 SVG: Final = "http://www.w3.org/2000/svg"
 _GZIP: Final = b"\x1f\x8b"

@@ -1,6 +1,6 @@
 """expand: every element that is drawn, with what ``use`` repeats, where it stands.
 
-    root, page -> Sheet: a ledger row each; Drawn: path data, matrix and style of each line
+    root, page -> ReportWriter: a ledger row each; Drawn: path data, matrix and style of each line
 
 What ``use`` stands for is counted before it is followed: ten lines can stand for a billion.
 """
@@ -14,12 +14,12 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
+from knifetip.drawing_builder.colours import UNKNOWN_COLOUR, nearest_index
+from knifetip.drawing_builder.columns import Style
+from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
+from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix, chained
-from knifetip.intake.colours import UNTOLD, index
-from knifetip.intake.columns import Style
-from knifetip.intake.limits import Limits
-from knifetip.intake.sheet import Sheet
 from knifetip.model.drawing import Inscription
 from knifetip.svg import layers, shapes
 from knifetip.svg.document import Node
@@ -110,7 +110,7 @@ class _Here(NamedTuple):
     window: shapes.Window
 
 
-def expand(root: Node, page: Page, limits: Limits) -> tuple[Sheet, Drawn]:
+def expand(root: Node, page: Page, limits: Limits) -> tuple[ReportWriter, Drawn]:
     """Return the ledger's rows and the lines of a document.
 
     Raises
@@ -126,7 +126,7 @@ def expand(root: Node, page: Page, limits: Limits) -> tuple[Sheet, Drawn]:
 
 class _Walk:
     def __init__(self, root: Node, page: Page, limits: Limits) -> None:
-        self.sheet = Sheet()
+        self.sheet = ReportWriter()
         self.drawn = Drawn()
         self._root = root
         self._limits = limits
@@ -335,14 +335,14 @@ class _Walk:
     def _line(self, row: int, data: str, layer: str, here: _Here) -> None:
         look = here.look
         drawn = look.stroke if look.stroke is not None else look.fill
-        colour = UNTOLD if drawn is None else drawn
+        colour = UNKNOWN_COLOUR if drawn is None else drawn
         if look.stroke is None:
             self._areas.append(len(self.drawn.row))
         else:
             self._stroked = True
         style = Style(
             layer,
-            index(colour),
+            nearest_index(colour),
             colour if colour >= 0 else -1,
             "dashed" if look.dashed and look.stroke is not None else "Continuous",
         )

@@ -18,8 +18,8 @@ from typing import Any, Final
 import numpy as np
 from numba import njit
 
+from knifetip.drawing_builder.paths import ARC, CUBIC, LINE, Table
 from knifetip.geometry.columns import I64
-from knifetip.intake.place import ARC, CUBIC, LINE, Table
 
 #: What ``_scan`` answers where there are more segments than wanted.
 _TOO_MANY: Final = -1

@@ -1,6 +1,6 @@
 """place: path data through its matrices, as columns of lines and arcs.
 
-Sheet, Drawn, scale -> Columns: ends, bulge and the style of each segment, in file order
+ReportWriter, Drawn, scale -> Columns: ends, bulge and the style of each segment, in file order
 """
 
 from __future__ import annotations
@@ -9,16 +9,16 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from knifetip.intake import place
-from knifetip.intake.columns import Columns
-from knifetip.intake.limits import Limits
-from knifetip.intake.sheet import Sheet
-from knifetip.model.drawing import Standing
+from knifetip.drawing_builder import paths
+from knifetip.drawing_builder.columns import Columns
+from knifetip.drawing_builder.report import ReportWriter
+from knifetip.formats.limits import Limits
+from knifetip.model.drawing import LocationBoxes
 from knifetip.svg.expand import Drawn, Unseen
 from knifetip.svg.path import scanned
 
 
-def columns(sheet: Sheet, drawn: Drawn, scale: float, limits: Limits) -> Columns:
+def columns(sheet: ReportWriter, drawn: Drawn, scale: float, limits: Limits) -> Columns:
     """Return all lines of a document as segments; elements that cannot be placed get their reason.
 
     Parameters
@@ -33,7 +33,7 @@ def columns(sheet: Sheet, drawn: Drawn, scale: float, limits: Limits) -> Columns
     """
     table = scanned(drawn.data, limits.segments)
     if table is None:
-        raise place.too_many(limits, "SVG")
+        raise paths.too_many(limits, "SVG")
     for path in np.flatnonzero(table.wrong >= 0).tolist():
         text = drawn.data[path]
         at = int(table.wrong[path])
@@ -46,20 +46,20 @@ def columns(sheet: Sheet, drawn: Drawn, scale: float, limits: Limits) -> Columns
             f"its path data {where}: drawn up to there, as in a browser"
         )
     if drawn.unseen:
-        sheet.standing.append(_standing(drawn.unseen, limits))
-    paths = place.Paths(
+        sheet.location_boxes.append(_location_boxes(drawn.unseen, limits))
+    made = paths.Paths(
         np.array(drawn.row, np.int32),
         np.array(drawn.style, np.int32),
         np.array(drawn.matrix, np.float64).reshape(-1, 6),
     )
-    return place.columns(sheet, table, paths, scale, limits, "SVG")
+    return paths.columns(sheet, table, made, scale, limits, "SVG")
 
 
-def _standing(unseen: Sequence[Unseen], limits: Limits) -> Standing:
-    """Return where that would be which gives no line."""
+def _location_boxes(unseen: Sequence[Unseen], limits: Limits) -> LocationBoxes:
+    """Return the boxes around elements that give no line."""
     rows, data, matrices = zip(*unseen, strict=True)
     matrix = np.array(matrices, np.float64).reshape(-1, 6)
     table = scanned(data, limits.segments)
     with np.errstate(all="ignore"):
-        box = np.full((len(rows), 4), np.nan) if table is None else place.boxes(table, matrix)
-    return Standing(np.array(rows, np.int32), box)
+        box = np.full((len(rows), 4), np.nan) if table is None else paths.boxes(table, matrix)
+    return LocationBoxes(np.array(rows, np.int32), box)

@@ -9,9 +9,9 @@ Lines are told apart by the colour and the dashes of their stroke, by layer, gro
 
 from __future__ import annotations
 
+from knifetip.drawing_builder.assemble import KnownUnit, assemble
 from knifetip.errors import KnifetipError, NotADrawing
-from knifetip.intake.assemble import Known, assemble
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import factor
 from knifetip.svg.document import document
@@ -60,7 +60,7 @@ def read(
         paper = page(root, unit or "", given, b"Adobe Illustrator" in data[:_HEAD])
         sheet, drawn = expand(root, paper, limits)
         found = columns(sheet, drawn, paper.scale, limits)
-        known = Known(paper.scale, paper.unit, paper.evidence, paper.stated, paper.hints)
+        known = KnownUnit(paper.scale, paper.unit, paper.evidence, paper.stated, paper.hints)
         return assemble(sheet, found, drawn.styles, drawn.inscriptions, known)
     except KnifetipError:
         raise

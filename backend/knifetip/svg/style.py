@@ -23,7 +23,7 @@ from knifetip.svg.lengths import pixels
 class Look(NamedTuple):
     """Properties of an element; each is inherited from its parent."""
 
-    stroke: int | None  #: 0xRRGGBB, ``UNTOLD``, None for none
+    stroke: int | None  #: 0xRRGGBB, ``UNKNOWN_COLOUR``, None for none
     fill: int | None
     colour: int | None  #: value of ``currentColor``
     dashed: bool

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from knifetip.model.drawing import Drawing, Standing
+from knifetip.model.drawing import Drawing, LocationBoxes
 from knifetip.model.unit import factor
 
 
@@ -29,11 +29,11 @@ def rescaled(drawing: Drawing, unit: str) -> Drawing:
         There is no such unit.
     """
     old, new = factor(drawing.unit), factor(unit)
-    rows, box = drawing.ledger.standing
+    rows, box = drawing.ledger.location_boxes
     ledger = replace(
         drawing.ledger,
         length=drawing.ledger.length / old * new,
-        standing=Standing(rows, box / old * new),
+        location_boxes=LocationBoxes(rows, box / old * new),
     )
     return replace(
         drawing,

@@ -14,6 +14,7 @@ export type CornerAt = Schemas["CornerAt"];
 export type Corners = Schemas["Corners"];
 export type Drawing = Schemas["DrawingOut"];
 export type DrawingSummary = Schemas["DrawingSummary"];
+export type Format = Schemas["FormatOut"];
 export type Finding = Schemas["FindingOut"];
 export type Job = Schemas["JobOut"];
 export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> & {
@@ -301,6 +302,7 @@ export const service = {
   programUrl: (id: string) => at("jobs", id, "/program"),
 
   machines: (signal?: AbortSignal) => get<Machine[]>("/api/machines", signal),
+  formats: (signal?: AbortSignal) => get<Format[]>("/api/formats", signal),
   boards: (signal?: AbortSignal) => get<Board[]>("/api/boards", signal),
   profiles: (signal?: AbortSignal) => get<Profile[]>("/api/profiles", signal),
   profile: (name: string, signal?: AbortSignal) => get<Profile>(at("profiles", name), signal),

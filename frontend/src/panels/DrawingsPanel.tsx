@@ -5,7 +5,7 @@ import { IconFileVector, IconUpload } from "@tabler/icons-react";
 import { useRef } from "react";
 import type { DrawingSummary } from "../api/client";
 import { uploadFiles } from "../state/actions";
-import { useDrawings } from "../state/queries";
+import { useDrawings, useFormats } from "../state/queries";
 import { usePage } from "../state/store";
 import { count, size } from "../state/words";
 import css from "./panels.module.css";
@@ -81,12 +81,13 @@ function Row({ drawing, current }: { drawing: DrawingSummary; current: boolean }
 export function ChooseFile({ large = false }: { large?: boolean }) {
   const input = useRef<HTMLInputElement>(null);
   const upload = usePage((page) => page.upload);
+  const { data: formats } = useFormats();
   return (
     <>
       <input
         ref={input}
         type="file"
-        accept=".dxf,.svg,.svgz,.cf2,.cff2,.pdf,.ai"
+        accept={formats?.flatMap((format) => format.extensions).join(",")}
         multiple
         hidden
         data-testid={large ? "file-input-large" : "file-input"}

@@ -93,6 +93,8 @@ const ask = {
       queryFn: ({ signal }) => service.machines(signal),
       refetchInterval: 4000,
     }),
+  formats: () =>
+    queryOptions({ queryKey: ["formats"], queryFn: ({ signal }) => service.formats(signal) }),
   boards: () =>
     queryOptions({ queryKey: ["boards"], queryFn: ({ signal }) => service.boards(signal) }),
   profiles: () =>
@@ -108,6 +110,7 @@ export const useDrawings = () =>
   useInfiniteQuery({ ...ask.drawings(), select: rowsOf<DrawingSummary> });
 export const useJobs = () => useInfiniteQuery({ ...ask.jobs(), select: rowsOf<Job> });
 export const useMachines = () => useQuery(ask.machines());
+export const useFormats = () => useQuery(ask.formats());
 export const useBoards = () => useQuery(ask.boards());
 export const useProfiles = () => useQuery(ask.profiles());
 

@@ -55,7 +55,7 @@ def difference(a: Drawing | KnifetipError, b: Drawing | KnifetipError) -> str:
         if left != right:
             return f"ledger.{name}: {left} / {right}"
     for name, one, other in zip(
-        ("standing", "where it stands"), a.ledger.standing, b.ledger.standing, strict=True
+        ("rows", "box"), a.ledger.location_boxes, b.ledger.location_boxes, strict=True
     ):
         if one.tobytes() != other.tobytes():
             return f"ledger.{name}: {one.tolist()} / {other.tolist()}"

@@ -5,6 +5,8 @@ from typing import Any
 import httpx
 import pytest
 
+from knifetip.formats import FORMATS
+
 pytestmark = pytest.mark.xdist_group("server")
 
 
@@ -86,3 +88,9 @@ def test_a_calibration_about_nothing_is_refused(
     answer = client.post("/api/boards/greyboard-3.0/deflection", json={**MEASURED, **change})
     assert answer.status_code == 422
     assert words in answer.json()["detail"]
+
+
+def test_the_formats_are_those_of_the_registry(client: httpx.Client) -> None:
+    listed = client.get("/api/formats").json()
+    assert [one["name"] for one in listed] == [one.name for one in FORMATS]
+    assert {".dxf", ".svgz", ".ai", ".cf2"} < {end for one in listed for end in one["extensions"]}

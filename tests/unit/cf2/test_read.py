@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose
 
 from knifetip.cf2.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing, Fate

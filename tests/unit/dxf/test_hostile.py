@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 from tests.support.truth.readers import difference, ours, read_by_both
 from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, layer, line
 

@@ -14,7 +14,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Drawing, Fate
 from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line, tags
 

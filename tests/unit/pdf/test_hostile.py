@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Fate
 from knifetip.pdf.read import read
 from tests.support.writers.pdf_text import carton, objects, pdf, stream

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
-from knifetip.intake.limits import Limits
+from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Drawing
 from knifetip.svg.read import read
 from tests.support.writers.svg_text import SVG, carton, svg

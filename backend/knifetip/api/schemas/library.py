@@ -9,6 +9,14 @@ from pydantic import BaseModel, Field
 from knifetip.api.schemas.common import Name, Strict
 
 
+class FormatOut(BaseModel):
+    """A file format that drawings are imported from."""
+
+    name: str
+    title: str
+    extensions: list[str] = Field(description="Of file names, with the dot, the usual one first")
+
+
 class DeflectionOut(BaseModel):
     """How far a tool gives way in a board (mm)."""
 

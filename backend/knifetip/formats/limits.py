@@ -1,4 +1,4 @@
-"""limits: how much of a file is read before it is refused."""
+"""limits: sizes and times beyond which a file is refused."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Final
 
 from knifetip.errors import DrawingTooLarge
 
-#: Coordinates beyond this are a mistake, or an attack (mm; file units while the unit is unknown).
+#: Largest coordinate that is accepted (mm; file units while the unit is unknown).
 REACH: Final = 1e7
 
 
@@ -24,7 +24,7 @@ class Limits:
     seconds: float = 120.0  #: for expanding and fitting
 
     def admit(self, size: int) -> None:
-        """Refuse a file of so many bytes that it is not looked at.
+        """Raise DrawingTooLarge for a file that is too large to be examined.
 
         Raises
         ------

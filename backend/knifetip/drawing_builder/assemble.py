@@ -1,8 +1,8 @@
-"""assemble: columns and the ledger put together, each line once and none without length.
+"""assemble: a Drawing from the segments and the report rows of a reader.
 
-    Sheet, Columns, Styles of the columns -> Drawing
+    ReportRows, Columns, Styles -> Drawing
 
-The last step of every reader.
+Segments without length are dropped, and a segment that is drawn twice is kept once.
 """
 
 from __future__ import annotations
@@ -15,32 +15,32 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from knifetip.drawing_builder.columns import Columns, Style
+from knifetip.drawing_builder.report import ReportRows
+from knifetip.formats.limits import REACH
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import POINT
-from knifetip.intake.columns import Columns, Style
-from knifetip.intake.limits import REACH
-from knifetip.intake.sheet import Written
-from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger, Standing
+from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger, LocationBoxes
 from knifetip.model.unit import Hint
 from knifetip.model.words import Repeated
 
 
-class Known(NamedTuple):
-    """What is known of a file's unit."""
+class KnownUnit(NamedTuple):
+    """The unit of a file, as far as it is known."""
 
     scale: float  #: millimetres to a file unit, 0 while it is unknown
     unit: str  #: empty while it is unknown
     evidence: str
     stated: str  #: the unit that the header states, empty if none
-    hints: tuple[Hint, ...] = ()  #: what else the header says of it
+    hints: tuple[Hint, ...] = ()  #: other statements of the header about it
 
 
 _KEPT: Final = "kept"
-#: Bulges that differ by less than this are the same turn.
+#: Bulges that differ by less than this are equal.
 _TURN: Final = 1e-9
-#: One for each number of a line's place, so that few lines share a slot.
+#: Hash multipliers, one for each number of a segment's key.
 _FACTORS: Final = (
     np.uint64(0x9E3779B97F4A7C15),
     np.uint64(0xC2B2AE3D27D4EB4F),
@@ -51,20 +51,20 @@ _FACTORS: Final = (
 
 
 def assemble(
-    sheet: Written,
+    sheet: ReportRows,
     found: Columns,
     styles: list[Style],
     inscriptions: Iterable[Inscription],
-    known: Known,
+    known: KnownUnit,
 ) -> Drawing:
-    """Return the drawing: without specks, each line once.
+    """Return the drawing, without segments of no length and with each line once.
 
     Parameters
     ----------
     found
         n segments in file units.
     styles
-        What ``found.style`` counts.
+        Indexed by ``found.style``.
     inscriptions
         In file units.
     """
@@ -73,7 +73,7 @@ def assemble(
     length = arc.length(found.ends[:, 0], found.ends[:, 1], found.bulge)
     speck = ~(length >= point)
     layers, linetypes, attributes = _attributes(styles)
-    # Styles that differ in nothing but the spelling of the layer are the same.
+    # Styles that differ only in upper and lower case of the layer are equal.
     _, alike = distinct(attributes[:, 1:])
     first = _survivors(found.ends, found.bulge, alike[found.style], speck, point)
     twice = first != np.arange(len(first))
@@ -83,10 +83,10 @@ def assemble(
         keep = ~(speck | twice)
         length = length[keep]
         found = Columns(found.ends[keep], found.bulge[keep], found.row[keep], found.style[keep])
-    # Added up in the order of the file, as ``bincount`` does.
+    # ``bincount`` adds in the order of the file.
     kept_length: F64 = np.bincount(found.row, length, minlength=len(fate)).astype(np.float64)
     size = scale or 1.0
-    # + 0: a zero has no sign.
+    # + 0 turns -0 into 0.
     ends = found.ends * size
     ends += 0.0
     return Drawing(
@@ -106,7 +106,7 @@ def assemble(
             fate,
             reason,
             kept_length * size,
-            standing=_standing(sheet, fate, specks, size),
+            location_boxes=_location_boxes(sheet, fate, specks, size),
         ),
         unit=known.unit,
         evidence=known.evidence,
@@ -117,7 +117,7 @@ def assemble(
 
 
 def _owned(column: NDArray[Any]) -> NDArray[Any]:
-    """Return a column that nobody else writes to, so that the record need not copy it."""
+    """Make a column read-only, so that the record need not copy it."""
     column.flags.writeable = False
     return column
 
@@ -127,8 +127,10 @@ def _sealed(words: Sequence[str]) -> Sequence[str]:
 
 
 def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I32]:
-    """Return layer names, linetype names, and (s, 5): layer, layer regardless of case, colour,
-    true colour, linetype of each style."""
+    """Return layer names, linetype names, and the columns of the s styles, (s, 5).
+
+    These are layer, layer regardless of case, colour, true colour and linetype.
+    """
     layers: dict[str, int] = {}
     folded: dict[str, int] = {}
     linetypes: dict[str, int] = {}
@@ -145,7 +147,7 @@ def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], 
 
 
 def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> I64:
-    """Return for each segment the first one that is the same line, in either direction."""
+    """Return for each segment the first segment with the same line, in either direction, (n,)."""
     slots = np.zeros(1 << max(4, (2 * len(bulge)).bit_length()), np.uint64)
     first = np.arange(len(bulge))
     _find_survivors(ends, bulge, alike, speck, 1.0 / point, slots, first)
@@ -156,7 +158,7 @@ def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> 
 def _find_survivors(
     ends: Any, bulge: Any, alike: Any, speck: Any, points: float, slots: Any, first: Any
 ) -> None:
-    """Write the first segment of each line."""
+    """Write the first segment of each line to ``first``."""
     mask, low = np.uint64(len(slots) - 1), np.uint64(0xFFFFFFFF)
     for row in range(len(bulge)):
         if speck[row]:
@@ -167,7 +169,7 @@ def _find_survivors(
             key += np.uint64(place[column]) * _FACTORS[column]
         key = (key ^ (key >> np.uint64(32))) * _FACTORS[0]
         slot = (key ^ (key >> np.uint64(29))) & mask
-        # A slot has the upper half of a line's key, and its row counted from 1.
+        # A slot holds the upper half of a segment's key, and its row plus one.
         while slots[slot] > 0:
             if (slots[slot] ^ key) <= low:
                 other: Any = np.int64(slots[slot] & low) - 1
@@ -181,7 +183,7 @@ def _find_survivors(
 
 @njit(cache=True, error_model="numpy")
 def _place(ends: Any, bulge: Any, row: int, points: float) -> Any:
-    """Return where a line is, counted in points and turns; both its directions are one."""
+    """Return the rounded ends and bulge of a segment, equal for both of its directions."""
     ax, ay = np.rint(ends[row, 0, 0] * points), np.rint(ends[row, 0, 1] * points)
     bx, by = np.rint(ends[row, 1, 0] * points), np.rint(ends[row, 1, 1] * points)
     turn = np.rint(bulge[row] / _TURN)
@@ -192,15 +194,15 @@ def _place(ends: Any, bulge: Any, row: int, points: float) -> Any:
 
 
 def _fates(
-    sheet: Written, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
+    sheet: ReportRows, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
 ) -> tuple[U8, Repeated]:
-    """Return fate and reason of each row of the ledger."""
+    """Return fate and reason of each row of the report."""
     rows = len(sheet.handle)
     fate = np.full(rows, Fate.KEPT, np.uint8)
     reason = np.zeros(rows, np.int32)
     reasons = {_KEPT: 0}
     alike = np.full(rows, -1, np.int32)
-    for number, same in enumerate(sheet.alike):
+    for number, same in enumerate(sheet.shared):
         alike[same.rows] = number
         reason[same.rows] = reasons.setdefault(same.dropped or _kept(same.notes), len(reasons))
         if same.dropped:
@@ -217,7 +219,7 @@ def _fates(
     ):
         survivors.setdefault(row, Counter())[survivor] += 1
     for row in {*sheet.dropped, *sheet.notes, *longest, *survivors}:
-        notes = [*(sheet.alike[alike[row]].notes if alike[row] >= 0 else ())]
+        notes = [*(sheet.shared[alike[row]].notes if alike[row] >= 0 else ())]
         notes.extend(sheet.notes.get(row, ()))
         said = ""
         if row in sheet.dropped:
@@ -238,8 +240,10 @@ def _fates(
     return fate, Repeated(tuple(reasons), reason)
 
 
-def _standing(sheet: Written, fate: U8, specks: tuple[F64, I32], size: float) -> Standing:
-    """Return where the rows stand that are dropped, as far as that is known.
+def _location_boxes(
+    sheet: ReportRows, fate: U8, specks: tuple[F64, I32], size: float
+) -> LocationBoxes:
+    """Return the bounding boxes of dropped rows, as far as they are known.
 
     Parameters
     ----------
@@ -248,13 +252,13 @@ def _standing(sheet: Written, fate: U8, specks: tuple[F64, I32], size: float) ->
     """
     ends, row = specks
     around = np.concatenate([ends.min(axis=1), ends.max(axis=1)], axis=1)
-    rows = np.concatenate([row, *(one.rows for one in sheet.standing)])
-    box = np.concatenate([around, *(one.box for one in sheet.standing)])
+    rows = np.concatenate([row, *(one.rows for one in sheet.location_boxes)])
+    box = np.concatenate([around, *(one.box for one in sheet.location_boxes)])
     box = box * size
     seen = (fate[rows] == Fate.DROPPED) & (np.abs(box) <= REACH).all(axis=1)
-    # Of several specks of a row, one shows where it is.
+    # One box per row is enough.
     rows, last = np.unique(rows[seen][::-1], return_index=True)
-    return Standing(rows, box[seen][::-1][last])
+    return LocationBoxes(rows, box[seen][::-1][last])
 
 
 def _kept(notes: Sequence[str]) -> str:
@@ -262,7 +266,7 @@ def _kept(notes: Sequence[str]) -> str:
 
 
 def _named(row: int, others: Counter[int], handles: Sequence[str]) -> str:
-    """Return the entities that draw the same as one, most of it first."""
+    """Return the handles of entities with the same lines, those with most lines first."""
     names = ["itself" if other == row else handles[other] for other, _ in others.most_common(6)]
     more = f" and {len(others) - 5} more" if len(others) > 5 else ""
     return ", ".join(names[:5]) + more

@@ -1,9 +1,9 @@
-"""place: paths through their matrices, as columns of lines and arcs.
+"""paths: paths of SVG and PDF as columns of lines and arcs.
 
-    Sheet, Table, Paths, scale -> Columns: ends, bulge and the style of each segment, in file order
+    ReportWriter, Table, Paths, scale -> Columns, in file order
 
-A circular arc that is turned, mirrored or evenly scaled stays an arc.  All other arcs and all
-Bézier curves are fitted, thousands at once.
+A circular arc that is rotated, mirrored or evenly scaled stays an arc.  All other arcs and all
+Bézier curves are approximated by arcs, in batches.
 
 The tolerance of the fit is ``tolerance.CURVE`` mm.  While the unit is unknown it is 1 / 250,000 of
 the drawing's diagonal, which is 0.01 mm or less in every unit in which the drawing is smaller than
@@ -18,22 +18,22 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.drawing_builder.columns import Columns
+from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge, GeometryError
+from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.curve import EvaluateEach, each
 from knifetip.geometry.tolerance import CURVE
-from knifetip.intake.columns import Columns
-from knifetip.intake.limits import REACH, Limits
-from knifetip.intake.sheet import Sheet
 
 LINE: Final = 0
 CUBIC: Final = 1
 ARC: Final = 2
 
 _SHARE: Final = 1.0 / 250_000.0
-#: Of the tolerance: what an arc may be off a circle, or a curve off its chord, and be taken for it.
+#: Share of the tolerance within which an arc is a circle, and a curve is its chord.
 _ALIKE: Final = 0.01
-#: Curves that are fitted between two looks at the clock.
+#: Curves that are fitted between two checks of the time limit.
 _BLOCK: Final = 4096
 
 
@@ -50,7 +50,7 @@ class Table:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Paths:
-    """p paths as a reader leaves them."""
+    """p paths, as a reader passes them on."""
 
     row: I32  #: (p,) of the ledger
     style: I32  #: (p,) which of the styles
@@ -58,16 +58,16 @@ class Paths:
 
 
 def columns(
-    sheet: Sheet, table: Table, paths: Paths, scale: float, limits: Limits, what: str
+    sheet: ReportWriter, table: Table, paths: Paths, scale: float, limits: Limits, what: str
 ) -> Columns:
-    """Return all paths of a file as segments; those that cannot be placed get their reason.
+    """Return all paths of a file as segments; paths that are dropped get their reason.
 
     Parameters
     ----------
     scale
         Millimetres to a file unit, 0 while it is unknown.
     what
-        What the file is called in an error: "SVG", "PDF".
+        Name of the format in an error: "SVG", "PDF".
 
     Raises
     ------
@@ -105,7 +105,7 @@ def columns(
 
 
 def too_many(limits: Limits, what: str) -> DrawingTooLarge:
-    """Return the refusal of a file with more segments than the limit."""
+    """Return the error for a file with more segments than the limit."""
     return DrawingTooLarge(
         f"The {what} has more than {limits.segments:,} lines and curves.",
         "Export a single carton, without pictures made of lines.",
@@ -113,7 +113,7 @@ def too_many(limits: Limits, what: str) -> DrawingTooLarge:
 
 
 def boxes(table: Table, matrix: F64) -> F64:
-    """Return a box around the ends and handles of each path, (p, 4), NaN around none.
+    """Return the box around the ends and control points of each path, (p, 4), NaN for none.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def boxes(table: Table, matrix: F64) -> F64:
 
 
 def _farthest(table: Table, matrix: F64, paths: int) -> F64:
-    """Return how far from the origin each path reaches, (paths,), or more; NaN is kept."""
+    """Return an upper bound of the distance from the origin of each path, (paths,), or NaN."""
     far = np.zeros(paths)
     if not len(table.kind):
         return far
@@ -241,8 +241,7 @@ def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
 def _segments(
     placed: _Placed, tolerance: float, limits: Limits, what: str
 ) -> tuple[F64, F64, I64, Bool]:
-    """Return ends (n, 2, 2), bulge (n,), the segment of the table each is of, and which (of the
-    table's) were fitted."""
+    """Return ends (n, 2, 2), bulge (n,), the table row of each, and the mask of fitted rows."""
     curved = np.zeros(len(placed.kind), bool)
     straight = np.flatnonzero(placed.kind == LINE)
     parts = [_lines(placed, straight)]
@@ -292,7 +291,7 @@ def _lines(placed: _Placed, rows: I64) -> tuple[F64, F64, I64]:
 
 
 def _chords(control: F64, chord: F64, tolerance: float) -> Bool:
-    """Return which curves are their chords: no handle beside it, and none beyond its ends."""
+    """Return which curves are straight: control points on the chord, between its ends."""
     size = np.hypot(chord[:, 0], chord[:, 1])
     ahead = chord / np.where(size > 0.0, size, 1.0)[:, None]
     straight: Bool = size > 0.0
@@ -301,12 +300,12 @@ def _chords(control: F64, chord: F64, tolerance: float) -> Bool:
         beside = np.abs(ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0])
         along = (ahead * away).sum(axis=1)
         straight &= (beside <= tolerance) & (along >= -tolerance) & (along <= size + tolerance)
-    # A curve without length is a speck, and no work for the fit.
+    # Curves of no length are not fitted; ``assemble`` drops them.
     return straight | (np.abs(control - control[:, :1]) <= 0.0).all(axis=(1, 2))
 
 
 def _circular(placed: _Placed, which: I64) -> tuple[F64, F64, I64]:
-    """Return circular arcs in rows of at most half a turn."""
+    """Return circular arcs as segments of at most half a turn."""
     rows = placed.arc[which]
     u, v, first, turn = placed.u[which], placed.v[which], placed.first[which], placed.turn[which]
     side = np.sign((u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) * turn)
@@ -327,7 +326,7 @@ def _circular(placed: _Placed, which: I64) -> tuple[F64, F64, I64]:
 def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
     """Return point and derivative of cubic Bézier curves, control (n, 4, 2)."""
     step = np.diff(control, axis=1)
-    # Where a handle lies on its end, the next one says in which direction the curve leaves.
+    # The tangent at the start points to the first control point that differs from the start.
     leaving = control[:, 1:] - control[:, :1]
     first = np.argmax((leaving != 0.0).any(axis=2), axis=1)
     leaving = leaving[np.arange(len(control)), first]
@@ -369,7 +368,7 @@ def _fitted(
     tangent: EvaluateEach,
     tolerance: float,
 ) -> tuple[F64, F64, I64]:
-    """Fit some curves; where one cannot be, half of them at a time, until it is found."""
+    """Fit curves; where one fails, bisect until it is found, and record its error."""
     try:
         start, end, bulge, of = each(
             lambda k, s: point(which[k], s),
@@ -389,7 +388,7 @@ def _fitted(
         ends, bulge, of = (np.concatenate(column) for column in zip(*halves, strict=True))
         return ends, bulge, of
     rows = numbers[which[of]]
-    # The next segment begins where this one was drawn to end, to the bit.
+    # Exact ends, so that the next segment begins where this one ends.
     first = np.flatnonzero(np.diff(of, prepend=-1))
     last = np.flatnonzero(np.diff(of, append=len(which)))
     start[first], end[last] = placed.start[rows[first]], placed.end[rows[last]]

@@ -1,4 +1,4 @@
-"""colours: a true colour as the nearest colour of AutoCAD's index.
+"""colours: the nearest colour of the AutoCAD colour index.
 
 0xFF0000 -> 1          0xE02020 -> 1
 """
@@ -8,8 +8,8 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Final
 
-#: A paint that draws, whose colour cannot be told: a pattern, a gradient, an ink.
-UNTOLD: Final = -1
+#: Stands for a paint without a single colour: a pattern, a gradient, an ink.
+UNKNOWN_COLOUR: Final = -1
 
 #: The colours of AutoCAD's index that are the same in every program.
 _INDEX: Final = (
@@ -25,8 +25,8 @@ _INDEX: Final = (
 
 
 @lru_cache(maxsize=4096)
-def index(true_colour: int) -> int:
-    """Return the nearest of the first seven colours of AutoCAD's index; 7 for ``UNTOLD``."""
+def nearest_index(true_colour: int) -> int:
+    """Return the nearest of the first seven colours of the index; 7 for ``UNKNOWN_COLOUR``."""
     if true_colour < 0:
         return 7
 

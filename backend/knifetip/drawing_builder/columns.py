@@ -1,4 +1,4 @@
-"""columns: segments as a reader leaves them, and what they are drawn with."""
+"""columns: segments and styles, as every reader passes them to ``assemble``."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from knifetip.geometry.columns import F64, I32
 
 
 class Style(NamedTuple):
-    """What an entity is drawn with."""
+    """Layer, colour and linetype of an entity."""
 
     layer: str
     colour: int  #: AutoCAD colour index 1 … 255

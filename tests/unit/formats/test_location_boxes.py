@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from knifetip.cf2.read import read as read_cf2
-from knifetip.intake.place import CUBIC, LINE, Table, boxes
+from knifetip.drawing_builder.paths import CUBIC, LINE, Table, boxes
 from knifetip.model.drawing import Drawing
 from knifetip.pdf.read import read as read_pdf
 from knifetip.svg.read import read as read_svg
@@ -21,7 +21,7 @@ POINT = 25.4 / 72.0
 
 def stands(drawing: Drawing) -> dict[str, list[float]]:
     """The boxes (mm) by the handles of the entities."""
-    rows, found = drawing.ledger.standing
+    rows, found = drawing.ledger.location_boxes
     handles = list(drawing.ledger.handle)
     return {handles[row]: box for row, box in zip(rows.tolist(), found.tolist(), strict=True)}
 

@@ -1,0 +1,68 @@
+"""report: the import report while a reader writes it.
+
+One row per entity of the file; ``assemble`` makes the Ledger of a Drawing from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I64
+from knifetip.model.drawing import LocationBoxes
+
+
+class SharedOutcome(NamedTuple):
+    """The outcome that many rows have in common."""
+
+    rows: I64
+    dropped: str  #: why the rows are left out; "" for rows that are drawn
+    notes: Sequence[str] = ()  #: what was changed
+
+
+@dataclass(slots=True)
+class ReportRows:
+    """Columns with a row for every entity, and the outcomes of some rows.
+
+    A row in ``shared`` may have notes of its own, which follow the shared ones.
+    """
+
+    handle: Sequence[str] = field(default_factory=list)
+    kind: Sequence[str] = field(default_factory=list)
+    layer: Sequence[str] = field(default_factory=list)
+    dropped: dict[int, str] = field(default_factory=dict)  #: row -> why it is left out
+    notes: dict[int, list[str]] = field(default_factory=dict)  #: row -> what was changed
+    shared: list[SharedOutcome] = field(default_factory=list)  #: no row is in two of them
+    #: in file units, NaN where the location is unknown
+    location_boxes: list[LocationBoxes] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class ReportWriter(ReportRows):
+    """An import report that is written row by row."""
+
+    handle: list[str] = field(default_factory=list)
+    kind: list[str] = field(default_factory=list)
+    layer: list[str] = field(default_factory=list)
+
+    def row(
+        self, handle: str, kind: str, layer: str, dropped: str = "", notes: Iterable[str] = ()
+    ) -> int:
+        """Add a row to the report and return its number."""
+        self.handle.append(handle)
+        self.kind.append(kind)
+        self.layer.append(layer)
+        number = len(self.handle) - 1
+        if dropped:
+            self.dropped[number] = dropped
+        if changes := list(notes):
+            self.notes[number] = changes
+        return number
+
+    def set_location(self, row: int, box: Sequence[float] | F64) -> None:
+        """Record the location box of a row without segments: x min, y min, x max, y max."""
+        boxes = np.array([box], np.float64)
+        self.location_boxes.append(LocationBoxes(np.array([row], np.int32), boxes))
