@@ -32,9 +32,9 @@ from knifetip.api.schemas.common import Health, Problem
 from knifetip.api.schemas.messages import describe_codes
 from knifetip.api.service import Here, Service, Settings
 from knifetip.api.site import Site
-from knifetip.jobs.crew import Crew, Fault, Withdrawn
+from knifetip.jobs.compile_service import CompileService
+from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.store import Store
-from knifetip.jobs.work import Workshop
 
 _log = logging.getLogger("knifetip.api")
 
@@ -60,33 +60,33 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         store = Store(chosen.database)
-        crew = Crew(chosen.crew)
-        workshop = Workshop(
+        pool = ProcessPool(chosen.processes)
+        compiling = CompileService(
             store,
-            crew,
+            pool,
             chosen.name,
             chosen.compiles,
-            # One of the crew is left to read drawings, for which a person waits.
-            max(1, chosen.crew - 1),
+            # One process is left to read drawings, for which a person waits.
+            max(1, chosen.processes - 1),
             chosen.limit,
         )
         # One more than the processes: while it reads a request, none of them is idle.
-        work = WorkQueue(chosen.crew + 1, chosen.waiting)
-        service = Service(chosen, store, crew, workshop, work)
+        work = WorkQueue(chosen.processes + 1, chosen.waiting)
+        service = Service(chosen, store, pool, work)
         app.state.service = service
         app.state.stream = events.Stream(service)
         await asyncio.to_thread(store.migrate)
-        await asyncio.to_thread(workshop.start)
+        await asyncio.to_thread(compiling.start)
         streaming = asyncio.create_task(app.state.stream.run())
         service.ready = True
         try:
             yield
         finally:
             service.ready = False
-            service.stopping.set()
+            service.stop()
             streaming.cancel()
             await asyncio.gather(streaming, return_exceptions=True)
-            await asyncio.to_thread(workshop.stop)
+            await asyncio.to_thread(compiling.stop)
             work.close()
             service.threads.close()
             store.close()
@@ -114,8 +114,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(errors.KnifetipError, _knifetip_problem)
     app.add_exception_handler(RequestValidationError, _request_problem)
     app.add_exception_handler(HTTPException, _http_problem)
-    app.add_exception_handler(Withdrawn, _stopping_problem)
-    app.add_exception_handler(Fault, _unforeseen_problem)
+    app.add_exception_handler(TaskCancelled, _stopping_problem)
+    app.add_exception_handler(TaskFailed, _unforeseen_problem)
     app.add_exception_handler(sqlalchemy.exc.DBAPIError, _database_problem)
     app.add_exception_handler(Exception, _unforeseen_problem)
 

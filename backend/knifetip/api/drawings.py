@@ -53,8 +53,8 @@ from knifetip.formats import format_of
 from knifetip.geometry.columns import U8
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
-from knifetip.jobs.crew import Fault
 from knifetip.jobs.interpretations import drawing_columns, interpretation_of
+from knifetip.jobs.process_pool import TaskFailed
 from knifetip.jobs.tables import Drawing
 from knifetip.library import own
 from knifetip.model.dieline import LineType
@@ -226,7 +226,7 @@ def get_cleaning(here: Here, id: str) -> CleaningOut:
     """List what cleaning makes of the edges before they are planned: joined, moved, dropped."""
     edges = here.store.drawing_column(id, "edges")
     return CleaningOut.model_validate(
-        here.crew.run(tasks.cleaned, edges, limit=here.settings.limit)
+        here.pool.run(tasks.cleaned, edges, limit=here.settings.limit)
     )
 
 
@@ -245,7 +245,7 @@ def read(
     interpretation: Interpretation,
     handles: Sequence[str] | None = None,
 ) -> tasks.Reading:
-    """Read a drawing in a process of the crew; parameters as for ``tasks.read``.
+    """Read a drawing in a worker process; parameters as for ``tasks.read``.
 
     Raises
     ------
@@ -253,10 +253,10 @@ def read(
         It cannot be read; the message begins with the drawing's name.
     """
     try:
-        return here.crew.run(
+        return here.pool.run(
             tasks.read, content, interpretation, handles, limit=here.settings.limit
         )
-    except Fault as reason:
+    except TaskFailed as reason:
         raise NotADrawing(
             f"{name}: the file is damaged in a way that reading stumbles over ({reason}).",
             "Export it again as DXF, CF2, SVG or PDF, from another program if need be.",

@@ -33,7 +33,7 @@ from knifetip.api.drawings import added
 from knifetip.api.service import Service, Settings
 from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, simulator
-from knifetip.jobs.crew import Withdrawn
+from knifetip.jobs.process_pool import TaskCancelled
 from knifetip.languages.registry import find_language
 from knifetip.library import load
 
@@ -273,7 +273,7 @@ class _Server(uvicorn.Server):
         if self.table is not None:
             self.table.leave()
         # Streams of events and long polls end now: uvicorn waits for their connections.
-        self._service.stopping.set()
+        self._service.stop()
         time.sleep(0.25)
         self.should_exit = True
 
@@ -287,5 +287,5 @@ def _add_samples(service: Service) -> None:
 
             for name, content in samples().items():
                 added(service, None, name, content, "", "default")
-    except (KnifetipError, Withdrawn) as reason:
+    except (KnifetipError, TaskCancelled) as reason:
         _log.warning("the samples could not be read: %s", reason)

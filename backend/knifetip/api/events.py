@@ -23,13 +23,15 @@ from fastapi.responses import StreamingResponse
 from knifetip.api.drawings import summary_out
 from knifetip.api.jobs import job_out, jobs_out
 from knifetip.api.service import Service
+from knifetip.api.wake import woken_by
 from knifetip.errors import NoSuchJob
 from knifetip.jobs.job import State
 from knifetip.jobs.tables import Event
 
 router = APIRouter(tags=["events"])
 
-_TICK = 0.2  # seconds between two looks for news
+_TICK = 0.2  # seconds between two looks for progress
+_LOOK = 1.0  # seconds between two looks for changes that other servers made
 _REFRESH = 2.0  # seconds between two looks at what queued jobs wait for, where nothing happened
 _QUIET = 15.0  # seconds after which a silent line says that it is alive
 _BACKLOG = 1000  # messages that a slow listener may owe before it is hung up on
@@ -52,16 +54,18 @@ class Stream:
 
     async def run(self) -> None:
         """Tell the listeners, for ever."""
-        while True:
-            await self._somebody.wait()
-            try:
-                async with self._door:
-                    messages = await asyncio.to_thread(self._news)
-                    for message in messages:
-                        self._tell(message)
-            except Exception:
-                _log.exception("the stream of events stumbled")
-            await asyncio.sleep(_TICK)
+        with woken_by(self._service.store.changes) as changed:
+            while True:
+                await self._somebody.wait()
+                try:
+                    async with self._door:
+                        messages = await asyncio.to_thread(self._news)
+                        for message in messages:
+                            self._tell(message)
+                except Exception:
+                    _log.exception("the stream of events failed")
+                # Progress is no change: it is looked for while a job moves.
+                await changed.wait(_TICK if self._told else _LOOK)
 
     def _tell(self, message: str) -> None:
         for queue in list(self._listeners):

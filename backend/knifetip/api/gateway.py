@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import time
 
 from fastapi import APIRouter, Request, Response
@@ -12,6 +11,7 @@ from knifetip.api.jobs import job_out
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.service import Here, bytes_answer, on_shelf
+from knifetip.api.wake import woken_by
 from knifetip.errors import MachineBusy, WrongState
 from knifetip.jobs.job import ON_TABLE, State
 from knifetip.jobs.store import LEASE, Report
@@ -20,7 +20,7 @@ from knifetip.library import load
 
 router = APIRouter(prefix="/gateway", tags=["gateway"])
 
-_LOOK = 0.2  # seconds between two looks at the queue
+_LOOK = 1.0  # seconds between two looks at the queue, for what other servers changed
 _SEEN = 2.0  # seconds between two notes that a gateway is there
 
 
@@ -33,29 +33,30 @@ async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Respon
     on_shelf("machines", wanted.machine)
     until = time.monotonic() + wanted.wait
     noted = -_SEEN
-    while not here.stopping.is_set():
-        if time.monotonic() - noted >= _SEEN:
-            noted = time.monotonic()
-            await here.threads.claims(here.store.saw_gateway, wanted.machine, wanted.gateway)
-        # A caller who hung up would leave a job running that nobody has.
-        if await request.is_disconnected():
-            break
-        job = await here.threads.claims(_next, here, wanted)
-        if job is not None:
-            return Claim(
-                job=job.id,
-                epoch=job.epoch,
-                lease=LEASE,
-                program=f"/api/gateway/program/{job.id}",
-                sha256=job.program_sha256,
-                lines=job.lines,
-                copies=job.copies - job.copies_done,
-                confirm=job.state == State.QUEUED,
-            )
-        left = until - time.monotonic()
-        if left <= 0:
-            break
-        await asyncio.sleep(min(_LOOK, left))
+    with woken_by(here.store.changes) as changed:
+        while not here.stopping.is_set():
+            if time.monotonic() - noted >= _SEEN:
+                noted = time.monotonic()
+                await here.threads.claims(here.store.saw_gateway, wanted.machine, wanted.gateway)
+            # A gateway that has hung up would never start the job that it is given.
+            if await request.is_disconnected():
+                break
+            job = await here.threads.claims(_next, here, wanted)
+            if job is not None:
+                return Claim(
+                    job=job.id,
+                    epoch=job.epoch,
+                    lease=LEASE,
+                    program=f"/api/gateway/program/{job.id}",
+                    sha256=job.program_sha256,
+                    lines=job.lines,
+                    copies=job.copies - job.copies_done,
+                    confirm=job.state == State.QUEUED,
+                )
+            left = until - time.monotonic()
+            if left <= 0:
+                break
+            await changed.wait(min(_LOOK, left))
     return Response(status_code=204)
 
 

@@ -69,7 +69,7 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
     drawing = here.store.drawing_with(order.drawing, "content", "overrides", "edges")
     check_revision(order.revision, drawing)
     interpretation = _interpretation(here, order, drawing)
-    questions = here.crew.run(
+    questions = here.pool.run(
         tasks.ask,
         StoredDrawing(
             drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
@@ -80,7 +80,7 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
     )
     if questions:
         raise OpenQuestions(questions)
-    row = here.store.add_job(
+    return here.store.add_job(
         drawing,
         machine=order.machine,
         board=order.board,
@@ -91,8 +91,6 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
         key=key,
         fingerprint=request,
     )
-    here.workshop.submit(row.id)
-    return row
 
 
 def _interpretation(here: Service, order: JobIn, drawing: Drawing) -> Interpretation:

@@ -115,7 +115,7 @@ def delete_profile(here: Here, name: str, match: IfMatch = None) -> None:
 def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
     """Say what a profile would do to a drawing; nothing is kept."""
     row = here.store.drawing_with(id, "content", "overrides")
-    found = here.crew.run(
+    found = here.pool.run(
         profiling.preview,
         row.content,
         interpretation_of(row, row.overrides),
@@ -130,7 +130,7 @@ def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
 def learn_from_corrections(here: Here, id: str) -> list[ProposalOut]:
     """Propose rules that would have said what somebody corrected by hand; nothing is kept."""
     row = here.store.drawing_with(id, "content", "overrides")
-    found = here.crew.run(
+    found = here.pool.run(
         profiling.learn,
         row.content,
         interpretation_of(row, row.overrides),

@@ -1,4 +1,4 @@
-"""queue: requests that need a process of the crew wait here, without a thread and in order.
+"""queue: requests that need a worker process wait here, without a thread and in order.
 
     @router.post(…)
     @queued

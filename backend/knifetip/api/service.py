@@ -1,4 +1,4 @@
-"""service: what every route needs: settings, database, crew and workshop, and small answers."""
+"""service: what every route needs: settings, database, process pool, and small helpers."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from knifetip.api.access import AccessRules
 from knifetip.api.queue import WAITING, WorkQueue
 from knifetip.api.threads import GatewayThreads
 from knifetip.errors import LibraryError, WrongState
-from knifetip.jobs.crew import Crew
+from knifetip.jobs.compile_service import LIMIT
+from knifetip.jobs.process_pool import ProcessPool
 from knifetip.jobs.store import Store
-from knifetip.jobs.work import LIMIT, Workshop
 from knifetip.library import load
 
 MEGABYTE = 1 << 20
@@ -30,7 +30,7 @@ class Settings:
     database: str = "sqlite:///knifetip.sqlite"
     compiles: bool = True  #: False where the compile workers are other processes
     name: str = ""  #: of this process among its peers, the same after a restart
-    crew: int = 2  #: processes that read and compile
+    processes: int = 2  #: processes that read and compile
     waiting: int = WAITING  #: requests that may wait for one of them
     limit: float = LIMIT  #: seconds that a reading or a compile may take
     upload: int = 64 * MEGABYTE  #: bytes of a drawing
@@ -45,12 +45,16 @@ class Service:
 
     settings: Settings
     store: Store
-    crew: Crew
-    workshop: Workshop
+    pool: ProcessPool
     work: WorkQueue
     threads: GatewayThreads = field(default_factory=GatewayThreads)
     stopping: threading.Event = field(default_factory=threading.Event)
     ready: bool = False
+
+    def stop(self) -> None:
+        """End the requests that wait for something: event streams and long polls."""
+        self.stopping.set()
+        self.store.changes.notify()
 
 
 # Not a plain function: FastAPI would run it on a thread of the pool that everything else waits for.

@@ -86,20 +86,22 @@ def register(app: typer.Typer) -> None:
         processes: Annotated[int, typer.Option(min=1, max=64)] = 1,
     ) -> None:
         """Compile the jobs of a database until Ctrl-C."""
-        from knifetip.jobs.crew import Crew
+        from knifetip.jobs.compile_service import CompileService
+        from knifetip.jobs.process_pool import ProcessPool
         from knifetip.jobs.store import Store
-        from knifetip.jobs.work import Workshop
 
         store = Store(database)
         store.migrate()
-        workshop = Workshop(store, Crew(processes), name, True, processes, gateways=False)
+        service = CompileService(
+            store, ProcessPool(processes), name, True, processes, gateways=False
+        )
         stopping = threading.Event()
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda _number, _frame: stopping.set())
-        workshop.start()
+        service.start()
         print_stderr(f"compiling for {database}")
         stopping.wait()
-        workshop.stop()
+        service.stop()
         store.close()
 
     @app.command()

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import sqlalchemy as sa
+from sqlalchemy.orm import Session
 
 from knifetip.jobs.job import State, Who
 from knifetip.jobs.moves import LEASE, rows
@@ -15,6 +16,7 @@ from knifetip.jobs.tables import Job
 from knifetip.model.stage import Stage
 
 ATTEMPTS = 5  #: compiles that may die under a job before it is refused
+_NEXT = sa.select(Job.id).where(Job.state == State.RECEIVED).order_by(Job.serial).limit(1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,42 +39,66 @@ class Result:
 class Compiles(Orders):
     """The jobs of the store, as compile workers move them."""
 
-    def begin_compile(self, id: str, attempt: int, worker: str) -> Job | None:
-        """Take a received job, or one whose worker died under this same attempt.
-
-        None if the job has gone on without this attempt: cancelled, or given to another.
-        """
+    def begin_compile(self, worker: str) -> Job | None:
+        """Take the received job that has waited longest; None if there is none."""
+        with self._reading() as session:
+            if session.scalar(_NEXT) is None:
+                return None
         with self._writing() as session:
-            row = session.scalar(sa.select(Job).where(Job.id == id).with_for_update())
-            if row is None or row.attempt != attempt:
+            id = session.scalar(_NEXT.with_for_update(skip_locked=True))
+            if id is None:
                 return None
-            if row.state not in (State.RECEIVED, State.COMPILING):
-                return None
-            again = row.state == State.COMPILING
-            if again:
-                row.epoch += 1
-                row.lease = self.clock() + LEASE
-                row.owner = worker
-                row.updated = self.clock()
-                self._note(
-                    session, "job", id, State.COMPILING, f"{Who.WORKER} {worker}", "taken up again"
-                )
-            else:
-                self._move(
-                    session,
-                    id,
-                    State.COMPILING,
-                    Who.WORKER,
-                    f"attempt {attempt}",
-                    name=worker,
-                    epoch=row.epoch,
-                    changes_epoch=row.epoch + 1,
-                    owner=worker,
-                    lease=self.clock() + LEASE,
-                    stage=Stage.READ.value,
-                    progress=0.0,
-                )
-        return self.job(id)
+            row = self._fresh(session, id)
+            self._move(
+                session,
+                id,
+                State.COMPILING,
+                Who.WORKER,
+                f"attempt {row.attempt}",
+                name=worker,
+                epoch=row.epoch,
+                changes_epoch=row.epoch + 1,
+                owner=worker,
+                lease=self.clock() + LEASE,
+                stage=Stage.READ.value,
+                progress=0.0,
+            )
+            return self._fresh(session, id)
+
+    def recover_compiles(self, worker: str) -> None:
+        """Take back the jobs that an earlier process of this name was compiling when it died."""
+        with self._writing() as session:
+            dead = sa.select(Job).where(Job.state == State.COMPILING, Job.owner == worker)
+            for row in session.scalars(dead.with_for_update()).all():
+                self._take_back_compile(session, row)
+
+    def _take_back_compile(self, session: Session, row: Job) -> None:
+        """Return a job whose worker is silent to the queue, unless too many compiles died."""
+        if row.attempt < ATTEMPTS:
+            self._move(
+                session,
+                row.id,
+                State.RECEIVED,
+                Who.CLOCK,
+                f"The worker {row.owner} stopped responding in stage {row.stage}.",
+                epoch=row.epoch,
+                attempt=row.attempt + 1,
+                stage="",
+                progress=0.0,
+            )
+            return
+        why = f"{ATTEMPTS} compiles of the job died, the last in stage {row.stage}."
+        self._move(
+            session,
+            row.id,
+            State.REFUSED,
+            Who.CLOCK,
+            why,
+            epoch=row.epoch,
+            reason=why,
+            hint="Send a smaller drawing, or report this one as a bug.",
+            stage="",
+        )
 
     def compile_progress(self, id: str, epoch: int, stage: Stage, progress: float) -> bool:
         """Say how far a compile is and renew its lease; False when the job is no longer ours."""

@@ -18,6 +18,7 @@ from sqlalchemy import event as on
 from sqlalchemy.orm import Session
 
 from knifetip.errors import StoreError
+from knifetip.jobs.changes import Changes
 from knifetip.jobs.turns import NoTurns, Turns
 
 _MIGRATIONS = Path(__file__).parent / "migrations"
@@ -74,6 +75,7 @@ class Database:
     def __init__(self, url: str, clock: Callable[[], float] = time.time) -> None:
         self.url = dialect_url(url)
         self.clock = clock
+        self.changes = Changes()
         _check(self.url)
         self._engine = sa.create_engine(self.url, pool_size=10, max_overflow=40)
         self._turns: Turns | NoTurns = NoTurns()
@@ -107,9 +109,12 @@ class Database:
         with (
             self._turns.turn(urgent),
             Session(self._writer, expire_on_commit=False) as session,
-            session.begin(),
         ):
-            yield session
+            with session.begin():
+                yield session
+            changed = bool(session.info)
+        if changed:
+            self.changes.notify()
 
     def alive(self) -> bool:
         """Return True if the database answers."""

@@ -71,6 +71,7 @@ class Moves(Database):
     def _note(
         self, session: Session, kind: str, subject: str, state: str, who: str, why: str
     ) -> None:
+        session.info["changed"] = True
         session.add(
             Event(
                 kind=kind,

@@ -9,7 +9,7 @@ by that WHERE, by the job's epoch, and by a unique index on the machine of the j
 
 from __future__ import annotations
 
-from knifetip.jobs.compiles import ATTEMPTS, Compiles, Result
+from knifetip.jobs.compiles import ATTEMPTS, Result
 from knifetip.jobs.database import dialect_url
 from knifetip.jobs.drawings import Drawings
 from knifetip.jobs.moves import LEASE
@@ -19,5 +19,5 @@ from knifetip.jobs.tableside import Queue, Report, Tableside
 __all__ = ["ATTEMPTS", "LEASE", "Queue", "Report", "Result", "Store", "dialect_url"]
 
 
-class Store(Drawings, Profiles, Compiles, Tableside):
+class Store(Drawings, Profiles, Tableside):
     """The database; safe to use from many threads and from many processes."""

@@ -11,11 +11,10 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from knifetip.errors import MachineBusy
-from knifetip.jobs.compiles import ATTEMPTS
+from knifetip.jobs.compiles import Compiles
 from knifetip.jobs.interruption import interruption
 from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State, Who
 from knifetip.jobs.moves import LEASE, rows, stale
-from knifetip.jobs.orders import Orders
 from knifetip.jobs.tables import Gateway, Job
 
 #: A job that a gateway has claimed and that waits for the operator's confirmation.
@@ -46,7 +45,7 @@ class Queue:
     connected: bool  #: a gateway was heard lately
 
 
-class Tableside(Orders):
+class Tableside(Compiles):
     """The jobs of the store, as gateways move them."""
 
     def saw_gateway(self, machine: str, name: str) -> None:
@@ -351,8 +350,8 @@ class Tableside(Orders):
             ended["line"] = min(line, row.lines)
         self._gateway_moves(session, row, goal, reported, **ended)
 
-    def sweep(self, patience: float = 2.0, *, gateways: bool = True) -> list[tuple[str, int]]:
-        """Take back what silent owners had; return the jobs that wait for a worker.
+    def sweep(self, *, gateways: bool = True) -> None:
+        """Take back what silent owners had.
 
         A job on a table becomes ``interrupted``, never ``queued``; a claim that was not confirmed
         is given back.  A compile is tried again.
@@ -361,11 +360,6 @@ class Tableside(Orders):
         ----------
         gateways
             Whether silent gateways count; False while they could not reach this service.
-
-        Returns
-        -------
-        list of (job, attempt)
-            Received more than ``patience`` seconds ago, and still not begun.
         """
         now = self.clock()
         leased = Job.state == State.COMPILING
@@ -375,11 +369,6 @@ class Tableside(Orders):
             ids = list(session.scalars(sa.select(Job.id).where(leased, Job.lease < now)))
         for id in ids:
             self._take_back(id, now)
-        waiting = sa.select(Job.id, Job.attempt).where(
-            Job.state == State.RECEIVED, Job.updated < now - patience
-        )
-        with self._reading() as session:
-            return [(id, attempt) for id, attempt in session.execute(waiting)]
 
     def _take_back(self, id: str, now: float) -> None:
         with self._writing() as session:
@@ -406,31 +395,8 @@ class Tableside(Orders):
                 )
             elif _waits(row):
                 self._give_back(session, row, Who.CLOCK, _SILENT.format(row.owner))
-            elif row.state == State.COMPILING and row.attempt < ATTEMPTS:
-                self._move(
-                    session,
-                    id,
-                    State.RECEIVED,
-                    Who.CLOCK,
-                    f"The worker {row.owner} fell silent in stage {row.stage}.",
-                    epoch=row.epoch,
-                    attempt=row.attempt + 1,
-                    stage="",
-                    progress=0.0,
-                )
             elif row.state == State.COMPILING:
-                why = f"{ATTEMPTS} compiles of it died, the last in stage {row.stage}."
-                self._move(
-                    session,
-                    id,
-                    State.REFUSED,
-                    Who.CLOCK,
-                    why,
-                    epoch=row.epoch,
-                    reason=why,
-                    hint="Send a smaller drawing, or show us this one.",
-                    stage="",
-                )
+                self._take_back_compile(session, row)
 
     def _give_back(self, session: Session, row: Job, who: Who, why: str) -> None:
         """Return a claimed job that was never started to its place in the queue."""

@@ -1,4 +1,4 @@
-"""tasks: what the crew's processes do, with bytes in and bytes and plain data out.
+"""tasks: what worker processes do, with bytes in and bytes and plain data out.
 
 read      bytes, Interpretation -> Reading                     what the page shows of a drawing
 ask       StoredDrawing, Interpretation, machine -> questions  what must be decided first
@@ -310,8 +310,8 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> Result:
     )
 
 
-def rehearse(_progress: Progress) -> None:
-    """Go once through everything: kernels become machine code, which is kept on disk."""
+def warm_up(_progress: Progress) -> None:
+    """Run every kernel once: what is not compiled yet is, and cached on disk."""
     from knifetip.warming import warm
 
     warm()

@@ -1,4 +1,4 @@
-"""Tasks for the crew's processes, which cannot import a test module."""
+"""Tasks for worker processes, which cannot import a test module."""
 
 from __future__ import annotations
 
@@ -19,6 +19,11 @@ def double(progress: Progress, number: int) -> int:
 
 
 def process_id(progress: Progress) -> int:
+    return os.getpid()
+
+
+def slow_process_id(progress: Progress) -> int:
+    time.sleep(1.0)
     return os.getpid()
 
 

@@ -1,4 +1,4 @@
-"""One server for all tests of the API: a process has one workshop."""
+"""One server for all tests of the API: it takes a second to start."""
 
 from __future__ import annotations
 

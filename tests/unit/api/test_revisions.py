@@ -123,7 +123,7 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     id = uploaded(client, square())["id"]
-    run = client.service.crew.run
+    run = client.service.pool.run
     between: list[int] = []
 
     def changed_meanwhile(task, *arguments, **named):
@@ -135,7 +135,7 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
             between.append(row.version)
         return run(task, *arguments, **named)
 
-    monkeypatch.setattr(client.service.crew, "run", changed_meanwhile)
+    monkeypatch.setattr(client.service.pool, "run", changed_meanwhile)
     job = ordered(client, id, revision=1)
     assert between == [1]
     row = client.service.store.job(job["id"])
@@ -150,7 +150,7 @@ def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     id = uploaded(client, square())["id"]
-    run = client.service.crew.run
+    run = client.service.pool.run
     others = [3]
 
     def changed_meanwhile(task, *arguments, **named):
@@ -163,7 +163,7 @@ def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
             store.change_drawing(id, row.version, "x", overrides=mine)
         return found
 
-    monkeypatch.setattr(client.service.crew, "run", changed_meanwhile)
+    monkeypatch.setattr(client.service.pool, "run", changed_meanwhile)
     path = f"/api/drawings/{id}/edges"
     stale(client.patch(path, json=CREASE, headers={"If-Match": '"1"'}), 2)
     others[0] = 2

@@ -51,7 +51,7 @@ def queued(store: Store, **more: object) -> Job:
     )
     fields = {"machine": "demo-table", "board": "e-flute", **more}
     row = store.add_job(drawing, interpretation=Interpretation("mm"), release=True, **fields)
-    job = store.begin_compile(row.id, 1, "worker")
+    job = store.begin_compile("worker")
     assert job is not None
     judged = {"seconds": 1.0, "accepted": True}
     made = Result(True, "", b"M30\n", "ab", 90, b"", b"", judged, tools=TOOLS)

@@ -98,8 +98,10 @@ def ordered(store: Store, **more: object) -> Job:
 
 
 def compiling(store: Store, **more: object) -> Job:
-    job = store.begin_compile(ordered(store, **more).id, 1, "worker")
+    id = ordered(store, **more).id
+    job = store.begin_compile("worker")
     assert job is not None
+    assert job.id == id
     return job
 
 
@@ -786,25 +788,32 @@ def test_a_compile_whose_worker_fell_silent_is_tried_again_and_the_old_one_is_fe
     job = compiling(store)
     store.compile_progress(job.id, job.epoch, Stage.VERIFY, 0.7)
     clock.now += LEASE + 0.1
-    assert store.sweep(patience=-1.0) == [(job.id, 2)]
-    assert store.begin_compile(job.id, 1, "the old worker") is None
-    again = store.begin_compile(job.id, 2, "a new worker")
+    store.sweep()
+    again = store.begin_compile("a new worker")
     assert again is not None
+    assert (again.id, again.attempt) == (job.id, 2)
     with pytest.raises(StaleEpoch):
         store.compiled(job.id, job.epoch, RESULT)
     store.compiled(job.id, again.epoch, RESULT)
     assert store.job(job.id).state == "ready"
 
 
-def test_a_worker_that_comes_back_under_the_same_attempt_takes_its_compile_up_again(
-    store: Store,
-) -> None:
+def test_a_worker_that_is_started_again_takes_back_what_it_was_compiling(store: Store) -> None:
     job = compiling(store)
-    again = store.begin_compile(job.id, 1, "worker")
+    store.recover_compiles("another worker")
+    assert store.job(job.id).state == "compiling"
+    store.recover_compiles("worker")
+    again = store.begin_compile("worker")
     assert again is not None
-    assert again.epoch == job.epoch + 1
+    assert (again.id, again.epoch, again.attempt) == (job.id, job.epoch + 1, 2)
     with pytest.raises(StaleEpoch):
         store.refuse(job.id, job.epoch, "late", "")
+
+
+def test_received_jobs_are_compiled_in_the_order_in_which_they_came(store: Store) -> None:
+    jobs = [ordered(store).id for _ in range(3)]
+    taken = [store.begin_compile("worker") for _ in range(4)]
+    assert [None if one is None else one.id for one in taken] == [*jobs, None]
 
 
 def test_a_drawing_that_kills_every_compile_is_refused_in_the_end(
@@ -813,19 +822,25 @@ def test_a_drawing_that_kills_every_compile_is_refused_in_the_end(
     job = compiling(store)
     for attempt in range(2, ATTEMPTS + 1):
         clock.now += LEASE + 0.1
-        assert store.sweep(patience=-1.0) == [(job.id, attempt)]
-        assert store.begin_compile(job.id, attempt, "worker") is not None
+        store.sweep()
+        again = store.begin_compile("worker")
+        assert again is not None
+        assert again.attempt == attempt
     clock.now += LEASE + 0.1
-    assert store.sweep(patience=-1.0) == []
+    store.sweep()
     assert store.job(job.id).state == "refused"
     assert "5 compiles" in store.job(job.id).reason
 
 
-def test_a_job_that_nobody_compiles_is_handed_out_again(store: Store, clock: Clock) -> None:
-    job = ordered(store)
-    assert store.sweep() == []
-    clock.now += 3.0
-    assert store.sweep() == [(job.id, 1)]
+def test_every_change_calls_its_subscribers_and_progress_does_not(store: Store) -> None:
+    calls: list[None] = []
+    with store.changes.subscribed(lambda: calls.append(None)):
+        job = compiling(store)
+        changes = len(calls)
+        store.compile_progress(job.id, job.epoch, Stage.PLAN, 0.1)
+    store.cancel(job.id)
+    # A drawing, an order and the begin of its compile.
+    assert (changes, len(calls)) == (3, 3)
 
 
 # Drawings, keys, events

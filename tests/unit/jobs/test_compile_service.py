@@ -1,4 +1,4 @@
-"""A compile's ends, good and bad, in real processes but without DBOS around them."""
+"""A compile's ends, good and bad, in real processes."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from typing import Any
 import pytest
 
 from knifetip.jobs import tasks
-from knifetip.jobs.crew import Crew
+from knifetip.jobs.compile_service import CompileService
+from knifetip.jobs.process_pool import ProcessPool
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
-from knifetip.jobs.work import Workshop
 from knifetip.model.interpretation import Interpretation
 from tests.support.serving import crew_tasks
 
@@ -30,14 +30,18 @@ def store(tmp_path: Path) -> Iterator[Store]:
 
 
 @pytest.fixture
-def workshop(store: Store) -> Iterator[Workshop]:
-    workshop = Workshop(store, Crew(1), "a worker", limit=30.0)
-    yield workshop
-    workshop.crew.close()
+def service(store: Store) -> Iterator[CompileService]:
+    service = CompileService(store, ProcessPool(1), "a worker", limit=30.0)
+    yield service
+    service.pool.close()
 
 
 @pytest.fixture
 def job(store: Store) -> Job:
+    return ordered(store)
+
+
+def ordered(store: Store) -> Job:
     drawing = store.add_drawing(
         name="tray.dxf",
         content=b"",
@@ -58,6 +62,20 @@ def compiles_by(monkeypatch: pytest.MonkeyPatch) -> Callable[[object], None]:
     return lambda task: monkeypatch.setattr(tasks, "compile", task)
 
 
+def ended(store: Store, id: str, state: str) -> Job:
+    until = time.monotonic() + 20.0
+    while (job := store.job(id)).state != state:
+        assert time.monotonic() < until
+        time.sleep(0.02)
+    return job
+
+
+def begin(store: Store, service: CompileService) -> Job:
+    job = store.begin_compile(service.name)
+    assert job is not None
+    return job
+
+
 def begun(store: Store, id: str) -> Job:
     while (job := store.job(id)).stage != "verify":
         time.sleep(0.02)
@@ -65,10 +83,10 @@ def begun(store: Store, id: str) -> Job:
 
 
 def test_a_refusal_keeps_reason_mend_and_source(
-    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+    store: Store, service: CompileService, job: Job, compiles_by: Callable[[object], None]
 ) -> None:
     compiles_by(crew_tasks.refuse)
-    workshop.compile(job.id, 1)
+    service.compile(begin(store, service))
     job = store.job(job.id)
     assert (job.state, job.reason, job.hint, job.source) == (
         "refused",
@@ -80,36 +98,36 @@ def test_a_refusal_keeps_reason_mend_and_source(
 
 @pytest.mark.parametrize(
     ("task", "words"),
-    [(crew_tasks.fail, "nobody foresaw: ZeroDivisionError"), (crew_tasks.die, "exit code 3")],
+    [(crew_tasks.fail, "an internal error: ZeroDivisionError"), (crew_tasks.die, "exit code 3")],
 )
 def test_a_compile_that_breaks_down_refuses_the_job(
     store: Store,
-    workshop: Workshop,
+    service: CompileService,
     job: Job,
     compiles_by: Callable[[object], None],
     task: Callable[..., Any],
     words: str,
 ) -> None:
     compiles_by(task)
-    workshop.compile(job.id, 1)
+    service.compile(begin(store, service))
     assert store.job(job.id).state == "refused"
     assert words in store.job(job.id).reason
 
 
 def test_a_compile_that_takes_too_long_refuses_the_job(
-    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+    store: Store, service: CompileService, job: Job, compiles_by: Callable[[object], None]
 ) -> None:
     compiles_by(crew_tasks.hang_in_verify)
-    workshop.limit = 4.0
-    workshop.compile(job.id, 1)
+    service.limit = 4.0
+    service.compile(begin(store, service))
     assert store.job(job.id).reason == "Stage verify was not finished after 4 s."
 
 
 def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(
-    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+    store: Store, service: CompileService, job: Job, compiles_by: Callable[[object], None]
 ) -> None:
     compiles_by(crew_tasks.hang_in_verify)
-    thread = threading.Thread(target=workshop.compile, args=(job.id, 1))
+    thread = threading.Thread(target=service.compile, args=(begin(store, service),))
     thread.start()
     assert begun(store, job.id).progress == 0.7
     store.cancel(job.id)
@@ -119,10 +137,10 @@ def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(
 
 
 def test_a_silent_compile_keeps_its_lease(
-    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+    store: Store, service: CompileService, job: Job, compiles_by: Callable[[object], None]
 ) -> None:
     compiles_by(crew_tasks.hang_in_verify)
-    thread = threading.Thread(target=workshop.compile, args=(job.id, 1))
+    thread = threading.Thread(target=service.compile, args=(begin(store, service),))
     thread.start()
     lease = begun(store, job.id).lease
     time.sleep(2.2)
@@ -131,42 +149,61 @@ def test_a_silent_compile_keeps_its_lease(
     thread.join(5.0)
 
 
-def test_a_workshop_that_stops_gives_its_compile_back(
-    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+def test_a_service_that_stops_gives_its_compile_back(
+    store: Store, service: CompileService, job: Job, compiles_by: Callable[[object], None]
 ) -> None:
     compiles_by(crew_tasks.hang_in_verify)
-    thread = threading.Thread(target=workshop.compile, args=(job.id, 1))
+    thread = threading.Thread(target=service.compile, args=(begin(store, service),))
     thread.start()
     begun(store, job.id)
-    workshop._stopping.set()
-    workshop.crew.close()
+    service._stopping.set()
+    service.pool.close()
     thread.join(5.0)
     given = store.job(job.id)
     assert (given.state, given.attempt, given.owner) == ("received", 2, "")
 
 
-def test_an_attempt_that_was_given_to_another_is_left_alone(
-    store: Store, workshop: Workshop, job: Job, compiles_by: Callable[[object], None]
+def test_received_jobs_are_compiled_without_waiting_for_the_next_poll(
+    store: Store,
+    service: CompileService,
+    job: Job,
+    compiles_by: Callable[[object], None],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr("knifetip.jobs.compile_service._POLL", 60.0)
     compiles_by(crew_tasks.refuse)
-    workshop.compile(job.id, 2)
-    assert store.job(job.id).state == "received"
+    service.start()
+    ended(store, job.id, "refused")
+    later = ordered(store)
+    ended(store, later.id, "refused")
+    service.stop()
+
+
+def test_a_service_takes_up_what_it_was_compiling_when_it_was_killed(
+    store: Store, service: CompileService, job: Job, compiles_by: Callable[[object], None]
+) -> None:
+    assert store.begin_compile("a worker") is not None
+    compiles_by(crew_tasks.refuse)
+    service.start()
+    assert ended(store, job.id, "refused").attempt == 2
+    service.stop()
 
 
 @pytest.mark.parametrize("gateways", [True, False])
 def test_only_a_process_that_gateways_reach_takes_jobs_from_them(
-    store: Store, workshop: Workshop, monkeypatch: pytest.MonkeyPatch, gateways: bool
+    store: Store, service: CompileService, monkeypatch: pytest.MonkeyPatch, gateways: bool
 ) -> None:
     asked: list[bool] = []
-    monkeypatch.setattr("knifetip.jobs.work.Grace.over", lambda _grace, _now: len(asked) >= 1)
+    monkeypatch.setattr(
+        "knifetip.jobs.compile_service.Grace.over", lambda _grace, _now: len(asked) >= 1
+    )
 
-    def sweep(_patience: float, *, gateways: bool) -> list[tuple[str, int]]:
+    def sweep(*, gateways: bool) -> None:
         asked.append(gateways)
         if len(asked) == 2:
-            workshop._stopping.set()
-        return []
+            service._stopping.set()
 
     monkeypatch.setattr(store, "sweep", sweep)
-    workshop.gateways = gateways
-    workshop._sweep()
+    service.gateways = gateways
+    service._sweep()
     assert asked == [False, gateways]

@@ -1,0 +1,176 @@
+"""compile_service: compiles received jobs in the processes of a pool.
+
+    received job -> taken by a thread of this service -> worker process -> ready | refused
+
+The table of jobs is the queue (ADR 28): a job is taken by the UPDATE that makes it ``compiling``
+with an owner, an epoch and a lease.  What a compile made is saved in the one transaction that moves
+the job, and only while the worker still has the job's epoch, so that a compile that runs twice
+leaves one result.  A job whose worker died is taken back and compiled again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import socket
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from importlib.metadata import version
+
+from knifetip.errors import JobError, KnifetipError, OpenQuestions
+from knifetip.jobs import tasks
+from knifetip.jobs.grace import Grace
+from knifetip.jobs.interpretations import interpretation_of
+from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
+from knifetip.jobs.readings import StoredDrawing
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Job
+from knifetip.model.stage import Stage
+
+LIMIT = 120.0  #: seconds that a reading or a compile may take
+_POLL = 0.5  # seconds between two looks for jobs that another process received
+_RENEW = 0.2  # seconds between two renewals of a compile's lease
+_SWEEP = 1.0  # seconds between two sweeps
+
+_log = logging.getLogger("knifetip.jobs")
+
+
+@dataclass(slots=True)
+class CompileService:
+    """Compiles received jobs, and takes back what silent owners had."""
+
+    store: Store
+    pool: ProcessPool
+    name: str = ""  #: the same after a restart: a service takes its own compiles up again
+    compiles: bool = True  #: False in a server whose workers are other processes
+    at_once: int = 1
+    limit: float = LIMIT
+    gateways: bool = True  #: False in a process that gateways do not report to
+
+    _stopping: threading.Event = field(default_factory=threading.Event)
+    _received: threading.Event = field(default_factory=threading.Event)
+    _threads: list[threading.Thread] = field(default_factory=list)
+
+    def start(self) -> None:
+        """Start the threads; the store must be migrated."""
+        self.name = self.name or socket.gethostname()
+        if self.compiles:
+            self.store.recover_compiles(self.name)
+            for number in range(self.at_once):
+                self._start_thread(self._compile_received, f"compile-{number + 1}")
+        self._start_thread(self._sweep, "sweep")
+        threading.Thread(target=self._warm_up, name="warm-up", daemon=True).start()
+
+    def _start_thread(self, target: Callable[[], None], name: str) -> None:
+        thread = threading.Thread(target=target, name=name, daemon=True)
+        thread.start()
+        self._threads.append(thread)
+
+    def stop(self) -> None:
+        """Stop at once: a compile under way is cancelled, and repeated at the next start."""
+        self._stopping.set()
+        self._received.set()
+        self.pool.close()
+        for thread in self._threads:
+            thread.join()
+
+    def _compile_received(self) -> None:
+        """Compile one received job after the other, in the order in which they came."""
+        with self.store.changes.subscribed(self._received.set):
+            while not self._stopping.is_set():
+                self._received.clear()
+                try:
+                    job = self.store.begin_compile(self.name)
+                    if job is not None:
+                        self.compile(job)
+                        continue
+                except Exception:
+                    # A database that cannot be reached for a moment must not end the thread.
+                    if not self._stopping.is_set():
+                        _log.exception("a compile failed")
+                    self._stopping.wait(_SWEEP)
+                self._received.wait(_POLL)
+
+    def _sweep(self) -> None:
+        grace = Grace()
+        while not self._stopping.is_set():
+            listened = grace.over(self.store.clock())
+            try:
+                self.store.sweep(gateways=self.gateways and listened)
+                self.pool.trim()
+            except Exception:
+                if not self._stopping.is_set():
+                    _log.exception("the sweep failed")
+            self._stopping.wait(_SWEEP)
+
+    def _warm_up(self) -> None:
+        with contextlib.suppress(TaskCancelled):
+            try:
+                self.pool.run(tasks.warm_up, limit=self.limit)
+            except (KnifetipError, TaskFailed):
+                _log.exception("the warm-up failed")
+
+    def compile(self, job: Job) -> None:
+        """Compile a job that ``begin_compile`` returned."""
+        id, epoch = job.id, job.epoch
+        renewed = time.monotonic()
+        last: Stage | None = None
+
+        def watch(stage: Stage, fraction: float) -> bool:
+            nonlocal renewed, last
+            now = time.monotonic()
+            if stage == last and now - renewed < _RENEW:
+                return True
+            renewed, last = now, stage
+            return self.store.compile_progress(id, epoch, stage, fraction)
+
+        drawing = self.store.drawing_with(job.drawing, "content", "edges", "overrides")
+        stored = StoredDrawing(
+            drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
+        )
+        try:
+            result = self.pool.run(
+                tasks.compile,
+                stored,
+                interpretation_of(job, self.store.job_column(id, "overrides")),
+                job.machine,
+                job.board,
+                (f"knifetip {version('knifetip')}", f"drawing {drawing.sha256[:40]}"),
+                limit=self.limit,
+                watch=watch,
+            )
+            self.store.compiled(id, epoch, result)
+        except TaskCancelled:
+            if self._stopping.is_set():
+                with contextlib.suppress(JobError):
+                    self.store.give_back(id, epoch)
+        except OpenQuestions as reason:
+            self._refuse(id, epoch, reason, reason.questions)
+        except JobError:
+            # Cancelled, or taken by another worker, while the result was on its way.
+            _log.info("the result of job %s came too late", id)
+        except KnifetipError as reason:
+            self._refuse(id, epoch, reason)
+        except TaskFailed as reason:
+            self._refuse(
+                id,
+                epoch,
+                KnifetipError(
+                    f"The compile failed because of an internal error: {reason}.",
+                    "The server's log has the details; nothing was cut.",
+                ),
+            )
+
+    def _refuse(
+        self,
+        id: str,
+        epoch: int,
+        reason: KnifetipError,
+        questions: list[dict[str, object]] | None = None,
+    ) -> None:
+        with contextlib.suppress(JobError):
+            self.store.refuse(
+                id, epoch, reason.message, reason.hint, reason.source, questions or ()
+            )

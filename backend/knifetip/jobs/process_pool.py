@@ -1,0 +1,243 @@
+"""process_pool: worker processes for tasks that need a lot of CPU, with limits of time and memory.
+
+    pool.run(task, *arguments, limit=120.0, watch=...) -> what the task returns
+
+A task is a function ``task(progress, *arguments)`` of an importable module.  It runs in a process
+of its own, so a drawing that hangs, exhausts memory or crashes the interpreter ends that process
+and nothing else.  ``progress(stage, fraction)`` reaches ``watch`` in the calling thread.
+
+ADR 6 says why this is not pebble or loky.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import multiprocessing
+import os
+import resource
+import signal
+import threading
+import time
+import traceback
+from collections.abc import Callable
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, wait
+from multiprocessing.process import BaseProcess
+from typing import Any, TypeAlias, TypeVar
+
+from knifetip.errors import DrawingTooLarge, KnifetipError
+from knifetip.model.stage import Progress, Stage
+
+#: Called with the last stage and its fraction; returns False to cancel the task.
+Watch: TypeAlias = Callable[[Stage, float], bool]
+T = TypeVar("T")
+
+MEMORY = 6 << 30  #: bytes of address space of a worker
+IDLE = 60.0  #: seconds after which ``trim`` ends an idle worker
+_LOOK = 1.0  # seconds between two calls of ``watch`` without news
+_REPORT = 0.1  # seconds between two progress reports of one stage
+
+_log = logging.getLogger("knifetip.jobs")
+
+
+class TaskCancelled(Exception):
+    """The caller cancelled the task, or the pool was closed."""
+
+
+class TaskFailed(Exception):
+    """The task raised an unexpected exception; its traceback is in the log."""
+
+
+@dataclass(slots=True)
+class _Worker:
+    """One process and the pipe to it."""
+
+    process: BaseProcess
+    pipe: Connection
+    idle_since: float = 0.0  #: time.monotonic()
+
+    def kill(self) -> None:
+        self.process.kill()
+        self.process.join()
+        self.pipe.close()
+
+
+class ProcessPool:
+    """At most ``size`` worker processes, each started when it is first needed.
+
+    Parameters
+    ----------
+    memory
+        Bytes of address space that a worker may use.
+    """
+
+    def __init__(self, size: int = 2, memory: int = MEMORY) -> None:
+        self._memory = memory
+        self._spawn = multiprocessing.get_context("spawn")
+        self._idle: list[_Worker] = []
+        self._busy: list[_Worker] = []
+        self._free = threading.BoundedSemaphore(size)
+        self._lock = threading.Lock()
+        self._closed = False
+
+    def run(
+        self,
+        task: Callable[..., T],
+        *arguments: object,
+        limit: float,
+        watch: Watch = lambda _stage, _fraction: True,
+    ) -> T:
+        """Return ``task(progress, *arguments)``, run in a worker; blocks this thread.
+
+        Parameters
+        ----------
+        limit
+            Seconds after which the worker is killed.
+        watch
+            Called with each stage and fraction, and with the last ones again every second.
+            Returns False to cancel the task.
+
+        Raises
+        ------
+        KnifetipError
+            Raised by the task.
+        DrawingTooLarge
+            The task exceeded its time or memory, or its process died.
+        TaskCancelled
+            ``watch`` returned False, or the pool was closed.
+        TaskFailed
+            The task raised an exception that is no ``KnifetipError``.
+        """
+        with self._free:
+            with self._lock:
+                if self._closed:
+                    raise TaskCancelled
+                worker = self._idle.pop() if self._idle else self._start_worker()
+                self._busy.append(worker)
+            reusable = False
+            try:
+                worker.pipe.send((task, arguments))
+                kind, value = self._receive(worker, time.monotonic() + limit, limit, watch)
+                reusable = True
+            except (EOFError, OSError) as reason:
+                if self._closed:
+                    raise TaskCancelled from reason
+                worker.process.join(5.0)
+                raise DrawingTooLarge(
+                    f"The worker process died (exit code {worker.process.exitcode}), as it does "
+                    "when memory runs out.",
+                    "Send a smaller drawing, or split this one.",
+                ) from reason
+            finally:
+                with self._lock:
+                    self._busy.remove(worker)
+                    reusable = reusable and not self._closed
+                    if reusable:
+                        worker.idle_since = time.monotonic()
+                        self._idle.append(worker)
+                if not reusable:
+                    worker.kill()
+        if kind == "result":
+            result: T = value
+            return result
+        if isinstance(value, KnifetipError):
+            raise value
+        _log.error("a task failed:\n%s", value)
+        raise TaskFailed(str(value).strip().rsplit("\n", 1)[-1])
+
+    def _receive(
+        self, worker: _Worker, deadline: float, limit: float, watch: Watch
+    ) -> tuple[str, Any]:
+        """Return the kind and value of a worker's answer; passes its progress on."""
+        stage, fraction = Stage.READ, 0.0
+        while True:
+            left = deadline - time.monotonic()
+            if left <= 0:
+                raise DrawingTooLarge(
+                    f"Stage {stage} was not finished after {limit:.0f} s.",
+                    "Send a smaller drawing, or split this one.",
+                )
+            if worker.pipe.poll(min(left, _LOOK)):
+                kind, value = worker.pipe.recv()
+                if kind != "progress":
+                    return kind, value
+                stage, fraction = value
+            if not watch(stage, fraction):
+                raise TaskCancelled
+
+    def _start_worker(self) -> _Worker:
+        ours, theirs = self._spawn.Pipe()
+        process = self._spawn.Process(
+            target=_serve_tasks, args=(theirs, self._memory), name="knifetip worker", daemon=True
+        )
+        process.start()
+        theirs.close()
+        return _Worker(process, ours)
+
+    def trim(self, idle: float = IDLE) -> None:
+        """End workers that have been idle for so many seconds, except the last one used."""
+        with self._lock:
+            # The last one used is the first to be used again.
+            before = time.monotonic() - idle
+            ended = [one for one in self._idle[:-1] if one.idle_since < before]
+            self._idle = [one for one in self._idle if one not in ended]
+        for worker in ended:
+            worker.kill()
+
+    def close(self) -> None:
+        """Kill all workers; their tasks end with ``TaskCancelled``."""
+        with self._lock:
+            self._closed = True
+            idle, self._idle = self._idle, []
+            busy = list(self._busy)
+        for worker in busy:
+            worker.process.kill()
+        for worker in idle:
+            worker.kill()
+
+
+def _serve_tasks(pipe: Connection, memory: int) -> None:
+    """Run in the worker: execute tasks from the pipe until it closes."""
+    # Ctrl-C is sent to the whole process group; the server decides when its workers end.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+    allowed = memory if hard == resource.RLIM_INFINITY else min(memory, hard)
+    resource.setrlimit(resource.RLIMIT_AS, (allowed, hard))
+    threading.Thread(target=_exit_with_parent, daemon=True).start()
+    reported = 0.0
+    last: Stage | None = None
+
+    def progress(stage: Stage, fraction: float) -> None:
+        nonlocal reported, last
+        if stage != last or time.monotonic() - reported > _REPORT:
+            reported, last = time.monotonic(), stage
+            pipe.send(("progress", (stage, float(fraction))))
+
+    with contextlib.suppress(EOFError, OSError):
+        while True:
+            task, arguments = pipe.recv()
+            last = None
+            pipe.send(_outcome(task, progress, arguments))
+
+
+def _outcome(task: Callable[..., Any], progress: Progress, arguments: Any) -> tuple[str, Any]:
+    try:
+        return "result", task(progress, *arguments)
+    except KnifetipError as reason:
+        return "error", reason
+    except MemoryError:
+        return "error", DrawingTooLarge(
+            f"The drawing needs more than the allowed {MEMORY >> 30} GB of memory.",
+            "Send a smaller drawing, or split this one.",
+        )
+    except Exception:
+        return "error", traceback.format_exc()
+
+
+def _exit_with_parent() -> None:
+    """Exit at once when the server is gone, even if it was killed."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(0)
