@@ -59,6 +59,8 @@ def ordered(store: Store) -> Job:
 @pytest.fixture
 def compiles_by(monkeypatch: pytest.MonkeyPatch) -> Callable[[object], None]:
     """Put another task in the place of the compile."""
+    # Compiling all kernels would take the only worker for minutes.
+    monkeypatch.setattr(tasks, "warm_up", crew_tasks.process_id)
     return lambda task: monkeypatch.setattr(tasks, "compile", task)
 
 
