@@ -1,6 +1,6 @@
 """arrows: lines with arrowheads, which say something of a carton and are never made.
 
-    Net -> which edges are arrowheads, the lines between them, and what those begin at
+    PlanarGraph -> which edges are arrowheads, the lines between them, and what those begin at
 
 An arrowhead is two short lines of one length that end together on a third and fold back along it,
 alike on both sides, with their other ends loose or joined to each other.  The notch at the end of
@@ -14,11 +14,11 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from knifetip.classification.cutting import WORTH
-from knifetip.classification.net import Net
 from knifetip.geometry.columns import Bool
 from knifetip.geometry.cores import each, runs
 from knifetip.kernels import F64_1, F64_2, I32_1, Bool_1, OutBool_1, kernel
+from knifetip.topology.intersections import MIN_CHUNK
+from knifetip.topology.planar_graph import PlanarGraph
 
 #: An arrowhead is no longer than this (mm), and than this share of the line that it ends.
 _LONG: Final = 12.0
@@ -33,7 +33,7 @@ _FULL: Final = 24
 
 
 class _Lines(NamedTuple):
-    """Columns of a ``Net``."""
+    """Columns of a ``PlanarGraph``."""
 
     place: F64_2
     start: I32_1
@@ -49,7 +49,7 @@ class _Around(NamedTuple):
     piece: I32_1
 
 
-def arrows(net: Net, count: int, unit: float) -> Bool:
+def arrows(graph: PlanarGraph, count: int, unit: float) -> Bool:
     """Return which of n edges belong to arrows, (n,).
 
     Parameters
@@ -57,15 +57,15 @@ def arrows(net: Net, count: int, unit: float) -> Bool:
     unit
         How many units of the ends a millimetre has.
     """
-    found, tip = np.zeros(count, np.bool_), np.zeros(len(net.place), np.bool_)
-    lines = _Lines(net.place, net.start, net.end, net.edge, net.first)
-    around = _around(lines, net.same)
+    found, tip = np.zeros(count, np.bool_), np.zeros(len(graph.vertex), np.bool_)
+    lines = _Lines(graph.vertex, graph.start, graph.end, graph.edge, graph.first)
+    around = _around(lines, graph.same)
 
     def looked(run: tuple[int, int]) -> None:
-        _heads(lines, net.bulge, around, unit, found, tip, *run)
+        _heads(lines, graph.bulge, around, unit, found, tip, *run)
 
-    each(looked, runs(len(tip), WORTH))
-    _rest(lines, net.same, around, unit, found, tip)
+    each(looked, runs(len(tip), MIN_CHUNK))
+    _rest(lines, graph.same, around, unit, found, tip)
     return found
 
 

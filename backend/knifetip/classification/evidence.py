@@ -2,7 +2,7 @@
 
     ends, bulge, inscriptions -> Shape
 
-The drawing is a net (``net``) with faces (``faces``).  The outside of a part that lies in no other
+The drawing is a planar graph with faces.  The outside of a part that lies in no other
 is the outline of a blank; what parts two faces of it divides panels; a closed part inside a face is
 a hole; a line that leads nowhere is a slit, or lies free.  What the parts are is told in ``parts``;
 lines with arrowheads are taken out before all else (``arrows``), since they would divide panels.
@@ -19,13 +19,8 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.classification.arrows import arrows
-from knifetip.classification.cutting import WORTH
-from knifetip.classification.faces import Faces, faces
 from knifetip.classification.folding import holding
 from knifetip.classification.measures import Extents
-from knifetip.classification.net import Net, built
-from knifetip.classification.order import neighbourly
-from knifetip.classification.overlaid import overlaid
 from knifetip.classification.parts import Parts
 from knifetip.classification.role import Role
 from knifetip.geometry import arc
@@ -46,6 +41,11 @@ from knifetip.kernels import (
     kernel,
 )
 from knifetip.model.drawing import Inscription
+from knifetip.topology.coincident import coincident_edges
+from knifetip.topology.faces import Faces, trace_faces
+from knifetip.topology.intersections import MIN_CHUNK
+from knifetip.topology.morton_order import spatial_order
+from knifetip.topology.planar_graph import PlanarGraph, build_graph
 
 #: A loose end nearer than this to another line was meant to touch it (mm).
 _REACH: Final = 1.0
@@ -121,7 +121,7 @@ def shape(
     if not unit_known and count:
         across = ends.reshape(-1, 2)
         unit = float(np.hypot(*(across.max(axis=0) - across.min(axis=0)))) / _ACROSS or 1.0
-    order = neighbourly(ends)
+    order = spatial_order(ends)
     if order is None:
         return _shape(ends, bulge, inscriptions, unit, folds)
     seen = _shape(ends[order], bulge[order], inscriptions, unit, folds)
@@ -132,17 +132,17 @@ def _shape(
     ends: F64, bulge: F64, inscriptions: Sequence[Inscription], unit: float, folds: bool
 ) -> Shape:
     count = len(bulge)
-    net = built(ends, bulge, GAP * unit, _REACH * unit)
-    if net is None:
+    graph = build_graph(ends, bulge, GAP * unit, _REACH * unit)
+    if graph is None:
         return _nothing(count)
-    said = arrows(net, count, unit)
+    said = arrows(graph, count, unit)
     if not said.any():
-        return _seen(net, ends, bulge, inscriptions, unit, folds)
+        return _seen(graph, ends, bulge, inscriptions, unit, folds)
     rest = np.flatnonzero(~said)
-    net = built(ends[rest], bulge[rest], GAP * unit, _REACH * unit)
-    if net is None:
+    graph = build_graph(ends[rest], bulge[rest], GAP * unit, _REACH * unit)
+    if graph is None:
         return _nothing(len(rest)).among(count, rest, Role.ARROW)
-    seen = _seen(net, ends[rest], bulge[rest], inscriptions, unit, folds)
+    seen = _seen(graph, ends[rest], bulge[rest], inscriptions, unit, folds)
     return seen.among(count, rest, Role.ARROW)
 
 
@@ -164,7 +164,7 @@ def _nothing(count: int) -> Shape:
 
 
 def _seen(
-    net: Net,
+    graph: PlanarGraph,
     ends: F64,
     bulge: F64,
     inscriptions: Sequence[Inscription],
@@ -173,28 +173,30 @@ def _seen(
 ) -> Shape:
     count, touch = len(bulge), GAP * unit
     (length, extents), sides = both(
-        lambda: (arc.over(net.chords(), net.bulge), Extents.of(net, unit)),
-        lambda: faces(net, ends, bulge, touch),
+        lambda: (arc.over(graph.chords(), graph.bulge), Extents.of(graph, unit)),
+        lambda: trace_faces(graph, ends, bulge, touch),
     )
-    parts = Parts.of(net, sides, length, extents, inscriptions, unit)
-    role = _roles(net, sides, parts)
+    parts = Parts.of(graph, sides, length, extents, inscriptions, unit)
+    role = _roles(graph, sides, parts)
     slender = _slender(sides.left, sides.right, length, sides.area, _NARROW * unit)
     greatest, share, whole = np.empty(count, np.uint8), np.empty(count), np.empty(count)
     narrow, part_of = np.empty(count, np.bool_), np.empty(count, np.int32)
     beside_it = np.empty((count, 2), np.int32)
 
     def gathered(run: tuple[int, int]) -> None:
-        pieces = net.first, net.part, length, role, sides.left, sides.right
+        pieces = graph.first, graph.component, length, role, sides.left, sides.right
         _gather(*pieces, slender, greatest, share, whole, narrow, part_of, beside_it, *run)
 
-    each(gathered, runs(count, WORTH))
+    each(gathered, runs(count, MIN_CHUNK))
     # An edge too short to be a piece is what the edge before it is, which it goes on from.
     before = np.maximum.accumulate(np.where(whole > 0.0, np.arange(count), 0))
     speck = np.flatnonzero(whole == 0.0)
     like = before[speck]
     gap = np.hypot(*(ends[like, 1] - ends[speck, 0]).T)
     # In a file of another order it is what the longest is that ends there.
-    like = np.where((whole[like] > 0.0) & (gap <= 4.0 * touch), like, _longest(net, length, speck))
+    like = np.where(
+        (whole[like] > 0.0) & (gap <= 4.0 * touch), like, _longest(graph, length, speck)
+    )
     speck, like = speck[like >= 0], like[like >= 0]
     greatest[speck], share[speck] = greatest[like], share[like]
     part_of[speck] = part_of[like]
@@ -207,10 +209,10 @@ def _seen(
         np.where(whole > 0.0, greatest, np.uint8(Role.UNKNOWN)),
         share,
         narrow,
-        net.dashed,
-        holding(net, sides, role, length, count) if folds else none,
+        graph.dashed,
+        holding(graph, sides, role, length, count) if folds else none,
         beside,
-        overlaid(net, length),
+        coincident_edges(graph, length),
         part_of,
         beside_it,
         sides.area,
@@ -288,19 +290,19 @@ def _gather(
             of[role[p]] = 0.0
 
 
-def _longest(net: Net, length: F64, specks: I64) -> I32:
+def _longest(graph: PlanarGraph, length: F64, specks: I64) -> I32:
     """Return of edges without pieces the edge of the longest piece that ends there, -1 for none."""
-    found = np.full(len(net.place), -1, np.int32)
+    found = np.full(len(graph.vertex), -1, np.int32)
     if len(specks) == 0:
         return found[:0]
-    wanted = np.zeros(len(net.place), np.bool_)
-    wanted[net.node[2 * specks]] = True
-    at = np.concatenate([net.start, net.end])
-    piece = np.flatnonzero(wanted[at] & (np.tile(net.edge, 2) >= 0))
+    wanted = np.zeros(len(graph.vertex), np.bool_)
+    wanted[graph.end_vertex[2 * specks]] = True
+    at = np.concatenate([graph.start, graph.end])
+    piece = np.flatnonzero(wanted[at] & (np.tile(graph.edge, 2) >= 0))
     piece = piece[np.argsort(np.tile(length, 2)[piece], kind="stable")]
     # Of several at one place the last stays, which is the longest.
-    found[at[piece]] = np.tile(net.edge, 2)[piece]
-    return found[net.node[2 * specks]]
+    found[at[piece]] = np.tile(graph.edge, 2)[piece]
+    return found[graph.end_vertex[2 * specks]]
 
 
 #: What a piece of each kind of part is: at its rim, on its own outside, in one face, between two.
@@ -310,7 +312,7 @@ _INSIDE: Final = Role.HOLE, Role.FREE, Role.INNER, Role.INNER
 _SLOT: Final = Role.SLOT, Role.FREE, Role.INNER, Role.INNER
 
 
-def _roles(net: Net, sides: Faces, parts: Parts) -> U8:
+def _roles(graph: PlanarGraph, sides: Faces, parts: Parts) -> U8:
     """Return the role of each piece, (p,)."""
     kinds = (
         (parts.doubtful, [Role.OPEN] * 4),
@@ -327,15 +329,17 @@ def _roles(net: Net, sides: Faces, parts: Parts) -> U8:
         (parts.letter, [Role.LETTER] * 4),
     )
     table = np.array([_BLANK, *(roles for _, roles in kinds)], np.uint8)
-    kind = np.zeros(len(sides.outside), np.uint8)
+    kind = np.zeros(len(sides.outer_face), np.uint8)
     for number, (which, _) in enumerate(kinds, start=1):
         np.putmask(kind, which, number)
-    role = np.empty(len(net.part), np.uint8)
+    role = np.empty(len(graph.component), np.uint8)
 
     def looked_up(run: tuple[int, int]) -> None:
-        _look_up(table, kind, net.part, sides.left, sides.right, sides.outside, role, *run)
+        _look_up(
+            table, kind, graph.component, sides.left, sides.right, sides.outer_face, role, *run
+        )
 
-    each(looked_up, runs(len(role), WORTH))
+    each(looked_up, runs(len(role), MIN_CHUNK))
     return role
 
 

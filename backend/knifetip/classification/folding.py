@@ -1,6 +1,6 @@
 """folding: which lines must be folds, because a panel hangs on them.
 
-    Net, Faces, roles -> which edges hold a panel
+    PlanarGraph, Faces, roles -> which edges hold a panel
 
 A blank is cut out in one piece: where one straight line is all that joins a panel to the others it
 cannot be a cut.  Where panels meet in a ring round a corner one of the lines is a slit, and a slit
@@ -18,11 +18,11 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.classification.faces import Faces
-from knifetip.classification.net import Net
 from knifetip.classification.role import HOLES, Role
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.kernels import I64_1, I64_2, kernel
+from knifetip.topology.faces import Faces
+from knifetip.topology.planar_graph import PlanarGraph
 
 #: Two lines are one straight line if their directions differ by less (radians).
 _STRAIGHT: Final = math.radians(1.0)
@@ -46,13 +46,13 @@ _MOST: Final = 64
 _SHEETS: Final = 200
 
 
-def holding(net: Net, sides: Faces, role: U8, length: F64, count: int) -> Bool:
+def holding(graph: PlanarGraph, sides: Faces, role: U8, length: F64, count: int) -> Bool:
     """Return which of n edges hold a panel, (n,).
 
     Parameters
     ----------
     role, length : (p,)
-        Of each piece of the net.
+        Of each piece of the graph.
     """
     held = np.zeros(count, np.bool_)
     divides = np.flatnonzero(role == Role.DIVIDER)
@@ -62,47 +62,47 @@ def holding(net: Net, sides: Faces, role: U8, length: F64, count: int) -> Bool:
     rim = np.zeros(faces, np.bool_)
     edge_of_blank = role == Role.OUTLINE
     rim[sides.left[edge_of_blank]] = rim[sides.right[edge_of_blank]] = True
-    degree, bent = _corners(net, len(net.place))
-    on_rim = np.zeros(len(net.place), np.bool_)
-    for side in (net.start, net.end):
+    degree, bent = _corners(graph, len(graph.vertex))
+    on_rim = np.zeros(len(graph.vertex), np.bool_)
+    for side in (graph.start, graph.end):
         on_rim[side[edge_of_blank | np.isin(role, HOLES)]] = True
     framed = np.zeros(faces, np.bool_)
     for side in (sides.left, sides.right):
-        for at in (net.start, net.end):
+        for at in (graph.start, graph.end):
             framed[side[divides][(degree[at] == 2)[divides] & bent[at][divides]]] = True
     framed &= ~rim
     panel = ~framed & (sides.area > 0.0)
     left, right = sides.left[divides], sides.right[divides]
     sound = panel[left] & panel[right]
     pair, number = _paired(left, right)
-    straight = _one_line(net, divides, number, len(pair))
+    straight = _one_line(graph, divides, number, len(pair))
     bridge = _bridges(pair, faces) & straight
-    free = straight & _between_corners(net, divides, number, len(pair), on_rim, degree)
-    chosen = (bridge | free)[number] & _longest(net, divides, number, length, count)
-    alone = _single_blanks(net, sides, length, rim, panel)
-    parts, part = len(sides.outside), net.part[divides]
+    free = straight & _between_corners(graph, divides, number, len(pair), on_rim, degree)
+    chosen = (bridge | free)[number] & _longest(graph, divides, number, length, count)
+    alone = _single_blanks(graph, sides, length, rim, panel)
+    parts, part = len(sides.outer_face), graph.component[divides]
     lines = np.bincount(part, length[divides], parts)
     # Maps and floor plans divide faces too, by whatever line there is.
     plain = np.bincount(part, length[divides] * straight[number], parts) >= _PLAIN * lines
-    panels = np.bincount(sides.owner[panel], minlength=parts)
+    panels = np.bincount(sides.component[panel], minlength=parts)
     carton = alone & plain & (panels >= _PANELS)
     holds = sound & chosen & carton[part]
-    rows = net.edge[divides]
+    rows = graph.edge[divides]
     real = rows >= 0
     whole = np.bincount(rows[real], length[divides][real], count)
     share = np.bincount(rows[real & holds], length[divides][real & holds], count)
     return (share > 0.9 * whole) & (whole > 0.0)
 
 
-def _corners(net: Net, places: int) -> tuple[I64, Bool]:
+def _corners(graph: PlanarGraph, places: int) -> tuple[I64, Bool]:
     """Return how many lines meet at each place, and whether two that meet make a bend, (q,)."""
-    own = np.flatnonzero(net.same == np.arange(len(net.same)))
-    ends = np.concatenate([net.start[own], net.end[own]])
+    own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
+    ends = np.concatenate([graph.start[own], graph.end[own]])
     degree = np.bincount(ends, minlength=places)
-    run = net.place[net.end[own]] - net.place[net.start[own]]
+    run = graph.vertex[graph.end[own]] - graph.vertex[graph.start[own]]
     # Twice the angle is the same whichever way a line is drawn.
     angle = np.arctan2(run[:, 1], run[:, 0]) * 2.0
-    turn = 4.0 * np.arctan(net.bulge[own])
+    turn = 4.0 * np.arctan(graph.bulge[own])
     angles = np.concatenate([angle - turn, angle + turn])
     x = np.bincount(ends, np.cos(angles), places)
     y = np.bincount(ends, np.sin(angles), places)
@@ -118,9 +118,9 @@ def _paired(left: Any, right: Any) -> tuple[I64, I64]:
     return np.column_stack(np.divmod(known, int(high.max()) + 1)), number
 
 
-def _one_line(net: Net, rows: I64, number: I64, pairs: int) -> Bool:
+def _one_line(graph: PlanarGraph, rows: I64, number: I64, pairs: int) -> Bool:
     """Return whether all lines between two faces are pieces of one straight line, (k,)."""
-    start, end = net.place[net.start[rows]], net.place[net.end[rows]]
+    start, end = graph.vertex[graph.start[rows]], graph.vertex[graph.end[rows]]
     run = np.hypot(*(end - start).T)
     first = np.searchsorted(np.sort(number), np.arange(pairs))
     # Along the longest piece the line has two ends, and through those it runs: a dash is too short
@@ -134,7 +134,7 @@ def _one_line(net: Net, rows: I64, number: I64, pairs: int) -> Bool:
     low = points[order[2 * first]][number]
     high = points[order[np.append(2 * first[1:], len(order)) - 1]][number]
     way = (high - low) / np.maximum(np.hypot(*(high - low).T), 1e-12)[:, None]
-    off = np.abs(net.bulge[rows]) > 1e-6
+    off = np.abs(graph.bulge[rows]) > 1e-6
     for point in (start, end):
         away = point - low
         aside = np.abs(away[:, 0] * way[:, 1] - away[:, 1] * way[:, 0])
@@ -144,11 +144,11 @@ def _one_line(net: Net, rows: I64, number: I64, pairs: int) -> Bool:
 
 
 def _between_corners(
-    net: Net, rows: I64, number: I64, pairs: int, on_rim: Bool, degree: I64
+    graph: PlanarGraph, rows: I64, number: I64, pairs: int, on_rim: Bool, degree: I64
 ) -> Bool:
     """Return whether what divides two faces begins and ends at corners off the rim, (k,)."""
-    places = len(net.place)
-    key = np.concatenate([number * places + net.start[rows], number * places + net.end[rows]])
+    places = len(graph.vertex)
+    key = np.concatenate([number * places + graph.start[rows], number * places + graph.end[rows]])
     known, count = np.unique(key, return_counts=True)
     tip, pair = (known % places)[count == 1], (known // places)[count == 1]
     loose = on_rim[tip] | (degree[tip] < 3)
@@ -158,23 +158,23 @@ def _between_corners(
     return result
 
 
-def _longest(net: Net, rows: I64, number: I64, length: F64, count: int) -> Bool:
+def _longest(graph: PlanarGraph, rows: I64, number: I64, length: F64, count: int) -> Bool:
     """Return which lines are the longest edges between their faces, or the dashes of a row, (d,).
 
     Short edges at the ends of a fold may be the slits that lock it.
     """
-    edge = net.edge[rows]
+    edge = graph.edge[rows]
     whole = np.bincount(edge[edge >= 0], length[rows][edge >= 0], count)
     own = np.where(edge >= 0, whole[edge], 0.0)
     most = np.zeros(int(number.max()) + 1)
     np.maximum.at(most, number, own)
-    dashed = (edge >= 0) & net.dashed[edge]
+    dashed = (edge >= 0) & graph.dashed[edge]
     in_dashes = np.bincount(number[dashed], minlength=len(most)) > 0
     result: Bool = np.where(in_dashes[number], dashed, own >= 0.99 * most[number])
     return result
 
 
-def _single_blanks(net: Net, sides: Faces, length: F64, rim: Bool, panel: Bool) -> Bool:
+def _single_blanks(graph: PlanarGraph, sides: Faces, length: F64, rim: Bool, panel: Bool) -> Bool:
     """Return which parts are not several equal blanks, (c,).
 
     Equal blanks lie beside each other, or head to tail: every panel at the rim has an image under
@@ -182,10 +182,10 @@ def _single_blanks(net: Net, sides: Faces, length: F64, rim: Bool, panel: Bool) 
     has none, or a base that is its own.
     """
     faces = len(sides.area)
-    owner = sides.owner
+    owner = sides.component
     # What is drawn twice counts once.
-    own = np.flatnonzero(net.same == np.arange(len(net.same)))
-    start, end, length = net.place[net.start[own]], net.place[net.end[own]], length[own]
+    own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
+    start, end, length = graph.vertex[graph.start[own]], graph.vertex[graph.end[own]], length[own]
     middle = 0.5 * (start + end)
     centre = np.zeros((faces, 2))
     box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (faces, 1))
@@ -199,7 +199,7 @@ def _single_blanks(net: Net, sides: Faces, length: F64, rim: Bool, panel: Bool) 
             np.maximum.at(box[:, 2:], side, at)
     centre /= np.maximum(weight, 1e-12)[:, None]
     chosen = np.flatnonzero(panel)
-    single = np.zeros(len(sides.outside), np.bool_)
+    single = np.zeros(len(sides.outer_face), np.bool_)
     order = chosen[np.argsort(owner[chosen], kind="stable")]
     bounds = np.flatnonzero(np.diff(owner[order], prepend=-1, append=-1))
     for first, last in list(pairwise(bounds.tolist()))[:_SHEETS]:

@@ -1,6 +1,6 @@
 """measures: what is measured of each connected part of a drawing.
 
-Net, Faces, inscriptions -> Extents, Measures
+PlanarGraph, Faces, inscriptions -> Extents, Measures
 """
 
 from __future__ import annotations
@@ -10,9 +10,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from knifetip.classification.faces import Faces
 from knifetip.classification.letters import lettering
-from knifetip.classification.net import Net
 from knifetip.classification.words import hint
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.cores import each, runs
@@ -20,6 +18,8 @@ from knifetip.geometry.tolerance import GAP
 from knifetip.kernels import F64_1, F64_2, I32_1, OutBool_1, OutF64_1, OutF64_2, OutI64_1, kernel
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Inscription
+from knifetip.topology.faces import Faces
+from knifetip.topology.planar_graph import PlanarGraph
 
 #: The name of a kind of line has no more letters than this.
 _NAME: Final = 30
@@ -40,13 +40,15 @@ class Extents(NamedTuple):
     level: Bool  #: (c,) it is made of level and upright lines only
 
     @classmethod
-    def of(cls, net: Net, unit: float) -> Extents:
-        """Return the extents of the parts of a net; ``unit`` as for ``Parts``."""
-        count = len(net.leftmost)
+    def of(cls, graph: PlanarGraph, unit: float) -> Extents:
+        """Return the extents of the parts of a graph; ``unit`` as for ``Parts``."""
+        count = len(graph.leftmost)
         box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (count, 1))
         level = np.ones(count, np.bool_)
         off = 2.0 * GAP * unit
-        _measure(net.place, net.start, net.end, net.bulge, net.part, off, box, level)
+        _measure(
+            graph.vertex, graph.start, graph.end, graph.bulge, graph.component, off, box, level
+        )
         return cls(box, level)
 
 
@@ -67,21 +69,21 @@ class Measures(NamedTuple):
     @classmethod
     def of(
         cls,
-        net: Net,
+        graph: PlanarGraph,
         sides: Faces,
         length: F64,
         box: F64,
         inscriptions: Sequence[Inscription],
         unit: float,
     ) -> Measures:
-        """Return what is measured of the parts of a net; parameters as of ``Parts``."""
+        """Return what is measured of the parts of a graph; parameters as of ``Parts``."""
         count = len(box)
-        area = -sides.area[sides.outside]
+        area = -sides.area[sides.outer_face]
         wide, high = box[:, 2] - box[:, 0], box[:, 3] - box[:, 1]
         size = np.sqrt(wide * wide + high * high)
         drawn, nowhere, closing = np.zeros(count), np.zeros(count), np.zeros(count)
         pieces = np.zeros(count, np.int64)
-        of = net.edge, net.part, sides.left, sides.right, sides.outside
+        of = graph.edge, graph.component, sides.left, sides.right, sides.outer_face
         _drawn(*of, length, drawn, nowhere, closing, pieces)
         holds, annotated = _texts(inscriptions, box)
         kinds = [text for text in inscriptions[:_MOST] if _names_a_line(text.text)]

@@ -1,6 +1,6 @@
 """parts: what each connected part of a drawing is: a blank, its frame, its bleed, a word, a mark.
 
-    Net, Faces, inscriptions -> Parts
+    PlanarGraph, Faces, inscriptions -> Parts
 
 A part in no other is a blank.  A rectangle round blanks is a frame, what follows a blank at the
 same distance is its bleed (``surrounds``), a grid of boxes with texts in them is a title block,
@@ -16,14 +16,14 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.classification.faces import Faces
 from knifetip.classification.measures import Extents, Measures
-from knifetip.classification.net import Net
 from knifetip.classification.surrounds import Surrounds
 from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.cores import both, each, runs
 from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_1, kernel
 from knifetip.model.drawing import Inscription
+from knifetip.topology.faces import Faces
+from knifetip.topology.planar_graph import PlanarGraph
 
 #: A part smaller than this share of the largest is a mark or a letter, not a blank.
 _SMALL: Final = 0.004
@@ -58,14 +58,14 @@ class Parts:
     @classmethod
     def of(
         cls,
-        net: Net,
+        graph: PlanarGraph,
         sides: Faces,
         length: F64,
         extents: Extents,
         inscriptions: Sequence[Inscription],
         unit: float,
     ) -> Parts:
-        """Return what the parts of a net are.
+        """Return what the parts of a graph are.
 
         Parameters
         ----------
@@ -75,8 +75,8 @@ class Parts:
             How many units of the ends a millimetre has.
         """
         around, found = both(
-            lambda: Surrounds.of(net, sides, extents, unit),
-            lambda: Measures.of(net, sides, length, extents.box, inscriptions, unit),
+            lambda: Surrounds.of(graph, sides, extents, unit),
+            lambda: Measures.of(graph, sides, length, extents.box, inscriptions, unit),
         )
         many, parent = around.many, around.parent
         area, size, tiny = found.area, found.size, unit * unit

@@ -1,6 +1,6 @@
 """surrounds: what lies round blanks and is none: frames, bleeds, lines round whole cartons.
 
-Net, Faces, Extents -> Surrounds
+PlanarGraph, Faces, Extents -> Surrounds
 """
 
 from __future__ import annotations
@@ -9,12 +9,12 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from knifetip.classification.faces import Faces
 from knifetip.classification.measures import Extents
-from knifetip.classification.net import Net
-from knifetip.classification.segment import near, point_at
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, I64_1, I64_2, OutBool_1, kernel
+from knifetip.topology.faces import Faces
+from knifetip.topology.planar_graph import PlanarGraph
+from knifetip.topology.segment import distance_to, point_at
 
 #: A frame without a title block holds at least this share of its face, one with it this.
 _HELD: Final = 0.15
@@ -38,16 +38,16 @@ class Surrounds(NamedTuple):
     around: Bool  #: (c,) a whole carton lies in it, and it is neither frame nor bleed
 
     @classmethod
-    def of(cls, net: Net, sides: Faces, extents: Extents, unit: float) -> Surrounds:
+    def of(cls, graph: PlanarGraph, sides: Faces, extents: Extents, unit: float) -> Surrounds:
         """Return what lies round what; ``unit`` as for ``Parts``."""
-        count, owner = len(sides.outside), sides.owner
+        count, owner = len(sides.outer_face), sides.component
         bounded = sides.area > unit * unit
-        bounded[sides.outside] = False
+        bounded[sides.outer_face] = False
         many = np.bincount(owner[bounded], minlength=count)
-        parent = np.where(sides.within >= 0, owner[sides.within], -1)
+        parent = np.where(sides.enclosing >= 0, owner[sides.enclosing], -1)
         box, level = extents
         frame = _frames(sides, parent, many, level, box, owner, bounded)
-        bleed = _bleeds(net, parent, frame, many, box, unit)
+        bleed = _bleeds(graph, parent, frame, many, box, unit)
         around = np.zeros(count, np.bool_)
         around[parent[(parent >= 0) & (many >= _CARTON)]] = True
         around &= (many == 1) & ~frame & ~bleed
@@ -72,7 +72,7 @@ def _frames(
     while True:
         # A plain rectangle round a plain shape may be a blank with a hole, and is no frame.
         told = np.flatnonzero((parent >= 0) & ((many >= 2) | frame) & ~frame[parent])
-        held = np.bincount(sides.within[told], size[told], len(sides.area))
+        held = np.bincount(sides.enclosing[told], size[told], len(sides.area))
         found = False
         for face in np.flatnonzero(held).tolist():
             c = int(owner[face])
@@ -100,7 +100,7 @@ def _plain(part: int, level: Bool, many: I64) -> bool:
     return bool(level[part]) and int(many[part]) == 1
 
 
-def _bleeds(net: Net, parent: I32, frame: Bool, many: I64, box: F64, unit: float) -> Bool:
+def _bleeds(graph: PlanarGraph, parent: I32, frame: Bool, many: I64, box: F64, unit: float) -> Bool:
     """Return which parts follow the outline of what lies in them, and hold a blank, (c,).
 
     A ring in a ring may be a gasket: what is held must have panels.
@@ -125,10 +125,10 @@ def _bleeds(net: Net, parent: I32, frame: Bool, many: I64, box: F64, unit: float
     around = around[fits & (many[around] == 1) & ~frame[around]]
     if len(around) == 0:
         return bleed
-    pieces = _by_part(net.part, count)
+    pieces = _by_part(graph.component, count)
     around = around[np.argsort(-np.diff(pieces.first)[around], kind="stable")[:_MOST]]
     of = np.searchsorted(holder, around), np.searchsorted(holder, around, side="right")
-    lines = net.place, net.start, net.end, net.bulge
+    lines = graph.vertex, graph.start, graph.end, graph.bulge
     _follow(lines, pieces, around.astype(np.int64), np.column_stack(of), held, low, bleed)
     return bleed
 
@@ -210,6 +210,6 @@ def _distances(ends: F64_3, bulge: F64_1, among: F64_3, bent: F64_1) -> tuple[fl
             x, y = point_at(ends, bulge, p, share)
             best = np.inf
             for q in range(len(bent)):
-                best = min(best, near(among, bent, q, x, y, best)[0])
+                best = min(best, distance_to(among, bent, q, x, y, best)[0])
             least, most = min(least, best), max(most, best)
     return least, most

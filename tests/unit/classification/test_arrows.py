@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from knifetip.classification.arrows import arrows
-from knifetip.classification.net import built
+from knifetip.topology.planar_graph import build_graph
 
 
 def found(lines: list[tuple[float, float, float, float]], unit: float = 1.0) -> list[bool]:
     ends = np.array(lines, np.float64).reshape(-1, 2, 2)
-    net = built(ends, np.zeros(len(lines)), 0.05 * unit, 1.0 * unit)
-    assert net is not None
-    return arrows(net, len(lines), unit).tolist()
+    graph = build_graph(ends, np.zeros(len(lines)), 0.05 * unit, 1.0 * unit)
+    assert graph is not None
+    return arrows(graph, len(lines), unit).tolist()
 
 
 #: A line of 50 mm with two heads of 3 mm, between two that it begins at and ends at.

@@ -8,18 +8,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from knifetip.classification import (
-    arrows,
-    cutting,
-    dashes,
-    evidence,
-    gaps,
-    measures,
-    nesting,
-    parts,
-)
+from knifetip.classification import arrows, evidence, measures, parts
 from knifetip.classification.evidence import Shape, shape
 from knifetip.model.drawing import Drawing
+from knifetip.topology import dash_rows, gap_links, intersections, nesting
 from tests.support.cartons import random_drawings
 
 
@@ -35,7 +27,10 @@ def _five(count: int, _worth: int, _most: int | None = None) -> list[tuple[int, 
 def test_several_cores_see_what_one_sees(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     drawing = random_drawings.random_drawing(seed)[0]
     one = _seen(drawing)
-    for module in (arrows, cutting, dashes, evidence, gaps, measures, nesting, parts):
+    for module in (
+        *(arrows, evidence, measures, parts),
+        *(dash_rows, gap_links, intersections, nesting),
+    ):
         monkeypatch.setattr(module, "runs", _five)
     five = _seen(drawing)
     for column in fields(Shape):

@@ -9,7 +9,7 @@ import shapely
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from knifetip.classification.segment import crossing, near, point_at
+from knifetip.topology.segment import crossing_shares, distance_to, point_at
 
 _NUMBER = st.floats(-100.0, 100.0)
 _POINT = st.tuples(_NUMBER, _NUMBER)
@@ -33,7 +33,7 @@ def test_what_is_near_is_as_far_as_the_nearest_of_its_points(
     chord = math.dist(a, b)
     assume(chord > 0.1 and (bend == 0.0 or abs(bend) > 1e-3))
     ends, bulge = np.array([[a, b]]), np.array([bend])
-    away, share = near(ends, bulge, 0, *point, far)
+    away, share = distance_to(ends, bulge, 0, *point, far)
     expected = _nearest(ends, bulge, *point)
     step = chord * math.pi / 2 / 2000
     if away <= far:
@@ -50,7 +50,7 @@ def test_lines_cross_where_shapely_says(
 ) -> None:
     assume(math.dist(a, b) > 0.1 and math.dist(c, d) > 0.1)
     one, other = shapely.LineString([a, b]), shapely.LineString([c, d])
-    s, t = crossing(*a, b[0] - a[0], b[1] - a[1], np.array([[c, d]]), 0)
+    s, t = crossing_shares(*a, b[0] - a[0], b[1] - a[1], np.array([[c, d]]), 0)
     if math.isnan(s):
         assert math.isnan(t)
         # They may touch at an end, or lie on each other.

@@ -1,8 +1,7 @@
-"""places: points that are one point, and lines that lie on each other between two of them.
+"""vertices: points within a tolerance become one vertex; coincident lines between two vertices.
 
-A point is of the nearest place within reach, and makes one where there is none.  Places made later
-may be nearer to it: two lines that end at one point must not end at two places for that, so each
-point stays with the place that it was of first.
+A point belongs to the nearest vertex within the tolerance, and becomes a vertex if there is none.
+Points that are equal always get the same vertex, even if a nearer one is made later.
 """
 
 from __future__ import annotations
@@ -25,57 +24,59 @@ from knifetip.kernels import (
     kernel,
 )
 
-#: Places are looked for in cells so many times as wide as what touches.
+#: Width of a hash cell, in multiples of the tolerance.
 _CELL: Final = 16.0
-#: What ``_nearest`` says beside numbers of places.
+#: Results of ``_nearest`` that are no vertex.
 _NONE: Final = -1
 _SEVERAL: Final = -2
-#: Points are one point that differ by less than this part of what touches.
+#: Points are equal if they differ by less than this fraction of the tolerance.
 _FINE: Final = 1000.0
 
 
-class Places(NamedTuple):
-    """q places, found again by where they are."""
+class VertexTable(NamedTuple):
+    """A hash table of q vertices by position."""
 
     point: OutF64_2  #: (≥ q, 2)
     known: int  #: q
-    onward: OutI32_1  #: (≥ q,) the next place whose cell has the same number
-    head: OutI32_1  #: (2^k,) of each number the last place
+    onward: OutI32_1  #: (≥ q,) next vertex in the same hash bucket
+    head: OutI32_1  #: (2^k,) last vertex of each hash bucket
 
 
-def placed_ends(ends: F64, touch: float) -> tuple[Places, I32]:
-    """Return the places of the ends of n edges, (n, 2, 2), and the number of each, (2n,)."""
+def merge_ends(ends: F64, touch: float) -> tuple[VertexTable, I32]:
+    """Merge the ends of n edges, (n, 2, 2), into vertices; return these, and that of each end."""
     count = len(ends)
     size = 1 << (4 * count + 15).bit_length()
-    spots = Places(
+    vertices = VertexTable(
         np.empty((2 * count, 2)), 0, np.empty(2 * count, np.int32), np.full(size, -1, np.int32)
     )
     node = np.empty(2 * count, np.int32)
     several = np.zeros(2 * count, np.bool_)
-    found, near = _place(ends, touch, spots, node, several)
+    found, near = _place(ends, touch, vertices, node, several)
     if near:
-        _settle(ends, touch, np.flatnonzero(several).astype(np.int32), node)
-    return spots._replace(known=found), node
+        _unify(ends, touch, np.flatnonzero(several).astype(np.int32), node)
+    return vertices._replace(known=found), node
 
 
-def roomy(spots: Places, more: int) -> Places:
-    """Return the same places with room for so many more."""
-    point, onward = np.empty((spots.known + more, 2)), np.empty(spots.known + more, np.int32)
-    point[: spots.known] = spots.point[: spots.known]
-    onward[: spots.known] = spots.onward[: spots.known]
-    return Places(point, spots.known, onward, spots.head)
+def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
+    """Return the same vertices with room for ``more``."""
+    point, onward = np.empty((vertices.known + more, 2)), np.empty(vertices.known + more, np.int32)
+    point[: vertices.known] = vertices.point[: vertices.known]
+    onward[: vertices.known] = vertices.onward[: vertices.known]
+    return VertexTable(point, vertices.known, onward, vertices.head)
 
 
 @kernel(allocates=False)
-def _place(ends: F64_3, touch: float, spots: Places, node: OutI32_1, several: OutBool_1) -> Any:
-    """Write the place of each end, and whether it had several near; return how many there are."""
+def _place(
+    ends: F64_3, touch: float, vertices: VertexTable, node: OutI32_1, several: OutBool_1
+) -> Any:
+    """Find the vertex of each end, and whether several are near; return the counts of both."""
     count = near = 0
     for half in range(len(node)):
         x, y = ends[half // 2, half % 2, 0], ends[half // 2, half % 2, 1]
-        at = _nearest(x, y, touch, spots.point, spots.head, spots.onward)
+        at = _nearest(x, y, touch, vertices.point, vertices.head, vertices.onward)
         if at == _NONE:
             at = count
-            _add(x, y, touch, spots.point, count, spots.head, spots.onward)
+            _add(x, y, touch, vertices.point, count, vertices.head, vertices.onward)
             count += 1
         elif at < 0:
             at = _SEVERAL - at
@@ -87,7 +88,7 @@ def _place(ends: F64_3, touch: float, spots: Places, node: OutI32_1, several: Ou
 
 @kernel
 def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
-    """Return where an end at the point of this one is kept, or may be."""
+    """Return the slot of the hash table for ends at the same point as this one."""
     mask = len(known) - 1
     x, y = _rounded(ends, half, fine)
     slot = _hashed(x, y, mask)
@@ -113,10 +114,10 @@ def _hashed(cx: int, cy: int, mask: int) -> Any:
 
 
 @inline_kernel
-def placed(
+def vertex_at(
     x: float, y: float, touch: float, point: OutF64_2, count: int, head: OutI32_1, onward: OutI32_1
 ) -> int:
-    """The number of the place at a point: one that is known, or ``count`` for a new one."""
+    """Return the vertex at a point; ``count`` if it is a new one, which is added."""
     at = _nearest(x, y, touch, point, head, onward)
     if at == _NONE:
         _add(x, y, touch, point, count, head, onward)
@@ -126,10 +127,10 @@ def placed(
 
 @inline_kernel
 def _nearest(x: float, y: float, touch: float, point: F64_2, head: I32_1, onward: I32_1) -> int:
-    """Return the nearest place that touches a point, as one number: a second takes time.
+    """Return the nearest vertex within the tolerance of a point.
 
-    ``_NONE`` where there is none; ``_SEVERAL`` less the nearest where several do, and none of them
-    is at the very point.
+    ``_NONE`` if there is none; ``_SEVERAL`` minus the vertex if several are near and none is equal
+    to the point.  One number, because returning two is slower.
     """
     mask = len(head) - 1
     fx, fy = x / (_CELL * touch), y / (_CELL * touch)
@@ -165,7 +166,7 @@ def _nearest(x: float, y: float, touch: float, point: F64_2, head: I32_1, onward
 def _add(
     x: float, y: float, touch: float, point: OutF64_2, number: int, head: OutI32_1, onward: OutI32_1
 ) -> None:
-    """Keep a new place."""
+    """Add a vertex."""
     fx, fy = x / (_CELL * touch), y / (_CELL * touch)
     own = _hashed(math.floor(fx), math.floor(fy), len(head) - 1)
     point[number, 0], point[number, 1] = x, y
@@ -174,8 +175,8 @@ def _add(
 
 
 @kernel
-def alike(start: I32_1, end: I32_1, bent: F64_1, point: F64_2, touch: float) -> Any:
-    """The first of the lines between two places that each line lies on."""
+def first_coincident(start: I32_1, end: I32_1, bent: F64_1, point: F64_2, touch: float) -> Any:
+    """Return for each line the first line between the same vertices that coincides with it."""
     count = len(start)
     same = np.empty(count, np.int32)
     mask = 1
@@ -207,13 +208,13 @@ def alike(start: I32_1, end: I32_1, bent: F64_1, point: F64_2, touch: float) -> 
 
 # With its types said: it is needed by few drawings, and nobody shall wait for it then.
 @kernel
-def _settle(ends: F64_3, touch: float, several: I32_1, node: OutI32_1) -> None:
-    """Give all ends at one point, of those that had several places near, the place of the first."""
+def _unify(ends: F64_3, touch: float, several: I32_1, node: OutI32_1) -> None:
+    """Give equal ends, of those with several vertices near, the vertex of the first of them."""
     mask = 1
     while mask < 4 * len(several):
         mask *= 2
     mask -= 1
-    # What is rounded otherwise is still one point.
+    # Points that round differently are still within the tolerance.
     fine = _FINE / touch
     known = np.full(mask + 1, -1, np.int32)
     place = np.full(mask + 1, -1, np.int32)

@@ -1,9 +1,9 @@
-"""faces: what lies on the two sides of each piece of a net.
+"""faces: the faces of a planar graph, and the face on each side of every piece.
 
-    Net -> Faces
+    PlanarGraph -> Faces
 
-Walk from each piece always as sharply to the right as one can: the face on the left is walked round
-against the clock, the outside of a connected part with it.
+A face is traced by turning clockwise as sharply as possible at every vertex.  Bounded faces are
+traced counter-clockwise.
 """
 
 from __future__ import annotations
@@ -14,43 +14,44 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.classification.nesting import held, looked_left
-from knifetip.classification.net import Net
-from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.cores import both
 from knifetip.kernels import F64_1, F64_2, I32_1, kernel
+from knifetip.topology.nesting import enclosing_faces, find_left_neighbours
+from knifetip.topology.planar_graph import PlanarGraph
+from knifetip.topology.segment import BULGE
 
-#: Directions are told apart to so many parts of a right angle.
+#: Resolution of directions: parts of a right angle.
 _FINE: Final = 10_000_000
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Faces:
-    """p pieces, f faces, c connected parts."""
+    """The f faces of a graph with p pieces and c components."""
 
-    left: I32  #: (p,) the face on the left of each piece
+    left: I32  #: (p,) face on the left of each piece
     right: I32  #: (p,)
-    area: F64  #: (f,) > 0, or ≤ 0 for the outside of a part
-    owner: I32  #: (f,) the part that it is of
-    outside: I32  #: (c,) the face that is the outside of each part
-    within: I32  #: (c,) the face that holds it, -1 for none
+    area: F64  #: (f,) signed; ≤ 0 for the outer face of a component
+    component: I32  #: (f,) component of each face
+    outer_face: I32  #: (c,) outer face of each component
+    enclosing: I32  #: (c,) face that each component lies in, -1 for none
 
 
-def faces(net: Net, ends: F64, bulge: F64, touch: float) -> Faces:
-    """Return the faces of a net of n edges, (n, 2, 2) and (n,)."""
-    lines = (net.place, net.start, net.end, net.bulge, net.same)
+def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, touch: float) -> Faces:
+    """Return the faces of a graph of n edges, (n, 2, 2) and (n,)."""
+    lines = (graph.vertex, graph.start, graph.end, graph.bulge, graph.same)
     beside, (left, right, area) = both(
-        lambda: looked_left(net, ends, bulge, touch), lambda: _walked(*lines, *_around(*lines))
+        lambda: find_left_neighbours(graph, ends, bulge, touch),
+        lambda: _trace(*lines, *_half_edges_by_vertex(*lines)),
     )
-    outside, owner = _owned(len(net.leftmost), net.part, left, right, area)
-    within = held(beside, left, right, outside, owner)
-    return Faces(left, right, area, owner, outside, within)
+    outside, component_of_face = _owned(len(graph.leftmost), graph.component, left, right, area)
+    within = enclosing_faces(beside, left, right, outside, component_of_face)
+    return Faces(left, right, area, component_of_face, outside, within)
 
 
 @kernel(allocates=False)
 def _angle(x: float, y: float) -> int:
-    """A number that grows with the angle of a direction, the same for all that are nearly one."""
+    """Return an integer that grows with the angle of a direction; equal for nearly equal ones."""
     across = abs(x) + abs(y)
     along = y / across if across > 0.0 else 0.0
     quarters = 2.0 - along if x < 0.0 else along + 4.0 if y < 0.0 else along
@@ -58,10 +59,10 @@ def _angle(x: float, y: float) -> int:
 
 
 @kernel
-def _around(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1) -> Any:
-    """Return the halves of pieces round each place against the clock, and where each place's begin.
+def _half_edges_by_vertex(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1) -> Any:
+    """Return the half-edges counter-clockwise around each vertex (CSR: indices, offsets).
 
-    Half 2 p of piece p leaves its beginning, half 2 p + 1 its end.
+    Half-edge 2 p leaves the start of piece p, half-edge 2 p + 1 its end.
     """
     pieces, places = len(start), len(place)
     begins = np.zeros(places + 1, np.int32)
@@ -80,9 +81,9 @@ def _around(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1) ->
             at = start[p] if half % 2 == 0 else end[p]
             k = put[at]
             put[at] += 1
-            # One and two have no order.
+            # One or two half-edges need no order.
             if begins[at + 1] - begins[at] > 2:
-                angle[half] = _leaves(place, start, end, bent, half)
+                angle[half] = _direction(place, start, end, bent, half)
                 while k > begins[at]:
                     other = around[k - 1]
                     if angle[other] < angle[half] or (
@@ -98,14 +99,14 @@ def _around(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1) ->
 
 
 @kernel(allocates=False)
-def _leaves(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> int:
-    """The direction in which half a piece leaves its place, by its tangent, as ``_angle``."""
+def _direction(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> int:
+    """Return the direction of a half-edge at its vertex, as ``_angle`` does."""
     p = half // 2
     a, b, bend = start[p], end[p], bent[p]
     dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
     if bend == 0.0:
         return _angle(dx, dy) if half % 2 == 0 else _angle(-dx, -dy)
-    # The chord, turned by a quarter of the sweep twice.
+    # The chord_length, turned by a quarter of the sweep twice.
     square = bend * bend
     c, s = (1.0 - square) / (1.0 + square), 2.0 * bend / (1.0 + square)
     if half % 2 == 0:
@@ -115,7 +116,7 @@ def _leaves(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> i
 
 @kernel(allocates=False)
 def _curve(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> float:
-    """How far half a piece bends to the left of where it leaves."""
+    """Return the signed curvature of a half-edge, to order those with the same direction."""
     p = half // 2
     a, b = start[p], end[p]
     dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
@@ -124,10 +125,10 @@ def _curve(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> fl
 
 
 @kernel
-def _walked(
+def _trace(
     place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1, around: I32_1, begins: I32_1
 ) -> Any:
-    """Return the faces on the left and on the right of each piece, and the area of each face."""
+    """Trace all faces: return the face left and right of each piece, and the area of each face."""
     pieces = len(start)
     rank = np.empty(2 * pieces, np.int32)
     for k in range(len(around)):
@@ -177,13 +178,13 @@ def _walked(
 
 @kernel
 def _owned(parts: int, part: I32_1, left: I32_1, right: I32_1, area: F64_1) -> Any:
-    """Return the face that is the outside of each part, and the part of each face."""
+    """Return the outer face of each component, and the component of each face."""
     outside = np.full(parts, -1, np.int32)
-    owner = np.empty(len(area), np.int32)
+    component_of_face = np.empty(len(area), np.int32)
     for p in range(len(part)):
         for f in (left[p], right[p]):
-            owner[f] = part[p]
+            component_of_face[f] = part[p]
             known = outside[part[p]]
             if known < 0 or area[f] < area[known]:
                 outside[part[p]] = f
-    return outside, owner
+    return outside, component_of_face

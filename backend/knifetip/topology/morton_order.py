@@ -1,10 +1,9 @@
-"""order: edges so numbered that neighbours follow each other.
+"""morton_order: an order of edges in which neighbours follow one another.
 
-    ends -> the order in which to look at edges, where their own is no help
+    ends -> permutation, or None if the order of the file is good enough
 
-All that is looked up about an edge is near what is looked up about its neighbours.  Programs draw
-line by line along a carton, and most files are so ordered; what lies in them by chance takes twice
-as long to look at.
+Lookups about an edge touch memory near that of its neighbours.  Most programs write a carton line
+by line; for a file in random order the lookups take twice as long.
 """
 
 from __future__ import annotations
@@ -16,18 +15,18 @@ import numpy as np
 from knifetip.geometry.columns import F64, I64
 from knifetip.kernels import F64_3, kernel
 
-#: Fewer edges than this lie near each other in any order.
+#: Fewer edges fit into the cache in any order.
 _MANY: Final = 20_000
-#: The next edge is far away beyond this share of the drawing's size …
+#: The next edge is far away beyond this fraction of the drawing's size …
 _FAR: Final = 1.0 / 16.0
-#: … and so many of all may be.
+#: … and this fraction of all edges may be far from the one before.
 _LEAPS: Final = 0.2
 #: Cells along each side of the drawing, a power of two.
 _CELLS: Final = 256
 
 
-def neighbourly(ends: F64) -> I64 | None:
-    """Return an order of n edges, (n, 2, 2), by where they begin; None where theirs is as good."""
+def spatial_order(ends: F64) -> I64 | None:
+    """Return a spatial order of n edges, (n, 2, 2); None if their own is good enough."""
     if len(ends) < _MANY:
         return None
     left, low, size = _frame(ends)
@@ -39,7 +38,7 @@ def neighbourly(ends: F64) -> I64 | None:
 
 @kernel
 def _spread(number: int) -> int:
-    """Return a number of eight bits with a 0 between any two of them."""
+    """Return a number of eight bits with a 0 inserted between its bits."""
     number = (number | number << 4) & 0x0F0F
     number = (number | number << 2) & 0x3333
     return (number | number << 1) & 0x5555
@@ -47,7 +46,7 @@ def _spread(number: int) -> int:
 
 @kernel
 def _frame(ends: F64_3) -> Any:
-    """Return the least x and the least y of beginnings, and how far they reach."""
+    """Return the least x and y of the starts, and the larger extent."""
     left = right = ends[0, 0, 0]
     low = high = ends[0, 0, 1]
     for i in range(len(ends)):
@@ -59,7 +58,7 @@ def _frame(ends: F64_3) -> Any:
 
 @kernel
 def _leaps(ends: F64_3, far: float) -> int:
-    """Return how many edges are far from the one before."""
+    """Return the number of edges that are far from the one before."""
     leaps = 0
     for i in range(1, len(ends)):
         across, along = ends[i, 0, 0] - ends[i - 1, 0, 0], ends[i, 0, 1] - ends[i - 1, 0, 1]
@@ -69,7 +68,7 @@ def _leaps(ends: F64_3, far: float) -> int:
 
 @kernel
 def _by_cell(ends: F64_3, left: float, low: float, scale: float) -> Any:
-    """Return the edges in the order of their cells, and the cells in that of Morton."""
+    """Return the edges sorted by the Morton code of their cells."""
     count = len(ends)
     cell = np.empty(count, np.int64)
     first = np.zeros(_CELLS * _CELLS + 1, np.int64)

@@ -13,14 +13,14 @@ from hypothesis import strategies as st
 from knifetip import pipeline
 from knifetip.classification.classify import classify
 from knifetip.classification.evidence import shape
-from knifetip.classification.faces import faces
-from knifetip.classification.net import built
-from knifetip.classification.order import neighbourly
 from knifetip.classification.role import Role
 from knifetip.geometry.columns import I64
 from knifetip.geometry.tolerance import GAP
 from knifetip.library import load
 from knifetip.model.drawing import Drawing
+from knifetip.topology.faces import trace_faces
+from knifetip.topology.morton_order import spatial_order
+from knifetip.topology.planar_graph import build_graph
 from tests.support.truth.known_types import KNOWN, Known, shares
 
 TOUCH, REACH = GAP, 1.0
@@ -44,11 +44,11 @@ def ring(count: int, step: float) -> np.ndarray:
 def test_lines_as_short_as_what_touches_hang_together_in_any_order(steps: float, seed: int) -> None:
     ends = ring(200, steps * TOUCH)
     ends = np.ascontiguousarray(ends[np.random.default_rng(seed).permutation(len(ends))])
-    net = built(ends, np.zeros(len(ends)), TOUCH, REACH)
-    assert net is not None
-    assert len(net.leftmost) == 1
+    graph = build_graph(ends, np.zeros(len(ends)), TOUCH, REACH)
+    assert graph is not None
+    assert len(graph.leftmost) == 1
     # One face within, one without.
-    area = faces(net, ends, np.zeros(len(ends)), TOUCH).area
+    area = trace_faces(graph, ends, np.zeros(len(ends)), TOUCH).area
     radius = 200 * steps * TOUCH / (2.0 * np.pi)
     assert area.max() == pytest.approx(np.pi * radius**2, rel=0.1)
 
@@ -64,9 +64,9 @@ def test_ends_at_one_point_are_at_one_place_though_another_is_nearer() -> None:
             [[away, 0.0], [9.0, 0.0]],
         ]
     )
-    net = built(ends, np.zeros(4), TOUCH, REACH)
-    assert net is not None
-    assert net.node[1] == net.node[2] == net.node[6] != net.node[4]
+    graph = build_graph(ends, np.zeros(4), TOUCH, REACH)
+    assert graph is not None
+    assert graph.end_vertex[1] == graph.end_vertex[2] == graph.end_vertex[6] != graph.end_vertex[4]
 
 
 @pytest.mark.corpus
@@ -95,9 +95,9 @@ def sheet(copies: int) -> np.ndarray:
 
 def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_the_same() -> None:
     whole = sheet(5000)
-    assert neighbourly(whole) is None
+    assert spatial_order(whole) is None
     mixed = np.random.default_rng(0).permutation(len(whole))
-    order = neighbourly(whole[mixed])
+    order = spatial_order(whole[mixed])
     assert order is not None
     assert (np.sort(order) == np.arange(len(whole))).all()
     # In that order what follows is near.
@@ -114,5 +114,5 @@ def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_th
 
 
 def test_few_edges_and_edges_at_one_point_keep_their_order() -> None:
-    assert neighbourly(np.zeros((10, 2, 2))) is None
-    assert neighbourly(np.ones((30_000, 2, 2))) is None
+    assert spatial_order(np.zeros((10, 2, 2))) is None
+    assert spatial_order(np.ones((30_000, 2, 2))) is None

@@ -1,6 +1,6 @@
-"""grid: which lines pass through which cell, so that neighbours are found without a search.
+"""edge_grid: a uniform grid of cells with the edges that pass through each, to find neighbours.
 
-ends, bulge -> Grid, or None where lines are so crowded that it would not help
+ends, bulge -> EdgeGrid, or None if edges are so crowded that a grid does not help
 """
 
 from __future__ import annotations
@@ -10,18 +10,18 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutF64_1, OutF64_2, kernel
+from knifetip.topology.segment import BULGE
 
-#: At so many pairs of lines in one cell, as a multiple of the edges, a drawing is too tangled.
+#: Limit of pairs of edges that share a cell, per edge; beyond it a drawing is too crowded.
 _WORK: Final = 400
-#: Where most of the edges are is told by so many of them.
+#: Number of edges from which the main area of a drawing is estimated.
 _SAMPLE: Final = 10_000
 
 
-class Grid(NamedTuple):
-    """Which edges pass through which cell."""
+class EdgeGrid(NamedTuple):
+    """side × side cells; the edges of cell c are listed[first[c] : first[c + 1]]."""
 
     low: F64_1  #: (2,)
     size: F64_1  #: (2,) of a cell
@@ -30,35 +30,35 @@ class Grid(NamedTuple):
     listed: I32_1  #: edges, cell by cell
 
 
-def gridded(ends: F64, bulge: F64, touch: float, reach: float) -> Grid | None:
-    """Return the cells of n edges, (n, 2, 2) and (n,); n is not 0.
+def build_grid(ends: F64, bulge: F64, touch: float, reach: float) -> EdgeGrid | None:
+    """Return the grid of n ≥ 1 edges, (n, 2, 2) and (n,), or None if they are too crowded.
 
     Parameters
     ----------
     touch
-        Edges nearer than this to a cell are in it.
+        An edge nearer than this to a cell counts as passing through it.
     reach
-        How far beyond the edges somebody may ask.
+        Largest distance from an edge at which the grid will be searched.
     """
     count = len(bulge)
     boxes = np.empty((count, 4))
     bounds = np.array([np.inf, np.inf, -np.inf, -np.inf])
     _boxes(ends, bulge, boxes, bounds)
     low, high = bounds[:2] - 2.0 * reach, bounds[2:] + 2.0 * reach
-    # A speck far away must not put all the rest into one cell: what lies outside counts to the rim.
+    # One edge far away must not put all others into one cell: outliers go to the border cells.
     near, far = np.percentile(boxes[:: count // _SAMPLE + 1, :2], (2.0, 98.0), axis=0)
     near, far = near - (far - near), far + (far - near)
     low, high = np.maximum(low, near), np.maximum(np.minimum(high, far), low)
     side = max(1, math.isqrt(count))
     while True:
         size = np.maximum((high - low) / side, 4.0 * touch)
-        cell, edge = _passed(ends, bulge, boxes, low, size, side, touch, 8 * count + 4096)
+        cell, edge = _cells_of_edges(ends, bulge, boxes, low, size, side, touch, 8 * count + 4096)
         if len(cell) > 0:
             break
         if side == 1:
             return None
         side = max(1, side // 2)
-    grid = Grid(low, size, side, *by_cell(cell, side * side, edge))
+    grid = EdgeGrid(low, size, side, *group_by_cell(cell, side * side, edge))
     if (np.diff(grid.first).astype(np.int64) ** 2).sum() > _WORK * count + 1_000_000:
         return None
     return grid
@@ -66,7 +66,7 @@ def gridded(ends: F64, bulge: F64, touch: float, reach: float) -> Grid | None:
 
 @kernel(allocates=False)
 def _boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None:
-    """Write the box of each edge, and of all."""
+    """Compute the bounding box of each edge, and of all edges."""
     for i in range(len(bulge)):
         ax, ay, bx, by = ends[i, 0, 0], ends[i, 0, 1], ends[i, 1, 0], ends[i, 1, 1]
         boxes[i, 0], boxes[i, 2] = min(ax, bx), max(ax, bx)
@@ -86,15 +86,15 @@ def _boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None
 
 @kernel(allocates=False)
 def cell_of(value: float, low: float, size: float, side: int) -> int:
-    """The row or column of cells that a coordinate is in; what lies outside counts to the rim."""
+    """Return the row or column of a coordinate; outside the grid the nearest border cell."""
     return min(max(int((value - low) / size), 0), side - 1)
 
 
 @kernel
-def _rows(
+def _y_range(
     ends: F64_3, bulge: F64_1, boxes: F64_2, i: int, left: float, right: float, pad: float
 ) -> tuple[float, float]:
-    """Between which y a segment runs in a column of cells."""
+    """Return the least and greatest y of a segment within a column of cells."""
     if abs(bulge[i]) > BULGE:
         return boxes[i, 1] - pad, boxes[i, 3] + pad
     ax, ay, bx, by = ends[i, 0, 0], ends[i, 0, 1], ends[i, 1, 0], ends[i, 1, 1]
@@ -109,7 +109,7 @@ def _rows(
 
 
 @kernel
-def _passed(
+def _cells_of_edges(
     ends: F64_3,
     bulge: F64_1,
     boxes: F64_2,
@@ -119,7 +119,7 @@ def _passed(
     pad: float,
     most: int,
 ) -> Any:
-    """Return the cells that edges pass through, and which edge each is of; none for too many."""
+    """Return the pairs of edge and cell it passes through; none if more than ``most``."""
     cell, edge = np.empty(most, np.int32), np.empty(most, np.int32)
     total = 0
     for i in range(len(bulge)):
@@ -127,7 +127,7 @@ def _passed(
         c1 = cell_of(boxes[i, 2] + pad, low[0], size[0], side)
         for c in range(c0, c1 + 1):
             left = low[0] + c * size[0]
-            y0, y1 = _rows(ends, bulge, boxes, i, left, left + size[0], pad)
+            y0, y1 = _y_range(ends, bulge, boxes, i, left, left + size[0], pad)
             r0 = cell_of(y0, low[1], size[1], side)
             r1 = cell_of(y1, low[1], size[1], side)
             if total + r1 - r0 >= most:
@@ -139,10 +139,10 @@ def _passed(
 
 
 @kernel
-def by_cell(cell: I32_1, cells: int, listed: I32_1) -> Any:
-    """Return where each of so many cells begins, and what is listed of each, in order.
+def group_by_cell(cell: I32_1, cells: int, listed: I32_1) -> Any:
+    """Group ``listed`` by cell: return the start of each cell's group, and the groups.
 
-    What has no cell, -1, is left out.
+    Entries whose cell is -1 are left out.
     """
     begins = np.zeros(cells + 1, np.int32)
     for one in cell:

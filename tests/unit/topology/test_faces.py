@@ -6,20 +6,20 @@ import numpy as np
 import pytest
 import shapely
 
-from knifetip.classification.faces import Faces, faces
-from knifetip.classification.net import Net, built
 from knifetip.geometry.columns import F64
+from knifetip.topology.faces import Faces, trace_faces
+from knifetip.topology.planar_graph import PlanarGraph, build_graph
 from tests.support.cartons.random_drawings import random_drawing
 
 TOUCH = 0.05
 
 
-def of(ends: F64, bulge: F64) -> tuple[Net, Faces]:
-    net = built(ends, bulge, TOUCH, 1.0)
-    return net, faces(net, ends, bulge, TOUCH)
+def of(ends: F64, bulge: F64) -> tuple[PlanarGraph, Faces]:
+    graph = build_graph(ends, bulge, TOUCH, 1.0)
+    return graph, trace_faces(graph, ends, bulge, TOUCH)
 
 
-def straight(*lines: tuple[float, float, float, float]) -> tuple[Net, Faces]:
+def straight(*lines: tuple[float, float, float, float]) -> tuple[PlanarGraph, Faces]:
     ends = np.array(lines, float).reshape(-1, 2, 2)
     return of(ends, np.zeros(len(ends)))
 
@@ -31,7 +31,7 @@ def test_a_square_has_an_inside_and_an_outside() -> None:
     _, sides = straight(*SQUARE)
     np.testing.assert_allclose(np.sort(sides.area), [-100.0, 100.0])
     assert sides.area[sides.left[0]] == 100.0
-    assert sides.right[0] == sides.outside[0]
+    assert sides.right[0] == sides.outer_face[0]
 
 
 def test_a_circle_of_two_half_turns_has_the_area_of_a_circle() -> None:
@@ -47,17 +47,17 @@ def test_a_line_across_makes_two_faces_and_one_that_ends_inside_none() -> None:
 
 def test_a_part_lies_in_the_face_that_holds_it_and_not_in_the_one_beside_it() -> None:
     inner = [(6, 6, 8, 6), (8, 6, 8, 8), (8, 8, 6, 8), (6, 8, 6, 6)]
-    net, sides = straight(*SQUARE, (5, 0, 5, 10), *inner)
-    hole = net.part[net.first[5]]
-    assert sides.within[net.part[0]] == -1
-    right_half = sides.right[net.first[4]]
-    assert sides.within[hole] == right_half
+    graph, sides = straight(*SQUARE, (5, 0, 5, 10), *inner)
+    hole = graph.component[graph.first[5]]
+    assert sides.enclosing[graph.component[0]] == -1
+    right_half = sides.right[graph.first[4]]
+    assert sides.enclosing[hole] == right_half
 
 
 def test_what_lies_inside_an_arc_is_found() -> None:
     ends = np.array([[[-50.0, 0], [50, 0]], [[50, 0], [-50, 0]], [[-45, 5], [-40, 5]]])
-    net, sides = of(ends, np.array([1.0, 1.0, 0.0]))
-    assert sides.area[sides.within[net.part[net.first[2]]]] > 0.0
+    graph, sides = of(ends, np.array([1.0, 1.0, 0.0]))
+    assert sides.area[sides.enclosing[graph.component[graph.first[2]]]] > 0.0
 
 
 @pytest.mark.parametrize("bend", [1.0, 0.3])
@@ -66,21 +66,21 @@ def test_what_lies_between_an_arc_and_its_chord_is_held_by_their_face(bend: floa
     belly = [[[0.0, 50], [0, -50]], [[0, -50], [0, 50]]]
     ends = np.array([*belly, [[-9, 0], [-7, 1]]])
     for turn, holds in ((bend, True), (-bend, False)):
-        net, sides = of(ends, np.array([turn, 0.0, 0.0]))
-        within = sides.within[net.part[net.first[2]]]
+        graph, sides = of(ends, np.array([turn, 0.0, 0.0]))
+        within = sides.enclosing[graph.component[graph.first[2]]]
         assert (within >= 0 and sides.area[within] > 0.0) == holds
 
 
 @pytest.mark.parametrize("seed", range(40))
 def test_shapely_finds_the_same_faces(seed: int) -> None:
     drawing, _, _ = random_drawing(seed)
-    # Arcs are flattened there and dashes not linked, so only lines, and what the net parts them by.
+    # shapely flattens arcs and links no dashes, so only lines and their splits are compared.
     lines = np.flatnonzero(drawing.bulge == 0.0)
     ends = np.array(drawing.ends[lines])
-    net, sides = of(ends, np.zeros(len(ends)))
-    own = net.same == np.arange(len(net.same))
+    graph, sides = of(ends, np.zeros(len(ends)))
+    own = graph.same == np.arange(len(graph.same))
     segments = shapely.linestrings(
-        np.stack([net.place[net.start[own]], net.place[net.end[own]]], axis=1)
+        np.stack([graph.vertex[graph.start[own]], graph.vertex[graph.end[own]]], axis=1)
     )
     found = [shapely.Polygon(one.exterior).area for one in shapely.polygonize(segments).geoms]
     mine = sides.area[sides.area > 1e-6]

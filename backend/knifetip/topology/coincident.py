@@ -1,35 +1,37 @@
-"""overlaid: edges that lie wholly on others.
+"""coincident: edges that lie wholly on others.
 
-    Net -> of each edge one that it lies on
+    PlanarGraph -> for each edge one that it lies on
 
-A crease drawn on a cut needs nobody's answer: the board ends there whatever it was meant to be.
+A crease drawn on a cut needs no answer: the board ends there anyway.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from knifetip.classification.net import Net
 from knifetip.geometry.columns import F64, I32
 from knifetip.kernels import F64_1, I32_1, OutI32_1, kernel
+from knifetip.topology.planar_graph import PlanarGraph
 
 
-def overlaid(net: Net, length: F64) -> I32:
-    """Return of each of n edges the one that most of it lies on, -1 where some lies on none, (n,).
+def coincident_edges(graph: PlanarGraph, length: F64) -> I32:
+    """Return for each of n edges the edge that most of it lies on, (n,).
+
+    -1 for an edge of which a part lies on no other.
 
     Parameters
     ----------
     length
-        (p,) of each piece.
+        (p,) Length of each piece.
     """
-    on = np.full(len(net.first) - 1, -1, np.int32)
-    _overlaid(net.edge, net.first, net.same, length, on)
+    on = np.full(len(graph.first) - 1, -1, np.int32)
+    _overlaid(graph.edge, graph.first, graph.same, length, on)
     return on
 
 
 @kernel
 def _overlaid(edge: I32_1, first: I32_1, same: I32_1, length: F64_1, on: OutI32_1) -> None:
-    # Of each piece that others lie on, an edge that one of them is of.
+    # For each piece with coincident ones, the edge of one of them.
     mate = np.full(len(edge), -1, np.int32)
     for p in range(len(edge)):
         if edge[p] != edge[same[p]] and edge[p] >= 0:

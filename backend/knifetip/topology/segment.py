@@ -1,4 +1,4 @@
-"""segment: a line or an arc of at most half a turn, as compiled code sees it."""
+"""segment: geometry of one line, or of one arc of at most half a turn, for kernels."""
 
 from __future__ import annotations
 
@@ -9,17 +9,19 @@ import numpy as np
 
 from knifetip.kernels import F64_1, F64_3, inline_kernel, kernel
 
-#: What bends less is straight.
+#: A segment with a smaller bulge is a line.
 BULGE: Final = 1e-9
 #: Squares of distances that differ by more than rounding.
 _CLEARLY: Final = 1.000001
 
 
 @inline_kernel
-def near(ends: F64_3, bulge: F64_1, i: int, x: float, y: float, far: float) -> tuple[float, float]:
-    """Distance from a point to a segment, and at which share of it that is.
+def distance_to(
+    ends: F64_3, bulge: F64_1, i: int, x: float, y: float, far: float
+) -> tuple[float, float]:
+    """Return the distance from a point to a segment, and the parameter of the nearest point, 0 … 1.
 
-    What is clearly farther than ``far`` may be infinitely far.
+    A segment that is clearly farther than ``far`` may get an infinite distance.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
@@ -38,14 +40,14 @@ def near(ends: F64_3, bulge: F64_1, i: int, x: float, y: float, far: float) -> t
     room = 0.5 * math.sqrt(square) + far
     if mx * mx + my * my > _CLEARLY * room * room:
         return np.inf, 0.0
-    return _near_arc(dx, dy, bulge[i], ox, oy, far)
+    return _distance_to_arc(dx, dy, bulge[i], ox, oy, far)
 
 
 @kernel(allocates=False)
-def _near_arc(
+def _distance_to_arc(
     dx: float, dy: float, b: float, x: float, y: float, far: float
 ) -> tuple[float, float]:
-    """``near`` for an arc that begins at 0, 0 and ends at ``dx``, ``dy``."""
+    """Return what ``distance_to`` does, for an arc from (0, 0) to (``dx``, ``dy``)."""
     if dx == 0.0 and dy == 0.0:
         return math.hypot(x, y), 0.0
     up = (1.0 - b * b) / (4.0 * b)
@@ -53,7 +55,7 @@ def _near_arc(
     cy = 0.5 * dy + up * dx
     px, py = x - cx, y - cy
     if abs(math.sqrt(px * px + py * py) - math.sqrt(cx * cx + cy * cy)) > _CLEARLY * far:
-        # So far from the whole circle: its angles, which take time, are not asked for.
+        # Far from the whole circle: skip the angles, which are slow to compute.
         return np.inf, 0.0
     sweep = 4.0 * abs(math.atan(b))
     # The angle from the beginning of the arc, along it.
@@ -74,7 +76,7 @@ def _near_arc(
 
 @inline_kernel
 def point_at(ends: F64_3, bulge: F64_1, i: int, share: float) -> tuple[float, float]:
-    """The point at a share of a segment."""
+    """Return the point of a segment at parameter ``share``, 0 … 1."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
     b = bulge[i]
@@ -89,13 +91,13 @@ def point_at(ends: F64_3, bulge: F64_1, i: int, share: float) -> tuple[float, fl
 
 
 @inline_kernel
-def leaves(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, float]:
-    """The direction in which a segment goes on beyond its end number ``half`` % 2."""
+def outward_direction(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, float]:
+    """Return the unit vector in which a segment would continue beyond its end ``half`` % 2."""
     i = half // 2
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
     if half % 2 == 0:
         dx, dy = -dx, -dy
-    # The chord, turned by half the sweep.
+    # The chord_length, turned by half the sweep.
     b = bulge[i] if half % 2 == 1 else -bulge[i]
     c, s = (1.0 - b * b) / (1.0 + b * b), 2.0 * b / (1.0 + b * b)
     long = math.sqrt(dx * dx + dy * dy)
@@ -105,12 +107,12 @@ def leaves(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, float]:
 
 
 @inline_kernel
-def crossing(
+def crossing_shares(
     ax: float, ay: float, ux: float, uy: float, ends: F64_3, j: int
 ) -> tuple[float, float]:
-    """At which shares of itself and of line ``j`` a line from ``ax``, ``ay`` crosses it.
+    """Return the parameters at which a line from (``ax``, ``ay``) along u and line ``j`` cross.
 
-    NaN for both where they do not cross between their ends.
+    Both are NaN if the lines do not cross between their ends.
     """
     vx, vy = ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1]
     ox, oy = ends[j, 0, 0] - ax, ends[j, 0, 1] - ay
@@ -124,7 +126,7 @@ def crossing(
 
 
 @inline_kernel
-def chord(ends: F64_3, i: int) -> float:
-    """How far apart the ends of a segment are."""
+def chord_length(ends: F64_3, i: int) -> float:
+    """Return the distance between the ends of a segment."""
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
     return math.sqrt(dx * dx + dy * dy)

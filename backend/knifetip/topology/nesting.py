@@ -1,8 +1,9 @@
-"""nesting: which connected part of a drawing lies inside which.
+"""nesting: the face in which each component of a graph lies.
 
-    Net -> the piece that is met first to the left of each part -> the face that holds each part
+    PlanarGraph -> first piece to the left of each component -> enclosing face of each component
 
-A part lies inside the face that is met first on the way left from its leftmost place.
+The ray to the left from a component's leftmost vertex first meets the face that encloses it, or a
+component beside it in the same face.
 """
 
 from __future__ import annotations
@@ -12,48 +13,49 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from knifetip.classification.cutting import WORTH
-from knifetip.classification.grid import Grid
-from knifetip.classification.net import Net
-from knifetip.classification.segment import BULGE
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.cores import each, runs
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutBool_1, OutI32_1, inline_kernel, kernel
+from knifetip.topology.edge_grid import EdgeGrid
+from knifetip.topology.intersections import MIN_CHUNK
+from knifetip.topology.planar_graph import PlanarGraph
+from knifetip.topology.segment import BULGE
 
 
-class Beside(NamedTuple):
-    """What is met first to the left of c parts."""
+class LeftNeighbours(NamedTuple):
+    """The first piece to the left of each of c components."""
 
-    piece: I32  #: (c,) -1 for nothing
-    upward: Bool  #: (c,) whether it goes upward there
+    piece: I32  #: (c,) -1 for none
+    upward: Bool  #: (c,) whether it runs upwards there
 
 
-def looked_left(net: Net, ends: F64, bulge: F64, touch: float) -> Beside:
-    """Return what is to the left of the parts of a net of n edges, (n, 2, 2) and (n,)."""
-    count = len(net.leftmost)
-    beside = Beside(np.full(count, -1, np.int32), np.zeros(count, np.bool_))
+def find_left_neighbours(graph: PlanarGraph, ends: F64, bulge: F64, touch: float) -> LeftNeighbours:
+    """Return the first pieces to the left of the components of a graph of n edges."""
+    count = len(graph.leftmost)
+    beside = LeftNeighbours(np.full(count, -1, np.int32), np.zeros(count, np.bool_))
 
-    def looked(run: tuple[int, int]) -> None:
-        _look_left(
-            ends, bulge, net.grid, net.place, net.first, net.share, net.part, net.leftmost, touch,
+    def find(run: tuple[int, int]) -> None:
+        _find_left(
+            ends, bulge, graph.grid, graph.vertex, graph.first, graph.share, graph.component,
+            graph.leftmost, touch,
             *beside, *run,
         )  # fmt: skip
 
-    each(looked, runs(count, WORTH))
+    each(find, runs(count, MIN_CHUNK))
     return beside
 
 
-def held(beside: Beside, left: I32, right: I32, outside: I32, owner: I32) -> I32:
-    """Return the face that holds each part, -1 for none, (c,).
+def enclosing_faces(beside: LeftNeighbours, left: I32, right: I32, outside: I32, owner: I32) -> I32:
+    """Return the face that encloses each component, -1 for none, (c,).
 
     Parameters
     ----------
     left, right : (p,)
-        The faces on the sides of each piece.
+        Faces on the two sides of each piece.
     outside : (c,)
-        The face that is the outside of each part.
+        Outer face of each component.
     owner : (f,)
-        The part that each face is of.
+        Component of each face.
     """
     met = np.where(beside.upward, right[beside.piece], left[beside.piece])
     within: I32 = _within(np.where(beside.piece < 0, np.int32(-1), met), outside, owner)
@@ -61,10 +63,10 @@ def held(beside: Beside, left: I32, right: I32, outside: I32, owner: I32) -> I32
 
 
 @kernel(allocates=False)
-def _look_left(
+def _find_left(
     ends: F64_3,
     bulge: F64_1,
-    grid: Grid,
+    grid: EdgeGrid,
     place: F64_2,
     first_piece: I32_1,
     share: F64_1,
@@ -76,7 +78,7 @@ def _look_left(
     begin: int,
     end: int,
 ) -> None:
-    """Write what is met first to the left of the leftmost place of some parts."""
+    """Find the first piece to the left of the leftmost vertex of some components."""
     low, size, side, first, listed = grid
     for c in range(begin, end):
         x, y = place[leftmost[c], 0], place[leftmost[c], 1] + 0.317 * touch
@@ -108,7 +110,7 @@ def _look_left(
 
 @kernel
 def _within(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
-    """Return the faces that hold parts, where the faces met are the outsides of others, too."""
+    """Follow outer faces of neighbouring components until an enclosing face is found."""
     parts = len(hit)
     within = np.full(parts, -1, np.int32)
     known = np.zeros(parts, np.bool_)
@@ -132,7 +134,7 @@ def _within(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
 
 @inline_kernel
 def _met(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
-    """Where a level line meets a segment, NaN for nowhere, and whether that goes upward there."""
+    """Return x where a segment has the height y, NaN for nowhere, and whether it runs upwards."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     bx, by = ends[i, 1, 0], ends[i, 1, 1]
     b = bulge[i]
@@ -150,7 +152,7 @@ def _met(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float,
     if square <= 0.0:
         return np.nan, False
     half = math.sqrt(square) if root == 1 else -math.sqrt(square)
-    # The circle lies on both sides of the chord, the arc on the right where it turns left.
+    # The circle lies on both sides of the chord_length, the arc on the right where it turns left.
     if ((bx - ax) * (y - ay) - (by - ay) * (cx + half - ax)) * b > 0.0:
         return np.nan, False
     return cx + half, (half > 0.0) == (b > 0.0)
@@ -158,7 +160,7 @@ def _met(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float,
 
 @kernel(allocates=False)
 def _share(ends: F64_3, bulge: F64_1, i: int, x: float, y: float) -> float:
-    """At which share of a segment a point on it lies."""
+    """Return the parameter of a point on a segment."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
     b = bulge[i]

@@ -1,4 +1,4 @@
-"""gaps: loose ends that stop just short of what they were meant to meet."""
+"""gap_links: links from dangling ends to the lines that they stop just short of."""
 
 from __future__ import annotations
 
@@ -7,10 +7,6 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.classification.cutting import WORTH, Partings
-from knifetip.classification.grid import Grid, cell_of
-from knifetip.classification.places import Places, placed, roomy
-from knifetip.classification.segment import BULGE, chord, crossing, leaves, near, point_at
 from knifetip.geometry.capacity import double_f64, double_f64_2, double_i32, double_i32_2
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.cores import each, runs
@@ -28,51 +24,63 @@ from knifetip.kernels import (
     OutI32_2,
     kernel,
 )
+from knifetip.topology.edge_grid import EdgeGrid, cell_of
+from knifetip.topology.intersections import MIN_CHUNK, Splits
+from knifetip.topology.lines import Lines
+from knifetip.topology.segment import (
+    BULGE,
+    chord_length,
+    crossing_shares,
+    distance_to,
+    outward_direction,
+    point_at,
+)
+from knifetip.topology.vertices import VertexTable, vertex_at, with_capacity
 
-#: Both ends of a crease may stop so short of what they were meant to meet (mm).
+#: Largest distance by which both ends of a crease may stop short of the lines they belong to (mm).
 _SHORT: Final = 2.5
 
 
-def tied(
-    ends: F64,
-    bulge: F64,
-    touch: float,
-    unit: float,
-    node: I32,
-    twin: I32,
-    loose: Bool,
-    gap_of: F64,
-    spots: Places,
-    grid: Grid,
-) -> tuple[Partings, I32, Places]:
-    """Tie loose ends to the nearest line that they look at, within ``gap_of`` each end, (2n,).
+def link_loose_ends(
+    lines: Lines, loose: Bool, gap_of: F64, vertices: VertexTable
+) -> tuple[Splits, I32, VertexTable]:
+    """Link each dangling end to the nearest line ahead of it.
 
-    Rules for creases end before those that cut, at both ends: what lies straight ahead is meant.
+    Creases are often drawn short at both ends: then a line straight ahead is linked from farther
+    away.
+
+    Parameters
+    ----------
+    loose : (q,)
+        Whether only one line ends at a vertex.
+    gap_of : (2n,)
+        Reach of each end.
 
     Returns
     -------
-    partings
-        Of the lines that are met between their ends.
-    ties : (t, 2)
-        Places.
-    places
-        With the new ones.
+    splits
+        Of lines that are met between their ends.
+    links : (t, 2)
+        Pairs of vertices.
+    vertices
+        With those of the splits.
     """
+    ends, bulge, node, twin, grid, touch, unit = lines
     ahead = _SHORT * unit
     partner, where = np.full(len(gap_of), -1, np.int32), np.empty(len(gap_of))
 
-    def looked(run: tuple[int, int]) -> None:
-        _look(ends, bulge, node, twin, loose, ahead, gap_of, grid, partner, where, *run)
+    def find(run: tuple[int, int]) -> None:
+        _find_targets(ends, bulge, node, twin, loose, ahead, gap_of, grid, partner, where, *run)
 
-    each(looked, runs(len(bulge), WORTH))
+    each(find, runs(len(bulge), MIN_CHUNK))
     met = np.flatnonzero(partner >= 0).astype(np.int32)
-    spots = roomy(spots, len(met))
-    row, share, cut, tie, count = _tie(ends, bulge, touch, node, met, partner, where, spots)
-    return Partings(row, share, cut), tie, spots._replace(known=count)
+    vertices = with_capacity(vertices, len(met))
+    row, share, cut, link, count = _link(ends, bulge, touch, node, met, partner, where, vertices)
+    return Splits(row, share, cut), link, vertices._replace(known=count)
 
 
 @kernel(allocates=False)
-def _look(
+def _find_targets(
     ends: F64_3,
     bulge: F64_1,
     node: I32_1,
@@ -80,20 +88,20 @@ def _look(
     loose: Bool_1,
     ahead: float,
     gap_of: F64_1,
-    grid: Grid,
+    grid: EdgeGrid,
     partner: OutI32_1,
     where: OutF64_1,
     begin: int,
     end: int,
 ) -> None:
-    """Write what the loose ends of some edges look at, and where on it."""
+    """Find the line that each dangling end of some edges points at, and the parameter on it."""
     low, size, side, first, listed = grid
     for i in range(begin, end):
         if twin[i] != i or not (loose[node[2 * i]] or loose[node[2 * i + 1]]):
             continue
-        # Both ends stop short, and both look at something.
+        # Both ends stop short of a line straight ahead.
         both = loose[node[2 * i]] and loose[node[2 * i + 1]] and abs(bulge[i]) <= BULGE
-        both = both and chord(ends, i) >= 4.0 * ahead
+        both = both and chord_length(ends, i) >= 4.0 * ahead
         for half in range(2 * i, 2 * i + 2):
             both = both and _meets(ends, bulge, half, ahead, grid)
         for half in range(2 * i, 2 * i + 2):
@@ -111,17 +119,17 @@ def _look(
                         j = listed[k]
                         if j == i:
                             continue
-                        away, part = near(ends, bulge, j, x, y, best)
+                        away, part = distance_to(ends, bulge, j, x, y, best)
                         if away < best and twin[j] != i:
                             px, py = point_at(ends, bulge, j, part)
-                            ux, uy = leaves(ends, bulge, half)
+                            ux, uy = outward_direction(ends, bulge, half)
                             if (px - x) * ux + (py - y) * uy >= 0.5 * away:
                                 best = away
                                 partner[half], where[half] = j, part
 
 
 @kernel
-def _tie(
+def _link(
     ends: F64_3,
     bulge: F64_1,
     touch: float,
@@ -129,68 +137,67 @@ def _tie(
     met: I32_1,
     partner: I32_1,
     where: F64_1,
-    spots: Places,
+    vertices: VertexTable,
 ) -> Any:
-    """Return row, share and place of partings, ties, and how many places there are."""
-    count = spots.known
+    """Return edge, parameter and vertex of splits, links, and the number of vertices."""
+    count = vertices.known
     row = np.empty(len(met), np.int32)
     share = np.empty(len(met))
     cut = np.empty(len(met), np.int32)
-    tie = np.empty((len(met), 2), np.int32)
-    cuts = ties = 0
+    link = np.empty((len(met), 2), np.int32)
+    cuts = links = 0
     for half in met:
         j, part = partner[half], where[half]
-        long = chord(ends, j)
+        long = chord_length(ends, j)
         if part * long <= touch:
             at = node[2 * j]
         elif (1.0 - part) * long <= touch:
             at = node[2 * j + 1]
         else:
             px, py = point_at(ends, bulge, j, part)
-            at = placed(px, py, touch, spots.point, count, spots.head, spots.onward)
+            at = vertex_at(px, py, touch, vertices.point, count, vertices.head, vertices.onward)
             if at == count:
                 count += 1
             row[cuts], share[cuts], cut[cuts] = j, part, at
             cuts += 1
         if at != node[half]:
-            tie[ties, 0] = node[half]
-            tie[ties, 1] = at
-            ties += 1
-    return row[:cuts], share[:cuts], cut[:cuts], tie[:ties], count
+            link[links, 0] = node[half]
+            link[links, 1] = at
+            links += 1
+    return row[:cuts], share[:cuts], cut[:cuts], link[:links], count
 
 
-def crossed(
-    ends: F64, bulge: F64, touch: float, twin: I32, tie: I32, spots: Places, grid: Grid
-) -> tuple[Partings, I32, Places]:
-    """Part ties by the lines that run through the gaps which they close; return as ``tied``."""
-    is_crossed = np.zeros(len(tie), np.bool_)
+def split_links(lines: Lines, link: I32, vertices: VertexTable) -> tuple[Splits, I32, VertexTable]:
+    """Split links by lines that run through the gaps they close; return as ``link_loose_ends``."""
+    ends, bulge, _, twin, grid, touch, _ = lines
+    is_crossed = np.zeros(len(link), np.bool_)
 
-    def looked(run: tuple[int, int]) -> None:
-        _look_through(ends, bulge, touch, twin, tie, spots.point, grid, is_crossed, *run)
+    def find(run: tuple[int, int]) -> None:
+        _find_crossed(ends, bulge, touch, twin, link, vertices.point, grid, is_crossed, *run)
 
-    each(looked, runs(len(tie), WORTH))
-    row, share, cut, tie, point, onward, count = _cross(
-        ends, bulge, touch, twin, tie, np.flatnonzero(is_crossed), spots, grid
+    each(find, runs(len(link), MIN_CHUNK))
+    row, share, cut, link, point, onward, count = _cross(
+        ends, bulge, touch, twin, link, np.flatnonzero(is_crossed), vertices, grid
     )
-    return Partings(row, share, cut), tie, Places(point, count, onward, spots.head)
+    return Splits(row, share, cut), link, VertexTable(point, count, onward, vertices.head)
 
 
 @kernel(allocates=False)
-def _look_through(
+def _find_crossed(
     ends: F64_3,
     bulge: F64_1,
     touch: float,
     twin: I32_1,
-    tie: I32_2,
+    link: I32_2,
     point: F64_2,
-    grid: Grid,
+    grid: EdgeGrid,
     is_crossed: OutBool_1,
     begin: int,
     end: int,
 ) -> None:
-    """Write of some ties whether a line runs through them."""
+    """Find for some links whether a line runs through them."""
     for k in range(begin, end):
-        is_crossed[k] = _first_through(ends, bulge, touch, twin, tie, point, grid, k)[0] >= 0
+        is_crossed[k] = _first_through(ends, bulge, touch, twin, link, point, grid, k)[0] >= 0
 
 
 @kernel(allocates=False)
@@ -199,15 +206,15 @@ def _first_through(
     bulge: F64_1,
     touch: float,
     twin: I32_1,
-    tie: I32_2,
+    link: I32_2,
     point: F64_2,
-    grid: Grid,
+    grid: EdgeGrid,
     k: int,
 ) -> tuple[int, float, float, float]:
-    """Return the first line that runs through a tie, -1 for none, its share there, and where."""
+    """Return the first line across a link, -1 for none, the parameter on it, and the point."""
     low, size, side, first, listed = grid
-    ax, ay = point[tie[k, 0], 0], point[tie[k, 0], 1]
-    ux, uy = point[tie[k, 1], 0] - ax, point[tie[k, 1], 1] - ay
+    ax, ay = point[link[k, 0], 0], point[link[k, 0], 1]
+    ux, uy = point[link[k, 1], 0] - ax, point[link[k, 1], 1] - ay
     long = math.sqrt(ux * ux + uy * uy)
     c0 = cell_of(min(ax, ax + ux), low[0], size[0], side)
     c1 = cell_of(max(ax, ax + ux), low[0], size[0], side)
@@ -220,10 +227,10 @@ def _first_through(
                 j = listed[m]
                 if abs(bulge[j]) > BULGE or twin[j] != j:
                     continue
-                s, t = crossing(ax, ay, ux, uy, ends, j)
+                s, t = crossing_shares(ax, ay, ux, uy, ends, j)
                 if not 0.0 < s < least or min(s, 1.0 - s) * long <= touch:
                     continue
-                if min(t, 1.0 - t) * chord(ends, j) > touch:
+                if min(t, 1.0 - t) * chord_length(ends, j) > touch:
                     least, through, where = s, j, t
     return through, where, ax + least * ux, ay + least * uy
 
@@ -234,49 +241,49 @@ def _cross(
     bulge: F64_1,
     touch: float,
     twin: I32_1,
-    tie: OutI32_2,
+    link: OutI32_2,
     wanted: I64_1,
-    spots: Places,
-    grid: Grid,
+    vertices: VertexTable,
+    grid: EdgeGrid,
 ) -> Any:
-    """Part the wanted ties, and what is left of them."""
-    point, places, onward, head = spots
+    """Split the links ``wanted``, and again what is left of them."""
+    point, places, onward, head = vertices
     row = np.empty(16, np.int32)
     share = np.empty(16)
     cut = np.empty(16, np.int32)
     cuts = 0
-    old = ties = len(tie)
+    old = links = len(link)
     turn = 0
-    while turn < len(wanted) + ties - old:
+    while turn < len(wanted) + links - old:
         k = wanted[turn] if turn < len(wanted) else old + turn - len(wanted)
-        through, where, x, y = _first_through(ends, bulge, touch, twin, tie, point, grid, k)
+        through, where, x, y = _first_through(ends, bulge, touch, twin, link, point, grid, k)
         if through >= 0:
             if places + 1 >= len(point):
                 point, onward = double_f64_2(point), double_i32(onward)
-            at = placed(x, y, touch, point, places, head, onward)
+            at = vertex_at(x, y, touch, point, places, head, onward)
             if at == places:
                 places += 1
             if cuts == len(row):
                 row, share, cut = double_i32(row), double_f64(share), double_i32(cut)
             row[cuts], share[cuts], cut[cuts] = through, where, at
             cuts += 1
-            if at != tie[k, 0] and at != tie[k, 1]:
-                if ties == len(tie):
-                    tie = double_i32_2(tie)
-                tie[ties, 0], tie[ties, 1] = at, tie[k, 1]
-                tie[k, 1] = at
-                ties += 1
+            if at != link[k, 0] and at != link[k, 1]:
+                if links == len(link):
+                    link = double_i32_2(link)
+                link[links, 0], link[links, 1] = at, link[k, 1]
+                link[k, 1] = at
+                links += 1
         turn += 1
-    return row[:cuts], share[:cuts], cut[:cuts], tie[:ties], point, onward, places
+    return row[:cuts], share[:cuts], cut[:cuts], link[:links], point, onward, places
 
 
 @kernel(allocates=False)
-def _meets(ends: F64_3, bulge: F64_1, half: int, far: float, grid: Grid) -> bool:
-    """Whether another line lies straight ahead of an end, no farther than ``far``."""
+def _meets(ends: F64_3, bulge: F64_1, half: int, far: float, grid: EdgeGrid) -> bool:
+    """Return whether another line lies straight ahead of an end, within ``far``."""
     low, size, side, first, listed = grid
     i = half // 2
     x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
-    ux, uy = leaves(ends, bulge, half)
+    ux, uy = outward_direction(ends, bulge, half)
     c0, c1 = cell_of(x - far, low[0], size[0], side), cell_of(x + far, low[0], size[0], side)
     r0, r1 = cell_of(y - far, low[1], size[1], side), cell_of(y + far, low[1], size[1], side)
     for c in range(c0, c1 + 1):
@@ -285,7 +292,7 @@ def _meets(ends: F64_3, bulge: F64_1, half: int, far: float, grid: Grid) -> bool
                 j = listed[k]
                 if j == i:
                     continue
-                away, part = near(ends, bulge, j, x, y, far)
+                away, part = distance_to(ends, bulge, j, x, y, far)
                 if away <= far:
                     px, py = point_at(ends, bulge, j, part)
                     if (px - x) * ux + (py - y) * uy >= 0.9 * away:

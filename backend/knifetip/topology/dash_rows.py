@@ -1,7 +1,7 @@
-"""dashes: rows of dashes, which are one line.
+"""dash_rows: dashes in a row, which form one line.
 
-A dash looks across the gap at the next one, and that one looks back.  Three or more in a row with
-equal gaps are one line, joined by ties between their ends.
+A dash points across its gap at the next one, which points back.  Three or more dashes with equal
+gaps form a line; links between their ends join them.
 """
 
 from __future__ import annotations
@@ -11,62 +11,68 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.classification.cutting import WORTH
-from knifetip.classification.grid import Grid, by_cell, cell_of
-from knifetip.classification.segment import BULGE, chord, leaves
 from knifetip.geometry.capacity import double_i32_2
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.cores import each, runs
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, Bool_1, OutBool_1, OutI32_1, kernel
+from knifetip.topology.edge_grid import EdgeGrid, cell_of, group_by_cell
+from knifetip.topology.intersections import MIN_CHUNK
+from knifetip.topology.lines import Lines
+from knifetip.topology.segment import BULGE, chord_length, outward_direction
 
 
-def rows_of_dashes(
-    ends: F64, bulge: F64, touch: float, unit: float, reach: float, node: I32, twin: I32,
-    loose: Bool, grid: Grid,
-) -> tuple[Bool, I32, F64]:  # fmt: skip
-    """Return which edges are dashes, (n,), the ties between them, and how far their ends reach.
+def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64]:
+    """Return which edges are dashes, (n,), links between them, and the reach of each end, (2n,).
 
     Parameters
     ----------
+    reach
+        Of a dangling end that is no dash.
     loose : (q,)
-        Whether one line only ends at a place.  Of places that are tied it is made False.
+        Whether only one line ends at a vertex.  Set to False for vertices that are linked.
     """
-    link = np.full(2 * len(bulge), -1, np.int32)
-
+    ends, bulge, node, twin, grid, touch, unit = lines
+    facing = np.full(2 * len(bulge), -1, np.int32)
     cell = np.full(2 * len(bulge), -1, np.int32)
     each(
         lambda run: _tips(ends, bulge, node, twin, loose, grid, cell, *run),
-        runs(len(bulge), WORTH),
+        runs(len(bulge), MIN_CHUNK),
     )
-    # Few lines have such ends, and each is in one cell only.
-    begins, tips = by_cell(cell, grid.side * grid.side, np.arange(len(cell), dtype=np.int32))
+    # Few lines have dangling ends, and each end is in one cell only.
+    begins, tips = group_by_cell(cell, grid.side * grid.side, np.arange(len(cell), dtype=np.int32))
     place = ends.reshape(-1, 2).take(tips, axis=0)
 
-    def linked(run: tuple[int, int]) -> None:
-        _link(ends, bulge, touch, unit, grid, begins, tips, place, link, *run)
+    def face(run: tuple[int, int]) -> None:
+        _face(ends, bulge, touch, unit, grid, begins, tips, place, facing, *run)
 
-    each(linked, runs(len(tips), WORTH))
-    dashed, tie, gap_of = _rows(ends, link, touch, reach, node, twin, loose)
-    return dashed, tie, gap_of
+    each(face, runs(len(tips), MIN_CHUNK))
+    dashed, link, gap_of = _rows(ends, facing, touch, reach, node, twin, loose)
+    return dashed, link, gap_of
 
 
 @kernel
 def _rows(
-    ends: F64_3, link: I32_1, touch: float, reach: float, node: I32_1, twin: I32_1, loose: OutBool_1
+    ends: F64_3,
+    facing: I32_1,
+    touch: float,
+    reach: float,
+    node: I32_1,
+    twin: I32_1,
+    loose: OutBool_1,
 ) -> Any:
     n = len(twin)
-    tie = np.empty((64, 2), np.int32)
-    ties = 0
+    link = np.empty((64, 2), np.int32)
+    links = 0
     gap_of = np.full(2 * n, reach)
     dashed = np.zeros(n, np.bool_)
     seen = np.zeros(n, np.bool_)
     chain = np.empty(n, np.int64)
     for half in range(2 * n):
-        # A row begins with an edge that looks back at nothing.
+        # A row starts with an edge that no other dash precedes.
         back = half ^ 1
-        if seen[half // 2] or link[half] < 0 or link[link[half]] != half:
+        if seen[half // 2] or facing[half] < 0 or facing[facing[half]] != half:
             continue
-        if link[back] >= 0 and link[link[back]] == back:
+        if facing[back] >= 0 and facing[facing[back]] == back:
             continue
         count = 0
         least, widest, shortest, longest = np.inf, 0.0, np.inf, 0.0
@@ -76,10 +82,10 @@ def _rows(
             count += 1
             i = tail // 2
             seen[i] = True
-            long = chord(ends, i)
+            long = chord_length(ends, i)
             longest = max(longest, long)
-            other = link[tail]
-            if other < 0 or link[other] != tail or seen[other // 2]:
+            other = facing[tail]
+            if other < 0 or facing[other] != tail or seen[other // 2]:
                 break
             if count > 1:
                 shortest = min(shortest, long)
@@ -94,26 +100,26 @@ def _rows(
         for k in range(count):
             dashed[chain[k] // 2] = True
             if k:
-                if ties == len(tie):
-                    tie = double_i32_2(tie)
-                tie[ties, 0] = node[chain[k - 1]]
-                tie[ties, 1] = node[chain[k] ^ 1]
-                ties += 1
+                if links == len(link):
+                    link = double_i32_2(link)
+                link[links, 0] = node[chain[k - 1]]
+                link[links, 1] = node[chain[k] ^ 1]
+                links += 1
                 loose[node[chain[k - 1]]] = False
                 loose[node[chain[k] ^ 1]] = False
         gap_of[chain[0] ^ 1] = max(reach, 1.25 * widest)
         gap_of[chain[count - 1]] = max(reach, 1.25 * widest)
     for i in range(n):
         dashed[i] = dashed[twin[i]]
-    return dashed, tie[:ties], gap_of
+    return dashed, link[:links], gap_of
 
 
 @kernel(allocates=False)
 def _tips(
-    ends: F64_3, bulge: F64_1, node: I32_1, twin: I32_1, loose: Bool_1, grid: Grid, cell: OutI32_1,
-    begin: int, end: int,
+    ends: F64_3, bulge: F64_1, node: I32_1, twin: I32_1, loose: Bool_1, grid: EdgeGrid,
+    cell: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
-    """Write the cell of each loose end of lines that may be dashes; those of others stay."""
+    """Find the cell of each dangling end of lines that may be dashes; other entries stay -1."""
     low, size, side, _, _ = grid
     for i in range(begin, end):
         if abs(bulge[i]) > BULGE or twin[i] != i:
@@ -126,20 +132,20 @@ def _tips(
 
 
 @kernel(allocates=False)
-def _link(
-    ends: F64_3, bulge: F64_1, touch: float, unit: float, grid: Grid, begins: I32_1, tips: I32_1,
-    place: F64_2, link: OutI32_1, begin: int, end: int,
+def _face(
+    ends: F64_3, bulge: F64_1, touch: float, unit: float, grid: EdgeGrid, begins: I32_1,
+    tips: I32_1, place: F64_2, facing: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
-    """Write which loose end each of some loose ends looks at across a gap."""
+    """Find for each dangling end the one it faces across a gap."""
     low, size, side, _, _ = grid
     for number in range(begin, end):
         half = tips[number]
         i = half // 2
-        long = chord(ends, i)
+        long = chord_length(ends, i)
         if long > 40.0 * unit or long <= touch:
             continue
         far = min(15.0 * unit, max(2.0 * long, 3.0 * unit))
-        ux, uy = leaves(ends, bulge, half)
+        ux, uy = outward_direction(ends, bulge, half)
         x, y = place[number, 0], place[number, 1]
         c0 = cell_of(min(x, x + far * ux) - 2.0 * touch, low[0], size[0], side)
         c1 = cell_of(max(x, x + far * ux) + 2.0 * touch, low[0], size[0], side)
@@ -147,13 +153,13 @@ def _link(
         r1 = cell_of(max(y, y + far * uy) + 2.0 * touch, low[1], size[1], side)
         best = far
         for r in range(r0, r1 + 1):
-            # The cells of a row are one run of tips.
+            # The tips of neighbouring cells in a row are contiguous.
             for k in range(begins[r * side + c0], begins[r * side + c1 + 1]):
                 ox, oy = place[k, 0] - x, place[k, 1] - y
                 ahead = ox * ux + oy * uy
                 if ahead <= touch or ahead >= best or abs(ox * uy - oy * ux) > 2.0 * touch:
                     continue
-                vx, vy = leaves(ends, bulge, tips[k])
+                vx, vy = outward_direction(ends, bulge, tips[k])
                 if tips[k] // 2 != i and ux * vx + uy * vy < -0.999:
                     best = ahead
-                    link[half] = tips[k]
+                    facing[half] = tips[k]

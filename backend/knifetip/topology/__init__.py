@@ -1,0 +1,1 @@
+"""The planar graph of a drawing: vertices, half-edges, faces, and what lies inside what."""

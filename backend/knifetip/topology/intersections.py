@@ -1,0 +1,187 @@
+"""intersections: where edges must be split, because others end on them or cross them."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from knifetip.geometry.capacity import double_f64, double_f64_2, double_i32, double_i32_2
+from knifetip.geometry.columns import F64
+from knifetip.geometry.cores import each, number, runs
+from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, I32_2, OutI32_1, kernel
+from knifetip.topology.edge_grid import EdgeGrid, cell_of
+from knifetip.topology.lines import Lines
+from knifetip.topology.segment import BULGE, chord_length, crossing_shares, distance_to
+from knifetip.topology.vertices import VertexTable, vertex_at, with_capacity
+
+#: Smallest number of vertices, or of cells, that is worth a task on another core.
+MIN_CHUNK: Final = 40_000
+
+
+class Splits(NamedTuple):
+    """Points at which edges are split."""
+
+    row: I32_1  #: (c,) edge
+    share: F64_1  #: (c,) parameter on the edge, 0 … 1
+    vertex: I32_1  #: (c,)
+
+
+def concatenate(*several: Splits) -> Splits:
+    """Return all splits of several records."""
+    return Splits(*(np.concatenate(column) for column in zip(*several, strict=True)))
+
+
+class Crossings(NamedTuple):
+    """Crossings of two lines between their ends."""
+
+    pair: I32_2  #: (c, 2) the lines
+    share: F64_2  #: (c, 2) parameters on both, 0 … 1
+
+
+def find_crossings(ends: F64, bulge: F64, touch: float, grid: EdgeGrid, most: int) -> Crossings:
+    """Return where lines cross; the search stops soon after ``most``."""
+
+    def crossed(run: tuple[int, int]) -> Any:
+        return _crossed(ends, bulge, touch, grid, most, *run)
+
+    found = each(crossed, runs(grid.side * grid.side, MIN_CHUNK))
+    return Crossings(*(np.concatenate(column) for column in zip(*found, strict=True)))
+
+
+def find_splits(
+    lines: Lines, vertices: VertexTable, pairs: Crossings, most: int
+) -> tuple[Splits, Splits, VertexTable] | None:
+    """Return the splits by ends that lie on edges, those by crossings, and all vertices.
+
+    None if there are more than ``most`` splits.
+    """
+    ends, touch = lines.ends, lines.tolerance
+    if 2 * len(pairs.pair) > most:
+        return None
+    beside = [
+        partial(
+            _split_by_ends,
+            ends,
+            lines.bulge,
+            touch,
+            lines.end_vertex,
+            vertices.point,
+            lines.grid,
+            *run,
+        )
+        for run in runs(vertices.known, MIN_CHUNK, 2 * number())
+    ]
+    (across, vertices), *found = each(
+        lambda work: work(), (partial(_split_at_crossings, ends, touch, pairs, vertices), *beside)
+    )
+    on = concatenate(*(Splits(*one) for one in found))
+    return None if len(on.row) + len(across.row) > most else (on, across, vertices)
+
+
+def _split_at_crossings(
+    ends: F64, touch: float, pairs: Crossings, vertices: VertexTable
+) -> tuple[Splits, VertexTable]:
+    """Return the splits of lines at crossings, and the vertices with those of the crossings."""
+    pair, share = pairs
+    vertices = with_capacity(vertices, len(pair))
+    at = np.empty(len(pair), np.int32)
+    count = _join(ends, touch, pair, share, vertices, at)
+    return Splits(pair.ravel(), share.ravel(), np.repeat(at, 2)), vertices._replace(known=count)
+
+
+@kernel
+def _split_by_ends(
+    ends: F64_3,
+    bulge: F64_1,
+    touch: float,
+    node: I32_1,
+    point: F64_2,
+    grid: EdgeGrid,
+    begin: int,
+    end: int,
+) -> Any:
+    """Return edge, parameter and vertex where a vertex lies on an edge that does not end there."""
+    low, size, side, first, listed = grid
+    row = np.empty(end - begin + 16, np.int32)
+    share = np.empty(end - begin + 16)
+    cut = np.empty(end - begin + 16, np.int32)
+    cuts = 0
+    for at in range(begin, end):
+        x, y = point[at, 0], point[at, 1]
+        cell = cell_of(y, low[1], size[1], side) * side + cell_of(x, low[0], size[0], side)
+        for k in range(first[cell], first[cell + 1]):
+            i = listed[k]
+            # Checked first for arcs, whose distance is slow to compute.
+            if abs(bulge[i]) > BULGE and (node[2 * i] == at or node[2 * i + 1] == at):
+                continue
+            away, part = distance_to(ends, bulge, i, x, y, touch)
+            if away > touch or not 0.0 < part < 1.0:
+                continue
+            if node[2 * i] == at or node[2 * i + 1] == at:
+                continue
+            if cuts == len(row):
+                row, share, cut = double_i32(row), double_f64(share), double_i32(cut)
+            row[cuts], share[cuts], cut[cuts] = i, part, at
+            cuts += 1
+    return row[:cuts], share[:cuts], cut[:cuts]
+
+
+@kernel
+def _crossed(
+    ends: F64_3, bulge: F64_1, touch: float, grid: EdgeGrid, most: int, begin: int, end: int
+) -> Any:
+    """Return the pairs of lines that cross within cells ``begin`` … ``end``, and the parameters."""
+    low, size, side, first, listed = grid
+    pair = np.empty((64, 2), np.int32)
+    share = np.empty((64, 2))
+    found = 0
+    for cell in range(begin, end):
+        left = low[0] + (cell % side) * size[0]
+        floor = low[1] + (cell // side) * size[1]
+        for k in range(first[cell], first[cell + 1]):
+            i = listed[k]
+            if abs(bulge[i]) > BULGE:
+                continue
+            ax, ay = ends[i, 0, 0], ends[i, 0, 1]
+            ux, uy, long = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay, chord_length(ends, i)
+            for m in range(k + 1, first[cell + 1]):
+                j = listed[m]
+                if abs(bulge[j]) > BULGE:
+                    continue
+                s, t = crossing_shares(ax, ay, ux, uy, ends, j)
+                if not 0.0 < s < 1.0:
+                    continue
+                if (
+                    min(s, 1.0 - s) * long <= touch
+                    or min(t, 1.0 - t) * chord_length(ends, j) <= touch
+                ):
+                    continue
+                x, y = ax + s * ux, ay + s * uy
+                if not (left <= x < left + size[0] and floor <= y < floor + size[1]):
+                    continue
+                if found == len(pair):
+                    pair, share = double_i32_2(pair), double_f64_2(share)
+                pair[found, 0], pair[found, 1] = i, j
+                share[found, 0], share[found, 1] = s, t
+                found += 1
+        if found > most:
+            break
+    return pair[:found], share[:found]
+
+
+@kernel(allocates=False)
+def _join(
+    ends: F64_3, touch: float, pair: I32_2, share: F64_2, vertices: VertexTable, at: OutI32_1
+) -> int:
+    """Find or add the vertices of crossings; return the number of vertices."""
+    count = vertices.known
+    for k in range(len(pair)):
+        i, s = pair[k, 0], share[k, 0]
+        x = ends[i, 0, 0] + s * (ends[i, 1, 0] - ends[i, 0, 0])
+        y = ends[i, 0, 1] + s * (ends[i, 1, 1] - ends[i, 0, 1])
+        at[k] = vertex_at(x, y, touch, vertices.point, count, vertices.head, vertices.onward)
+        if at[k] == count:
+            count += 1
+    return count
