@@ -1,0 +1,16 @@
+"""hpgl: Hewlett-Packard's plotter language, as flat cutters with pen-like tools read it."""
+
+from knifetip.languages.language import Language
+
+LANGUAGE = Language(
+    name="hpgl",
+    title="HPGL",
+    suffix=".plt",
+    emitter="knifetip.post.hpgl:emit",
+    reader="knifetip.verification.hpgl:READER",
+    timing="knifetip.sequencing.timing:no_halts",
+    # Open loop: no answer says what has been executed, and nothing stops what is buffered (ADR 27).
+    no_driver="Download the program and send it with the software of the cutter, where a person "
+    "can stop it.",
+    settings="knifetip.languages.hpgl.plotter:read_settings",
+)

@@ -1,0 +1,186 @@
+"""plotter: what a machine's file says of an HPGL device and its pens.
+
+    [controller] of a machine's TOML -> Plotter
+
+Facts only: the emitter and the judge's reader compute with them each in its own way.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import cache
+from importlib import resources
+from typing import Any, Final
+
+from knifetip.model.machine import Machine, Station
+from knifetip.model.tool import Engine, Knife, kind_of
+
+#: A speed of 1 cm/s (mm/min).
+CM_PER_SECOND: Final = 600.0
+
+
+class Work(StrEnum):
+    """What a pen does: its pressure is set at the device, or by FS."""
+
+    CUT = "cut"  #: through the board
+    HALF_CUT = "half-cut"
+    CREASE = "crease"
+
+
+@dataclass(frozen=True, slots=True)
+class Device:
+    """A plotter or cutter."""
+
+    title: str
+    units: float  #: plotter units to a millimetre
+    area: tuple[int, int, int, int]  #: x0 y0 x1 y1 that it reaches (plotter units)
+    zero: tuple[float, float]  #: where unit 0, 0 lies on the table (mm)
+    pens: int  #: how many SP can select
+    speed: tuple[int, int] | None  #: least and greatest VS (cm/s); None: it has no VS
+    force: tuple[int, int] | None  #: least and greatest FS; None: it has no FS
+    comments: bool  #: reads CO
+
+
+@dataclass(frozen=True, slots=True)
+class Pen:
+    """One of the device's tools, doing one kind of work."""
+
+    number: int  #: that SP selects
+    station: int  #: number of the machine's station
+    work: Work
+    force: int  #: FS; 0 where the device has none
+
+
+@dataclass(frozen=True, slots=True)
+class Plotter:
+    """The settings of an HPGL machine."""
+
+    device: Device
+    pens: tuple[Pen, ...]
+
+
+def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
+    """Return the settings of a machine.
+
+    Raises
+    ------
+    ValueError
+        The table is wrong, or the machine has what HPGL cannot express.
+    """
+    device = _device(fields.get("device", ""), machine)
+    pens = tuple(_pen(row, device) for row in fields.get("pen", ()))
+    numbers = [pen.number for pen in pens]
+    if len(set(numbers)) != len(numbers):
+        raise ValueError(f"pen numbers {numbers} must differ")
+    for station in machine.stations:
+        _check_station(station, device)
+    for pen in pens:
+        _check_pen(pen, machine)
+    works = [(pen.station, pen.work) for pen in pens]
+    if len(set(works)) != len(works):
+        raise ValueError("two pens of one station do the same work")
+    if idle := {station.number for station in machine.stations} - {pen.station for pen in pens}:
+        raise ValueError(f"station {min(idle)} has no [[controller.pen]]")
+    x0, y0, x1, y1 = device.area
+    for axis, zero, low, high in (("x", 0, x0, x1), ("y", 1, y0, y1)):
+        reach = [device.zero[zero] + edge / device.units for edge in (low, high)]
+        travel = getattr(machine, axis)
+        if travel.low < reach[0] - 1e-9 or travel.high > reach[1] + 1e-9:
+            raise ValueError(
+                f"axes.{axis} goes from {travel.low:g} to {travel.high:g}, and the device reaches "
+                f"{reach[0]:g} to {reach[1]:g} mm"
+            )
+    return Plotter(device, pens)
+
+
+@cache
+def _devices() -> Mapping[str, Mapping[str, Any]]:
+    text = (resources.files(__package__) / "devices.toml").read_text("utf-8")
+    return tomllib.loads(text)
+
+
+def _device(value: Any, machine: Machine) -> Device:
+    if not isinstance(value, Mapping):
+        if value not in _devices():
+            known = ", ".join(sorted(_devices()))
+            raise ValueError(
+                f"controller.device is {value!r}: it is one of {known}, or a table with the same "
+                "fields"
+            )
+        value = _devices()[value]
+    units = float(value["units"])
+    x0, y0, x1, y1 = (int(edge) for edge in value["area"])
+    if not units > 0.0 or x0 >= x1 or y0 >= y1:
+        raise ValueError("controller.device must have units of more than 0 and x0 < x1, y0 < y1")
+    if value["origin"] not in ("corner", "centre"):
+        raise ValueError(f"controller.device.origin is {value['origin']!r}: corner or centre")
+    centred = value["origin"] == "centre"
+    return Device(
+        title=str(value["title"]),
+        units=units,
+        area=(x0, y0, x1, y1),
+        zero=(machine.width / 2.0, machine.height / 2.0) if centred else (0.0, 0.0),
+        pens=int(value["pens"]),
+        speed=_range(value.get("speed"), "speed"),
+        force=_range(value.get("force"), "force"),
+        comments=bool(value.get("comments", False)),
+    )
+
+
+def _range(value: Any, name: str) -> tuple[int, int] | None:
+    if value is None:
+        return None
+    least, greatest = int(value[0]), int(value[1])
+    if not 0 < least <= greatest:
+        raise ValueError(f"controller.device.{name} is {value!r}, and must be [least, greatest]")
+    return least, greatest
+
+
+def _pen(row: Mapping[str, Any], device: Device) -> Pen:
+    number, force = int(row["number"]), int(row.get("force", 0))
+    if not 1 <= number <= device.pens:
+        raise ValueError(f"pen {number}: {device.title} has pens 1 to {device.pens}")
+    if device.force is None and force:
+        raise ValueError(f"pen {number} has a force, and {device.title} has no FS")
+    if device.force is not None and not device.force[0] <= force <= device.force[1]:
+        raise ValueError(
+            f"pen {number}: force is {force}, and must be {device.force[0]} to {device.force[1]}"
+        )
+    try:
+        work = Work(row["work"])
+    except ValueError:
+        known = ", ".join(Work)
+        raise ValueError(f"pen {number}: work is {row['work']!r}: it is one of {known}") from None
+    return Pen(number, int(row["station"]), work, force)
+
+
+def _check_station(station: Station, device: Device) -> None:
+    where = f"station {station.number}"
+    tool = station.tool
+    if kind_of(tool).engine not in (Engine.KNIFE, Engine.CREASE):
+        raise ValueError(f"{where}: HPGL has neither depths nor headings, and its tool needs them")
+    if any((station.x, station.y, station.z, station.c)) or station.output >= 0:
+        raise ValueError(f"{where}: the device keeps its tools' places: datum 0 and no output")
+    if isinstance(tool, Knife) and tool.trail:
+        raise ValueError(f"{where}: the device makes good the trail of its knife: give 0")
+    if device.speed is None:
+        return
+    speed = tool.feed / CM_PER_SECOND
+    if speed != round(speed) or not device.speed[0] <= speed <= device.speed[1]:
+        least, greatest = (CM_PER_SECOND * limit for limit in device.speed)
+        raise ValueError(
+            f"{where}: feed is {tool.feed:g} mm/min, and {device.title} has multiples of "
+            f"{CM_PER_SECOND:g} from {least:g} to {greatest:g}"
+        )
+
+
+def _check_pen(pen: Pen, machine: Machine) -> None:
+    try:
+        tool = machine.station(pen.station).tool
+    except KeyError:
+        raise ValueError(f"pen {pen.number} is in station {pen.station}, which is none") from None
+    if (kind_of(tool).engine is Engine.CREASE) is not (pen.work is Work.CREASE):
+        raise ValueError(f"pen {pen.number}: the tool of station {pen.station} cannot {pen.work}")

@@ -1,0 +1,263 @@
+"""hpgl: programs for plotters and flat cutters.
+
+    Toolpath, Machine -> Program
+
+One instruction to a line::
+
+    IN;PA;               initialise, absolute coordinates
+    PU;SP1;FS30;VS40;    pen up, select a tool, its force and its speed
+    PU800,800;           move with the tool up (plotter units)
+    PD;PD1200,800;       lower the tool, work
+    PU;SP0;              end: tool up and put away
+
+HPGL has neither depths nor headings: each kind of work of a station is a pen with a force of its
+own, and the device turns the tool along the path.  Arcs become chords, and every point is rounded
+to whole plotter units by itself, so that roundings never add up.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.errors import ProgramError
+from knifetip.geometry.columns import I32, I64, U8, Bool
+from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Pen, Plotter, Work
+from knifetip.model.machine import Machine
+from knifetip.model.program import Program
+from knifetip.model.tool import Engine, kind_of
+from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.post.check import place_of
+from knifetip.post.chords import split
+from knifetip.post.digits import Characters, digits
+
+#: Share of the tolerance that chords may deviate from their arc.
+CHORD: Final = 0.5
+#: Heights that differ by less are one height (mm).
+LEVEL: Final = 1e-6
+#: Longest comment.
+COMMENT: Final = 66
+#: Lines that are composed together, which bounds the memory.
+BATCH: Final = 1 << 15
+
+#: What a row becomes: nothing, a move with the tool up, a move at work, tool down, tool up.
+_NOTHING, _TRAVEL, _WORK, _DOWN, _UP = range(5)
+_MNEMONICS: Final = np.frombuffer(b"\0\0PUPDPDPU", np.uint8).reshape(5, 2)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Moves:
+    """n moves between n + 1 points."""
+
+    point: I64  #: (n + 1, 2) plotter units
+    kind: U8  #: (n,) what each becomes
+    speed: I64  #: (n,) cm/s of working moves, 0 for the others
+    pen: I64  #: (n,) index into the plotter's pens
+    row: I32  #: (n,) row in Toolpath
+
+
+def emit(
+    toolpath: Toolpath, machine: Machine, *, tolerance: float, notes: Sequence[str]
+) -> Program:
+    """Return the program that moves the tools along the toolpath.
+
+    Parameters
+    ----------
+    tolerance : float, mm
+        Half of it is left to chords; the rounding to plotter units comes on top of it.
+
+    Raises
+    ------
+    ProgramError
+        A move that needs a depth, a heading or a speed that HPGL does not have, or work for which
+        the machine has no pen.
+    """
+    plotter = machine.controller
+    if not isinstance(plotter, Plotter):
+        raise ProgramError(
+            f"{machine.title} has no HPGL device.", "Describe it under [controller] of its TOML."
+        )
+    _check_motions(toolpath)
+    moves = _moves(toolpath, machine, plotter, tolerance)
+    texts, sources = [], []
+
+    def put(lines: Sequence[str]) -> None:
+        texts.append("".join(f"{line}\n" for line in lines).encode("ascii"))
+        sources.append(np.full(len(lines), -1, np.int32))
+
+    comments = [_comment(note) for note in notes] if plotter.device.comments else []
+    put(["IN;", *comments, "PA;"])
+    changes = np.flatnonzero(np.diff(moves.pen)) + 1
+    for rows in np.split(np.arange(len(moves.pen)), changes):
+        put(_select(plotter.pens[moves.pen[rows[0]]], moves.speed[rows], plotter))
+        stated = _changes(moves.speed[rows])
+        # After a change of the tool the first move is stated, wherever the head is.
+        moves.kind[rows[0]] = _TRAVEL
+        for at in range(0, len(rows), BATCH):
+            batch = slice(at, at + BATCH)
+            text, source = _lines(moves, rows[batch], stated[batch])
+            texts.append(text)
+            sources.append(source)
+    put(["PU;", "SP0;"])
+    return Program(b"".join(texts), machine.dialect, np.concatenate(sources))
+
+
+def _comment(note: str) -> str:
+    clean = " ".join(re.sub(r"[^ -~]|[\";]", " ", note).split())[:COMMENT].rstrip()
+    return f'CO"{clean}";'
+
+
+def _select(pen: Pen, speed: I64, plotter: Plotter) -> list[str]:
+    """Return the lines that select a pen for moves at these speeds, (n,) cm/s."""
+    force = [f"FS{pen.force};"] if plotter.device.force else []
+    working = speed[speed > 0]
+    first = [f"VS{working[0]};"] if len(working) else []
+    return ["PU;", f"SP{pen.number};", *force, *first]
+
+
+def _changes(speed: I64) -> Bool:
+    """Return the moves at work before which the speed changes, (n,)."""
+    working = np.flatnonzero(speed)
+    result = np.zeros(len(speed), np.bool_)
+    result[working[1:]] = np.diff(speed[working]) != 0
+    return result
+
+
+def _check_motions(toolpath: Toolpath) -> None:
+    """Refuse what HPGL cannot express, naming the first row."""
+    motion, change = toolpath.motion, np.diff(toolpath.pose, axis=0)
+    beside = np.hypot(change[:, 0], change[:, 1]) > LEVEL
+    upright = np.isin(motion, (Motion.PLUNGE, Motion.LIFT))
+    works = ~upright & (motion != Motion.RAPID)
+    begins = np.ones(len(motion), np.bool_)
+    begins[1:] = toolpath.tool[1:] != toolpath.tool[:-1]
+    lone = np.zeros(len(motion), np.bool_)
+    lone[:-1] = (motion[:-1] == Motion.PLUNGE) & (motion[1:] == Motion.LIFT)
+    refused = (
+        (
+            begins & (motion != Motion.RAPID),
+            "begins the work of its station, and no rapid leads there",
+            "Begin each station with a rapid.",
+        ),
+        (upright & beside, "goes down or up along a slope", "Choose a tool that goes straight."),
+        (works & (np.abs(change[:, 2]) > LEVEL), "changes its depth at work", "Work in one pass."),
+        (
+            (motion == Motion.SWIVEL) & beside,
+            "swings the head round the tip",
+            "Give the knife no trail: the device makes it good.",
+        ),
+        (
+            lone,
+            "presses the tool in one place, where HPGL cannot turn it",
+            'Choose a board with short_crease = "refuse", or another machine.',
+        ),
+    )
+    for where, what, hint in refused:
+        if where.any():
+            row = int(np.argmax(where))
+            edge = int(toolpath.source[row])
+            raise ProgramError(
+                f"{place_of(toolpath, row)} {what}.", hint, [str(edge)] if edge >= 0 else []
+            )
+
+
+def _moves(toolpath: Toolpath, machine: Machine, plotter: Plotter, tolerance: float) -> _Moves:
+    device = plotter.device
+    start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
+    # A piece of an arc bows by the square of its share.
+    bow = np.abs(toolpath.bulge) * np.hypot(*(end - start).T) / 2.0
+    pieces = np.ceil(np.sqrt(bow / (CHORD * tolerance))).astype(np.int64).clip(1)
+    pose, row = split(toolpath.pose[:, :2], toolpath.bulge, pieces)
+    point = np.rint((pose - device.zero) * device.units).astype(np.int64)
+    moved: Bool = (point[1:] != point[:-1]).any(axis=1)
+    motion = toolpath.motion[row]
+    kind = np.where(motion == Motion.RAPID, _TRAVEL, _WORK) * moved
+    kind[motion == Motion.PLUNGE] = _DOWN
+    kind[motion == Motion.LIFT] = _UP
+    works = kind == _WORK
+    speed = np.zeros(len(row), np.int64)
+    if device.speed:
+        asked = toolpath.feed[row] / CM_PER_SECOND
+        speed[works] = np.rint(asked[works]).astype(np.int64)
+        off = works & (np.abs(asked - speed) > 1e-6)
+        off |= works & ((speed < device.speed[0]) | (speed > device.speed[1]))
+        if off.any():
+            at = int(row[np.argmax(off)])
+            raise ProgramError(
+                f"{place_of(toolpath, at)} has a feed of {toolpath.feed[at]:g} mm/min, and "
+                f"{device.title} has whole cm/s from {device.speed[0]} to {device.speed[1]}.",
+                f"Give the tool a feed that is a multiple of {CM_PER_SECOND:g} mm/min.",
+            )
+    pen = _pens(toolpath, machine, plotter)[row]
+    return _Moves(point, kind.astype(np.uint8), speed, pen, row.astype(np.int32))
+
+
+def _pens(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64:
+    """Return the pen of every row: that of the work that its stay on the board, or the next, does.
+
+    What leads to a stay belongs to it, so that the tool is changed before the head goes there.
+    """
+    rapid = toolpath.motion == Motion.RAPID
+    new = np.concatenate([[False], rapid[1:] & ~rapid[:-1]])
+    new |= np.concatenate([[False], toolpath.tool[1:] != toolpath.tool[:-1]])
+    stay = np.cumsum(new)
+    plunge = np.flatnonzero(toolpath.motion == Motion.PLUNGE)
+    if len(plunge) == 0:
+        raise ProgramError(
+            "The toolpath never goes down.", "Classify an edge as something to make."
+        )
+    through = np.abs(toolpath.pose[plunge + 1, 2] + machine.into_mat) <= LEVEL
+    key = toolpath.tool[plunge].astype(np.int64) * 2 + through
+    listed, which = np.unique(key, return_inverse=True)
+    pens = np.array([_pen(int(one), machine, plotter) for one in listed])[which]
+    # Rapids at the end of a station belong to no stay of their own: they keep the last tool.
+    at = np.searchsorted(stay[plunge], np.arange(stay[-1] + 1), side="right") - 1
+    first = np.searchsorted(stay[plunge], np.arange(stay[-1] + 1))
+    own = np.where(first <= at, first, np.maximum(at, 0))
+    result: I64 = pens[own][stay]
+    return result
+
+
+def _pen(key: int, machine: Machine, plotter: Plotter) -> int:
+    station = machine.station(key // 2)
+    work = Work.CUT if key % 2 else Work.HALF_CUT
+    if kind_of(station.tool).engine is Engine.CREASE:
+        work = Work.CREASE
+    for index, pen in enumerate(plotter.pens):
+        if pen.station == station.number and pen.work is work:
+            return index
+    raise ProgramError(
+        f"{machine.title} has no pen for {work} with station {station.number}.",
+        "Add a [[controller.pen]] to its TOML.",
+    )
+
+
+def _lines(moves: _Moves, rows: I64, stated: Bool) -> tuple[bytes, I32]:
+    """Return the lines of some moves, with their speed where it is stated, and the row of each."""
+    shown = moves.kind[rows] != _NOTHING
+    rows, stated = rows[shown], stated[shown]
+    kind, speed = moves.kind[rows], moves.speed[rows]
+    located = (kind == _TRAVEL) | (kind == _WORK)
+    point = moves.point[rows + 1] * located[:, None]
+    blocks = [
+        _shown(b"VS", stated),
+        digits(speed * stated, 0, brief=True) * stated[:, None],
+        _shown(b";\n", stated),
+        _MNEMONICS[kind],
+        digits(point[:, 0], 0, brief=True) * located[:, None],
+        _shown(b",", located),
+        digits(point[:, 1], 0, brief=True) * located[:, None],
+        _shown(b";\n", np.ones(len(rows), np.bool_)),
+    ]
+    characters = np.hstack(blocks)
+    text: bytes = characters[characters != 0].tobytes()
+    return text, np.insert(moves.row[rows], np.flatnonzero(stated), np.int32(-1))
+
+
+def _shown(text: bytes, where: Bool) -> Characters:
+    result: Characters = np.frombuffer(text, np.uint8) * where[:, None]
+    return result

@@ -1,0 +1,175 @@
+"""HPGL: the instructions of small toolpaths, written out by hand in plotter units (0.025 mm)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from knifetip.errors import ProgramError
+from knifetip.languages.hpgl.plotter import Plotter
+from knifetip.library import load
+from knifetip.model.machine import Machine
+from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.post.emit import process
+
+MACHINE = load.machine("flat-cutter-hpgl")
+R, P, F, S, L = Motion.RAPID, Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.LIFT
+#: Knife and creasing tool (mm/min): 40 and 30 cm/s.
+CUT, CREASE = 24000.0, 18000.0
+Move = tuple[int, Motion, float, float, float, float, float]
+
+#: station, motion, x, y, z, bulge, feed: where each move ends.
+SQUARE: list[Move] = [
+    (1, R, 20, 20, 5, 0, 0),
+    (1, P, 20, 20, -0.3, 0, 6000),
+    (1, F, 120, 20, -0.3, 0, CUT),
+    (1, L, 120, 20, 2.4, 0, 6000),
+]
+
+
+def toolpath(*moves: Move, start: tuple[float, float] = (0.0, 0.0)) -> Toolpath:
+    tool, motion, x, y, z, bulge, feed = zip(*moves, strict=True)
+    pose = np.zeros((len(moves) + 1, 4))
+    pose[0] = (*start, 5.0, 0.0)
+    pose[1:, 0], pose[1:, 1], pose[1:, 2] = x, y, z
+    n = len(moves)
+    return Toolpath(pose, bulge, motion, feed, range(n), tool, [0] * n)
+
+
+def instructions(path: Toolpath, machine: Machine = MACHINE, **options: object) -> list[str]:
+    return process(path, machine, **options).text.decode("ascii").splitlines()  # type: ignore[arg-type]
+
+
+def with_device(**changes: object) -> Machine:
+    plotter = MACHINE.controller
+    assert isinstance(plotter, Plotter)
+    device = replace(plotter.device, **changes)  # type: ignore[arg-type]
+    pens = plotter.pens if device.force else tuple(replace(pen, force=0) for pen in plotter.pens)
+    return replace(MACHINE, controller=Plotter(device, pens))
+
+
+def test_one_cut():
+    assert instructions(toolpath(*SQUARE)) == [
+        "IN;", "PA;", "PU;", "SP1;", "FS30;", "VS40;",
+        "PU800,800;", "PD;", "PD4800,800;", "PU;",
+        "PU;", "SP0;",
+    ]  # fmt: skip
+
+
+def test_each_line_has_the_row_that_it_came_from():
+    program = process(toolpath(*SQUARE), MACHINE)
+    assert program.source.tolist() == [-1] * 6 + [0, 1, 2, 3] + [-1, -1]
+    assert program.dialect == "hpgl"
+
+
+def test_a_pen_is_the_work_of_a_station():
+    lines = instructions(
+        toolpath(
+            (2, R, 10, 10, 5, 0, 0),
+            (2, P, 10, 10, 0.1, 0, 6000),
+            (2, F, 10, 50, 0.1, 0, CREASE),
+            (2, L, 10, 50, 5, 0, 6000),
+            (1, R, 30, 10, 5, 0, 0),
+            (1, P, 30, 10, 0.2, 0, 6000),
+            (1, F, 30, 50, 0.2, 0, CUT),
+            (1, L, 30, 50, 2.4, 0, 6000),
+            (1, R, 20, 20, 2.4, 0, 0),
+            *SQUARE[1:],
+        )
+    )
+    selected = [line for line in lines if line[:2] in ("SP", "FS", "VS")]
+    assert selected == [
+        "SP2;", "FS24;", "VS30;", "SP3;", "FS12;", "VS40;", "SP1;", "FS30;", "VS40;", "SP0;",
+    ]  # fmt: skip
+    # The tool is up and changed before the head goes to its work.
+    at = lines.index("SP1;")
+    assert lines[at - 2 : at] == ["PU;", "PU;"]
+    assert lines[at + 3 : at + 5] == ["PU800,800;", "PD;"]
+
+
+def test_points_are_rounded_as_points_and_brief_moves_vanish():
+    lines = instructions(
+        toolpath(
+            (1, R, 20.013, 20, 5, 0, 0),
+            (1, P, 20.013, 20, -0.3, 0, 6000),
+            (1, F, 20.02, 20, -0.3, 0, CUT),
+            (1, F, 40.03, 20, -0.3, 0, CUT),
+            (1, L, 40.03, 20, 5, 0, 6000),
+        )
+    )
+    assert lines[6:10] == ["PU801,800;", "PD;", "PD1601,800;", "PU;"]
+
+
+def test_an_arc_becomes_chords_within_half_the_tolerance():
+    half = toolpath(
+        (1, R, 100, 100, 5, 0, 0),
+        (1, P, 100, 100, -0.3, 0, 6000),
+        (1, F, 100, 140, -0.3, 1.0, CUT),
+        (1, L, 100, 140, 5, 0, 6000),
+    )
+    lines = [line for line in instructions(half) if line.startswith("PD") and "," in line]
+    points = np.array([[100.0, 100.0]] + [
+        [float(number) / 40.0 for number in line[2:-1].split(",")] for line in lines
+    ])  # fmt: skip
+    # The centre is (100, 120); every point is within the rounding of the arc.
+    radius = np.hypot(points[:, 0] - 100.0, points[:, 1] - 120.0)
+    assert np.abs(radius - 20.0).max() <= 0.0177 + 1e-9
+    middle = (points[1:] + points[:-1]) / 2.0
+    sagitta = 20.0 - np.hypot(middle[:, 0] - 100.0, middle[:, 1] - 120.0)
+    assert sagitta.max() <= 0.005 + 0.0177 + 1e-9
+    # 0.005 mm on a radius of 20 mm: chords of about 2.6°, 71 in half a circle.
+    assert 60 <= len(lines) <= 90
+
+
+def test_a_device_has_only_the_instructions_that_its_record_names():
+    bare = instructions(toolpath(*SQUARE), with_device(speed=None, force=None))
+    assert bare == [
+        "IN;", "PA;", "PU;", "SP1;", "PU800,800;", "PD;", "PD4800,800;", "PU;", "PU;", "SP0;",
+    ]  # fmt: skip
+    notes = ['a "note"; with\nESC \x1b.R', "placement X20.0000 Y20.0000"]
+    assert instructions(toolpath(*SQUARE), notes=notes) == instructions(toolpath(*SQUARE))
+    told = instructions(toolpath(*SQUARE), with_device(comments=True), notes=notes)
+    assert told[:4] == [
+        "IN;", 'CO"a note with ESC .R";', 'CO"placement X20.0000 Y20.0000";', "PA;",
+    ]  # fmt: skip
+
+
+def test_the_origin_is_where_the_device_has_it():
+    centred = with_device(zero=(650.0, 450.0), area=(-26000, -18000, 26000, 18000))
+    lines = instructions(toolpath(*SQUARE), centred)
+    assert lines[6:9] == ["PU-25200,-17200;", "PD;", "PD-21200,-17200;"]
+
+
+def test_the_speed_is_stated_where_it_changes():
+    slower = [*SQUARE[:3], (1, F, 120, 60, -0.3, 0, 12000.0), (1, F, 60, 60, -0.3, 0, 12000.0)]
+    lines = instructions(toolpath(*slower, (1, L, 60, 60, 2.4, 0, 6000)))
+    assert lines[5:12] == [
+        "VS40;", "PU800,800;", "PD;", "PD4800,800;", "VS20;", "PD4800,2400;", "PD2400,2400;",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("moves", "what"),
+    [
+        ([*SQUARE[:2], (1, F, 120, 20, -0.3, 0, 24100.0), SQUARE[3]], "whole cm/s from 1 to 80"),
+        ([*SQUARE[:2], (1, F, 120, 20, -0.2, 0, CUT), SQUARE[3]], "changes its depth at work"),
+        ([SQUARE[0], (1, P, 21, 20, -0.3, 0, 6000)], "along a slope"),
+        ([*SQUARE[:2], (1, L, 20, 20, 5, 0, 6000)], "presses the tool in one place"),
+        ([*SQUARE[:3], (1, S, 121, 20, -0.3, 0, CUT)], "swings the head"),
+        ([*SQUARE, (2, P, 120, 20, 0.1, 0, 6000)], "no rapid leads there"),
+        ([SQUARE[0]], "never goes down"),
+    ],
+)
+def test_what_hpgl_cannot_express_is_refused(moves: list[Move], what: str):
+    with pytest.raises(ProgramError, match=what):
+        process(toolpath(*moves), MACHINE)
+
+
+def test_work_without_a_pen_is_refused():
+    plotter = MACHINE.controller
+    assert isinstance(plotter, Plotter)
+    bare = replace(MACHINE, controller=replace(plotter, pens=plotter.pens[1:]))
+    with pytest.raises(ProgramError, match="no pen for cut with station 1"):
+        process(toolpath(*SQUARE), bare)
