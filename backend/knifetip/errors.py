@@ -41,49 +41,69 @@
         │   └── StaleRevision         a drawing was changed since the request was made for it
         └── MachineBusy           another job is on this machine's table
 
-Everything that a user can cause is one of these. The API sends the same words as problem+json.
+Everything that a user can cause is one of these.  The API sends code, arguments and text as
+problem+json.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import islice
+from typing import Final
 
-from knifetip.messages import from_json
+from knifetip.messages import Argument, Message, from_json, hint, render
+
+#: The most questions that an error quotes.
+_SHOWN: Final = 5
 
 
 class KnifetipError(Exception):
-    """What went wrong (with place and measure), what to do about it, and which edges it is about.
+    """What is wrong and where, what to do about it, and which edges it concerns.
 
     Parameters
     ----------
-    message
-        One sentence that names the place and the measure.
-    hint
-        One sentence that says what the user can do.
+    code
+        One of ``messages.codes.CODES``; a message that is already made is taken as it is.
     source
-        Handles of the entities, or rows of the edges, that it is about.
+        Handles of the entities, or rows of the edges, that it concerns.
+    arguments
+        Those of the code, by name.
     """
 
-    def __init__(self, message: str, hint: str = "", source: Sequence[str] = ()) -> None:
-        super().__init__(message)
-        self.message = message
-        self.hint = hint
+    def __init__(
+        self, code: str | Message, /, *, source: Sequence[str] = (), **arguments: Argument
+    ) -> None:
+        super().__init__(code)
+        self.message = code if isinstance(code, Message) else Message(code, **arguments)
         self.source = tuple(source)
 
     def __reduce__(self) -> tuple[object, ...]:
-        # Errors cross from the compile process to the server: keep all three parts on the way.
-        return (_rebuild, (type(self), self.message, self.hint, self.source))
+        # Errors cross from the compile process to the server.
+        return (_rebuild, (type(self), self.message, self.source, self.__dict__))
+
+    @property
+    def text(self) -> str:
+        """What is wrong and where, in English."""
+        return render(self.message)
+
+    @property
+    def hint(self) -> str:
+        """What the user can do, in English."""
+        return hint(self.message)
 
     def __str__(self) -> str:
-        return f"{self.message} {self.hint}".strip()
+        return f"{self.text} {self.hint}".strip()
 
 
 def _rebuild(
-    kind: type[KnifetipError], message: str, hint: str, source: tuple[str, ...]
+    kind: type[KnifetipError],
+    message: Message,
+    source: tuple[str, ...],
+    attributes: Mapping[str, object],
 ) -> KnifetipError:
     error = kind.__new__(kind)
-    KnifetipError.__init__(error, message, hint, source)
+    KnifetipError.__init__(error, message, source=source)
+    error.__dict__.update(attributes)
     return error
 
 
@@ -120,11 +140,7 @@ class ZeroLengthEdge(GeometryError):
 
     def __init__(self, rows: Iterable[int]) -> None:
         listed = [str(row) for row in islice(rows, 10)]
-        super().__init__(
-            f"Edge {', '.join(listed)} has no length, so it has no azimuth.",
-            "Delete it from the drawing, or raise the speck tolerance.",
-            listed,
-        )
+        super().__init__("edge.no-length", edges=listed, source=listed)
 
 
 class DegenerateArc(GeometryError):
@@ -143,14 +159,11 @@ class OpenQuestions(PlanError):
 
     def __init__(self, questions: Sequence[dict[str, object]]) -> None:
         super().__init__(
-            f"{len(questions)} question{'s' * (len(questions) != 1)} must be answered first: "
-            + " ".join(str(from_json(question)) for question in questions[:5]),
-            "Answer them on the drawing; nothing is cut by default.",
+            "drawing.open-questions",
+            count=len(questions),
+            questions=[from_json(question) for question in questions[:_SHOWN]],
         )
         self.questions = list(questions)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (self.questions,))
 
 
 class NoToolForLineType(PlanError):
@@ -228,15 +241,8 @@ class ServerBusy(KnifetipError):
     """
 
     def __init__(self, waiting: int, seconds: int) -> None:
-        super().__init__(
-            f"{waiting} requests wait for a free process already, so this one was not begun.",
-            f"Send it again in {seconds} s.",
-        )
-        self.waiting = waiting
+        super().__init__("server.busy", waiting=waiting, seconds=seconds)
         self.seconds = seconds
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (self.waiting, self.seconds))
 
 
 class SettingsError(KnifetipError):
@@ -278,16 +284,8 @@ class StaleRevision(StaleVersion):
     """
 
     def __init__(self, drawing: str, revision: int, named: str) -> None:
-        super().__init__(
-            f"Drawing {drawing} is at revision {revision}, and the request names {named}.",
-            "Look at the drawing again; if that is what you want, repeat the request.",
-        )
-        self.drawing = drawing
+        super().__init__("drawing.stale", drawing=drawing, revision=revision, named=named)
         self.revision = revision
-        self.named = named
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (self.drawing, self.revision, self.named))
 
 
 class MachineBusy(JobError):

@@ -27,6 +27,7 @@ from knifetip.formats import read_file
 from knifetip.geometry.columns import I32, U8
 from knifetip.languages.registry import with_language
 from knifetip.library import load, own
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.corners import Corners
@@ -276,6 +277,8 @@ def _located(
     rows = [int(source[int(row)]) for row in error.source]
     if rows:
         layer, handles = drawing.layers[drawing.layer[rows[0]]], drawing.handles
-        error.message = f'{error.message.rstrip(".")} (handle {handles[rows[0]]}, layer "{layer}").'
+        error.message = Message(
+            "error.at-edge", error=error.message, handle=handles[rows[0]], layer=layer
+        )
         error.source = tuple(handles[row] for row in rows)
     return error

@@ -151,7 +151,7 @@ def files() -> Iterator[str]:
         try:
             drawing = pipeline.read(path.read_bytes())
         except KnifetipError as reason:
-            yield f"| {name} | refused: {_cell(reason.message)} | | | | | | | | | |"
+            yield f"| {name} | refused: {_cell(reason.text)} | | | | | | | | | |"
             continue
         dieline = pipeline.classify(drawing, rules)
         seconds = time.perf_counter() - begun
@@ -162,7 +162,7 @@ def files() -> Iterator[str]:
             idle = (LineType.IGNORED, LineType.UNCLASSIFIED)
             worked = str(int((~np.isin(kinds, idle)).sum()))
         except KnifetipError as reason:
-            worked = _cell(reason.message)
+            worked = _cell(reason.text)
         yield (
             f"| {name} | {len(drawing.ledger)} | {fates[Fate.KEPT]} | {fates[Fate.MERGED]} "
             f"| {fates[Fate.DROPPED]} | {len(drawing)} | {worked} | {drawing.unit or 'asked'} "

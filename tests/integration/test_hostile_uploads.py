@@ -94,7 +94,7 @@ def test_nothing_that_a_file_points_to_is_fetched(server: Running) -> None:
         refused = server.client.post(
             "/api/drawings", files={"file": ("a.svg", hostile.external_entity(url))}
         )
-        check_problem(refused, 422, "nothing is fetched")
+        check_problem(refused, 422, "is not loaded")
         with pytest.raises(TimeoutError):
             elsewhere.accept()
 

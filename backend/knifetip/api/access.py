@@ -23,6 +23,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from knifetip.api import signin
 from knifetip.api.problems import problem
+from knifetip.messages import Message
 
 Authority: TypeAlias = tuple[str, int | None]
 
@@ -69,12 +70,15 @@ class RequestFacts:
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """Why a request is not answered; the fields are those of a problem."""
+    """Why a request is not answered."""
 
     status: int
-    detail: str
-    hint: str
-    wrong_key: bool = False
+    message: Message
+
+    @property
+    def wrong_key(self) -> bool:
+        """Whether the request has a key that is wrong."""
+        return self.message.code == "request.wrong-key"
 
 
 def refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal | None:
@@ -88,7 +92,7 @@ def refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal | No
     bearer = _bearer(facts.authorization) if rules.key else None
     keyed = bearer is not None and same_key(bearer, rules.key)
     if bearer is not None and not keyed:
-        return Refusal(401, "The key is wrong.", "Send Authorization: Bearer KEY.", wrong_key=True)
+        return Refusal(401, Message("request.wrong-key"))
     host = authority(facts.host or "")
     # A key in a header proves intent: no browser sends it because a page tells it to.
     if host is None or not (keyed or _is_listed(rules, facts, host)):
@@ -102,20 +106,14 @@ def refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal | No
 
 def _wrong_host(facts: RequestFacts) -> Refusal:
     if facts.host is None:
-        return Refusal(400, "A request needs one Host header.", "Use HTTP/1.1.")
-    name = facts.host[:100]
-    return Refusal(
-        421,
-        f"This server does not answer for the host {name!r}.",
-        "Use its address, or start it with --allow-host and this name.",
-    )
+        return Refusal(400, Message("request.no-host"))
+    return Refusal(421, Message("request.wrong-host", host=facts.host[:100]))
 
 
 def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
     """Refuse a change that a page of another origin may have sent."""
     if facts.method in _SAFE:
         return None
-    hint = "Send it from this server's own page, or from a program that is no browser."
     same = False
     for origin in facts.origins:
         scheme, separator, rest = origin.partition("://")
@@ -126,18 +124,14 @@ def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
             and _with_port(named, scheme.lower()) == _with_port(host, facts.scheme)
         )
         if not same:
-            return Refusal(403, f"A page of {origin[:100]} sent this.", hint)
+            return Refusal(403, Message("request.foreign-page", origin=origin[:100]))
     if facts.fetch_site not in (None, "same-origin", "none"):
-        return Refusal(403, "A page of another origin sent this.", hint)
+        return Refusal(403, Message("request.foreign-origin"))
     if same or facts.marked or facts.authorization is not None:
         return None
     # Every browser's User-Agent begins like this, and no page can change it without asking first.
     if not facts.agent or facts.agent.lower().startswith("mozilla/"):
-        return Refusal(
-            403,
-            "The request does not show that it was not sent by a page of another site.",
-            "Send an X-Knifetip header with it (any value).",
-        )
+        return Refusal(403, Message("request.not-marked"))
     return None
 
 
@@ -146,7 +140,7 @@ def _html_form(facts: RequestFacts) -> Refusal | None:
     kind = facts.content_type.partition(";")[0].strip().lower()
     if facts.method in _SAFE or not _is_api(facts.path) or kind not in _FORMS:
         return None
-    return Refusal(415, f"The API takes no {kind}.", "Send it with Content-Type: application/json.")
+    return Refusal(415, Message("request.html-form", media=kind))
 
 
 def _without_key(
@@ -159,16 +153,10 @@ def _without_key(
     if near and (rules.loopback_only or is_loopback(host[0])):
         return None
     if not rules.key:
-        return Refusal(
-            403,
-            "Without a key this server answers only to the machine that it runs on.",
-            "Start it with --key-file PATH or --key KEY, or open it at http://localhost.",
-        )
+        return Refusal(403, Message("request.local-only"))
     if signin.is_session(facts.session or "", rules.key, now):
         return None
-    return Refusal(
-        401, "This needs a key.", "Send Authorization: Bearer KEY, or sign in at the page."
-    )
+    return Refusal(401, Message("request.key-needed"))
 
 
 def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool:
@@ -313,4 +301,4 @@ class Access:
 
 def _problem(refused: Refusal) -> Response:
     headers = {"WWW-Authenticate": "Bearer"} if refused.status == 401 else {}
-    return problem(refused.status, refused.detail, hint=refused.hint, headers=headers)
+    return problem(refused.status, refused.message, headers=headers)

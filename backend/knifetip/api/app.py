@@ -35,6 +35,7 @@ from knifetip.api.site import Site
 from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.store import Store
+from knifetip.messages import Message
 
 _log = logging.getLogger("knifetip.api")
 
@@ -163,7 +164,6 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
         error.message,
         kind=f"urn:knifetip:problem:{word}",
         title=(inspect.getdoc(kind) or "").split("\n")[0].rstrip("."),
-        hint=error.hint,
         source=error.source,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
         revision=error.revision if isinstance(error, errors.StaleRevision) else None,
@@ -175,51 +175,45 @@ async def _request_problem(_request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
     found = error.errors()
     places = [".".join(str(step) for step in fault["loc"])[:200] for fault in found[:20]]
-    told = "; ".join(
-        f"{place}: {fault['msg']}" for place, fault in zip(places, found[:5], strict=False)
-    )
+    faults = [
+        f"{place}: {fault['msg']}"[:400] for place, fault in zip(places, found[:5], strict=False)
+    ]
     return problem(
         422,
-        f"The request cannot be read: {told[:1000]}.",
+        Message("request.invalid", faults=faults),
         kind="urn:knifetip:problem:request",
         title="The request cannot be read",
-        hint="See /api/openapi.json for what is expected.",
         source=places,
     )
 
 
 async def _http_problem(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
+    path = request.url.path[:200]
     match error.status_code:
         case 404:
-            detail = f"There is nothing at {request.url.path[:200]}."
-            hint = "See /api/openapi.json for what there is."
+            message = Message("request.nothing-there", path=path)
         case 405:
-            detail = f"{request.method} is not for {request.url.path[:200]}."
-            hint = "See /api/openapi.json for what is."
+            message = Message("request.wrong-method", method=request.method, path=path)
         case _:
-            detail, hint = str(error.detail)[:1000], ""
-    return problem(error.status_code, detail, hint=hint, headers=error.headers)
+            message = Message("request.refused", detail=str(error.detail)[:1000])
+    return problem(error.status_code, message, headers=error.headers)
 
 
 async def _stopping_problem(_request: Request, _error: Exception) -> Response:
-    return problem(503, "The server is stopping.", hint="Try again in a moment.")
+    return problem(503, Message("server.stopping"))
 
 
 async def _database_problem(request: Request, error: Exception) -> Response:
     if isinstance(error, sqlalchemy.exc.DataError):
-        return problem(422, "The request holds text or numbers that cannot be kept.")
+        return problem(422, Message("request.not-storable"))
     _log.error("%s %s", request.method, request.url.path, exc_info=error)
-    return problem(503, "The database does not answer.", hint="Try again in a moment.")
+    return problem(503, Message("server.database-silent"))
 
 
 async def _unforeseen_problem(request: Request, error: Exception) -> Response:
     _log.error("%s %s", request.method, request.url.path, exc_info=error)
-    return problem(
-        500,
-        "Something happened that nobody foresaw; nothing was cut.",
-        hint="The server's log has the details.",
-    )
+    return problem(500, Message("server.internal-error"))
 
 
 def _operation_id(route: APIRoute) -> str:

@@ -57,6 +57,7 @@ from knifetip.jobs.interpretations import drawing_columns, interpretation_of
 from knifetip.jobs.process_pool import TaskFailed
 from knifetip.jobs.tables import Drawing
 from knifetip.library import own
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 
@@ -97,7 +98,7 @@ def added(
     """Read, classify and keep a drawing."""
     if len(content) > here.settings.upload:
         raise DrawingTooLarge(
-            f"{name} is larger than {here.settings.upload >> 20} MB.", "Send a smaller drawing."
+            "drawing.upload-too-large", name=name, limit=here.settings.upload >> 20
         )
     rules = rules_named(here, profile)
     sha256 = hashlib.sha256(content).hexdigest()
@@ -257,13 +258,10 @@ def read(
             tasks.read, content, interpretation, handles, limit=here.settings.limit
         )
     except TaskFailed as reason:
-        raise NotADrawing(
-            f"{name}: the file is damaged in a way that reading stumbles over ({reason}).",
-            "Export it again as DXF, CF2, SVG or PDF, from another program if need be.",
-        ) from reason
+        raise NotADrawing("reading.crashed", name=name, reason=reason) from reason
     except KnifetipError as reason:
-        if not reason.message.startswith(name):
-            reason.message = f"{name}: {reason.message}"
+        if reason.message.arguments.get("name") != name:
+            reason.message = Message("error.in-file", name=name, error=reason.message)
         raise
 
 
@@ -316,7 +314,7 @@ def _changed(
         drawing = drawing_out(here, changed)
         response.headers["ETag"] = _etag_of(drawing)
         return drawing
-    raise WrongState(f"Drawing {id} is being changed again and again.", "Try again in a moment.")
+    raise WrongState("drawing.changing", drawing=id)
 
 
 def _etag_of(drawing: DrawingOut) -> str:
@@ -359,40 +357,29 @@ def _chosen(
 ) -> U8 | list[int]:
     by_layer = override.layer is not None or override.colour is not None
     if (override.edges is not None) + (override.handles is not None) + by_layer != 1:
-        raise RequestError(
-            "An override names its edges in one way.",
-            "Give edges, or handles, or layer and colour.",
-        )
+        raise RequestError("override.ambiguous")
     if override.edges is not None:
         if wrong := [str(row) for row in override.edges if not 0 <= row < count]:
             raise RequestError(
-                f"The drawing has {count} edges, so there is no edge {wrong[0][:20]}.",
-                "Edges are counted from 0.",
-                wrong[:20],
+                "override.no-such-edge", count=count, edge=wrong[0][:20], source=wrong[:20]
             )
         return override.edges
     if override.handles is not None:
         if wrong := [handle for handle in override.handles if handle not in rows_of]:
-            raise RequestError(
-                f"No edge has the handle {wrong[0][:40]!r}.",
-                "GET …/edges lists the handles.",
-                wrong[:20],
-            )
+            raise RequestError("override.no-such-handle", handle=wrong[0][:40], source=wrong[:20])
         return [row for handle in override.handles for row in rows_of[handle]]
     chosen = np.ones(count, bool)
     place = []
     if override.layer is not None:
         same = [index for index, name in enumerate(layers) if name == override.layer]
         chosen &= np.isin(columns["layer"], same)
-        place.append(f"on layer {override.layer[:80]!r}")
+        place.append(Message("override.on-layer", layer=override.layer[:80]))
     if override.colour is not None:
         colour = override.colour if 0 <= override.colour < 1000 else -1
         chosen &= columns["colour"] == colour
-        place.append(f"of colour {str(override.colour)[:20]}")
+        place.append(Message("override.of-colour", colour=str(override.colour)[:20]))
     if not chosen.any():
-        raise RequestError(
-            f"There is no edge {' and '.join(place)}.", "GET …/edges lists layers and colours."
-        )
+        raise RequestError("override.no-edges-there", place=place)
     return np.flatnonzero(chosen).tolist()
 
 

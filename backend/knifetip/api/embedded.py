@@ -108,9 +108,7 @@ def serve(
             server.table = _Table(_local(host), taken, speed, _beside(database))
         server.run(sockets=sockets)
     if not server.started:
-        raise StoreError(
-            f"The server did not start on {database}.", "The lines above say what was in the way."
-        )
+        raise StoreError("server.not-started", database=database)
 
 
 def _listening(host: str, port: int) -> list[socket.socket]:
@@ -137,8 +135,7 @@ def _bound(host: str, port: int) -> socket.socket:
     except OSError as reason:
         listener.close()
         raise StoreError(
-            f"{host}:{port} cannot be listened on: {reason.strerror or reason}.",
-            "Stop what uses it, or take another with --port.",
+            "server.address-in-use", host=host, port=port, reason=reason.strerror or reason
         ) from reason
     return listener
 

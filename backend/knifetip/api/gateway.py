@@ -73,7 +73,7 @@ async def get_gateway_program(here: Here, request: Request, id: str) -> Response
     """Return the program of a job that a gateway has claimed."""
     job = await here.threads.claims(here.store.job, id)
     if job.state not in ON_TABLE and not job.confirmation:
-        raise WrongState(f"Job {id} is {job.state}, so no machine runs it.", "Claim it first.")
+        raise WrongState("job.not-running", job=id, state=job.state)
     text = await here.threads.claims(here.store.job_column, id, "program")
     return bytes_answer(request, text, job.program_sha256, "text/plain; charset=utf-8")
 

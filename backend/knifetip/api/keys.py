@@ -25,7 +25,7 @@ def chosen(key: str, file: Path | None) -> str:
         Both are named, the key is no key, or the file cannot be used.
     """
     if key and file is not None:
-        raise SettingsError("A key and a key file are both given.", "Give one of them.")
+        raise SettingsError("settings.two-keys")
     if file is not None:
         return _kept(file)
     return _checked(key, "The key") if key else ""
@@ -41,19 +41,13 @@ def _kept(file: Path) -> str:
                 stream.write(secrets.token_urlsafe(24) + "\n")
         text = file.read_text("ascii").strip()
     except (OSError, UnicodeDecodeError) as reason:
-        raise SettingsError(
-            f"The key file {file} cannot be used: {reason}.", "Name a file that can be written."
-        ) from reason
+        raise SettingsError("settings.key-file", file=file, reason=reason) from reason
     return _checked(text, f"The key in {file}")
 
 
 def _checked(key: str, what: str) -> str:
     if _KEY.fullmatch(key) is None:
-        raise SettingsError(
-            f"{what} must have {SHORTEST} to 200 ASCII characters without spaces, and has "
-            f"{len(key)}.",
-            "With --key-file PATH a random key is made.",
-        )
+        raise SettingsError("settings.bad-key", what=what, shortest=SHORTEST, length=len(key))
     return key
 
 
@@ -67,7 +61,5 @@ def checked_hosts(hosts: Sequence[str]) -> tuple[str, ...]:
     """
     for host in hosts:
         if authority(host) is None:
-            raise SettingsError(
-                f"{host[:100]!r} is not a host name.", "Name it as NAME or NAME:PORT."
-            )
+            raise SettingsError("settings.bad-host", host=host[:100])
     return tuple(hosts)

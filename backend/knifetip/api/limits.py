@@ -11,6 +11,7 @@ from fastapi import Response
 from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from knifetip import messages
 from knifetip.api.problems import problem
 
 
@@ -67,10 +68,10 @@ class Limits:
 
 
 def _refusal(limit: int, multipart: bool) -> Response:
+    code = "request.upload-too-large" if multipart else "request.body-too-large"
     return problem(
         413,
-        f"A request may have {limit >> 20} MB here.",
+        messages.Message(code, limit=limit >> 20),
         title="Content Too Large",
-        hint="Send a smaller drawing." if multipart else "Send it in several requests.",
         headers={"Connection": "close"},
     )

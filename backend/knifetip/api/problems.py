@@ -9,18 +9,17 @@ from typing import Any
 from fastapi import Response
 
 from knifetip.api.schemas.common import Problem
-from knifetip.messages import printable
+from knifetip.messages import Message, printable
 
 PROBLEM = "application/problem+json"
 
 
 def problem(
     status: int,
-    detail: str,
+    message: Message,
     *,
     kind: str = "about:blank",
     title: str = "",
-    hint: str = "",
     source: Sequence[str] = (),
     questions: Sequence[dict[str, Any]] = (),
     revision: int | None = None,
@@ -29,8 +28,7 @@ def problem(
     """Return an error as RFC 9457 has it; ``title`` defaults to the phrase of the status."""
     body = Problem.model_validate(
         {
-            "text": detail,
-            "hint": hint,
+            **message.as_json(),
             "type": kind,
             "title": title or http.HTTPStatus(status).phrase,
             "status": status,

@@ -158,9 +158,7 @@ def _version(match: str | None) -> tuple[int | None, bool]:
         return None, True
     found = re.fullmatch(r'\s*(?:W/)?"?(\d{1,9})"?\s*', match)
     if found is None:
-        raise RequestError(
-            f"If-Match is {match!r}, which is no version.", 'Send the ETag that came: "3".'
-        )
+        raise RequestError("profile.bad-if-match", match=match)
     return int(found[1]), False
 
 
@@ -171,9 +169,7 @@ def _profile_in(body: bytes) -> ProfileIn:
         fault = reason.errors(include_url=False, include_context=False, include_input=False)[0]
         place = _place(fault["loc"])
         raise ProfileError(
-            f"The profile cannot be read: {' '.join(place)}: {fault['msg']}.",
-            "See ProfileIn in /api/openapi.json for what is expected.",
-            place,
+            "profile.invalid-field", place=" ".join(place), fault=fault["msg"], source=place
         ) from reason
 
 
@@ -192,17 +188,12 @@ def _place(loc: tuple[int | str, ...]) -> tuple[str, ...]:
 def _text(name: str, body: bytes) -> str:
     if len(body) > own.LONGEST:
         raise ProfileError(
-            f"The profile {name!r} is {len(body) >> 10} kB long, and may have "
-            f"{own.LONGEST >> 10} kB.",
-            "A rule takes many layers at once, and * stands for any letters.",
+            "profile.too-long", name=name, size=len(body) >> 10, limit=own.LONGEST >> 10
         )
     try:
         return body.decode("utf-8-sig")
     except UnicodeDecodeError as reason:
-        raise ProfileError(
-            f"The profile {name!r} is not text in UTF-8: byte {reason.start} is none of it.",
-            "Save it as UTF-8.",
-        ) from reason
+        raise ProfileError("profile.not-utf8-byte", name=name, byte=reason.start) from reason
 
 
 def _shipped_out(name: str) -> ProfileOut:
@@ -220,7 +211,7 @@ def _kept_out(row: Profile) -> ProfileOut:
             version=row.version,
             updated=row.updated,
             rules=[],
-            fault=reason.message,
+            fault=reason.text,
         )
 
 

@@ -98,8 +98,7 @@ def on_shelf(shelf: str, name: str) -> str:
     known = load.names(shelf)
     if name not in known:
         raise LibraryError(
-            f"There is no {shelf.removesuffix('s')} {name[:80]!r}.",
-            f"There are {', '.join(known)}.",
+            "library.unknown", shelf=shelf.removesuffix("s"), name=name[:80], known=known
         )
     return name
 
@@ -118,19 +117,14 @@ def rules_named(here: Service, name: str) -> str:
     known = load.names("profiles")
     if name not in known:
         known = [*(row.name for row in here.store.profiles()), *known]
-        raise LibraryError(
-            f"There is no profile {name[:80]!r}.", f"There are {', '.join(known[:40])}."
-        )
+        raise LibraryError("library.unknown", name=name[:80], known=known[:40], shelf="profile")
     return ""
 
 
 def not_shipped(here: Service, name: str) -> None:
     """Raise WrongState for a profile that is shipped: it stays as it is."""
     if name in load.names("profiles") and here.store.profile(name) is None:
-        raise WrongState(
-            f"The profile {name!r} is shipped with knifetip and stays as it is.",
-            "Keep yours under another name; it may extend this one.",
-        )
+        raise WrongState("profile.shipped", name=name)
 
 
 def next_page(response: Response, path: str, cursor: int | None, limit: int) -> None:

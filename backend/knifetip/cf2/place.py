@@ -141,9 +141,7 @@ class _Walk:
                     raise self._too_deep()
                 if total > self._limits.expanded:
                     raise DrawingTooLarge(
-                        "The subroutines of the CF2 stand for more than "
-                        f"{self._limits.expanded:,} records.",
-                        "Export a single carton.",
+                        "reading.expands-too-far", limit=self._limits.expanded, format="CF2"
                     )
             return total, deep
 
@@ -153,8 +151,7 @@ class _Walk:
 
     def _too_deep(self) -> DrawingTooLarge:
         return DrawingTooLarge(
-            f"Subroutines of the CF2 call each other more than {self._limits.insert_depth} deep.",
-            "Export a single carton.",
+            "reading.nested-too-deep", limit=self._limits.insert_depth, format="CF2"
         )
 
     def section(
@@ -257,8 +254,7 @@ class _Walk:
         self._segments += len(bulge)
         if self._segments > self._limits.segments:
             raise DrawingTooLarge(
-                f"The CF2 has more than {self._limits.segments:,} lines and arcs.",
-                "Export a single carton.",
+                "reading.too-many-segments", limit=self._limits.segments, format="CF2"
             )
 
     def _drawn(self, section: Section) -> _Shape:

@@ -67,8 +67,7 @@ def read(
         raise
     except (ValueError, ArithmeticError, LookupError) as error:
         raise NotADrawing(
-            f"The CF2 is damaged in a way that reading stumbles over: {type(error).__name__}.",
-            "Export it again, from another program if need be.",
+            "reading.unexpected", reason=type(error).__name__, format="CF2"
         ) from error
 
 

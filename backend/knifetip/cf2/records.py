@@ -23,9 +23,6 @@ from typing import Final, NamedTuple
 from knifetip.errors import DrawingTooLarge, NotADrawing
 from knifetip.formats.limits import Limits
 
-_AGAIN: Final = "Send or export it again."
-_DECIMALS: Final = "Export it with decimal points instead of commas."
-
 #: Fields that a record has at the least, and from which number on it has decimal commas in it.
 _FIELDS: Final = {"L": (8, 13), "A": (11, 17)}
 #: Words before the first comma that begin a section that draws.
@@ -101,15 +98,9 @@ def source(text: str, limits: Limits) -> Source:
     found = reading.source
     unfinished = [section for section in reading.open if section]
     if unfinished:
-        raise NotADrawing(
-            f"The CF2 is cut short: it stops at line {reading.number} inside "
-            f"{unfinished[-1]}, so lines may be missing.",
-            _AGAIN,
-        )
+        raise NotADrawing("cf2.cut-short", line=reading.number, inside=unfinished[-1])
     if found.main is None and not found.subs:
-        raise NotADrawing(
-            "The CF2 draws nothing: it has neither a MAIN section nor a subroutine.", _AGAIN
-        )
+        raise NotADrawing("cf2.empty")
     return found
 
 
@@ -181,8 +172,7 @@ class _Reading:
         self.source.records += 1
         if self.source.records > self._limits.entities:
             raise DrawingTooLarge(
-                f"The CF2 has more than {self._limits.entities:,} records.",
-                "Export a single carton.",
+                "reading.too-many-elements", limit=self._limits.entities, format="CF2"
             )
         return self.source.records
 
@@ -207,10 +197,11 @@ class _Reading:
             self._commas += 1
             if self._commas > 3:
                 raise NotADrawing(
-                    f"Line {self.number} of the CF2 has {len(fields)} fields where {kind} has "
-                    f"{many - 3}: its decimals seem to be written with commas, which also part "
-                    "the fields.",
-                    _DECIMALS,
+                    "cf2.decimal-commas",
+                    line=self.number,
+                    fields=len(fields),
+                    record=kind,
+                    expected=many - 3,
                 )
         section.row(entity, kind, f"line {self.number} has {len(fields)} fields")
 

@@ -170,15 +170,10 @@ def clean(dieline: Dieline) -> Cleaned:
     """
     bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
     if bad.any():
-        raise GeometryError(
-            f"Edge {int(np.argmax(bad))} has a coordinate that is not a number.", "Draw it again."
-        )
+        raise GeometryError("edge.not-finite", edge=int(np.argmax(bad)))
     far = np.abs(dieline.ends).max(axis=(1, 2), initial=0.0)
     if (far > _FAR).any():
-        raise GeometryError(
-            f"Edge {int(far.argmax())} lies {far.max():.3g} mm from the drawing's origin.",
-            "Check the drawing's unit, or delete what was drawn out there.",
-        )
+        raise GeometryError("edge.too-far", edge=int(far.argmax()), distance=far.max())
     length = arc.length(dieline.ends[:, 0], dieline.ends[:, 1], dieline.bulge)
     at_work = RANK[dieline.line_type] > 0
     solid = np.flatnonzero(at_work & (length >= POINT))

@@ -84,10 +84,7 @@ def parted(ends: F64, bulge: F64, kind: U8) -> Pieces:
         rows, kind[alone].astype(np.int64), order, other[by_edge], bounds, HIDES, SAME, most
     )
     if len(edge) > most:
-        raise DrawingTooLarge(
-            f"{len(alone):,} edges lie on each other in more than {most:,} places.",
-            "Delete from the drawing what is drawn many times over.",
-        )
+        raise DrawingTooLarge("edge.too-many-overlaps", edges=len(alone), limit=most)
     # In the order of the drawing, pieces of one edge from its start to its end.
     straight = np.argsort(owner, kind="stable")
     number = np.empty(len(owner), np.int32)

@@ -40,19 +40,18 @@ def points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, float
     try:
         rows = list(csv.DictReader(io.StringIO(data.decode("utf-8-sig")), strict=True))
     except (UnicodeDecodeError, csv.Error) as reason:
-        raise LibraryError(f"{name} is no CSV: {reason}.", "Save it as CSV in UTF-8.") from reason
+        raise LibraryError("calibration.not-csv", file=name, reason=reason) from reason
     azimuths, measured = [], []
     for line, row in enumerate(rows, 2):
         if lost := [column for column in _COLUMNS if row.get(column) is None]:
             raise LibraryError(
-                f"{name}, line {line}: there is no {' or '.join(lost)}.",
-                "Its first line is azimuth,dx,dy; then degrees and mm follow, as 45,-0.05,0.06.",
+                "calibration.missing-column", file=name, line=line, columns=" or ".join(lost)
             )
         try:
             azimuth, dx, dy = (float(row[column]) for column in _COLUMNS)
         except ValueError as reason:
             raise LibraryError(
-                f"{name}, line {line}: {reason}.", "Write numbers with a decimal point."
+                "calibration.not-a-number", file=name, line=line, reason=reason
             ) from reason
         azimuths.append(azimuth)
         measured.append((dx, dy))
@@ -91,7 +90,10 @@ def register(app: typer.Typer) -> None:
         cutters = [one.name for one in table.stations if one.tool.yields]
         if tool is None and len(cutters) > 1:
             raise LibraryError(
-                f"{table.title} has {len(cutters)} cutters.", f"Choose one: {', '.join(cutters)}."
+                "calibration.choose-cutter",
+                machine=table.title,
+                count=len(cutters),
+                cutters=cutters,
             )
         station = load.cutter_of(table, tool or next(iter(cutters), ""))
         azimuths, measured = points(file.name, read_bytes(file))

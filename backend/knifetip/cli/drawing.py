@@ -68,16 +68,18 @@ def load_drawing(file: Path, unit: str | None, profile: str, layers: list[str] |
     for pair in layers or []:
         name, equals, word = pair.rpartition("=")
         if not equals:
-            raise LibraryError(f"--layer {pair!r} is not NAME=TYPE.", "Write --layer FOLDS=crease.")
+            raise LibraryError("command.bad-layer", pair=pair)
         try:
             kind = LineType.of(word)
         except ValueError as reason:
-            raise LibraryError(f"--layer {pair!r}: {reason}.", "Choose one of them.") from reason
+            raise LibraryError("command.bad-line-type", pair=pair, reason=reason) from reason
         rows = [i for i, layer in enumerate(drawing.layers) if layer.casefold() == name.casefold()]
         if not rows:
             raise LibraryError(
-                f"There is no layer {name!r} in {file.name}.",
-                f"There are {', '.join(repr(layer) for layer in drawing.layers)}.",
+                "command.no-such-layer",
+                layer=name,
+                file=file.name,
+                layers=(repr(layer) for layer in drawing.layers),
             )
         overrides[np.isin(drawing.layer, rows)] = kind
     return Read(data, drawing, pipeline.classify(drawing, named(profile), overrides))

@@ -17,6 +17,7 @@ import typer
 from knifetip.cli.drawing import Json
 from knifetip.cli.terminal import show
 from knifetip.errors import JobError
+from knifetip.messages import from_json
 
 Server = Annotated[
     str, typer.Option(envvar="KNIFETIP_SERVER", help="URL of the server.", show_default=True)
@@ -68,20 +69,16 @@ class JobClient:
                 method, url, params=params, json=body, headers=self._headers, timeout=30.0
             )
         except (httpx.HTTPError, httpx.InvalidURL) as reason:
-            raise JobError(
-                f"{self._server} cannot be reached: {reason}.", "Check --server and the network."
-            ) from reason
+            raise JobError("server.unreachable", server=self._server, reason=reason) from reason
         try:
             content = answer.json()
         except ValueError:
             content = {}
         if answer.is_success:
             return content
-        problem = content if isinstance(content, dict) else {}
-        raise JobError(
-            str(problem.get("detail") or f"{url} answered {answer.status_code}."),
-            str(problem.get("hint", "")),
-        )
+        if isinstance(content, dict) and "detail" in content:
+            raise JobError(from_json({"text": content["detail"], **content}))
+        raise JobError("server.answered", url=url, status=answer.status_code)
 
     def job(self, id: str) -> dict[str, Any]:
         """Return a job."""

@@ -93,7 +93,7 @@ def register(app: typer.Typer) -> None:
         try:
             text = read_bytes(file).decode("utf-8-sig")
         except UnicodeDecodeError as reason:
-            raise ProfileError(f"{file} is not text in UTF-8.", "Save it as UTF-8.") from reason
+            raise ProfileError("profile.not-utf8", name=file) from reason
         rules = own.parsed(called, text)
         typer.echo(f"{called}: {rules.title}, {len(rules.rules)} rules")
         url = database_of(database)
@@ -101,10 +101,7 @@ def register(app: typer.Typer) -> None:
             typer.echo("No database: nothing was kept. Name one with --database.")
             return
         if called in load.names("profiles"):
-            raise LibraryError(
-                f"The profile {called!r} is shipped with knifetip and stays as it is.",
-                "Keep yours under another --name.",
-            )
+            raise LibraryError("profile.shipped-command", name=called)
         from knifetip.jobs.store import Store
 
         store = Store(url)

@@ -74,10 +74,7 @@ def choice(text: str) -> CornerAt:
     """
     found = _CHOICE.fullmatch(text)
     if found is None:
-        raise PlanError(
-            f"--corner-at {text!r} is not X,Y=TYPE or X,Y=TYPE:K.",
-            "Write --corner-at 300,100=C, or 300,100=D:0.3.",
-        )
+        raise PlanError("command.bad-corner", text=text)
     k = None if found["k"] is None else float(found["k"])
     return CornerAt(float(found["x"]), float(found["y"]), found["type"], k)
 
@@ -282,10 +279,7 @@ def register(app: typer.Typer) -> None:
         text = read_bytes(program)
         where = placement_of(text, table)
         if where is None:
-            raise ProgramUnreadable(
-                f"{program.name} does not say where on the sheet it places the drawing.",
-                "Its header needs a comment like (placement X20.0000 Y20.0000).",
-            )
+            raise ProgramUnreadable("program.no-placement", program=program.name)
         verdict = pipeline.verify(text, drawn.dieline, where, table, sheet)
         if json:
             show(judged(verdict, drawn.drawing))

@@ -55,8 +55,8 @@ def text_of(name: str, database: str | None = None) -> str:
     theirs = kept(database)
     if name in theirs:
         return theirs[name]
-    known = ", ".join([*theirs, *load.names("profiles")])
-    raise LibraryError(f"There is no profile {name[:200]!r}.", f"There are {known}.")
+    known = [*theirs, *load.names("profiles")]
+    raise LibraryError("library.unknown", name=name[:200], known=known, shelf="profile")
 
 
 def named(name: str, database: str | None = None) -> LineRules:

@@ -158,6 +158,5 @@ def register(app: typer.Typer) -> None:
             )
         except OSError as reason:
             raise StoreError(
-                f"{host}:{port} cannot be listened on: {reason.strerror or reason}.",
-                "Stop what uses it, or take another with --port.",
+                "server.address-in-use", host=host, port=port, reason=reason.strerror or reason
             ) from reason

@@ -38,7 +38,7 @@ def report_error(error: KnifetipError) -> None:
         for question in error.questions:
             print_stderr(f"? {from_json(question)}")
         return
-    print_stderr(f"knifetip: {error.message}", "red")
+    print_stderr(f"knifetip: {error.text}", "red")
     if error.hint:
         print_stderr(error.hint)
 
@@ -71,13 +71,10 @@ def read_bytes(path: Path) -> bytes:
             data = file.read(most + 1)
     except OSError as reason:
         raise NotADrawing(
-            f"{path}: {reason.strerror or reason}.",
-            "Check the name and the permissions of the file.",
+            "command.unreadable-file", path=path, reason=reason.strerror or reason
         ) from reason
     if len(data) > most:
-        raise DrawingTooLarge(
-            f"{path} is larger than {most >> 20} MB.", "Export a single carton, without pictures."
-        )
+        raise DrawingTooLarge("command.file-too-large", path=path, limit=most >> 20)
     return data
 
 
@@ -94,7 +91,7 @@ def write_bytes(path: Path, data: bytes) -> None:
         path.write_bytes(data)
     except OSError as reason:
         raise LibraryError(
-            f"{path} cannot be written: {reason.strerror or reason}.", "Choose another place."
+            "command.unwritable-file", path=path, reason=reason.strerror or reason
         ) from reason
 
 

@@ -172,14 +172,13 @@ def corners(operation: Operation) -> tuple[U8, F64]:
     if not within.all():
         bad = int(np.argmin(within))
         raise CompensationError(
-            f"The knob k at the corner where edge {operation.source[bad]} begins is {k[bad]:g}.",
-            "Give a k from 0 (as B) to 1 (as C).",
-            [str(operation.source[bad])],
+            "corner.bad-k",
+            edge=operation.source[bad],
+            k=f"{k[bad]:g}",
+            source=[str(operation.source[bad])],
         )
     if operation.corner not in TYPES:
-        raise CompensationError(
-            f"There is no corner type {operation.corner!r}.", "There are B, C, D and auto."
-        )
+        raise CompensationError("corner.unknown-type", type=operation.corner)
     kind = np.where(
         operation.corner_at == AS_OTHERS, TYPES.index(operation.corner), operation.corner_at
     ).astype(np.uint8)

@@ -98,11 +98,12 @@ def _pressed(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
     if len(bad):
         listed = operation.source[rows[bad]]
         raise EdgeTooShort(
-            f"The crease at edge {listed[0]} is {length[bad[0]]:.2f} mm long, too short for a "
-            f"wheel of {wheel.radius:.1f} mm radius that keeps "
-            f"{operation.end_clearance:.2f} mm off its ends.",
-            "Join it to its neighbour, ignore it, or let the board press short creases in place.",
-            [str(row) for row in listed[:10]],
+            "crease.too-short",
+            edge=listed[0],
+            length=length[bad[0]],
+            radius=wheel.radius,
+            clearance=operation.end_clearance,
+            source=[str(row) for row in listed[:10]],
         )
     depth = np.minimum(depth_that_fits(half, wheel), operation.depth[rows, 0])
     pose = np.column_stack([xy, operation.caliper - depth, heading])

@@ -76,27 +76,24 @@ def calibrated(tangent: F64, measured: F64, side: int) -> tuple[float, float]:
         board, which is a wrong side or a wrong sign.
     """
     if len(tangent) == 0 or not (np.isfinite(tangent).all() and np.isfinite(measured).all()):
-        raise CompensationError(
-            f"The {len(tangent)} measured points have a value that is not a number, or are none.",
-            "Measure at least one point on a slanting part of the contour.",
-        )
+        raise CompensationError("calibration.bad-points", count=len(tangent))
     cos, sin = unit(tangent).T
     weight = np.array([(sin * sin).sum(), (cos * cos).sum()])
     for axis, direction, other in ((0, "Y", "δx"), (1, "X", "δy")):
         if weight[axis] < _LEAST:
             along = "X" if axis == 0 else "Y"
             raise CompensationError(
-                f"The contour runs along {along} at every measured point (the squares that decide "
-                f"{other} add up to {weight[axis]:.4f}, and {_LEAST} is needed).",
-                f"Measure one more point where the contour runs along {direction}, or at 45°.",
+                "calibration.undetermined",
+                along=along,
+                other=other,
+                weight=weight[axis],
+                least=_LEAST,
+                direction=direction,
             )
     sums = side * np.array([-(measured[:, 0] * sin).sum(), (measured[:, 1] * cos).sum()])
     x, y = (sums / weight).tolist()
     if min(x, y) < -_NOISE:
-        raise CompensationError(
-            f"The measured points have the tool drawn into the board (δx {x:.3f}, δy {y:.3f} mm).",
-            "Look at the signs of ΔX and ΔY, and at the side on which the tool runs.",
-        )
+        raise CompensationError("calibration.wrong-sign", x=x, y=y)
     return max(x, 0.0), max(y, 0.0)
 
 
@@ -157,10 +154,11 @@ class _Ways:
         if tight.any():
             row = int(np.argmax(tight))
             raise CompensationError(
-                f"The centre goes round an arc of {radius[row]:.3f} mm near "
-                f"({start[row, 0]:.2f}, {start[row, 1]:.2f}), and the tool gives way by "
-                f"{max(x, y):.3f} mm.",
-                "Take a smaller k or the B type, or measure the deflection again.",
+                "deflection.arc-too-small",
+                radius=radius[row],
+                x=start[row, 0],
+                y=start[row, 1],
+                deflection=max(x, y),
             )
         self.middle = middle
         first = np.arctan2(*(start - middle).T[::-1])
@@ -211,11 +209,7 @@ class _Ways:
         if lost.any():
             row = int(np.argmax(lost))
             place = paths.start[row]
-            raise CompensationError(
-                f"Near ({place[0]:.2f}, {place[1]:.2f}) the centre's way is too short, or turns "
-                "back too sharply, to be aimed deeper by the deflection.",
-                "Join short edges there, or measure the deflection again.",
-            )
+            raise CompensationError("deflection.path-too-short", x=place[0], y=place[1])
         return low, high
 
     def arcs(

@@ -91,10 +91,11 @@ def _with_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
     if len(short):
         listed = operation.source[last[short]]
         raise EdgeTooShort(
-            f"The cut at edge {listed[0]} is {length[short[0]]:.2f} mm long, and ends inside a "
-            f"panel or at a bridge; the slanted blade needs {lead[short[0]]:.2f} mm.",
-            "Ignore it, join it to another cut, or take a steeper blade.",
-            [str(row) for row in listed[:10]],
+            "cut.too-short",
+            edge=listed[0],
+            length=length[short[0]],
+            lead=lead[short[0]],
+            source=[str(row) for row in listed[:10]],
         )
     cut, rows = trimmed(paths, np.zeros(len(paths)), np.where(free, lead, 0.0))
     again, more = _openings(paths, np.where(finish == End.CLOSED, overrun, 0.0))

@@ -30,6 +30,7 @@ from knifetip.geometry.grid import touching
 from knifetip.geometry.offset import equidistant
 from knifetip.geometry.path import Paths, begun_in_middle, interrupted, reversed_where
 from knifetip.geometry.tolerance import JOIN, POINT
+from knifetip.messages import Message
 from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
 from knifetip.model.toolpath import Motion, Toolpath
@@ -76,8 +77,10 @@ def centres(operation: Operation) -> Centres:
             )  # fmt: skip
         except (CompensationError, GeometryError) as reason:
             edges = [str(operation.source[int(row)]) for row in reason.source]
-            named = f"At edge {' and edge '.join(edges)}: " if edges else ""
-            raise CompensationError(named + reason.message, reason.hint, edges) from None
+            message = reason.message
+            if edges:
+                message = Message("error.at-edges", edges=edges, error=message)
+            raise CompensationError(message, source=edges) from None
         paths, segment, unreached = beside.paths, beside.source, beside.unreached
         _refuse_lost(operation, cutter, segment)
         paths, rows = deflected(paths, operation.side, *operation.deflection)
@@ -92,10 +95,11 @@ def _refuse_lost(operation: Operation, cutter: DiscTool, segment: I32) -> None:
     if len(lost):
         rows = operation.source[operation.paths.first[lost]]
         raise CompensationError(
-            f"The cutter of {2.0 * cutter.radius:.2f} mm does not fit the contour at edge {rows[0]}"
-            f" anywhere, and {len(lost) - 1} more.",
-            "Take a thinner cutter, or ignore the contour.",
-            [str(row) for row in rows[:10]],
+            "cutter.does-not-fit",
+            diameter=2.0 * cutter.radius,
+            edge=rows[0],
+            others=len(lost) - 1,
+            source=[str(row) for row in rows[:10]],
         )
 
 
@@ -150,11 +154,7 @@ def radius(operation: Operation) -> Toolpath:
     cutter = operation.tool
     assert isinstance(cutter, DiscTool)
     if operation.side != 0 and cutter.set_up <= cutter.radius:
-        raise CompensationError(
-            f"The offset would be set up on a block of {cutter.set_up:g} mm, and r is "
-            f"{cutter.radius:g} mm.",
-            "Give the cutter a lead longer than its radius.",
-        )
+        raise CompensationError("cutter.short-lead", lead=cutter.set_up, radius=cutter.radius)
     way, held = _bridged(operation, cutter, centres(operation))
     paths, rows, motion = _with_leads(operation, cutter, way, held)
     loose = paths.end[paths.first[1:] - 1] - paths.start[paths.first[:-1]]
@@ -228,10 +228,10 @@ def _bridged(operation: Operation, cutter: DiscTool, way: Centres) -> tuple[Cent
     if len(lost):
         edge = operation.source[segment[lost[0]]]
         raise CompensationError(
-            f"The cutter does not come to the contour at edge {edge} where a bridge is due, "
-            f"{at[lost[0]]:.1f} mm along it.",
-            "Take a thinner cutter, another spacing of bridges, or a board without them.",
-            [str(operation.source[segment[bad]]) for bad in lost[:10]],
+            "cutter.misses-bridge",
+            edge=edge,
+            distance=at[lost[0]],
+            source=[str(operation.source[segment[bad]]) for bad in lost[:10]],
         )
     size = arc.length(paths.start, paths.end, paths.bulge)
     begin = np.cumsum(size) - size

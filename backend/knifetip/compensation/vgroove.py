@@ -238,10 +238,7 @@ def _refuse(operation: Operation, cutter: VCutter) -> None:
     if len(curved):
         rows = operation.source[curved]
         raise CurvedGroove(
-            f"{len(curved)} V-groove edges are arcs, the first of them edge {rows[0]}; "
-            "a straight blade cannot follow an arc.",
-            "Draw them as straight lines, or give them another line type.",
-            [str(row) for row in rows[:10]],
+            "groove.curved", count=len(curved), edge=rows[0], source=[str(row) for row in rows[:10]]
         )
     blade = 2.0 * cutter.half_width
     length = paths.lengths
@@ -249,26 +246,28 @@ def _refuse(operation: Operation, cutter: VCutter) -> None:
     if len(short):
         rows = operation.source[paths.first[short]]
         raise EdgeTooShort(
-            f"The V-groove at edge {rows[0]} is {length[short[0]]:.2f} mm long, and the blade is "
-            f"{blade:.2f} mm wide.",
-            "Draw the groove longer, or take a narrower blade.",
-            [str(row) for row in rows[:10]],
+            "groove.too-short",
+            edge=rows[0],
+            length=length[short[0]],
+            blade=blade,
+            source=[str(row) for row in rows[:10]],
         )
     deep = np.flatnonzero((operation.depth >= operation.caliper).any(axis=1))
     if len(deep):
         rows = operation.source[deep]
         raise GrooveTooDeep(
-            f"The V-groove at edge {rows[0]} is {operation.depth[deep[0]].max():.2f} mm deep, and "
-            f"the board only {operation.caliper:.2f} mm.",
-            "Take a shallower groove or a thicker board.",
-            [str(row) for row in rows[:10]],
+            "groove.too-deep",
+            edge=rows[0],
+            depth=operation.depth[deep[0]].max(),
+            caliper=operation.caliper,
+            source=[str(row) for row in rows[:10]],
         )
     # Past an end on the board's edge the blade runs freely.
     inside = np.flatnonzero((operation.start == End.FREE) | (operation.finish == End.FREE))
     if blade > operation.overcut and len(inside):
         raise GrooveTooDeep(
-            f"The blade runs {blade:.2f} mm past each end of a V-groove inside the board, and the "
-            f"board allows {operation.overcut:.2f} mm.",
-            "Take a narrower blade, or allow a longer overcut for this board.",
-            [str(row) for row in operation.source[paths.first[inside[:10]]]],
+            "groove.overcut",
+            overrun=blade,
+            allowed=operation.overcut,
+            source=[str(row) for row in operation.source[paths.first[inside[:10]]]],
         )

@@ -106,10 +106,7 @@ def columns(
 
 def too_many(limits: Limits, what: str) -> DrawingTooLarge:
     """Return the error for a file with more segments than the limit."""
-    return DrawingTooLarge(
-        f"The {what} has more than {limits.segments:,} lines and curves.",
-        "Export a single carton, without pictures made of lines.",
-    )
+    return DrawingTooLarge("reading.too-many-segments", format=what, limit=limits.segments)
 
 
 def boxes(table: Table, matrix: F64) -> F64:
@@ -269,10 +266,7 @@ def _segments(
     ):
         for low in range(0, len(which), _BLOCK):
             if time.monotonic() > until:
-                raise DrawingTooLarge(
-                    f"The {what} takes longer than {limits.seconds:g} s to read.",
-                    "Export a single carton, and curves as lines and arcs.",
-                )
+                raise DrawingTooLarge("reading.too-slow", format=what, seconds=limits.seconds)
             part = _fitted(placed, which[low : low + _BLOCK], numbers, point, tangent, tolerance)
             total += len(part[1])
             if total > limits.segments:
@@ -378,7 +372,7 @@ def _fitted(
         )
     except GeometryError as reason:
         if len(which) == 1:
-            placed.failed[int(numbers[which[0]])] = reason.message
+            placed.failed[int(numbers[which[0]])] = reason.text
             return np.zeros((0, 2, 2)), np.zeros(0), np.zeros(0, np.int64)
         middle = len(which) // 2
         halves = [

@@ -91,7 +91,7 @@ def columns(
         try:
             ends, bulge = _realised(placed, tolerance)
         except GeometryError as reason:
-            sheet.dropped[placed.row] = reason.message
+            sheet.dropped[placed.row] = reason.text
             continue
         sheet.notes.setdefault(placed.row, []).append(
             f"fitted with {len(bulge)} lines and arcs within {tolerance:.2g} file units{share}"
@@ -126,19 +126,13 @@ def styled(found: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
 def refuse_after(until: float, limits: Limits) -> None:
     """Raise DrawingTooLarge when the time is up."""
     if time.monotonic() > until:
-        raise DrawingTooLarge(
-            f"The drawing takes longer than {limits.seconds:g} s to read.",
-            "Export a single carton, and curves as lines and arcs.",
-        )
+        raise DrawingTooLarge("reading.too-slow", seconds=limits.seconds, format="drawing")
 
 
 def refuse_beyond(total: int, limits: Limits) -> None:
     """Raise DrawingTooLarge for more segments than the limits allow."""
     if total > limits.segments:
-        raise DrawingTooLarge(
-            f"The drawing has more than {limits.segments:,} lines and arcs.",
-            "Export a single carton, and curves as lines and arcs.",
-        )
+        raise DrawingTooLarge("reading.too-many-segments", limit=limits.segments, format="drawing")
 
 
 def _box(ends: F64) -> tuple[F64, F64]:

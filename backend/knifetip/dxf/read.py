@@ -45,9 +45,6 @@ logging.getLogger("ezdxf").addHandler(logging.NullHandler())
 #: How a DXF begins.
 _CODE: Final = re.compile(rb" *\d")
 
-_EXPORT: Final = "Export the drawing as DXF (ASCII or binary, any version)."
-_AGAIN: Final = "Export it again, or open it in a CAD program, audit it and save it as DXF R2000."
-
 
 def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> Drawing:
     """Return the drawing that a DXF holds.
@@ -86,9 +83,8 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
         raise
     except Exception as error:
         # ezdxf makes no promise on hostile bytes, and a user's file must never end in a traceback.
-        raise NotADrawing(
-            f"The DXF is damaged past repair: {type(error).__name__}: {_short(error)}.", _AGAIN
-        ) from error
+        reason = f"{type(error).__name__}: {_short(error)}"
+        raise NotADrawing("reading.damaged", format="DXF", reason=reason) from error
 
 
 def quickly(data: bytes, unit: str, given: float, limits: Limits) -> Drawing | None:
@@ -107,12 +103,10 @@ def quickly(data: bytes, unit: str, given: float, limits: Limits) -> Drawing | N
 def by_ezdxf(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
     """Read by way of ezdxf, or say why not."""
     if (kind := format_of(data)).name != "dxf":
-        raise NotADrawing(f"The file is {kind.title}, not a DXF.", _EXPORT)
+        raise NotADrawing("dxf.other-kind", kind=kind.title)
     if len(data) > limits.slow_bytes:
         raise DrawingTooLarge(
-            f"The DXF has {len(data) / 2**20:.1f} MB, and something in it is unusual; "
-            f"the limit for such a file is {limits.slow_bytes / 2**20:.1f} MB.",
-            "Export a single carton, or save it as DXF R2000.",
+            "dxf.too-large-unusual", size=len(data) / 2**20, limit=limits.slow_bytes / 2**20
         )
     counted = census(data)
     _check(data, counted, limits)
@@ -145,25 +139,17 @@ def _check(data: bytes, counted: Census, limits: Limits) -> None:
     if not counted.sections:
         if counted.broken:
             line = data.split(b"\n")[counted.broken - 1][:40].decode("ascii", "replace").strip()
-            raise NotADrawing(
-                f"The file is not a DXF: line {counted.broken} is {line!r}, not a group code.",
-                _EXPORT,
-            )
-        raise NotADrawing("The file is not a DXF: it has no section.", _EXPORT)
+            raise NotADrawing("dxf.not-a-group-code", line=counted.broken, text=line)
+        raise NotADrawing("dxf.no-section")
     if counted.size > limits.entities:
         raise DrawingTooLarge(
-            f"The file has {counted.size:,} entities; the limit is {limits.entities:,}.",
-            "Export a single carton.",
+            "reading.too-many-entities", count=counted.size, limit=limits.entities
         )
     unfinished = not counted.ended and "ENTITIES" not in counted.sections
     if counted.open_section in ("ENTITIES", "BLOCKS") or unfinished:
         where = f"at line {counted.broken}" if counted.broken else "without its end mark (EOF)"
         section = counted.open_section or "file"
-        raise NotADrawing(
-            f"The file is cut short: it stops {where} in section {section}, after "
-            f"{counted.size:,} entities, so lines may be missing.",
-            "Send or export it again.",
-        )
+        raise NotADrawing("dxf.cut-short", where=where, section=section, count=counted.size)
 
 
 def _document(data: bytes, counted: Census, limits: Limits) -> Document:
@@ -176,7 +162,7 @@ def _document(data: bytes, counted: Census, limits: Limits) -> Document:
             return attempt()
         except Exception as error:
             reasons.append(_short(error))
-    raise NotADrawing(f"The DXF is damaged past repair: {reasons[-1]}.", _AGAIN)
+    raise NotADrawing("reading.damaged", reason=reasons[-1], format="DXF")
 
 
 def _attempts(data: bytes, counted: Census) -> Iterator[Callable[[], Document]]:

@@ -194,17 +194,14 @@ class Walk:
         deepest = max((depth[child] for child, _ in on_sheet), default=0)
         if deepest > self._limits.insert_depth:
             raise DrawingTooLarge(
-                f"Blocks are nested {deepest} deep; the limit is {self._limits.insert_depth}.",
-                "Explode the blocks in the CAD program and export again.",
+                "dxf.blocks-too-deep", depth=deepest, limit=self._limits.insert_depth
             )
         total = sum(times * max(size[child], 1) for child, times in on_sheet)
         if total > self._limits.expanded:
             # A number of a thousand digits helps nobody.
             many = f"{total:,}" if total < 10**15 else f"more than {10**15:,}"
             raise DrawingTooLarge(
-                f"The blocks of the drawing stand for {many} entities; "
-                f"the limit is {self._limits.expanded:,}.",
-                "Export a single carton, or explode the blocks and delete the copies.",
+                "dxf.blocks-expand-too-far", count=many, limit=self._limits.expanded
             )
         return endless
 
@@ -215,8 +212,7 @@ class Walk:
     def _entry(self, entry: Entry, path: str, here: tuple[F64, F64], around: Style | None) -> None:
         if time.monotonic() > self._until:
             raise DrawingTooLarge(
-                f"The drawing takes longer than {self._limits.seconds:g} s to read.",
-                "Export a single carton, or explode its blocks.",
+                "reading.too-slow", seconds=self._limits.seconds, format="drawing"
             )
         counted, found = entry.counted, entry.found
         handle = path + entry.handle
@@ -239,7 +235,7 @@ class Walk:
                 return
             what = found.drawn()
         except (Undrawable, GeometryError) as reason:
-            text = reason.message if isinstance(reason, GeometryError) else str(reason)
+            text = reason.text if isinstance(reason, GeometryError) else str(reason)
             self._left(counted, handle, here, text)
             return
         except (ArithmeticError, ValueError, TypeError, LookupError, AttributeError) as reason:

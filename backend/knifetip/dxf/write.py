@@ -61,10 +61,7 @@ def drawn(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
     """
     for layer, paths in sheet:
         if not all(np.isfinite(column).all() for column in (paths.start, paths.end, paths.bulge)):
-            raise GeometryError(
-                f"Layer {layer.name} has a coordinate that is not a number.",
-                "Give finite lengths.",
-            )
+            raise GeometryError("layer.not-finite", layer=layer.name)
     with _undated():
         return _written(sheet)
 

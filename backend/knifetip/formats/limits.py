@@ -31,7 +31,4 @@ class Limits:
         DrawingTooLarge
         """
         if size > self.bytes:
-            raise DrawingTooLarge(
-                f"The file has {size / 2**20:.1f} MB; the limit is {self.bytes / 2**20:.1f} MB.",
-                "Export a single carton, without pictures.",
-            )
+            raise DrawingTooLarge("reading.too-large", size=size / 2**20, limit=self.bytes / 2**20)

@@ -63,15 +63,14 @@ def format_of(data: bytes) -> Format:
         The file is empty, or of a known kind that is not an import format.
     """
     titles = [one.title for one in FORMATS]
-    hint = f"Send the drawing as {', '.join(titles[:-1])} or {titles[-1]}."
     beginning = Beginning.of(data)
     if not beginning.head:
-        raise NotADrawing("The file is empty.", hint)
+        raise NotADrawing("reading.empty", formats=titles)
     for one in FORMATS:
         if one.matches is not None and one.matches(beginning):
             return one
     if what := detection.foreign_kind(beginning):
-        raise NotADrawing(f"The file is {what}, not a drawing that can be read.", hint)
+        raise NotADrawing("reading.unknown-kind", what=what, formats=titles)
     return _FALLBACK
 
 

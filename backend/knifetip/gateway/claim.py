@@ -424,16 +424,13 @@ class _Gateway:
             digest = hashlib.sha256(answer.content).hexdigest()
             if digest != claim.sha256:
                 raise ProgramError(
-                    f"The program of job {claim.job} arrived with SHA-256 {digest[:12]}…, not "
-                    f"{claim.sha256[:12]}…; nothing was sent to the machine.",
-                    "Queue the job again; if it happens again, compile it again.",
+                    "program.wrong-checksum",
+                    job=claim.job,
+                    arrived=digest[:12],
+                    expected=claim.sha256[:12],
                 )
             return answer.content
-        raise ProgramError(
-            f"The program of job {claim.job} could not be fetched ({reason}); nothing was sent to "
-            "the machine.",
-            "Queue the job again.",
-        )
+        raise ProgramError("program.not-fetched", job=claim.job, reason=reason)
 
     async def _heartbeats(self, run: _Run) -> None:
         """Say where the machine is, and take what the operator wants, until ended."""

@@ -149,8 +149,4 @@ def distance_to(move: Move, position: Pose) -> float:
 
 def _astray(position: Pose, distance: float, line: int) -> ControllerError:
     x, y, z, _ = position
-    return ControllerError(
-        f"The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f}, {distance:.1f} mm off the program's path "
-        f"near line {line}: a line was changed on its way to the controller, or steps were lost.",
-        "Check the cable and home the machine; the board may be spoiled.",
-    )
+    return ControllerError("controller.off-path", x=x, y=y, z=z, distance=distance, line=line)

@@ -39,6 +39,7 @@ from knifetip.gateway.controller import Observer, SafeState, State, Status
 from knifetip.gateway.interpreter import switches
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.transport import Transport, connect
+from knifetip.messages import Message
 
 #: grbl's receive buffer (bytes) where ``$I`` does not say another.
 WINDOW = 128
@@ -161,10 +162,7 @@ class Grbl:
             status = None
         if status and status.state not in (State.IDLE, State.CHECK, State.ALARM):
             if not (stop_motion and status.state in (State.RUN, State.HOLD)):
-                raise ControllerError(
-                    f"{self.name} is busy: it says {status.state.value}.",
-                    "Let it come to rest, or reset it at the table; nothing was sent.",
-                )
+                raise ControllerError("controller.busy", name=self.name, state=status.state.value)
             await self.stop()
         else:
             await self.reset()
@@ -173,12 +171,7 @@ class Grbl:
             await self.command(b"$X")
             status = await self.status()
         if status.state is State.ALARM:
-            raise self._fail(
-                ControllerAlarm(
-                    f"{self.name} is locked by an alarm.",
-                    "Home it ($H) or unlock it ($X) at the table.",
-                )
-            )
+            raise self._fail(ControllerAlarm("controller.locked-by-alarm", name=self.name))
         for line in await self.command(b"$I"):
             if options := _OPTIONS.match(line):
                 self.capacity = int(options[1])
@@ -196,18 +189,13 @@ class Grbl:
         of its own button, and for every rapid.
         """
         if "$32=1" not in await self.command(b"$$"):
-            raise self._fail(
-                ControllerError(
-                    f"{self.name} is not in laser mode, so a hold would leave the beam on.",
-                    "Set $32=1 at the controller and connect again; nothing was sent.",
-                )
-            )
+            raise self._fail(ControllerError("controller.not-in-laser-mode", name=self.name))
 
     async def close(self) -> None:
         """Close the transport; what the controller has in its buffer it still does."""
         self._closed = True
         await self._hang_up()
-        self._fail(ControllerError(f"{self.name} was closed."))
+        self._fail(ControllerError("controller.closed", name=self.name))
 
     # -- lines ----------------------------------------------------------------------------------
 
@@ -253,14 +241,14 @@ class Grbl:
             Any failure so far.
         """
         if found := _REALTIME.search(line):
-            raise ProgramError(
-                f"Line {number} has the byte 0x{found[0].hex()}, which the controller would obey.",
-                "Compile the job again; a program has none of ? ! ~ and no control bytes.",
-            )
+            raise ProgramError("program.control-byte", line=number, byte=found[0].hex())
         if len(line) + 1 > self._window:
             raise ProgramError(
-                f"Line {number} has {len(line)} bytes; {self.name} takes {self._window - 1}.",
-                "Compile the job again with shorter notes.",
+                "program.line-too-long-to-send",
+                line=number,
+                length=len(line),
+                name=self.name,
+                limit=self._window - 1,
             )
         if not self._checking:
             self._longest = max(self._longest, len(line) + 1)
@@ -333,7 +321,7 @@ class Grbl:
         finally:
             self._recovering = False
             if not done:
-                self._fail(ControllerError(f"{self.name} was not brought into its safe state."))
+                self._fail(ControllerError("controller.not-recovered", name=self.name))
         return status
 
     # -- what recovery needs ----------------------------------------------------------------------
@@ -341,13 +329,10 @@ class Grbl:
     async def reach(self) -> None:
         """Clear the fault; connect anew where the connection is lost."""
         if self._closed:
-            raise ControllerError(f"{self.name} was closed.")
+            raise ControllerError("controller.closed", name=self.name)
         if not self._connected:
             if self._reconnect is None:
-                raise ControllerError(
-                    f"The connection to {self.name} is lost.",
-                    "Look at the table: what was in its buffer may still be carried out.",
-                )
+                raise ControllerError("controller.lost-in-buffer", name=self.name)
             await self._hang_up()
             self._transport = await self._reconnect()
             self._status = None
@@ -387,11 +372,14 @@ class Grbl:
             async with asyncio.timeout(self._silence):
                 code, info = await answer
         except TimeoutError:
-            raise self._fail(ControllerSilent(*self._silent_words())) from None
+            raise self._fail(self._silent()) from None
         if code:
             raise ControllerRejected(
-                f"{self.name} refused {text.decode()}: {answers.error_text(code)} (error:{code}).",
-                "Look at the table, then try again.",
+                "controller.rejected-command",
+                name=self.name,
+                command=text.decode(),
+                error=answers.error_text(code),
+                code=code,
             )
         return info
 
@@ -416,7 +404,7 @@ class Grbl:
         """Forget the lines that a reset discards, and what was counted of them."""
         for sent in self._flight:
             if sent.answer and not sent.answer.done():
-                sent.answer.set_exception(ControllerError(f"{self.name} was reset."))
+                sent.answer.set_exception(ControllerError("controller.was-reset", name=self.name))
                 sent.answer.exception()  # nobody may be waiting for it any more
         self._flight.clear()
         self._used = self._longest = self._contradictions = 0
@@ -450,8 +438,7 @@ class Grbl:
         except TimeoutError:
             raise self._fail(
                 ControllerSilent(
-                    f"{self.name} did not confirm {what} within {self._silence:g} s.",
-                    "Look at the table, then try again.",
+                    "controller.no-confirmation", name=self.name, what=what, seconds=self._silence
                 )
             ) from None
         self._raise()
@@ -481,23 +468,21 @@ class Grbl:
                     self._news.clear()
                     await self._news.wait()
         except TimeoutError:
-            raise ControllerSilent(*self._silent_words()) from None
+            raise self._silent() from None
         self._raise()
         assert self._status is not None
         return self._status
 
-    def _silent_words(self) -> tuple[str, str]:
-        due = self._due()
-        return (
-            f"{self.name} has not answered for {self._silence:g} s{due}.",
-            "Check the cable, then look at the board.",
+    def _silent(self) -> ControllerSilent:
+        return ControllerSilent(
+            "controller.silent", name=self.name, seconds=self._silence, due=self._due()
         )
 
-    def _due(self) -> str:
+    def _due(self) -> Message | None:
         first = next((sent for sent in self._flight if sent.number), None)
         if first is None:
-            return ""
-        return f"; the answer to line {first.number} ({_shown(first.text)}) is due"
+            return None
+        return Message("controller.due", line=first.number, text=_shown(first.text))
 
     async def _watch(self) -> None:
         """Ask regularly, and notice silence and lost answers."""
@@ -513,22 +498,19 @@ class Grbl:
                     # This process was busy: it did not listen, so it cannot call anybody silent.
                     self._heard = self._moved = now
                 if now - self._heard > self._silence:
-                    self._fail(ControllerSilent(*self._silent_words()))
+                    self._fail(self._silent())
                 elif self._status.state is State.ALARM and (due := self._due()):
-                    self._fail(
-                        ControllerAlarm(
-                            f"{self.name} says alarm{due}.",
-                            "Look at the table, then home it ($H) or unlock it ($X).",
-                        )
-                    )
+                    self._fail(ControllerAlarm("controller.alarm-state", name=self.name, due=due))
                 elif not self._flight or self._status.state not in (State.IDLE, State.CHECK):
                     self._moved = now
                 elif now - self._moved > self._silence + _dwell(self._flight[0].text):
                     self._fail(
                         ControllerSilent(
-                            f"{self.name} says {self._status.state.value} for "
-                            f"{self._silence:g} s{self._due()}: an answer was lost on the way.",
-                            "Check the cable, then look at the board.",
+                            "controller.answer-lost",
+                            name=self.name,
+                            state=self._status.state.value,
+                            seconds=self._silence,
+                            due=self._due(),
                         )
                     )
 
@@ -554,12 +536,7 @@ class Grbl:
             if len(rest) > NOISE:
                 rest = b""
         self._connected = False
-        self._fail(
-            ControllerError(
-                f"The connection to {self.name} is lost{self._due()}.",
-                "Check the cable, then look at the board.",
-            )
-        )
+        self._fail(ControllerError("controller.lost", name=self.name, due=self._due()))
 
     def _hear(self, line: str) -> None:
         if line == "ok":
@@ -595,11 +572,12 @@ class Grbl:
             self._wake.set()
         if code:
             refused = ControllerRejected(
-                f"{self.name} refused line {sent.number} ({_shown(sent.text)}): "
-                f"{answers.error_text(code)} (error:{code}).",
-                "Nothing has moved: compile the job again for this controller."
-                if self._checking
-                else "Look at the board, then compile the job again for this controller.",
+                "controller.rejected-in-check" if self._checking else "controller.rejected-line",
+                name=self.name,
+                line=sent.number,
+                text=_shown(sent.text),
+                error=answers.error_text(code),
+                code=code,
             )
             if self._checking:
                 self._refusals.append(refused)
@@ -665,21 +643,20 @@ class Grbl:
         self._wake.set()
 
     def _one_too_many(self) -> ControllerError:
-        return ControllerError(
-            f"{self.name} answered a line that was not sent from here: an answer was doubled on "
-            "the way, or another program sends to it.",
-            "Check the cable, and close any other program that sends to it.",
-        )
+        return ControllerError("controller.unexpected-answer", name=self.name)
 
     def _alarmed(self, code: int) -> None:
         self.last_alarm = code
         if self._recovering and not self._flight:
             return  # it was reset while it still moved
-        where = self._due() if code == 2 else ""
+        where = self._due() if code == 2 else None
         self._fail(
             ControllerAlarm(
-                f"{self.name} stopped with ALARM:{code}: {answers.alarm_text(code)}{where}.",
-                "Look at the table and home the machine ($H) before the next job.",
+                "controller.alarm",
+                name=self.name,
+                code=code,
+                alarm=answers.alarm_text(code),
+                due=where,
             )
         )
 
@@ -690,13 +667,7 @@ class Grbl:
             return
         if self._status is None or (self._recovering and not self._flight):
             return  # some controllers greet whoever connects; others were reset before
-        self._fail(
-            ControllerReset(
-                f"{self.name} was reset{self._due()}.",
-                "Look at the table and home it: its position may be lost. Nothing goes on by "
-                "itself.",
-            )
-        )
+        self._fail(ControllerReset("controller.reset", name=self.name, due=self._due()))
 
 
 async def dial(

@@ -14,6 +14,7 @@ from typing import Protocol
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected, ControllerSilent
 from knifetip.gateway import answers
 from knifetip.gateway.controller import SafeState, State, Status
+from knifetip.messages import Message
 
 #: Speed of the lift (mm/min).
 LIFT_FEED = 6000.0
@@ -116,10 +117,7 @@ async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -
     if safe is None:
         return status
     if status.state is not State.IDLE:
-        raise ControllerError(
-            f"{machine.name} cannot be made safe: it reports {status.state.value}.",
-            "Lift the tool and raise the stations at the table.",
-        )
+        raise ControllerError("controller.not-secured", name=machine.name, state=status.state.value)
     refusals = []
     if status.position[2] < safe.lift - LEVEL:
         try:
@@ -134,9 +132,7 @@ async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -
             refusals.append(refused)
     if refusals:
         raise ControllerRejected(
-            " ".join(refused.message for refused in refusals),
-            "Lift the tool and raise the stations at the table; compare the machine's file with "
-            "the controller's outputs.",
+            "controller.refused-safe-state", refusals=[refused.message for refused in refusals]
         )
     return status
 
@@ -166,11 +162,10 @@ async def _unlock(machine: Recoverable) -> None:
 
 def _locked(machine: Recoverable) -> ControllerAlarm:
     code = machine.last_alarm
-    cause = f"ALARM:{code} ({answers.alarm_text(code)})" if code > 0 else "an alarm"
-    return ControllerAlarm(
-        f"{machine.name} is locked by {cause}: the stations may still be lowered.",
-        "Lift the tool and raise the stations at the table, then home ($H) or unlock ($X) it.",
-    )
+    cause = Message("controller.alarm-unknown")
+    if code > 0:
+        cause = Message("controller.alarm-code", code=code, alarm=answers.alarm_text(code))
+    return ControllerAlarm("controller.locked", name=machine.name, cause=cause)
 
 
 async def _idle(machine: Recoverable, seconds: float) -> Status:
@@ -188,6 +183,5 @@ async def _idle(machine: Recoverable, seconds: float) -> Status:
                 await asyncio.sleep(LOOK)
     except TimeoutError:
         raise ControllerSilent(
-            f"{machine.name} did not finish its lift within {seconds:g} s.",
-            "Lift the tool and raise the stations at the table.",
+            "controller.lift-not-finished", name=machine.name, seconds=seconds
         ) from None

@@ -27,6 +27,7 @@ from knifetip.gateway.corridor import Corridor
 from knifetip.gateway.executed import Executed, blocks_of, lines_of, seconds_of
 from knifetip.gateway.interpreter import switches
 from knifetip.gateway.motion import Limits, Pose
+from knifetip.messages import Message
 from knifetip.model.program import Program
 
 #: Lines read ahead of giving other work its turn.
@@ -96,8 +97,7 @@ async def stream(
     status = await controller.status()
     if status.state is not State.IDLE:
         raise ControllerError(
-            f"{controller.name} is not ready: it says {status.state.value}.",
-            "Let it come to rest, or unlock it, then send the job again; nothing was sent.",
+            "controller.not-ready", name=controller.name, state=status.state.value
         )
     lines, total = await _measure(text, limits, status.position)
     following = Executed(text, limits, status.position)
@@ -142,9 +142,7 @@ async def stream(
 
 def _check_alarm(controller: Controller, status: Status) -> None:
     if status.state is State.ALARM:
-        raise controller.fault or ControllerAlarm(
-            f"{controller.name} reports an alarm.", "Look at the table, then home or unlock it."
-        )
+        raise controller.fault or ControllerAlarm("controller.reports-alarm", name=controller.name)
 
 
 async def _safe(controller: Controller) -> Status:
@@ -156,34 +154,29 @@ async def _stop(
     controller: Controller, error: ControllerError, following: Executed, base: Status, lines: int
 ) -> ControllerError:
     """Bring the machine into its safe state; return the error with what came of the program."""
-    sent = controller.sent - base.sent
+    progress = _executed(following.lines, controller.sent - base.sent, lines)
     try:
         status = await _safe(controller)
     except ControllerError as unsafe:
         return type(error)(
-            f"{error.message} {_carried_out(following.lines, sent, lines)} The machine is not "
-            f"safe: {unsafe.message}",
-            unsafe.hint,
+            "controller.not-stopped",
+            error=error.message,
+            progress=progress,
+            unsafe=unsafe.message,
         )
-    height = f"Z {status.position[2]:.1f}"
     return type(error)(
-        f"{error.message} {_carried_out(following.lines, sent, lines)} The machine was stopped "
-        f"and lifted to {height}, its stations were released.",
-        error.hint,
+        "controller.stopped", error=error.message, progress=progress, height=status.position[2]
     )
 
 
-def _carried_out(executed: int, sent: int, lines: int) -> str:
-    """Return in words how much of the program was carried out, and how much may have been."""
+def _executed(executed: int, sent: int, lines: int) -> Message:
+    """Return how much of the program was executed, and how much may have been."""
     rest = sent - executed
     if sent == 0:
-        return "No line was sent."
+        return Message("run.nothing-sent")
     if rest <= 0:
-        return f"{executed} of {lines} lines were carried out."
-    return (
-        f"{executed} of {lines} lines were carried out, and up to {rest} more, which were in the "
-        "controller's buffer, may have been."
-    )
+        return Message("run.executed", executed=executed, lines=lines)
+    return Message("run.in-buffer", executed=executed, lines=lines, rest=rest)
 
 
 async def _measure(text: bytes, limits: Limits, start: Pose) -> tuple[int, float]:

@@ -65,8 +65,7 @@ class Tcp:
                 reader, writer = await asyncio.open_connection(host, port)
         except (OSError, TimeoutError) as error:
             raise ControllerError(
-                f"No controller answers at {address} ({error or 'timed out'}).",
-                "Switch it on, or correct the address.",
+                "controller.unreachable", address=address, reason=error or "timed out"
             ) from error
         return cls(address, reader, writer)
 
@@ -90,8 +89,7 @@ class Tcp:
             await self._writer.drain()
         except OSError as error:
             raise ControllerError(
-                f"The connection to {self.address} is lost ({error}).",
-                "Look at the table before anything is sent again.",
+                "controller.connection-failed", address=self.address, reason=error
             ) from error
 
     async def close(self) -> None:
@@ -115,8 +113,5 @@ async def connect(address: str) -> Transport:
     except ValueError:
         host = port = None
     if parts.scheme != "tcp" or not host or not port:
-        raise ControllerError(
-            f"{address!r} is not the address of a controller.",
-            "Write host:port, for example 127.0.0.1:2323.",
-        )
+        raise ControllerError("controller.bad-address", address=address)
     return await Tcp.open(host, port)

@@ -76,11 +76,9 @@ def fit(
     """
     knots = np.asarray(breaks, dtype=np.float64)
     if len(knots) < 2 or not np.isfinite(knots).all() or not (np.diff(knots) > 0.0).all():
-        raise GeometryError(
-            "The curve's parameters do not increase.", "Draw it again, as lines and arcs."
-        )
+        raise GeometryError("curve.parameters")
     if not tolerance > 0.0:
-        raise GeometryError(f"A curve cannot be fitted within {tolerance} mm.", "Give more than 0.")
+        raise GeometryError("curve.bad-tolerance", tolerance=tolerance)
     with np.errstate(all="ignore"):
         edges = _spread(point, tangent, knots, tolerance)
         begin, _, joints, bulges = _pieces(point, tangent, edges[:-1], edges[1:], tolerance)
@@ -178,20 +176,14 @@ def _pieces(
         if not bad.any():
             break
         if total + 2 * int(bad.sum()) > _MOST:
-            raise GeometryError(
-                f"The curve needs more than {_MOST:,} pieces to stay within {tolerance:g} mm.",
-                "Raise the tolerance, or simplify the curve.",
-            )
+            raise GeometryError("curve.too-many-pieces", limit=_MOST, tolerance=tolerance)
         middle = (first[bad] + last[bad]) / 2.0
         first, last = (
             np.concatenate([first[bad], middle]),
             np.concatenate([middle, last[bad]]),
         )
     else:
-        raise GeometryError(
-            f"The curve cannot be followed within {tolerance:g} mm.",
-            "Draw it again, as lines and arcs.",
-        )
+        raise GeometryError("curve.not-fitted", tolerance=tolerance)
     first, last, joint, bulge = (np.concatenate(column) for column in zip(*done, strict=True))
     order = np.argsort(first)
     return first[order], last[order], joint[order], bulge[order]
@@ -223,10 +215,7 @@ def _spread(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) ->
     """Return parameters that cut each span into pieces of nearly equal deviation."""
     cells = 32
     if len(knots) - 1 > _MOST:
-        raise GeometryError(
-            f"The curve has {len(knots) - 1:,} spans; the limit is {_MOST:,}.",
-            "Simplify it before exporting.",
-        )
+        raise GeometryError("curve.too-many-spans", spans=len(knots) - 1, limit=_MOST)
     edges: list[F64] = []
     for block in range(0, len(knots) - 1, _BLOCK):
         left = knots[block : block + _BLOCK + 1]
@@ -234,9 +223,7 @@ def _spread(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) ->
         shape = (*grid.shape, 2)
         place = point(grid.reshape(-1)).reshape(shape)
         if not np.isfinite(place).all():
-            raise GeometryError(
-                "The curve has points that are not numbers.", "Draw it again, as lines and arcs."
-            )
+            raise GeometryError("curve.not-finite")
         seen = grid.copy()
         seen[:, -1] = np.nextafter(grid[:, -1], grid[:, 0])
         ahead = tangent(seen.reshape(-1)).reshape(shape)
@@ -376,9 +363,7 @@ class Ellipse:
         turn = self.last - self.first
         shape = np.concatenate([self.centre, self.u, self.v, [self.first, self.last]])
         if not np.isfinite(shape).all() or not 0.0 < turn <= 2.0 * np.pi + 1e-9:
-            raise GeometryError(
-                "The ellipse has no size or no sweep that is a number.", "Draw it again."
-            )
+            raise GeometryError("curve.bad-ellipse")
         # The axes: where u cos t + v sin t is longest, tan 2t = 2 u·v / (u² - v²).
         uu, vv, uv = float(self.u @ self.u), float(self.v @ self.v), float(self.u @ self.v)
         cross = float(self.u[0] * self.v[1] - self.u[1] * self.v[0])
@@ -466,9 +451,7 @@ class Spline:
             or not self.knots[count] > self.knots[self.degree]
         ):
             raise GeometryError(
-                f"The spline of degree {self.degree} with {count} control points and "
-                f"{len(self.knots)} knots is damaged.",
-                "Draw it again, or export it as lines and arcs.",
+                "curve.bad-spline", degree=self.degree, points=count, knots=len(self.knots)
             )
 
     @property

@@ -53,11 +53,7 @@ def run_out(travel: F64, outward: F64, width: float | F64, short: float | F64 = 
     never = np.flatnonzero(~(leaves > math.cos(math.radians(_FLATTEST))))
     if len(never):
         angle = math.degrees(math.acos(min(max(float(leaves[never[0]]), -1.0), 1.0)))
-        raise CompensationError(
-            f"Track {never[0]} leaves the board at {angle:.2f}° from square, so its tool is "
-            f"never off it (limit {_FLATTEST:g}°).",
-            "End the line inside the board, or draw it across the edge.",
-        )
+        raise CompensationError("track.too-flat", track=never[0], angle=angle, limit=_FLATTEST)
     beside = width / 2.0 * np.sum(left(travel) * outward, axis=1)
     further: F64 = np.column_stack([short - beside, short + beside]) / leaves[:, None]
     return further

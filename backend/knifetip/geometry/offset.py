@@ -104,15 +104,11 @@ def equidistant(
     radius = _column(distance, count, np.float64)
     sides = _column(side, count, np.float64)
     if not (np.isfinite(radius) & (radius >= 0.0)).all():
-        raise GeometryError(
-            "The distance of an equidistant is not a number of 0 mm or more.", "Correct the tool."
-        )
+        raise GeometryError("offset.bad-distance")
     if not (np.abs(sides) == 1.0).all():
-        raise GeometryError("The side of a path is neither left nor right.", "Give +1 or -1.")
+        raise GeometryError("offset.bad-side")
     if interference not in ("trim", "refuse"):
-        raise GeometryError(
-            f"Interference cannot be answered by {interference!r}.", "Give 'trim' or 'refuse'."
-        )
+        raise GeometryError("offset.bad-interference", interference=interference)
     # One value for all stays one.
     same = 1 if np.ndim(corner) == 0 and np.ndim(k) == 0 else rows
     kinds = _column(corner, same, np.uint8)
@@ -147,11 +143,7 @@ def _grouped(group: ArrayLike | None, signed: F64) -> tuple[I32, I32]:
     mixed[begins[1:] - 1] = False
     if mixed.any():
         path = int(member[np.flatnonzero(mixed)[0] + 1])
-        raise GeometryError(
-            f"Path {path} has another radius or side than the group that it belongs to.",
-            "Reverse it, or give it a group of its own.",
-            [str(path)],
-        )
+        raise GeometryError("offset.mixed-group", path=path, source=[str(path)])
     return member, np.append(begins, count).astype(np.int32)
 
 
@@ -162,11 +154,7 @@ def _refusal(
     if code == NO_LENGTH:
         return ZeroLengthEdge([row])
     if code == NOT_A_NUMBER:
-        return GeometryError(
-            f"Segment {row} has a coordinate or a bulge that is not a number.",
-            "Draw it again.",
-            [str(row)],
-        )
+        return GeometryError("segment.not-finite", segment=row, source=[str(row)])
     path = int(np.searchsorted(paths.first, row, side="right")) - 1
     if code == TORN:
         one, two, x, y = where_met(
@@ -174,20 +162,28 @@ def _refusal(
         )
         if one >= 0:
             return CompensationError(
-                f"The equidistant of path {path} at {radius[path]:g} mm cannot be joined again: "
-                f"the contour meets itself at ({x:.4f}, {y:.4f}), in segments {one} and {two}.",
-                "Trim the two segments to where they meet, or move one of them off the other.",
-                [str(one), str(two)],
+                "offset.self-contact",
+                path=path,
+                radius=radius[path],
+                x=x,
+                y=y,
+                one=one,
+                two=two,
+                source=[str(one), str(two)],
             )
         return CompensationError(
-            f"The equidistant of path {path} at {radius[path]:g} mm cannot be joined again: "
-            f"{depth:.4g} mm of it beside segment {row} lead nowhere.",
-            "Draw the contour without overlaps, or change the radius a little.",
-            [str(row)],
+            "offset.dead-end",
+            path=path,
+            radius=radius[path],
+            depth=depth,
+            segment=row,
+            source=[str(row)],
         )
     return CompensationError(
-        f"A tool of radius {radius[path]:g} mm beside segment {row} would cut {depth:.4g} mm into "
-        f"segment {other}.",
-        "Take a smaller tool, or let it leave out what it cannot reach.",
-        [str(row), str(other)],
+        "offset.interference",
+        radius=radius[path],
+        segment=row,
+        depth=depth,
+        other=other,
+        source=[str(row), str(other)],
     )

@@ -85,9 +85,7 @@ def transitions(
     size = np.broadcast_to(np.asarray(radius, np.float64), count)
     check(kind, share)
     if not (np.isfinite(size) & (size >= 0.0)).all():
-        raise CompensationError(
-            "A tool's radius is not a number of 0 mm or more.", "Correct the tool."
-        )
+        raise CompensationError("tool.bad-radius")
     signed = size * np.broadcast_to(np.asarray(side, np.float64), count)
     rows = np.empty((MOST * count, 5))
     first = np.zeros(count + 1, np.int32)
@@ -101,18 +99,12 @@ def check(corner: Any, k: F64) -> None:
     if (np.asarray(corner) > Corner.D).any():
         row = int(np.flatnonzero(np.asarray(corner) > Corner.D)[0])
         raise CompensationError(
-            f"Corner {row} is of type {int(corner[row])}, which there is not.",
-            "Give B, C or D.",
-            [str(row)],
+            "corner.unknown-number", corner=row, type=int(corner[row]), source=[str(row)]
         )
     wrong = (np.asarray(corner) == Corner.D) & ~((k >= 0.0) & (k <= 1.0))
     if wrong.any():
         row = int(np.flatnonzero(wrong)[0])
-        raise CompensationError(
-            f"Corner {row} is of type D with k = {float(k[row]):g}.",
-            "Give a k from 0 (as B) to 1 (as C).",
-            [str(row)],
-        )
+        raise CompensationError("corner.bad-share", corner=row, k=f"{k[row]:g}", source=[str(row)])
 
 
 @njit(cache=True, error_model="numpy")

@@ -157,10 +157,7 @@ class CompileService:
             self._refuse(
                 id,
                 epoch,
-                KnifetipError(
-                    f"The compile failed because of an internal error: {reason}.",
-                    "The server's log has the details; nothing was cut.",
-                ),
+                KnifetipError("job.compile-crashed", reason=reason),
             )
 
     def _refuse(
@@ -171,6 +168,4 @@ class CompileService:
         questions: list[dict[str, object]] | None = None,
     ) -> None:
         with contextlib.suppress(JobError):
-            self.store.refuse(
-                id, epoch, reason.message, reason.hint, reason.source, questions or ()
-            )
+            self.store.refuse(id, epoch, reason.text, reason.hint, reason.source, questions or ())

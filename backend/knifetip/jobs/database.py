@@ -49,15 +49,10 @@ def _check(url: str) -> None:
     except sa.exc.ArgumentError:
         backend = ""
     if backend not in ("sqlite", "postgresql"):
-        raise StoreError(
-            f"{url!r} is not the URL of a database.",
-            "It is sqlite:///FILE or postgresql://USER@HOST/NAME.",
-        )
+        raise StoreError("database.bad-url", url=url)
     if backend == "sqlite":
         if parts.database in (None, "", ":memory:"):
-            raise StoreError(
-                "A database in memory would forget its jobs.", "Name a file: sqlite:///FILE."
-            )
+            raise StoreError("database.in-memory")
         Path(parts.database).parent.mkdir(parents=True, exist_ok=True)
 
 

@@ -129,13 +129,10 @@ class Drawings(Moves):
         self.drawing(id)
         with self._writing() as session:
             if used := session.scalar(sa.select(Job.id).where(Job.drawing == id).limit(1)):
-                raise WrongState(
-                    f"Job {used} was made from drawing {id}, so it is kept as its record.",
-                    "Only drawings without jobs can be deleted.",
-                )
+                raise WrongState("drawing.in-use", job=used, drawing=id)
             session.execute(sa.delete(Drawing).where(Drawing.id == id))
             self._note(session, "drawing", id, "deleted", str(Who.OPERATOR), "")
 
 
 def _no_drawing(id: str) -> NoSuchJob:
-    return NoSuchJob(f"There is no drawing {short(id)}.", "GET /api/drawings lists them.")
+    return NoSuchJob("drawing.unknown", drawing=short(id))

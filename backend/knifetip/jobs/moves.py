@@ -14,6 +14,7 @@ from knifetip.errors import KeyReused, NoSuchJob, StaleEpoch, WrongState
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import State, Who, sources
 from knifetip.jobs.tables import Drawing, Event, Job
+from knifetip.messages import Message, from_json
 
 LEASE = 10.0  #: seconds that a gateway or a worker may be silent
 
@@ -60,13 +61,12 @@ class Moves(Database):
         columns = sa.select(Job.state, Job.epoch, Job.hint).where(Job.id == id)
         found = session.execute(columns).first()
         if found is None:
-            return NoSuchJob(f"There is no job {short(id)}.", "GET /api/jobs lists them.")
+            return NoSuchJob("job.unknown", job=short(id))
         state, current, hint = found
         if epoch is not None and epoch != current:
             return stale(id, state, current, epoch)
-        return WrongState(
-            f"Job {id} is {state}, so it cannot become {goal}.", hint or hint_for(state)
-        )
+        advice = from_json(hint) if hint else advice_for(state)
+        return WrongState("job.wrong-state", job=id, state=state, goal=goal, advice=advice)
 
     def _note(
         self, session: Session, kind: str, subject: str, state: str, who: str, why: str
@@ -91,7 +91,7 @@ class Moves(Database):
             .execution_options(populate_existing=True)
         )
         if row is None:
-            raise NoSuchJob(f"There is no job {short(id)}.", "GET /api/jobs lists them.")
+            raise NoSuchJob("job.unknown", job=short(id))
         return row
 
     def _column(self, table: type[Drawing] | type[Job], id: str, column: str, word: str) -> bytes:
@@ -99,21 +99,15 @@ class Moves(Database):
         with self._reading() as session:
             found = session.execute(query).first()
         if found is None:
-            raise NoSuchJob(f"There is no {word} {short(id)}.", f"GET /api/{word}s lists them.")
+            raise NoSuchJob("store.unknown", kind=word, id=short(id))
         if found[0] is None:
-            raise WrongState(
-                f"{word.capitalize()} {id} has no {column}.",
-                "It is made by the compile; see the job's state and reason.",
-            )
+            raise WrongState("store.no-column", kind=word, id=id, column=column)
         return bytes(found[0])
 
 
 def stale(id: str, state: str, current: int, epoch: int) -> StaleEpoch:
     """Return the refusal of somebody whose epoch is over."""
-    return StaleEpoch(
-        f"Job {id} is {state} in epoch {current}, and this was said in epoch {epoch}.",
-        "It belongs to nobody or to another now: stop the machine and claim again.",
-    )
+    return StaleEpoch("job.stale-epoch", job=id, state=state, current=current, epoch=epoch)
 
 
 def rows(session: Session, statement: sa.Update | sa.Delete) -> int:
@@ -126,21 +120,21 @@ def short(id: str) -> str:
     return repr(id if len(id) <= 40 else id[:40] + "…")
 
 
-def hint_for(state: str) -> str:
+def advice_for(state: str) -> Message:
     """Return what can be done about a job in this state."""
     match state:
         case State.INTERRUPTED:
-            return "Look at the table, then mark it finished, queue it again or scrap it."
+            return Message("advice.interrupted")
         case State.RECEIVED | State.COMPILING:
-            return "Wait until it is ready."
+            return Message("advice.compiling")
         case State.READY:
-            return "Release it first."
+            return Message("advice.ready")
         case State.QUEUED:
-            return "Wait until its machine has taken it."
+            return Message("advice.queued")
         case State.RUNNING | State.HELD:
-            return "Hold, resume or cancel it."
+            return Message("advice.running")
         case _:
-            return "Order it again."
+            return Message("advice.ended")
 
 
 def same_request(row: Any, key: str, fingerprint: str) -> Any:
@@ -152,8 +146,5 @@ def same_request(row: Any, key: str, fingerprint: str) -> Any:
         It was used for another request.
     """
     if row.fingerprint != fingerprint:
-        raise KeyReused(
-            f"The Idempotency-Key {short(key)} was used for another request.",
-            "Take a new key for a new request.",
-        )
+        raise KeyReused("request.key-reused", key=short(key))
     return row

@@ -10,8 +10,9 @@ from sqlalchemy.exc import IntegrityError
 from knifetip.errors import NoSuchJob, WrongState
 from knifetip.jobs.interpretations import job_columns
 from knifetip.jobs.job import LEASED, Confirmation, State, Who, new_id, sources
-from knifetip.jobs.moves import Moves, hint_for, rows, same_request, short
+from knifetip.jobs.moves import Moves, advice_for, rows, same_request, short
 from knifetip.jobs.tables import Drawing, Event, Job
+from knifetip.messages import from_json
 from knifetip.model.interpretation import Interpretation
 
 
@@ -103,7 +104,7 @@ class Orders(Moves):
         with self._reading() as session:
             row = session.scalar(sa.select(Job).where(Job.id == id))
         if row is None:
-            raise NoSuchJob(f"There is no job {short(id)}.", "GET /api/jobs lists them.")
+            raise NoSuchJob("job.unknown", job=short(id))
         return row
 
     def job_column(self, id: str, column: str) -> bytes:
@@ -234,10 +235,7 @@ class Orders(Moves):
         with self._writing() as session:
             row = self._fresh(session, id)
             if board and board != row.board:
-                raise WrongState(
-                    f"Job {id} is for the board {row.board}, not {short(board)}.",
-                    f"Put {row.board} on the table.",
-                )
+                raise WrongState("job.other-board", job=id, board=row.board, given=short(board))
             confirmed = row.confirmation == Confirmation.GIVEN and row.wish != "cancel"
             going = row.state in (State.QUEUED, State.RUNNING) or row.wish == "resume"
             if confirmed and going:
@@ -259,28 +257,23 @@ class Orders(Moves):
     def _check_waiting(self, row: Job) -> None:
         """Raise WrongState unless the job waits for the operator's confirmation."""
         if row.wish == "cancel":
-            raise WrongState(f"Job {row.id} is being cancelled.", "Wait until the machine stops.")
+            raise WrongState("job.being-cancelled", job=row.id)
         if row.confirmation in (Confirmation.AWAITED, Confirmation.SHEET):
             if row.state == State.QUEUED and row.lease < self.clock():
-                raise WrongState(
-                    f"The gateway {row.owner} that claimed job {row.id} does not answer.",
-                    "Switch on the machine and its gateway, then confirm when the job waits again.",
-                )
+                raise WrongState("job.gateway-silent", gateway=row.owner, job=row.id)
             return
         match row.state:
             case State.QUEUED:
-                detail, hint = (
-                    f"Job {row.id} is queued, and its machine {row.machine} has not taken it yet.",
-                    "Confirm it when its turn has come; its reason states what it waits for.",
-                )
+                raise WrongState("job.not-taken", job=row.id, machine=row.machine)
             case State.HELD:
-                detail, hint = f"Job {row.id} is held, not waiting for a sheet.", "Resume it."
+                raise WrongState("job.no-sheet-awaited", job=row.id)
             case State.RUNNING:
-                detail, hint = f"Job {row.id} is running.", "There is nothing to confirm."
+                raise WrongState("job.nothing-to-confirm", job=row.id)
             case _:
-                detail = f"Job {row.id} is {row.state}, so it waits for no confirmation."
-                hint = row.hint or hint_for(row.state)
-        raise WrongState(detail, hint)
+                advice = from_json(row.hint) if row.hint else advice_for(row.state)
+                raise WrongState(
+                    "job.no-confirmation-awaited", job=row.id, state=row.state, advice=advice
+                )
 
     def hold(self, id: str) -> Job:
         """Ask the gateway to hold; the job is ``held`` when the machine stands."""
@@ -315,10 +308,7 @@ class Orders(Moves):
             row = self._fresh(session, id)
             changes = {"wish": wish, "updated": self.clock()}
             if wish == "resume" and row.confirmation == Confirmation.AWAITED:
-                raise WrongState(
-                    f"Job {id} was started without a confirmation of its sheet.",
-                    "Look at the table, then confirm the job or cancel it.",
-                )
+                raise WrongState("job.not-confirmed", job=id)
             if wish == "resume" and row.confirmation == Confirmation.SHEET:
                 changes["confirmation"] = Confirmation.GIVEN.value
             if row.state != already and row.wish != wish:
@@ -329,15 +319,15 @@ class Orders(Moves):
                     .values(**changes),
                 )
                 if not changed and row.wish == "cancel":
-                    raise WrongState(
-                        f"Job {id} is being cancelled, so it cannot {wish}.",
-                        "Wait until the machine stands.",
-                    )
+                    raise WrongState("job.cancelled-before-request", job=id, request=wish)
                 if not changed:
                     raise WrongState(
-                        f"Job {id} is {row.state}, and {wish} is for a job that is "
-                        f"{' or '.join(states)}.",
-                        hint_for(row.state),
+                        "job.wrong-state-for-request",
+                        job=id,
+                        state=row.state,
+                        request=wish,
+                        states=states,
+                        advice=advice_for(row.state),
                     )
                 self._note(session, "job", id, row.state, str(Who.OPERATOR), f"asked to {wish}")
         return self.job(id)

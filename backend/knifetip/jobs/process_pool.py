@@ -124,11 +124,7 @@ class ProcessPool:
                 if self._closed:
                     raise TaskCancelled from reason
                 worker.process.join(5.0)
-                raise DrawingTooLarge(
-                    f"The worker process died (exit code {worker.process.exitcode}), as it does "
-                    "when memory runs out.",
-                    "Send a smaller drawing, or split this one.",
-                ) from reason
+                raise DrawingTooLarge("worker.died", code=worker.process.exitcode) from reason
             finally:
                 with self._lock:
                     self._busy.remove(worker)
@@ -154,10 +150,7 @@ class ProcessPool:
         while True:
             left = deadline - time.monotonic()
             if left <= 0:
-                raise DrawingTooLarge(
-                    f"Stage {stage} was not finished after {limit:.0f} s.",
-                    "Send a smaller drawing, or split this one.",
-                )
+                raise DrawingTooLarge("worker.timeout", stage=stage, seconds=limit)
             if worker.pipe.poll(min(left, _LOOK)):
                 kind, value = worker.pipe.recv()
                 if kind != "progress":
@@ -227,10 +220,7 @@ def _outcome(task: Callable[..., Any], progress: Progress, arguments: Any) -> tu
     except KnifetipError as reason:
         return "error", reason
     except MemoryError:
-        return "error", DrawingTooLarge(
-            f"The drawing needs more than the allowed {MEMORY >> 30} GB of memory.",
-            "Send a smaller drawing, or split this one.",
-        )
+        return "error", DrawingTooLarge("worker.memory", limit=MEMORY >> 30)
     except Exception:
         return "error", traceback.format_exc()
 

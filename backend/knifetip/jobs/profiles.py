@@ -74,9 +74,7 @@ class Profiles(Moves):
         try:
             with self._writing() as session:
                 if (session.scalar(sa.select(sa.func.count(Profile.name))) or 0) >= MOST:
-                    raise WrongState(
-                        f"There are {MOST} profiles already.", "Delete one that nobody uses."
-                    )
+                    raise WrongState("profile.too-many", limit=MOST)
                 session.add(row)
         except IntegrityError as reason:
             raise self._stale(name, None) from reason
@@ -101,16 +99,7 @@ class Profiles(Moves):
     def _stale(self, name: str, version: int | None) -> NoSuchJob | StaleVersion | WrongState:
         found = self.profile(name)
         if found is None:
-            return NoSuchJob(
-                f"No customer's profile {short(name)} is kept.", "GET /api/profiles lists them."
-            )
+            return NoSuchJob("profile.not-kept", name=short(name))
         if version is None:
-            return WrongState(
-                f"There is a profile {short(name)} already, at version {found.version}.",
-                f'To replace it, send If-Match: "{found.version}"; or take another name.',
-            )
-        return StaleVersion(
-            f"Profile {short(name)} is at version {found.version}, and this was made from "
-            f"version {version}: somebody else changed it in between.",
-            f'Look at it again, then send your change with If-Match: "{found.version}".',
-        )
+            return WrongState("profile.exists", name=short(name), version=found.version)
+        return StaleVersion("profile.stale", name=short(name), version=found.version, given=version)

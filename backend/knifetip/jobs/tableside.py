@@ -447,7 +447,6 @@ def _waits(row: Job) -> bool:
 
 
 def _busy(machine: str, job: str) -> MachineBusy:
-    return MachineBusy(
-        f"{f'Job {job}' if job else 'Another job'} is on the table of {machine}.",
-        "One job at a time: finish it, queue it again or scrap it.",
-    )
+    if job:
+        return MachineBusy("machine.busy", job=job, machine=machine)
+    return MachineBusy("machine.busy-with-another", machine=machine)

@@ -182,10 +182,7 @@ def cleaned(progress: Progress, edges: bytes) -> dict[str, Any]:
     progress(Stage.CLEAN, 0.0)
     drawing, dieline = unpacked_reading(edges)
     if not drawing.unit:
-        raise UnitUnknown(
-            "The drawing does not say its unit, so nobody knows how long a speck is.",
-            "Set it with PATCH /api/drawings/{id}, or on the page.",
-        )
+        raise UnitUnknown("drawing.unit-for-cleaning")
     return pipeline.clean(dieline).as_json(drawing.handles)
 
 
@@ -230,10 +227,7 @@ def compile(
     progress(Stage.READ, 0.0)
     drawing, dieline = interpreted(stored, wanted)
     if not drawing.unit:
-        raise UnitUnknown(
-            f"The drawing does not say its unit ({drawing.evidence}).",
-            "Set it with PATCH /api/drawings/{id}, or on the page.",
-        )
+        raise UnitUnknown("drawing.unit-unknown", evidence=drawing.evidence)
     table = load.machine(machine)
     made = pipeline.compile(
         drawing,

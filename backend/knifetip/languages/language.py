@@ -51,10 +51,7 @@ class Language:
             The language has none.
         """
         if not self.driver:
-            raise ControllerError(
-                f"Programs for {self.title} cannot be streamed: there is no gateway driver.",
-                self.no_driver,
-            )
+            raise ControllerError("language.no-driver", language=self.title, advice=self.no_driver)
         return self.part("driver")
 
     def read_settings(self, fields: Mapping[str, Any], machine: Machine) -> object:

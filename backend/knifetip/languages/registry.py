@@ -41,16 +41,10 @@ def find_language(name: str) -> Language:
     else:
         found = tuple(entry_points(group=GROUP, name=name))
         if not found:
-            raise LibraryError(
-                f"There is no controller language {name[:80]!r}.",
-                f"There are {', '.join(names())}.",
-            )
+            raise LibraryError("language.unknown", name=name[:80], known=names())
         language = found[0].load()
     if not isinstance(language, Language) or language.name != name:
-        raise LibraryError(
-            f"The entry point {name!r} of {GROUP} is no language of this name.",
-            "Correct or remove the package that declares it.",
-        )
+        raise LibraryError("language.bad-entry-point", name=name, group=GROUP)
     return language
 
 
@@ -69,8 +63,11 @@ def with_language(machine: Machine, name: str) -> Machine:
         settings = language.read_settings({}, machine)
     except ValueError as reason:
         raise LibraryError(
-            f"{machine.title} cannot be driven with {language.title}: {reason}.",
-            f"Its own language is {machine.dialect}.",
+            "language.unusable",
+            machine=machine.title,
+            language=language.title,
+            reason=reason,
+            own=machine.dialect,
         ) from reason
     return replace(machine, dialect=name, controller=settings)
 

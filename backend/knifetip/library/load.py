@@ -139,8 +139,7 @@ def _own(
     if files and name.endswith(".toml"):
         return _made(shelf, Path(name), name, parse)
     raise LibraryError(
-        f"There is no {shelf.removesuffix('s')} {name[:200]!r}.",
-        f"There are {', '.join(names(shelf))}.",
+        "library.unknown", shelf=shelf.removesuffix("s"), name=name[:200], known=names(shelf)
     )
 
 
@@ -156,14 +155,15 @@ def _made(
         return parse(file.name.removesuffix(".toml"), tomllib.loads(file.read_text("utf-8")))
     except OSError as reason:
         raise LibraryError(
-            f"There is no {word} {name!r}: {reason.strerror}.",
-            f"There are {', '.join(names(shelf))}.",
+            "library.unknown-file",
+            shelf=word,
+            name=name,
+            reason=reason.strerror,
+            known=names(shelf),
         ) from reason
     except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as reason:
         detail = f"{reason.args[0]!r} is missing" if isinstance(reason, KeyError) else str(reason)
-        raise failure(
-            f"The {word} {name!r} cannot be read: {detail}.", "Mend its TOML."
-        ) from reason
+        raise failure("library.unreadable", shelf=word, name=name, detail=detail) from reason
 
 
 def cutter_of(machine: Machine, tool: str) -> Station:
@@ -178,10 +178,11 @@ def cutter_of(machine: Machine, tool: str) -> Station:
     for station in cutters:
         if station.name == tool:
             return station
-    known = ", ".join(station.name for station in cutters)
+    if not cutters:
+        raise LibraryError("machine.no-cutter", machine=machine.title, cutter=tool[:80])
+    known = [station.name for station in cutters]
     raise LibraryError(
-        f"{machine.title} has no cutter {tool[:80]!r}.",
-        f"It has {known}." if known else "Only a cutter, of a router or a beam, gives way.",
+        "machine.no-such-cutter", machine=machine.title, cutter=tool[:80], known=known
     )
 
 
@@ -461,10 +462,7 @@ def profile_toml(rules: LineRules, extends: str | None = None) -> str:
             own = own[len(base) :]
             lines.append(f"extends = {_quoted(extends)}")
         else:
-            raise ProfileError(
-                f"The rules of {rules.name!r} are not those of {extends!r} and some more.",
-                "Write it out without extends.",
-            )
+            raise ProfileError("profile.not-an-extension", name=rules.name, extends=extends)
     if not own:
         lines.append("rule = []")
     for rule in own:

@@ -39,11 +39,7 @@ def checked_name(name: str) -> str:
         It is none.
     """
     if not _NAME.fullmatch(name):
-        raise ProfileError(
-            f"{name[:80]!r} is no name for a profile.",
-            "Take up to 64 small letters, digits, - and _; what people read is the title.",
-            ("name",),
-        )
+        raise ProfileError("profile.bad-name", name=name[:80], source=("name",))
     return name
 
 
@@ -57,10 +53,7 @@ def parsed(name: str, text: str) -> LineRules:
     """
     # Measured before it is kept in mind, so that what is huge is not.
     if len(text) > LONGEST or len(text.encode("utf-8", "replace")) > LONGEST:
-        raise ProfileError(
-            f"The profile {name!r} is {len(text) >> 10} kB long, and may have {LONGEST >> 10} kB.",
-            "A rule takes many layers at once, and * stands for any letters.",
-        )
+        raise ProfileError("profile.too-long", name=name, size=len(text) >> 10, limit=LONGEST >> 10)
     return _parsed(name, text)
 
 
@@ -69,14 +62,9 @@ def _parsed(name: str, text: str) -> LineRules:
     try:
         return _made(name, tomllib.loads(text))
     except tomllib.TOMLDecodeError as reason:
-        raise ProfileError(
-            f"The profile {name!r} is not TOML: {reason}.", "Mend that line."
-        ) from reason
+        raise ProfileError("profile.not-toml", name=name, reason=reason) from reason
     except RecursionError as reason:
-        raise ProfileError(
-            f"The profile {name!r} is nested too deeply to be one.",
-            "A profile is a title and a list of [[rule]].",
-        ) from reason
+        raise ProfileError("profile.nested-too-deep", name=name) from reason
 
 
 def written(name: str, fields: Mapping[str, Any]) -> str:
@@ -120,9 +108,7 @@ def _made(name: str, fields: Mapping[str, Any]) -> LineRules:
     except (KeyError, TypeError, ValueError, AttributeError) as reason:
         detail = f"{reason.args[0]!r} is missing" if isinstance(reason, KeyError) else str(reason)
         raise ProfileError(
-            f"The profile {name!r} cannot be used: {detail[:400]}.",
-            "Mend what is named, and send it again.",
-            _places(detail),
+            "profile.unusable", name=name, detail=detail[:400], source=_places(detail)
         ) from reason
 
 

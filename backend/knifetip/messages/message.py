@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from pathlib import PurePath
 from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 
 from knifetip.messages.codes import CODES, STORED, Kind
@@ -21,7 +22,9 @@ class _Number(Protocol):
     def __int__(self) -> int: ...
 
 
-Argument: TypeAlias = "str | _Number | Message | Iterable[str] | Iterable[Message] | None"
+Argument: TypeAlias = (
+    "str | _Number | PurePath | BaseException | Message | Iterable[str] | Iterable[Message] | None"
+)
 
 
 class Message:
@@ -124,11 +127,17 @@ def printable(text: str) -> str:
     return text.encode("utf-8", "replace").decode("utf-8").replace("\0", "")
 
 
+def _texts(value: Iterable[object]) -> tuple[str, ...]:
+    if isinstance(value, str):
+        raise TypeError(f"{value!r} is one text, not a list of them")
+    return tuple(str(item) for item in value)
+
+
 _CAST: Final[Mapping[Kind, Any]] = {
     "text": str,
     "count": int,
     "number": float,
-    "texts": lambda value: tuple(str(item) for item in value),
+    "texts": _texts,
     "message": lambda value: value,
     "message?": lambda value: value,
     "messages": tuple,

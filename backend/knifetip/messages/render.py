@@ -5,12 +5,14 @@ Templates are those of ``str.format``, with these formats beside Python's own:
 =================  ==================================================================
 ``{n:# edge|# edges}``  the first form for 1, else the second; ``#`` is the number
 ``{names:, }``     the items of a list, joined with what follows the colon
+``{names:or}``     the items of a list: A, B or C
 ``{size:MB}``      bytes as mebibytes
 ``{size:mm}``      a length with as many places as are of use
 ``{unit:unit}``    the name of a unit of length
 =================  ==================================================================
 
-A message among the arguments is rendered in its place; one that is absent is left out.
+A message among the arguments is rendered in its place, or with ``{error:hint}`` its hint; one that
+is absent is left out.
 """
 
 from __future__ import annotations
@@ -50,10 +52,12 @@ class _Formatter(Formatter):
             case None:
                 return ""
             case Message():
-                return render(value)
+                return hint(value) if format_spec == "hint" else render(value)
             case tuple():
-                separator = format_spec or ", "
-                return separator.join(self.format_field(item, "") for item in value)
+                items = [self.format_field(item, "") for item in value]
+                if format_spec == "or":
+                    return " or ".join([", ".join(items[:-1]), *items[-1:]]).removeprefix(" or ")
+                return (format_spec or ", ").join(items)
             case _ if format_spec in _NAMED:
                 return _NAMED[format_spec](value)
             case _ if "|" in format_spec:

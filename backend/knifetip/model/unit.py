@@ -46,10 +46,7 @@ def factor(unit: str) -> float:
     try:
         return MILLIMETRES[unit]
     except KeyError:
-        raise UnitUnknown(
-            f"{unit!r} is not a unit of length that is read.",
-            f"Say one of {', '.join(MILLIMETRES)}.",
-        ) from None
+        raise UnitUnknown("unit.unsupported", unit=unit, known=MILLIMETRES) from None
 
 
 @dataclass(frozen=True, slots=True)

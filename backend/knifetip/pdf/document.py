@@ -49,8 +49,6 @@ _INHERITED: Final = ("/Resources", "/MediaBox", "/CropBox", "/Rotate")
 #: The last bytes of a file, in which readers look for its end.
 _TAIL: Final = 1024
 
-AGAIN: Final = "Export it again, as a PDF of one page without a password."
-
 
 class File:
     """The objects of a PDF."""
@@ -60,13 +58,9 @@ class File:
         self._until = time.monotonic() + limits.seconds
         start = data.find(b"%PDF", 0, _TAIL)
         if start < 0:
-            raise NotADrawing("The file is no PDF: it does not begin with %PDF.", AGAIN)
+            raise NotADrawing("pdf.no-header")
         if b"%%EOF" not in data.rstrip(b"\0\t\n\f\r ")[-_TAIL:]:
-            raise NotADrawing(
-                f"The PDF is cut short: its {len(data):,} bytes do not end with %%EOF, so lines "
-                "may be missing.",
-                "Send or export it again.",
-            )
+            raise NotADrawing("pdf.cut-short", bytes=len(data))
         try:
             self._reader = _Reader(_Timed(data[start:], self.in_time), self.in_time)
             locked = self._reader.is_encrypted
@@ -77,9 +71,7 @@ class File:
                 raise
             locked = True
         if locked:
-            raise NotADrawing(
-                "The PDF is encrypted.", "Save it without a password and without restrictions."
-            )
+            raise NotADrawing("pdf.encrypted")
         self.root: DictionaryObject = self._reader.root_object
 
     def in_time(self) -> None:
@@ -90,10 +82,7 @@ class File:
         DrawingTooLarge
         """
         if time.monotonic() > self._until:
-            raise DrawingTooLarge(
-                f"The PDF takes longer than {self.limits.seconds:g} s to read.",
-                "Export a single carton, without pictures.",
-            )
+            raise DrawingTooLarge("reading.too-slow", seconds=self.limits.seconds, format="PDF")
 
     def seen(self, value: object) -> Any:
         """Return what a reference refers to; None for nothing."""
@@ -190,18 +179,11 @@ def _unpacked(data: bytes, most: int) -> bytes:
     try:
         plain = stream.decompress(data, most + 1)
     except zlib.error as error:
-        raise NotADrawing(
-            f"A stream of the PDF is damaged: {error}, so lines may be missing.", AGAIN
-        ) from None
+        raise NotADrawing("pdf.stream-damaged", reason=error) from None
     if len(plain) > most:
-        raise DrawingTooLarge(
-            f"A stream of the PDF unpacks to more than {most / 2**20:.1f} MB.",
-            "Export a single carton, without pictures.",
-        )
+        raise DrawingTooLarge("pdf.stream-too-large", limit=most / 2**20)
     if not stream.eof:
-        raise NotADrawing(
-            "A stream of the PDF is cut short, so lines may be missing.", "Send or export it again."
-        )
+        raise NotADrawing("pdf.stream-cut-short")
     return plain
 
 
@@ -246,10 +228,7 @@ def first_page(file: File) -> Page:
         box = (left, low, right, high) if left < right and low < high else media
     widest = max(map(abs, box)) * unit * MILLIMETRES["pt"]
     if math.isfinite(widest) and widest > REACH:
-        raise DrawingTooLarge(
-            f"The page of the PDF reaches to {widest:g} mm; the limit is {REACH:g} mm.",
-            "Export it in its true size.",
-        )
+        raise DrawingTooLarge("pdf.page-too-large", size=widest, limit=REACH)
     turn = number(file.entry(inherited, "/Rotate"))
     rotate = round(turn / 90.0) % 4 if math.isfinite(turn) else 0
     resources = file.entry(inherited, "/Resources")
@@ -274,7 +253,7 @@ def _leaf(file: File, pages: object) -> tuple[DictionaryObject, DictionaryObject
         if "/Kids" not in node:
             return node, inherited
         stack += [(kid, inherited) for kid in reversed(file.array(node, "/Kids")[:_NODES])]
-    raise NotADrawing("The PDF has no page.", AGAIN)
+    raise NotADrawing("pdf.no-page")
 
 
 def _box(file: File, holder: DictionaryObject, key: str) -> Box | None:

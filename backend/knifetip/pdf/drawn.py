@@ -76,8 +76,7 @@ class Drawn:
         """
         if len(self.sheet.handle) >= self._limits.entities:
             raise DrawingTooLarge(
-                f"The PDF has more than {self._limits.entities:,} paths, texts and pictures.",
-                "Export a single carton.",
+                "reading.too-many-elements", limit=self._limits.entities, format="PDF"
             )
         handle = f"{path}#{len(self.sheet.handle) + 1}"
         return self.sheet.row(handle, kind, mark.layer or "0", dropped)

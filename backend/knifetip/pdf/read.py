@@ -18,7 +18,7 @@ from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, factor
-from knifetip.pdf.document import AGAIN, File, Page, bounded, first_page
+from knifetip.pdf.document import File, Page, bounded, first_page
 from knifetip.pdf.drawn import Drawn
 from knifetip.pdf.walk import walk
 
@@ -64,12 +64,13 @@ def read(
         raise
     except PyPdfError as error:
         said = str(error)[:_SAID].rstrip(".")
-        raise NotADrawing(f"The PDF is damaged: {said or 'it ends too soon'}.", AGAIN) from error
+        raise NotADrawing(
+            "reading.damaged", reason=said or "it ends too soon", format="PDF"
+        ) from error
     except Exception as error:
         # pypdf makes no promise on hostile bytes, and a user's file must never end in a traceback.
         raise NotADrawing(
-            f"The PDF is damaged in a way that reading stumbles over: {type(error).__name__}.",
-            AGAIN,
+            "reading.unexpected", reason=type(error).__name__, format="PDF"
         ) from error
 
 
@@ -95,17 +96,8 @@ def _read(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
 def _refuse_shell(file: File, page: Page, drawn: Drawn) -> None:
     """Refuse a PDF whose drawing is not on its page."""
     if file.entry(file.entry(file.root, "/AcroForm"), "/XFA") is not None:
-        raise NotADrawing(
-            "The PDF is a form (XFA), and no drawing is on its page.",
-            "Print it to a PDF, or send the drawing itself.",
-        )
+        raise NotADrawing("pdf.form")
     if file.entry(file.entry(page.node, "/PieceInfo"), "/Illustrator") is not None:
-        raise NotADrawing(
-            "The Illustrator file was saved without its PDF, and no line is on its page.",
-            "Save it with 'Create PDF Compatible File', or as PDF.",
-        )
+        raise NotADrawing("pdf.illustrator-only")
     if not set(drawn.sheet.kind) - {"annotation", "page"}:
-        raise NotADrawing(
-            "Nothing is drawn on the first page of the PDF.",
-            "Export the drawing as a page of its own.",
-        )
+        raise NotADrawing("pdf.blank")

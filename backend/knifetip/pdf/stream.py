@@ -181,10 +181,7 @@ class Stream:
     def _saved(self, _operator: str, _given: list[Any]) -> None:
         self._stack.append(self._state)
         if len(self._stack) > _KEPT:
-            raise DrawingTooLarge(
-                f"The PDF keeps more than {_KEPT:,} states of its page at once.",
-                "Export it again from the program that drew it.",
-            )
+            raise DrawingTooLarge("pdf.too-many-states", limit=_KEPT)
 
     def _restored(self, _operator: str, _given: list[Any]) -> None:
         if self._stack:
@@ -254,10 +251,7 @@ class Stream:
             )
         self._marks.append(mark)
         if len(self._marks) > _KEPT:
-            raise DrawingTooLarge(
-                f"Layers of the PDF are nested more than {_KEPT:,} deep.",
-                "Export it again from the program that drew it.",
-            )
+            raise DrawingTooLarge("pdf.layers-too-deep", limit=_KEPT)
 
     def _on(self, mark: Mark, given: object) -> Mark:
         """Return what lies on a layer that lies on another."""
@@ -298,8 +292,7 @@ class Stream:
                 self._row("form", "it contains itself")
             elif len(around.inside) >= here.file.limits.insert_depth:
                 raise DrawingTooLarge(
-                    f"The PDF's forms are nested more than {here.file.limits.insert_depth} deep.",
-                    "Export it with its symbols expanded.",
+                    "reading.nested-too-deep", limit=here.file.limits.insert_depth, format="PDF"
                 )
             else:
                 inner = Around(

@@ -15,7 +15,7 @@ from pypdf.generic import DictionaryObject, StreamObject
 from knifetip.errors import DrawingTooLarge, NotADrawing
 from knifetip.geometry.affine import Matrix, chained
 from knifetip.pdf.content import CutShort
-from knifetip.pdf.document import AGAIN, EVERYWHERE, Box, File, Page
+from knifetip.pdf.document import EVERYWHERE, Box, File, Page
 from knifetip.pdf.drawn import Drawn, Mark
 from knifetip.pdf.layers import Layers
 from knifetip.pdf.resources import Named
@@ -84,7 +84,7 @@ class _Walk:
         for one in given if isinstance(given, list) else [given]:
             stream = self.file.seen(one)
             if not isinstance(stream, StreamObject):
-                raise NotADrawing("A part of the PDF's page is missing, and lines with it.", AGAIN)
+                raise NotADrawing("pdf.part-missing")
             parts.append(self.file.data(stream))
             self._count(len(parts[-1]))
         return b"\n".join(parts)
@@ -94,11 +94,7 @@ class _Walk:
         self._read += size
         most = self.file.limits.bytes
         if self._read > most:
-            raise DrawingTooLarge(
-                "The PDF's page and the forms that it repeats stand for more than "
-                f"{most / 2**20:.1f} MB of drawing.",
-                "Export a single carton, with its symbols expanded.",
-            )
+            raise DrawingTooLarge("pdf.expands-too-far", limit=most / 2**20)
 
     def run(self, data: bytes, state: State, around: Around) -> None:
         """Follow a content stream."""
@@ -106,9 +102,7 @@ class _Walk:
             Stream(self._here, state, around).follow(data)
         except CutShort as error:
             where = f"form {around.path[:-1]}" if around.path else "page"
-            raise NotADrawing(
-                f"The content of the PDF's {where} {error}, so lines may be missing.", AGAIN
-            ) from None
+            raise NotADrawing("pdf.content-damaged", where=where, reason=error) from None
 
     def form(self, node: StreamObject, state: State, around: Around) -> None:
         """Follow the content of a form."""

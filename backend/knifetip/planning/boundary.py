@@ -136,10 +136,7 @@ def _refuse_beyond(
     if len(again):
         edge = int(source[row[again[0]]])
         raise FlankOutside(
-            f"The V-groove at edge {edge} would run out {size[row[again[0]]]:.2f} mm over the "
-            "board's edge, and cut into board beyond.",
-            "Let it end before the edge, meet it more squarely, or move the blanks apart.",
-            [str(edge)],
+            "groove.runs-out", edge=edge, distance=size[row[again[0]]], source=[str(edge)]
         )
 
 
@@ -149,12 +146,7 @@ def _refuse_along(met: _Meetings, square: F64, source: I32) -> None:
     if len(along):
         edge = int(source[met.end[along[0]]])
         angle = np.degrees(np.arcsin(square[along[0]]))
-        raise FlankOutside(
-            f"The V-groove at edge {edge} meets the board's edge at {angle:.1f}°, almost along it, "
-            "so its flanks would not leave the board.",
-            "Let it end before the edge, or meet it at 5° or more.",
-            [str(edge)],
-        )
+        raise FlankOutside("groove.along-edge", edge=edge, angle=angle, source=[str(edge)])
 
 
 def _meetings(points: F64, outline: Outline) -> _Meetings:

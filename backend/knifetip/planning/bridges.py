@@ -143,11 +143,13 @@ def _places(
                 return _needed(middle, length, spacing)
     edge = int(source[paths.first[path]])
     raise NoRoomForBridges(
-        f"The contour at edge {edge} is {length:.1f} mm round and has no places for {fewest} "
-        f"bridges that take {gap:.2f} mm of it each, at most {spacing:.1f} mm apart and clear of "
-        "its corners and narrow slots.",
-        "Ask for narrower bridges or a longer spacing, or cut this board without bridges.",
-        [str(edge)],
+        "bridges.no-room",
+        edge=edge,
+        length=length,
+        fewest=fewest,
+        gap=gap,
+        spacing=spacing,
+        source=[str(edge)],
     )
 
 

@@ -62,10 +62,12 @@ def chorded(
     if len(tight):
         row = tight[0]
         raise CurvedGroove(
-            f"The V-groove at edge {rows[row]} bends with a radius of {radius[row]:.1f} mm; a "
-            f"blade of {2.0 * cutter.half_width:.2f} mm leaves it by more than {error:.3f} mm.",
-            "Draw a wider bend, take a narrower blade, or allow this board a larger error.",
-            [str(rows[bad]) for bad in tight[:10]],
+            "groove.tight-bend",
+            edge=rows[row],
+            radius=radius[row],
+            blade=2.0 * cutter.half_width,
+            error=error,
+            source=[str(rows[bad]) for bad in tight[:10]],
         )
     many = count.astype(np.int64)
     owner = np.repeat(np.arange(len(rows)), many)

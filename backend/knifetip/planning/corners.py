@@ -18,6 +18,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import JOIN
+from knifetip.messages import Message
 from knifetip.model.corners import AS_OTHERS, INTERFERENCES, TYPES, Corners
 
 #: A place may be this far from the corner that it names (mm).
@@ -56,28 +57,17 @@ def check(corners: Corners) -> None:
         A type, a knob, a place or what is to be done about interference makes no sense.
     """
     if corners.interference not in INTERFERENCES:
-        raise PlanError(
-            f"{corners.interference!r} is nothing to do where the cutter does not fit.",
-            "Say trim or refuse.",
-        )
-    for kind, k, where in [(corners.type, corners.k, "")] + [
-        (one.type, one.k, f" at ({one.x:g}, {one.y:g})") for one in corners.at
+        raise PlanError("corner.bad-interference", interference=corners.interference)
+    for kind, k, where in [(corners.type, corners.k, None)] + [
+        (one.type, one.k, Message("corner.at", x=one.x, y=one.y)) for one in corners.at
     ]:
         if kind not in TYPES:
-            raise PlanError(
-                f"There is no corner type {str(kind)[:20]!r}{where}.", "There are B, C, D and auto."
-            )
+            raise PlanError("corner.unknown-type-at", type=str(kind)[:20], where=where)
         if k is not None and not 0.0 < k < 1.0:
-            raise PlanError(
-                f"The knob k{where} is {k:g}, and a D corner has one between 0 and 1.",
-                "Choose B instead of 0, and C instead of 1.",
-            )
+            raise PlanError("corner.bad-k-at", where=where, k=f"{k:g}")
     for one in corners.at:
         if not np.isfinite([one.x, one.y]).all():
-            raise PlanError(
-                f"A corner is said to be at ({one.x}, {one.y}), which is no place.",
-                "Give X and Y in the drawing's millimetres.",
-            )
+            raise PlanError("corner.bad-place", x=one.x, y=one.y)
 
 
 def found(corners: Corners, contours: list[Bends]) -> F64:
@@ -103,21 +93,20 @@ def found(corners: Corners, contours: list[Bends]) -> F64:
         if nearest[row] <= NEAR:
             continue
         if (away[turn < -_STRAIGHT] <= NEAR).any():
-            raise PlanError(
-                f"The corner at ({one.x:g}, {one.y:g}) is an inside corner for the cutter, which "
-                "goes round it in one way only.",
-                "Choose types for corners that stand out towards the cutter.",
-            )
+            raise PlanError("corner.inside", x=one.x, y=one.y)
         order = np.argsort(away[convex])[:_NAMED]
-        known = ", ".join(
+        known = [
             f"({x:.2f}, {y:.2f})" for x, y in place[convex][order] - np.array(corners.placement)
-        )
+        ]
+        if not known:
+            raise PlanError("corner.no-contour", within=NEAR, x=one.x, y=one.y)
         raise PlanError(
-            f"No corner of a milled contour is within {NEAR:g} mm of ({one.x:g}, {one.y:g})"
-            + (f": the nearest is {nearest[row]:.2f} mm away." if known else "."),
-            f"Give its X and Y in the drawing's millimetres: the nearest are {known}."
-            if known
-            else "This drawing has no contour that the cutter mills round corners.",
+            "corner.not-found",
+            within=NEAR,
+            x=one.x,
+            y=one.y,
+            distance=nearest[row],
+            known=known,
         )
     return nearest
 

@@ -180,10 +180,11 @@ def doubled(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32, I32]:
     tight = np.flatnonzero(radius <= half * 1.001)
     if len(tight):
         raise EdgeTooShort(
-            f"The crease at edge {source[tight[0]]} bends with a radius of "
-            f"{radius[tight[0]]:.2f} mm, and its double would stand {half:.2f} mm inside it.",
-            "Draw a wider bend, or set the board's double crease to 0.",
-            [str(source[row]) for row in tight[:10]],
+            "crease.tight-bend",
+            edge=source[tight[0]],
+            radius=radius[tight[0]],
+            offset=half,
+            source=[str(source[row]) for row in tight[:10]],
         )
     which = np.repeat(np.arange(len(paths), dtype=np.int32), 2)
     pair, rows = taken(paths, which)

@@ -102,15 +102,15 @@ def check_flanks(paths: Paths, source: I32, reach: float, out: F64, dieline: Die
     groove, cut = int(source[paths.first[strip.path[worst]]]), int(strip.cut[worst])
     place = strip.at_ends(strip.along)[worst].mean()
     through = math.ceil(100.0 * (reach - nearest[worst]) - 1e-6) / 100.0
-    hint = f"Move them {through:.2f} mm further apart, or make the groove less deep."
-    if nearest[worst] <= GAP:
-        hint = "Let the groove end at the cut, or move one of them."
     raise FlankOutside(
-        f"The V-groove at edge {groove} is {2.0 * reach:.2f} mm wide at the top face, and its "
-        f"flank runs {through:.2f} mm through the cut at edge {cut}: that lies "
-        f"{nearest[worst]:.2f} mm beside it, {place:.1f} mm from where the groove begins.",
-        hint,
-        [str(groove), str(cut)],
+        "groove.through-cut-at-it" if nearest[worst] <= GAP else "groove.through-cut",
+        groove=groove,
+        width=2.0 * reach,
+        through=through,
+        cut=cut,
+        distance=nearest[worst],
+        place=place,
+        source=[str(groove), str(cut)],
     )
 
 

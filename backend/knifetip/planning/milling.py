@@ -184,11 +184,10 @@ def _beside(dieline: Dieline) -> tuple[I8, I64, Bool]:
 def _refuse_shared(rows: I32, cutter: DiscTool) -> None:
     if len(rows):
         raise PlanError(
-            f"Two blanks share edge {rows[0]}, and the cutter takes {2.0 * cutter.radius:g} mm "
-            "off one or the other.",
-            f"Move them at least {2.0 * cutter.radius:g} mm apart, each with an edge of its own, "
-            "or choose a machine with a knife.",
-            [str(row) for row in rows[:10]],
+            "milling.shared-edge",
+            edge=rows[0],
+            diameter=2.0 * cutter.radius,
+            source=[str(row) for row in rows[:10]],
         )
 
 

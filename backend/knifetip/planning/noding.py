@@ -67,10 +67,7 @@ def _crossed(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     boxes = arc.bounds(ends[:, 0], ends[:, 1], bulge)
     one, other = near(boxes, boxes, 0.0)
     if len(one) > 2 * _MOST_PAIRS:
-        raise PlanError(
-            f"More than {_MOST_PAIRS:,} pairs of cuts cross or lie beside each other.",
-            "Delete hatching and what is drawn many times over, or split the drawing.",
-        )
+        raise PlanError("cut.too-many-crossings", limit=_MOST_PAIRS)
     once = one < other
     one, other = one[once], other[once]
     met = crossings(ends[one, 0], ends[one, 1], bulge[one],

@@ -28,9 +28,12 @@ def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
     x, y = machine.origin
     if high_x - low_x > machine.width - x or high_y - low_y > machine.height - y:
         raise TravelExceeded(
-            f"The drawing is {high_x - low_x:.1f} × {high_y - low_y:.1f} mm, and {machine.title} "
-            f"has room for {machine.width - x:.0f} × {machine.height - y:.0f} mm.",
-            "Check the unit of the drawing, turn it, or choose a larger machine.",
+            "drawing.larger-than-table",
+            width=high_x - low_x,
+            height=high_y - low_y,
+            machine=machine.title,
+            room_x=machine.width - x,
+            room_y=machine.height - y,
         )
     # Rounded to the decimals of a program, so that the program's header is exact.
     return round(x - float(low_x), 4), round(y - float(low_y), 4)

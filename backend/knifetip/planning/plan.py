@@ -71,10 +71,7 @@ def check_corners(corners: Corners, machine: Machine) -> None:
         As it says.
     """
     if not machine.offset_cuts:
-        raise PlanError(
-            f"Corner types were chosen, and {machine.title} does not cut with a cutter.",
-            "Leave the corners out, or choose a machine that mills.",
-        )
+        raise PlanError("corner.no-cutter", machine=machine.title)
     check(corners)
 
 
@@ -136,10 +133,11 @@ def plan(
             station = machine.station_for(kind, board.caliper)
             if station is None:
                 raise NoToolForLineType(
-                    f"{len(listed)} edges are {kind.word}, and no station of {machine.title} "
-                    "makes that.",
-                    "Give them another line type, or choose another machine.",
-                    [str(row) for row in listed[:10]],
+                    "tool.missing",
+                    count=len(listed),
+                    type=kind.word,
+                    machine=machine.title,
+                    source=[str(row) for row in listed[:10]],
                 )
             made = planners[station.planner(kind)](dieline, listed, machine, board, station)
             operations += made if isinstance(made, list) else [made]

@@ -11,6 +11,7 @@ import numpy as np
 
 from knifetip.errors import ProgramError
 from knifetip.geometry.columns import Bool
+from knifetip.messages import Message
 from knifetip.model.toolpath import Motion, Toolpath
 
 #: Coordinates beyond this are a mistake, on any table (mm, degrees).
@@ -21,12 +22,14 @@ SLOWEST: Final = 1e-3
 FASTEST: Final = 1e8
 
 
-def place_of(toolpath: Toolpath, row: int) -> str:
+def place_of(toolpath: Toolpath, row: int) -> Message:
     """Return the row of a toolpath, its motion and its edge, for a message."""
     edge = int(toolpath.source[row])
     motion = int(toolpath.motion[row])
     name = Motion(motion).name if motion in set(Motion) else f"motion {motion}"
-    return f"Row {row} of the toolpath ({name}" + (f", edge {edge})" if edge >= 0 else ")")
+    if edge < 0:
+        return Message("toolpath.row", row=row, motion=name)
+    return Message("toolpath.row-of-edge", row=row, motion=name, edge=edge)
 
 
 def check_toolpath(toolpath: Toolpath) -> None:
@@ -39,31 +42,32 @@ def check_toolpath(toolpath: Toolpath) -> None:
         where there may be none.
     """
     if len(toolpath) == 0:
-        raise ProgramError("The toolpath has no moves.", "Classify an edge as something to make.")
+        raise ProgramError("toolpath.empty")
 
-    def refuse(wrong: Bool, what: str, hint: str) -> None:
+    def refuse(wrong: Bool, code: str, **measures: float) -> None:
         if wrong.any():
             row = int(np.argmax(wrong))
             edge = int(toolpath.source[row])
-            values = f"bulge {toolpath.bulge[row]:g}, feed {toolpath.feed[row]:g}"
             here, there = (
                 ", ".join(f"{value:g}" for value in pose) for pose in toolpath.pose[row : row + 2]
             )
             raise ProgramError(
-                f"{place_of(toolpath, row)} {what}: from ({here}) to ({there}), {values}.",
-                hint,
-                [str(edge)] if edge >= 0 else [],
+                code,
+                place=place_of(toolpath, row),
+                move=f"from ({here}) to ({there}), bulge {toolpath.bulge[row]:g}, "
+                f"feed {toolpath.feed[row]:g}",
+                source=[str(edge)] if edge >= 0 else [],
+                **measures,
             )
 
     numbers: Bool = np.logical_and.reduce(np.isfinite(toolpath.pose), axis=1)
     finite = numbers[1:] & numbers[:-1] & np.isfinite(toolpath.bulge) & np.isfinite(toolpath.feed)
-    again = "Send the drawing with a report: a stage before this one went wrong."
-    refuse(~finite, "has a value that is not a number", again)
+    refuse(~finite, "toolpath.not-finite")
     far: Bool = np.logical_or.reduce(np.abs(toolpath.pose) > FARTHEST, axis=1)
-    refuse(far[1:] | far[:-1], f"is farther than {FARTHEST:g} mm away", "Look at the unit.")
+    refuse(far[1:] | far[:-1], "toolpath.too-far", limit=FARTHEST)
     rapid = toolpath.motion == Motion.RAPID
-    refuse(toolpath.motion > max(Motion), "has a motion that is none", again)
-    refuse(~rapid & (toolpath.feed < SLOWEST), "has no feed", "Give the tool a feed.")
-    refuse(toolpath.feed > FASTEST, "has a feed beyond any machine", "Look at the tool's feed.")
-    refuse(rapid & (np.abs(toolpath.bulge) > 0), "is a rapid along an arc", again)
-    refuse(np.abs(toolpath.bulge) > 1.0 + 1e-6, "is an arc of more than half a turn", again)
+    refuse(toolpath.motion > max(Motion), "toolpath.unknown-motion")
+    refuse(~rapid & (toolpath.feed < SLOWEST), "toolpath.no-feed")
+    refuse(toolpath.feed > FASTEST, "toolpath.feed-too-fast")
+    refuse(rapid & (np.abs(toolpath.bulge) > 0), "toolpath.rapid-arc")
+    refuse(np.abs(toolpath.bulge) > 1.0 + 1e-6, "toolpath.arc-too-long")

@@ -78,9 +78,7 @@ def emit(
     """
     plotter = machine.controller
     if not isinstance(plotter, Plotter):
-        raise ProgramError(
-            f"{machine.title} has no HPGL device.", "Describe it under [controller] of its TOML."
-        )
+        raise ProgramError("hpgl.no-device", machine=machine.title)
     _check_motions(toolpath)
     moves = _moves(toolpath, machine, plotter, tolerance)
     texts, sources = [], []
@@ -140,28 +138,25 @@ def _check_motions(toolpath: Toolpath) -> None:
     refused = (
         (
             begins & (motion != Motion.RAPID),
-            "begins the work of its station, and no rapid leads there",
-            "Begin each station with a rapid.",
+            "hpgl.no-approach",
         ),
-        (upright & beside, "goes down or up along a slope", "Choose a tool that goes straight."),
-        (works & (np.abs(change[:, 2]) > LEVEL), "changes its depth at work", "Work in one pass."),
+        (upright & beside, "hpgl.slanted-plunge"),
+        (works & (np.abs(change[:, 2]) > LEVEL), "hpgl.depth-change"),
         (
             (motion == Motion.SWIVEL) & beside,
-            "swings the head round the tip",
-            "Give the knife no trail: the device makes it good.",
+            "hpgl.swivel",
         ),
         (
             lone,
-            "presses the tool in one place, where HPGL cannot turn it",
-            'Choose a board with short_crease = "refuse", or another machine.',
+            "hpgl.press",
         ),
     )
-    for where, what, hint in refused:
+    for where, code in refused:
         if where.any():
             row = int(np.argmax(where))
             edge = int(toolpath.source[row])
             raise ProgramError(
-                f"{place_of(toolpath, row)} {what}.", hint, [str(edge)] if edge >= 0 else []
+                code, place=place_of(toolpath, row), source=[str(edge)] if edge >= 0 else []
             )
 
 
@@ -188,9 +183,13 @@ def _moves(toolpath: Toolpath, machine: Machine, plotter: Plotter, tolerance: fl
         if off.any():
             at = int(row[np.argmax(off)])
             raise ProgramError(
-                f"{place_of(toolpath, at)} has a feed of {toolpath.feed[at]:g} mm/min, and "
-                f"{device.title} has whole cm/s from {device.speed[0]} to {device.speed[1]}.",
-                f"Give the tool a feed that is a multiple of {CM_PER_SECOND:g} mm/min.",
+                "hpgl.bad-feed",
+                place=place_of(toolpath, at),
+                feed=toolpath.feed[at],
+                device=device.title,
+                slowest=device.speed[0],
+                fastest=device.speed[1],
+                step=CM_PER_SECOND,
             )
     pen = _pens(toolpath, machine, plotter)[row]
     return _Moves(point, kind.astype(np.uint8), speed, pen, row.astype(np.int32))
@@ -207,9 +206,7 @@ def _pens(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64:
     stay = np.cumsum(new)
     plunge = np.flatnonzero(toolpath.motion == Motion.PLUNGE)
     if len(plunge) == 0:
-        raise ProgramError(
-            "The toolpath never goes down.", "Classify an edge as something to make."
-        )
+        raise ProgramError("hpgl.never-down")
     through = np.abs(toolpath.pose[plunge + 1, 2] + machine.into_mat) <= LEVEL
     key = toolpath.tool[plunge].astype(np.int64) * 2 + through
     listed, which = np.unique(key, return_inverse=True)
@@ -230,10 +227,7 @@ def _pen(key: int, machine: Machine, plotter: Plotter) -> int:
     for index, pen in enumerate(plotter.pens):
         if pen.station == station.number and pen.work is work:
             return index
-    raise ProgramError(
-        f"{machine.title} has no pen for {work} with station {station.number}.",
-        "Add a [[controller.pen]] to its TOML.",
-    )
+    raise ProgramError("hpgl.no-pen", machine=machine.title, work=work, station=station.number)
 
 
 def _lines(moves: _Moves, rows: I64, stated: Bool) -> tuple[bytes, I32]:

@@ -70,10 +70,7 @@ def sequence(
     """
     work = [toolpath for toolpath in toolpaths if len(toolpath)]
     if not work:
-        raise PlanError(
-            "Nothing in this drawing is to be worked: every edge is ignored.",
-            "Give at least one edge a line type that the machine makes.",
-        )
+        raise PlanError("job.no-work")
     tool = int(work[0].tool[0])
     home = _parked(machine.station(tool), machine)
     here, parts, count = home, [], 0

@@ -9,6 +9,7 @@ import numpy as np
 
 from knifetip.errors import TravelExceeded
 from knifetip.geometry import arc
+from knifetip.messages import Message
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Toolpath
 
@@ -39,14 +40,16 @@ def check_travel(toolpath: Toolpath, machine: Machine) -> None:
         row, axis = np.unravel_index(np.argmax(past), past.shape)
         excess = past[row, axis]
         if excess > _ROUNDING or np.isnan(excess):
-            side = "below" if under[row, axis] > over[row, axis] else "above"
-            unit = "°" if axis == 3 else " mm"
             edge = int(toolpath.source[row])
-            place = f" at edge {edge}" if edge >= 0 else ""
             raise TravelExceeded(
-                f"{station.name} (station {station.number}) would go {excess:.2f}{unit} {side} the "
-                f"travel of axis {'XYZC'[int(axis)]} ({limits[axis, 0]:g} to "
-                f"{limits[axis, 1]:g}{unit}){place}.",
-                "Place the drawing elsewhere on the table, turn it, or choose a larger machine.",
-                [str(edge)] if edge >= 0 else [],
+                "travel.below" if under[row, axis] > over[row, axis] else "travel.above",
+                tool=station.name,
+                station=station.number,
+                excess=excess,
+                unit="°" if axis == 3 else " mm",
+                axis="XYZC"[int(axis)],
+                low=limits[axis, 0],
+                high=limits[axis, 1],
+                place=Message("edge.place", edge=edge) if edge >= 0 else None,
+                source=[str(edge)] if edge >= 0 else [],
             )

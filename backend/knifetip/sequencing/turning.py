@@ -105,11 +105,7 @@ def lifted(pose: F64, depth: F64, circle: TipCircle) -> F64:
         A tool that lies nearly flat is not lifted by moving along its axis.
     """
     if circle.tilt > _FLATTEST:
-        raise CompensationError(
-            f"The tool leans by {circle.tilt:.2f}°, and moving along its axis lifts it only up "
-            f"to {_FLATTEST:g}°.",
-            "Take a tool that stands up.",
-        )
+        raise CompensationError("tool.tilted", tilt=circle.tilt, limit=_FLATTEST)
     up = pose.copy()
     up[:, :3] += axis(pose[:, 3], circle) * (depth / math.cos(math.radians(circle.tilt)))[:, None]
     return up

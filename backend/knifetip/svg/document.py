@@ -27,9 +27,6 @@ _SWOLLEN: Final = 1 << 20
 #: Elements whose text is wanted.
 _WORDS: Final = frozenset(("style", "text", "tspan", "textPath", "a"))
 
-_AGAIN: Final = "Send or export it again."
-_PLAIN: Final = "Save it as plain SVG, with everything inside the file."
-
 
 class Node:
     """An element, or a run of text between elements (``tag`` empty)."""
@@ -82,16 +79,12 @@ def document(data: bytes, limits: Limits) -> Node:
     except expat.ExpatError as error:
         what = expat.ErrorString(error.code) or "damaged"
         if error.code in _UNFINISHED:
-            raise NotADrawing(
-                f"The SVG is cut short: it stops at line {error.lineno}, after "
-                f"{reading.count:,} elements, so lines may be missing.",
-                _AGAIN,
-            ) from None
+            raise NotADrawing("svg.cut-short", line=error.lineno, count=reading.count) from None
         raise NotADrawing(
-            f"The SVG is damaged at line {error.lineno}, column {error.offset}: {what}.", _AGAIN
+            "svg.damaged-at", line=error.lineno, column=error.offset, reason=what
         ) from None
     if reading.root is None:
-        raise NotADrawing("The SVG is empty.", _AGAIN)
+        raise NotADrawing("svg.empty")
     return reading.root
 
 
@@ -112,14 +105,11 @@ def _unpacked(data: bytes, limits: Limits) -> bytes:
     try:
         plain = stream.decompress(data, limits.bytes + 1)
     except zlib.error as error:
-        raise NotADrawing(f"The packed SVG (.svgz) is damaged: {error}.", _AGAIN) from None
+        raise NotADrawing("svg.packed-damaged", reason=error) from None
     if len(plain) > limits.bytes:
-        raise DrawingTooLarge(
-            f"The packed SVG (.svgz) holds more than {limits.bytes / 2**20:.1f} MB.",
-            "Export a single carton, without pictures.",
-        )
+        raise DrawingTooLarge("svg.unpacks-too-far", limit=limits.bytes / 2**20)
     if not stream.eof:
-        raise NotADrawing("The packed SVG (.svgz) is cut short.", _AGAIN)
+        raise NotADrawing("svg.packed-cut-short")
     return plain
 
 
@@ -140,14 +130,10 @@ class _Reading:
         self._deep += 1
         self.count += 1
         if self._deep > _DEEPEST:
-            raise DrawingTooLarge(
-                f"Elements of the SVG are nested more than {_DEEPEST} deep.",
-                "Ungroup the drawing and export it again.",
-            )
+            raise DrawingTooLarge("svg.nested-too-deep", limit=_DEEPEST)
         if self.count > self._limits.entities:
             raise DrawingTooLarge(
-                f"The SVG has more than {self._limits.entities:,} elements.",
-                "Export a single carton.",
+                "reading.too-many-elements", limit=self._limits.entities, format="SVG"
             )
         if self._foreign:
             self._foreign += 1
@@ -158,17 +144,13 @@ class _Reading:
         prefix, _, local = name.rpartition(":")
         if prefix not in self._prefixes:
             if self.root is None:
-                raise NotADrawing(
-                    f"The file is XML whose outermost element is {name[:40]}, not svg.", _PLAIN
-                )
+                raise NotADrawing("svg.other-xml", element=name[:40])
             self._foreign = 1
             return
         node = Node(local, attributes)
         if self.root is None:
             if local != "svg" or attributes.get("xmlns" + ":" * bool(prefix) + prefix, SVG) != SVG:
-                raise NotADrawing(
-                    f"The file is XML whose outermost element is {name[:40]}, not svg.", _PLAIN
-                )
+                raise NotADrawing("svg.other-xml", element=name[:40])
             self.root = node
         else:
             self._open[-1].children.append(node)
@@ -196,19 +178,8 @@ class _Reading:
         _notation: str | None,
     ) -> None:
         if value is None or system is not None or public is not None:
-            raise NotADrawing(
-                f"The SVG's DOCTYPE has an entity {name[:40]!r} that stands for another file, and "
-                "nothing is fetched.",
-                _PLAIN,
-            )
+            raise NotADrawing("svg.external-entity", name=name[:40])
         if is_parameter or "&" in value or "%" in value or "<" in value:
-            raise NotADrawing(
-                f"The SVG's DOCTYPE has an entity {name[:40]!r} that stands for more than words.",
-                _PLAIN,
-            )
+            raise NotADrawing("svg.markup-entity", name=name[:40])
         if len(value) * self._references > _SWOLLEN:
-            raise NotADrawing(
-                f"The SVG's DOCTYPE has an entity {name[:40]!r} of {len(value):,} characters, and "
-                "the file would swell by it.",
-                _PLAIN,
-            )
+            raise NotADrawing("svg.long-entity", name=name[:40], length=len(value))

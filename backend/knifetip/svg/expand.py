@@ -148,10 +148,7 @@ class _Walk:
             self._count()
         sheet = StyleSheet("\n".join(texts))
         if sheet.count > _RULES:
-            raise DrawingTooLarge(
-                f"The SVG's style sheet has {sheet.count:,} rules; the limit is {_RULES:,}.",
-                "Export it with the style in each element.",
-            )
+            raise DrawingTooLarge("svg.too-many-rules", count=sheet.count, limit=_RULES)
         self._cascade = Cascade(sheet, root)
         if sheet.unsupported:
             listed = ", ".join(selector[:40] for selector in sheet.unsupported[:5])
@@ -169,18 +166,14 @@ class _Walk:
             total += 1
             if total > self._limits.expanded:
                 raise DrawingTooLarge(
-                    "The use elements of the SVG stand for more than "
-                    f"{self._limits.expanded:,} elements.",
-                    "Export a single carton, with its clones unlinked.",
+                    "reading.expands-too-far", limit=self._limits.expanded, format="SVG"
                 )
             if node.tag == "use":
                 target = self._target(node)
                 if target is not None and target not in inside:
                     if uses >= self._limits.insert_depth:
                         raise DrawingTooLarge(
-                            f"The use elements of the SVG are nested more than "
-                            f"{self._limits.insert_depth} deep.",
-                            "Export it with its clones unlinked.",
+                            "reading.nested-too-deep", limit=self._limits.insert_depth, format="SVG"
                         )
                     stack.append((target, (*inside, target), uses + 1))
                 continue
@@ -200,8 +193,7 @@ class _Walk:
             node, here = stack.pop()
             if time.monotonic() > self._until:
                 raise DrawingTooLarge(
-                    f"The SVG takes longer than {self._limits.seconds:g} s to read.",
-                    "Export a single carton, with its clones unlinked.",
+                    "reading.too-slow", seconds=self._limits.seconds, format="SVG"
                 )
             inner = self._visited(node, here)
             if inner is not None:

@@ -66,6 +66,5 @@ def read(
         raise
     except (ValueError, ArithmeticError, LookupError) as error:
         raise NotADrawing(
-            f"The SVG is damaged in a way that reading stumbles over: {type(error).__name__}.",
-            "Open it in a drawing program and save it as plain SVG.",
+            "reading.unexpected", reason=type(error).__name__, format="SVG"
         ) from error

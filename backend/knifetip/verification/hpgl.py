@@ -80,15 +80,9 @@ class HpglReader:
         """Return the moves, and what is wrong: (line, words)."""
         plotter = machine.controller
         if not isinstance(plotter, Plotter):
-            raise ProgramUnreadable(
-                f"{machine.title} has no HPGL device.",
-                "Describe it under [controller] of its TOML.",
-            )
+            raise ProgramUnreadable("hpgl.no-device", machine=machine.title)
         if len(text) > LARGEST:
-            raise ProgramUnreadable(
-                f"The program has {len(text):,} bytes, and at most {LARGEST:,} are read.",
-                "Split the job into several sheets.",
-            )
+            raise ProgramUnreadable("program.too-large", bytes=len(text), limit=LARGEST)
         faults: _Faults = []
         given = _instructions(text, plotter.device, faults)
         track = _track(given, faults)
@@ -210,10 +204,7 @@ def _track(given: _Instructions, faults: _Faults) -> _Track:
     made = turned + np.where(point, count // 2, 0)
     total = int(made.sum())
     if total > MOVES:
-        raise ProgramUnreadable(
-            f"The program has {total:,} moves, and at most {MOVES:,} are read.",
-            "Split the job into several sheets.",
-        )
+        raise ProgramUnreadable("program.too-many-moves", moves=total, limit=MOVES)
     of = np.repeat(np.arange(len(code)), made)
     ordinal = np.arange(total) - np.repeat(np.cumsum(made) - made, made)
     upright = turned[of] & (ordinal == 0)

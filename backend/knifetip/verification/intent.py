@@ -97,7 +97,7 @@ def on_sheet(dieline: Dieline, placement: tuple[float, float]) -> Edges:
     bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
     if bad.any() or not np.isfinite(placement).all():
         what = f"Edge {int(np.argmax(bad))}" if bad.any() else "The placement"
-        raise GeometryError(f"{what} has a coordinate that is not a number.", "Draw it again.")
+        raise GeometryError("input.not-finite", what=what)
     start = dieline.ends[:, 0] + placement
     end = dieline.ends[:, 1] + placement
     row = np.flatnonzero(np.hypot(*(end - start).T) > 0.0).astype(np.int32)
@@ -168,10 +168,7 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
         first = np.searchsorted(key, wanted - 1)
         many = np.searchsorted(key, wanted + 2) - first
         if many.sum() > CROWD:
-            raise GeometryError(
-                f"More than {CROWD:,} pairs of ends lie within {distance} mm of each other.",
-                "Delete what is drawn many times over.",
-            )
+            raise GeometryError("edge.too-crowded", limit=CROWD, distance=distance)
         a = np.repeat(np.arange(len(points)), many)
         b = np.arange(len(a)) - np.repeat(np.cumsum(many) - many - first, many)
         found_a.append(a)

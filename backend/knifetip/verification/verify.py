@@ -77,9 +77,7 @@ def verify(
         The dieline or the placement has a coordinate that is not a number.
     """
     if not (math.isfinite(tolerance) and tolerance > 0.0):
-        raise ProgramError(
-            f"A tolerance of {tolerance} mm is no length.", "Give more than 0, 0.01 mm as a rule."
-        )
+        raise ProgramError("verify.bad-tolerance", tolerance=tolerance)
     edges = on_sheet(dieline, placement)
     figures = Figures.zeros(len(dieline))
     found = Findings()

@@ -28,7 +28,7 @@ def slow_process_id(progress: Progress) -> int:
 
 
 def refuse(progress: Progress, *_: object) -> NoReturn:
-    raise CurvedGroove("Edge 7 is an arc.", "Make it straight.", ["2F4"])
+    raise CurvedGroove("groove.curved", count=1, edge=7, source=["2F4"])
 
 
 def fail(progress: Progress, *_: object) -> NoReturn:

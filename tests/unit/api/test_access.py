@@ -11,6 +11,7 @@ from starlette.responses import PlainTextResponse
 
 from knifetip.api import access, signin
 from knifetip.api.access import Access, AccessRules, RequestFacts, authority, refusal
+from knifetip.messages import hint
 
 KEY = "correct-horse-battery"
 NOW = 1_000_000.0
@@ -167,7 +168,7 @@ def test_plain_forms_are_no_requests_of_the_api(kind: str, expected: int) -> Non
 def test_without_a_key_only_this_machine_is_served() -> None:
     assert status(OPEN, CURL) == 200
     assert status(OPEN, LAN) == 403
-    assert "--key" in refusal(OPEN, LAN, NOW).hint
+    assert "--key" in hint(refusal(OPEN, LAN, NOW).message)
     # A page that is led to this machine by its address, and a stranger who names it localhost.
     assert status(OPEN, replace(LAN, peer="127.0.0.1", server=("127.0.0.1", 8080))) == 421
     assert status(OPEN, replace(LAN, peer="192.168.1.20")) == 403

@@ -152,8 +152,8 @@ def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Cli
         ({"handles": ["FFFF"]}, "handle 'FFFF'"),
         ({"layer": "NOWHERE"}, "layer 'NOWHERE'"),
         ({"colour": 10**30}, "colour 1000"),
-        ({}, "in one way"),
-        ({"edges": [0], "layer": "CUT"}, "in one way"),
+        ({}, "in exactly one way"),
+        ({"edges": [0], "layer": "CUT"}, "in exactly one way"),
     ],
 )
 def test_an_override_about_nothing_is_refused(

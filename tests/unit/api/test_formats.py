@@ -80,7 +80,7 @@ def test_what_cannot_be_read_is_a_clear_problem(
     answer = posted(client, "carton.svg", content)
     assert answer.status_code == 422
     problem = answer.json()
-    assert words in json.dumps(problem) or "nothing is fetched" in json.dumps(problem)
+    assert words in json.dumps(problem) or "is not loaded" in json.dumps(problem)
     assert "passwd" not in json.dumps(problem)
     assert "root:" not in answer.text
 

@@ -157,7 +157,7 @@ def test_what_is_not_in_the_library_is_named(
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", field: value})
     assert answer.status_code == 422
     assert words in answer.json()["detail"]
-    assert answer.json()["hint"].startswith("There are ")
+    assert answer.json()["hint"].startswith("Available: ")
 
 
 def milled(client: httpx.Client, **fields: object) -> dict[str, Any]:
@@ -217,7 +217,7 @@ def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.
     answer = client.post("/api/jobs", json=order)
     assert answer.status_code == 422
     assert answer.headers["content-type"] == "application/problem+json"
-    assert "does not cut with a cutter" in answer.json()["detail"]
+    assert "has no rotating cutter" in answer.json()["detail"]
     assert answer.json()["hint"] == "Leave the corners out, or choose a machine that mills."
 
 

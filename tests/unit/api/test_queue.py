@@ -56,7 +56,7 @@ async def test_one_more_than_may_wait_is_refused_and_told_when_to_come_again() -
     await asyncio.sleep(0.05)
     with pytest.raises(ServerBusy) as refused:
         await work.run(lambda: call(99))
-    assert refused.value.waiting == 2
+    assert refused.value.message.arguments["waiting"] == 2
     assert 1 <= refused.value.seconds <= 60
     gate.set()
     await asyncio.gather(*waiting)

@@ -287,9 +287,9 @@ GROOVE = load.board("greyboard-3.0").groove_depth
         (("--corner-at", "50,0"), "is not X,Y=TYPE"),
         (("--corner-at", "nan,0=C"), "is not X,Y=TYPE"),
         (("--corner-at", "50,0=E"), "no corner type 'E' at (50, 0)"),
-        (("--corner-at", "50,0=D:1"), "knob k at (50, 0) is 1"),
-        (("--k", "nan"), "knob k is nan"),
-        (("--k", "1.5"), "knob k is 1.5"),
+        (("--corner-at", "50,0=D:1"), "corner parameter k at (50, 0) is 1"),
+        (("--k", "nan"), "corner parameter k is nan"),
+        (("--k", "1.5"), "corner parameter k is 1.5"),
     ],
 )
 def test_corners_that_are_none_are_said_with_exit_code_3(
@@ -306,7 +306,7 @@ def test_corners_are_not_for_a_knife(knifetip: Command, folder) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip("program", drawing, *RIGID, "-o", folder / "p.ngc", "--corner", "D")
     assert code == 3
-    assert "does not cut with a cutter" in err
+    assert "has no rotating cutter" in err
 
 
 def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(
@@ -330,7 +330,7 @@ def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(
     [
         ("azimuth,dx,dy\n0,0,0.05\n", "Measure one more point where the contour runs along Y"),
         ("azimuth,dx,dy\n", "0 measured points"),
-        ("azimuth,dx\n0,0.05\n", "line 2: there is no dy"),
+        ("azimuth,dx\n0,0.05\n", "line 2: dy is missing"),
         ("azimuth,dx,dy\n0,near,0.05\n", "line 2: could not convert"),
         ("azimuth,dx,dy\n45,nan,0.05\n", "not a number"),
     ],

@@ -164,7 +164,7 @@ def test_an_answer_that_is_no_problem_is_reported_with_its_status(
 def test_a_server_that_is_not_there_is_named(knifetip: Command, url: str) -> None:
     code, _, said = knifetip("job", "list", "--server", url)
     assert code == 3
-    assert "cannot be reached" in said
+    assert "Cannot reach" in said
 
 
 def test_an_id_with_a_slash_stays_one_id(knifetip: Command, office: Office) -> None:

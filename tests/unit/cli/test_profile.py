@@ -79,8 +79,8 @@ def test_every_command_finds_a_profile_that_a_server_keeps(
     ("name", "text", "words"),
     [
         ("wrong.toml", "title = 'x'\n[[rule]]\ntype = 'glue'", "rule 1: type 'glue'"),
-        ("latin.toml", "title = 'M\xfcller'", "not text in UTF-8"),
-        ("a b.toml", OURS, "is no name for a profile"),
+        ("latin.toml", "title = 'M\xfcller'", "not UTF-8 text"),
+        ("a b.toml", OURS, "is not a valid profile name"),
     ],
 )
 def test_what_is_no_profile_is_not_kept(

@@ -63,7 +63,7 @@ def test_a_file_goes_to_its_reader(data: bytes, kind: str) -> None:
 def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str) -> None:
     with pytest.raises(NotADrawing) as caught:
         format_of(data)
-    assert what in caught.value.message
+    assert what in caught.value.text
     assert "DXF" in caught.value.hint
     assert "CF2, SVG or PDF" in caught.value.hint
 

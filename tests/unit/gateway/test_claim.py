@@ -316,7 +316,7 @@ async def test_a_table_that_is_switched_off_takes_no_job() -> None:
         async def connect(safe, stop_motion):
             calls.append(len(office.claims))
             if len(calls) < 3:
-                raise ControllerError("No controller answers.", "Switch it on.")
+                raise ControllerError("controller.unreachable", address="wire", reason="off")
             return await grbl.dial(server.address, safe, silence=0.5, poll=0.02)
 
         await gateway(office, server, connect=connect)

@@ -41,7 +41,7 @@ def test_a_position_off_the_path_is_a_fault_after_three_reports(
     place: tuple[int, float, int],
 ) -> None:
     error = verdict(Corridor(PROGRAM, START, 15), report(*place))
-    assert "off the program's path near line" in error.message
+    assert "off the program's path near line" in error.text
     assert "home the machine" in error.hint
 
 

@@ -432,7 +432,7 @@ async def test_more_bytes_in_the_buffer_than_are_unanswered_is_an_answer_too_man
         async with asyncio.timeout(5.0):
             while controller.fault is None:
                 await asyncio.sleep(0.001)
-        assert "an answer was doubled" in controller.fault.message
+        assert "an answer was doubled" in controller.fault.text
 
 
 async def test_an_alarm_that_is_over_does_not_unlock_a_later_one() -> None:

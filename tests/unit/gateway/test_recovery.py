@@ -32,7 +32,7 @@ class Machine:
     async def reach(self) -> None:
         if self.unreachable:
             self.unreachable -= 1
-            raise ControllerError("lost")
+            raise ControllerError("controller.closed", name="wire")
 
     async def realtime(self, byte) -> None:
         self.done.append(byte.decode())
@@ -127,7 +127,7 @@ async def test_a_controller_that_reports_nothing_is_reset_all_the_same() -> None
 
     async def report():
         if "reset" not in machine.done:
-            raise ControllerSilent("silent")
+            raise ControllerSilent("controller.closed", name="wire")
         return await real()
 
     machine.report = report

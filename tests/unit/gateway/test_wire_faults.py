@@ -207,7 +207,7 @@ async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench, kind: s
     with pytest.raises(error, match=words) as raised:
         await bench.run()
     bench.assert_safe()
-    assert "was stopped and lifted to Z 20.0, its stations were released" in raised.value.message
+    assert "was stopped and lifted to Z 20.0, its stations were released" in raised.value.text
     assert raised.value.hint
     # It is in a known state: the next program runs.
     assert bench.controller.fault is None
@@ -229,7 +229,7 @@ async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench
     with pytest.raises(ControllerError) as raised:
         await bench.run()
     executed, lines, more = map(
-        int, re.search(r"(\d+) of (\d+) lines .* up to (\d+) more", raised.value.message).groups()
+        int, re.search(r"(\d+) of (\d+) lines .* up to (\d+) more", raised.value.text).groups()
     )
     assert lines == LINES
     # 15 blocks in the planner, and what fits into 128 bytes.
@@ -240,7 +240,7 @@ async def test_a_connection_that_stays_lost_ends_in_words_that_the_machine_is_no
     bench,
 ) -> None:
     async def nobody() -> None:
-        raise ControllerError("No controller answers at wire.", "Switch it on.")
+        raise ControllerError("controller.unreachable", address="wire", reason="off")
 
     bench.controller._reconnect = nobody
     bench.at_answer(lambda line: cut(bench))

@@ -92,15 +92,16 @@ def test_a_refusal_keeps_reason_mend_and_source(
     job = store.job(job.id)
     assert (job.state, job.reason, job.hint, job.source) == (
         "refused",
-        "Edge 7 is an arc.",
-        "Make it straight.",
+        "1 V-groove edge is an arc, the first of them edge 7; "
+        "a straight blade cannot follow an arc.",
+        "Draw straight lines, or give them another line type.",
         ["2F4"],
     )
 
 
 @pytest.mark.parametrize(
     ("task", "words"),
-    [(crew_tasks.fail, "an internal error: ZeroDivisionError"), (crew_tasks.die, "exit code 3")],
+    [(crew_tasks.fail, "while compiling: ZeroDivisionError"), (crew_tasks.die, "exit code 3")],
 )
 def test_a_compile_that_breaks_down_refuses_the_job(
     store: Store,

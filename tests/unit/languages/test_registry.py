@@ -34,7 +34,7 @@ def test_every_part_of_a_language_can_be_imported(name: str) -> None:
 def test_an_unknown_name_is_refused_with_the_known_ones() -> None:
     with pytest.raises(LibraryError) as refusal:
         find_language("GRBL")
-    assert "'GRBL'" in refusal.value.message
+    assert "'GRBL'" in refusal.value.text
     assert "grblhal" in refusal.value.hint
     assert "linuxcnc" in refusal.value.hint
 

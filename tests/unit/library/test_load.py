@@ -204,7 +204,7 @@ def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str) ->
     assert old in BOARD
     with pytest.raises(LibraryError, match="cannot be read") as caught:
         load.board(put(BOARD.replace(old, new)))
-    assert told in caught.value.message
+    assert told in caught.value.text
     assert caught.value.hint
 
 
@@ -258,7 +258,7 @@ def test_a_wrong_machine_says_what_is_wrong(put, old: str, new: str, told: str) 
     assert old in MACHINE
     with pytest.raises(LibraryError, match="cannot be read") as caught:
         load.machine(put(MACHINE.replace(old, new)))
-    assert told in caught.value.message
+    assert told in caught.value.text
 
 
 def test_two_stations_of_one_number_are_refused(put) -> None:
@@ -324,7 +324,7 @@ def test_a_wrong_profile_says_what_is_wrong(put, old: str, new: str, told: str) 
     assert old in PROFILE
     with pytest.raises(ProfileError, match="cannot be read") as caught:
         load.profile(put(PROFILE.replace(old, new)))
-    assert told in caught.value.message
+    assert told in caught.value.text
 
 
 @pytest.mark.parametrize(
@@ -394,7 +394,7 @@ def test_a_wrong_router_says_what_is_wrong(put, line: str, told: str) -> None:
     text = CUTTER.replace("speed = 18000.0\n", "") + line + "\n"
     with pytest.raises(LibraryError, match="cannot be read") as caught:
         load.machine(put(routed(text)))
-    assert told in caught.value.message
+    assert told in caught.value.text
 
 
 def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put) -> None:
@@ -418,7 +418,7 @@ def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put) -> None:
 def test_a_wrong_deflection_says_what_is_wrong(put, given: str, told: str) -> None:
     with pytest.raises(LibraryError) as caught:
         load.board(put(BOARD + "\n" + given + "\n"))
-    assert told in caught.value.message
+    assert told in caught.value.text
 
 
 # ── profiles written out, and read again ─────────────────────────────────────────────────────────

@@ -63,10 +63,10 @@ def laughs(width: int, depth: int) -> bytes:
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (b"", "is no PDF"),
+        (b"", "is not a PDF"),
         (b"%PDF-1.7\n", "cut short"),
         (b"%PDF-1.7\n%%EOF", "damaged"),
-        (b"\0" * 5000, "is no PDF"),
+        (b"\0" * 5000, "is not a PDF"),
         (carton()[:-20], "cut short"),
         (carton()[: len(carton()) // 2], "cut short"),
         (objects("<</Type /Catalog>>"), "has no page"),
@@ -87,15 +87,15 @@ def laughs(width: int, depth: int) -> bytes:
         (page(b"null"), "is missing"),
         (page(stream(b"(never closed")), "stops inside a text"),
         (page(stream(b"0 0 m [ 9 0 l S")), "stops inside an array"),
-        (pdf(""), "Nothing is drawn"),
+        (pdf(""), "There is no drawing"),
         (pdf("", root="/AcroForm <</XFA 3 0 R>>"), "XFA"),
-        (pdf("BT (a) Tj ET", page="/PieceInfo <</Illustrator <<>>>>"), "without its PDF"),
+        (pdf("BT (a) Tj ET", page="/PieceInfo <</Illustrator <<>>>>"), "without PDF content"),
     ],
 )
 def test_what_is_no_drawing_is_refused_with_what_to_do(data: bytes, words: str) -> None:
     with pytest.raises(NotADrawing) as caught:
         read(data, limits=FEW)
-    assert words in caught.value.message
+    assert words in caught.value.text
     assert caught.value.hint
 
 
@@ -104,20 +104,20 @@ def test_what_is_no_drawing_is_refused_with_what_to_do(data: bytes, words: str) 
     [
         (b"%PDF" + b"\0" * (1 << 20), "1.0 MB"),
         (page(flate(zlib.compress(b"\n" * (64 << 20)))), "unpacks to more than 1.0 MB"),
-        (pdf(LINE * 60), "50 paths, texts and pictures"),
+        (pdf(LINE * 60), "50 elements"),
         (pdf("0 0 m " + "9 0 l " * 1001 + "S"), "1,000 lines and curves"),
         (pdf("0 0 m " + "1 2 3 4 5 6 c " * 1001 + "S"), "1,000 lines and curves"),
-        (pdf("q " * 200_000), "states of its page"),
+        (pdf("q " * 200_000), "graphics states"),
         (pdf("/a BMC " * 120_000), "nested more than"),
         (nested(18), "nested more than 16 deep"),
-        (laughs(20, 12), "stand for more than 1.0 MB"),
+        (laughs(20, 12), "expand to more than 1.0 MB"),
         (page(stream(LINE.encode()), boxes="[0 0 1000000000 900000000]"), "reaches to"),
     ],
 )
 def test_what_is_too_large_is_refused_with_what_to_do(data: bytes, words: str) -> None:
     with pytest.raises(DrawingTooLarge) as caught:
         read(data, limits=FEW)
-    assert words in caught.value.message
+    assert words in caught.value.text
     assert caught.value.hint
 
 
@@ -218,7 +218,7 @@ def sound(data: bytes) -> None:
     except KnifetipError as reason:
         refused = reason
     if refused is not None:
-        assert refused.message
+        assert refused.text
         assert refused.hint
         return
     assert np.isfinite(drawing.ends).all()

@@ -80,11 +80,11 @@ def test_every_corner_of_a_hole_is_an_inside_corner() -> None:
     ("corners", "words"),
     [
         (Corners("E"), "no corner type 'E'"),
-        (Corners("D", k=1.0), "knob k is 1"),
-        (Corners("D", k=float("nan")), "knob k is nan"),
+        (Corners("D", k=1.0), "corner parameter k is 1"),
+        (Corners("D", k=float("nan")), "corner parameter k is nan"),
         (Corners(interference="ignore"), "'ignore' is nothing to do"),
         (Corners(at=(CornerAt(100, 100, "X"),)), r"no corner type 'X' at \(100, 100\)"),
-        (Corners(at=(CornerAt(100, 100, "D", 0.0),)), r"knob k at \(100, 100\) is 0"),
+        (Corners(at=(CornerAt(100, 100, "D", 0.0),)), r"corner parameter k at \(100, 100\) is 0"),
         (Corners(at=(CornerAt(float("inf"), 100, "D"),)), "no place"),
     ],
 )
@@ -94,5 +94,5 @@ def test_a_choice_that_is_none_is_refused(corners: Corners, words: str) -> None:
 
 
 def test_a_table_with_a_knife_has_no_corner_types() -> None:
-    with pytest.raises(PlanError, match="does not cut with a cutter"):
+    with pytest.raises(PlanError, match="has no rotating cutter"):
         plan(LINE, load.machine("demo-table"), BOARD, Corners("D"))

@@ -1,4 +1,4 @@
-"""Hostile and damaged files: each gets a clear answer, soon, and nothing is fetched."""
+"""Hostile and damaged files: each gets a clear answer, soon, and is not loaded."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def refused(data: bytes, kind: type[KnifetipError] = NotADrawing, **limits: int)
         read(data, limits=Limits(**limits))
     assert time.process_time() - begun < 10.0
     assert caught.value.hint
-    return caught.value.message
+    return caught.value.text
 
 
 def declared(*declarations: str, body: str = "<path d='M0 0h1' stroke='red'/>") -> bytes:
@@ -35,12 +35,12 @@ def test_a_billion_laughs_are_refused_before_the_first() -> None:
     lines = ['<!ENTITY a "ha">']
     for before, name in pairwise("abcdefghij"):
         lines.append(f'<!ENTITY {name} "' + f"&{before};" * 10 + '">')
-    assert "stands for more than words" in refused(declared(*lines, body="<text>&j;</text>"))
+    assert "contains markup" in refused(declared(*lines, body="<text>&j;</text>"))
 
 
 def test_a_long_entity_named_often_is_refused() -> None:
     body = f'<path d="{"&a;" * 20_000}"/>'
-    assert "would swell" in refused(declared(f'<!ENTITY a "{"x" * 1000}">', body=body))
+    assert "would expand the file" in refused(declared(f'<!ENTITY a "{"x" * 1000}">', body=body))
 
 
 @pytest.mark.parametrize(
@@ -52,11 +52,11 @@ def test_a_long_entity_named_often_is_refused() -> None:
     ],
 )
 def test_entities_that_stand_for_files_are_refused(declaration: str) -> None:
-    assert "nothing is fetched" in refused(declared(declaration, body="<text>&a;</text>"))
+    assert "is not loaded" in refused(declared(declaration, body="<text>&a;</text>"))
 
 
 def test_parameter_entities_are_refused() -> None:
-    assert "more than words" in refused(declared('<!ENTITY % a "b">'))
+    assert "contains markup" in refused(declared('<!ENTITY % a "b">'))
 
 
 def test_the_entities_of_illustrator_are_read_and_its_doctype_is_not_fetched() -> None:
@@ -76,7 +76,7 @@ def test_a_use_bomb_is_refused_before_it_is_expanded() -> None:
         uses = f'<use href="#g{k - 1}"/>' * 10
         groups.append(f'<g id="g{k}">{uses}</g>')
     data = svg("<defs>", *groups, "</defs>", '<use href="#g11"/>')
-    assert "stand for more than 1,000,000 elements" in refused(data, DrawingTooLarge)
+    assert "expand to more than 1,000,000 elements" in refused(data, DrawingTooLarge)
 
 
 def test_deep_chains_of_use_are_refused() -> None:
@@ -125,8 +125,8 @@ def test_a_packed_file_cut_anywhere_is_refused() -> None:
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (b"<html><body/></html>", "outermost element is html, not svg"),
-        (b'<svg xmlns="urn:other"/>', "outermost element is svg, not svg"),
+        (b"<html><body/></html>", "outermost element html, not svg"),
+        (b'<svg xmlns="urn:other"/>', "outermost element svg, not svg"),
         (b"<svg></g>", "damaged at line 1"),
         (b"<svg><path d='&nbsp;'/></svg>", "undefined entity"),
         (b"<svg>\xff\xfe</svg>", "not well-formed"),
@@ -159,7 +159,7 @@ def read_or_refused(data: bytes) -> Drawing | None:
     except KnifetipError as error:
         refusal = error
     assert refusal.hint
-    assert "stumbles" not in refusal.message, refusal.__cause__
+    assert refusal.message.code != "reading.unexpected", refusal.__cause__
     return None
 
 

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from enum import IntEnum, StrEnum
 from typing import TYPE_CHECKING, ClassVar, Literal
 
+from knifetip.messages import Message
+
 
 class Reversal(IntEnum):
     """From which of its ends a track may be run."""
@@ -91,9 +93,9 @@ class Tool(ABC):
         return 0
 
     @property
-    def spindle_missing(self) -> str:
-        """Why it cannot work: it needs a spindle word and its dimensions give none; or ""."""
-        return ""
+    def spindle_missing(self) -> Message | None:
+        """Why it cannot work: it needs a spindle word and its dimensions give none; or None."""
+        return None
 
     @property
     def outputs(self) -> tuple[int, ...]:

@@ -8,6 +8,7 @@ from typing import ClassVar, Final
 import numpy as np
 
 from knifetip.geometry.columns import F64
+from knifetip.messages import Message
 from knifetip.model.tool.disc import DiscTool
 
 #: More passes than this are a mistake in the tool's ``step``.
@@ -36,9 +37,9 @@ class Cutter(DiscTool):
         return round(self.speed)
 
     @property
-    def spindle_missing(self) -> str:
+    def spindle_missing(self) -> Message | None:
         """A cutter that does not turn does not cut."""
-        return "" if self.spindle >= 1 else "The cutter has no spindle speed."
+        return None if self.spindle >= 1 else Message("tool.without-speed")
 
     def settle(self, usual: float) -> float:
         """Return the time in which the spindle comes to its speed, if that is longer."""

@@ -178,11 +178,7 @@ def _worded(moves: _Moves, machine: Machine, dialect: Dialect, blending: float) 
     moved = (np.abs(np.diff(units[:, :3], axis=0)) > 1).any(axis=1)
     if (still := swivel & moved & ~turns).any():
         row = moves.row[np.argmax(still)]
-        raise ProgramError(
-            f"Row {row} of the toolpath is a swivel that moves without turning,"
-            " so its feed in degrees per minute says nothing.",
-            "Make it a feed.",
-        )
+        raise ProgramError("toolpath.swivel-without-turn", row=row)
     inverse = ~rapid & turns & (~round_ | swivel | dialect.inverse_arcs)
     degrees = np.abs(pose[1:, 3] - pose[:-1, 3])
     travel = np.hypot(arc.length(start, end, bulge), pose[1:, 2] - pose[:-1, 2])
@@ -299,9 +295,12 @@ def _text(words: _Words, rows: slice, dialect: Dialect) -> bytes:
         at = int(np.argmax(long))
         line = characters[at][shown[at]].tobytes().decode().rstrip()
         raise ProgramError(
-            f"Row {words.row[rows][at]} of the toolpath needs a line of {lengths[at]} characters"
-            f" ({line[:60]} …), and {dialect.name} reads {dialect.line_limit}.",
-            "Look at its numbers: on any table they are shorter.",
+            "program.line-too-long",
+            row=words.row[rows][at],
+            length=lengths[at],
+            line=line[:60],
+            dialect=dialect.name,
+            limit=dialect.line_limit,
         )
     text: bytes = characters[shown].tobytes()
     return text

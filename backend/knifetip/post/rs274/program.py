@@ -103,10 +103,7 @@ def _blending(tolerance: float) -> float:
     half = min(tolerance, BLENDED) / 2.0
     # LinuxCNC reads P0 as no limit at all.
     if not half >= 0.5e-3:
-        raise ProgramError(
-            f"A tolerance of {tolerance} mm leaves nothing to the controller's blending.",
-            "Give 0.001 mm or more.",
-        )
+        raise ProgramError("program.bad-tolerance", tolerance=tolerance)
     return half
 
 
@@ -182,20 +179,22 @@ def _station(toolpath: Toolpath, machine: Machine, first: int) -> Station:
     try:
         station = machine.station(number)
     except KeyError:
-        known = ", ".join(str(station.number) for station in machine.stations)
+        known = [str(station.number) for station in machine.stations]
         raise ProgramError(
-            f"{place_of(toolpath, first)} is for station {number}, which {machine.name} lacks.",
-            f"It has {known}.",
+            "toolpath.unknown-station",
+            place=place_of(toolpath, first),
+            station=number,
+            machine=machine.name,
+            known=known,
         ) from None
     if reason := station.tool.spindle_missing:
         raise ProgramError(
-            f"Station {number} ({station.name}) of {machine.name} cannot work: {reason}",
-            "Complete the tool in the machine's file.",
+            "tool.cannot-work",
+            station=number,
+            name=station.name,
+            machine=machine.name,
+            reason=reason,
         )
     if toolpath.motion[first] != Motion.RAPID:
-        raise ProgramError(
-            f"{place_of(toolpath, first)} begins the work of station {number}, and is no rapid:"
-            " the head is not there yet.",
-            "Begin each station with a rapid.",
-        )
+        raise ProgramError("toolpath.no-approach", place=place_of(toolpath, first), station=number)
     return station

@@ -102,10 +102,7 @@ class _Blocks:
         self.line: I32 = words.line[new]
         count = len(self.line)
         if count > BLOCKS:
-            raise ProgramUnreadable(
-                f"The program has {count:,} lines, and at most {BLOCKS:,} are read.",
-                "Split the job into several sheets.",
-            )
+            raise ProgramUnreadable("program.too-many-lines", lines=count, limit=BLOCKS)
         self.count = count
         groups = np.full((15, count), -1, np.int32)
         numbers = {letter: np.full(count, np.nan) for letter in _LETTERS}

@@ -63,14 +63,9 @@ def parse(text: bytes) -> Words:
         It is not bytes, or longer than 64 MB.
     """
     if not isinstance(text, bytes | bytearray | memoryview):
-        raise ProgramUnreadable(
-            f"The program is a {type(text).__name__}, not bytes.", "Give the bytes of the file."
-        )
+        raise ProgramUnreadable("program.not-bytes", type=type(text).__name__)
     if len(text) > LARGEST:
-        raise ProgramUnreadable(
-            f"The program has {len(text):,} bytes, and at most {LARGEST:,} are read.",
-            "Split the job into several sheets.",
-        )
+        raise ProgramUnreadable("program.too-large", bytes=len(text), limit=LARGEST)
     raw = np.frombuffer(text, np.uint8)
     line, letter, value, faults, lines = _scanned(raw, LINE, FARTHEST)
     told = [

@@ -1,0 +1,76 @@
+"""Codes: those that the source uses are those that the catalogue lists, with the same arguments."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import knifetip
+from knifetip import errors
+from knifetip.messages.codes import CODES
+
+ROOT = Path(knifetip.__file__).parent
+ERRORS = {name for name, kind in vars(errors).items() if isinstance(kind, type)}
+#: Arguments of errors that are not the code's.
+OTHER = {"source"}
+
+
+def trees() -> Iterator[tuple[str, ast.Module]]:
+    for file in sorted(ROOT.rglob("*.py")):
+        if file.parent.name != "messages":
+            yield str(file.relative_to(ROOT)), ast.parse(file.read_text("utf-8"))
+
+
+def calls() -> Iterator[tuple[str, list[str], set[str] | None]]:
+    """Yield place, codes and names of arguments of what makes a message or raises an error.
+
+    The names are None where they are not all written out.
+    """
+    for name, tree in trees():
+        for node in ast.walk(tree):
+            if not isinstance(node, ast.Call) or not node.args:
+                continue
+            called = getattr(node.func, "id", getattr(node.func, "attr", ""))
+            if called != "Message" and called not in ERRORS and called != "__init__":
+                continue
+            codes = constants(node.args[0])
+            if not codes:
+                continue
+            given = {keyword.arg for keyword in node.keywords if keyword.arg} - OTHER
+            spread = any(keyword.arg is None for keyword in node.keywords)
+            yield f"{name}:{node.lineno}", codes, None if spread else given
+
+
+def constants(node: ast.expr) -> list[str]:
+    match node:
+        case ast.Constant(value=str(code)):
+            return [code]
+        case ast.IfExp():
+            return constants(node.body) + constants(node.orelse)
+    return []
+
+
+def test_every_call_has_a_code_of_the_catalogue_and_its_arguments():
+    wrong = [
+        (place, code, sorted(given or ()))
+        for place, codes, given in calls()
+        for code in codes
+        if code not in CODES or (given is not None and given != CODES[code].keys())
+    ]
+    assert wrong == []
+
+
+def test_every_code_of_the_catalogue_is_used():
+    used = {
+        node.value
+        for _, tree in trees()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }
+    # A client uses it for what it has no code for.
+    assert CODES.keys() - used == {"stored.text"}
+
+
+def test_calls_are_found():
+    assert len(list(calls())) > 200
