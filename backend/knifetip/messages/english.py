@@ -89,8 +89,8 @@ TEXTS: Final[Mapping[str, str]] = {
     "controller.silent": "{name} has not answered for {seconds:g} s{due}.",
     "controller.stopped": "{error} {progress} The machine was stopped and lifted to Z "
     "{height:.1f}, its stations were released.",
-    "controller.unexpected-answer": "{name} answered a line that was not sent: an answer was "
-    "repeated on the way, or another program sends to the controller.",
+    "controller.unexpected-answer": "{name} answered a line that was not sent from here: an "
+    "answer was doubled on the way, or another program sends to the controller.",
     "controller.unreachable": "No controller answers at {address} ({reason}).",
     "controller.was-reset": "{name} was reset.",
     "corner.at": " at ({x:g}, {y:g})",
@@ -670,8 +670,7 @@ HINTS: Final[Mapping[str, str]] = {
     "reading.too-slow": "Export a single carton, with curves as lines and arcs and without "
     "pictures.",
     "reading.unexpected": "Export it again, from another program if necessary.",
-    "reading.unknown-kind": "Send the drawing as DXF (text or binary, any version), CF2, SVG or "
-    "PDF.",
+    "reading.unknown-kind": "Send the drawing as {formats:or}.",
     "request.body-too-large": "Send it in several requests.",
     "request.foreign-origin": "Send it from this server's page, or from a program that is not a "
     "browser.",

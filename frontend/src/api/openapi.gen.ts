@@ -2489,7 +2489,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "stored.text" | "question.unit" | "question.unit-size" | "question.unit-evidence" | "question.unit-doubtful" | "question.unit-contradicted" | "question.unit-not-stated" | "question.unit-unreadable" | "question.line-type" | "question.guess" | "question.shape" | "question.tool";
+        MessageCode: "stored.text" | "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-confirmation" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.stale" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "input.not-finite" | "job.being-cancelled" | "job.cancelled-before-request" | "job.compile-crashed" | "job.gateway-silent" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-to-confirm" | "job.other-board" | "job.stale-epoch" | "job.unknown" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "profile.unusable" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.unsupported" | "verify.bad-tolerance" | "worker.died" | "worker.memory" | "worker.timeout";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -2500,49 +2500,1417 @@ export interface components {
             };
         } | {
             /** @constant */
-            code: "question.unit";
+            code: "advice.compiling";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "advice.ended";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "advice.interrupted";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "advice.queued";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "advice.ready";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "advice.running";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "bridges.no-room";
             arguments: {
-                reason: components["schemas"]["Message"];
-                sizes: components["schemas"]["Message"][];
-                evidence: components["schemas"]["Message"] | null;
+                edge: number;
+                length: number;
+                fewest: number;
+                gap: number;
+                spacing: number;
             };
         } | {
             /** @constant */
-            code: "question.unit-size";
+            code: "calibration.bad-points";
             arguments: {
-                unit: string;
-                width: number;
+                count: number;
+            };
+        } | {
+            /** @constant */
+            code: "calibration.choose-cutter";
+            arguments: {
+                machine: string;
+                count: number;
+                cutters: string[];
+            };
+        } | {
+            /** @constant */
+            code: "calibration.missing-column";
+            arguments: {
+                file: string;
+                line: number;
+                columns: string;
+            };
+        } | {
+            /** @constant */
+            code: "calibration.not-a-number";
+            arguments: {
+                file: string;
+                line: number;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "calibration.not-csv";
+            arguments: {
+                file: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "calibration.undetermined";
+            arguments: {
+                along: string;
+                other: string;
+                weight: number;
+                least: number;
+                direction: string;
+            };
+        } | {
+            /** @constant */
+            code: "calibration.wrong-sign";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "cf2.cut-short";
+            arguments: {
+                line: number;
+                inside: string;
+            };
+        } | {
+            /** @constant */
+            code: "cf2.decimal-commas";
+            arguments: {
+                line: number;
+                fields: number;
+                record: string;
+                expected: number;
+            };
+        } | {
+            /** @constant */
+            code: "cf2.empty";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "command.bad-corner";
+            arguments: {
+                text: string;
+            };
+        } | {
+            /** @constant */
+            code: "command.bad-layer";
+            arguments: {
+                pair: string;
+            };
+        } | {
+            /** @constant */
+            code: "command.bad-line-type";
+            arguments: {
+                pair: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "command.file-too-large";
+            arguments: {
+                path: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "command.no-such-layer";
+            arguments: {
+                layer: string;
+                file: string;
+                layers: string[];
+            };
+        } | {
+            /** @constant */
+            code: "command.unreadable-file";
+            arguments: {
+                path: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "command.unwritable-file";
+            arguments: {
+                path: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.alarm";
+            arguments: {
+                name: string;
+                code: number;
+                alarm: string;
+                due: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "controller.alarm-code";
+            arguments: {
+                code: number;
+                alarm: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.alarm-state";
+            arguments: {
+                name: string;
+                due: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "controller.alarm-unknown";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "controller.answer-lost";
+            arguments: {
+                name: string;
+                state: string;
+                seconds: number;
+                due: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "controller.bad-address";
+            arguments: {
+                address: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.busy";
+            arguments: {
+                name: string;
+                state: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.closed";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.connection-failed";
+            arguments: {
+                address: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.due";
+            arguments: {
+                line: number;
+                text: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.lift-not-finished";
+            arguments: {
+                name: string;
+                seconds: number;
+            };
+        } | {
+            /** @constant */
+            code: "controller.locked";
+            arguments: {
+                name: string;
+                cause: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "controller.locked-by-alarm";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.lost";
+            arguments: {
+                name: string;
+                due: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "controller.lost-in-buffer";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.no-confirmation";
+            arguments: {
+                name: string;
+                what: string;
+                seconds: number;
+            };
+        } | {
+            /** @constant */
+            code: "controller.not-ready";
+            arguments: {
+                name: string;
+                state: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.not-recovered";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.not-secured";
+            arguments: {
+                name: string;
+                state: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.not-stopped";
+            arguments: {
+                error: components["schemas"]["Message"];
+                progress: components["schemas"]["Message"];
+                unsafe: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "controller.off-path";
+            arguments: {
+                x: number;
+                y: number;
+                z: number;
+                distance: number;
+                line: number;
+            };
+        } | {
+            /** @constant */
+            code: "controller.refused-safe-state";
+            arguments: {
+                refusals: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "controller.rejected-command";
+            arguments: {
+                name: string;
+                command: string;
+                error: string;
+                code: number;
+            };
+        } | {
+            /** @constant */
+            code: "controller.rejected-in-check";
+            arguments: {
+                name: string;
+                line: number;
+                text: string;
+                error: string;
+                code: number;
+            };
+        } | {
+            /** @constant */
+            code: "controller.rejected-line";
+            arguments: {
+                name: string;
+                line: number;
+                text: string;
+                error: string;
+                code: number;
+            };
+        } | {
+            /** @constant */
+            code: "controller.reports-alarm";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.reset";
+            arguments: {
+                name: string;
+                due: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "controller.silent";
+            arguments: {
+                name: string;
+                seconds: number;
+                due: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "controller.stopped";
+            arguments: {
+                error: components["schemas"]["Message"];
+                progress: components["schemas"]["Message"];
                 height: number;
             };
         } | {
             /** @constant */
-            code: "question.unit-evidence";
+            code: "controller.unexpected-answer";
             arguments: {
-                unit: string;
-                evidence: components["schemas"]["Message"][];
+                name: string;
             };
         } | {
             /** @constant */
-            code: "question.unit-doubtful";
+            code: "controller.unreachable";
             arguments: {
-                stated: string;
-                other: string;
+                address: string;
+                reason: string;
             };
         } | {
             /** @constant */
-            code: "question.unit-contradicted";
+            code: "controller.was-reset";
             arguments: {
-                stated: string;
+                name: string;
             };
         } | {
             /** @constant */
-            code: "question.unit-not-stated";
+            code: "corner.at";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "corner.bad-interference";
+            arguments: {
+                interference: string;
+            };
+        } | {
+            /** @constant */
+            code: "corner.bad-k";
+            arguments: {
+                edge: number;
+                k: string;
+            };
+        } | {
+            /** @constant */
+            code: "corner.bad-k-at";
+            arguments: {
+                where: components["schemas"]["Message"] | null;
+                k: string;
+            };
+        } | {
+            /** @constant */
+            code: "corner.bad-place";
+            arguments: {
+                x: string;
+                y: string;
+            };
+        } | {
+            /** @constant */
+            code: "corner.bad-share";
+            arguments: {
+                corner: number;
+                k: string;
+            };
+        } | {
+            /** @constant */
+            code: "corner.inside";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "corner.no-contour";
+            arguments: {
+                within: number;
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "corner.no-cutter";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "corner.not-found";
+            arguments: {
+                within: number;
+                x: number;
+                y: number;
+                distance: number;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "corner.unknown-number";
+            arguments: {
+                corner: number;
+                type: number;
+            };
+        } | {
+            /** @constant */
+            code: "corner.unknown-type";
+            arguments: {
+                type: string;
+            };
+        } | {
+            /** @constant */
+            code: "corner.unknown-type-at";
+            arguments: {
+                type: string;
+                where: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "crease.tight-bend";
+            arguments: {
+                edge: number;
+                radius: number;
+                offset: number;
+            };
+        } | {
+            /** @constant */
+            code: "crease.too-short";
+            arguments: {
+                edge: number;
+                length: number;
+                radius: number;
+                clearance: number;
+            };
+        } | {
+            /** @constant */
+            code: "curve.bad-ellipse";
             arguments: Record<string, never>;
         } | {
             /** @constant */
-            code: "question.unit-unreadable";
+            code: "curve.bad-spline";
             arguments: {
-                evidence: components["schemas"]["Message"];
+                degree: number;
+                points: number;
+                knots: number;
+            };
+        } | {
+            /** @constant */
+            code: "curve.bad-tolerance";
+            arguments: {
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "curve.not-finite";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "curve.not-fitted";
+            arguments: {
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "curve.parameters";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "curve.too-many-pieces";
+            arguments: {
+                limit: number;
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "curve.too-many-spans";
+            arguments: {
+                spans: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "cut.too-many-crossings";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "cut.too-short";
+            arguments: {
+                edge: number;
+                length: number;
+                lead: number;
+            };
+        } | {
+            /** @constant */
+            code: "cutter.does-not-fit";
+            arguments: {
+                diameter: number;
+                edge: number;
+                others: number;
+            };
+        } | {
+            /** @constant */
+            code: "cutter.misses-bridge";
+            arguments: {
+                edge: number;
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "cutter.short-lead";
+            arguments: {
+                lead: number;
+                radius: number;
+            };
+        } | {
+            /** @constant */
+            code: "database.bad-url";
+            arguments: {
+                url: string;
+            };
+        } | {
+            /** @constant */
+            code: "database.in-memory";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "deflection.arc-too-small";
+            arguments: {
+                radius: number;
+                x: number;
+                y: number;
+                deflection: number;
+            };
+        } | {
+            /** @constant */
+            code: "deflection.path-too-short";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "drawing.changing";
+            arguments: {
+                drawing: string;
+            };
+        } | {
+            /** @constant */
+            code: "drawing.in-use";
+            arguments: {
+                job: string;
+                drawing: string;
+            };
+        } | {
+            /** @constant */
+            code: "drawing.larger-than-table";
+            arguments: {
+                width: number;
+                height: number;
+                machine: string;
+                room_x: number;
+                room_y: number;
+            };
+        } | {
+            /** @constant */
+            code: "drawing.open-questions";
+            arguments: {
+                count: number;
+                questions: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "drawing.stale";
+            arguments: {
+                drawing: string;
+                revision: number;
+                named: string;
+            };
+        } | {
+            /** @constant */
+            code: "drawing.unit-for-cleaning";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "drawing.unit-unknown";
+            arguments: {
+                evidence: string;
+            };
+        } | {
+            /** @constant */
+            code: "drawing.unknown";
+            arguments: {
+                drawing: string;
+            };
+        } | {
+            /** @constant */
+            code: "drawing.upload-too-large";
+            arguments: {
+                name: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "dxf.blocks-expand-too-far";
+            arguments: {
+                count: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "dxf.blocks-too-deep";
+            arguments: {
+                depth: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "dxf.cut-short";
+            arguments: {
+                where: string;
+                section: string;
+                count: number;
+            };
+        } | {
+            /** @constant */
+            code: "dxf.no-section";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "dxf.not-a-group-code";
+            arguments: {
+                line: number;
+                text: string;
+            };
+        } | {
+            /** @constant */
+            code: "dxf.other-kind";
+            arguments: {
+                kind: string;
+            };
+        } | {
+            /** @constant */
+            code: "dxf.too-large-unusual";
+            arguments: {
+                size: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "edge.no-length";
+            arguments: {
+                edges: string[];
+            };
+        } | {
+            /** @constant */
+            code: "edge.not-finite";
+            arguments: {
+                edge: number;
+            };
+        } | {
+            /** @constant */
+            code: "edge.place";
+            arguments: {
+                edge: number;
+            };
+        } | {
+            /** @constant */
+            code: "edge.too-crowded";
+            arguments: {
+                limit: number;
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "edge.too-far";
+            arguments: {
+                edge: number;
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "edge.too-many-overlaps";
+            arguments: {
+                edges: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "error.at-edge";
+            arguments: {
+                error: components["schemas"]["Message"];
+                handle: string;
+                layer: string;
+            };
+        } | {
+            /** @constant */
+            code: "error.at-edges";
+            arguments: {
+                edges: string[];
+                error: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "error.in-file";
+            arguments: {
+                name: string;
+                error: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "groove.along-edge";
+            arguments: {
+                edge: number;
+                angle: number;
+            };
+        } | {
+            /** @constant */
+            code: "groove.curved";
+            arguments: {
+                count: number;
+                edge: number;
+            };
+        } | {
+            /** @constant */
+            code: "groove.overcut";
+            arguments: {
+                overrun: number;
+                allowed: number;
+            };
+        } | {
+            /** @constant */
+            code: "groove.runs-out";
+            arguments: {
+                edge: number;
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "groove.through-cut";
+            arguments: {
+                groove: number;
+                width: number;
+                through: number;
+                cut: number;
+                distance: number;
+                place: number;
+            };
+        } | {
+            /** @constant */
+            code: "groove.through-cut-at-it";
+            arguments: {
+                groove: number;
+                width: number;
+                through: number;
+                cut: number;
+                distance: number;
+                place: number;
+            };
+        } | {
+            /** @constant */
+            code: "groove.tight-bend";
+            arguments: {
+                edge: number;
+                radius: number;
+                blade: number;
+                error: number;
+            };
+        } | {
+            /** @constant */
+            code: "groove.too-deep";
+            arguments: {
+                edge: number;
+                depth: number;
+                caliper: number;
+            };
+        } | {
+            /** @constant */
+            code: "groove.too-short";
+            arguments: {
+                edge: number;
+                length: number;
+                blade: number;
+            };
+        } | {
+            /** @constant */
+            code: "input.not-finite";
+            arguments: {
+                what: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.being-cancelled";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.cancelled-before-request";
+            arguments: {
+                job: string;
+                request: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.compile-crashed";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.gateway-silent";
+            arguments: {
+                gateway: string;
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.no-confirmation-awaited";
+            arguments: {
+                job: string;
+                state: string;
+                advice: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.no-sheet-awaited";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.no-work";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.not-confirmed";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.not-running";
+            arguments: {
+                job: string;
+                state: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.not-taken";
+            arguments: {
+                job: string;
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.nothing-to-confirm";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.other-board";
+            arguments: {
+                job: string;
+                board: string;
+                given: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.stale-epoch";
+            arguments: {
+                job: string;
+                state: string;
+                current: number;
+                epoch: number;
+            };
+        } | {
+            /** @constant */
+            code: "job.unknown";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.wrong-state";
+            arguments: {
+                job: string;
+                state: string;
+                goal: string;
+                advice: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.wrong-state-for-request";
+            arguments: {
+                job: string;
+                state: string;
+                request: string;
+                states: string[];
+                advice: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "language.bad-entry-point";
+            arguments: {
+                name: string;
+                group: string;
+            };
+        } | {
+            /** @constant */
+            code: "language.no-driver";
+            arguments: {
+                language: string;
+                advice: string;
+            };
+        } | {
+            /** @constant */
+            code: "language.unknown";
+            arguments: {
+                name: string;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "language.unusable";
+            arguments: {
+                machine: string;
+                language: string;
+                reason: string;
+                own: string;
+            };
+        } | {
+            /** @constant */
+            code: "layer.not-finite";
+            arguments: {
+                layer: string;
+            };
+        } | {
+            /** @constant */
+            code: "library.unknown";
+            arguments: {
+                shelf: string;
+                name: string;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "library.unknown-file";
+            arguments: {
+                shelf: string;
+                name: string;
+                reason: string;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "library.unreadable";
+            arguments: {
+                shelf: string;
+                name: string;
+                detail: string;
+            };
+        } | {
+            /** @constant */
+            code: "machine.busy";
+            arguments: {
+                job: string;
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "machine.busy-with-another";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "machine.no-cutter";
+            arguments: {
+                machine: string;
+                cutter: string;
+            };
+        } | {
+            /** @constant */
+            code: "machine.no-such-cutter";
+            arguments: {
+                machine: string;
+                cutter: string;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "milling.shared-edge";
+            arguments: {
+                edge: number;
+                diameter: number;
+            };
+        } | {
+            /** @constant */
+            code: "offset.bad-distance";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "offset.bad-interference";
+            arguments: {
+                interference: string;
+            };
+        } | {
+            /** @constant */
+            code: "offset.bad-side";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "offset.dead-end";
+            arguments: {
+                path: number;
+                radius: number;
+                depth: number;
+                segment: number;
+            };
+        } | {
+            /** @constant */
+            code: "offset.interference";
+            arguments: {
+                radius: number;
+                segment: number;
+                depth: number;
+                other: number;
+            };
+        } | {
+            /** @constant */
+            code: "offset.mixed-group";
+            arguments: {
+                path: number;
+            };
+        } | {
+            /** @constant */
+            code: "offset.self-contact";
+            arguments: {
+                path: number;
+                radius: number;
+                x: number;
+                y: number;
+                one: number;
+                two: number;
+            };
+        } | {
+            /** @constant */
+            code: "override.ambiguous";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "override.no-edges-there";
+            arguments: {
+                place: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "override.no-such-edge";
+            arguments: {
+                count: number;
+                edge: string;
+            };
+        } | {
+            /** @constant */
+            code: "override.no-such-handle";
+            arguments: {
+                handle: string;
+            };
+        } | {
+            /** @constant */
+            code: "override.of-colour";
+            arguments: {
+                colour: string;
+            };
+        } | {
+            /** @constant */
+            code: "override.on-layer";
+            arguments: {
+                layer: string;
+            };
+        } | {
+            /** @constant */
+            code: "pdf.blank";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.content-damaged";
+            arguments: {
+                where: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "pdf.cut-short";
+            arguments: {
+                bytes: number;
+            };
+        } | {
+            /** @constant */
+            code: "pdf.encrypted";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.expands-too-far";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "pdf.form";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.illustrator-only";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.layers-too-deep";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "pdf.no-header";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.no-page";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.page-too-large";
+            arguments: {
+                size: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "pdf.part-missing";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.stream-cut-short";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.stream-damaged";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "pdf.stream-too-large";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "pdf.too-many-states";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "profile.bad-if-match";
+            arguments: {
+                match: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.bad-name";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.exists";
+            arguments: {
+                name: string;
+                version: number;
+            };
+        } | {
+            /** @constant */
+            code: "profile.invalid-field";
+            arguments: {
+                place: string;
+                fault: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.nested-too-deep";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.not-an-extension";
+            arguments: {
+                name: string;
+                extends: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.not-kept";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.not-toml";
+            arguments: {
+                name: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.not-utf8";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.not-utf8-byte";
+            arguments: {
+                name: string;
+                byte: number;
+            };
+        } | {
+            /** @constant */
+            code: "profile.shipped";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.shipped-command";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "profile.stale";
+            arguments: {
+                name: string;
+                version: number;
+                given: number;
+            };
+        } | {
+            /** @constant */
+            code: "profile.too-long";
+            arguments: {
+                name: string;
+                size: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "profile.too-many";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "profile.unusable";
+            arguments: {
+                name: string;
+                detail: string;
+            };
+        } | {
+            /** @constant */
+            code: "program.bad-tolerance";
+            arguments: {
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "program.control-byte";
+            arguments: {
+                line: number;
+                byte: string;
+            };
+        } | {
+            /** @constant */
+            code: "program.line-too-long";
+            arguments: {
+                row: number;
+                length: number;
+                line: string;
+                dialect: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "program.line-too-long-to-send";
+            arguments: {
+                line: number;
+                length: number;
+                name: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "program.no-placement";
+            arguments: {
+                program: string;
+            };
+        } | {
+            /** @constant */
+            code: "program.not-bytes";
+            arguments: {
+                type: string;
+            };
+        } | {
+            /** @constant */
+            code: "program.not-fetched";
+            arguments: {
+                job: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "program.too-large";
+            arguments: {
+                bytes: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "program.too-many-lines";
+            arguments: {
+                lines: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "program.wrong-checksum";
+            arguments: {
+                job: string;
+                arrived: string;
+                expected: string;
+            };
+        } | {
+            /** @constant */
+            code: "question.guess";
+            arguments: {
+                type: string;
+                percent: number;
+                reason: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -2562,14 +3930,6 @@ export interface components {
             };
         } | {
             /** @constant */
-            code: "question.guess";
-            arguments: {
-                type: string;
-                percent: number;
-                reason: components["schemas"]["Message"];
-            };
-        } | {
-            /** @constant */
             code: "question.shape";
             arguments: {
                 reason: components["schemas"]["Message"];
@@ -2581,6 +3941,598 @@ export interface components {
                 edges: number;
                 type: string;
                 machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit";
+            arguments: {
+                reason: components["schemas"]["Message"];
+                sizes: components["schemas"]["Message"][];
+                evidence: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-contradicted";
+            arguments: {
+                stated: string;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-doubtful";
+            arguments: {
+                stated: string;
+                other: string;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-evidence";
+            arguments: {
+                unit: string;
+                evidence: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-not-stated";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "question.unit-size";
+            arguments: {
+                unit: string;
+                width: number;
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "question.unit-unreadable";
+            arguments: {
+                evidence: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "reading.crashed";
+            arguments: {
+                name: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "reading.damaged";
+            arguments: {
+                reason: string;
+                format: string;
+            };
+        } | {
+            /** @constant */
+            code: "reading.empty";
+            arguments: {
+                formats: string[];
+            };
+        } | {
+            /** @constant */
+            code: "reading.expands-too-far";
+            arguments: {
+                limit: number;
+                format: string;
+            };
+        } | {
+            /** @constant */
+            code: "reading.nested-too-deep";
+            arguments: {
+                limit: number;
+                format: string;
+            };
+        } | {
+            /** @constant */
+            code: "reading.too-large";
+            arguments: {
+                size: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "reading.too-many-elements";
+            arguments: {
+                limit: number;
+                format: string;
+            };
+        } | {
+            /** @constant */
+            code: "reading.too-many-entities";
+            arguments: {
+                count: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "reading.too-many-segments";
+            arguments: {
+                limit: number;
+                format: string;
+            };
+        } | {
+            /** @constant */
+            code: "reading.too-slow";
+            arguments: {
+                seconds: number;
+                format: string;
+            };
+        } | {
+            /** @constant */
+            code: "reading.unexpected";
+            arguments: {
+                format: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "reading.unknown-kind";
+            arguments: {
+                what: string;
+                formats: string[];
+            };
+        } | {
+            /** @constant */
+            code: "request.body-too-large";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "request.foreign-origin";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "request.foreign-page";
+            arguments: {
+                origin: string;
+            };
+        } | {
+            /** @constant */
+            code: "request.html-form";
+            arguments: {
+                media: string;
+            };
+        } | {
+            /** @constant */
+            code: "request.invalid";
+            arguments: {
+                faults: string[];
+            };
+        } | {
+            /** @constant */
+            code: "request.key-needed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "request.key-reused";
+            arguments: {
+                key: string;
+            };
+        } | {
+            /** @constant */
+            code: "request.local-only";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "request.no-host";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "request.not-marked";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "request.not-storable";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "request.nothing-there";
+            arguments: {
+                path: string;
+            };
+        } | {
+            /** @constant */
+            code: "request.refused";
+            arguments: {
+                detail: string;
+            };
+        } | {
+            /** @constant */
+            code: "request.upload-too-large";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "request.wrong-host";
+            arguments: {
+                host: string;
+            };
+        } | {
+            /** @constant */
+            code: "request.wrong-key";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "request.wrong-method";
+            arguments: {
+                method: string;
+                path: string;
+            };
+        } | {
+            /** @constant */
+            code: "run.executed";
+            arguments: {
+                executed: number;
+                lines: number;
+            };
+        } | {
+            /** @constant */
+            code: "run.in-buffer";
+            arguments: {
+                executed: number;
+                lines: number;
+                rest: number;
+            };
+        } | {
+            /** @constant */
+            code: "run.nothing-sent";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "segment.not-finite";
+            arguments: {
+                segment: number;
+            };
+        } | {
+            /** @constant */
+            code: "server.address-in-use";
+            arguments: {
+                host: string;
+                port: number;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "server.answered";
+            arguments: {
+                url: string;
+                status: number;
+            };
+        } | {
+            /** @constant */
+            code: "server.busy";
+            arguments: {
+                waiting: number;
+                seconds: number;
+            };
+        } | {
+            /** @constant */
+            code: "server.database-silent";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "server.internal-error";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "server.not-started";
+            arguments: {
+                database: string;
+            };
+        } | {
+            /** @constant */
+            code: "server.stopping";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "server.unreachable";
+            arguments: {
+                server: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "settings.bad-host";
+            arguments: {
+                host: string;
+            };
+        } | {
+            /** @constant */
+            code: "settings.bad-key";
+            arguments: {
+                what: string;
+                shortest: number;
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "settings.key-file";
+            arguments: {
+                file: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "settings.two-keys";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "store.no-column";
+            arguments: {
+                kind: string;
+                id: string;
+                column: string;
+            };
+        } | {
+            /** @constant */
+            code: "store.unknown";
+            arguments: {
+                kind: string;
+                id: string;
+            };
+        } | {
+            /** @constant */
+            code: "svg.cut-short";
+            arguments: {
+                line: number;
+                count: number;
+            };
+        } | {
+            /** @constant */
+            code: "svg.damaged-at";
+            arguments: {
+                line: number;
+                column: number;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "svg.empty";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "svg.external-entity";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "svg.long-entity";
+            arguments: {
+                name: string;
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "svg.markup-entity";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "svg.nested-too-deep";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "svg.other-xml";
+            arguments: {
+                element: string;
+            };
+        } | {
+            /** @constant */
+            code: "svg.packed-cut-short";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "svg.packed-damaged";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "svg.too-many-rules";
+            arguments: {
+                count: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "svg.unpacks-too-far";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "tool.bad-radius";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "tool.cannot-work";
+            arguments: {
+                station: number;
+                name: string;
+                machine: string;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "tool.missing";
+            arguments: {
+                count: number;
+                type: string;
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "tool.tilted";
+            arguments: {
+                tilt: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "tool.without-speed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "toolpath.arc-too-long";
+            arguments: {
+                place: components["schemas"]["Message"];
+                move: string;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.empty";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "toolpath.feed-too-fast";
+            arguments: {
+                place: components["schemas"]["Message"];
+                move: string;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.no-approach";
+            arguments: {
+                place: components["schemas"]["Message"];
+                station: number;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.no-feed";
+            arguments: {
+                place: components["schemas"]["Message"];
+                move: string;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.not-finite";
+            arguments: {
+                place: components["schemas"]["Message"];
+                move: string;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.rapid-arc";
+            arguments: {
+                place: components["schemas"]["Message"];
+                move: string;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.row";
+            arguments: {
+                row: number;
+                motion: string;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.row-of-edge";
+            arguments: {
+                row: number;
+                motion: string;
+                edge: number;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.swivel-without-turn";
+            arguments: {
+                row: number;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.too-far";
+            arguments: {
+                place: components["schemas"]["Message"];
+                move: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.unknown-motion";
+            arguments: {
+                place: components["schemas"]["Message"];
+                move: string;
+            };
+        } | {
+            /** @constant */
+            code: "toolpath.unknown-station";
+            arguments: {
+                place: components["schemas"]["Message"];
+                station: number;
+                machine: string;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "track.too-flat";
+            arguments: {
+                track: number;
+                angle: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "travel.above";
+            arguments: {
+                tool: string;
+                station: number;
+                excess: number;
+                unit: string;
+                axis: string;
+                low: number;
+                high: number;
+                place: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "travel.below";
+            arguments: {
+                tool: string;
+                station: number;
+                excess: number;
+                unit: string;
+                axis: string;
+                low: number;
+                high: number;
+                place: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "unit.unsupported";
+            arguments: {
+                unit: string;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "verify.bad-tolerance";
+            arguments: {
+                tolerance: string;
+            };
+        } | {
+            /** @constant */
+            code: "worker.died";
+            arguments: {
+                code: string;
+            };
+        } | {
+            /** @constant */
+            code: "worker.memory";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "worker.timeout";
+            arguments: {
+                stage: string;
+                seconds: number;
             };
         };
     };

@@ -331,7 +331,9 @@ def test_a_neck_too_narrow_is_trimmed_into_two_or_refused() -> None:
 
 
 def test_a_hole_that_the_cutter_does_not_fit_is_refused_not_dropped() -> None:
-    with pytest.raises(CompensationError, match=r"6\.00 mm does not fit the contour at edge 0"):
+    with pytest.raises(
+        CompensationError, match=r"6\.00 mm does not fit into the contour at edge 0"
+    ):
         compensate(contour((0, 0), (50, 0), (50, 5), (0, 5), side=1))
 
 
@@ -348,7 +350,7 @@ def test_neighbours_nearer_than_the_cutter_keep_clear_of_each_other() -> None:
 
 
 def test_a_lead_no_longer_than_the_radius_is_refused() -> None:
-    with pytest.raises(CompensationError, match="block of 3 mm, and r is 3 mm"):
+    with pytest.raises(CompensationError, match="lead is 3 mm, not longer than its radius"):
         compensate(contour((0, 0), (50, 0), (50, 50), tool=replace(ROUTER, lead=3.0)))
 
 
@@ -416,5 +418,5 @@ def test_a_bridge_where_the_cutter_does_not_come_to_the_contour_is_refused() -> 
         (0, 0), (0, 100), (48, 100), (48, 60), (52, 60), (52, 100), (100, 100), (100, 0),
         side=1, bridges=[[1, 20.0], [2, 35.0]], bridge_width=0.8,
     )  # fmt: skip
-    with pytest.raises(CompensationError, match=r"edge 2 where a bridge is due, 35\.0 mm along"):
+    with pytest.raises(CompensationError, match=r"edge 2 where a bridge is needed, 35\.0 mm along"):
         radius(slotted)

@@ -106,7 +106,7 @@ def test_a_groove_in_two_pieces_is_cut_in_one_go() -> None:
 
 def test_an_arc_is_refused() -> None:
     line = dieline((LineType.V_GROOVE, EAST), bulge={0: 0.1})
-    with pytest.raises(CurvedGroove, match="1 V-groove edges are arcs"):
+    with pytest.raises(CurvedGroove, match="1 V-groove edge is an arc"):
         vgroove(plan(line, MACHINE, BOARD)[0])
 
 

@@ -98,7 +98,7 @@ def test_half_a_gigabyte_is_refused_before_anything() -> None:
 
 def test_large_file_for_ezdxf_alone_is_refused() -> None:
     data = dxf(_LINE, entity("SEQEND"))
-    with pytest.raises(DrawingTooLarge, match="something in it is unusual"):
+    with pytest.raises(DrawingTooLarge, match="features that are read slowly"):
         read(data, limits=Limits(slow_bytes=len(data) - 1))
     assert len(read(dxf(_LINE), limits=Limits(slow_bytes=10))) == 1
 

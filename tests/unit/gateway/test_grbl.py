@@ -297,7 +297,7 @@ async def test_an_alarm_whose_words_were_lost_is_seen_in_the_state() -> None:
     async with opened(wire) as controller:
         await controller.send(b"G1 X5", 1)
         wire.state = "Alarm"
-        with pytest.raises(ControllerAlarm, match="says alarm"):
+        with pytest.raises(ControllerAlarm, match="reports alarm"):
             await controller.drain()
 
 

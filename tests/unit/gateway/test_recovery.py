@@ -54,7 +54,9 @@ class Machine:
         line = text.decode()
         locked = self.state is State.ALARM and line != "$X"
         if locked or line in self.refuses or (line == "$X" and self.homing_lock):
-            raise ControllerRejected(f"refused {line}")
+            raise ControllerRejected(
+                "controller.rejected-command", name="it", command=line, error="locked", code=9
+            )
         self.done.append(line)
         if line == "$X":
             self.state = State.IDLE
@@ -115,7 +117,7 @@ async def test_an_unreachable_controller_is_tried_again_and_given_up() -> None:
     assert machine.done == ["!", "reset", LIFT, *RELEASE]
     machine = Machine()
     machine.unreachable = 10**6
-    with pytest.raises(ControllerError, match="lost"):
+    with pytest.raises(ControllerError, match="closed"):
         await make_safe(machine, SAFE, 0.02)
     assert machine.done == []
 

@@ -107,7 +107,7 @@ def test_a_language_of_another_package_is_found_by_its_entry_point(package) -> N
 
 def test_an_entry_point_that_is_another_language_is_refused(package) -> None:
     package("elsewhere", "nowhere")
-    with pytest.raises(LibraryError, match="no language of this name"):
+    with pytest.raises(LibraryError, match="is not a controller language of this name"):
         find_language("elsewhere")
 
 

@@ -115,7 +115,7 @@ def test_a_run_out_that_would_reach_board_beyond_a_slot_is_refused() -> None:
     )
     towards = (0.5, 3**0.5 / 2.0)
     assert out((50, 60), towards, slot, width=1.0) == (pytest.approx(3**0.5 / 2.0), True)
-    with pytest.raises(FlankOutside, match=r"edge 7 would run out 3\.46 mm over .* board beyond"):
+    with pytest.raises(FlankOutside, match=r"edge 7 would run 3\.46 mm over .* board beyond"):
         out((50, 60), towards, slot, width=4.0)
 
 

@@ -95,7 +95,7 @@ def test_a_rounded_blank_is_held_on_its_straight_pieces() -> None:
 
 
 def test_where_there_is_no_room_the_contour_is_refused() -> None:
-    with pytest.raises(NoRoomForBridges, match=r"12\.0 mm round and has no places for 2 bridges"):
+    with pytest.raises(NoRoomForBridges, match=r"12\.0 mm long and has no places for 2 bridges"):
         cut(closed((0, 0), (3, 0), (3, 3), (0, 3)), replace(HELD, bridge_width=2.0))
 
 

@@ -82,10 +82,10 @@ def test_every_corner_of_a_hole_is_an_inside_corner() -> None:
         (Corners("E"), "no corner type 'E'"),
         (Corners("D", k=1.0), "corner parameter k is 1"),
         (Corners("D", k=float("nan")), "corner parameter k is nan"),
-        (Corners(interference="ignore"), "'ignore' is nothing to do"),
+        (Corners(interference="ignore"), "'ignore' is not a way to handle"),
         (Corners(at=(CornerAt(100, 100, "X"),)), r"no corner type 'X' at \(100, 100\)"),
         (Corners(at=(CornerAt(100, 100, "D", 0.0),)), r"corner parameter k at \(100, 100\) is 0"),
-        (Corners(at=(CornerAt(float("inf"), 100, "D"),)), "no place"),
+        (Corners(at=(CornerAt(float("inf"), 100, "D"),)), "no valid position"),
     ],
 )
 def test_a_choice_that_is_none_is_refused(corners: Corners, words: str) -> None:

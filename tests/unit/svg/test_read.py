@@ -411,7 +411,7 @@ def test_damaged_elements_say_what_is_wrong_and_the_others_are_drawn() -> None:
     assert told["h"] == "its radius is 0"
     assert told["j"] == "a picture is not cut"
     assert told["k"] == "what is inside is no SVG"
-    assert told["l"] == "it refers to another file, 'other.svg#x', and is not loaded"
+    assert told["l"] == "it refers to another file, 'other.svg#x', and nothing is fetched"
     assert told["m"] == "there is nothing with the id 'nobody'"
     assert_allclose(drawing.lengths.sum(), 10.0 + 6 * math.pi)
 
