@@ -448,6 +448,7 @@ CODES: Final[Mapping[str, Mapping[str, Kind]]] = {
     },
     "tool.missing": {"count": "count", "type": "text", "machine": "text"},
     "tool.tilted": {"tilt": "number", "limit": "number"},
+    "tool.without-power": {},
     "tool.without-speed": {},
     "toolpath.arc-too-long": {"place": "message", "move": "text"},
     "toolpath.empty": {},

@@ -396,6 +396,7 @@ TEXTS: Final[Mapping[str, str]] = {
     "tool.missing": "{machine} has no tool for {type} ({count:# edge|# edges}).",
     "tool.tilted": "The tool is tilted by {tilt:.2f}°, and moving along its axis lifts it only "
     "up to {limit:g}°.",
+    "tool.without-power": "The laser has no power.",
     "tool.without-speed": "The cutter has no spindle speed.",
     "toolpath.arc-too-long": "{place} is an arc of more than half a turn: {move}.",
     "toolpath.empty": "The toolpath has no moves.",

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from knifetip.geometry.columns import F64
+from knifetip.messages import Message
 from knifetip.model.tool.base import Footprint
 from knifetip.model.tool.disc import DiscTool
 
@@ -41,9 +42,9 @@ class Laser(DiscTool):
         return round(self.power)
 
     @property
-    def spindle_missing(self) -> str:
+    def spindle_missing(self) -> Message | None:
         """At S0 a controller takes M3 for off."""
-        return "" if self.spindle >= 1 else "The laser has no power."
+        return None if self.spindle >= 1 else Message("tool.without-power")
 
     @property
     def outputs(self) -> tuple[int, ...]:
