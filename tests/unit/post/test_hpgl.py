@@ -154,10 +154,13 @@ def test_the_speed_is_stated_where_it_changes():
     ("moves", "what"),
     [
         ([*SQUARE[:2], (1, F, 120, 20, -0.3, 0, 24100.0), SQUARE[3]], "whole cm/s from 1 to 80"),
-        ([*SQUARE[:2], (1, F, 120, 20, -0.2, 0, CUT), SQUARE[3]], "changes its depth at work"),
+        (
+            [*SQUARE[:2], (1, F, 120, 20, -0.2, 0, CUT), SQUARE[3]],
+            "changes its depth while it works",
+        ),
         ([SQUARE[0], (1, P, 21, 20, -0.3, 0, 6000)], "along a slope"),
         ([*SQUARE[:2], (1, L, 20, 20, 5, 0, 6000)], "presses the tool in one place"),
-        ([*SQUARE[:3], (1, S, 121, 20, -0.3, 0, CUT)], "swings the head"),
+        ([*SQUARE[:3], (1, S, 121, 20, -0.3, 0, CUT)], "turns the head"),
         ([*SQUARE, (2, P, 120, 20, 0.1, 0, 6000)], "no rapid leads there"),
         ([SQUARE[0]], "never goes down"),
     ],
