@@ -24,12 +24,12 @@ class SecurityHeaders:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on, and add the headers to its answer."""
 
-        async def passed(message: Message) -> None:
+        async def passed(event: Message) -> None:
             # A browser puts the headers of a 304 in place of those that it has kept.
-            if message["type"] == "http.response.start" and message["status"] != 304:
-                headers = MutableHeaders(scope=message)
+            if event["type"] == "http.response.start" and event["status"] != 304:
+                headers = MutableHeaders(scope=event)
                 for name, value in DEFAULTS.items():
                     headers.setdefault(name, value)
-            await send(message)
+            await send(event)
 
         await self.app(scope, receive, passed if scope["type"] == "http" else send)

@@ -29,7 +29,7 @@ from knifetip.classification.words import CENTRE_LINE, DASHED, hint
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
-from knifetip.messages import Message, from_json
+from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
 from knifetip.model.profile import LineRules
@@ -80,7 +80,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
             others = (verdict.kind, *others)
         elif not verdict.asked:
             line_type[row] = verdict.kind
-        word[row] = said.number(verdict.words, others)
+        word[row] = said.number(verdict.reason, others)
     kinds, rule = line_type[number], word[number]
     sure = np.array([verdict.sure for verdict in verdicts])[number]
     meant = np.array([verdict.kind for verdict in verdicts], np.uint8)[number]
@@ -89,7 +89,8 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     hidden = hidden[kinds[seen.on[hidden]] == LineType.CUT]
     for row in hidden.tolist():
         style = styles.of[row]
-        text = f"profile {rules.name}: {matches.words[style]}; it lies on a cut"
+        named = Message("classification.rule", profile=rules.name, rule=matches.words[style])
+        text = Message("classification.on-cut", rule=named)
         kinds[row], sure[row] = meant[row], matches.confidence[style]
         rule[row] = said.number(text, ())
     against, off = both(
@@ -98,13 +99,14 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     for row in np.flatnonzero(against | off).tolist():
         kind, before = LineType(int(kinds[row])), int(rule[row])
         if off[row]:
-            why, other = "it would cut a panel off its blank", LineType.CREASE
+            why, other = Message("classification.cuts-panel-off"), LineType.CREASE
         elif kind == LineType.CUT:
-            why, other = "its mirror image is folded", LineType.CREASE
+            why, other = Message("classification.mirror-folded"), LineType.CREASE
         else:
-            why, other = "its mirror image is cut", LineType.CUT
+            why, other = Message("classification.mirror-cut"), LineType.CUT
         kinds[row], sure[row] = LineType.UNCLASSIFIED, 0.5
-        rule[row] = said.number(f"{said.texts[before]}; but {why}", (kind, other))
+        reason = Message("classification.contradicted", rule=said.texts[before], reason=why)
+        rule[row] = said.number(reason, (kind, other))
     return Dieline(
         drawing.ends,
         drawing.bulge,
@@ -121,11 +123,11 @@ class _Said:
     """What decides edges, in words, each with what else the edge could be once."""
 
     def __init__(self) -> None:
-        self.texts: list[str] = []
+        self.texts: list[Message] = []
         self.others: list[tuple[LineType, ...]] = []
-        self._number: dict[tuple[str, tuple[LineType, ...]], int] = {}
+        self._number: dict[tuple[Message, tuple[LineType, ...]], int] = {}
 
-    def number(self, text: str, others: tuple[LineType, ...]) -> int:
+    def number(self, text: Message, others: tuple[LineType, ...]) -> int:
         """Return the number of a text with its alternatives."""
         number = self._number.setdefault((text, others), len(self.texts))
         if number == len(self.texts):
@@ -176,11 +178,11 @@ def _verdict(judge: Judge, cell: int) -> Verdict:
     if judge.matches.rule[style] >= 0:
         return verdict
     if flags & TEXT and verdict.kind == LineType.IGNORED:
-        text = f"{verdict.words}, with a text beside it"
-        verdict = replace(verdict, sure=1.0 - 0.4 * (1.0 - verdict.sure), words=text)
+        text = Message("classification.with-text", reason=verdict.reason)
+        verdict = replace(verdict, sure=1.0 - 0.4 * (1.0 - verdict.sure), reason=text)
     if flags & MIXED:
-        text = f"{verdict.words}, with the greater part of its length"
-        verdict = replace(verdict, sure=min(verdict.sure, 0.7), words=text)
+        text = Message("classification.mixed", reason=verdict.reason)
+        verdict = replace(verdict, sure=min(verdict.sure, 0.7), reason=text)
     return verdict
 
 
@@ -208,13 +210,16 @@ def overridden(dieline: Dieline, line_type: U8) -> Dieline:
         raise ValueError(f"{given[wrong][0]} is not a line type")
     if not said.any():
         return dieline
-    words = dieline.rules if "override" in dieline.rules else (*dieline.rules, "override")
+    given_by_user = Message("classification.override")
+    decided = dieline.rules
+    if given_by_user not in decided:
+        decided = (*decided, given_by_user)
     return replace(
         dieline,
         line_type=np.where(said, given, dieline.line_type),
-        rule=np.where(said, words.index("override"), dieline.rule),
+        rule=np.where(said, decided.index(given_by_user), dieline.rule),
         confidence=np.where(said, 1.0, dieline.confidence),
-        rules=words,
+        rules=decided,
     )
 
 
@@ -260,11 +265,9 @@ def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, whole
     guess = None
     if guesses:
         percent = round(100.0 * float(dieline.confidence[example]))
-        guess = Message(
-            "question.guess", type=guesses[0].word, percent=percent, reason=from_json(reason)
-        )
-    elif "; shape: " in reason:
-        guess = Message("question.shape", reason=from_json(reason.partition("; ")[2]))
+        guess = Message("question.guess", type=guesses[0].word, percent=percent, reason=reason)
+    elif reason.code == "classification.no-rule-but-shape":
+        guess = Message("question.shape", reason=reason.arguments["shape"])
     message = Message(
         "question.line-type",
         edges=len(rows),

@@ -18,6 +18,7 @@ from knifetip.classification import rules as matching
 from knifetip.classification.role import Role
 from knifetip.classification.rules import Styles
 from knifetip.geometry.columns import F64, I64, U8, Bool
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRules
 
@@ -32,7 +33,7 @@ class Fit:
 
     name: str
     line_type: U8  #: (c,) UNCLASSIFIED where it says nothing
-    words: str  #: why it fits
+    message: Message  #: why it fits
 
 
 def fitting(
@@ -71,10 +72,9 @@ def fitting(
         # A house that has creases at all has more of them than of perforations.
         if closed < 0.97 or against > 0.0 or main < 0.6 or folded < 0.6 * every:
             continue
-        words = (
-            f'colour convention "{convention.name}" fits: the outline closes, '
-            f"{folded} of {every} dividing lines are folds"
+        message = Message(
+            "classification.convention", name=convention.name, folds=folded, lines=every
         )
-        found.append((closed + folds + main, Fit(convention.name, said, words)))
+        found.append((closed + folds + main, Fit(convention.name, said, message)))
     found.sort(key=lambda one: -one[0])
     return [fit for _, fit in found]

@@ -20,6 +20,7 @@ from knifetip.classification.role import ASIDE, HOLES, Role
 from knifetip.classification.rules import Matches, Styles
 from knifetip.classification.words import DASHED, hint
 from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRules
 
@@ -53,7 +54,7 @@ class Verdict:
 
     kind: LineType  #: the best guess
     sure: float  #: 0 … 1
-    words: str  #: the rule, or the evidence
+    reason: Message  #: the rule, or the evidence
     others: tuple[LineType, ...] = ()  #: what else it could be
     stands: bool = False  #: a rule says so, and nothing contradicts it
 
@@ -80,7 +81,7 @@ class Judge:
     pairs: F64  #: (c,) share that has a parallel line close beside it
     folding_main: Bool  #: (c,) it has most of all dividing lines, and panels hang on most of them
     shaped: bool  #: there are blanks whose outline closes
-    swapped: str  #: why cut and crease seem to have changed places, "" where they do not
+    swapped: Message | None  #: why cut and crease seem to have changed places, None where not
 
     @classmethod
     def of(
@@ -145,50 +146,54 @@ class Judge:
     def _ruled(self, style: int, role: Role) -> Verdict:
         kind = LineType(int(self.matches.line_type[style]))
         trust = float(self.matches.confidence[style])
-        words = f"profile {self.profile.name}: {self.matches.words[style]}"
+        rule = Message(
+            "classification.rule", profile=self.profile.name, rule=self.matches.words[style]
+        )
         if kind == LineType.UNCLASSIFIED:
-            return Verdict(kind, 0.0, words)
+            return Verdict(kind, 0.0, rule)
         if self.swapped and kind != LineType.IGNORED:
+            swapped = Message("classification.contradicted", rule=rule, reason=self.swapped)
             if role in (Role.OUTLINE, *HOLES, Role.DIVIDER):
                 guess = self._by_shape(role)
                 others = tuple(one for one in (kind,) if one != guess)
-                return Verdict(guess, 0.6, f"{words}; but {self.swapped}", others)
-            return Verdict(kind, 0.3, f"{words}; but {self.swapped}")
+                return Verdict(guess, 0.6, swapped, others)
+            return Verdict(kind, 0.3, swapped)
         if not self.shaped or role in (Role.UNKNOWN, Role.OPEN):
-            return Verdict(kind, trust, words, stands=True)
+            return Verdict(kind, trust, rule, stands=True)
         if role in _CERTAINLY and kind != LineType.IGNORED:
             others = (kind,)
-            return Verdict(LineType.IGNORED, _SURELY[role], f"{words}; but it {role.words}", others)
+            reason = _contradicted(rule, role, None)
+            return Verdict(LineType.IGNORED, _SURELY[role], reason, others)
         against, instead = self._contradiction(kind, trust, style, role)
         if against:
             sure = min(trust, 0.5)
-            return Verdict(kind, sure, f"{words}; but it {role.words}{against}", instead)
-        return Verdict(kind, trust, words, stands=True)
+            return Verdict(kind, sure, _contradicted(rule, role, against), instead)
+        return Verdict(kind, trust, rule, stands=True)
 
     def _contradiction(
         self, kind: LineType, trust: float, style: int, role: Role
-    ) -> tuple[str, tuple[LineType, ...]]:
-        """Return how shape contradicts a rule, "" if it does not, and what else it could be."""
+    ) -> tuple[Message | None, tuple[LineType, ...]]:
+        """Return how shape contradicts a rule, None if it does not, and what else it could be."""
         weak = trust < 0.9
         if kind == LineType.IGNORED:
             if role in (Role.OUTLINE, Role.DIVIDER):
-                return ", and is not to be made", (self._by_shape(role), LineType.CUT)
-            return "", ()
+                return Message("classification.not-made"), (self._by_shape(role), LineType.CUT)
+            return None, ()
         if role in (Role.STRAY, Role.SPECK):
-            return " and closes nothing", (LineType.IGNORED,)
+            return Message("classification.closes-nothing"), (LineType.IGNORED,)
         if role in ASIDE:
-            return ", and is not to be made", (LineType.IGNORED,)
+            return Message("classification.not-made"), (LineType.IGNORED,)
         if kind == LineType.CUT:
             if role == Role.DIVIDER and weak and self.folds_only[style]:
-                return ", as all of its style do, and none closes an outline", (LineType.CREASE,)
-            return "", ()
+                return Message("classification.none-closes"), (LineType.CREASE,)
+            return None, ()
         if role == Role.OUTLINE or (role == Role.MARK and weak):
-            return ": beyond it the board ends, unless the outline is open there", (LineType.CUT,)
+            return Message("classification.board-ends"), (LineType.CUT,)
         if role in (*HOLES, Role.INNER) and kind not in _ROUND:
-            return f", and {_a(kind)} divides panels", (LineType.CUT,)
+            return Message("classification.divides-panels", type=kind.word), (LineType.CUT,)
         if role in (Role.FREE, Role.SLIT) and weak and kind == LineType.CREASE:
-            return f", and {_a(kind)} divides panels", (LineType.CUT,)
-        return "", ()
+            return Message("classification.divides-panels", type=kind.word), (LineType.CUT,)
+        return None, ()
 
     # ── no rule does ─────────────────────────────────────────────────────────────────────────────
 
@@ -199,13 +204,18 @@ class Judge:
         if told.kind is None and not told.denied:
             told, place = hint(self.styles.linetype[style]), "linetype"
             named = None if told.denied else told.kind
-        none = f"no rule of profile {self.profile.name}"
+        none = Message("classification.no-rule", profile=self.profile.name)
         if role == Role.OPEN:
-            return Verdict(LineType.UNCLASSIFIED, 0.0, f"{none}; shape: it {role.words}")
+            shape = Message(
+                "classification.no-rule-but-shape",
+                profile=self.profile.name,
+                shape=Message("classification.shape", parts=[role.message]),
+            )
+            return Verdict(LineType.UNCLASSIFIED, 0.0, shape)
         if not self.shaped or role == Role.UNKNOWN:
             return Verdict(LineType.UNCLASSIFIED, 0.0, none)
-        guess, sure, why = self._shape_says(style, role, holds)
-        votes = [f"shape: it {role.words}{why}"]
+        guess, sure, details = self._shape_says(style, role, holds)
+        votes = [Message("classification.shape", parts=[role.message, *details])]
         others = [self._by_shape(role)]
         # What the house's colours say of this style, where all that fit agree.
         said = {LineType(int(fit.line_type[style])) for fit in self.fits}
@@ -221,10 +231,10 @@ class Judge:
                 plain = colour in (LineType.CUT, LineType.CREASE)
                 worth = 0.4 if plain and role in (Role.OUTLINE, Role.DIVIDER) else 0.8
                 sure = 1.0 - (1.0 - sure) * worth
-                votes.append(fit.words)
+                votes.append(fit.message)
             elif role == Role.DIVIDER and guess == LineType.CREASE and colour in _DIVIDING:
                 guess, sure = colour, 0.65
-                votes.append(fit.words)
+                votes.append(fit.message)
             elif role in ASIDE:
                 sure *= 0.9
             else:
@@ -235,7 +245,8 @@ class Judge:
             others.extend(sorted(said))
         if told.denied and place == "layer":
             sure = min(sure, 0.7)
-            votes.append(f'but its layer is called "{_shown(self.styles.layer[style])}"')
+            layer = _shown(self.styles.layer[style])
+            votes.append(Message("classification.layer-denies", layer=layer))
         elif named is not None:
             alike = named == guess
             fold = role in (Role.DIVIDER, Role.SLIT, Role.FREE, *HOLES) and named in _DIVIDING
@@ -250,14 +261,20 @@ class Judge:
             else:
                 sure = min(sure, 0.5)
                 others.append(named)
-            votes.append(f'its {place} says "{told.word}"')
+            if place == "layer":
+                votes.append(Message("classification.layer-name", word=told.word))
+            else:
+                votes.append(Message("classification.linetype-name", word=told.word))
         others = [kind for kind in dict.fromkeys(others) if kind != guess]
         for kind in _COULD[role]:
             if kind != guess and kind not in others:
                 others.append(kind)
-        return Verdict(guess, sure, "; ".join(votes), tuple(others[:3]))
+        reason = Message("classification.votes", votes=votes)
+        return Verdict(guess, sure, reason, tuple(others[:3]))
 
-    def _shape_says(self, style: int, role: Role, holds: bool) -> tuple[LineType, float, str]:
+    def _shape_says(
+        self, style: int, role: Role, holds: bool
+    ) -> tuple[LineType, float, Sequence[Message]]:
         """Return what shape alone makes of edges, how sure that is, and what it goes by."""
         own = self.length[style]
         every = self.total
@@ -269,49 +286,49 @@ class Judge:
             # Where another style closes most of the outline, one that divides panels does not.
             little = own[Role.OUTLINE] < 0.5 * every[Role.OUTLINE]
             if little and own[Role.DIVIDER] > 0.25 * own[Role.OUTLINE]:
-                return LineType.CUT, 0.5, ", but another style closes most of it"
-            return LineType.CUT, 0.95, ""
+                return LineType.CUT, 0.5, [Message("classification.other-style-closes")]
+            return LineType.CUT, 0.95, ()
         if role in HOLES:
             if carries and self.folding[style]:
                 return LineType.CUT, 0.9, _LIKE_OUTLINE
             if carries and role == Role.SLOT:
                 return LineType.CUT, 0.85, _LIKE_OUTLINE
-            return LineType.CUT, 0.75 if carries else 0.6, ""
+            return LineType.CUT, 0.75 if carries else 0.6, ()
         if role == Role.DIVIDER:
             if apart:
-                return LineType.CUT, 0.85, ", in the style of the outline; another has the folds"
+                return LineType.CUT, 0.85, [Message("classification.like-outline-not-folds")]
             if self.folds_only[style]:
-                why = ", as all of its style do"
+                why = [Message("classification.as-its-style")]
                 if self.folding_main[style]:
-                    return LineType.CREASE, 0.9, f"{why}, and panels hang on most of them"
+                    return LineType.CREASE, 0.9, [*why, Message("classification.panels-hang")]
                 linetype = self.styles.linetype[style].casefold()
                 dashed = any(part in linetype for part in DASHED) or self.dashes[style] > 0.5
                 if dashed:
-                    why += ", in dashes"
+                    why.append(Message("classification.dashed"))
                 if self.pairs[style] > 0.1:
-                    why += ", some of them in pairs"
+                    why.append(Message("classification.paired"))
                 return LineType.CREASE, 0.75 if dashed else 0.7, why
             if holds and not (carries and self.folding[style]):
-                return LineType.CREASE, 0.85, ", and a panel hangs on it"
-            return LineType.CREASE, 0.55, ""
+                return LineType.CREASE, 0.85, [Message("classification.panel-hangs")]
+            return LineType.CREASE, 0.55, ()
         if role in (Role.SLIT, Role.FREE):
             if apart:
                 return LineType.CUT, 0.85, _LIKE_OUTLINE
             if self.folds_only[style]:
-                return LineType.CREASE, 0.6, ""
-            return LineType.CUT, 0.6 if carries else 0.4, ""
+                return LineType.CREASE, 0.6, ()
+            return LineType.CUT, 0.6 if carries else 0.4, ()
         if role in ASIDE:
             if role == Role.TABLE:
-                return LineType.IGNORED, 0.85 if aside else 0.6, ""
-            return LineType.IGNORED, _SURELY.get(role, 0.65 if aside else 0.5), ""
-        return LineType.CUT, 0.6 if carries else 0.4, ""
+                return LineType.IGNORED, 0.85 if aside else 0.6, ()
+            return LineType.IGNORED, _SURELY.get(role, 0.65 if aside else 0.5), ()
+        return LineType.CUT, 0.6 if carries else 0.4, ()
 
     @staticmethod
     def _by_shape(role: Role) -> LineType:
         return _COULD[role][0]
 
 
-_LIKE_OUTLINE = ", in the style of the outline"
+_LIKE_OUTLINE = (Message("classification.like-outline"),)
 _CUT_FIRST = (LineType.CUT, LineType.IGNORED, LineType.CREASE)
 _COULD: dict[Role, tuple[LineType, ...]] = {
     **dict.fromkeys(Role, _CUT_FIRST),
@@ -348,22 +365,24 @@ def _grouped(styles: Styles) -> I64:
     )
 
 
-def _swapped(matches: Matches, length: F64, fits: Sequence[Fit]) -> str:
-    """Return why cut and crease seem to have changed places, "" where they do not."""
+def _swapped(matches: Matches, length: F64, fits: Sequence[Fit]) -> Message | None:
+    """Return why cut and crease seem to have changed places, None where they do not."""
     folds = np.isin(matches.line_type, (LineType.CREASE, LineType.V_GROOVE, LineType.COMBI))
     cuts = matches.line_type == LineType.CUT
     outline, divider = length[:, Role.OUTLINE], length[:, Role.DIVIDER]
     whole = outline.sum()
     if not whole or outline[folds].sum() < 0.5 * whole or outline[cuts].sum() > 0.2 * whole:
-        return ""
-    words = "what it calls crease closes the outline"
-    if divider[cuts].sum() > 0.0:
-        words += ", and what it calls cut divides the panels"
-    return words + (f"; {fits[0].words}" if fits else "")
+        return None
+    both = divider[cuts].sum() > 0.0
+    reason = Message("classification.swapped-both" if both else "classification.swapped")
+    if not fits:
+        return reason
+    return Message("classification.swapped-like", reason=reason, convention=fits[0].message)
 
 
-def _a(kind: LineType) -> str:
-    return f"a {kind.word}"
+def _contradicted(rule: Message, role: Role, against: Message | None) -> Message:
+    reason = Message("classification.role-against", role=role.message, against=against)
+    return Message("classification.contradicted", rule=rule, reason=reason)
 
 
 def _shown(name: str) -> str:

@@ -1,9 +1,11 @@
-"""role: what an edge can be in its net, and in what words that is said."""
+"""role: what an edge can be in its net, and how a message describes it."""
 
 from __future__ import annotations
 
 from enum import IntEnum
 from typing import Final
+
+from knifetip.messages import Message
 
 
 class Role(IntEnum):
@@ -31,9 +33,9 @@ class Role(IntEnum):
     LEGEND = 19
 
     @property
-    def words(self) -> str:
-        """What the page says of it."""
-        return _SAID[self]
+    def message(self) -> Message:
+        """How a message describes it."""
+        return _MESSAGES[self]
 
 
 #: What stands round or on a carton and is no part of it.
@@ -53,25 +55,25 @@ ASIDE: Final = (
 #: What closes round something that falls out of a panel.
 HOLES: Final = (Role.HOLE, Role.SLOT)
 
-_SAID: Final = {
-    Role.UNKNOWN: "its shape tells nothing",
-    Role.OUTLINE: "closes the outline of a blank",
-    Role.HOLE: "closes a hole in a panel",
-    Role.DIVIDER: "divides two panels",
-    Role.SLIT: "begins at another line and ends inside a panel",
-    Role.FREE: "lies free inside a panel",
-    Role.STRAY: "lies outside every blank",
-    Role.FRAME: "frames the whole drawing",
-    Role.TABLE: "stands beside a text: a title block, a dimension or a label",
-    Role.MARK: "closes a shape much smaller than the blank",
-    Role.INNER: "lies inside a hole, or divides one",
-    Role.OPEN: "belongs to an outline that does not close",
-    Role.ARROW: "has an arrowhead, or belongs to a line that has",
-    Role.BLEED: "runs round a blank at the same distance everywhere, as a bleed does",
-    Role.LETTER: "stands in a row of small shapes, as letters do",
-    Role.SPECK: "lies outside every blank, by itself, and is small",
-    Role.SLOT: "closes a slot or a round hole in a panel",
-    Role.AROUND: "runs round a whole carton",
-    Role.LEGEND: "lies outside every blank, beside the name of a kind of line: a legend",
-    Role.NAMED: "is no line of the carton by its name, and the outlines close without it",
+_MESSAGES: Final = {
+    Role.UNKNOWN: Message("classification.unknown"),
+    Role.OUTLINE: Message("classification.outline"),
+    Role.HOLE: Message("classification.hole"),
+    Role.DIVIDER: Message("classification.divider"),
+    Role.SLIT: Message("classification.slit"),
+    Role.FREE: Message("classification.free"),
+    Role.STRAY: Message("classification.stray"),
+    Role.FRAME: Message("classification.frame"),
+    Role.TABLE: Message("classification.table"),
+    Role.MARK: Message("classification.mark"),
+    Role.INNER: Message("classification.inner"),
+    Role.OPEN: Message("classification.open"),
+    Role.ARROW: Message("classification.arrow"),
+    Role.BLEED: Message("classification.bleed"),
+    Role.LETTER: Message("classification.letter"),
+    Role.SPECK: Message("classification.speck"),
+    Role.SLOT: Message("classification.slot"),
+    Role.AROUND: Message("classification.around"),
+    Role.NAMED: Message("classification.named"),
+    Role.LEGEND: Message("classification.legend"),
 }

@@ -134,7 +134,7 @@ def edges(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
             "colour": int(drawing.colour[row]),
             "linetype": drawing.linetypes[drawing.linetype[row]],
             "type": LineType(dieline.line_type[row]).word,
-            "rule": dieline.rules[dieline.rule[row]] if dieline.rule[row] >= 0 else "",
+            "rule": str(dieline.rules[dieline.rule[row]]) if dieline.rule[row] >= 0 else "",
             "confidence": float(dieline.confidence[row]),
             "length": float(lengths[row]),
             "start": dieline.ends[row, 0].tolist(),
@@ -275,7 +275,7 @@ def _why(result: Read, rows: I64) -> list[str]:
         here = rule == number
         low, high = confidence[here].min() * 100.0, confidence[here].max() * 100.0
         sure = f"{low:.0f} %" if round(low) == round(high) else f"{low:.0f} … {high:.0f} %"
-        words = dieline.rules[number] if number >= 0 else "no rule and no evidence"
+        words = str(dieline.rules[number]) if number >= 0 else "no rule and no evidence"
         said.append(f"{int(here.sum()):6} × {sure}: {words}")
     return said
 

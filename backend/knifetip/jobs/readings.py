@@ -16,6 +16,7 @@ import numpy as np
 from knifetip.geometry.columns import U8
 from knifetip.jobs.columns import packed, unpacked
 from knifetip.jobs.report import Report, said
+from knifetip.messages import from_json
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate, Ledger
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
@@ -52,7 +53,8 @@ def edge_block(drawing: Drawing, dieline: Dieline, report: Report) -> bytes:
             "handles": [said(handle) for handle in drawing.handles],
             "layers": [said(layer) for layer in drawing.layers],
             "linetypes": [said(name) for name in drawing.linetypes],
-            "rules": [said(rule) for rule in dieline.rules],
+            "rules": [said(str(rule)) for rule in dieline.rules],
+            "rule_messages": [rule.as_json() for rule in dieline.rules],
             "alternatives": [[kind.word for kind in one] for one in dieline.alternatives],
             "fates": [fate.name.lower() for fate in Fate],
             "reasons": [said(reason) for reason in report.reasons],
@@ -106,7 +108,7 @@ def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
         row,
         columns["rule"],
         columns["confidence"],
-        tuple(meta["rules"]),
+        tuple(map(from_json, meta.get("rule_messages") or meta["rules"])),
         tuple(tuple(LineType.of(word) for word in words) for words in meta["alternatives"]),
     )
     return drawing, dieline

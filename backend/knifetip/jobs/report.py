@@ -153,10 +153,9 @@ def _summed(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
 @lru_cache(maxsize=4096)
 def theme(reason: str) -> str:
     """Return a reason without the names and numbers that tell one entity from the next."""
-    words = reason
     for pattern, short in _THEMES:
-        words = pattern.sub(short, words)
-    return words
+        reason = pattern.sub(short, reason)
+    return reason
 
 
 def unit_of(drawing: Drawing) -> dict[str, Any]:

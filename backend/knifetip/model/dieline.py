@@ -8,6 +8,7 @@ from enum import IntEnum
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, U8, frozen
+from knifetip.messages import Message
 
 
 class LineType(IntEnum):
@@ -53,7 +54,7 @@ class Dieline:
     source: I32  #: (n,) row in Drawing
     rule: I32  #: (n,) index into ``rules``
     confidence: F64  #: (n,) 0 … 1
-    rules: tuple[str, ...]  #: what decided, in words: ``layer "FOLDS"``, ``override`` …
+    rules: tuple[Message, ...]  #: what decided, in words: ``layer "FOLDS"``, ``override`` …
     #: what else an edge that a rule decided could be, the likeliest first; as long as ``rules``
     alternatives: tuple[tuple[LineType, ...], ...] = ()
 
