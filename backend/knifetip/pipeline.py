@@ -19,8 +19,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from knifetip.classification import classify as classification
-from knifetip.cleaning.back import on_drawn
 from knifetip.cleaning.clean import clean
+from knifetip.cleaning.map_back import map_to_drawn
 from knifetip.compensation.compensate import compensate
 from knifetip.errors import CompensationError, OpenQuestions, PlanError
 from knifetip.formats import read_file
@@ -263,7 +263,7 @@ def _verdict(
 ) -> Verdict:
     """Return whether a program makes the cleaned edges, and whether those match the drawing."""
     verdict = verification.verify(text, tidy.dieline, where, machine, board, tolerance=tolerance)
-    mapped = on_drawn(verdict, tidy, dieline)
+    mapped = map_to_drawn(verdict, tidy, dieline)
     lost = tidied(dieline, tidy)
     if not lost:
         return mapped

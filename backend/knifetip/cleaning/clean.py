@@ -1,28 +1,27 @@
-"""clean: a dieline with each line once, whole, and meeting what it was meant to meet.
+"""clean: remove duplicates, overlaps, debris and gaps, and merge edges that continue each other.
 
-    Dieline -> Cleaned: the dieline that is planned, and what became of every edge that was drawn
+    Dieline -> Cleaned: the dieline to plan, and what became of every drawn edge
 
-In this order: what lies on something else is given up (``overlap``), flattened curves become lines
-and arcs again (``run``), specks are taken out and gaps closed (``gap``), and what goes on in each
-other becomes one (``run``).  Where that brought edges onto each other it is done again, and what
-has moved once stays.
+Order of steps: remove overlaps, fit lines and arcs to flattened curves, remove debris, close gaps,
+merge edges that continue each other.  The steps are repeated while they make edges overlap; an end
+that was moved once is not moved again.
 
-Each step says which edge every part of a drawn edge has come to; nothing else is written down, so
-the ledger cannot disagree with the geometry.
+Each step only records which edge every part of a drawn edge now belongs to, so the report cannot
+disagree with the geometry.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
-from knifetip.cleaning.gap import closed, specks
-from knifetip.cleaning.meeting import Meetings, meetings
-from knifetip.cleaning.parting import parted
-from knifetip.cleaning.rank import RANK
-from knifetip.cleaning.run import FINE, joined
+from knifetip.cleaning.close_gaps import close_gaps, find_debris
+from knifetip.cleaning.end_points import EndPoints, find_end_points
+from knifetip.cleaning.merge_collinear import FINE, merge_collinear
+from knifetip.cleaning.priority import PRIORITY
+from knifetip.cleaning.remove_overlaps import remove_overlaps
 from knifetip.errors import GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
@@ -31,39 +30,58 @@ from knifetip.model.cleaned import Cleaned, Stretches, Why
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Fate
 
-#: Cleaning that brings edges onto each other is done again, so many times at most.
+#: Largest number of rounds.
 _ROUNDS: Final = 4
-#: Lengths that differ by less are one length, added up in another order (mm).
+#: Lengths that differ by less are equal up to rounding (mm).
 _HAIR: Final = 1e-9
-#: Nothing is made a thousand kilometres away, and numbers have no micrometres there (mm).
+#: Coordinates beyond this are refused: they cannot resolve a micrometre (mm).
 _FAR: Final = 1e9
+
+
+class _Placed(NamedTuple):
+    """The q stretches in the order of the drawing, and the rows that the k edges take."""
+
+    row: I64  #: (q,) drawn edge
+    edge: I64  #: (q,) present edge, -1 for debris
+    given: Bool  #: (q,) whether it lies on another edge
+    slot: I64  #: (k,) row in the cleaned dieline
+    source: I64  #: (k,) drawn row that the edge comes from
+    of: I32  #: (n,) cleaned row that covers most of each drawn edge, -1 for none
+
+
+class _Lengths(NamedTuple):
+    """Of each drawn edge, (n,) mm."""
+
+    kept: F64
+    merged: F64
+    moved: F64
 
 
 @dataclass(slots=True)
 class _Work:
-    """The edges as they are, and what every part of a drawn edge has come to."""
+    """k edges in their present state, and the q stretches of drawn edges that they consist of."""
 
     ends: F64  #: (k, 2, 2) mm
     bulge: F64  #: (k,)
     kind: U8  #: (k,)
     moved: F64  #: (k,) mm
     fitted: Bool  #: (k,)
-    row: I64  #: (q,) the drawn edge of each stretch
+    row: I64  #: (q,) drawn edge of each stretch
     begin: F64  #: (q,)
     end: F64  #: (q,)
-    edge: I64  #: (q,) what it has come to, -1 a speck
+    edge: I64  #: (q,) present edge, -1 for debris
     given: Bool  #: (q,)
-    met: Meetings | None = None  #: of the ends as they are, once somebody has looked
+    met: EndPoints | None = None  #: of the present ends, computed on demand
 
-    def meet(self) -> Meetings:
-        """Return which ends meet."""
+    def meet(self) -> EndPoints:
+        """Return the end points of the present edges."""
         if self.met is None or self.met.of is not self.ends:
-            self.met = meetings(self.ends, GAP)
+            self.met = find_end_points(self.ends, GAP)
         return self.met
 
     def part(self, drawn: Dieline) -> bool:
-        """Give up what lies on something else; return whether edges were parted for it."""
-        pieces = parted(self.ends, self.bulge, self.kind)
+        """Remove what lies on other edges; return whether edges were split for it."""
+        pieces = remove_overlaps(self.ends, self.bulge, self.kind)
         if not pieces.given.any():
             return False
         split = len(pieces.edge) > len(self.bulge)
@@ -78,7 +96,7 @@ class _Work:
             arc.nearest(on[:, 0], on[:, 1], bow, arc.point_at(start, finish, bent, share))
             for share in (begin, end)
         )
-        # Each stretch once for every part that its edge now has.
+        # One row for every part into which the edge of a stretch was split.
         many = first[edge + 1] - first[edge]
         old = np.repeat(np.arange(len(edge)), many)
         offset = np.arange(len(old)) - np.repeat(np.cumsum(many) - many, many)
@@ -106,8 +124,7 @@ class _Work:
         return split
 
     def own(self) -> None:
-        """Give every edge a drawn edge that it is: where crowds of specks have left one with
-        nothing but what lies on it, that is it."""
+        """Ensure every edge has a source edge; if only overlapped sources are left, promote one."""
         live = self.edge >= 0
         count = len(self.bulge)
         owned = np.bincount(self.edge[live & ~self.given], minlength=count) > 0
@@ -121,8 +138,10 @@ class _Work:
         self.moved, self.fitted = self.moved[keep], self.fitted[keep]
 
     def join(self, *, curves_only: bool = False) -> None:
-        """Make one what goes on in each other."""
-        made = joined(self.ends, self.bulge, self.kind, self.meet(), curves_only=curves_only)
+        """Merge edges that continue each other."""
+        made = merge_collinear(
+            self.ends, self.bulge, self.kind, self.meet(), curves_only=curves_only
+        )
         count = len(made.bulge)
         if count == len(self.bulge):
             return
@@ -134,21 +153,21 @@ class _Work:
         self.edge = np.where(self.edge < 0, -1, made.of[self.edge])
 
     def tidy(self) -> None:
-        """Take specks out and close gaps."""
+        """Remove debris and close gaps."""
         length = arc.length(self.ends[:, 0], self.ends[:, 1], self.bulge)
-        if (length < GAP).any() and (speck := specks(self.ends, length, self.meet())).any():
-            keep = ~speck
+        if (length < GAP).any() and (debris := find_debris(self.ends, length, self.meet())).any():
+            keep = ~debris
             number = np.where(keep, np.cumsum(keep) - 1, -1)
             self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
             self.moved, self.fitted = self.moved[keep], self.fitted[keep]
             self.edge = np.where(self.edge < 0, -1, number[self.edge])
-        shut = closed(self.ends, self.bulge, self.kind, self.moved > 0.0, self.meet())
+        shut = close_gaps(self.ends, self.bulge, self.kind, self.moved > 0.0, self.meet())
         self.moved = np.maximum(self.moved, shut.moved)
         self.ends = shut.ends
 
 
 def clean(dieline: Dieline) -> Cleaned:
-    """Return the dieline in order.
+    """Return the cleaned dieline.
 
     Parameters
     ----------
@@ -158,15 +177,14 @@ def clean(dieline: Dieline) -> Cleaned:
     Returns
     -------
     Cleaned
-        Of an edge with nothing to put in order the ends and the bulge are those that were drawn,
-        bit for bit.
+        An edge that needs no cleaning keeps its ends and bulge, bit for bit.
 
     Raises
     ------
     GeometryError
-        An edge has a coordinate that is not a number, or lies absurdly far away.
+        An edge has a coordinate that is not finite, or lies too far from the origin.
     DrawingTooLarge
-        So many edges lie on so many others that it would take forever.
+        Too many edges overlap.
     """
     bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
     if bad.any():
@@ -175,7 +193,7 @@ def clean(dieline: Dieline) -> Cleaned:
     if (far > _FAR).any():
         raise GeometryError("edge.too-far", edge=int(far.argmax()), distance=far.max())
     length = arc.length(dieline.ends[:, 0], dieline.ends[:, 1], dieline.bulge)
-    at_work = RANK[dieline.line_type] > 0
+    at_work = PRIORITY[dieline.line_type] > 0
     solid = np.flatnonzero(at_work & (length >= POINT))
     empty = np.flatnonzero(at_work & (length < POINT))
     count, every = len(solid), np.concatenate([solid, empty])
@@ -192,22 +210,22 @@ def clean(dieline: Dieline) -> Cleaned:
         np.zeros(len(every), np.bool_),
     )
     for _ in range(_ROUNDS):
-        parted_ = work.part(dieline)
+        was_split = work.part(dieline)
         ends = work.ends
         if (length[solid] < FINE).any():
             work.join(curves_only=True)
         work.tidy()
         work.join()
-        if work.ends is ends and not parted_:
+        if work.ends is ends and not was_split:
             break
-    return _told(dieline, length, at_work, work)
+    return _report(dieline, length, at_work, work)
 
 
 def _slots(work: _Work, count: int) -> tuple[I64, I64]:
-    """Return for each of the k edges its row in the cleaned dieline, and the drawn row it shows.
+    """Return the row of each of the k edges in the cleaned dieline, and the drawn row it is from.
 
-    It takes the row of the first drawn edge that it has a part of, or, where that row is taken, of
-    the next; what finds none follows at the end.
+    An edge takes the row of the first drawn edge that it contains a part of, or of the next one if
+    that row is taken; edges that find no row are appended.
     """
     own = np.flatnonzero((work.edge >= 0) & ~work.given)
     order = own[np.lexsort((work.begin[own], work.row[own], work.edge[own]))]
@@ -218,7 +236,7 @@ def _slots(work: _Work, count: int) -> tuple[I64, I64]:
     source = np.empty(len(work.bulge), np.int64)
     source[edge[head]] = shown
     taken = np.full(count, -1, np.int64)
-    # Of several pieces of one drawn edge the one nearest to its start has its row.
+    # Of several pieces of one drawn edge the one nearest to its start takes its row.
     by_row = head[np.lexsort((work.begin[order[head]], row[head]))]
     first = by_row[np.append(True, row[by_row][1:] != row[by_row][:-1])] if len(by_row) else by_row
     slot[edge[first]] = row[first]
@@ -228,7 +246,7 @@ def _slots(work: _Work, count: int) -> tuple[I64, I64]:
     return slot, source
 
 
-def _told(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleaned:
+def _report(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleaned:
     count = len(dieline)
     work.own()
     slot, source = _slots(work, count)
@@ -269,9 +287,11 @@ def _told(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleaned:
     moved = np.zeros(count)
     np.maximum.at(moved, source, work.moved)
     off = _off(dieline, ends, bulge, row, low, high, target)
-    of = _most(row, size, target, given, count)
+    of = _main_row(row, size, target, given, count)
     of[~at_work] = np.flatnonzero(~at_work)
-    fate, why = _fates(work, row, edge, given, slot, source, of, kept, merged, moved, at_work)
+    fate, why = _outcomes(
+        work, _Placed(row, edge, given, slot, source, of), _Lengths(kept, merged, moved), at_work
+    )
     return Cleaned(
         cleaned,
         of,
@@ -287,34 +307,25 @@ def _told(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleaned:
     )
 
 
-def _most(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
-    """Return the cleaned row that does most of each drawn edge's work, its own before others'."""
+def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
+    """Return the cleaned row that covers most of each drawn edge, (n,); own pieces come first."""
     of = np.full(count, -1, np.int32)
     live = np.flatnonzero(target >= 0)
     order = live[np.lexsort((size[live], ~given[live], row[live]))]
-    # The last of each row stands.
+    # The last assignment of each row remains.
     of[row[order]] = target[order]
     return of
 
 
-def _fates(
-    work: _Work,
-    row: I64,
-    edge: I64,
-    given: Bool,
-    slot: I64,
-    source: I64,
-    of: I32,
-    kept: F64,
-    merged: F64,
-    moved: F64,
-    at_work: Bool,
-) -> tuple[U8, U8]:
+def _outcomes(work: _Work, placed: _Placed, lengths: _Lengths, at_work: Bool) -> tuple[U8, U8]:
+    """Return the outcome and the reason for each drawn edge, (n,)."""
+    row, edge, given, slot, source, of = placed
+    kept, merged, moved = lengths
     count = len(of)
     home = np.zeros(count, np.bool_)
     home[slot[slot < count]] = True
     own = (edge >= 0) & ~given
-    # Edges that parts of other drawn edges belong to as well.
+    # Edges that contain parts of several drawn edges.
     several = np.zeros(count, np.bool_)
     first = source[edge[own]]
     several[first[first != row[own]]] = True
@@ -340,7 +351,7 @@ def _fates(
 def _off(
     dieline: Dieline, ends: F64, bulge: F64, row: I64, low: F64, high: F64, target: I64
 ) -> F64:
-    """Return how far each drawn edge is from the edges that do its work, (n,) mm."""
+    """Return the greatest distance of each drawn edge from the edges that replace it, (n,) mm."""
     off = np.zeros(len(dieline))
     live = target >= 0
     same = (ends[target] == dieline.ends[row]).all(axis=(1, 2)) & (

@@ -1,16 +1,15 @@
-"""gap: specks taken out, and ends that were meant to meet brought together.
+"""close_gaps: remove debris, and bring together ends that were meant to meet.
 
-    edges of line types -> which are specks; new ends, and how far each has moved
+    edges with line types -> which are debris; new ends, and how far each has moved
 
-A speck is shorter than ``GAP`` and holds nothing together: it stands alone, hangs on one end, or,
-shorter than ``SAME``, links two edges that meet as well without it.
+Debris is an edge shorter than ``GAP`` that connects nothing: it lies alone, is attached at one end,
+or is shorter than ``SAME`` and connects two edges that meet without it.
 
-Where an end of an edge meets no other of its line type, and one of them ends within ``GAP``, the
-two are brought together: in the point where two lines cross, if both reach it within ``GAP``; else
-in the middle between two ends that are alike; and a loose end goes to a place where several meet,
-which stays.  An end that touches the inside of the other edge is a T-junction, and two edges that
-end side by side are two: both stay as they are.  An arc keeps its bulge.  Nothing moves by more
-than ``GAP``.
+If an end meets no other end of its line type, and one lies within ``GAP``, the two are brought
+together: at the intersection of two lines if it is within ``GAP`` of both; else midway between two
+similar ends; a single end moves to a point where several ends meet.  T-junctions, where an end
+touches the inside of another edge, and edges that end side by side are not changed.  An arc keeps
+its bulge.  No end moves by more than ``GAP``.
 """
 
 from __future__ import annotations
@@ -21,42 +20,41 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.cleaning.meeting import CROWD, Meetings
+from knifetip.cleaning.end_points import CROWD, EndPoints
 from knifetip.geometry.chain import outward
 from knifetip.geometry.columns import F64, U8, Bool
 from knifetip.geometry.sets import root, unite
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN, SAME
 from knifetip.kernels import F64_1, F64_2, I64_1, I64_2, Bool_1, kernel
 
-#: Edges that leave their ends within this of one direction end side by side (degrees).
+#: Two edges whose directions differ by less than this end side by side (degrees).
 _BESIDE: Final = 10.0
-#: Lines that meet at less than this have no corner worth looking for (sine).
+#: Sine of the smallest angle at which the intersection of two lines is used.
 _SLANT: Final = 0.05
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Closed:
-    """k edges, their gaps closed."""
+    """k edges with closed gaps."""
 
     ends: F64  #: (k, 2, 2) mm
-    moved: F64  #: (k,) how far the end moved that moved farther (mm)
+    moved: F64  #: (k,) larger displacement of the two ends (mm)
 
 
-def specks(ends: F64, length: F64, met: Meetings) -> Bool:
-    """Return which edges, (k, 2, 2) mm and (k,) mm long, are specks."""
-    found: Bool = _specks(ends.reshape(-1, 2), length, met.place, met.near, GAP, SAME)
+def find_debris(ends: F64, length: F64, met: EndPoints) -> Bool:
+    """Return which edges, (k, 2, 2) mm and (k,) mm long, are debris."""
+    found: Bool = _find_debris(ends.reshape(-1, 2), length, met.place, met.near, GAP, SAME)
     return found
 
 
-def closed(ends: F64, bulge: F64, kind: U8, settled: Bool, met: Meetings) -> Closed:
-    """Return edges of line types, (k,), with their gaps closed; those that are ``settled``, (k,),
-    stay where they are."""
+def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, met: EndPoints) -> Closed:
+    """Return the edges with closed gaps; those that are ``settled``, (k,), are not moved."""
     points, place, near = ends.reshape(-1, 2), met.place, met.near
     if len(near) == 0 or settled[near // 2].all():
         return Closed(ends, np.zeros(len(bulge)))
     size = np.hypot(*(points[near[:, 0]] - points[near[:, 1]]).T)
     order = np.lexsort((near[:, 1], near[:, 0], np.round(size, 6)))
-    moved = _closed(
+    moved = _close(
         points,
         bulge,
         kind.astype(np.int64),
@@ -78,7 +76,7 @@ def closed(ends: F64, bulge: F64, kind: U8, settled: Bool, met: Meetings) -> Clo
 
 
 @kernel
-def _specks(
+def _find_debris(
     points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float, same: float
 ) -> Any:
     count = len(length)
@@ -89,7 +87,7 @@ def _specks(
         many[place[end]] += 1
         if length[end // 2] < gap:
             short[place[end]] += 1
-    # Figures of short edges alone: their places, put together.
+    # Groups of short edges that touch only each other.
     for edge in range(count):
         if length[edge] < gap:
             unite(group, place[2 * edge], place[2 * edge + 1])
@@ -115,37 +113,36 @@ def _specks(
         spot[at, 1] = min(spot[at, 1], points[end, 1])
         spot[at, 2] = max(spot[at, 2], points[end, 0])
         spot[at, 3] = max(spot[at, 3], points[end, 1])
-    speck = np.zeros(count, np.bool_)
-    linked = _links(points, length, place, near, gap)
+    debris = np.zeros(count, np.bool_)
+    linked = _connecting(points, length, place, near, gap)
     for edge in range(count):
         if length[edge] >= gap:
             continue
         a, b = place[2 * edge], place[2 * edge + 1]
         if a == b and math.hypot(spot[a, 2] - spot[a, 0], spot[a, 3] - spot[a, 1]) < same:
-            # All in one place, which is no larger than the tolerance.
-            speck[edge] = True
+            # Smaller than the tolerance as a whole.
+            debris[edge] = True
             continue
         g = root(group, a)
         if whole[g]:
             if math.hypot(box[g, 2] - box[g, 0], box[g, 3] - box[g, 1]) < gap:
-                speck[edge] = not linked[edge]
+                debris[edge] = not linked[edge]
             continue
         if many[a] == 1 or many[b] == 1:
-            speck[edge] = not linked[edge]
+            debris[edge] = not linked[edge]
         elif length[edge] < same:
-            speck[edge] = many[a] == 2 and many[b] == 2 and short[a] == 1 and short[b] == 1
-    return speck
+            debris[edge] = many[a] == 2 and many[b] == 2 and short[a] == 1 and short[b] == 1
+    return debris
 
 
 @kernel
-def _links(points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float) -> Any:
-    """Which short edges stand between two places, near or at their ends, that are farther apart
-    than a gap: without them the gap stays open."""
+def _connecting(points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float) -> Any:
+    """Return which short edges connect two points farther apart than a gap, (k,)."""
     count = len(length)
     linked = np.zeros(count, np.bool_)
     if len(near) == 0:
         return linked
-    # The farthest that a foreign place at one end is from one at the other.
+    # Up to eight ends of other edges near each end.
     beside = np.full((2 * count, 8), -1, np.int64)
     many = np.zeros(2 * count, np.int64)
     for k in range(len(near)):
@@ -176,7 +173,7 @@ def _links(points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float) 
 
 
 @kernel
-def _closed(
+def _close(
     points: F64_2,
     bulge: F64_1,
     kind: I64_1,
@@ -191,7 +188,7 @@ def _closed(
     straight: float,
     slant: float,
 ) -> Any:
-    """Return the ends where they are to be; pairs of near ends come the nearest first."""
+    """Return the new ends.  Pairs of near ends are given nearest first."""
     moved = points.copy()
     by_place = np.argsort(place, kind="mergesort")
     first = np.searchsorted(place[by_place], np.arange(len(place) + 1))
@@ -204,7 +201,7 @@ def _closed(
             continue
         if max(first[a + 1] - first[a], first[b + 1] - first[b]) > CROWD:
             continue
-        # The ends of one line type by which the two places belong together.
+        # Two ends of one line type that connect the two points.
         one, other = -1, -1
         one_many, other_many = 0, 0
         for p in range(first[a], first[a + 1]):
@@ -219,7 +216,7 @@ def _closed(
             if alike_b and (alike_a == 1 or alike_b == 1):
                 one, other, one_many, other_many = i, partner, alike_a, alike_b
                 break
-        if one < 0 or _held(a, b, place, by_place, first):
+        if one < 0 or _connected(a, b, place, by_place, first):
             continue
         if one_many == 1 and other_many == 1:
             cosine = out[one, 0] * out[other, 0] + out[one, 1] * out[other, 1]
@@ -241,7 +238,7 @@ def _closed(
         elif stay_b:
             x, y = moved[other, 0], moved[other, 1]
         else:
-            x, y = _common(points, bulge, out, one, other, gap, slant)
+            x, y = _meeting_point(points, bulge, out, one, other, gap, slant)
         far_a = np.inf if stay_a else gap
         far_b = np.inf if stay_b else gap
         if not (
@@ -259,8 +256,8 @@ def _closed(
 
 
 @kernel
-def _held(a: int, b: int, place: I64_1, by_place: I64_1, first: I64_1) -> bool:
-    """Whether an edge stands between two places."""
+def _connected(a: int, b: int, place: I64_1, by_place: I64_1, first: I64_1) -> bool:
+    """Return whether an edge connects two points."""
     found = False
     for p in range(first[a], first[a + 1]):
         found |= place[by_place[p] ^ 1] == b
@@ -280,8 +277,10 @@ def _may_move(
     gap: float,
     join: float,
 ) -> bool:
-    """Whether the ends at a place may move to a point: it is near, and no edge would lose all its
-    length, because its other end is there already or moves as well."""
+    """Return whether all ends at a point may move to (x, y).
+
+    It must be within the gap, and no edge may become shorter than ``join``.
+    """
     for p in range(first[at], first[at + 1]):
         i = by_place[p]
         if place[i ^ 1] == at or math.hypot(points[i, 0] - x, points[i, 1] - y) > gap:
@@ -293,7 +292,7 @@ def _may_move(
 
 @kernel
 def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same: float) -> bool:
-    """Whether an end touches the inside of another edge."""
+    """Return whether an end touches the inside of another edge."""
     x0, y0 = points[2 * edge, 0], points[2 * edge, 1]
     x1, y1 = points[2 * edge + 1, 0], points[2 * edge + 1, 1]
     x, y = points[end, 0], points[end, 1]
@@ -303,7 +302,7 @@ def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same:
     along = ((x - x0) * dx + (y - y0) * dy) / square
     if along <= 0.0 or along >= 1.0:
         return False
-    # A hundredth of a millimetre beside the corner is the corner.
+    # Within the tolerance of an end it is that end.
     if math.hypot(x - x0, y - y0) < same or math.hypot(x - x1, y - y1) < same:
         return False
     if abs(b) < 1e-7:
@@ -316,10 +315,10 @@ def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same:
 
 
 @kernel
-def _common(
+def _meeting_point(
     points: F64_2, bulge: F64_1, out: F64_2, one: int, other: int, gap: float, slant: float
 ) -> tuple[float, float]:
-    """Where two ends are to meet."""
+    """Return the point at which two ends are brought together."""
     x0, y0 = points[one, 0], points[one, 1]
     x1, y1 = points[other, 0], points[other, 1]
     sine = out[one, 0] * out[other, 1] - out[one, 1] * out[other, 0]

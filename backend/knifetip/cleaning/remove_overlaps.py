@@ -1,9 +1,9 @@
-"""parting: what is drawn on something else gives up what lies there.
+"""remove_overlaps: each stretch of board is worked by one edge; others are reduced to what is left.
 
-    edges of some line types -> pieces that lie on nothing else, and what each stretch lies on
+    edges with line types -> pieces that overlap nothing, and the piece that covers each stretch
 
-Edges are taken up by rank, then the longest first, and each gives up what lies on a piece that
-stands already: so nothing is given up but beside something that stays.
+Edges are processed by priority, then longest first.  Each loses the stretches that lie on pieces
+processed before, so nothing is removed unless something remains there.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.cleaning.overlap import overlapping
-from knifetip.cleaning.rank import HIDES, RANK
-from knifetip.cleaning.stretch import place_of, range_of, size_of
+from knifetip.cleaning.edge_parameter import place_of, range_of, size_of
+from knifetip.cleaning.overlapping import find_overlapping
+from knifetip.cleaning.priority import COVERS, PRIORITY
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry import arc
 from knifetip.geometry.capacity import reserve_f64_2, reserve_i64_2
@@ -25,38 +25,38 @@ from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE, POINT, SAME
 from knifetip.kernels import F64_2, I64_1, Bool_2, kernel
 
-#: More stretches than this, or than so many to an edge, are nothing that anybody has drawn: lines
-#: of which each lies on hundreds of others come to the square of their number.
+#: Limits of stretches, in total and per edge: if each edge overlaps hundreds of others, their
+#: number grows with the square of that of edges.
 _STRETCHES: Final = 1_000_000
 _TO_AN_EDGE: Final = 16
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Pieces:
-    """m pieces that lie on nothing else, and q stretches that cover all of the k edges."""
+    """m pieces that overlap nothing, and q stretches that together are the k edges."""
 
     ends: F64  #: (m, 2, 2) mm
     bulge: F64  #: (m,)
-    owner: I32  #: (m,) the edge that each is a part of
-    edge: I32  #: (q,) the edge of each stretch
-    begin: F64  #: (q,) where it begins, 0 … 1 of the edge's length
-    end: F64  #: (q,) where it ends
-    piece: I32  #: (q,) the piece that it is or lies on
-    given: Bool  #: (q,) whether it was given up, to lie on another one
+    owner: I32  #: (m,) edge that each is a part of
+    edge: I32  #: (q,) edge of each stretch
+    begin: F64  #: (q,) start, 0 … 1 of the edge's length
+    end: F64  #: (q,) end
+    piece: I32  #: (q,) piece that covers it
+    given: Bool  #: (q,) whether that piece belongs to another edge
 
 
-def parted(ends: F64, bulge: F64, kind: U8) -> Pieces:
-    """Return the pieces of edges (k, 2, 2) mm, (k,), of line types (k,), that are drawn once.
+def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
+    """Return the pieces of k edges that remain without overlaps.
 
     Raises
     ------
     DrawingTooLarge
-        So many edges lie on so many others that it would take forever.
+        Too many edges overlap.
     """
     count = len(bulge)
-    twin = _twins(ends, bulge, kind)
+    twin = _duplicates(ends, bulge, kind)
     alone = np.flatnonzero(twin == np.arange(count))
-    first, second = overlapping(ends[alone], bulge[alone])
+    first, second = find_overlapping(ends[alone], bulge[alone])
     if len(first) == 0:
         number = np.full(count, -1, np.int32)
         number[alone] = np.arange(len(alone))
@@ -72,16 +72,16 @@ def parted(ends: F64, bulge: F64, kind: U8) -> Pieces:
             twin != every,
         )
     size = np.round(arc.length(ends[alone, 0], ends[alone, 1], bulge[alone]) / POINT)
-    # Of equal ones the first drawn stays.
-    order = np.lexsort((np.arange(len(alone)), -size, -RANK[kind[alone]]))
+    # Of equal edges the first drawn remains.
+    order = np.lexsort((np.arange(len(alone)), -size, -PRIORITY[kind[alone]]))
     both = np.concatenate([first, second])
     other = np.concatenate([second, first])
     by_edge = np.argsort(both, kind="stable")
     bounds = np.searchsorted(both[by_edge], np.arange(len(alone) + 1))
     rows = np.column_stack([ends[alone].reshape(-1, 4), bulge[alone]])
     most = max(_STRETCHES, _TO_AN_EDGE * count)
-    piece, owner, edge, begin, end, on, given = _given_up(
-        rows, kind[alone].astype(np.int64), order, other[by_edge], bounds, HIDES, SAME, most
+    piece, owner, edge, begin, end, on, given = _remove(
+        rows, kind[alone].astype(np.int64), order, other[by_edge], bounds, COVERS, SAME, most
     )
     if len(edge) > most:
         raise DrawingTooLarge("edge.too-many-overlaps", edges=len(alone), limit=most)
@@ -90,7 +90,7 @@ def parted(ends: F64, bulge: F64, kind: U8) -> Pieces:
     number = np.empty(len(owner), np.int32)
     number[straight] = np.arange(len(owner))
     piece, owner, on = piece[straight], owner[straight], number[on]
-    # A twin goes where the stretches of its first go.
+    # A duplicate is covered like the edge it duplicates.
     doubles = np.flatnonzero(twin != np.arange(count))
     of_first = np.argsort(edge, kind="stable")
     place = np.full(count, -1, np.int64)
@@ -101,7 +101,7 @@ def parted(ends: F64, bulge: F64, kind: U8) -> Pieces:
     double = np.repeat(doubles, many)
     offset = np.arange(len(double)) - np.repeat(np.cumsum(many) - many, many)
     like = of_first[np.repeat(low, many) + offset]
-    back = _reversed(ends[double], ends[twin[double]])
+    back = _are_reversed(ends[double], ends[twin[double]])
     return Pieces(
         piece[:, :4].reshape(-1, 2, 2),
         piece[:, 4].copy(),
@@ -114,14 +114,14 @@ def parted(ends: F64, bulge: F64, kind: U8) -> Pieces:
     )
 
 
-def _reversed(ends: F64, others: F64) -> Bool:
-    """Return whether edges run against others that are the same."""
+def _are_reversed(ends: F64, others: F64) -> Bool:
+    """Return whether duplicates run in the opposite direction."""
     along = ((ends[:, 1] - ends[:, 0]) * (others[:, 1] - others[:, 0])).sum(axis=1)
     return np.asarray(along < 0.0)
 
 
-def _twins(ends: F64, bulge: F64, kind: U8) -> I64:
-    """Return for each edge the one that is the same line and hides it, or itself."""
+def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
+    """Return for each edge the identical edge that covers it, or itself."""
     count = len(bulge)
     twin = np.arange(count)
     grid = np.round(ends.reshape(-1, 4) / POINT).astype(np.int64)
@@ -129,23 +129,23 @@ def _twins(ends: F64, bulge: F64, kind: U8) -> I64:
     back = (grid[:, 0] > grid[:, 2]) | ((grid[:, 0] == grid[:, 2]) & (grid[:, 1] > grid[:, 3]))
     grid = np.where(back[:, None], grid[:, [2, 3, 0, 1]], grid)
     left = np.arange(count)
-    # A crease under a perforation is not hidden by it, but by another crease: hence twice.
+    # A crease is not covered by a perforation, but by another crease: hence two passes.
     for _ in range(2):
         first, group = distinct(grid[left], np.where(back, -turn, turn)[left])
         if len(first) == len(left):
             break
-        order = np.lexsort((left, -RANK[kind[left]], group))
+        order = np.lexsort((left, -PRIORITY[kind[left]], group))
         head = np.append(True, group[order][1:] != group[order][:-1])
         winner = left[order[head]][group[order]]
         rows = left[order]
-        hidden = ~head & HIDES[kind[winner], kind[rows]]
+        hidden = ~head & COVERS[kind[winner], kind[rows]]
         twin[rows[hidden]] = winner[hidden]
         left = np.sort(rows[~head & ~hidden])
     return twin
 
 
 @kernel
-def _given_up(
+def _remove(
     rows: F64_2,
     kind: I64_1,
     order: I64_1,
@@ -155,8 +155,7 @@ def _given_up(
     same: float,
     most: int,
 ) -> Any:
-    """Take edges up in order; each gives up what lies on pieces that stand already.  Past ``most``
-    stretches it stops."""
+    """Process edges in order; each loses what lies on existing pieces.  Stops after ``most``."""
     count = len(rows)
     piece = np.empty((count + 64, 5))
     owner = np.empty((count + 64, 1), np.int64)
@@ -179,7 +178,7 @@ def _given_up(
                 continue
             for p in range(first[f], last[f]):
                 low, high = range_of(rows, e, piece[p])
-                # Beginnings and ends that all but meet are meant to.
+                # Ends within the tolerance are equal.
                 if low * length < same:
                     low = 0.0
                 if (1.0 - high) * length < same:
@@ -245,7 +244,7 @@ def _given_up(
                 pieces += 1
                 here = low
             elif step == claims and here < 1.0 and stretches > 0:
-                # What is left is less than the tolerance: it belongs to the stretch before.
+                # A rest below the tolerance is added to the previous stretch.
                 cover[stretches - 1, 1] = 1.0
             if step < claims and high > here:
                 cover[stretches, 0] = here

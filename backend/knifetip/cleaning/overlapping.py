@@ -1,13 +1,12 @@
-"""overlap: which edges lie on each other somewhere.
+"""overlapping: pairs of edges that lie on each other over some length.
 
     ends, bulge -> pairs of edges
 
-Two lines lie on each other where, seen from the longer one, both ends of the shorter are within
-``SAME`` of its line; two arcs, where ends and middle of the shorter are that near the circle of the
-longer.
+Two lines overlap if both ends of the shorter one are within ``SAME`` of the longer one; two arcs
+if ends and midpoint of the shorter one are within ``SAME`` of the longer one's circle.
 
-Candidates come from a tree of boxes in which lines of one direction stand beside each other, laid
-along that direction, so that their boxes are slim.
+Candidates come from a packed tree of boxes.  Lines of nearly the same direction are stored in a
+frame rotated to that direction, so that their boxes are thin.
 """
 
 from __future__ import annotations
@@ -17,24 +16,24 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.cleaning.stretch import circle_of, middle_of, range_of, size_of
+from knifetip.cleaning.edge_parameter import circle_of, middle_of, range_of, size_of
 from knifetip.geometry.boxes import STACK, next_near, tree, tree_size
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import ANGLE, BULGE, SAME
 from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_2, kernel
 
-#: Lines are laid beside those whose direction is the nearest of so many (degrees apart).
+#: Angle between neighbouring frames (degrees).
 _FAN: Final = 2.0
 _ARCS: Final = 90
-#: So many edges that lie on one are looked at; where there are more, cleaning goes round again.
+#: Largest number of partners found for an edge in one round of cleaning.
 _CROWD: Final = 64
-#: So many edges are looked at whether they lie on one: only where thousands cross at slants of a
-#: degree or two are there more, and a drawing must not take forever.
+#: Largest number of candidates examined for an edge: it bounds the time where thousands of edges
+#: cross at angles of a degree or two.
 _LOOKS: Final = 2048
 
 
-def overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
-    """Return the pairs of edges that lie on each other somewhere, each once."""
+def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
+    """Return the pairs of edges that overlap, each once."""
     none = np.zeros(0, np.int64)
     if len(bulge) < 2:
         return none, none
@@ -56,7 +55,7 @@ def overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
         SAME,
     )
     one, two = order[found[:, 0]], order[found[:, 1]]
-    # Sorted: in a crowd there are millions, of which numpy's ``unique`` makes a table of hashes.
+    # Sorting is faster here than numpy's ``unique``, which hashes: there may be millions.
     pair = np.sort(np.minimum(one, two) * len(bulge) + np.maximum(one, two))
     pair = pair[np.append(True, pair[1:] != pair[:-1])] if len(pair) else pair
     return pair // len(bulge), pair % len(bulge)
@@ -64,7 +63,7 @@ def overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
 
 @kernel
 def _laid(rows: F64_2, fan: float, most: float, same: float) -> Any:
-    """Boxes of edges, lines laid along the nearest direction of the fan, and which that is."""
+    """Return the box of each edge in its frame, the frame, the angle, and the angular tolerance."""
     count = len(rows)
     boxes = np.empty((count, 4))
     bucket = np.empty(count, np.int64)
@@ -95,7 +94,7 @@ def _laid(rows: F64_2, fan: float, most: float, same: float) -> Any:
 
 @kernel
 def _box(rows: F64_2, i: int, turn: float, same: float, boxes: OutF64_2, at: int) -> None:
-    """The box of a line in a frame that is turned."""
+    """Compute the box of a line in a rotated frame."""
     c, s = math.cos(turn), math.sin(turn)
     u0 = c * rows[i, 0] + s * rows[i, 1]
     u1 = c * rows[i, 2] + s * rows[i, 3]
@@ -128,7 +127,7 @@ def _overlapping(
     found = np.empty((64, 2), np.int64)
     size = 0
     for i in range(count):
-        # Which direction's shelf to look on: the own one, and a neighbour's that is near enough.
+        # Search the own frame, and a neighbouring one if the angle is near it.
         for look in range(-1, 2):
             after = i
             box = boxes[i]

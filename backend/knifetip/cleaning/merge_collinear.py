@@ -1,11 +1,11 @@
-"""run: edges that go on in each other, made one: pieces of a line, of an arc, of a flattened curve.
+"""merge_collinear: merge edges that continue each other: collinear lines, concentric arcs, curves.
 
-    edges of line types -> fewer edges, and which of them each has become a part of
+    edges with line types -> fewer edges, and which of them each has become a part of
 
-Only where the ends of exactly two edges meet, of one line type, they may become one: a place where,
-or within ``GAP`` of which, a third one ends stays a place.  Lines become one line where every joint
-is within ``JOIN`` of it, arcs that turn one way one arc.  What is drawn in segments shorter than
-``FINE`` is a curve that somebody flattened: it becomes a line or an arc again, within ``FITTED``.
+Two edges are merged only where exactly these two meet and have the same line type; a point with a
+third end on it, or within ``GAP`` of it, stays a vertex.  Lines become one line if every joint is
+within ``JOIN`` of it; arcs with the same direction of turn become one arc.  Segments shorter than
+``FINE`` are a flattened curve, which becomes a line or an arc again within ``FITTED``.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.cleaning.meeting import Meetings
+from knifetip.cleaning.end_points import EndPoints
 from knifetip.geometry import arc
 from knifetip.geometry.chain import walked
 from knifetip.geometry.columns import F64, I32, U8, Bool
@@ -35,44 +35,49 @@ from knifetip.kernels import (
     kernel,
 )
 
-#: Segments shorter than this are no edges that somebody drew, but a curve flattened (mm).
+#: Segments shorter than this belong to a flattened curve (mm).
 FINE: Final = GAP
-#: A flattened curve stays within this of the line or arc that it becomes (mm).
+#: Largest distance of a flattened curve from the line or arc that replaces it (mm).
 FITTED: Final = SAME / 2.0
-#: From so many segments on they are a curve.
+#: Least number of segments of a curve.
 _FEW: Final = 3
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Joined:
-    """m edges that k have become."""
+class Merged:
+    """m merged edges."""
 
     ends: F64  #: (m, 2, 2) mm
     bulge: F64  #: (m,)
     kind: U8  #: (m,) LineType
-    of: I32  #: (k,) the edge that each has become a part of
-    off: F64  #: (m,) how far its parts' ends are from it (mm)
-    fitted: Bool  #: (m,) whether it was a flattened curve
+    of: I32  #: (k,) merged edge that each belongs to
+    off: F64  #: (m,) greatest distance of its parts from it (mm)
+    fitted: Bool  #: (m,) whether it replaces a flattened curve
 
 
-def joined(ends: F64, bulge: F64, kind: U8, met: Meetings, *, curves_only: bool = False) -> Joined:
-    """Return the edges with those that go on in each other made one.
+def merge_collinear(
+    ends: F64, bulge: F64, kind: U8, met: EndPoints, *, curves_only: bool = False
+) -> Merged:
+    """Return the edges with those that continue each other merged.
 
-    ``curves_only`` leaves alone what is not a flattened curve.
-    An edge that becomes one with others runs in the direction of the first of them; the others are
-    left as they are, bit for bit.
+    A merged edge runs in the direction of its first part.  Other edges are unchanged, bit for bit.
+
+    Parameters
+    ----------
+    curves_only
+        Merge flattened curves only.
     """
     count = len(bulge)
     length = arc.length(ends[:, 0], ends[:, 1], bulge)
     fine = length < FINE
-    link = _links(met.place, met.near, kind, fine, curves_only)
+    link = _continuations(met.place, met.near, kind, fine, curves_only)
     order, flipped, first, round_ = walked(link)
     rows = np.column_stack([ends.reshape(-1, 4), bulge])
-    begin, code, off = _cut_up(rows, length, order, flipped, first, round_, JOIN, FITTED, FINE)
+    begin, code, off = _split_runs(rows, length, order, flipped, first, round_, JOIN, FITTED, FINE)
     size = np.diff(np.append(begin, count))
     if (size == 1).all():
         every = np.arange(count, dtype=np.int32)
-        return Joined(ends, bulge, kind, every, np.zeros(count), np.zeros(count, np.bool_))
+        return Merged(ends, bulge, kind, every, np.zeros(count), np.zeros(count, np.bool_))
     group = np.repeat(np.arange(len(begin)), size)
     least = np.minimum.reduceat(order, begin)
     rank = np.argsort(np.argsort(least, kind="stable"), kind="stable").astype(np.int32)
@@ -91,7 +96,7 @@ def joined(ends: F64, bulge: F64, kind: U8, met: Meetings, *, curves_only: bool 
     of = np.empty(count, np.int32)
     of[order] = rank[group]
     curve = np.bincount(group[fine[order]], minlength=len(begin)) >= _FEW
-    return Joined(
+    return Merged(
         new_ends[where],
         new_bulge[where],
         kind[least][where],
@@ -102,8 +107,8 @@ def joined(ends: F64, bulge: F64, kind: U8, met: Meetings, *, curves_only: bool 
 
 
 @kernel
-def _links(place: I64_1, near: I64_2, kind: U8_1, fine: Bool_1, curves_only: bool) -> Any:
-    """Which end is joined to which: where two meet that are of one line type, and no third."""
+def _continuations(place: I64_1, near: I64_2, kind: U8_1, fine: Bool_1, curves_only: bool) -> Any:
+    """Return the end that continues each end, (2k,), -1 where not exactly two of a type meet."""
     many = np.zeros(len(place), np.int64)
     short = np.zeros(len(place), np.bool_)
     for end in range(len(place)):
@@ -111,7 +116,7 @@ def _links(place: I64_1, near: I64_2, kind: U8_1, fine: Bool_1, curves_only: boo
         short[place[end]] |= fine[end // 2]
     for k in range(len(near)):
         a, b = place[near[k, 0]], place[near[k, 1]]
-        # Along a flattened curve every end is near others.
+        # Ends along a flattened curve are always near others.
         if not short[a] and not short[b]:
             many[a] += 1
             many[b] += 1
@@ -135,7 +140,7 @@ def _links(place: I64_1, near: I64_2, kind: U8_1, fine: Bool_1, curves_only: boo
 
 
 @kernel
-def _turned(row: F64_1, back: bool, out: OutF64_1) -> None:
+def _oriented(row: F64_1, back: bool, out: OutF64_1) -> None:
     if back:
         out[0], out[1], out[2], out[3], out[4] = row[2], row[3], row[0], row[1], -row[4]
     else:
@@ -143,7 +148,7 @@ def _turned(row: F64_1, back: bool, out: OutF64_1) -> None:
 
 
 @kernel
-def _cut_up(
+def _split_runs(
     rows: F64_2,
     length: F64_1,
     order: OutI32_1,
@@ -154,8 +159,10 @@ def _cut_up(
     fitted: float,
     fine: float,
 ) -> Any:
-    """Where in ``order``, which is turned to begin closed runs at a corner, groups begin that are
-    one line or arc; with the bulge of each, and how far its parts are off."""
+    """Split runs into groups that fit one line or arc: return their starts, bulges and deviations.
+
+    ``order`` and ``flipped`` are rotated in place so that closed runs start at a corner.
+    """
     count = len(order)
     begin = np.empty(count, np.int64)
     code = np.empty(count)
@@ -172,7 +179,7 @@ def _cut_up(
             groups += 1
             continue
         for i in range(many):
-            _turned(rows[order[low + i]], flipped[low + i], run[i])
+            _oriented(rows[order[low + i]], flipped[low + i], run[i])
         if closed[r]:
             shift = _sharpest(run, many)
             if shift:
@@ -181,14 +188,14 @@ def _cut_up(
                 again = np.roll(flipped[low:high].astype(np.int64), -shift)
                 for i in range(many):
                     flipped[low + i] = again[i] == 1
-                    _turned(rows[order[low + i]], flipped[low + i], run[i])
+                    _oriented(rows[order[low + i]], flipped[low + i], run[i])
         for i in range(many):
             size[i] = length[order[low + i]]
         i = 0
         while i < many:
-            j, b, far = _reach(run, size, i, many, join, fitted, fine)
+            j, b, far = _longest_fit(run, size, i, many, join, fitted, fine)
             if i == 0 and j == many and closed[r]:
-                # All round: leave what there is, for one edge cannot begin where it ends.
+                # A whole circle stays in parts: one edge cannot start where it ends.
                 for k in range(many):
                     begin[groups] = low + k
                     code[groups] = run[k, 4]
@@ -204,7 +211,7 @@ def _cut_up(
 
 @kernel
 def _sharpest(run: F64_2, many: int) -> int:
-    """Which segment of a closed run begins at its sharpest corner; the first of several."""
+    """Return the first segment of a closed run that starts at its sharpest corner."""
     best = 0
     least = 2.0
     for i in range(many):
@@ -230,18 +237,18 @@ def _direction(row: F64_1, last: bool) -> tuple[float, float]:
 
 
 @kernel
-def _reach(
+def _longest_fit(
     run: F64_2, size: F64_1, i: int, many: int, join: float, fitted: float, fine: float
 ) -> tuple[int, float, float]:
-    """How far one line or arc holds from segment i on, its bulge, and how far it is off."""
+    """Return the end of the longest line or arc from segment i, its bulge and its deviation."""
     best = i + 1
     bulge = run[i, 4]
     far = 0.0
     if i + 1 < many:
         if abs(bulge) < BULGE:
-            end = _straight(run, i, many, join)
+            end = _longest_line(run, i, many, join)
             if end > best:
-                best, bulge, far = end, 0.0, _off(run, i, end, 0.0)
+                best, bulge, far = end, 0.0, _deviation(run, i, end, 0.0)
         else:
             turn = run[i, 4] > 0.0
             end = i + 1
@@ -252,7 +259,7 @@ def _reach(
                 if abs(sum_) > math.pi / 4.0 + 1e-9:
                     break
                 code = math.tan(sum_)
-                off = _off(run, i, end + 1, code)
+                off = _deviation(run, i, end + 1, code)
                 if off > join:
                     break
                 end += 1
@@ -262,18 +269,18 @@ def _reach(
         while limit < many and size[limit] < fine:
             limit += 1
         if limit - i >= 3:
-            end = _straight(run, i, limit, fitted)
+            end = _longest_line(run, i, limit, fitted)
             if end >= i + 3 and end > best:
-                best, bulge, far = end, 0.0, _off(run, i, end, 0.0)
-            end, code, off = _round(run, size, i, limit, fitted)
+                best, bulge, far = end, 0.0, _deviation(run, i, end, 0.0)
+            end, code, off = _longest_arc(run, size, i, limit, fitted)
             if end >= i + 3 and end > best:
                 best, bulge, far = end, code, off
     return best, bulge, far
 
 
 @kernel
-def _straight(run: F64_2, i: int, limit: int, within: float) -> int:
-    """How far one line holds: its end must be seen from its start past every joint between."""
+def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
+    """Return the end of the longest line from segment i that passes all joints within tolerance."""
     x, y = run[i, 0], run[i, 1]
     low, high = -math.inf, math.inf
     base = math.atan2(run[i, 3] - y, run[i, 2] - x)
@@ -302,15 +309,17 @@ def _straight(run: F64_2, i: int, limit: int, within: float) -> int:
 
 
 @kernel
-def _round(run: F64_2, size: F64_1, i: int, limit: int, within: float) -> tuple[int, float, float]:
-    """How far one arc holds, by doubling and halving."""
+def _longest_arc(
+    run: F64_2, size: F64_1, i: int, limit: int, within: float
+) -> tuple[int, float, float]:
+    """Return the end of the longest arc from segment i, found by doubling and bisection."""
     good, code, off = i, 0.0, 0.0
     step = 4
     bad = limit + 1
     while True:
         end = min(i + step, limit)
-        b = _bow(run, size, i, end)
-        far = _off(run, i, end, b) if abs(b) <= 1.0 else math.inf
+        b = _arc_bulge(run, size, i, end)
+        far = _deviation(run, i, end, b) if abs(b) <= 1.0 else math.inf
         if far <= within:
             good, code, off = end, b, far
             if end == limit:
@@ -322,8 +331,8 @@ def _round(run: F64_2, size: F64_1, i: int, limit: int, within: float) -> tuple[
     low = good if good > i else i + 2
     while bad - low > 1:
         end = (low + bad) // 2
-        b = _bow(run, size, i, end)
-        far = _off(run, i, end, b) if abs(b) <= 1.0 else math.inf
+        b = _arc_bulge(run, size, i, end)
+        far = _deviation(run, i, end, b) if abs(b) <= 1.0 else math.inf
         if far <= within:
             low, good, code, off = end, end, b, far
         else:
@@ -332,9 +341,8 @@ def _round(run: F64_2, size: F64_1, i: int, limit: int, within: float) -> tuple[
 
 
 @kernel
-def _bow(run: F64_2, size: F64_1, i: int, end: int) -> float:
-    """The bulge of the arc from the start of segment i to that of ``end`` through the joint that
-    is nearest to the middle."""
+def _arc_bulge(run: F64_2, size: F64_1, i: int, end: int) -> float:
+    """Return the bulge of the arc through the ends of a run and the joint nearest its middle."""
     total = 0.0
     for k in range(i, end):
         total += size[k]
@@ -346,7 +354,7 @@ def _bow(run: F64_2, size: F64_1, i: int, end: int) -> float:
     px, py = run[mid, 2], run[mid, 3]
     ax, ay = run[i, 0] - px, run[i, 1] - py
     bx, by = run[end - 1, 2] - px, run[end - 1, 3] - py
-    # Seen from the joint the ends stand at π less half the sweep; to its left if it bulges right.
+    # The inscribed angle at the joint is π minus half the sweep.
     angle = math.atan2(ax * by - ay * bx, ax * bx + ay * by)
     open_ = math.pi - abs(angle)
     bulge = math.tan(0.5 * open_)
@@ -354,9 +362,11 @@ def _bow(run: F64_2, size: F64_1, i: int, end: int) -> float:
 
 
 @kernel
-def _off(run: F64_2, i: int, end: int, bulge: float) -> float:
-    """How far joints, and middles of segments, are from one line or arc; infinite where they do
-    not follow it."""
+def _deviation(run: F64_2, i: int, end: int, bulge: float) -> float:
+    """Return the greatest distance of joints and midpoints from a line or arc.
+
+    Infinite if they do not follow it in order.
+    """
     x0, y0, x1, y1 = run[i, 0], run[i, 1], run[end - 1, 2], run[end - 1, 3]
     dx, dy = x1 - x0, y1 - y0
     chord = math.hypot(dx, dy)

@@ -1,9 +1,9 @@
-"""meeting: which ends of edges stand on one place, and which stand near another one.
+"""end_points: which ends of edges are at the same point, and which are near another one.
 
-    ends -> the place of each, and the pairs of ends that are near but not on one place
+    ends -> point of each end, and pairs of ends that are near but at different points
 
-A table of cells as large as the nearness; ends that are the same number for number, nearly all of
-them, are compared once.
+Ends are hashed into cells as wide as the search distance.  Equal ends, which most are, are compared
+once.
 """
 
 from __future__ import annotations
@@ -18,29 +18,27 @@ from knifetip.geometry.sets import root, settle, unite
 from knifetip.geometry.tolerance import JOIN
 from knifetip.kernels import F64_2, U64, kernel
 
-#: A point is compared with so many others in a cell at most: where there are more, nobody can say
-#: what was meant to meet, and a drawing must not take forever.
+#: Largest number of points in a cell that a point is compared with: it bounds the time for crowded
+#: drawings.
 CROWD: Final = 64
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Meetings:
-    """Where the 2k ends of k edges meet; end 2i is where edge i begins, 2i + 1 where it ends."""
+class EndPoints:
+    """Points of the 2k ends of k edges; edge i starts at end 2i and stops at end 2i + 1."""
 
-    of: F64  #: (k, 2, 2) the ends that this is about (mm)
-    place: (
-        I64  #: (2k,) the place of each end: those within ``JOIN``, one after the other, share one
-    )
-    near: I64  #: (q, 2) pairs of ends on different places that are within the nearness
+    of: F64  #: (k, 2, 2) ends of the edges (mm)
+    place: I64  #: (2k,) point of each end; ends in a chain of distances within ``JOIN`` share one
+    near: I64  #: (q, 2) pairs of ends at different points within the search distance
 
 
-def meetings(ends: F64, near: float) -> Meetings:
-    """Return where the ends of edges, (k, 2, 2) mm, meet, or are within ``near`` mm."""
+def find_end_points(ends: F64, near: float) -> EndPoints:
+    """Return the points of the ends of k edges, (k, 2, 2) mm, and pairs within ``near`` mm."""
     points = ends.reshape(-1, 2)
     if len(points) == 0:
-        return Meetings(ends, np.zeros(0, np.int64), np.zeros((0, 2), np.int64))
-    place, pairs = _meetings(points - points.min(axis=0), near, JOIN)
-    return Meetings(ends, place, pairs)
+        return EndPoints(ends, np.zeros(0, np.int64), np.zeros((0, 2), np.int64))
+    place, pairs = _find(points - points.min(axis=0), near, JOIN)
+    return EndPoints(ends, place, pairs)
 
 
 @kernel
@@ -52,7 +50,7 @@ def _slot(x: int, y: int, mask: U64) -> Any:
 
 
 @kernel
-def _meetings(points: F64_2, near: float, join: float) -> Any:
+def _find(points: F64_2, near: float, join: float) -> Any:
     count = len(points)
     size = 16
     while size < 2 * count:
@@ -108,7 +106,7 @@ def _meetings(points: F64_2, near: float, join: float) -> Any:
         after[i] = head[slot]
         head[slot] = i
     settle(parent)
-    # Points that turned out to be on one place are no pair; of two places the nearest points are.
+    # Drop pairs whose ends are at one point after all.
     kept = 0
     for k in range(pairs):
         if parent[pair[k, 0]] != parent[pair[k, 1]]:

@@ -1,9 +1,4 @@
-"""stretch: where on an edge, a line or an arc, something else lies.
-
-rows of edges (k, 5): x and y of start and end (mm), bulge -> lengths, places in lengths of an edge
-
-Compiled, for those who go from edge to edge.
-"""
+"""edge_parameter: positions along an edge, for kernels; a row is x0, y0, x1, y1, bulge."""
 
 from __future__ import annotations
 
@@ -17,7 +12,7 @@ from knifetip.kernels import F64_1, F64_2, kernel
 
 @kernel
 def circle_of(rows: F64_2, i: int) -> tuple[float, float, float, float]:
-    """Centre, radius and sweep of an arc."""
+    """Return centre, radius and sweep of an arc."""
     b = rows[i, 4]
     dx = rows[i, 2] - rows[i, 0]
     dy = rows[i, 3] - rows[i, 1]
@@ -30,7 +25,7 @@ def circle_of(rows: F64_2, i: int) -> tuple[float, float, float, float]:
 
 @kernel
 def size_of(rows: F64_2, i: int) -> float:
-    """Length of a line or an arc."""
+    """Return the length of a line or an arc."""
     chord = math.hypot(rows[i, 2] - rows[i, 0], rows[i, 3] - rows[i, 1])
     b = abs(rows[i, 4])
     if b < BULGE:
@@ -40,7 +35,7 @@ def size_of(rows: F64_2, i: int) -> float:
 
 @kernel
 def middle_of(rows: F64_2, i: int) -> tuple[float, float]:
-    """The middle of a line or an arc."""
+    """Return the midpoint of a line or an arc."""
     b = rows[i, 4]
     return (
         0.5 * (rows[i, 0] + rows[i, 2]) + 0.5 * b * (rows[i, 3] - rows[i, 1]),
@@ -50,8 +45,10 @@ def middle_of(rows: F64_2, i: int) -> tuple[float, float]:
 
 @kernel
 def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
-    """How far along edge i a point lies beside it, in lengths of the edge; of an arc, to ± half
-    the circle from its middle."""
+    """Return the parameter of the point of edge i nearest to (x, y), not limited to 0 … 1.
+
+    For an arc, within half the circle of its midpoint.
+    """
     if abs(rows[i, 4]) < BULGE:
         dx = rows[i, 2] - rows[i, 0]
         dy = rows[i, 3] - rows[i, 1]
@@ -67,7 +64,7 @@ def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
 
 @kernel
 def range_of(rows: F64_2, i: int, piece: F64_1) -> tuple[float, float]:
-    """From where to where on edge i a piece lies, in lengths of the edge; not clipped."""
+    """Return the range of parameters of edge i that a piece covers, not limited to 0 … 1."""
     if abs(rows[i, 4]) < BULGE:
         a = place_of(rows, i, piece[0], piece[1])
         b = place_of(rows, i, piece[2], piece[3])
@@ -77,7 +74,7 @@ def range_of(rows: F64_2, i: int, piece: F64_1) -> tuple[float, float]:
     my = 0.5 * (piece[1] + piece[3]) - 0.5 * piece[4] * (piece[2] - piece[0])
     middle = place_of(rows, i, mx, my)
     round_ = abs(2.0 * math.pi / sweep)
-    # Not by its sweep: a shallow arc that lies as near may have another radius.
+    # Not by its sweep: a shallow arc within the tolerance may have another radius.
     a = place_of(rows, i, piece[0], piece[1]) - middle
     b = place_of(rows, i, piece[2], piece[3]) - middle
     a -= round_ * round(a / round_)

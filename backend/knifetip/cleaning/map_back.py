@@ -1,10 +1,10 @@
-"""back: what was found on cleaned edges, told of the edges that were drawn.
+"""map_back: convert a verdict on cleaned edges into one on the drawn edges.
 
     Verdict on m cleaned edges, Cleaned -> Verdict on the n edges of the drawing
 
-A measure that is the worst along an edge is that of every drawn edge whose work it does.  A length
-is shared out among the drawn edges that are worked there, so that sums stay sums: an edge that lies
-on another one has none.
+A worst value along an edge applies to every drawn edge that it covers.  A length is divided among
+the drawn edges that are worked there, so that sums are kept: an edge that lies on another one gets
+none.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ _WORST: Final = ("deviation", "overcut", "width", "web", "flank", "top_overcut")
 _LENGTHS: Final = ("uncut", "setback", "unreached", "bottom_uncut")
 
 
-def on_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
-    """Return the verdict on a cleaned dieline as one on the dieline that was drawn."""
+def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
+    """Return the verdict on the drawn edges for a verdict on the cleaned ones."""
     count = len(drawn)
     parts = cleaned.stretches
     live = parts.cleaned >= 0
@@ -57,7 +57,7 @@ def on_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
 
 
 def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> Samples:
-    """Return the map of deviations with each row on the drawn edge that is worked there."""
+    """Return the samples with each row assigned to the drawn edge at that place."""
     parts = cleaned.stretches
     if len(samples.edge) == 0 or not cleaned.changed.any():
         return samples
@@ -71,10 +71,10 @@ def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> S
     )
     low, high = np.minimum(first, last), np.maximum(first, last)
     order = np.lexsort((low, target))
-    # Each cleaned edge has a whole number to itself.
+    # The integer part of the key is the cleaned edge.
     key = target[order] + 0.5 * low[order]
     at = np.searchsorted(key, samples.edge + 0.5 * np.clip(samples.place, 0.0, 1.0), "right") - 1
-    # What lies before the first part of its edge, by a hair, is on that one.
+    # A sample just before the first part of its edge, by rounding, belongs to that part.
     before = target[order][np.maximum(at, 0)] != samples.edge
     part = order[np.clip(np.where(before, at + 1, at), 0, len(order) - 1)]
     span = np.where(high > low, high - low, 1.0)[part]

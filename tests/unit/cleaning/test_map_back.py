@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from knifetip.cleaning.back import on_drawn
 from knifetip.cleaning.clean import clean
+from knifetip.cleaning.map_back import map_to_drawn
 from knifetip.model.dieline import LineType
 from knifetip.model.verdict import Finding, Samples, Verdict
 from tests.support.shapes import dieline, edges
@@ -42,19 +42,19 @@ def verdict(count: int) -> Verdict:
 def test_a_length_is_shared_out_and_a_worst_is_everybodys() -> None:
     made = clean(LINE)
     assert made.dieline.source.tolist() == [0, 1, 2, 3, 4, 3]
-    told = on_drawn(verdict(6), made, LINE)
+    told = map_to_drawn(verdict(6), made, LINE)
     np.testing.assert_allclose(told.uncut, [3, 7, 0, 4, 0])
     np.testing.assert_allclose(told.deviation, [0, 0, 0, 0.005, 0.004])
     assert len(told.tidied) == len(LINE)
 
 
 def test_findings_name_the_edge_that_was_drawn() -> None:
-    told = on_drawn(verdict(6), clean(LINE), LINE)
+    told = map_to_drawn(verdict(6), clean(LINE), LINE)
     assert [finding.edge for finding in told.findings] == [3, -1]
 
 
 def test_samples_go_to_the_place_where_they_are_on_the_drawn_edge() -> None:
-    told = on_drawn(verdict(6), clean(LINE), LINE).samples
+    told = map_to_drawn(verdict(6), clean(LINE), LINE).samples
     # 15 of 100 mm is half of the first 30; 65 mm is the middle of the second piece, and its left is
     # the other side, since it was drawn backwards; 100 mm is where that begins.
     assert told.edge.tolist() == [0, 1, 1, 3, 3]
@@ -65,7 +65,7 @@ def test_samples_go_to_the_place_where_they_are_on_the_drawn_edge() -> None:
 def test_a_verdict_on_a_clean_drawing_is_the_same() -> None:
     line = dieline((CUT, edges(((0, 0), (100, 0)), ((100, 0), (100, 100)))))
     given = replace(verdict(2), findings=(Finding("uncut", "", 4.0, edge=1),))
-    told = on_drawn(given, clean(line), line)
+    told = map_to_drawn(given, clean(line), line)
     np.testing.assert_array_equal(told.deviation, given.deviation)
     assert told.uncut.sum() == pytest.approx(given.uncut.sum())
     assert told.findings == given.findings

@@ -1,0 +1,40 @@
+"""priority: which of two coincident edges is kept.
+
+The edge that removes or separates more board is kept, because it includes the other's work or
+leaves nothing of it:
+
+* a cut goes through: a crease or half-cut under it has no effect;
+* a V-groove removes the board that a crease would press and a half-cut would slit;
+* a combi line is creased and perforated, so it includes both;
+* a perforation goes through where a half-cut slits;
+* a half-cut opens the face that a crease would press.
+
+A crease and a perforation do not cover each other: both are worked, and together they are a combi
+line.  Ignored and unclassified edges are not worked: they cover nothing, and nothing covers them.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from knifetip.geometry.columns import I32, Bool
+from knifetip.model.dieline import LineType
+
+_ORDER: Final = (
+    LineType.CREASE,
+    LineType.HALF_CUT,
+    LineType.PERFORATION,
+    LineType.COMBI,
+    LineType.V_GROOVE,
+    LineType.CUT,
+)
+
+#: (types,) priority of each line type, 0 for types that are not worked.
+PRIORITY: Final[I32] = np.zeros(len(LineType), np.int32)
+PRIORITY[[kind.value for kind in _ORDER]] = np.arange(1, len(_ORDER) + 1)
+
+#: (types, types) whether an edge of the first type covers one of the second that lies on it.
+COVERS: Final[Bool] = (PRIORITY[:, None] >= PRIORITY) & (PRIORITY > 0)
+COVERS[LineType.PERFORATION, LineType.CREASE] = False
