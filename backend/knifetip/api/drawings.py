@@ -103,11 +103,11 @@ def added(
     rules = rules_named(here, profile)
     sha256 = hashlib.sha256(content).hexdigest()
     request = fingerprint(name, sha256, unit, profile)
-    row = here.store.drawing_of(key, request) if key else None
+    row = here.store.drawings.find(key, request) if key else None
     if row is None:
         interpretation = Interpretation(unit, profile, rules)
         reading = read(here, name, content, interpretation)
-        row = here.store.add_drawing(
+        row = here.store.drawings.add(
             name=name,
             content=content,
             sha256=sha256,
@@ -130,7 +130,7 @@ def list_drawings(
     here: Here, response: Response, cursor: Cursor = None, limit: Limit = 100
 ) -> list[DrawingSummary]:
     """List drawings, the newest first; the Link header leads on."""
-    rows = here.store.drawings(cursor, limit)
+    rows = here.store.drawings.recent(cursor, limit)
     last = rows[-1].serial if len(rows) == limit else None
     next_page(response, "/api/drawings?", last, limit)
     return [summary_out(row) for row in rows]
@@ -141,7 +141,7 @@ def get_drawing(
     here: Here, response: Response, id: str, known: IfNoneMatch = None
 ) -> DrawingOut | Response:
     """Look at a drawing."""
-    row = here.store.drawing_with(id, "ledger")
+    row = here.store.drawings.get_with(id, "ledger")
     headers = {"ETag": etag(row.version, _state_of(here, row)), "Cache-Control": "no-cache"}
     if is_known(headers["ETag"], known):
         return Response(status_code=304, headers=headers)
@@ -177,7 +177,7 @@ def change_drawing(
 @router.delete("/{id}", status_code=204)
 def delete_drawing(here: Here, id: str) -> None:
     """Forget a drawing that no job was made from."""
-    here.store.delete_drawing(id)
+    here.store.drawings.delete(id)
 
 
 @router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY, **_NOT_MODIFIED})
@@ -188,7 +188,7 @@ def get_edges(
     format: Annotated[Literal["json", "columns"], Query()] = "json",
 ) -> Response:
     """List the edges, as JSON or as binary columns (``format=columns``)."""
-    row = here.store.drawing_with(id, "edges")
+    row = here.store.drawings.get_with(id, "edges")
     if format == "columns":
         return bytes_answer(request, row.edges, str(row.version), "application/octet-stream")
     headers = {"ETag": etag(row.version), "Cache-Control": "no-cache"}
@@ -216,7 +216,7 @@ def override_edges(
 @router.get("/{id}/ledger")
 def get_ledger(here: Here, id: str, fate: FateWord | None = None) -> LedgerOut:
     """List what became of every entity of the file, or only of those of one fate."""
-    row = here.store.drawing_with(id, "ledger")
+    row = here.store.drawings.get_with(id, "ledger")
     rows = [one for one in _ledger(row) if fate in (None, one["fate"])]
     return LedgerOut.model_validate({**row.summary["ledger"], "rows": rows})
 
@@ -225,7 +225,7 @@ def get_ledger(here: Here, id: str, fate: FateWord | None = None) -> LedgerOut:
 @queued
 def get_cleaning(here: Here, id: str) -> CleaningOut:
     """List what cleaning makes of the edges before they are planned: joined, moved, dropped."""
-    edges = here.store.drawing_column(id, "edges")
+    edges = here.store.drawings.column(id, "edges")
     return CleaningOut.model_validate(
         here.pool.run(tasks.cleaned, edges, limit=here.settings.limit)
     )
@@ -234,8 +234,8 @@ def get_cleaning(here: Here, id: str) -> CleaningOut:
 @router.get("/{id}/file", response_class=Response, responses={200: BINARY})
 def get_file(here: Here, request: Request, id: str) -> Response:
     """Return the file as it came."""
-    row = here.store.drawing(id)
-    content = here.store.drawing_column(id, "content")
+    row = here.store.drawings.get(id)
+    content = here.store.drawings.column(id, "content")
     return bytes_answer(request, content, row.sha256, format_of(content).media_type, row.name)
 
 
@@ -290,14 +290,14 @@ def _changed(
         The drawing is changed again and again meanwhile.
     """
     for _ in range(_TRIES):
-        row = here.store.drawing_with(id, "content", "overrides", "edges")
+        row = here.store.drawings.get_with(id, "content", "overrides", "edges")
         check_match(match, row)
         made = decide(row)
         handles = unpacked(row.edges)[1]["handles"]
         reading = read(here, row.name, row.content, made.interpretation, handles)
         kept = replace(made.interpretation, overrides=reading.overrides)
         try:
-            changed = here.store.change_drawing(
+            changed = here.store.drawings.change(
                 row.id,
                 row.version,
                 made.why,
@@ -482,7 +482,7 @@ def drawing_out(here: Service, row: Drawing) -> DrawingOut:
 
 def _state_of(here: Service, row: Drawing) -> str:
     """Return whether the profile still says what it said when the drawing was classified by it."""
-    kept = here.store.profile(row.profile)
+    kept = here.store.profiles.get(row.profile)
     if kept is None:
         return "deleted" if row.rules else "current"
     return "current" if kept.text == row.rules else "changed"

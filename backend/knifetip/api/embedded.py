@@ -278,7 +278,7 @@ class _Server(uvicorn.Server):
 def _add_samples(service: Service) -> None:
     """Read the samples into a database in which nothing ever happened."""
     try:
-        if service.store.last_event() == 0:
+        if service.store.events.last_id() == 0:
             # Drawn by ezdxf, which the server does without at every other start.
             from knifetip.dxf.samples import samples
 

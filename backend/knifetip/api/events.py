@@ -77,11 +77,11 @@ class Stream:
                 queue.put_nowait(None)
 
     def _news(self) -> list[str]:
-        events = self._service.store.events_after(self._last)
+        events = self._service.store.events.after(self._last)
         messages = self._messages(events)
         if events:
             self._last = events[-1].id
-        moving = self._service.store.jobs(_MOVING, limit=500)
+        moving = self._service.store.jobs.search(_MOVING, limit=500)
         told: dict[str, tuple[object, ...]] = {
             row.id: (row.state, row.stage, row.progress, row.line, row.position, row.copies_done)
             for row in moving
@@ -102,7 +102,7 @@ class Stream:
         Another job, or a gateway that comes or goes, changes that without an event of their own.
         """
         self._refreshed = time.monotonic()
-        rows = self._service.store.jobs((State.QUEUED.value,), limit=500)
+        rows = self._service.store.jobs.search((State.QUEUED.value,), limit=500)
         shown = jobs_out(self._service.store, rows)
         waits: dict[str, tuple[str, str, str]] = {
             job.id: (job.waiting_for, job.reason, job.hint) for job in shown
@@ -119,7 +119,9 @@ class Stream:
         newest = {(event.kind, event.subject): event.id for event in events}
         ids = [subject for kind, subject in newest if kind == "job"]
         store = self._service.store
-        jobs = {job.id: job for job in jobs_out(store, store.jobs(ids=ids, limit=len(ids) or 1))}
+        jobs = {
+            job.id: job for job in jobs_out(store, store.jobs.search(ids=ids, limit=len(ids) or 1))
+        }
         messages = []
         for (kind, subject), number in sorted(newest.items(), key=lambda item: item[1]):
             if kind == "job" and subject in jobs:
@@ -130,7 +132,7 @@ class Stream:
 
     def _drawing(self, id: str, number: int) -> str:
         try:
-            drawing = summary_out(self._service.store.drawing(id))
+            drawing = summary_out(self._service.store.drawings.get(id))
         except NoSuchJob:
             return _message("deleted", json.dumps({"drawing": id}), number)
         return _message("drawing", drawing.model_dump_json(), number)
@@ -140,7 +142,7 @@ class Stream:
         store = self._service.store
         queue: asyncio.Queue[str | None] = asyncio.Queue(_BACKLOG)
         async with self._door:
-            newest = await asyncio.to_thread(store.last_event)
+            newest = await asyncio.to_thread(store.events.last_id)
             missed: list[str] = []
             if not self._listeners:
                 self._last, self._told = newest, {}
@@ -175,7 +177,7 @@ class Stream:
 
     def _missed(self, after: int, last: int) -> list[str]:
         events: list[Event] = []
-        while after < last and (some := self._service.store.events_after(after)):
+        while after < last and (some := self._service.store.events.after(after)):
             events += [event for event in some if event.id <= last]
             after = some[-1].id
         return self._messages(events)

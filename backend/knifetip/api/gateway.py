@@ -13,9 +13,10 @@ from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.service import Here, bytes_answer, on_shelf
 from knifetip.api.wake import woken_by
 from knifetip.errors import MachineBusy, WrongState
+from knifetip.jobs.gateway_store import GatewayReport
 from knifetip.jobs.job import ON_TABLE, State
-from knifetip.jobs.store import LEASE, Report
 from knifetip.jobs.tables import Job
+from knifetip.jobs.transitions import LEASE
 from knifetip.library import load
 
 router = APIRouter(prefix="/gateway", tags=["gateway"])
@@ -37,7 +38,9 @@ async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Respon
         while not here.stopping.is_set():
             if time.monotonic() - noted >= _SEEN:
                 noted = time.monotonic()
-                await here.threads.claims(here.store.saw_gateway, wanted.machine, wanted.gateway)
+                await here.threads.claims(
+                    here.store.gateways.record_contact, wanted.machine, wanted.gateway
+                )
             # A gateway that has hung up would never start the job that it is given.
             if await request.is_disconnected():
                 break
@@ -63,7 +66,7 @@ async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Respon
 def _next(here: Here, wanted: ClaimIn) -> Job | None:
     try:
         manual = load.machine(wanted.machine, files=False).feed == "manual"
-        return here.store.claim(wanted.machine, wanted.gateway, manual=manual)
+        return here.store.gateways.claim(wanted.machine, wanted.gateway, manual=manual)
     except MachineBusy:
         return None
 
@@ -71,10 +74,10 @@ def _next(here: Here, wanted: ClaimIn) -> Job | None:
 @router.get("/program/{id}", response_class=PlainTextResponse)
 async def get_gateway_program(here: Here, request: Request, id: str) -> Response:
     """Return the program of a job that a gateway has claimed."""
-    job = await here.threads.claims(here.store.job, id)
+    job = await here.threads.claims(here.store.jobs.get, id)
     if job.state not in ON_TABLE and not job.confirmation:
         raise WrongState("job.not-running", job=id, state=job.state)
-    text = await here.threads.claims(here.store.job_column, id, "program")
+    text = await here.threads.claims(here.store.jobs.column, id, "program")
     return bytes_answer(request, text, job.program_sha256, "text/plain; charset=utf-8")
 
 
@@ -82,10 +85,10 @@ async def get_gateway_program(here: Here, request: Request, id: str) -> Response
 async def heartbeat(here: Here, said: HeartbeatIn) -> HeartbeatOut:
     """Report what the machine did and get the next command; renews the lease."""
     command = await here.threads.reports(
-        here.store.heartbeat,
+        here.store.gateways.heartbeat,
         said.job,
         said.epoch,
-        Report(
+        GatewayReport(
             line=said.line,
             copies_done=said.copies_done,
             held=said.held,
@@ -104,7 +107,7 @@ async def finish(here: Here, said: FinishIn) -> JobOut:
 
 
 def _finished(here: Here, said: FinishIn) -> JobOut:
-    row = here.store.finish(
+    row = here.store.gateways.finish(
         said.job,
         said.epoch,
         said.outcome,

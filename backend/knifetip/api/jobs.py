@@ -55,7 +55,7 @@ router = APIRouter(prefix="/jobs", tags=["jobs"])
 def order_job(here: Here, response: Response, order: JobIn, key: Key = None) -> JobOut:
     """Order a job; 409 with ``questions`` while something about it is undecided."""
     request = fingerprint(order.model_dump_json())
-    row = here.store.job_of(key, request) if key else None
+    row = here.store.jobs.find(key, request) if key else None
     if row is None:
         row = _ordered(here, order, key, request)
     response.headers["Location"] = f"/api/jobs/{row.id}"
@@ -66,7 +66,7 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
     on_shelf("machines", order.machine)
     on_shelf("boards", order.board)
     # One revision: what was asked about, what is kept and what is compiled.
-    drawing = here.store.drawing_with(order.drawing, "content", "overrides", "edges")
+    drawing = here.store.drawings.get_with(order.drawing, "content", "overrides", "edges")
     check_revision(order.revision, drawing)
     interpretation = _interpretation(here, order, drawing)
     questions = here.pool.run(
@@ -80,7 +80,7 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
     )
     if questions:
         raise OpenQuestions(questions)
-    return here.store.add_job(
+    return here.store.jobs.add(
         drawing,
         machine=order.machine,
         board=order.board,
@@ -118,7 +118,7 @@ def list_jobs(
 ) -> list[JobOut]:
     """List jobs, the newest first; the Link header leads on."""
     states = state or []
-    rows = here.store.jobs(states, cursor, limit)
+    rows = here.store.jobs.search(states, cursor, limit)
     last = rows[-1].serial if len(rows) == limit else None
     filters = "".join(f"state={word}&" for word in states)
     next_page(response, f"/api/jobs?{filters}", last, limit)
@@ -128,7 +128,7 @@ def list_jobs(
 @router.get("/{id}")
 def get_job(here: Here, id: str) -> JobOut:
     """Look at a job."""
-    return job_out(here.store, here.store.job(id))
+    return job_out(here.store, here.store.jobs.get(id))
 
 
 @router.get("/{id}/events")
@@ -145,15 +145,15 @@ def get_job_events(here: Here, id: str) -> list[JobEvent]:
                 "why": event.why,
             }
         )
-        for event in here.store.events_of(id)
+        for event in here.store.events.of_job(id)
     ]
 
 
 @router.get("/{id}/program", response_class=PlainTextResponse)
 def get_program(here: Here, request: Request, id: str) -> Response:
     """Return the program, byte for byte as the machine gets it."""
-    row = here.store.job(id)
-    text = here.store.job_column(id, "program")
+    row = here.store.jobs.get(id)
+    text = here.store.jobs.column(id, "program")
     stem = row.drawing_name.rpartition(".")[0] or row.drawing_name
     name = f"{stem}-{row.machine}.nc"
     return bytes_answer(request, text, row.program_sha256, "text/plain; charset=utf-8", name)
@@ -167,8 +167,8 @@ def get_verdict(
     format: Annotated[Literal["json", "columns"], Query()] = "json",
 ) -> Response:
     """Return the judge's answer, edge by edge, as JSON or binary columns (``format=columns``)."""
-    row = here.store.job(id)
-    block = here.store.job_column(id, "verdict")
+    row = here.store.jobs.get(id)
+    block = here.store.jobs.column(id, "verdict")
     if format == "columns":
         return bytes_answer(request, block, row.program_sha256, "application/octet-stream")
     return Response(verdict_out(block).model_dump_json(), media_type="application/json")
@@ -201,15 +201,15 @@ def _areas(columns: dict[str, Any]) -> list[dict[str, float]]:
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
 def get_toolpath(here: Here, request: Request, id: str) -> Response:
     """Return the head's path as binary columns: pose, bulge, motion, feed, source, tool, line."""
-    row = here.store.job(id)
-    block = here.store.job_column(id, "toolpath")
+    row = here.store.jobs.get(id)
+    block = here.store.jobs.column(id, "toolpath")
     return bytes_answer(request, block, row.program_sha256, "application/octet-stream")
 
 
 @router.post("/{id}/release")
 def release_job(here: Here, id: str) -> JobOut:
     """Queue a job that is ready."""
-    return job_out(here.store, here.store.release(id))
+    return job_out(here.store, here.store.jobs.release(id))
 
 
 @router.post("/{id}/confirm")
@@ -220,43 +220,43 @@ def confirm_job(here: Here, id: str, found: ConfirmIn | None = None) -> JobOut:
     present claim; 409 while the job does not wait for one, or where another board is named.
     """
     said = found or ConfirmIn()
-    return job_out(here.store, here.store.confirm(id, said.board or "", said.by))
+    return job_out(here.store, here.store.jobs.confirm(id, said.board or "", said.by))
 
 
 @router.post("/{id}/hold")
 def hold_job(here: Here, id: str) -> JobOut:
     """Ask the machine to hold; the job is ``held`` when it stands."""
-    return job_out(here.store, here.store.hold(id))
+    return job_out(here.store, here.store.jobs.hold(id))
 
 
 @router.post("/{id}/resume")
 def resume_job(here: Here, id: str) -> JobOut:
     """Ask the machine to go on; between two copies this confirms the new sheet."""
-    return job_out(here.store, here.store.resume(id))
+    return job_out(here.store, here.store.jobs.resume(id))
 
 
 @router.post("/{id}/cancel")
 def cancel_job(here: Here, id: str) -> JobOut:
     """Cancel a job: at once before it runs, as soon as the machine stands while it does."""
-    return job_out(here.store, here.store.cancel(id))
+    return job_out(here.store, here.store.jobs.cancel(id))
 
 
 @router.post("/{id}/finish")
 def finish_job(here: Here, id: str) -> JobOut:
     """Declare an interrupted job finished: all its sheets were found complete."""
-    return job_out(here.store, here.store.declare_finished(id))
+    return job_out(here.store, here.store.jobs.declare_finished(id))
 
 
 @router.post("/{id}/requeue")
 def requeue_job(here: Here, id: str) -> JobOut:
     """Queue an interrupted job again, from its beginning: the table has been seen to."""
-    return job_out(here.store, here.store.requeue(id))
+    return job_out(here.store, here.store.jobs.requeue(id))
 
 
 @router.post("/{id}/scrap")
 def scrap_job(here: Here, id: str) -> JobOut:
     """Give an interrupted job up, and its table free."""
-    return job_out(here.store, here.store.scrap(id))
+    return job_out(here.store, here.store.jobs.scrap(id))
 
 
 def job_out(store: Store, row: Job) -> JobOut:

@@ -19,8 +19,8 @@ router = APIRouter(prefix="/machines", tags=["machines"])
 @router.get("")
 def list_machines(here: Here) -> list[MachineOut]:
     """List the machines."""
-    connected = here.store.connected(ABSENT)
-    on_table = here.store.on_table()
+    connected = here.store.gateways.connected(ABSENT)
+    on_table = here.store.gateways.jobs_on_tables()
     return [
         _machine_out(load.machine(name), name in connected, on_table.get(name))
         for name in load.names("machines")
@@ -32,7 +32,9 @@ def get_machine(here: Here, name: str) -> MachineOut:
     """Look at a machine."""
     machine = load.machine(on_shelf("machines", name))
     return _machine_out(
-        machine, name in here.store.connected(ABSENT), here.store.on_table().get(name)
+        machine,
+        name in here.store.gateways.connected(ABSENT),
+        here.store.gateways.jobs_on_tables().get(name),
     )
 
 

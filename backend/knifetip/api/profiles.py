@@ -54,7 +54,7 @@ Body = Annotated[bytes, Depends(_body)]
 @router.get("/profiles")
 def list_profiles(here: Here) -> list[ProfileOut]:
     """List the classification profiles: the customers' own, then those that are shipped."""
-    kept = here.store.profiles()
+    kept = here.store.profiles.all()
     names = {row.name for row in kept}
     shipped = [name for name in load.names("profiles") if name not in names]
     return [_kept_out(row) for row in kept] + [_shipped_out(name) for name in shipped]
@@ -63,7 +63,7 @@ def list_profiles(here: Here) -> list[ProfileOut]:
 @router.get("/profiles/{name}.toml", response_class=Response, responses=_TEXT)
 def export_profile(here: Here, request: Request, name: str) -> Response:
     """Return a profile as TOML, to be kept, edited and sent back."""
-    row = here.store.profile(name)
+    row = here.store.profiles.get(name)
     text = own.text_of(on_shelf("profiles", name)) if row is None else row.text
     tag = str(row.version if row is not None else 0)
     return bytes_answer(request, text.encode(), tag, f"{TOML}; charset=utf-8", f"{name}.toml")
@@ -72,7 +72,7 @@ def export_profile(here: Here, request: Request, name: str) -> Response:
 @router.get("/profiles/{name}")
 def get_profile(here: Here, response: Response, name: str) -> ProfileOut:
     """Look at a classification profile: its rules, of which the first that matches decides."""
-    row = here.store.profile(name)
+    row = here.store.profiles.get(name)
     profile = _shipped_out(on_shelf("profiles", name)) if row is None else _kept_out(row)
     response.headers["ETag"] = f'"{profile.version}"'
     return profile
@@ -97,7 +97,7 @@ def keep_profile(
     else:
         text = _text(name, body)
     title = own.parsed(name, text).title
-    row = here.store.keep_profile(name, title, text, version, anyway=anyway)
+    row = here.store.profiles.save(name, title, text, version, anyway=anyway)
     response.status_code = 201 if row.version == 1 else 200
     response.headers["ETag"] = f'"{row.version}"'
     return _kept_out(row)
@@ -107,14 +107,14 @@ def keep_profile(
 def delete_profile(here: Here, name: str, match: IfMatch = None) -> None:
     """Forget a customer's profile; drawings and jobs keep the rules that they were made with."""
     not_shipped(here, name)
-    here.store.delete_profile(name, _version(match)[0])
+    here.store.profiles.delete(name, _version(match)[0])
 
 
 @router.post("/drawings/{id}/preview")
 @queued
 def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
     """Say what a profile would do to a drawing; nothing is kept."""
-    row = here.store.drawing_with(id, "content", "overrides")
+    row = here.store.drawings.get_with(id, "content", "overrides")
     found = here.pool.run(
         profiling.preview,
         row.content,
@@ -129,7 +129,7 @@ def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
 @queued
 def learn_from_corrections(here: Here, id: str) -> list[ProposalOut]:
     """Propose rules that would have said what somebody corrected by hand; nothing is kept."""
-    row = here.store.drawing_with(id, "content", "overrides")
+    row = here.store.drawings.get_with(id, "content", "overrides")
     found = here.pool.run(
         profiling.learn,
         row.content,

@@ -111,19 +111,19 @@ def rules_named(here: Service, name: str) -> str:
     LibraryError
         There is none of that name.
     """
-    row = here.store.profile(name)
+    row = here.store.profiles.get(name)
     if row is not None:
         return row.text
     known = load.names("profiles")
     if name not in known:
-        known = [*(row.name for row in here.store.profiles()), *known]
+        known = [*(row.name for row in here.store.profiles.all()), *known]
         raise LibraryError("library.unknown", name=name[:80], known=known[:40], shelf="profile")
     return ""
 
 
 def not_shipped(here: Service, name: str) -> None:
     """Raise WrongState for a profile that is shipped: it stays as it is."""
-    if name in load.names("profiles") and here.store.profile(name) is None:
+    if name in load.names("profiles") and here.store.profiles.get(name) is None:
         raise WrongState("profile.shipped", name=name)
 
 

@@ -17,8 +17,9 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from knifetip.errors import LibraryError
+from knifetip.jobs.gateway_store import Queue
 from knifetip.jobs.job import Confirmation, State
-from knifetip.jobs.store import Queue, Store
+from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.library import load
 
@@ -39,7 +40,7 @@ class Waiting(NamedTuple):
 def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
     """Return what each job waits for; asks the store only where one of them is queued."""
     machines = {row.machine for row in jobs if row.state == State.QUEUED}
-    queues = store.queues(machines, ABSENT) if machines else {}
+    queues = store.gateways.queues(machines, ABSENT) if machines else {}
     return [_waiting(row, queues.get(row.machine)) for row in jobs]
 
 

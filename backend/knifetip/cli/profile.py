@@ -107,7 +107,7 @@ def register(app: typer.Typer) -> None:
         store = Store(url)
         try:
             store.migrate()
-            row = store.keep_profile(called, rules.title, text, None, anyway=replace)
+            row = store.profiles.save(called, rules.title, text, None, anyway=replace)
         finally:
             store.close()
         typer.echo(f"kept as version {row.version}")

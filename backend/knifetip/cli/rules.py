@@ -34,7 +34,7 @@ def kept(database: str | None) -> dict[str, str]:
     store = Store(url)
     try:
         store.migrate()
-        return {row.name: row.text for row in store.profiles()}
+        return {row.name: row.text for row in store.profiles.all()}
     finally:
         store.close()
 

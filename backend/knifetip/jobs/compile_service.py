@@ -57,7 +57,7 @@ class CompileService:
         """Start the threads; the store must be migrated."""
         self.name = self.name or socket.gethostname()
         if self.compiles:
-            self.store.recover_compiles(self.name)
+            self.store.compiles.recover(self.name)
             for number in range(self.at_once):
                 self._start_thread(self._compile_received, f"compile-{number + 1}")
         self._start_thread(self._sweep, "sweep")
@@ -82,7 +82,7 @@ class CompileService:
             while not self._stopping.is_set():
                 self._received.clear()
                 try:
-                    job = self.store.begin_compile(self.name)
+                    job = self.store.compiles.begin(self.name)
                     if job is not None:
                         self.compile(job)
                         continue
@@ -96,9 +96,9 @@ class CompileService:
     def _sweep(self) -> None:
         grace = Grace()
         while not self._stopping.is_set():
-            listened = grace.over(self.store.clock())
+            listened = grace.over(self.store.database.clock())
             try:
-                self.store.sweep(gateways=self.gateways and listened)
+                self.store.leases.run(gateways=self.gateways and listened)
                 self.pool.trim()
             except Exception:
                 if not self._stopping.is_set():
@@ -124,9 +124,9 @@ class CompileService:
             if stage == last and now - renewed < _RENEW:
                 return True
             renewed, last = now, stage
-            return self.store.compile_progress(id, epoch, stage, fraction)
+            return self.store.compiles.report_progress(id, epoch, stage, fraction)
 
-        drawing = self.store.drawing_with(job.drawing, "content", "edges", "overrides")
+        drawing = self.store.drawings.get_with(job.drawing, "content", "edges", "overrides")
         stored = StoredDrawing(
             drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
         )
@@ -134,18 +134,18 @@ class CompileService:
             result = self.pool.run(
                 tasks.compile,
                 stored,
-                interpretation_of(job, self.store.job_column(id, "overrides")),
+                interpretation_of(job, self.store.jobs.column(id, "overrides")),
                 job.machine,
                 job.board,
                 (f"knifetip {version('knifetip')}", f"drawing {drawing.sha256[:40]}"),
                 limit=self.limit,
                 watch=watch,
             )
-            self.store.compiled(id, epoch, result)
+            self.store.compiles.save_result(id, epoch, result)
         except TaskCancelled:
             if self._stopping.is_set():
                 with contextlib.suppress(JobError):
-                    self.store.give_back(id, epoch)
+                    self.store.compiles.give_back(id, epoch)
         except OpenQuestions as reason:
             self._refuse(id, epoch, reason, reason.questions)
         except JobError:
@@ -168,4 +168,6 @@ class CompileService:
         questions: list[dict[str, object]] | None = None,
     ) -> None:
         with contextlib.suppress(JobError):
-            self.store.refuse(id, epoch, reason.text, reason.hint, reason.source, questions or ())
+            self.store.compiles.refuse(
+                id, epoch, reason.text, reason.hint, reason.source, questions or ()
+            )

@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import sqlalchemy as sa
 from alembic import command
@@ -17,8 +17,9 @@ from alembic.config import Config
 from sqlalchemy import event as on
 from sqlalchemy.orm import Session
 
-from knifetip.errors import StoreError
+from knifetip.errors import NoSuchJob, StoreError, WrongState
 from knifetip.jobs.changes import Changes
+from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.turns import NoTurns, Turns
 
 _MIGRATIONS = Path(__file__).parent / "migrations"
@@ -94,13 +95,17 @@ class Database:
         self._engine.dispose()
 
     @contextmanager
-    def _reading(self) -> Iterator[Session]:
+    def reading(self) -> Iterator[Session]:
+        """Begin a transaction that only reads."""
         with Session(self._engine, expire_on_commit=False) as session:
             yield session
 
     @contextmanager
-    def _writing(self, *, urgent: bool = False) -> Iterator[Session]:
-        """Begin a transaction that writes; ``urgent`` ones come before all others that wait."""
+    def writing(self, *, urgent: bool = False) -> Iterator[Session]:
+        """Begin a transaction that writes; ``urgent`` ones come before all others that wait.
+
+        When it has written events, ``changes`` is notified.
+        """
         with (
             self._turns.turn(urgent),
             Session(self._writer, expire_on_commit=False) as session,
@@ -111,7 +116,38 @@ class Database:
         if changed:
             self.changes.notify()
 
+    def large_column(
+        self, table: type[Drawing] | type[Job], id: str, column: str, word: str
+    ) -> bytes:
+        """Return one deferred column of a drawing or a job.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no such row.
+        WrongState
+            The column is empty.
+        """
+        query = sa.select(getattr(table, column), table.id).where(table.id == id)
+        with self.reading() as session:
+            found = session.execute(query).first()
+        if found is None:
+            raise NoSuchJob("store.unknown", kind=word, id=short(id))
+        if found[0] is None:
+            raise WrongState("store.no-column", kind=word, id=id, column=column)
+        return bytes(found[0])
+
     def alive(self) -> bool:
         """Return True if the database answers."""
-        with self._reading() as session:
+        with self.reading() as session:
             return bool(session.scalar(sa.select(sa.literal(1))))
+
+
+def rows(session: Session, statement: sa.Update | sa.Delete) -> int:
+    """Return how many rows a statement changed."""
+    return cast("sa.CursorResult[Any]", session.execute(statement)).rowcount
+
+
+def short(id: str) -> str:
+    """Return an id, quoted and cut to a length that fits into an error."""
+    return repr(id if len(id) <= 40 else id[:40] + "…")

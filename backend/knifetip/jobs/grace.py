@@ -5,7 +5,7 @@ Grace().over(now) -> False for a lease's time after the start and after every pa
 
 from __future__ import annotations
 
-from knifetip.jobs.moves import LEASE
+from knifetip.jobs.transitions import LEASE
 
 
 class Grace:

@@ -1,4 +1,4 @@
-"""job: the states of a job and who may move it from one to another.
+"""job: the states of a job, and the table of its transitions.
 
     received → compiling → ready → queued → running ⇄ held → done
                   ↘ refused                    ↘ interrupted → queued again | scrapped
@@ -17,12 +17,15 @@ from __future__ import annotations
 
 import secrets
 from enum import StrEnum
+from typing import NamedTuple
+
+from knifetip.messages import Message
 
 _ALPHABET = "abcdefghjkmnpqrstuvwxyz23456789"
 
 
 class State(StrEnum):
-    """Where a job stands."""
+    """State of a job."""
 
     RECEIVED = "received"
     COMPILING = "compiling"
@@ -61,38 +64,97 @@ ON_TABLE = (State.RUNNING, State.HELD, State.INTERRUPTED)
 #: States in which a gateway holds a lease.
 LEASED = (State.RUNNING, State.HELD)
 
-TRANSITIONS: dict[tuple[State, State], frozenset[Who]] = {
-    (State.RECEIVED, State.COMPILING): frozenset({Who.WORKER}),
-    (State.RECEIVED, State.CANCELLED): frozenset({Who.OPERATOR}),
-    (State.COMPILING, State.READY): frozenset({Who.WORKER}),
-    (State.COMPILING, State.REFUSED): frozenset({Who.WORKER, Who.CLOCK}),
-    (State.COMPILING, State.RECEIVED): frozenset({Who.WORKER, Who.CLOCK}),
-    (State.COMPILING, State.CANCELLED): frozenset({Who.OPERATOR}),
-    # The worker, where the order asked to be queued as soon as it is ready.
-    (State.READY, State.QUEUED): frozenset({Who.OPERATOR, Who.WORKER}),
-    (State.READY, State.CANCELLED): frozenset({Who.OPERATOR}),
-    (State.QUEUED, State.RUNNING): frozenset({Who.GATEWAY}),
-    (State.QUEUED, State.CANCELLED): frozenset({Who.OPERATOR}),
-    (State.RUNNING, State.HELD): frozenset({Who.GATEWAY}),
-    (State.HELD, State.RUNNING): frozenset({Who.GATEWAY}),
-    (State.RUNNING, State.DONE): frozenset({Who.GATEWAY}),
-    (State.HELD, State.DONE): frozenset({Who.GATEWAY}),
-    (State.RUNNING, State.INTERRUPTED): frozenset({Who.GATEWAY, Who.CLOCK}),
-    (State.HELD, State.INTERRUPTED): frozenset({Who.GATEWAY, Who.CLOCK}),
-    (State.RUNNING, State.CANCELLED): frozenset({Who.GATEWAY}),
-    (State.HELD, State.CANCELLED): frozenset({Who.GATEWAY}),
-    (State.INTERRUPTED, State.QUEUED): frozenset({Who.OPERATOR}),
-    (State.INTERRUPTED, State.SCRAPPED): frozenset({Who.OPERATOR}),
-    # The gateway: its late report that the whole program was executed.
-    (State.INTERRUPTED, State.DONE): frozenset({Who.OPERATOR, Who.GATEWAY}),
+
+class Action(StrEnum):
+    """What moves a job to another state; each has one target."""
+
+    COMPILE = "compile"
+    ACCEPT = "accept"
+    REFUSE = "refuse"
+    RETRY = "retry"
+    RELEASE = "release"
+    START = "start"
+    HOLD = "hold"
+    RESUME = "resume"
+    FINISH = "finish"
+    INTERRUPT = "interrupt"
+    REQUEUE = "requeue"
+    SCRAP = "scrap"
+    CANCEL = "cancel"
+
+
+class Transition(NamedTuple):
+    """One row of the table of transitions."""
+
+    source: State
+    action: Action
+    target: State
+    actors: tuple[Who, ...]  #: who may do it
+
+
+_OPERATOR, _WORKER, _GATEWAY, _CLOCK = Who.OPERATOR, Who.WORKER, Who.GATEWAY, Who.CLOCK
+#: All transitions.  An operator's hold, resume and cancel of a job on a table are requests to its
+#: gateway, which does them.
+TRANSITIONS: tuple[Transition, ...] = (
+    Transition(State.RECEIVED, Action.COMPILE, State.COMPILING, (_WORKER,)),
+    Transition(State.RECEIVED, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
+    Transition(State.COMPILING, Action.ACCEPT, State.READY, (_WORKER,)),
+    Transition(State.COMPILING, Action.REFUSE, State.REFUSED, (_WORKER, _CLOCK)),
+    Transition(State.COMPILING, Action.RETRY, State.RECEIVED, (_WORKER, _CLOCK)),
+    Transition(State.COMPILING, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
+    # The worker releases a job whose order requests it.
+    Transition(State.READY, Action.RELEASE, State.QUEUED, (_OPERATOR, _WORKER)),
+    Transition(State.READY, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
+    Transition(State.QUEUED, Action.START, State.RUNNING, (_GATEWAY,)),
+    Transition(State.QUEUED, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
+    Transition(State.RUNNING, Action.HOLD, State.HELD, (_GATEWAY,)),
+    Transition(State.RUNNING, Action.FINISH, State.DONE, (_GATEWAY,)),
+    Transition(State.RUNNING, Action.INTERRUPT, State.INTERRUPTED, (_GATEWAY, _CLOCK)),
+    Transition(State.RUNNING, Action.CANCEL, State.CANCELLED, (_GATEWAY,)),
+    Transition(State.HELD, Action.RESUME, State.RUNNING, (_GATEWAY,)),
+    Transition(State.HELD, Action.FINISH, State.DONE, (_GATEWAY,)),
+    Transition(State.HELD, Action.INTERRUPT, State.INTERRUPTED, (_GATEWAY, _CLOCK)),
+    Transition(State.HELD, Action.CANCEL, State.CANCELLED, (_GATEWAY,)),
+    Transition(State.INTERRUPTED, Action.REQUEUE, State.QUEUED, (_OPERATOR,)),
+    Transition(State.INTERRUPTED, Action.SCRAP, State.SCRAPPED, (_OPERATOR,)),
+    # The gateway: a late report that the whole program was executed.
+    Transition(State.INTERRUPTED, Action.FINISH, State.DONE, (_OPERATOR, _GATEWAY)),
+)
+#: What an operator can do about a job whose state refuses an action.
+ADVICE: dict[State, Message] = {
+    State.RECEIVED: Message("advice.compiling"),
+    State.COMPILING: Message("advice.compiling"),
+    State.READY: Message("advice.ready"),
+    State.QUEUED: Message("advice.queued"),
+    State.RUNNING: Message("advice.running"),
+    State.HELD: Message("advice.running"),
+    State.INTERRUPTED: Message("advice.interrupted"),
+    State.DONE: Message("advice.ended"),
+    State.REFUSED: Message("advice.ended"),
+    State.SCRAPPED: Message("advice.ended"),
+    State.CANCELLED: Message("advice.ended"),
 }
 
 
-def sources(goal: State, who: Who) -> tuple[State, ...]:
-    """Return the states from which ``who`` may move a job to ``goal``."""
-    return tuple(
-        start for (start, end), movers in TRANSITIONS.items() if end is goal and who in movers
-    )
+def sources(action: Action, who: Who) -> tuple[State, ...]:
+    """Return the states in which ``who`` may do an action."""
+    return tuple(row.source for row in TRANSITIONS if row.action is action and who in row.actors)
+
+
+def target(action: Action) -> State:
+    """Return the state to which an action moves a job."""
+    return next(row.target for row in TRANSITIONS if row.action is action)
+
+
+def action_between(source: State, goal: State) -> Action:
+    """Return the action that moves a job from one state to another.
+
+    Raises
+    ------
+    StopIteration
+        There is none.
+    """
+    return next(row.action for row in TRANSITIONS if (row.source, row.target) == (source, goal))
 
 
 def new_id() -> str:

@@ -1,23 +1,64 @@
-"""store: the database of drawings, profiles, jobs and their events, in SQLite or PostgreSQL.
+"""store: drawings, profiles, jobs and their events, in SQLite or PostgreSQL.
 
-"sqlite:///knifetip.sqlite" -> Store
+"sqlite:///knifetip.sqlite" -> Store, with one repository per kind of thing
 
-Every move of a job is one UPDATE … WHERE state = … in one transaction with the event that records
-it.  Two who want the same job, or two jobs that want the same table, are parted by the database:
-by that WHERE, by the job's epoch, and by a unique index on the machine of the jobs on a table.
+Each transition of a job is one UPDATE … WHERE state IN … in one transaction with its event.  Of two
+that want the same job, or two jobs that want the same table, the database refuses one: by that
+WHERE, by the job's epoch, and by a unique index on the machine of the jobs on a table.
 """
 
 from __future__ import annotations
 
-from knifetip.jobs.compiles import ATTEMPTS, Result
-from knifetip.jobs.database import dialect_url
-from knifetip.jobs.drawings import Drawings
-from knifetip.jobs.moves import LEASE
-from knifetip.jobs.profiles import Profiles
-from knifetip.jobs.tableside import Queue, Report, Tableside
+import time
+from collections.abc import Callable
 
-__all__ = ["ATTEMPTS", "LEASE", "Queue", "Report", "Result", "Store", "dialect_url"]
+from knifetip.jobs.changes import Changes
+from knifetip.jobs.compile_store import CompileStore
+from knifetip.jobs.database import Database
+from knifetip.jobs.drawing_store import DrawingStore
+from knifetip.jobs.event_store import EventStore
+from knifetip.jobs.gateway_store import GatewayStore
+from knifetip.jobs.job_store import JobStore
+from knifetip.jobs.lease_sweep import LeaseSweep
+from knifetip.jobs.profile_store import ProfileStore
+from knifetip.jobs.transitions import Transitions
 
 
-class Store(Drawings, Profiles, Tableside):
-    """The database; safe to use from many threads and from many processes."""
+class Store:
+    """The repositories of one database; safe to use from many threads and many processes.
+
+    Parameters
+    ----------
+    url
+        ``sqlite:///FILE`` or ``postgresql://USER@HOST/NAME``.
+    clock
+        Returns the seconds since the epoch.
+    """
+
+    def __init__(self, url: str, clock: Callable[[], float] = time.time) -> None:
+        self.database = Database(url, clock)
+        transitions = Transitions(self.database)
+        self.drawings = DrawingStore(self.database, transitions)
+        self.jobs = JobStore(self.database, transitions)
+        self.events = EventStore(self.database)
+        self.compiles = CompileStore(self.database, transitions)
+        self.gateways = GatewayStore(self.database, transitions)
+        self.leases = LeaseSweep(self.database, transitions, self.compiles, self.gateways)
+        self.profiles = ProfileStore(self.database)
+
+    @property
+    def changes(self) -> Changes:
+        """Notified after each transaction that wrote an event."""
+        return self.database.changes
+
+    def migrate(self) -> None:
+        """Create the tables, or bring them up to date."""
+        self.database.migrate()
+
+    def alive(self) -> bool:
+        """Return True if the database answers."""
+        return self.database.alive()
+
+    def close(self) -> None:
+        """Close all connections."""
+        self.database.close()

@@ -19,7 +19,7 @@ _SERIAL = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
 
 
 class Base(DeclarativeBase):
-    """All tables of knifetip; those of DBOS stand beside them."""
+    """All tables of knifetip."""
 
 
 class Profile(Base):
@@ -105,7 +105,8 @@ class Job(Base):
     confirmation: Mapped[str] = mapped_column(sa.String(8), default="")
     #: stations that the program uses, in their order: number, name, kind
     tools: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON, default=list)
-    wish: Mapped[str] = mapped_column(sa.String(8))  #: hold, resume or cancel, until it is done
+    #: by the operator, of the gateway: hold, resume or cancel; empty when it is done
+    requested_action: Mapped[str] = mapped_column(sa.String(8))
     stage: Mapped[str] = mapped_column(sa.String(80))
     progress: Mapped[float] = mapped_column(sa.Double)
     line: Mapped[int]

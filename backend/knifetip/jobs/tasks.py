@@ -2,7 +2,7 @@
 
 read      bytes, Interpretation -> Reading                     what the page shows of a drawing
 ask       StoredDrawing, Interpretation, machine -> questions  what must be decided first
-compile   … and a board -> Result                              program, head path and verdict
+compile   … and a board -> CompileResult                              program, head path and verdict
 cleaned   edges of a Reading -> plain data                     what cleaning makes of each edge
 """
 
@@ -20,6 +20,7 @@ import numpy as np
 from knifetip.errors import UnitUnknown
 from knifetip.geometry.columns import F64, U8
 from knifetip.jobs.columns import packed
+from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.ledger import listed
 from knifetip.jobs.readings import (
     StoredDrawing,
@@ -29,7 +30,6 @@ from knifetip.jobs.readings import (
     unpacked_reading,
 )
 from knifetip.jobs.report import reported, said, unit_of
-from knifetip.jobs.store import Result
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
@@ -214,7 +214,7 @@ def compile(
     machine: str,
     board: str,
     notes: Sequence[str],
-) -> Result:
+) -> CompileResult:
     """Return the program of a drawing on a board and a machine, with its verdict.
 
     Raises
@@ -241,7 +241,7 @@ def compile(
     return _result(made, [said(handle) for handle in drawing.handles], table)
 
 
-def _result(made: Compiled, handles: Sequence[str], table: Machine) -> Result:
+def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileResult:
     """Return what a compile made as the store keeps it.
 
     Parameters
@@ -278,7 +278,7 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> Result:
         told = " ".join(str(finding["text"]) for finding in findings[:3])
         more = f" And {len(findings) - 3} more." if len(findings) > 3 else ""
         reason = f"The program does not cut what was drawn: {told}{more}"
-    return Result(
+    return CompileResult(
         accepted=bool(verdict.accepted),
         reason=reason,
         program=text,

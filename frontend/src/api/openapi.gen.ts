@@ -1638,12 +1638,12 @@ export interface components {
              */
             tools: components["schemas"]["JobTool"][];
             /**
-             * Wish
-             * @description What the operator asked for and the machine has not done yet
+             * Requested Action
+             * @description What the operator requested and the machine has not done yet
              * @default
              * @enum {string}
              */
-            wish: "" | "hold" | "resume" | "cancel";
+            requested_action: "" | "hold" | "resume" | "cancel";
             /**
              * Stage
              * @description Stage of the compile; empty while the job is not being compiled
@@ -1688,6 +1688,13 @@ export interface components {
              * @description The former name of hint
              */
             readonly mend: string;
+            /**
+             * Wish
+             * @deprecated
+             * @description The former name of requested_action
+             * @enum {string}
+             */
+            readonly wish: "" | "hold" | "resume" | "cancel";
         };
         /**
          * JobTool

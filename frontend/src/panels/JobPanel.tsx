@@ -280,7 +280,7 @@ function Controls({ job }: { job: Job }) {
             variant={variant}
             disabled={busy}
             // Asked for, and the machine has not done it yet.
-            loading={job.wish === word}
+            loading={job.requested_action === word}
             onClick={() => send(word)}
             data-testid={testId}
           >

@@ -104,7 +104,9 @@ def test_heartbeats_move_the_job_and_bring_the_operators_wishes(
     job = client.get(f"/api/jobs/{id}").json()
     assert (job["line"], job["position"], job["seconds_left"]) == (5, [1.0, 2.0, 3.0, 4.0], 7.5)
     assert job["progress"] == pytest.approx(5 / lines)
-    assert client.post(f"/api/jobs/{id}/hold").json()["wish"] == "hold"
+    asked = client.post(f"/api/jobs/{id}/hold").json()
+    # The old name remains for clients of earlier versions.
+    assert (asked["requested_action"], asked["wish"]) == ("hold", "hold")
     assert beat(client, claimed, 6).json()["command"] == "hold"
     beat(client, claimed, 6, held=True)
     assert client.get(f"/api/jobs/{id}").json()["state"] == "held"

@@ -129,17 +129,17 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
     def changed_meanwhile(task, *arguments, **named):
         if task is tasks.ask:
             store = client.service.store
-            row = store.drawing_with(id, "overrides")
+            row = store.drawings.get_with(id, "overrides")
             flipped = bytes([LineType.of("crease")]) + row.overrides[1:]
-            store.change_drawing(id, row.version, "x", overrides=flipped, unit_given="in")
+            store.drawings.change(id, row.version, "x", overrides=flipped, unit_given="in")
             between.append(row.version)
         return run(task, *arguments, **named)
 
     monkeypatch.setattr(client.service.pool, "run", changed_meanwhile)
     job = ordered(client, id, revision=1)
     assert between == [1]
-    row = client.service.store.job(job["id"])
-    kept = np.frombuffer(client.service.store.job_column(job["id"], "overrides"), np.uint8)
+    row = client.service.store.jobs.get(job["id"])
+    kept = np.frombuffer(client.service.store.jobs.column(job["id"], "overrides"), np.uint8)
     assert row.unit_given == ""
     assert (kept == NO_OVERRIDE).all()
     program = until(client, job["id"], "ready")
@@ -158,9 +158,9 @@ def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
         if task is tasks.read and others[0]:
             others[0] -= 1
             store = client.service.store
-            row = store.drawing_with(id, "overrides")
+            row = store.drawings.get_with(id, "overrides")
             mine = row.overrides[:1] + bytes([LineType.of("crease")]) + row.overrides[2:]
-            store.change_drawing(id, row.version, "x", overrides=mine)
+            store.drawings.change(id, row.version, "x", overrides=mine)
         return found
 
     monkeypatch.setattr(client.service.pool, "run", changed_meanwhile)

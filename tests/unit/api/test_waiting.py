@@ -8,8 +8,11 @@ from pathlib import Path
 import pytest
 
 from knifetip.api.waiting import ABSENT, Waiting, waiting_of
-from knifetip.jobs.store import LEASE, Report, Result, Store
+from knifetip.jobs.compile_result import CompileResult
+from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
+from knifetip.jobs.transitions import LEASE
 from knifetip.model.interpretation import Interpretation
 
 TITLE = "Demo table 1600 × 1200"
@@ -40,7 +43,7 @@ def store(tmp_path: Path, clock: Clock) -> Iterator[Store]:
 
 
 def queued(store: Store, **more: object) -> Job:
-    drawing = store.add_drawing(
+    drawing = store.drawings.add(
         name="tray.dxf",
         content=b"",
         sha256="0" * 64,
@@ -50,23 +53,23 @@ def queued(store: Store, **more: object) -> Job:
         ledger=b"",
     )
     fields = {"machine": "demo-table", "board": "e-flute", **more}
-    row = store.add_job(drawing, interpretation=Interpretation("mm"), release=True, **fields)
-    job = store.begin_compile("worker")
+    row = store.jobs.add(drawing, interpretation=Interpretation("mm"), release=True, **fields)
+    job = store.compiles.begin("worker")
     assert job is not None
     judged = {"seconds": 1.0, "accepted": True}
-    made = Result(True, "", b"M30\n", "ab", 90, b"", b"", judged, tools=TOOLS)
-    store.compiled(row.id, job.epoch, made)
-    return store.job(row.id)
+    made = CompileResult(True, "", b"M30\n", "ab", 90, b"", b"", judged, tools=TOOLS)
+    store.compiles.save_result(row.id, job.epoch, made)
+    return store.jobs.get(row.id)
 
 
 def claimed(store: Store) -> Job:
-    job = store.claim("demo-table", "gateway", manual=True)
+    job = store.gateways.claim("demo-table", "gateway", manual=True)
     assert job is not None
     return job
 
 
 def waits(store: Store, job: Job) -> Waiting:
-    (found,) = waiting_of(store, [store.job(job.id)])
+    (found,) = waiting_of(store, [store.jobs.get(job.id)])
     return found
 
 
@@ -79,7 +82,7 @@ def test_the_operator_is_told_board_tools_and_stations(store: Store) -> None:
         "Oscillating knife (station 1), Crease wheel (station 2).",
         "Confirm to start.",
     )
-    store.confirm(job.id)
+    store.jobs.confirm(job.id)
     assert waits(store, job) == ("machine", f"Confirmed; {TITLE} is starting.", "")
 
 
@@ -87,7 +90,7 @@ def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> Non
     job = queued(store)
     absent = ("machine", f"No gateway of {TITLE} asks for work.")
     assert waits(store, job)[:2] == absent
-    store.saw_gateway("demo-table", "gateway")
+    store.gateways.record_contact("demo-table", "gateway")
     assert waits(store, job) == ("machine", f"Waiting until {TITLE} takes it.", "")
     clock.now += ABSENT + 0.1
     assert waits(store, job)[:2] == absent
@@ -105,11 +108,11 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
         "",
     )
     assert waits(store, jobs[2]).waiting_for == "turn"
-    store.confirm(job.id)
-    store.heartbeat(job.id, job.epoch, Report(line=1))
+    store.jobs.confirm(job.id)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1))
     assert waits(store, jobs[1]).reason.endswith("which is running.")
     clock.now += LEASE + 1.0
-    store.sweep()
+    store.leases.run()
     assert waits(store, jobs[1]).hint.startswith("Mark that job finished")
     assert waits(store, jobs[2]).waiting_for == "turn"
 
@@ -117,29 +120,29 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
 def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
     job = queued(store, copies=2)
     held = claimed(store)
-    store.confirm(job.id)
-    store.heartbeat(job.id, held.epoch, Report(line=0, waiting=True))
+    store.jobs.confirm(job.id)
+    store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=0, waiting=True))
     assert waits(store, job) == Waiting()
-    store.heartbeat(job.id, held.epoch, Report(line=90, copies_done=1, held=True))
+    store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=90, copies_done=1, held=True))
     assert waits(store, job) == (
         "sheet",
         "Copy 1 of 2 is done.",
         "Put a new sheet of e-flute (1.6 mm) on the table and confirm.",
     )
-    store.confirm(job.id)
+    store.jobs.confirm(job.id)
     assert waits(store, job) == Waiting()
 
 
 def test_a_board_and_a_machine_that_the_library_has_no_more_are_named(store: Store) -> None:
     job = queued(store, machine="gone", board="old-board")
-    store.claim("gone", "gateway", manual=True)
+    store.gateways.claim("gone", "gateway", manual=True)
     assert "at gone: table clear, board old-board, tools:" in waits(store, job).reason
 
 
 def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store) -> None:
     job = queued(store)
     claimed(store)
-    row = store.job(job.id)
+    row = store.jobs.get(job.id)
     row.tools = []
     (found,) = waiting_of(store, [row])
     assert found.reason.endswith("table clear, board e-flute (1.6 mm).")

@@ -42,7 +42,7 @@ def job(store: Store) -> Job:
 
 
 def ordered(store: Store) -> Job:
-    drawing = store.add_drawing(
+    drawing = store.drawings.add(
         name="tray.dxf",
         content=b"",
         sha256="0" * 64,
@@ -51,7 +51,7 @@ def ordered(store: Store) -> Job:
         edges=b"",
         ledger=b"",
     )
-    return store.add_job(
+    return store.jobs.add(
         drawing, machine="demo-table", board="e-flute", interpretation=Interpretation("mm")
     )
 
@@ -66,20 +66,20 @@ def compiles_by(monkeypatch: pytest.MonkeyPatch) -> Callable[[object], None]:
 
 def ended(store: Store, id: str, state: str) -> Job:
     until = time.monotonic() + 20.0
-    while (job := store.job(id)).state != state:
+    while (job := store.jobs.get(id)).state != state:
         assert time.monotonic() < until
         time.sleep(0.02)
     return job
 
 
 def begin(store: Store, service: CompileService) -> Job:
-    job = store.begin_compile(service.name)
+    job = store.compiles.begin(service.name)
     assert job is not None
     return job
 
 
 def begun(store: Store, id: str) -> Job:
-    while (job := store.job(id)).stage != "verify":
+    while (job := store.jobs.get(id)).stage != "verify":
         time.sleep(0.02)
     return job
 
@@ -89,7 +89,7 @@ def test_a_refusal_keeps_reason_mend_and_source(
 ) -> None:
     compiles_by(crew_tasks.refuse)
     service.compile(begin(store, service))
-    job = store.job(job.id)
+    job = store.jobs.get(job.id)
     assert (job.state, job.reason, job.hint, job.source) == (
         "refused",
         "1 V-groove edge is an arc, the first of them edge 7; "
@@ -113,8 +113,8 @@ def test_a_compile_that_breaks_down_refuses_the_job(
 ) -> None:
     compiles_by(task)
     service.compile(begin(store, service))
-    assert store.job(job.id).state == "refused"
-    assert words in store.job(job.id).reason
+    assert store.jobs.get(job.id).state == "refused"
+    assert words in store.jobs.get(job.id).reason
 
 
 def test_a_compile_that_takes_too_long_refuses_the_job(
@@ -123,7 +123,7 @@ def test_a_compile_that_takes_too_long_refuses_the_job(
     compiles_by(crew_tasks.hang_in_verify)
     service.limit = 4.0
     service.compile(begin(store, service))
-    assert store.job(job.id).reason == "Stage verify was not finished after 4 s."
+    assert store.jobs.get(job.id).reason == "Stage verify was not finished after 4 s."
 
 
 def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(
@@ -133,10 +133,10 @@ def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(
     thread = threading.Thread(target=service.compile, args=(begin(store, service),))
     thread.start()
     assert begun(store, job.id).progress == 0.7
-    store.cancel(job.id)
+    store.jobs.cancel(job.id)
     thread.join(5.0)
     assert not thread.is_alive()
-    assert store.job(job.id).state == "cancelled"
+    assert store.jobs.get(job.id).state == "cancelled"
 
 
 def test_a_silent_compile_keeps_its_lease(
@@ -147,8 +147,8 @@ def test_a_silent_compile_keeps_its_lease(
     thread.start()
     lease = begun(store, job.id).lease
     time.sleep(2.2)
-    assert store.job(job.id).lease > lease + 1.0
-    store.cancel(job.id)
+    assert store.jobs.get(job.id).lease > lease + 1.0
+    store.jobs.cancel(job.id)
     thread.join(5.0)
 
 
@@ -162,7 +162,7 @@ def test_a_service_that_stops_gives_its_compile_back(
     service._stopping.set()
     service.pool.close()
     thread.join(5.0)
-    given = store.job(job.id)
+    given = store.jobs.get(job.id)
     assert (given.state, given.attempt, given.owner) == ("received", 2, "")
 
 
@@ -185,7 +185,7 @@ def test_received_jobs_are_compiled_without_waiting_for_the_next_poll(
 def test_a_service_takes_up_what_it_was_compiling_when_it_was_killed(
     store: Store, service: CompileService, job: Job, compiles_by: Callable[[object], None]
 ) -> None:
-    assert store.begin_compile("a worker") is not None
+    assert store.compiles.begin("a worker") is not None
     compiles_by(crew_tasks.refuse)
     service.start()
     assert ended(store, job.id, "refused").attempt == 2
@@ -206,7 +206,7 @@ def test_only_a_process_that_gateways_reach_takes_jobs_from_them(
         if len(asked) == 2:
             service._stopping.set()
 
-    monkeypatch.setattr(store, "sweep", sweep)
+    monkeypatch.setattr(store.leases, "run", sweep)
     service.gateways = gateways
     service._sweep()
     assert asked == [False, gateways]

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from knifetip.jobs.grace import Grace
-from knifetip.jobs.store import LEASE
+from knifetip.jobs.transitions import LEASE
 
 
 def seconds(grace: Grace, start: float, count: float) -> bool:

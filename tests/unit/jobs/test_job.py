@@ -1,11 +1,21 @@
 from __future__ import annotations
 
-from knifetip.jobs.job import ON_TABLE, TRANSITIONS, State, Who, new_id, sources
+from knifetip.jobs.job import (
+    ADVICE,
+    ON_TABLE,
+    TRANSITIONS,
+    Action,
+    State,
+    Who,
+    action_between,
+    new_id,
+    sources,
+)
 
 
 def reachable(start: State, without: frozenset[State] = frozenset()) -> set[State]:
     found = {start}
-    while more := {b for a, b in TRANSITIONS if a in found and b not in found | without}:
+    while more := {b for a, _, b, _ in TRANSITIONS if a in found and b not in found | without}:
         found |= more
     return found
 
@@ -16,18 +26,16 @@ def test_every_state_can_be_reached_from_received() -> None:
 
 def test_nothing_leads_out_of_the_four_ends() -> None:
     ends = {State.DONE, State.REFUSED, State.SCRAPPED, State.CANCELLED}
-    assert {a for a, _ in TRANSITIONS} == set(State) - ends
+    assert {row.source for row in TRANSITIONS} == set(State) - ends
 
 
 def test_only_an_operator_returns_an_interrupted_job_to_the_queue() -> None:
-    leaving = {
-        end: movers for (start, end), movers in TRANSITIONS.items() if start == "interrupted"
-    }
+    leaving = {row.target: {*row.actors} for row in TRANSITIONS if row.source == "interrupted"}
     assert leaving == {
-        State.QUEUED: frozenset({Who.OPERATOR}),
-        State.SCRAPPED: frozenset({Who.OPERATOR}),
+        State.QUEUED: {Who.OPERATOR},
+        State.SCRAPPED: {Who.OPERATOR},
         # The last owner's late report is evidence; it starts nothing.
-        State.DONE: frozenset({Who.OPERATOR, Who.GATEWAY}),
+        State.DONE: {Who.OPERATOR, Who.GATEWAY},
     }
 
 
@@ -41,8 +49,15 @@ def test_nothing_runs_that_was_not_ready_and_queued() -> None:
 
 
 def test_sources_are_told_apart_by_who_moves() -> None:
-    assert sources(State.CANCELLED, Who.GATEWAY) == (State.RUNNING, State.HELD)
-    assert sources(State.INTERRUPTED, Who.OPERATOR) == ()
+    assert sources(Action.CANCEL, Who.GATEWAY) == (State.RUNNING, State.HELD)
+    assert sources(Action.INTERRUPT, Who.OPERATOR) == ()
+
+
+def test_a_state_and_an_action_have_one_row_and_an_action_one_target() -> None:
+    assert len({(row.source, row.action) for row in TRANSITIONS}) == len(TRANSITIONS)
+    assert len({(row.action, row.target) for row in TRANSITIONS}) == len(Action)
+    assert all(action_between(row.source, row.target) is row.action for row in TRANSITIONS)
+    assert set(ADVICE) == set(State)
 
 
 def test_a_board_lies_on_the_table_while_running_held_and_interrupted() -> None:

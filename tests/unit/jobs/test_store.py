@@ -26,13 +26,17 @@ from knifetip.errors import (
     WrongState,
 )
 from knifetip.jobs import migrations
-from knifetip.jobs.store import ATTEMPTS, LEASE, Report, Result, Store
+from knifetip.jobs.compile_result import CompileResult
+from knifetip.jobs.compile_store import ATTEMPTS
+from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Base, Drawing, Job
+from knifetip.jobs.transitions import LEASE
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.stage import Stage
 
 LINES = 231
-RESULT = Result(
+RESULT = CompileResult(
     accepted=True,
     reason="",
     program=b"G0 X0\n" * LINES,
@@ -42,7 +46,7 @@ RESULT = Result(
     verdict=b"KTIP",
     judged={"seconds": 12.5, "accepted": True},
 )
-REFUSED = Result(
+REFUSED = CompileResult(
     accepted=False,
     reason="Edge 3 is 0.4 mm off.",
     program=b"",
@@ -55,7 +59,7 @@ REFUSED = Result(
 )
 
 
-WAITING = Report(line=0, waiting=True)
+WAITING = GatewayReport(line=0, waiting=True)
 MIGRATIONS = Path(migrations.__file__).parent
 
 
@@ -80,7 +84,7 @@ def store(tmp_path: Path, clock: Clock) -> Iterator[Store]:
 
 
 def drawing(store: Store, **more: str) -> Drawing:
-    return store.add_drawing(
+    return store.drawings.add(
         name="tray.dxf",
         content=b"0\nEOF\n",
         sha256="0" * 64,
@@ -94,12 +98,12 @@ def drawing(store: Store, **more: str) -> Drawing:
 
 def ordered(store: Store, **more: object) -> Job:
     fields = {"machine": "table", "board": "e-flute", "interpretation": Interpretation("mm")}
-    return store.add_job(drawing(store), **{**fields, **more})
+    return store.jobs.add(drawing(store), **{**fields, **more})
 
 
 def compiling(store: Store, **more: object) -> Job:
     id = ordered(store, **more).id
-    job = store.begin_compile("worker")
+    job = store.compiles.begin("worker")
     assert job is not None
     assert job.id == id
     return job
@@ -107,13 +111,13 @@ def compiling(store: Store, **more: object) -> Job:
 
 def queued(store: Store, **more: object) -> Job:
     job = compiling(store, release=True, **more)
-    store.compiled(job.id, job.epoch, RESULT)
-    return store.job(job.id)
+    store.compiles.save_result(job.id, job.epoch, RESULT)
+    return store.jobs.get(job.id)
 
 
 def running(store: Store, **more: object) -> Job:
     queued(store, **more)
-    job = store.claim("table", "gateway", manual=False)
+    job = store.gateways.claim("table", "gateway", manual=False)
     assert job is not None
     return job
 
@@ -121,7 +125,7 @@ def running(store: Store, **more: object) -> Job:
 def waiting(store: Store, **more: object) -> Job:
     """Return a job that a gateway has claimed on a machine that is fed by hand."""
     queued(store, **more)
-    job = store.claim("table", "gateway", manual=True)
+    job = store.gateways.claim("table", "gateway", manual=True)
     assert job is not None
     return job
 
@@ -129,13 +133,13 @@ def waiting(store: Store, **more: object) -> Job:
 def fed(store: Store, **more: object) -> Job:
     """Return a job that runs on a machine that is fed by hand, confirmed."""
     job = waiting(store, **more)
-    store.confirm(job.id)
-    assert store.heartbeat(job.id, job.epoch, WAITING) == "start"
-    return store.job(job.id)
+    store.jobs.confirm(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    return store.jobs.get(job.id)
 
 
 def course(store: Store, id: str) -> list[str]:
-    return [event.state for event in store.events_of(id)]
+    return [event.state for event in store.events.of_job(id)]
 
 
 # The way of a job
@@ -144,7 +148,7 @@ def course(store: Store, id: str) -> list[str]:
 def test_a_job_goes_from_received_to_done_and_every_step_is_an_event(store: Store) -> None:
     job = running(store)
     assert (job.state, job.lines, job.program_sha256) == ("running", LINES, "ab" * 32)
-    store.finish(job.id, job.epoch, "done", "")
+    store.gateways.finish(job.id, job.epoch, "done", "")
     assert course(store, job.id) == [
         "received",
         "compiling",
@@ -153,29 +157,29 @@ def test_a_job_goes_from_received_to_done_and_every_step_is_an_event(store: Stor
         "running",
         "done",
     ]
-    done = store.job(job.id)
+    done = store.jobs.get(job.id)
     assert (done.line, done.copies_done, done.seconds_left) == (LINES, 1, 0.0)
 
 
 def test_a_job_that_was_not_ordered_to_be_queued_waits_to_be_released(store: Store) -> None:
     job = compiling(store)
-    store.compiled(job.id, job.epoch, RESULT)
-    assert store.job(job.id).state == "ready"
-    assert store.claim("table", "gateway", manual=False) is None
-    assert store.release(job.id).state == "queued"
+    store.compiles.save_result(job.id, job.epoch, RESULT)
+    assert store.jobs.get(job.id).state == "ready"
+    assert store.gateways.claim("table", "gateway", manual=False) is None
+    assert store.jobs.release(job.id).state == "queued"
 
 
 def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store) -> None:
     job = compiling(store, release=True)
-    store.compiled(job.id, job.epoch, REFUSED)
-    job = store.job(job.id)
+    store.compiles.save_result(job.id, job.epoch, REFUSED)
+    job = store.jobs.get(job.id)
     assert (job.state, job.reason, job.source) == ("refused", "Edge 3 is 0.4 mm off.", ["2F4"])
 
 
 def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState):
-        store.release(job.id)
+        store.jobs.release(job.id)
     assert course(store, job.id)[-1] == "queued"
     assert len(course(store, job.id)) == 4
 
@@ -184,23 +188,23 @@ def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
 def test_a_received_job_can_only_be_cancelled(store: Store, move: str) -> None:
     job = ordered(store)
     with pytest.raises(WrongState, match="is received"):
-        getattr(store, move)(job.id)
-    assert store.cancel(job.id).state == "cancelled"
+        getattr(store.jobs, move)(job.id)
+    assert store.jobs.cancel(job.id).state == "cancelled"
 
 
 @pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume", "cancel"])
 def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
     job = running(store)
-    store.finish(job.id, job.epoch, "done", "")
+    store.gateways.finish(job.id, job.epoch, "done", "")
     with pytest.raises(WrongState, match="is done"):
-        getattr(store, move)(job.id)
+        getattr(store.jobs, move)(job.id)
 
 
 def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
     with pytest.raises(NoSuchJob, match="no job 'nothing'"):
-        store.cancel("nothing")
+        store.jobs.cancel("nothing")
     with pytest.raises(NoSuchJob, match="no drawing"):
-        store.drawing("nothing")
+        store.drawings.get("nothing")
 
 
 # One job on a table
@@ -208,12 +212,12 @@ def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
 
 def test_two_claims_on_one_machine_give_one_job(store: Store) -> None:
     first, second = queued(store), queued(store)
-    claimed = store.claim("table", "one", manual=False)
+    claimed = store.gateways.claim("table", "one", manual=False)
     assert claimed is not None
     assert claimed.id == first.id
     with pytest.raises(MachineBusy, match=first.id):
-        store.claim("table", "two", manual=False)
-    assert store.job(second.id).state == "queued"
+        store.gateways.claim("table", "two", manual=False)
+    assert store.jobs.get(second.id).state == "queued"
 
 
 @pytest.mark.parametrize("state", ["running", "held", "interrupted"])
@@ -245,7 +249,7 @@ def test_ten_gateways_that_claim_at_once_get_one_job(store: Store) -> None:
     def claim(name: str) -> None:
         start.wait()
         try:
-            got.append(store.claim("table", name, manual=False))
+            got.append(store.gateways.claim("table", name, manual=False))
         except MachineBusy as reason:
             refused.append(reason)
 
@@ -262,7 +266,7 @@ def test_ten_gateways_that_claim_at_once_get_one_job(store: Store) -> None:
 def test_machines_do_not_wait_for_each_other(store: Store) -> None:
     running(store)
     other = queued(store, machine="other")
-    claimed = store.claim("other", "gateway", manual=False)
+    claimed = store.gateways.claim("other", "gateway", manual=False)
     assert claimed is not None
     assert claimed.id == other.id
 
@@ -275,10 +279,10 @@ def test_a_claim_takes_the_highest_priority_and_then_the_oldest(store: Store, cl
     queued(store, priority=5)
     order = []
     for _ in range(3):
-        job = store.claim("table", "gateway", manual=False)
+        job = store.gateways.claim("table", "gateway", manual=False)
         assert job is not None
         order.append(job.id)
-        store.finish(job.id, job.epoch, "done", "")
+        store.gateways.finish(job.id, job.epoch, "done", "")
     assert order[0] == urgent.id
     assert order[2] == late.id
 
@@ -291,90 +295,99 @@ def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(
 ) -> None:
     job = running(store)
     clock.now += LEASE + 0.1
-    store.sweep()
-    store.requeue(job.id)
-    again = store.claim("table", "other gateway", manual=False)
+    store.leases.run()
+    store.jobs.requeue(job.id)
+    again = store.gateways.claim("table", "other gateway", manual=False)
     assert again is not None
     assert again.epoch > job.epoch
     with pytest.raises(StaleEpoch, match=f"epoch {job.epoch}"):
-        store.heartbeat(job.id, job.epoch, Report(line=5))
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5))
     with pytest.raises(StaleEpoch):
-        store.finish(job.id, job.epoch, "done", "")
-    assert store.job(job.id).state == "running"
+        store.gateways.finish(job.id, job.epoch, "done", "")
+    assert store.jobs.get(job.id).state == "running"
 
 
 def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(
     store: Store, clock: Clock
 ) -> None:
     job = running(store)
-    store.heartbeat(job.id, job.epoch, Report(line=199))
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=199))
     clock.now += LEASE - 0.1
-    store.sweep()
-    assert store.job(job.id).state == "running"
+    store.leases.run()
+    assert store.jobs.get(job.id).state == "running"
     clock.now += 0.2
-    store.sweep()
-    job = store.job(job.id)
+    store.leases.run()
+    job = store.jobs.get(job.id)
     assert job.state == "interrupted"
     assert job.reason == (
         "Interrupted at line 199 of 231. The gateway gateway fell silent. The machine may have "
         "executed more lines than it reported."
     )
-    assert store.on_table() == {"table": job.id}
+    assert store.gateways.jobs_on_tables() == {"table": job.id}
 
 
 def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock) -> None:
     job = running(store)
     for line in range(20):
         clock.now += LEASE / 2
-        assert store.heartbeat(job.id, job.epoch, Report(line=line)) == "continue"
-        store.sweep()
-    assert store.job(job.id).state == "running"
+        assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=line)) == "continue"
+        store.leases.run()
+    assert store.jobs.get(job.id).state == "running"
 
 
 def test_a_finish_that_is_said_twice_does_no_harm(store: Store) -> None:
     job = running(store)
-    store.finish(job.id, job.epoch, "interrupted", "a belt tore")
-    again = store.finish(job.id, job.epoch, "interrupted", "a belt tore")
+    store.gateways.finish(job.id, job.epoch, "interrupted", "a belt tore")
+    again = store.gateways.finish(job.id, job.epoch, "interrupted", "a belt tore")
     assert again.reason == "Interrupted at line 0 of 231. a belt tore"
     assert course(store, job.id).count("interrupted") == 1
 
 
 def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(store: Store) -> None:
     job = running(store)
-    store.heartbeat(job.id, job.epoch, Report(line=100))
-    store.finish(job.id, job.epoch, "interrupted", "a belt tore")
-    again = store.requeue(job.id)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=100))
+    store.gateways.finish(job.id, job.epoch, "interrupted", "a belt tore")
+    again = store.jobs.requeue(job.id)
     assert (again.state, again.line, again.reason) == ("queued", 0, "")
-    job = store.claim("table", "gateway", manual=False)
+    job = store.gateways.claim("table", "gateway", manual=False)
     assert job is not None
-    store.finish(job.id, job.epoch, "interrupted", "")
-    assert store.scrap(job.id).state == "scrapped"
-    assert store.on_table() == {}
+    store.gateways.finish(job.id, job.epoch, "interrupted", "")
+    assert store.jobs.scrap(job.id).state == "scrapped"
+    assert store.gateways.jobs_on_tables() == {}
 
 
 def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None:
     job = fed(store, copies=3)
-    store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
-    assert store.events_of(job.id)[-1].why == "copy 1 of 3 is done: put a new sheet on the table"
-    store.finish(job.id, job.epoch, "interrupted", "")
-    store.requeue(job.id)
-    again = store.claim("table", "gateway", manual=False)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
+    assert (
+        store.events.of_job(job.id)[-1].why == "copy 1 of 3 is done: put a new sheet on the table"
+    )
+    store.gateways.finish(job.id, job.epoch, "interrupted", "")
+    store.jobs.requeue(job.id)
+    again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
-    store.heartbeat(again.id, again.epoch, Report(line=LINES, copies_done=1, held=True))
-    assert store.job(job.id).copies_done == 2
+    store.gateways.heartbeat(
+        again.id, again.epoch, GatewayReport(line=LINES, copies_done=1, held=True)
+    )
+    assert store.jobs.get(job.id).copies_done == 2
 
 
 def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
     job = fed(store, copies=3)
-    store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
-    store.resume(job.id)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
+    store.jobs.resume(job.id)
     assert (
-        store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True)) == "resume"
+        store.gateways.heartbeat(
+            job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True)
+        )
+        == "resume"
     )
     # The second copy was so short that no heartbeat fell into it.
-    answer = store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=2, held=True))
+    answer = store.gateways.heartbeat(
+        job.id, job.epoch, GatewayReport(line=LINES, copies_done=2, held=True)
+    )
     assert answer == "continue"
-    assert store.events_of(job.id)[-1].why.startswith("copy 2 of 3 is done")
+    assert store.events.of_job(job.id)[-1].why.startswith("copy 2 of 3 is done")
 
 
 # The operator starts
@@ -383,17 +396,17 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
 def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> None:
     job = waiting(store)
     assert (job.state, job.owner, job.confirmation) == ("queued", "gateway", "awaited")
-    assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
-    assert store.on_table() == {}
-    confirmed = store.confirm(job.id, board="e-flute", by="Kim")
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    assert store.gateways.jobs_on_tables() == {}
+    confirmed = store.jobs.confirm(job.id, board="e-flute", by="Kim")
     assert (confirmed.state, confirmed.confirmation) == ("queued", "given")
-    assert store.heartbeat(job.id, job.epoch, WAITING) == "start"
-    assert store.job(job.id).state == "running"
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.jobs.get(job.id).state == "running"
     # The answer with the start may be lost: it is repeated, and recorded once.
-    assert store.heartbeat(job.id, job.epoch, WAITING) == "start"
-    assert store.heartbeat(job.id, job.epoch, Report(line=1)) == "continue"
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1)) == "continue"
     assert course(store, job.id)[3:] == ["queued", "queued", "queued", "running"]
-    who = [(event.who, event.why) for event in store.events_of(job.id)][-2:]
+    who = [(event.who, event.why) for event in store.events.of_job(job.id)][-2:]
     assert who == [
         ("operator Kim", "confirmed: table clear, board e-flute"),
         ("gateway gateway", "started"),
@@ -402,59 +415,59 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> No
 
 def test_a_confirmation_that_is_repeated_changes_nothing(store: Store) -> None:
     job = waiting(store)
-    store.confirm(job.id)
+    store.jobs.confirm(job.id)
     events = len(course(store, job.id))
-    assert store.confirm(job.id).confirmation == "given"
+    assert store.jobs.confirm(job.id).confirmation == "given"
     assert len(course(store, job.id)) == events
-    store.heartbeat(job.id, job.epoch, WAITING)
-    assert store.confirm(job.id).state == "running"
-    assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "continue"
+    store.gateways.heartbeat(job.id, job.epoch, WAITING)
+    assert store.jobs.confirm(job.id).state == "running"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "continue"
 
 
 def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState, match="has not taken it yet"):
-        store.confirm(job.id)
+        store.jobs.confirm(job.id)
     job = fed(store)
-    store.hold(job.id)
-    store.heartbeat(job.id, job.epoch, Report(line=5, held=True))
+    store.jobs.hold(job.id)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5, held=True))
     with pytest.raises(WrongState, match="not waiting for a sheet") as caught:
-        store.confirm(job.id)
+        store.jobs.confirm(job.id)
     assert caught.value.hint == "Resume it."
-    store.cancel(job.id)
+    store.jobs.cancel(job.id)
     with pytest.raises(WrongState, match="being cancelled"):
-        store.confirm(job.id)
-    store.finish(job.id, job.epoch, "cancelled", "")
+        store.jobs.confirm(job.id)
+    store.gateways.finish(job.id, job.epoch, "cancelled", "")
     with pytest.raises(WrongState, match="is cancelled"):
-        store.confirm(job.id)
+        store.jobs.confirm(job.id)
 
 
 def test_a_job_on_a_machine_that_feeds_itself_has_nothing_to_confirm(store: Store) -> None:
     job = running(store)
     with pytest.raises(WrongState, match="is running"):
-        store.confirm(job.id)
+        store.jobs.confirm(job.id)
 
 
 def test_another_board_on_the_table_is_refused(store: Store) -> None:
     job = waiting(store)
     with pytest.raises(WrongState, match=r"for the board e-flute, not 'greyboard-2\.0'"):
-        store.confirm(job.id, board="greyboard-2.0")
-    assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
+        store.jobs.confirm(job.id, board="greyboard-2.0")
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
 
 
 def test_a_machine_whose_job_waits_gives_no_other_job_to_another_gateway(store: Store) -> None:
     first = waiting(store)
     second = queued(store, priority=50)
     with pytest.raises(MachineBusy, match="table"):
-        store.claim("table", "other", manual=True)
+        store.gateways.claim("table", "other", manual=True)
     with pytest.raises(MachineBusy):
-        store.claim("table", "other", manual=False)
-    again = store.claim("table", "gateway", manual=True)
+        store.gateways.claim("table", "other", manual=False)
+    again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
     assert (again.id, again.epoch) == (first.id, first.epoch + 1)
     with pytest.raises(StaleEpoch):
-        store.heartbeat(first.id, first.epoch, WAITING)
-    assert store.job(second.id).state == "queued"
+        store.gateways.heartbeat(first.id, first.epoch, WAITING)
+    assert store.jobs.get(second.id).state == "queued"
 
 
 def test_the_database_itself_refuses_a_second_claim_that_waits(
@@ -469,25 +482,27 @@ def test_the_database_itself_refuses_a_second_claim_that_waits(
 
 def test_a_confirmation_counts_for_its_claim_only(store: Store) -> None:
     job = waiting(store)
-    store.confirm(job.id)
-    again = store.claim("table", "gateway", manual=True)
+    store.jobs.confirm(job.id)
+    again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
-    assert store.heartbeat(again.id, again.epoch, WAITING) == "wait"
+    assert store.gateways.heartbeat(again.id, again.epoch, WAITING) == "wait"
 
 
 def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(
     store: Store, clock: Clock
 ) -> None:
     job = waiting(store)
-    store.confirm(job.id)
+    store.jobs.confirm(job.id)
     clock.now += LEASE + 0.1
-    store.sweep()
+    store.leases.run()
     with pytest.raises(StaleEpoch):
-        store.heartbeat(job.id, job.epoch, WAITING)
-    row = store.job(job.id)
+        store.gateways.heartbeat(job.id, job.epoch, WAITING)
+    row = store.jobs.get(job.id)
     assert (row.state, row.confirmation, row.owner) == ("queued", "", "")
-    assert store.events_of(job.id)[-1].why == ("claim given back: The gateway gateway fell silent.")
-    again = store.claim("table", "other", manual=True)
+    assert store.events.of_job(job.id)[-1].why == (
+        "claim given back: The gateway gateway fell silent."
+    )
+    again = store.gateways.claim("table", "other", manual=True)
     assert again is not None
     assert (again.id, again.confirmation) == (job.id, "awaited")
 
@@ -498,8 +513,8 @@ def test_a_waiting_claim_that_has_run_out_is_not_confirmed_and_goes_to_another_g
     job = waiting(store)
     clock.now += LEASE + 0.1
     with pytest.raises(WrongState, match="does not answer"):
-        store.confirm(job.id)
-    again = store.claim("table", "other", manual=True)
+        store.jobs.confirm(job.id)
+    again = store.gateways.claim("table", "other", manual=True)
     assert again is not None
     assert (again.id, again.owner) == (job.id, "other")
     assert again.epoch > job.epoch
@@ -511,34 +526,34 @@ def test_a_heartbeat_keeps_a_waiting_claim_alive_and_its_machine_connected(
     job = waiting(store)
     for _ in range(5):
         clock.now += LEASE / 2
-        assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
-        store.sweep()
-        assert store.connected(1.0) == {"table"}
-    assert store.job(job.id).owner == "gateway"
+        assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+        store.leases.run()
+        assert store.gateways.connected(1.0) == {"table"}
+    assert store.jobs.get(job.id).owner == "gateway"
 
 
 def test_a_waiting_job_is_cancelled_at_once_and_its_gateway_drops_it(store: Store) -> None:
     job = waiting(store)
-    assert store.cancel(job.id).state == "cancelled"
+    assert store.jobs.cancel(job.id).state == "cancelled"
     with pytest.raises(StaleEpoch):
-        store.heartbeat(job.id, job.epoch, WAITING)
+        store.gateways.heartbeat(job.id, job.epoch, WAITING)
     other = queued(store)
-    claimed = store.claim("table", "gateway", manual=True)
+    claimed = store.gateways.claim("table", "gateway", manual=True)
     assert claimed is not None
     assert claimed.id == other.id
 
 
 def test_a_claim_that_its_gateway_returns_is_queued_and_never_interrupted(store: Store) -> None:
     job = waiting(store)
-    row = store.finish(job.id, job.epoch, "returned", "The controller is not idle.")
+    row = store.gateways.finish(job.id, job.epoch, "returned", "The controller is not idle.")
     assert (row.state, row.confirmation, row.epoch) == ("queued", "", job.epoch + 1)
     with pytest.raises(StaleEpoch):
-        store.finish(job.id, job.epoch, "returned", "")
+        store.gateways.finish(job.id, job.epoch, "returned", "")
 
 
 def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: Store) -> None:
     job = fed(store)
-    row = store.finish(job.id, job.epoch, "returned", "Nothing was sent.")
+    row = store.gateways.finish(job.id, job.epoch, "returned", "Nothing was sent.")
     assert (row.state, row.reason) == (
         "interrupted",
         "Interrupted at line 0 of 231. Nothing was sent.",
@@ -549,61 +564,74 @@ def test_a_gateway_that_runs_without_a_confirmation_is_held_until_somebody_confi
     store: Store,
 ) -> None:
     job = waiting(store)
-    assert store.heartbeat(job.id, job.epoch, Report(line=1)) == "hold"
-    assert store.job(job.id).state == "running"
-    assert store.events_of(job.id)[-1].why == "started without the operator's confirmation"
-    assert store.heartbeat(job.id, job.epoch, Report(line=2, held=True)) == "hold"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1)) == "hold"
+    assert store.jobs.get(job.id).state == "running"
+    assert store.events.of_job(job.id)[-1].why == "started without the operator's confirmation"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "hold"
     with pytest.raises(WrongState, match="without a confirmation"):
-        store.resume(job.id)
-    store.confirm(job.id)
-    assert store.heartbeat(job.id, job.epoch, Report(line=2, held=True)) == "resume"
-    assert store.heartbeat(job.id, job.epoch, Report(line=3)) == "continue"
+        store.jobs.resume(job.id)
+    store.jobs.confirm(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "resume"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=3)) == "continue"
 
 
 def test_a_hold_between_confirmation_and_start_keeps_the_machine_waiting(store: Store) -> None:
     job = fed(store)
-    store.hold(job.id)
-    assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
-    assert store.job(job.id).state == "held"
-    assert store.heartbeat(job.id, job.epoch, WAITING) == "wait"
-    store.resume(job.id)
-    assert store.heartbeat(job.id, job.epoch, WAITING) == "start"
-    assert store.job(job.id).state == "running"
-    store.cancel(job.id)
-    assert store.heartbeat(job.id, job.epoch, WAITING) == "cancel"
+    store.jobs.hold(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    assert store.jobs.get(job.id).state == "held"
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+    store.jobs.resume(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.jobs.get(job.id).state == "running"
+    store.jobs.cancel(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "cancel"
 
 
 @pytest.mark.parametrize("command", ["confirm", "resume"])
 def test_a_new_sheet_is_confirmed_by_either_command(store: Store, command: str) -> None:
     job = fed(store, copies=2)
-    between = Report(line=LINES, copies_done=1, held=True)
-    assert store.heartbeat(job.id, job.epoch, between) == "continue"
-    assert (store.job(job.id).state, store.job(job.id).confirmation) == ("held", "sheet")
-    getattr(store, command)(job.id)
-    assert store.confirm(job.id).wish == "resume"
-    assert store.heartbeat(job.id, job.epoch, between) == "resume"
-    assert store.heartbeat(job.id, job.epoch, Report(line=1, copies_done=1)) == "continue"
+    between = GatewayReport(line=LINES, copies_done=1, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    assert (store.jobs.get(job.id).state, store.jobs.get(job.id).confirmation) == ("held", "sheet")
+    getattr(store.jobs, command)(job.id)
+    assert store.jobs.confirm(job.id).requested_action == "resume"
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "resume"
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1, copies_done=1))
+        == "continue"
+    )
 
 
 def test_a_copy_that_begins_without_its_sheet_confirmed_is_held(store: Store) -> None:
     job = fed(store, copies=2)
-    assert store.heartbeat(job.id, job.epoch, Report(line=1, copies_done=1)) == "hold"
-    assert store.heartbeat(job.id, job.epoch, Report(line=2, copies_done=1)) == "hold"
-    store.confirm(job.id)
-    assert store.heartbeat(job.id, job.epoch, Report(line=2, copies_done=1)) == "continue"
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1, copies_done=1)) == "hold"
+    )
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, copies_done=1)) == "hold"
+    )
+    store.jobs.confirm(job.id)
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, copies_done=1))
+        == "continue"
+    )
 
 
 def test_a_machine_that_feeds_itself_goes_on_to_the_next_copy_unless_it_is_held(
     store: Store,
 ) -> None:
     job = running(store, copies=3)
-    between = Report(line=LINES, copies_done=1, held=True)
-    assert store.heartbeat(job.id, job.epoch, between) == "resume"
-    assert store.heartbeat(job.id, job.epoch, Report(line=5, copies_done=1)) == "continue"
-    store.hold(job.id)
-    between = Report(line=LINES, copies_done=2, held=True)
-    assert store.heartbeat(job.id, job.epoch, between) == "continue"
-    assert store.job(job.id).state == "held"
+    between = GatewayReport(line=LINES, copies_done=1, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "resume"
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5, copies_done=1))
+        == "continue"
+    )
+    store.jobs.hold(job.id)
+    between = GatewayReport(line=LINES, copies_done=2, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    assert store.jobs.get(job.id).state == "held"
 
 
 def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
@@ -612,9 +640,9 @@ def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
     job = running(store)
     clock.now += 1.0
     queued(store)
-    store.finish(job.id, job.epoch, "interrupted", "")
-    store.requeue(job.id)
-    again = store.claim("table", "gateway", manual=True)
+    store.gateways.finish(job.id, job.epoch, "interrupted", "")
+    store.jobs.requeue(job.id)
+    again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
     assert again.id == job.id
 
@@ -625,22 +653,22 @@ def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
 def interrupted(store: Store, clock: Clock, line: int, **more: object) -> Job:
     """Return a job whose gateway fell silent at a line."""
     job = fed(store, **more)
-    store.heartbeat(job.id, job.epoch, Report(line=line))
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=line))
     clock.now += LEASE + 0.1
-    store.sweep()
-    assert store.job(job.id).state == "interrupted"
+    store.leases.run()
+    assert store.jobs.get(job.id).state == "interrupted"
     return job
 
 
 def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 56, copies=2)
-    row = store.finish(job.id, job.epoch, "done", "")
+    row = store.gateways.finish(job.id, job.epoch, "done", "")
     assert (row.state, row.line, row.copies_done) == ("done", LINES, 2)
     assert (row.reason, row.hint) == ("", "")
-    last = store.events_of(job.id)[-1]
+    last = store.events.of_job(job.id)[-1]
     assert (last.who, last.why) == ("gateway gateway", "reported late: every line was executed")
-    assert store.finish(job.id, job.epoch, "done", "").state == "done"
-    assert store.on_table() == {}
+    assert store.gateways.finish(job.id, job.epoch, "done", "").state == "done"
+    assert store.gateways.jobs_on_tables() == {}
 
 
 @pytest.mark.parametrize("outcome", ["interrupted", "cancelled"])
@@ -648,81 +676,81 @@ def test_a_late_report_of_another_end_corrects_the_line(
     store: Store, clock: Clock, outcome: str
 ) -> None:
     job = interrupted(store, clock, 56)
-    row = store.finish(job.id, job.epoch, outcome, "A belt tore.", line=77)
+    row = store.gateways.finish(job.id, job.epoch, outcome, "A belt tore.", line=77)
     assert (row.state, row.line) == ("interrupted", 77)
     assert row.reason == "Interrupted at line 77 of 231. A belt tore."
     events = len(course(store, job.id))
-    store.finish(job.id, job.epoch, outcome, "A belt tore.", line=77)
+    store.gateways.finish(job.id, job.epoch, outcome, "A belt tore.", line=77)
     assert len(course(store, job.id)) == events
 
 
 def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 56)
     with pytest.raises(StaleEpoch):
-        store.heartbeat(job.id, job.epoch, Report(line=60))
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=60))
     with pytest.raises(StaleEpoch):
-        store.finish(job.id, job.epoch - 1, "done", "")
-    store.requeue(job.id)
+        store.gateways.finish(job.id, job.epoch - 1, "done", "")
+    store.jobs.requeue(job.id)
     with pytest.raises(StaleEpoch):
-        store.finish(job.id, job.epoch, "done", "")
-    again = store.claim("table", "gateway", manual=False)
+        store.gateways.finish(job.id, job.epoch, "done", "")
+    again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
-    store.finish(again.id, again.epoch, "interrupted", "")
+    store.gateways.finish(again.id, again.epoch, "interrupted", "")
     with pytest.raises(StaleEpoch):
-        store.finish(job.id, job.epoch, "done", "")
-    store.scrap(job.id)
+        store.gateways.finish(job.id, job.epoch, "done", "")
+    store.jobs.scrap(job.id)
     with pytest.raises(StaleEpoch):
-        store.finish(again.id, again.epoch, "done", "")
+        store.gateways.finish(again.id, again.epoch, "done", "")
 
 
 def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
     store: Store, clock: Clock
 ) -> None:
     job = interrupted(store, clock, LINES)
-    row = store.job(job.id)
+    row = store.jobs.get(job.id)
     assert row.reason.startswith("Interrupted at line 231 of 231. ")
     assert "again" not in row.hint
     assert "finished" in row.hint
     with pytest.raises(WrongState) as caught:
-        store.cancel(job.id)
+        store.jobs.cancel(job.id)
     assert "again" not in caught.value.hint
 
 
 def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: Clock) -> None:
     job = fed(store, copies=3)
-    store.heartbeat(job.id, job.epoch, Report(line=LINES, copies_done=1, held=True))
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
     clock.now += LEASE + 0.1
-    store.sweep()
-    row = store.job(job.id)
+    store.leases.run()
+    row = store.jobs.get(job.id)
     assert (row.line, row.copies_done) == (0, 1)
     assert row.reason.startswith("Interrupted after copy 1 of 3, before a line of the next. ")
     assert "remaining copies" in row.hint
     # The gateway knows better: the second was cut to its end.
-    row = store.finish(job.id, job.epoch, "interrupted", "", line=0, copies_done=2)
+    row = store.gateways.finish(job.id, job.epoch, "interrupted", "", line=0, copies_done=2)
     assert row.copies_done == 2
     assert row.reason.startswith("Interrupted after copy 2 of 3")
 
 
 def test_a_copy_that_was_cut_to_its_last_line_is_counted(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, LINES, copies=3)
-    assert (store.job(job.id).line, store.job(job.id).copies_done) == (0, 1)
+    assert (store.jobs.get(job.id).line, store.jobs.get(job.id).copies_done) == (0, 1)
 
 
 def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 200, copies=2)
-    row = store.declare_finished(job.id)
+    row = store.jobs.declare_finished(job.id)
     assert (row.state, row.line, row.copies_done, row.reason) == ("done", LINES, 2, "")
-    last = store.events_of(job.id)[-1]
+    last = store.events.of_job(job.id)[-1]
     assert (last.who, last.why) == ("operator", "declared finished at line 200 of 231")
     with pytest.raises(WrongState, match="is done"):
-        store.declare_finished(job.id)
+        store.jobs.declare_finished(job.id)
 
 
 @pytest.mark.parametrize("state", ["ready", "queued", "running"])
 def test_only_an_interrupted_job_can_be_declared_finished(store: Store, state: str) -> None:
     job = {"ready": compiling, "queued": queued, "running": running}[state](store)
     with pytest.raises(WrongState):
-        store.declare_finished(job.id)
+        store.jobs.declare_finished(job.id)
 
 
 def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(
@@ -730,9 +758,9 @@ def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(
 ) -> None:
     job = running(store)
     clock.now += LEASE + 0.1
-    store.sweep(gateways=False)
-    assert store.job(job.id).state == "running"
-    assert store.heartbeat(job.id, job.epoch, Report(line=9)) == "continue"
+    store.leases.run(gateways=False)
+    assert store.jobs.get(job.id).state == "running"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=9)) == "continue"
 
 
 # What the operator wants
@@ -740,33 +768,35 @@ def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(
 
 def test_hold_and_resume_go_through_the_gateway(store: Store) -> None:
     job = running(store)
-    assert store.hold(job.id).state == "running"
-    assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "hold"
-    assert store.heartbeat(job.id, job.epoch, Report(line=6)) == "hold"
-    assert store.heartbeat(job.id, job.epoch, Report(line=6, held=True)) == "continue"
-    assert store.job(job.id).state == "held"
-    assert store.resume(job.id).wish == "resume"
-    assert store.heartbeat(job.id, job.epoch, Report(line=6, held=True)) == "resume"
-    assert store.heartbeat(job.id, job.epoch, Report(line=7)) == "continue"
-    assert store.job(job.id).state == "running"
+    assert store.jobs.hold(job.id).state == "running"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "hold"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6)) == "hold"
+    assert (
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6, held=True)) == "continue"
+    )
+    assert store.jobs.get(job.id).state == "held"
+    assert store.jobs.resume(job.id).requested_action == "resume"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6, held=True)) == "resume"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=7)) == "continue"
+    assert store.jobs.get(job.id).state == "running"
 
 
 def test_a_running_job_is_cancelled_by_its_gateway(store: Store) -> None:
     job = running(store)
-    assert store.cancel(job.id).state == "running"
+    assert store.jobs.cancel(job.id).state == "running"
     with pytest.raises(WrongState, match="being cancelled"):
-        store.resume(job.id)
-    assert store.cancel(job.id).wish == "cancel"
-    assert store.heartbeat(job.id, job.epoch, Report(line=5)) == "cancel"
-    assert store.finish(job.id, job.epoch, "cancelled", "").state == "cancelled"
+        store.jobs.resume(job.id)
+    assert store.jobs.cancel(job.id).requested_action == "cancel"
+    assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "cancel"
+    assert store.gateways.finish(job.id, job.epoch, "cancelled", "").state == "cancelled"
 
 
 def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store) -> None:
     job = running(store)
-    store.finish(job.id, job.epoch, "interrupted", "")
+    store.gateways.finish(job.id, job.epoch, "interrupted", "")
     with pytest.raises(WrongState) as caught:
-        store.cancel(job.id)
-    assert caught.value.hint == store.job(job.id).hint
+        store.jobs.cancel(job.id)
+    assert caught.value.hint == store.jobs.get(job.id).hint
     assert caught.value.hint.startswith("Look at the table. Queue the job again")
 
 
@@ -775,44 +805,44 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
 
 def test_a_compile_that_was_cancelled_cannot_leave_its_result(store: Store) -> None:
     job = compiling(store)
-    store.cancel(job.id)
-    assert not store.compile_progress(job.id, job.epoch, Stage.PLAN, 0.1)
+    store.jobs.cancel(job.id)
+    assert not store.compiles.report_progress(job.id, job.epoch, Stage.PLAN, 0.1)
     with pytest.raises(WrongState):
-        store.compiled(job.id, job.epoch, RESULT)
-    assert store.job(job.id).state == "cancelled"
+        store.compiles.save_result(job.id, job.epoch, RESULT)
+    assert store.jobs.get(job.id).state == "cancelled"
 
 
 def test_a_compile_whose_worker_fell_silent_is_tried_again_and_the_old_one_is_fenced(
     store: Store, clock: Clock
 ) -> None:
     job = compiling(store)
-    store.compile_progress(job.id, job.epoch, Stage.VERIFY, 0.7)
+    store.compiles.report_progress(job.id, job.epoch, Stage.VERIFY, 0.7)
     clock.now += LEASE + 0.1
-    store.sweep()
-    again = store.begin_compile("a new worker")
+    store.leases.run()
+    again = store.compiles.begin("a new worker")
     assert again is not None
     assert (again.id, again.attempt) == (job.id, 2)
     with pytest.raises(StaleEpoch):
-        store.compiled(job.id, job.epoch, RESULT)
-    store.compiled(job.id, again.epoch, RESULT)
-    assert store.job(job.id).state == "ready"
+        store.compiles.save_result(job.id, job.epoch, RESULT)
+    store.compiles.save_result(job.id, again.epoch, RESULT)
+    assert store.jobs.get(job.id).state == "ready"
 
 
 def test_a_worker_that_is_started_again_takes_back_what_it_was_compiling(store: Store) -> None:
     job = compiling(store)
-    store.recover_compiles("another worker")
-    assert store.job(job.id).state == "compiling"
-    store.recover_compiles("worker")
-    again = store.begin_compile("worker")
+    store.compiles.recover("another worker")
+    assert store.jobs.get(job.id).state == "compiling"
+    store.compiles.recover("worker")
+    again = store.compiles.begin("worker")
     assert again is not None
     assert (again.id, again.epoch, again.attempt) == (job.id, job.epoch + 1, 2)
     with pytest.raises(StaleEpoch):
-        store.refuse(job.id, job.epoch, "late", "")
+        store.compiles.refuse(job.id, job.epoch, "late", "")
 
 
 def test_received_jobs_are_compiled_in_the_order_in_which_they_came(store: Store) -> None:
     jobs = [ordered(store).id for _ in range(3)]
-    taken = [store.begin_compile("worker") for _ in range(4)]
+    taken = [store.compiles.begin("worker") for _ in range(4)]
     assert [None if one is None else one.id for one in taken] == [*jobs, None]
 
 
@@ -822,14 +852,14 @@ def test_a_drawing_that_kills_every_compile_is_refused_in_the_end(
     job = compiling(store)
     for attempt in range(2, ATTEMPTS + 1):
         clock.now += LEASE + 0.1
-        store.sweep()
-        again = store.begin_compile("worker")
+        store.leases.run()
+        again = store.compiles.begin("worker")
         assert again is not None
         assert again.attempt == attempt
     clock.now += LEASE + 0.1
-    store.sweep()
-    assert store.job(job.id).state == "refused"
-    assert "5 compiles" in store.job(job.id).reason
+    store.leases.run()
+    assert store.jobs.get(job.id).state == "refused"
+    assert "5 compiles" in store.jobs.get(job.id).reason
 
 
 def test_every_change_calls_its_subscribers_and_progress_does_not(store: Store) -> None:
@@ -837,8 +867,8 @@ def test_every_change_calls_its_subscribers_and_progress_does_not(store: Store) 
     with store.changes.subscribed(lambda: calls.append(None)):
         job = compiling(store)
         changes = len(calls)
-        store.compile_progress(job.id, job.epoch, Stage.PLAN, 0.1)
-    store.cancel(job.id)
+        store.compiles.report_progress(job.id, job.epoch, Stage.PLAN, 0.1)
+    store.jobs.cancel(job.id)
     # A drawing, an order and the begin of its compile.
     assert (changes, len(calls)) == (3, 3)
 
@@ -854,30 +884,30 @@ def test_a_key_answers_with_the_first_result_and_refuses_another_request(store: 
     job = ordered(store, key="k", fingerprint="f")
     assert ordered(store, key="k", fingerprint="f").id == job.id
     with pytest.raises(KeyReused):
-        store.job_of("k", "another")
+        store.jobs.find("k", "another")
 
 
 def test_a_change_to_a_drawing_that_changed_meanwhile_is_refused(store: Store) -> None:
     row = drawing(store)
-    assert store.change_drawing(row.id, row.version, "first", overrides=b"\x01").version == 2
+    assert store.drawings.change(row.id, row.version, "first", overrides=b"\x01").version == 2
     with pytest.raises(StaleRevision, match="revision 2") as stale:
-        store.change_drawing(row.id, row.version, "second", overrides=b"\x02")
+        store.drawings.change(row.id, row.version, "second", overrides=b"\x02")
     assert stale.value.revision == 2
-    assert store.drawing_column(row.id, "overrides") == b"\x01"
+    assert store.drawings.column(row.id, "overrides") == b"\x01"
 
 
 def test_a_change_to_a_drawing_that_was_deleted_meanwhile_is_refused(store: Store) -> None:
     row = drawing(store)
-    store.delete_drawing(row.id)
+    store.drawings.delete(row.id)
     with pytest.raises(NoSuchJob):
-        store.change_drawing(row.id, row.version, "late", overrides=b"\x01")
+        store.drawings.change(row.id, row.version, "late", overrides=b"\x01")
 
 
 def test_what_is_read_of_a_drawing_is_of_one_revision(store: Store) -> None:
     row = drawing(store)
-    store.change_drawing(row.id, 1, "second", overrides=b"\x02", edges=b"two", unit_given="in")
-    read = store.drawing_with(row.id, "overrides", "edges")
-    store.change_drawing(row.id, 2, "third", overrides=b"\x03", edges=b"three", unit_given="mm")
+    store.drawings.change(row.id, 1, "second", overrides=b"\x02", edges=b"two", unit_given="in")
+    read = store.drawings.get_with(row.id, "overrides", "edges")
+    store.drawings.change(row.id, 2, "third", overrides=b"\x03", edges=b"three", unit_given="mm")
     seen = (read.version, read.overrides, read.edges, read.unit_given)
     assert seen == (2, b"\x02", b"two", "in")
 
@@ -885,18 +915,18 @@ def test_what_is_read_of_a_drawing_is_of_one_revision(store: Store) -> None:
 def test_a_drawing_with_jobs_is_kept(store: Store) -> None:
     job = ordered(store)
     with pytest.raises(WrongState, match=job.id):
-        store.delete_drawing(job.drawing)
+        store.drawings.delete(job.drawing)
     free = drawing(store)
-    store.delete_drawing(free.id)
+    store.drawings.delete(free.id)
     with pytest.raises(NoSuchJob):
-        store.drawing(free.id)
+        store.drawings.get(free.id)
 
 
 def test_events_are_numbered_upwards_and_never_twice(store: Store) -> None:
     job = queued(store)
-    last = store.last_event()
-    store.cancel(job.id)
-    (event,) = store.events_after(last)
+    last = store.events.last_id()
+    store.jobs.cancel(job.id)
+    (event,) = store.events.after(last)
     assert (event.subject, event.state, event.who) == (job.id, "cancelled", "operator")
     assert event.id > last
 
@@ -904,24 +934,24 @@ def test_events_are_numbered_upwards_and_never_twice(store: Store) -> None:
 def test_a_gateway_is_connected_while_it_asks_and_while_it_works(
     store: Store, clock: Clock
 ) -> None:
-    assert store.connected(6.0) == set()
-    store.saw_gateway("table", "gateway")
-    store.saw_gateway("table", "gateway")
-    assert store.connected(6.0) == {"table"}
+    assert store.gateways.connected(6.0) == set()
+    store.gateways.record_contact("table", "gateway")
+    store.gateways.record_contact("table", "gateway")
+    assert store.gateways.connected(6.0) == {"table"}
     clock.now += 7.0
-    assert store.connected(6.0) == set()
+    assert store.gateways.connected(6.0) == set()
     job = running(store)
-    assert store.connected(6.0) == {"table"}
+    assert store.gateways.connected(6.0) == {"table"}
     clock.now += LEASE + 1.0
-    assert store.connected(6.0) == set()
-    assert store.job(job.id).state == "running"
+    assert store.gateways.connected(6.0) == set()
+    assert store.jobs.get(job.id).state == "running"
 
 
 # The database
 
 
 def test_the_migrations_make_the_tables_that_the_code_expects(store: Store, tmp_path: Path) -> None:
-    engine = sa.create_engine(store.url)
+    engine = sa.create_engine(store.database.url)
     with engine.connect() as connection:
         assert compare_metadata(MigrationContext.configure(connection), Base.metadata) == []
     engine.dispose()
@@ -930,21 +960,21 @@ def test_the_migrations_make_the_tables_that_the_code_expects(store: Store, tmp_
 def test_to_migrate_twice_changes_nothing(store: Store) -> None:
     job = queued(store)
     store.migrate()
-    assert store.job(job.id).state == "queued"
+    assert store.jobs.get(job.id).state == "queued"
 
 
 def test_a_database_of_before_corners_could_be_chosen_keeps_its_jobs(store: Store) -> None:
     job = queued(store)
     settings = Config()
     settings.set_main_option("script_location", str(MIGRATIONS))
-    engine = sa.create_engine(store.url)
+    engine = sa.create_engine(store.database.url)
     with engine.begin() as connection:
         settings.attributes["connection"] = connection
         command.downgrade(settings, "0001")
         assert "corners" not in {row["name"] for row in sa.inspect(connection).get_columns("job")}
     engine.dispose()
     store.migrate()
-    kept = store.job(job.id)
+    kept = store.jobs.get(job.id)
     assert (kept.state, kept.corners) == ("queued", None)
 
 
@@ -952,19 +982,19 @@ def test_a_database_of_before_confirmations_keeps_what_runs_and_who_runs_it(stor
     job = running(store)
     settings = Config()
     settings.set_main_option("script_location", str(MIGRATIONS))
-    engine = sa.create_engine(store.url)
+    engine = sa.create_engine(store.database.url)
     with engine.begin() as connection:
         settings.attributes["connection"] = connection
         command.downgrade(settings, "0003")
     engine.dispose()
     store.migrate()
-    kept = store.job(job.id)
+    kept = store.jobs.get(job.id)
     assert (kept.state, kept.confirmation, kept.tools) == ("running", "given", [])
     assert kept.owner_epoch == job.epoch
     second = queued(store)
     with pytest.raises(MachineBusy, match=job.id):
-        store.claim("table", "other", manual=True)
-    assert store.job(second.id).state == "queued"
+        store.gateways.claim("table", "other", manual=True)
+    assert store.jobs.get(second.id).state == "queued"
 
 
 @pytest.mark.parametrize("url", ["nonsense", "sqlite://", "sqlite:///:memory:", "mysql://h/d", ""])
@@ -975,21 +1005,21 @@ def test_a_database_that_cannot_be_used_is_refused_with_a_mend(url: str) -> None
 
 
 def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Store) -> None:
-    first = store.keep_profile("acme", "Acme", "title = 'Acme'", None)
+    first = store.profiles.save("acme", "Acme", "title = 'Acme'", None)
     assert first.version == 1
     with pytest.raises(WrongState, match="already, at version 1"):
-        store.keep_profile("acme", "Other", "", None)
-    assert store.keep_profile("acme", "B", "title = 'B'", 1).version == 2
+        store.profiles.save("acme", "Other", "", None)
+    assert store.profiles.save("acme", "B", "title = 'B'", 1).version == 2
     with pytest.raises(StaleVersion, match=r"at version 2.*from version 1") as caught:
-        store.keep_profile("acme", "C", "", 1)
+        store.profiles.save("acme", "C", "", 1)
     assert 'If-Match: "2"' in caught.value.hint
-    kept = store.profile("acme")
+    kept = store.profiles.get("acme")
     assert kept is not None
     assert (kept.title, kept.text) == ("B", "title = 'B'")
     with pytest.raises(StaleVersion):
-        store.delete_profile("acme", 1)
-    store.delete_profile("acme", 2)
-    assert store.profile("acme") is None
+        store.profiles.delete("acme", 1)
+    store.profiles.delete("acme", 2)
+    assert store.profiles.get("acme") is None
     with pytest.raises(NoSuchJob):
-        store.keep_profile("acme", "C", "", 2)
-    assert store.keep_profile("acme", "D", "", None, anyway=True).version == 1
+        store.profiles.save("acme", "C", "", 2)
+    assert store.profiles.save("acme", "D", "", None, anyway=True).version == 1

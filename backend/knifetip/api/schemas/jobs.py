@@ -131,8 +131,8 @@ class JobOut(BaseModel):
     tools: list[JobTool] = Field(
         default=[], description="Stations that the program uses; empty before it is compiled"
     )
-    wish: Literal["", "hold", "resume", "cancel"] = Field(
-        default="", description="What the operator asked for and the machine has not done yet"
+    requested_action: Literal["", "hold", "resume", "cancel"] = Field(
+        default="", description="What the operator requested and the machine has not done yet"
     )
     stage: Stage | Literal[""] = Field(
         description="Stage of the compile; empty while the job is not being compiled"
@@ -155,6 +155,13 @@ class JobOut(BaseModel):
     @property
     def mend(self) -> str:
         return self.hint
+
+    @computed_field(  # type: ignore[prop-decorator]
+        description="The former name of requested_action", json_schema_extra={"deprecated": True}
+    )
+    @property
+    def wish(self) -> Literal["", "hold", "resume", "cancel"]:
+        return self.requested_action
 
 
 class JobEvent(BaseModel):

@@ -1,4 +1,4 @@
-"""tableside: what a gateway does to a job, and what the clock does when it falls silent."""
+"""gateway_store: claims, heartbeats and ends of jobs, as gateways report them."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from knifetip.errors import MachineBusy
-from knifetip.jobs.compiles import Compiles
+from knifetip.jobs.database import Database, rows
 from knifetip.jobs.interruption import interruption
-from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State, Who
-from knifetip.jobs.moves import LEASE, rows, stale
+from knifetip.jobs.job import LEASED, ON_TABLE, Action, Confirmation, State, Who, action_between
 from knifetip.jobs.tables import Gateway, Job
+from knifetip.jobs.transitions import LEASE, Transitions, stale
 
 #: A job that a gateway has claimed and that waits for the operator's confirmation.
-_WAITING = sa.and_(Job.state == State.QUEUED, Job.confirmation != Confirmation.NONE)
+CLAIMED = sa.and_(Job.state == State.QUEUED, Job.confirmation != Confirmation.NONE)
 #: The order in which the jobs of a machine are claimed.
 _TURN = (Job.priority.desc(), Job.queued, Job.serial)
 
 
 @dataclass(frozen=True, slots=True)
-class Report:
+class GatewayReport:
     """What a gateway reports of a job that it runs."""
 
     line: int  #: lines of the present copy that the machine has executed
@@ -45,28 +45,32 @@ class Queue:
     connected: bool  #: a gateway was heard lately
 
 
-class Tableside(Compiles):
-    """The jobs of the store, as gateways move them."""
+class GatewayStore:
+    """Jobs as gateways move them, and the gateways that ask for work."""
 
-    def saw_gateway(self, machine: str, name: str) -> None:
+    def __init__(self, database: Database, transitions: Transitions) -> None:
+        self._db = database
+        self._transitions = transitions
+
+    def record_contact(self, machine: str, name: str) -> None:
         """Note that a gateway asked for work."""
-        with self._writing() as session:
-            session.merge(Gateway(machine=machine, name=name, seen=self.clock()))
+        with self._db.writing() as session:
+            session.merge(Gateway(machine=machine, name=name, seen=self._db.clock()))
 
     def connected(self, within: float) -> set[str]:
         """Return the machines whose gateway was heard within so many seconds."""
-        now = self.clock()
+        now = self._db.clock()
         asking = sa.select(Gateway.machine).where(Gateway.seen > now - within)
         working = sa.select(Job.machine).where(
-            sa.or_(Job.state.in_(LEASED), _WAITING), Job.lease > now
+            sa.or_(Job.state.in_(LEASED), CLAIMED), Job.lease > now
         )
-        with self._reading() as session:
+        with self._db.reading() as session:
             return {*session.scalars(asking), *session.scalars(working)}
 
-    def on_table(self) -> dict[str, str]:
+    def jobs_on_tables(self) -> dict[str, str]:
         """Return the job on each machine's table."""
         query = sa.select(Job.machine, Job.id).where(Job.state.in_(ON_TABLE))
-        with self._reading() as session:
+        with self._db.reading() as session:
             return {row.machine: row.id for row in session.execute(query)}
 
     def queues(self, machines: Collection[str], within: float) -> dict[str, Queue]:
@@ -79,10 +83,10 @@ class Tableside(Compiles):
         """
         connected = self.connected(within)
         ahead = sa.select(Job.machine, Job.id, Job.state).where(
-            Job.machine.in_(machines), sa.or_(Job.state.in_(ON_TABLE), _WAITING)
+            Job.machine.in_(machines), sa.or_(Job.state.in_(ON_TABLE), CLAIMED)
         )
         found: dict[str, Queue] = {}
-        with self._reading() as session:
+        with self._db.reading() as session:
             taken = {row.machine: row for row in session.execute(ahead)}
             for machine in machines:
                 first = session.scalar(_following(machine).with_only_columns(Job.id)) or ""
@@ -108,17 +112,17 @@ class Tableside(Compiles):
         MachineBusy
             Another job is on the table of this machine, or waits there under another gateway.
         """
-        waiting = sa.select(Job).where(Job.machine == machine, _WAITING)
-        with self._reading() as session:
+        waiting = sa.select(Job).where(Job.machine == machine, CLAIMED)
+        with self._db.reading() as session:
             if not session.scalar(sa.select(waiting.exists() | _following(machine).exists())):
                 return None
         try:
-            with self._writing() as session:
+            with self._db.writing() as session:
                 row = session.scalar(waiting.with_for_update())
                 if row is not None and row.owner != gateway:
-                    if row.lease >= self.clock():
+                    if row.lease >= self._db.clock():
                         raise _busy(machine, row.id)
-                    self._give_back(session, row, Who.CLOCK, _SILENT.format(row.owner))
+                    self.give_back(session, row, Who.CLOCK, SILENT.format(row.owner))
                     row = None
                 if row is None:
                     following = _following(machine).execution_options(populate_existing=True)
@@ -127,40 +131,43 @@ class Tableside(Compiles):
                     return None
                 id = row.id
                 self._claimed(session, row, gateway, manual)
+                return self._transitions.locked(session, id)
         except IntegrityError as reason:
-            raise _busy(machine, self.on_table().get(machine, "")) from reason
-        return self.job(id)
+            raise _busy(machine, self.jobs_on_tables().get(machine, "")) from reason
 
     def _claimed(self, session: Session, row: Job, gateway: str, manual: bool) -> None:
         changes: dict[str, Any] = {
             "epoch": row.epoch + 1,
             "owner": gateway,
             "owner_epoch": row.epoch + 1,
-            "lease": self.clock() + LEASE,
-            "wish": "",
+            "lease": self._db.clock() + LEASE,
+            "requested_action": "",
             "line": 0,
             "position": None,
             "copies_before": row.copies_done,
         }
         if manual:
-            changes |= {"confirmation": Confirmation.AWAITED.value, "updated": self.clock()}
+            changes |= {"confirmation": Confirmation.AWAITED.value, "updated": self._db.clock()}
             self._change(session, row, changes)
             why = "claimed, waits for the operator's confirmation"
-            self._note(session, "job", row.id, State.QUEUED, f"{Who.GATEWAY} {gateway}", why)
+            self._transitions.note(
+                session, "job", row.id, State.QUEUED, f"{Who.GATEWAY} {gateway}", why
+            )
             return
-        changes |= {"changes_epoch": changes.pop("epoch"), "confirmation": Confirmation.NONE.value}
-        self._move(
+        changes |= {"confirmation": Confirmation.NONE.value}
+        self._transitions.move(
             session,
             row.id,
-            State.RUNNING,
+            Action.START,
             Who.GATEWAY,
             "claimed",
             name=gateway,
             epoch=row.epoch,
+            new_epoch=changes.pop("epoch"),
             **changes,
         )
 
-    def heartbeat(self, id: str, epoch: int, report: Report) -> str:
+    def heartbeat(self, id: str, epoch: int, report: GatewayReport) -> str:
         """Take a gateway's report, renew its lease and return what it is to do.
 
         Returns
@@ -175,9 +182,9 @@ class Tableside(Compiles):
         StaleEpoch
             The job is no longer this gateway's: stop the machine.
         """
-        with self._writing(urgent=True) as session:
-            row = self._fresh(session, id)
-            if row.epoch != epoch or not (row.state in LEASED or _waits(row)):
+        with self._db.writing(urgent=True) as session:
+            row = self._transitions.locked(session, id)
+            if row.epoch != epoch or not (row.state in LEASED or is_claimed(row)):
                 raise stale(id, row.state, row.epoch, epoch)
             if report.waiting:
                 return self._awaits(session, row)
@@ -187,17 +194,19 @@ class Tableside(Compiles):
 
     def _awaits(self, session: Session, row: Job) -> str:
         """Answer a gateway that has sent nothing to the machine yet."""
-        renewed: dict[str, Any] = {"lease": self.clock() + LEASE}
-        if row.wish == "cancel":
+        renewed: dict[str, Any] = {"lease": self._db.clock() + LEASE}
+        if row.requested_action == "cancel":
             self._change(session, row, renewed)
             return "cancel"
         if row.confirmation == Confirmation.AWAITED:
             self._change(session, row, renewed)
             return "wait"
         # Where the job is running already, the answer with the start was lost on the way.
-        starts = row.wish == "resume" or (row.state != State.HELD and row.wish != "hold")
+        starts = row.requested_action == "resume" or (
+            row.state != State.HELD and row.requested_action != "hold"
+        )
         goal = State.RUNNING if starts else State.HELD
-        renewed["wish"] = ""
+        renewed["requested_action"] = ""
         if row.state == State.QUEUED:
             self._started(session, row, **renewed)
         elif row.state != goal:
@@ -212,36 +221,45 @@ class Tableside(Compiles):
         confirmed = row.confirmation == Confirmation.GIVEN
         why = "started" if confirmed else "started without the operator's confirmation"
         self._gateway_moves(session, row, State.RUNNING, why, **changes)
-        return self._fresh(session, row.id)
+        return self._transitions.locked(session, row.id)
 
     def _gateway_moves(
         self, session: Session, row: Job, goal: State, why: str, **changes: Any
     ) -> None:
-        self._move(
-            session, row.id, goal, Who.GATEWAY, why, name=row.owner, epoch=row.epoch, **changes
+        self._transitions.move(
+            session,
+            row.id,
+            action_between(State(row.state), goal),
+            Who.GATEWAY,
+            why,
+            name=row.owner,
+            epoch=row.epoch,
+            **changes,
         )
 
-    def _runs(self, session: Session, row: Job, report: Report) -> str:
+    def _runs(self, session: Session, row: Job, report: GatewayReport) -> str:
         """Keep what a gateway reports of a running job; return the operator's command."""
         copies_done = min(row.copies_before + report.copies_done, row.copies)
         copy_done = row.copies_done < copies_done < row.copies
-        confirmation, wish = row.confirmation, row.wish
-        # A wish is spent when it is done; a resume must not start the copy after the next, too.
-        if wish == ("hold" if report.held else "resume") or (copy_done and wish == "resume"):
-            wish = ""
+        confirmation, requested = row.confirmation, row.requested_action
+        # A request ends when it is done; a resume must not start the copy after the next, too.
+        if requested == ("hold" if report.held else "resume") or (
+            copy_done and requested == "resume"
+        ):
+            requested = ""
         if copy_done and confirmation == Confirmation.GIVEN:
             confirmation = Confirmation.SHEET
         elif copy_done and confirmation == Confirmation.NONE and report.held:
             # The machine feeds the next sheet itself, unless the operator wants it to stop.
-            wish = "resume" if row.wish in ("", "resume") else wish
+            requested = "resume" if row.requested_action in ("", "resume") else requested
         heard: dict[str, Any] = {
             "line": min(report.line, row.lines),
             "copies_done": copies_done,
             "position": None if report.position is None else list(report.position),
             "seconds_left": report.seconds_left,
-            "lease": self.clock() + LEASE,
+            "lease": self._db.clock() + LEASE,
             "confirmation": confirmation,
-            "wish": wish,
+            "requested_action": requested,
         }
         goal = State.HELD if report.held else State.RUNNING
         why = f"at line {report.line}"
@@ -254,13 +272,15 @@ class Tableside(Compiles):
         else:
             self._change(session, row, heard)
             if copy_done:
-                self._note(session, "job", row.id, goal, f"{Who.GATEWAY} {row.owner}", why)
+                self._transitions.note(
+                    session, "job", row.id, goal, f"{Who.GATEWAY} {row.owner}", why
+                )
         unconfirmed = confirmation == Confirmation.AWAITED or (
             confirmation == Confirmation.SHEET and not report.held
         )
-        if unconfirmed and wish != "cancel":
+        if unconfirmed and requested != "cancel":
             return "hold"
-        return wish or "continue"
+        return requested or "continue"
 
     def finish(
         self,
@@ -293,25 +313,25 @@ class Tableside(Compiles):
         """
         returned = outcome == "returned"
         goal = State.INTERRUPTED if returned else State(outcome)
-        with self._writing(urgent=True) as session:
-            row = self._fresh(session, id)
+        with self._db.writing(urgent=True) as session:
+            row = self._transitions.locked(session, id)
             repeated = row.state == goal and goal is not State.INTERRUPTED
             if repeated and epoch in (row.epoch, row.owner_epoch):
                 return row
             late = row.state == State.INTERRUPTED and epoch == row.owner_epoch
-            owned = row.epoch == epoch and (row.state in LEASED or _waits(row))
+            owned = row.epoch == epoch and (row.state in LEASED or is_claimed(row))
             if not (late or owned):
                 raise stale(id, row.state, row.epoch, epoch)
             if returned and row.state == State.QUEUED:
-                self._give_back(session, row, Who.GATEWAY, why or "given back, nothing was sent")
-                return self._fresh(session, id)
+                self.give_back(session, row, Who.GATEWAY, why or "given back, nothing was sent")
+                return self._transitions.locked(session, id)
             if row.state == State.QUEUED:
                 row = self._started(session, row)
             if goal is State.CANCELLED and late:
                 goal = State.INTERRUPTED
             done = None if copies_done is None else row.copies_before + copies_done
             self._ended(session, row, goal, why, line, done)
-            return self._fresh(session, id)
+            return self._transitions.locked(session, id)
 
     def _ended(
         self,
@@ -323,7 +343,7 @@ class Tableside(Compiles):
         copies_done: int | None,
     ) -> None:
         ended: dict[str, Any] = {
-            "wish": "",
+            "requested_action": "",
             "lease": 0.0,
             "seconds_left": None,
             "confirmation": Confirmation.NONE.value,
@@ -344,61 +364,15 @@ class Tableside(Compiles):
                 if left.reason != row.reason:
                     self._change(session, row, ended)
                     who = f"{Who.GATEWAY} {row.owner}"
-                    self._note(session, "job", row.id, goal, who, f"reported late: {reported}")
+                    self._transitions.note(
+                        session, "job", row.id, goal, who, f"reported late: {reported}"
+                    )
                 return
         elif line is not None:
             ended["line"] = min(line, row.lines)
         self._gateway_moves(session, row, goal, reported, **ended)
 
-    def sweep(self, *, gateways: bool = True) -> None:
-        """Take back what silent owners had.
-
-        A job on a table becomes ``interrupted``, never ``queued``; a claim that was not confirmed
-        is given back.  A compile is tried again.
-
-        Parameters
-        ----------
-        gateways
-            Whether silent gateways count; False while they could not reach this service.
-        """
-        now = self.clock()
-        leased = Job.state == State.COMPILING
-        if gateways:
-            leased = sa.or_(leased, Job.state.in_(LEASED), _WAITING)
-        with self._reading() as session:
-            ids = list(session.scalars(sa.select(Job.id).where(leased, Job.lease < now)))
-        for id in ids:
-            self._take_back(id, now)
-
-    def _take_back(self, id: str, now: float) -> None:
-        with self._writing() as session:
-            row = session.scalar(sa.select(Job).where(Job.id == id).with_for_update())
-            if row is None or row.lease >= now:
-                return
-            if row.state in LEASED:
-                left = interruption(row, _SILENT.format(row.owner) + _MAY_GO_ON)
-                self._move(
-                    session,
-                    id,
-                    State.INTERRUPTED,
-                    Who.CLOCK,
-                    left.reason,
-                    epoch=row.epoch,
-                    changes_epoch=row.epoch + 1,
-                    line=left.line,
-                    copies_done=left.copies_done,
-                    reason=left.reason,
-                    hint=left.hint,
-                    seconds_left=None,
-                    wish="",
-                    confirmation=Confirmation.NONE.value,
-                )
-            elif _waits(row):
-                self._give_back(session, row, Who.CLOCK, _SILENT.format(row.owner))
-            elif row.state == State.COMPILING:
-                self._take_back_compile(session, row)
-
-    def _give_back(self, session: Session, row: Job, who: Who, why: str) -> None:
+    def give_back(self, session: Session, row: Job, who: Who, why: str) -> None:
         """Return a claimed job that was never started to its place in the queue."""
         name = row.owner if who is Who.GATEWAY else ""
         self._change(
@@ -408,13 +382,13 @@ class Tableside(Compiles):
                 "epoch": row.epoch + 1,
                 "owner": "",
                 "lease": 0.0,
-                "wish": "",
+                "requested_action": "",
                 "confirmation": Confirmation.NONE.value,
-                "updated": self.clock(),
+                "updated": self._db.clock(),
             },
         )
         why = f"claim given back: {why}"
-        self._note(session, "job", row.id, State.QUEUED, f"{who} {name}".strip(), why)
+        self._transitions.note(session, "job", row.id, State.QUEUED, f"{who} {name}".strip(), why)
 
     def _change(self, session: Session, row: Job, changes: dict[str, Any]) -> None:
         """Change columns of a row that was read for update in this transaction."""
@@ -424,8 +398,7 @@ class Tableside(Compiles):
             raise stale(row.id, row.state, row.epoch + 1, row.epoch)
 
 
-_SILENT = "The gateway {} fell silent."
-_MAY_GO_ON = " The machine may have executed more lines than it reported."
+SILENT = "The gateway {} fell silent."
 
 
 def _following(machine: str) -> sa.Select[Job]:
@@ -441,8 +414,8 @@ def _following(machine: str) -> sa.Select[Job]:
     )
 
 
-def _waits(row: Job) -> bool:
-    """Return True if a gateway has claimed the job and waits for the operator."""
+def is_claimed(row: Job) -> bool:
+    """Return whether a gateway has claimed the job and waits for the operator."""
     return row.state == State.QUEUED and row.confirmation != Confirmation.NONE
 
 

@@ -1,4 +1,4 @@
-"""orders: the jobs, their events, and what an operator does with them."""
+"""job_store: the jobs, and what operators do with them."""
 
 from __future__ import annotations
 
@@ -7,19 +7,24 @@ from collections.abc import Sequence
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
-from knifetip.errors import NoSuchJob, WrongState
+from knifetip.errors import WrongState
+from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.interpretations import job_columns
-from knifetip.jobs.job import LEASED, Confirmation, State, Who, new_id, sources
-from knifetip.jobs.moves import Moves, advice_for, rows, same_request, short
-from knifetip.jobs.tables import Drawing, Event, Job
+from knifetip.jobs.job import ADVICE, LEASED, Action, Confirmation, State, Who, new_id, sources
+from knifetip.jobs.tables import Drawing, Job
+from knifetip.jobs.transitions import Transitions, no_job, same_request
 from knifetip.messages import from_json
 from knifetip.model.interpretation import Interpretation
 
 
-class Orders(Moves):
-    """The jobs of the store, as people see and move them."""
+class JobStore:
+    """Jobs, and what operators do with them."""
 
-    def add_job(
+    def __init__(self, database: Database, transitions: Transitions) -> None:
+        self._db = database
+        self._transitions = transitions
+
+    def add(
         self,
         drawing: Drawing,
         *,
@@ -39,7 +44,7 @@ class Orders(Moves):
         WrongState
             The key was used for another request.
         """
-        now = self.clock()
+        now = self._db.clock()
         row = Job(
             id=new_id(),
             state=State.RECEIVED.value,
@@ -65,7 +70,7 @@ class Orders(Moves):
             owner_epoch=0,
             confirmation=Confirmation.NONE.value,
             tools=[],
-            wish="",
+            requested_action="",
             stage="",
             progress=0.0,
             line=0,
@@ -84,30 +89,32 @@ class Orders(Moves):
             verdict=None,
         )
         try:
-            with self._writing() as session:
+            with self._db.writing() as session:
                 session.add(row)
-                self._note(session, "job", row.id, State.RECEIVED, str(Who.OPERATOR), "ordered")
+                self._transitions.note(
+                    session, "job", row.id, State.RECEIVED, str(Who.OPERATOR), "ordered"
+                )
         except IntegrityError:
-            if key is None or (earlier := self.job_of(key, fingerprint)) is None:
+            if key is None or (earlier := self.find(key, fingerprint)) is None:
                 raise
             return earlier
         return row
 
-    def job_of(self, key: str, fingerprint: str) -> Job | None:
+    def find(self, key: str, fingerprint: str) -> Job | None:
         """Return the job that a request with this Idempotency-Key made, or None."""
-        with self._reading() as session:
+        with self._db.reading() as session:
             row = session.scalar(sa.select(Job).where(Job.key == key))
         return None if row is None else same_request(row, key, fingerprint)
 
-    def job(self, id: str) -> Job:
+    def get(self, id: str) -> Job:
         """Return a job without its large columns."""
-        with self._reading() as session:
+        with self._db.reading() as session:
             row = session.scalar(sa.select(Job).where(Job.id == id))
         if row is None:
-            raise NoSuchJob("job.unknown", job=short(id))
+            raise no_job(id)
         return row
 
-    def job_column(self, id: str, column: str) -> bytes:
+    def column(self, id: str, column: str) -> bytes:
         """Return one of a job's large columns: overrides, program, toolpath or verdict.
 
         Raises
@@ -115,9 +122,9 @@ class Orders(Moves):
         WrongState
             The job has none yet, or was refused before it had one.
         """
-        return self._column(Job, id, column, "job")
+        return self._db.large_column(Job, id, column, "job")
 
-    def jobs(
+    def search(
         self,
         states: Sequence[str] = (),
         before: int | None = None,
@@ -132,87 +139,68 @@ class Orders(Moves):
             query = query.where(Job.serial < before)
         if ids is not None:
             query = query.where(Job.id.in_(ids))
-        with self._reading() as session:
+        with self._db.reading() as session:
             return list(session.scalars(query))
-
-    def events_of(self, id: str) -> list[Event]:
-        """Return all that happened to a job, in order."""
-        self.job(id)
-        with self._reading() as session:
-            return list(
-                session.scalars(sa.select(Event).where(Event.subject == id).order_by(Event.id))
-            )
-
-    def events_after(self, last: int, limit: int = 1000) -> list[Event]:
-        """Return what happened after an event, in order."""
-        query = sa.select(Event).where(Event.id > last).order_by(Event.id).limit(limit)
-        with self._reading() as session:
-            return list(session.scalars(query))
-
-    def last_event(self) -> int:
-        """Return the id of the newest event, 0 if nothing ever happened."""
-        with self._reading() as session:
-            return session.scalar(sa.select(sa.func.max(Event.id))) or 0
 
     def release(self, id: str) -> Job:
         """Queue a job that is ready."""
-        with self._writing() as session:
-            self._move(
+        with self._db.writing() as session:
+            self._transitions.move(
                 session,
                 id,
-                State.QUEUED,
+                Action.RELEASE,
                 Who.OPERATOR,
                 "released",
-                only=(State.READY,),
-                queued=self.clock(),
+                queued=self._db.clock(),
             )
-        return self.job(id)
+        return self.get(id)
 
     def requeue(self, id: str) -> Job:
         """Queue an interrupted job again, at its former place: the table has been cleared."""
-        with self._writing() as session:
-            self._move(
+        with self._db.writing() as session:
+            self._transitions.move(
                 session,
                 id,
-                State.QUEUED,
+                Action.REQUEUE,
                 Who.OPERATOR,
                 "queued again",
-                only=(State.INTERRUPTED,),
                 lease=0.0,
                 line=0,
                 position=None,
                 reason="",
                 hint="",
-                wish="",
+                requested_action="",
                 seconds_left=None,
             )
-        return self.job(id)
+        return self.get(id)
 
     def scrap(self, id: str) -> Job:
         """Give an interrupted job up: its table is free again."""
-        with self._writing() as session:
-            self._move(session, id, State.SCRAPPED, Who.OPERATOR, "scrapped", wish="")
-        return self.job(id)
+        with self._db.writing() as session:
+            self._transitions.move(
+                session, id, Action.SCRAP, Who.OPERATOR, "scrapped", requested_action=""
+            )
+        return self.get(id)
 
     def declare_finished(self, id: str) -> Job:
         """End an interrupted job as done: an operator found all its sheets complete."""
-        with self._writing() as session:
-            row = self._fresh(session, id)
-            self._move(
+        with self._db.writing() as session:
+            row = self._transitions.locked(session, id)
+            self._transitions.move(
                 session,
                 id,
-                State.DONE,
+                Action.FINISH,
                 Who.OPERATOR,
                 f"declared finished at line {row.line} of {row.lines}",
                 line=row.lines,
                 copies_done=row.copies,
                 reason="",
                 hint="",
-                wish="",
+                requested_action="",
                 lease=0.0,
                 seconds_left=0.0,
             )
-        return self.job(id)
+        return self.get(id)
 
     def confirm(self, id: str, board: str = "", by: str = "") -> Job:
         """Confirm that the table is clear and the job's board and tools are in place.
@@ -232,34 +220,40 @@ class Orders(Moves):
         WrongState
             The job does not wait for a confirmation, or for another board.
         """
-        with self._writing() as session:
-            row = self._fresh(session, id)
+        with self._db.writing() as session:
+            row = self._transitions.locked(session, id)
             if board and board != row.board:
                 raise WrongState("job.other-board", job=id, board=row.board, given=short(board))
-            confirmed = row.confirmation == Confirmation.GIVEN and row.wish != "cancel"
-            going = row.state in (State.QUEUED, State.RUNNING) or row.wish == "resume"
+            confirmed = row.confirmation == Confirmation.GIVEN and row.requested_action != "cancel"
+            going = row.state in (State.QUEUED, State.RUNNING) or row.requested_action == "resume"
             if confirmed and going:
                 return row
             self._check_waiting(row)
             sheet = row.confirmation == Confirmation.SHEET
-            wish = "" if row.state == State.QUEUED else "resume"
+            action = "" if row.state == State.QUEUED else "resume"
             session.execute(
                 sa.update(Job)
                 .where(Job.id == id)
-                .values(confirmation=Confirmation.GIVEN.value, wish=wish, updated=self.clock())
+                .values(
+                    confirmation=Confirmation.GIVEN.value,
+                    requested_action=action,
+                    updated=self._db.clock(),
+                )
                 .execution_options(synchronize_session=False)
             )
             what = "new sheet" if sheet else "table clear"
             why = f"confirmed: {what}, board {row.board}"
-            self._note(session, "job", id, row.state, f"{Who.OPERATOR} {by}".strip(), why)
-            return self._fresh(session, id)
+            self._transitions.note(
+                session, "job", id, row.state, f"{Who.OPERATOR} {by}".strip(), why
+            )
+            return self._transitions.locked(session, id)
 
     def _check_waiting(self, row: Job) -> None:
         """Raise WrongState unless the job waits for the operator's confirmation."""
-        if row.wish == "cancel":
+        if row.requested_action == "cancel":
             raise WrongState("job.being-cancelled", job=row.id)
         if row.confirmation in (Confirmation.AWAITED, Confirmation.SHEET):
-            if row.state == State.QUEUED and row.lease < self.clock():
+            if row.state == State.QUEUED and row.lease < self._db.clock():
                 raise WrongState("job.gateway-silent", gateway=row.owner, job=row.id)
             return
         match row.state:
@@ -270,64 +264,66 @@ class Orders(Moves):
             case State.RUNNING:
                 raise WrongState("job.nothing-to-confirm", job=row.id)
             case _:
-                advice = from_json(row.hint) if row.hint else advice_for(row.state)
+                advice = from_json(row.hint) if row.hint else ADVICE[State(row.state)]
                 raise WrongState(
                     "job.no-confirmation-awaited", job=row.id, state=row.state, advice=advice
                 )
 
     def hold(self, id: str) -> Job:
-        """Ask the gateway to hold; the job is ``held`` when the machine stands."""
-        return self._wish(id, "hold", (State.RUNNING,), already=State.HELD)
+        """Ask the gateway to hold; the job is ``held`` when the machine has stopped."""
+        return self._request(id, "hold", (State.RUNNING,), already=State.HELD)
 
     def resume(self, id: str) -> Job:
         """Ask the gateway to go on; between two copies this confirms the new sheet."""
-        return self._wish(id, "resume", (State.HELD, State.RUNNING))
+        return self._request(id, "resume", (State.HELD, State.RUNNING))
 
     def cancel(self, id: str) -> Job:
         """Cancel a job: at once before it runs, by its gateway while it does."""
-        before = sources(State.CANCELLED, Who.OPERATOR)
-        with self._writing() as session:
+        before = sources(Action.CANCEL, Who.OPERATOR)
+        with self._db.writing() as session:
             state = session.scalar(sa.select(Job.state).where(Job.id == id).with_for_update())
             if state in before or state not in LEASED:
-                self._move(
+                self._transitions.move(
                     session,
                     id,
-                    State.CANCELLED,
+                    Action.CANCEL,
                     Who.OPERATOR,
                     "cancelled",
                     stage="",
                     confirmation=Confirmation.NONE.value,
                 )
-                return self._fresh(session, id)
-        return self._wish(id, "cancel", LEASED)
+                return self._transitions.locked(session, id)
+        return self._request(id, "cancel", LEASED)
 
-    def _wish(
-        self, id: str, wish: str, states: Sequence[State], already: State | None = None
+    def _request(
+        self, id: str, action: str, states: Sequence[State], already: State | None = None
     ) -> Job:
-        with self._writing() as session:
-            row = self._fresh(session, id)
-            changes = {"wish": wish, "updated": self.clock()}
-            if wish == "resume" and row.confirmation == Confirmation.AWAITED:
+        with self._db.writing() as session:
+            row = self._transitions.locked(session, id)
+            changes = {"requested_action": action, "updated": self._db.clock()}
+            if action == "resume" and row.confirmation == Confirmation.AWAITED:
                 raise WrongState("job.not-confirmed", job=id)
-            if wish == "resume" and row.confirmation == Confirmation.SHEET:
+            if action == "resume" and row.confirmation == Confirmation.SHEET:
                 changes["confirmation"] = Confirmation.GIVEN.value
-            if row.state != already and row.wish != wish:
+            if row.state != already and row.requested_action != action:
                 changed = rows(
                     session,
                     sa.update(Job)
-                    .where(Job.id == id, Job.state.in_(states), Job.wish != "cancel")
+                    .where(Job.id == id, Job.state.in_(states), Job.requested_action != "cancel")
                     .values(**changes),
                 )
-                if not changed and row.wish == "cancel":
-                    raise WrongState("job.cancelled-before-request", job=id, request=wish)
+                if not changed and row.requested_action == "cancel":
+                    raise WrongState("job.cancelled-before-request", job=id, request=action)
                 if not changed:
                     raise WrongState(
                         "job.wrong-state-for-request",
                         job=id,
                         state=row.state,
-                        request=wish,
+                        request=action,
                         states=states,
-                        advice=advice_for(row.state),
+                        advice=ADVICE[State(row.state)],
                     )
-                self._note(session, "job", id, row.state, str(Who.OPERATOR), f"asked to {wish}")
-        return self.job(id)
+                self._transitions.note(
+                    session, "job", id, row.state, str(Who.OPERATOR), f"asked to {action}"
+                )
+        return self.get(id)

@@ -1,4 +1,4 @@
-"""drawings: what was uploaded, and what somebody decided about it."""
+"""drawing_store: uploaded drawings, and what users decided about them."""
 
 from __future__ import annotations
 
@@ -9,17 +9,22 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import undefer
 
 from knifetip.errors import NoSuchJob, StaleRevision, WrongState
+from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.interpretations import drawing_columns
 from knifetip.jobs.job import Who, new_id
-from knifetip.jobs.moves import Moves, rows, same_request, short
 from knifetip.jobs.tables import Drawing, Job
+from knifetip.jobs.transitions import Transitions, same_request
 from knifetip.model.interpretation import Interpretation
 
 
-class Drawings(Moves):
-    """The drawings of the store."""
+class DrawingStore:
+    """Uploaded drawings."""
 
-    def add_drawing(
+    def __init__(self, database: Database, transitions: Transitions) -> None:
+        self._db = database
+        self._transitions = transitions
+
+    def add(
         self,
         *,
         name: str,
@@ -42,7 +47,7 @@ class Drawings(Moves):
         row = Drawing(
             id=new_id(),
             name=name,
-            created=self.clock(),
+            created=self._db.clock(),
             sha256=sha256,
             **drawing_columns(interpretation),
             version=1,
@@ -54,49 +59,49 @@ class Drawings(Moves):
             ledger=ledger,
         )
         try:
-            with self._writing() as session:
+            with self._db.writing() as session:
                 session.add(row)
-                self._note(session, "drawing", row.id, "read", str(Who.OPERATOR), name)
+                self._transitions.note(session, "drawing", row.id, "read", str(Who.OPERATOR), name)
         except IntegrityError:
-            if key is None or (earlier := self.drawing_of(key, fingerprint)) is None:
+            if key is None or (earlier := self.find(key, fingerprint)) is None:
                 raise
             return earlier
         return row
 
-    def drawing_of(self, key: str, fingerprint: str) -> Drawing | None:
+    def find(self, key: str, fingerprint: str) -> Drawing | None:
         """Return the drawing that a request with this Idempotency-Key made, with its ledger."""
-        with self._reading() as session:
+        with self._db.reading() as session:
             row = session.scalar(
                 sa.select(Drawing).where(Drawing.key == key).options(undefer(Drawing.ledger))
             )
         return None if row is None else same_request(row, key, fingerprint)
 
-    def drawing(self, id: str) -> Drawing:
+    def get(self, id: str) -> Drawing:
         """Return a drawing without its large columns."""
-        return self.drawing_with(id)
+        return self.get_with(id)
 
-    def drawing_with(self, id: str, *columns: str) -> Drawing:
+    def get_with(self, id: str, *columns: str) -> Drawing:
         """Return a drawing with these of its large columns, all of the same revision."""
         large = [undefer(getattr(Drawing, column)) for column in columns]
-        with self._reading() as session:
+        with self._db.reading() as session:
             row = session.scalar(sa.select(Drawing).where(Drawing.id == id).options(*large))
         if row is None:
             raise _no_drawing(id)
         return row
 
-    def drawing_column(self, id: str, column: str) -> bytes:
+    def column(self, id: str, column: str) -> bytes:
         """Return one of a drawing's large columns: content, overrides, edges or ledger."""
-        return self._column(Drawing, id, column, "drawing")
+        return self._db.large_column(Drawing, id, column, "drawing")
 
-    def drawings(self, before: int | None, limit: int) -> list[Drawing]:
+    def recent(self, before: int | None, limit: int) -> list[Drawing]:
         """Return drawings, the newest first, older than the one with serial ``before``."""
         query = sa.select(Drawing).order_by(Drawing.serial.desc()).limit(limit)
         if before is not None:
             query = query.where(Drawing.serial < before)
-        with self._reading() as session:
+        with self._db.reading() as session:
             return list(session.scalars(query))
 
-    def change_drawing(self, id: str, version: int, why: str, **changes: Any) -> Drawing:
+    def change(self, id: str, version: int, why: str, **changes: Any) -> Drawing:
         """Change a drawing that is still as it was at ``version``; return it with its ledger.
 
         Raises
@@ -106,7 +111,7 @@ class Drawings(Moves):
         StaleRevision
             It was changed in between.
         """
-        with self._writing() as session:
+        with self._db.writing() as session:
             changed = rows(
                 session,
                 sa.update(Drawing)
@@ -118,20 +123,20 @@ class Drawings(Moves):
                 if now is None:
                     raise _no_drawing(id)
                 raise StaleRevision(id, now, str(version))
-            self._note(session, "drawing", id, "changed", str(Who.OPERATOR), why)
+            self._transitions.note(session, "drawing", id, "changed", str(Who.OPERATOR), why)
             # As this change left it: another may follow before anything else is read.
             return session.scalars(
                 sa.select(Drawing).where(Drawing.id == id).options(undefer(Drawing.ledger))
             ).one()
 
-    def delete_drawing(self, id: str) -> None:
+    def delete(self, id: str) -> None:
         """Forget a drawing that no job was made from."""
-        self.drawing(id)
-        with self._writing() as session:
+        self.get(id)
+        with self._db.writing() as session:
             if used := session.scalar(sa.select(Job.id).where(Job.drawing == id).limit(1)):
                 raise WrongState("drawing.in-use", job=used, drawing=id)
             session.execute(sa.delete(Drawing).where(Drawing.id == id))
-            self._note(session, "drawing", id, "deleted", str(Who.OPERATOR), "")
+            self._transitions.note(session, "drawing", id, "deleted", str(Who.OPERATOR), "")
 
 
 def _no_drawing(id: str) -> NoSuchJob:

@@ -1,4 +1,4 @@
-"""profiles: the rules that customers keep, each change counted so that none is lost."""
+"""profile_store: classification profiles of customers, with optimistic locking by version."""
 
 from __future__ import annotations
 
@@ -8,27 +8,30 @@ import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
 from knifetip.errors import NoSuchJob, StaleVersion, WrongState
-from knifetip.jobs.moves import Moves, rows, short
+from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.tables import Profile
 
 #: More than any shop has customers; each is read when the list is.
 MOST = 1000
 
 
-class Profiles(Moves):
-    """The profiles of the store."""
+class ProfileStore:
+    """Classification profiles of customers."""
 
-    def profile(self, name: str) -> Profile | None:
+    def __init__(self, database: Database) -> None:
+        self._db = database
+
+    def get(self, name: str) -> Profile | None:
         """Return a profile, or None where none of that name is kept."""
-        with self._reading() as session:
+        with self._db.reading() as session:
             return session.scalar(sa.select(Profile).where(Profile.name == name))
 
-    def profiles(self) -> Sequence[Profile]:
+    def all(self) -> Sequence[Profile]:
         """Return all profiles by name."""
-        with self._reading() as session:
+        with self._db.reading() as session:
             return list(session.scalars(sa.select(Profile).order_by(Profile.name)))
 
-    def keep_profile(
+    def save(
         self, name: str, title: str, text: str, version: int | None, *, anyway: bool = False
     ) -> Profile:
         """Keep a new profile, or change one that is still as it was at ``version``.
@@ -49,10 +52,10 @@ class Profiles(Moves):
         NoSuchJob
             It is gone.
         """
-        now = self.clock()
+        now = self._db.clock()
         if version is None and not anyway:
             return self._add(name, title, text, now)
-        with self._writing() as session:
+        with self._db.writing() as session:
             statement = sa.update(Profile).where(Profile.name == name)
             if not anyway:
                 statement = statement.where(Profile.version == version)
@@ -72,7 +75,7 @@ class Profiles(Moves):
     def _add(self, name: str, title: str, text: str, now: float) -> Profile:
         row = Profile(name=name, title=title, text=text, version=1, created=now, updated=now)
         try:
-            with self._writing() as session:
+            with self._db.writing() as session:
                 if (session.scalar(sa.select(sa.func.count(Profile.name))) or 0) >= MOST:
                     raise WrongState("profile.too-many", limit=MOST)
                 session.add(row)
@@ -80,7 +83,7 @@ class Profiles(Moves):
             raise self._stale(name, None) from reason
         return row
 
-    def delete_profile(self, name: str, version: int | None = None) -> None:
+    def delete(self, name: str, version: int | None = None) -> None:
         """Forget a profile; drawings and jobs keep the rules that they were made with.
 
         Raises
@@ -88,7 +91,7 @@ class Profiles(Moves):
         NoSuchJob, StaleVersion
             There is none, or not at this version.
         """
-        with self._writing() as session:
+        with self._db.writing() as session:
             statement = sa.delete(Profile).where(Profile.name == name)
             if version is not None:
                 statement = statement.where(Profile.version == version)
@@ -97,7 +100,7 @@ class Profiles(Moves):
         raise self._stale(name, version)
 
     def _stale(self, name: str, version: int | None) -> NoSuchJob | StaleVersion | WrongState:
-        found = self.profile(name)
+        found = self.get(name)
         if found is None:
             return NoSuchJob("profile.not-kept", name=short(name))
         if version is None:

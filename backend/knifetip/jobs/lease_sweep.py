@@ -1,0 +1,79 @@
+"""lease_sweep: takes jobs back from workers and gateways whose lease has expired."""
+
+from __future__ import annotations
+
+import sqlalchemy as sa
+
+from knifetip.jobs.compile_store import CompileStore
+from knifetip.jobs.database import Database
+from knifetip.jobs.gateway_store import CLAIMED, SILENT, GatewayStore, is_claimed
+from knifetip.jobs.interruption import interruption
+from knifetip.jobs.job import LEASED, Action, Confirmation, State, Who
+from knifetip.jobs.tables import Job
+from knifetip.jobs.transitions import Transitions
+
+_MAY_GO_ON = " The machine may have executed more lines than it reported."
+
+
+class LeaseSweep:
+    """Expires leases."""
+
+    def __init__(
+        self,
+        database: Database,
+        transitions: Transitions,
+        compiles: CompileStore,
+        gateways: GatewayStore,
+    ) -> None:
+        self._db = database
+        self._transitions = transitions
+        self._compiles = compiles
+        self._gateways = gateways
+
+    def run(self, *, gateways: bool = True) -> None:
+        """Take back what silent owners had.
+
+        A job on a table becomes ``interrupted``, never ``queued``; a claim that was not confirmed
+        is given back.  A compile is tried again.
+
+        Parameters
+        ----------
+        gateways
+            Whether silent gateways count; False while they could not reach this service.
+        """
+        now = self._db.clock()
+        leased = Job.state == State.COMPILING
+        if gateways:
+            leased = sa.or_(leased, Job.state.in_(LEASED), CLAIMED)
+        with self._db.reading() as session:
+            ids = list(session.scalars(sa.select(Job.id).where(leased, Job.lease < now)))
+        for id in ids:
+            self._take_back(id, now)
+
+    def _take_back(self, id: str, now: float) -> None:
+        with self._db.writing() as session:
+            row = session.scalar(sa.select(Job).where(Job.id == id).with_for_update())
+            if row is None or row.lease >= now:
+                return
+            if row.state in LEASED:
+                left = interruption(row, SILENT.format(row.owner) + _MAY_GO_ON)
+                self._transitions.move(
+                    session,
+                    id,
+                    Action.INTERRUPT,
+                    Who.CLOCK,
+                    left.reason,
+                    epoch=row.epoch,
+                    new_epoch=row.epoch + 1,
+                    line=left.line,
+                    copies_done=left.copies_done,
+                    reason=left.reason,
+                    hint=left.hint,
+                    seconds_left=None,
+                    requested_action="",
+                    confirmation=Confirmation.NONE.value,
+                )
+            elif is_claimed(row):
+                self._gateways.give_back(session, row, Who.CLOCK, SILENT.format(row.owner))
+            elif row.state == State.COMPILING:
+                self._compiles.take_back(session, row)

@@ -1,0 +1,136 @@
+"""transitions: moves jobs from state to state, each in one transaction with its event.
+
+A transition is one UPDATE … WHERE state IN … (AND epoch = …): of two that want the same job, one is
+refused.  The table of transitions is in ``job``.
+"""
+
+from __future__ import annotations
+
+from typing import Any, TypeVar
+
+import sqlalchemy as sa
+from sqlalchemy.orm import Session
+
+from knifetip.errors import KeyReused, NoSuchJob, StaleEpoch, WrongState
+from knifetip.jobs.database import Database, rows, short
+from knifetip.jobs.job import ADVICE, Action, State, Who, sources, target
+from knifetip.jobs.tables import Drawing, Event, Job
+from knifetip.messages import from_json
+
+LEASE = 10.0  #: seconds for which a gateway or a worker may be silent
+Row = TypeVar("Row", Drawing, Job)
+
+
+class Transitions:
+    """Changes of jobs and the events that record them; used inside a transaction."""
+
+    def __init__(self, database: Database) -> None:
+        self._db = database
+
+    def move(
+        self,
+        session: Session,
+        id: str,
+        action: Action,
+        who: Who,
+        why: str,
+        *,
+        name: str = "",
+        epoch: int | None = None,
+        new_epoch: int | None = None,
+        **changes: Any,
+    ) -> None:
+        """Move a job by an action, if ``who`` may do it in the job's state, and write the event.
+
+        Parameters
+        ----------
+        name
+            Of the worker or gateway.
+        epoch
+            That the job must have.
+        new_epoch
+            That the job gets; by default it keeps its own.
+        changes
+            Columns to change besides the state.
+
+        Raises
+        ------
+        NoSuchJob, WrongState, StaleEpoch
+            The job was not moved.
+        """
+        goal = target(action)
+        statement = sa.update(Job).where(Job.id == id, Job.state.in_(sources(action, who)))
+        if epoch is not None:
+            statement = statement.where(Job.epoch == epoch)
+        # Rows that this session has read keep their values; read them again with ``locked``.
+        statement = statement.execution_options(synchronize_session=False)
+        values = {"state": goal.value, "updated": self._db.clock(), **changes}
+        if new_epoch is not None:
+            values["epoch"] = new_epoch
+        if not rows(session, statement.values(**values)):
+            raise self._refusal(session, id, goal, epoch)
+        self.note(session, "job", id, goal, f"{who} {name}".strip(), why)
+
+    def _refusal(
+        self, session: Session, id: str, goal: str, epoch: int | None
+    ) -> NoSuchJob | WrongState | StaleEpoch:
+        columns = sa.select(Job.state, Job.epoch, Job.hint).where(Job.id == id)
+        found = session.execute(columns).first()
+        if found is None:
+            return no_job(id)
+        state, current, hint = found
+        if epoch is not None and epoch != current:
+            return stale(id, state, current, epoch)
+        advice = from_json(hint) if hint else ADVICE[State(state)]
+        return WrongState("job.wrong-state", job=id, state=state, goal=goal, advice=advice)
+
+    def note(
+        self, session: Session, kind: str, subject: str, state: str, who: str, why: str
+    ) -> None:
+        """Write an event of a job or a drawing."""
+        session.info["changed"] = True
+        session.add(
+            Event(
+                kind=kind,
+                subject=subject,
+                at=self._db.clock(),
+                state=str(state),
+                who=who[:200],
+                why=why,
+            )
+        )
+
+    def locked(self, session: Session, id: str) -> Job:
+        """Return a job as it is now, locked until the transaction ends."""
+        row = session.scalar(
+            sa.select(Job)
+            .where(Job.id == id)
+            .with_for_update()
+            .execution_options(populate_existing=True)
+        )
+        if row is None:
+            raise no_job(id)
+        return row
+
+
+def no_job(id: str) -> NoSuchJob:
+    """Return the error for an unknown job."""
+    return NoSuchJob("job.unknown", job=short(id))
+
+
+def stale(id: str, state: str, current: int, epoch: int) -> StaleEpoch:
+    """Return the error for an owner whose epoch has ended."""
+    return StaleEpoch("job.stale-epoch", job=id, state=state, current=current, epoch=epoch)
+
+
+def same_request(row: Row, key: str, fingerprint: str) -> Row:
+    """Return the row that was made under an Idempotency-Key.
+
+    Raises
+    ------
+    KeyReused
+        The key was used for another request.
+    """
+    if row.fingerprint != fingerprint:
+        raise KeyReused("request.key-reused", key=short(key))
+    return row
