@@ -4,8 +4,8 @@
     event: drawing   data: DrawingSummary   id
     event: deleted   data: {"drawing": id}  id
 
-A browser that comes back says the last id that it saw (``Last-Event-ID``) and hears once of every
-job and drawing to which something happened since.
+A client that connects again sends the last id that it received (``Last-Event-ID``) and gets one
+event for each job and drawing that has changed since.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from collections.abc import AsyncIterator, Collection, Sequence
 from typing import Annotated
 
 from fastapi import APIRouter, Header, Query, Request
-from fastapi.responses import StreamingResponse
+from fastapi.sse import EventSourceResponse, ServerSentEvent
 
 from knifetip.api.drawings import summary_out
 from knifetip.api.jobs import job_out, jobs_out
@@ -33,18 +33,18 @@ router = APIRouter(tags=["events"])
 _TICK = 0.2  # seconds between two looks for progress
 _LOOK = 1.0  # seconds between two looks for changes that other servers made
 _REFRESH = 2.0  # seconds between two looks at what queued jobs wait for, where nothing happened
-_QUIET = 15.0  # seconds after which a silent line says that it is alive
+_RETRY = 2000  # milliseconds after which a client connects again
 _BACKLOG = 1000  # messages that a slow listener may owe before it is hung up on
 _MOVING = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
 _log = logging.getLogger("knifetip.api")
 
 
 class Stream:
-    """Looks for news while somebody listens, and tells all who do."""
+    """Looks for changes while there are listeners, and sends them to all."""
 
     def __init__(self, service: Service) -> None:
         self._service = service
-        self._listeners: set[asyncio.Queue[str | None]] = set()
+        self._listeners: set[asyncio.Queue[ServerSentEvent | None]] = set()
         self._somebody = asyncio.Event()
         self._door = asyncio.Lock()
         self._last = 0
@@ -53,7 +53,7 @@ class Stream:
         self._refreshed = 0.0
 
     async def run(self) -> None:
-        """Tell the listeners, for ever."""
+        """Send changes to the listeners until cancelled."""
         with woken_by(self._service.store.changes) as changed:
             while True:
                 await self._somebody.wait()
@@ -66,8 +66,17 @@ class Stream:
                     _log.exception("the stream of events failed")
                 # Progress is no change: it is looked for while a job moves.
                 await changed.wait(_TICK if self._told else _LOOK)
+                if self._service.stopping.is_set():
+                    self._hang_up()
 
-    def _tell(self, message: str) -> None:
+    def _hang_up(self) -> None:
+        """End all streams."""
+        for queue in list(self._listeners):
+            if queue.full():
+                queue.get_nowait()
+            queue.put_nowait(None)
+
+    def _tell(self, message: ServerSentEvent) -> None:
         for queue in list(self._listeners):
             try:
                 queue.put_nowait(message)
@@ -76,7 +85,7 @@ class Stream:
                 queue.get_nowait()
                 queue.put_nowait(None)
 
-    def _news(self) -> list[str]:
+    def _news(self) -> list[ServerSentEvent]:
         events = self._service.store.events.after(self._last)
         messages = self._messages(events)
         if events:
@@ -96,7 +105,7 @@ class Stream:
             messages += self._queued({event.subject for event in events})
         return messages
 
-    def _queued(self, sent: Collection[str]) -> list[str]:
+    def _queued(self, sent: Collection[str]) -> list[ServerSentEvent]:
         """Return messages for queued jobs that wait for something else than before.
 
         Another job, or a gateway that comes or goes, changes that without an event of their own.
@@ -115,7 +124,7 @@ class Stream:
         self._waits = waits
         return news
 
-    def _messages(self, events: Sequence[Event]) -> list[str]:
+    def _messages(self, events: Sequence[Event]) -> list[ServerSentEvent]:
         newest = {(event.kind, event.subject): event.id for event in events}
         ids = [subject for kind, subject in newest if kind == "job"]
         store = self._service.store
@@ -130,20 +139,20 @@ class Stream:
                 messages.append(self._drawing(subject, number))
         return messages
 
-    def _drawing(self, id: str, number: int) -> str:
+    def _drawing(self, id: str, number: int) -> ServerSentEvent:
         try:
             drawing = summary_out(self._service.store.drawings.get(id))
         except NoSuchJob:
             return _message("deleted", json.dumps({"drawing": id}), number)
         return _message("drawing", drawing.model_dump_json(), number)
 
-    async def listen(self, after: int | None) -> AsyncIterator[str]:
+    async def listen(self, after: int | None) -> AsyncIterator[ServerSentEvent]:
         """Yield what happened after an event (None: nothing of the past), then what happens."""
         store = self._service.store
-        queue: asyncio.Queue[str | None] = asyncio.Queue(_BACKLOG)
+        queue: asyncio.Queue[ServerSentEvent | None] = asyncio.Queue(_BACKLOG)
         async with self._door:
             newest = await asyncio.to_thread(store.events.last_id)
-            missed: list[str] = []
+            missed: list[ServerSentEvent] = []
             if not self._listeners:
                 self._last, self._told = newest, {}
                 # What queued jobs wait for now is no news: who listens has asked for the jobs.
@@ -153,29 +162,17 @@ class Stream:
             self._listeners.add(queue)
             self._somebody.set()
         try:
-            yield "retry: 2000\n\n"
+            yield ServerSentEvent(retry=_RETRY)
             for message in missed:
                 yield message
-            silent = 0.0
-            while not self._service.stopping.is_set():
-                try:
-                    said = await asyncio.wait_for(queue.get(), _TICK)
-                except TimeoutError:
-                    silent += _TICK
-                    if silent >= _QUIET:
-                        silent = 0.0
-                        yield ": still here\n\n"
-                    continue
-                if said is None:
-                    return
-                silent = 0.0
-                yield said
+            while (news := await queue.get()) is not None:
+                yield news
         finally:
             self._listeners.discard(queue)
             if not self._listeners:
                 self._somebody.clear()
 
-    def _missed(self, after: int, last: int) -> list[str]:
+    def _missed(self, after: int, last: int) -> list[ServerSentEvent]:
         events: list[Event] = []
         while after < last and (some := self._service.store.events.after(after)):
             events += [event for event in some if event.id <= last]
@@ -183,27 +180,19 @@ class Stream:
         return self._messages(events)
 
 
-def _message(kind: str, data: str, number: int | None = None) -> str:
-    head = "" if number is None else f"id: {number}\n"
-    return f"{head}event: {kind}\ndata: {data}\n\n"
+def _message(kind: str, data: str, number: int | None = None) -> ServerSentEvent:
+    return ServerSentEvent(event=kind, raw_data=data, id=None if number is None else str(number))
 
 
-@router.get(
-    "/events",
-    response_class=StreamingResponse,
-    responses={200: {"content": {"text/event-stream": {"schema": {"type": "string"}}}}},
-)
+@router.get("/events", response_class=EventSourceResponse)
 async def get_events(
     request: Request,
     last: Annotated[str | None, Header(alias="Last-Event-ID")] = None,
     after: Annotated[int | None, Query(ge=0, le=2**53)] = None,
-) -> StreamingResponse:
-    """Listen to what happens to jobs and drawings (server-sent events)."""
+) -> AsyncIterator[ServerSentEvent]:
+    """Stream what happens to jobs and drawings as server-sent events."""
     stream: Stream = request.app.state.stream
-    # What is no number was never ours: then the past is not replayed.
+    # An id that is no number is not from this server: the past is not replayed.
     since = int(last) if last is not None and last.isdecimal() and len(last) < 16 else after
-    return StreamingResponse(
-        stream.listen(since),
-        media_type="text/event-stream",
-        headers={"Cache-Control": "no-store", "X-Accel-Buffering": "no"},
-    )
+    async for event in stream.listen(since):
+        yield event

@@ -1,14 +1,13 @@
-"""site: serves the built page at / and, for its own routes, whatever is no file and no API."""
+"""site: serves the built page, and its index at the routes of the page."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
-from starlette.responses import FileResponse, HTMLResponse, Response
-from starlette.staticfiles import NotModifiedResponse
-from starlette.types import Receive, Scope, Send
+from starlette.responses import HTMLResponse, Response
+from starlette.staticfiles import NotModifiedResponse, StaticFiles
+from starlette.types import Scope
 
 #: The page loads nothing from elsewhere.  Its widgets set styles in the document itself.
 PAGE_POLICY = (
@@ -24,56 +23,43 @@ _UNBUILT = """<!doctype html>
 <p>In a clone of the repository, <code>make run</code> builds it. The REST interface works without
 it: see <a href="/api/openapi.json">/api/openapi.json</a>.</p>
 """
+_PAGE_HEADERS = {"Content-Security-Policy": PAGE_POLICY, "X-Frame-Options": "SAMEORIGIN"}
 # Built files have their content's hash in the name, so they never change.
 _FOREVER = "public, max-age=31536000, immutable"
 
 
-class Site:
-    """ASGI application over a folder."""
+class Site(StaticFiles):
+    """ASGI application that serves the folder of the built page.
+
+    Routes of the page, which are not files, get ``index.html``.
+    """
 
     def __init__(self, folder: Path) -> None:
-        self.folder = folder.resolve()
+        super().__init__(directory=folder, html=True, check_dir=False)
+        self._index = folder / "index.html"
 
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer with a file, the page, or 404."""
-        if scope["type"] != "http":
-            return
-        path: str = scope["path"]
-        if path == "/api" or path.startswith("/api/"):
+    async def get_response(self, path: str, scope: Scope) -> Response:
+        """Return a file or the page.
+
+        Raises
+        ------
+        HTTPException
+            404 for paths of the API and files that do not exist, 405 for other methods than GET.
+        """
+        if path == "api" or path.startswith("api/") or "\0" in path:
             raise HTTPException(404)
         if scope["method"] not in ("GET", "HEAD"):
             raise HTTPException(405, headers={"Allow": "GET, HEAD"})
-        await self.answer(path, Headers(scope=scope))(scope, receive, send)
-
-    def answer(self, path: str, headers: Headers) -> Response:
-        """Return the file at a path, or the page, which has routes of its own."""
-        file = self._file(path)
-        if file is None and path.rsplit("/", 1)[-1].count("."):
-            raise HTTPException(404)
-        page = file is None or file.name == "index.html"
-        file = file or self._file("/index.html")
-        if file is None:
-            return HTMLResponse(
-                _UNBUILT,
-                headers={"Cache-Control": "no-store", "Content-Security-Policy": PAGE_POLICY},
-            )
-        response = FileResponse(
-            file,
-            stat_result=file.stat(),
-            headers={
-                "Cache-Control": (
-                    _FOREVER if path.startswith("/assets/") and not page else "no-cache"
-                ),
-                "Content-Security-Policy": PAGE_POLICY,
-                "X-Frame-Options": "SAMEORIGIN",
-            },
-        )
-        if response.headers["etag"] == headers.get("if-none-match"):
-            return NotModifiedResponse(response.headers)
+        if not self._index.is_file():
+            return HTMLResponse(_UNBUILT, headers={"Cache-Control": "no-store", **_PAGE_HEADERS})
+        try:
+            response = await super().get_response(path, scope)
+        except HTTPException as error:
+            if error.status_code != 404 or "." in path.rsplit("/", 1)[-1]:
+                raise
+            response = await super().get_response("index.html", scope)
+        is_asset = path.startswith("assets/") and "." in path.rsplit("/", 1)[-1]
+        response.headers["Cache-Control"] = _FOREVER if is_asset else "no-cache"
+        if not isinstance(response, NotModifiedResponse):
+            response.headers.update(_PAGE_HEADERS)
         return response
-
-    def _file(self, path: str) -> Path | None:
-        if "\0" in path:
-            return None
-        file = (self.folder / path.lstrip("/")).resolve()
-        return file if file.is_relative_to(self.folder) and file.is_file() else None

@@ -436,7 +436,7 @@ export interface paths {
         };
         /**
          * Get Events
-         * @description Listen to what happens to jobs and drawings (server-sent events).
+         * @description Stream what happens to jobs and drawings as server-sent events.
          */
         get: operations["get_events"];
         put?: never;
@@ -5732,7 +5732,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/event-stream": string;
+                    "text/event-stream": unknown;
                 };
             };
             /** @description What went wrong, and what to do about it */

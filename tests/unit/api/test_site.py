@@ -1,10 +1,10 @@
 from __future__ import annotations
 
+import asyncio
 from pathlib import Path
 
 import httpx
 import pytest
-from starlette.datastructures import Headers
 
 from knifetip.api.site import Site
 
@@ -44,6 +44,7 @@ def test_nothing_beside_the_page_is_served(client: httpx.Client, path: str) -> N
 
 
 def test_without_a_built_page_it_is_said_how_to_build_it(tmp_path: Path) -> None:
-    answer = Site(tmp_path / "page").answer("/", Headers())
+    scope = {"type": "http", "method": "GET", "path": "/", "headers": []}
+    answer = asyncio.run(Site(tmp_path / "page").get_response(".", scope))
     assert answer.status_code == 200
     assert b"make run" in answer.body
