@@ -46,6 +46,7 @@ from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
+from knifetip.presentation.verdict import EDGE_COLUMNS
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
 
@@ -178,8 +179,7 @@ def verdict_out(block: bytes) -> VerdictOut:
     """Return a verdict as the API shows it; what one of an older version does not have is empty."""
     columns, meta = unpacked(block)
     figures = {
-        f"edge_{name}": columns[name].tolist() if name in columns else []
-        for name in tasks.EDGE_COLUMNS
+        f"edge_{name}": columns[name].tolist() if name in columns else [] for name in EDGE_COLUMNS
     }
     summary = {name: meta[name] for name in VerdictSummary.model_fields if name in meta}
     return VerdictOut.model_validate(

@@ -39,6 +39,7 @@ from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
 from knifetip.model.verdict import Unreached, Verdict
 from knifetip.planning.plan import check_corners
+from knifetip.presentation.verdict import EDGE_COLUMNS, findings_of, finite_column, verdict_summary
 from knifetip.verification.verify import placement_of
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
@@ -83,47 +84,14 @@ MachineName = Annotated[str, typer.Option(help="Machine of the library, or a TOM
 BoardName = Annotated[str, typer.Option(help="Board of the library, or a TOML file.")]
 
 
-#: Of the verdict, with a figure for every edge (mm).
-_COLUMNS = (
-    "deviation",
-    "overcut",
-    "uncut",
-    "setback",
-    "width",
-    "web",
-    "flank",
-    "unreached",
-    "bottom_uncut",
-    "top_overcut",
-    "tidied",
-)
-
-
 def judged(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
     """Return a verdict as plain data, its findings with the handles of their edges."""
     handles = drawing.handles
-    columns = {name: getattr(verdict, name) for name in _COLUMNS}
+    columns = {name: finite_column(getattr(verdict, name)) for name in EDGE_COLUMNS}
     return {
-        "accepted": verdict.accepted,
-        "tolerance": verdict.tolerance,
-        "deviation": float(verdict.deviation.max(initial=0.0)),
-        "overcut": float(verdict.overcut.max(initial=0.0)),
-        "uncut": float(verdict.uncut.sum()),
-        "setback": float(verdict.setback.sum()),
-        "unreached": float(verdict.areas.area.sum()),
+        **verdict_summary(verdict),
         "areas": unreached(verdict.areas),
-        "seconds": verdict.seconds,
-        "findings": [
-            {
-                "kind": finding.kind,
-                "text": finding.text,
-                "measure": finding.measure,
-                "edge": finding.edge,
-                "handle": handles[finding.edge] if finding.edge >= 0 else "",
-                "line": finding.line,
-            }
-            for finding in verdict.findings
-        ],
+        "findings": findings_of(verdict, handles),
         "edges": [
             {"handle": handle, **{name: float(column[row]) for name, column in columns.items()}}
             for row, handle in enumerate(handles)

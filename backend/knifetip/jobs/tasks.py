@@ -37,25 +37,16 @@ from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.machine import Machine
 from knifetip.model.stage import Progress, Stage
 from knifetip.model.tool import kind_of
+from knifetip.presentation.verdict import (
+    EDGE_COLUMNS,
+    findings_of,
+    finite,
+    finite_column,
+    verdict_summary,
+)
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
-
-#: Columns of a verdict with a row to every edge.
-EDGE_COLUMNS = (
-    "deviation",
-    "overcut",
-    "uncut",
-    "setback",
-    "width",
-    "web",
-    "flank",
-    "unreached",
-    "bottom_uncut",
-    "top_overcut",
-    "tidied",
-)
-_FAR = 1e9  # stands for a measure that is infinite or not a number, which JSON cannot say
 
 
 @dataclass(frozen=True, slots=True)
@@ -250,27 +241,11 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
         Of the drawing's edges.
     """
     verdict = made.verdict
-    findings = [
-        {
-            "kind": finding.kind,
-            "text": said(finding.text),
-            "measure": _finite(finding.measure),
-            "edge": finding.edge,
-            "handle": handles[finding.edge] if 0 <= finding.edge < len(handles) else "",
-            "line": finding.line,
-        }
-        for finding in verdict.findings
-    ]
-    judged = {
-        "accepted": bool(verdict.accepted),
-        "tolerance": verdict.tolerance,
-        "deviation": _greatest(verdict.deviation),
-        "overcut": _greatest(verdict.overcut),
-        "uncut": _greatest(verdict.uncut),
-        "unreached": float(verdict.areas.area.sum()),
-        "unreached_places": len(verdict.areas),
-        "seconds": _finite(made.seconds),
-        "seconds_retracted": _finite(made.seconds_retracted),
+    findings = findings_of(verdict, handles)
+    summary = {
+        **verdict_summary(verdict),
+        "seconds": finite(made.seconds),
+        "seconds_retracted": finite(made.seconds_retracted),
     }
     text = made.program.text
     reason = ""
@@ -287,18 +262,18 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
         toolpath=_toolpath(made, table),
         verdict=packed(
             {
-                **{name: _clipped(getattr(verdict, name)) for name in EDGE_COLUMNS},
+                **{name: finite_column(getattr(verdict, name)) for name in EDGE_COLUMNS},
                 "sample_edge": verdict.samples.edge,
                 "sample_place": verdict.samples.place,
-                "sample_deviation": _clipped(verdict.samples.deviation),
+                "sample_deviation": finite_column(verdict.samples.deviation),
                 "area_ends": verdict.areas.ends,
                 "area_bulge": verdict.areas.bulge,
                 "area_first": verdict.areas.first,
                 "area_size": verdict.areas.area,
             },
-            {"findings": findings, **judged},
+            {"findings": findings, **summary},
         ),
-        judged=judged,
+        judged=summary,
         source=sorted({str(finding["handle"]) for finding in findings if finding["handle"]})[:200],
         tools=_tools(made, table),
     )
@@ -353,16 +328,3 @@ def _toolpath(made: Compiled, machine: Machine) -> bytes:
             ],
         },
     )
-
-
-def _finite(measure: float) -> float:
-    return float(np.nan_to_num(measure, nan=_FAR, posinf=_FAR, neginf=-_FAR))
-
-
-def _clipped(measures: F64) -> F64:
-    clipped: F64 = np.nan_to_num(measures, nan=_FAR, posinf=_FAR, neginf=-_FAR)
-    return clipped
-
-
-def _greatest(measures: F64) -> float:
-    return _finite(float(measures.max())) if len(measures) else 0.0

@@ -2339,8 +2339,23 @@ export interface components {
             deviation: number;
             /** Overcut */
             overcut: number;
-            /** Uncut */
+            /**
+             * Uncut
+             * @description Greatest length of one edge that is not cut (mm)
+             */
             uncut: number;
+            /**
+             * Uncut Total
+             * @description Sum over all edges (mm)
+             * @default 0
+             */
+            uncut_total: number;
+            /**
+             * Setback Total
+             * @description Sum over all edges (mm)
+             * @default 0
+             */
+            setback_total: number;
             /**
              * Unreached
              * @description mm² that no cutter gets to
@@ -2419,8 +2434,23 @@ export interface components {
             deviation: number;
             /** Overcut */
             overcut: number;
-            /** Uncut */
+            /**
+             * Uncut
+             * @description Greatest length of one edge that is not cut (mm)
+             */
             uncut: number;
+            /**
+             * Uncut Total
+             * @description Sum over all edges (mm)
+             * @default 0
+             */
+            uncut_total: number;
+            /**
+             * Setback Total
+             * @description Sum over all edges (mm)
+             * @default 0
+             */
+            setback_total: number;
             /**
              * Unreached
              * @description mm² that no cutter gets to

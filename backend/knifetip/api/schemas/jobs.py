@@ -94,7 +94,9 @@ class VerdictSummary(BaseModel):
     tolerance: float
     deviation: float
     overcut: float
-    uncut: float
+    uncut: float = Field(description="Greatest length of one edge that is not cut (mm)")
+    uncut_total: float = Field(default=0.0, description="Sum over all edges (mm)")
+    setback_total: float = Field(default=0.0, description="Sum over all edges (mm)")
     unreached: float = Field(default=0.0, description="mm² that no cutter gets to")
     unreached_places: int = Field(default=0, description="In so many places")
     seconds: float
