@@ -4,7 +4,8 @@
     ├── ReadError                 the bytes are not a drawing that can be used
     │   ├── NotADrawing           not a DXF at all, empty, or damaged past repair
     │   ├── DrawingTooLarge       a limit on size, depth, entities or time was met
-    │   └── UnitUnknown           the file does not say its unit and nobody else did
+    │   ├── UnitUnknown           the file does not say its unit and nobody else did
+    │   └── NoSuchUnit            no unit of length has the name that was given
     ├── ProfileError              a classification profile cannot be read
     ├── LibraryError              no such machine, board, tool or profile, or its file is wrong
     ├── GeometryError             a shape that has no answer
@@ -121,6 +122,10 @@ class DrawingTooLarge(ReadError):
 
 class UnitUnknown(ReadError):
     """The file does not say its unit, and nobody else did."""
+
+
+class NoSuchUnit(ReadError):
+    """No unit of length has the name that was given."""
 
 
 class ProfileError(KnifetipError):

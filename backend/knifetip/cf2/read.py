@@ -55,7 +55,7 @@ def read(
         Not a CF2, cut short or damaged.
     DrawingTooLarge
         A limit is exceeded.
-    UnitUnknown
+    NoSuchUnit
         ``unit`` is no unit.
     """
     given = factor(unit) if unit else 0.0

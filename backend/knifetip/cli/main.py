@@ -54,6 +54,10 @@ COMMANDS: Final[dict[str, _Command]] = {
     "simulator": _Command(
         "service", "Be a table: listen where a controller would, and move as it would."
     ),
+    "schema": _Command(
+        "schema",
+        "Print the JSON Schema of machine, board or profile files, for editors.",
+    ),
     "profile": _Command("profile", "Classification profiles: list, show, export, import."),
 }
 

@@ -67,7 +67,7 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
         Empty, not a DXF, cut short, or damaged past repair.
     DrawingTooLarge
         A limit is exceeded.
-    UnitUnknown
+    NoSuchUnit
         ``unit`` is no unit.
     """
     given = factor(unit) if unit else 0.0

@@ -20,14 +20,9 @@ from knifetip.library import load
 from knifetip.model.profile import LineRules
 
 LONGEST = 256 << 10  #: bytes of a profile's text
-MOST_RULES = 500
-MOST_PATTERNS = 500  #: of one condition
-LONGEST_PATTERN = 255  #: what a layer's name may have
-LONGEST_TITLE = 200
 
 #: No dots: a name that ends in .toml is a file's, on the command line and in an address.
 _NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}")
-_PLACE = re.compile(r"rule (\d+)\b:?\s*(?:has no )?(type|layer|colour|linetype|entity|block)?")
 
 
 def checked_name(name: str) -> str:
@@ -60,7 +55,7 @@ def parsed(name: str, text: str) -> LineRules:
 @lru_cache(maxsize=64)
 def _parsed(name: str, text: str) -> LineRules:
     try:
-        return _made(name, tomllib.loads(text))
+        return load.parse_profile(name, tomllib.loads(text))
     except tomllib.TOMLDecodeError as reason:
         raise ProfileError("profile.not-toml", name=name, reason=reason) from reason
     except RecursionError as reason:
@@ -81,7 +76,7 @@ def written(name: str, fields: Mapping[str, Any]) -> str:
     ProfileError
         It is no profile; ``source`` names the rule and its field.
     """
-    return load.profile_toml(_made(name, fields), fields.get("extends"))
+    return load.profile_toml(load.parse_profile(name, fields), fields.get("extends"))
 
 
 def text_of(name: str) -> str:
@@ -99,43 +94,3 @@ def inherited(fields: Mapping[str, Any], rules: LineRules) -> list[bool]:
     mine = len(fields["rule"])
     theirs = [True] * (len(rules.rules) - mine)
     return [False] * mine + theirs if fields.get("overrules") else theirs + [False] * mine
-
-
-def _made(name: str, fields: Mapping[str, Any]) -> LineRules:
-    try:
-        _within_limits(fields)
-        return load.parse_profile(name, fields)
-    except (KeyError, TypeError, ValueError, AttributeError) as reason:
-        detail = f"{reason.args[0]!r} is missing" if isinstance(reason, KeyError) else str(reason)
-        raise ProfileError(
-            "profile.unusable", name=name, detail=detail[:400], source=_places(detail)
-        ) from reason
-
-
-def _places(detail: str) -> tuple[str, ...]:
-    """Return the rule, and the field of it, that an error names."""
-    found = _PLACE.match(detail)
-    if found is None:
-        return ()
-    return (f"rule {found[1]}", *([found[2]] if found[2] else []))
-
-
-def _within_limits(fields: Mapping[str, Any]) -> None:
-    title, rules = fields["title"], fields["rule"]
-    if not isinstance(title, str) or not 0 < len(title.strip()) <= LONGEST_TITLE:
-        raise ValueError(f"its title must be text of 1 … {LONGEST_TITLE} signs")
-    if not isinstance(rules, list) or not all(isinstance(rule, Mapping) for rule in rules):
-        raise ValueError("its rules must be tables that begin with [[rule]]")
-    if len(rules) > MOST_RULES:
-        raise ValueError(f"it has {len(rules)} rules, and may have {MOST_RULES}")
-    for number, rule in enumerate(rules, 1):
-        for field, value in rule.items():
-            values = value if isinstance(value, list) else [value]
-            if len(values) > MOST_PATTERNS:
-                raise ValueError(
-                    f"rule {number}: {field} has {len(values)} values, and may have {MOST_PATTERNS}"
-                )
-            if any(isinstance(one, str) and len(one) > LONGEST_PATTERN for one in values):
-                raise ValueError(
-                    f"rule {number}: {field} has a value of more than {LONGEST_PATTERN} signs"
-                )

@@ -229,6 +229,10 @@ TEXTS: Final[Mapping[str, str]] = {
     "error.at-edge": '{error} Place: handle {handle}, layer "{layer}".',
     "error.at-edges": "At edge {edges: and edge }: {error}",
     "error.in-file": "{name}: {error}",
+    "field.invalid": "{path} {fault}",
+    "field.missing": "{path} is missing",
+    "field.misspelt": "{path} is not a field; did you mean {near}?",
+    "field.unknown": "{path} is not a field",
     "groove.along-edge": "The V-groove at edge {edge} meets the board's edge at {angle:.1f}°, "
     "almost along it, so its flanks would not leave the board.",
     "groove.curved": "{count:# V-groove edge is an arc|# V-groove edges are arcs}, the first of "
@@ -284,6 +288,7 @@ TEXTS: Final[Mapping[str, str]] = {
     "language.unknown": "There is no controller language {name!r}.",
     "language.unusable": "{machine} cannot be driven with {language}: {reason}.",
     "layer.not-finite": "Layer {layer} has a coordinate that is not a number.",
+    "library.invalid": "The {shelf} {name!r} cannot be used: {faults:; }.",
     "library.unknown": "There is no {shelf} {name!r}.",
     "library.unknown-file": "There is no {shelf} {name!r}: {reason}.",
     "library.unreadable": "The {shelf} {name!r} cannot be read: {detail}.",
@@ -346,7 +351,6 @@ TEXTS: Final[Mapping[str, str]] = {
     "version {given}: another user changed it in between.",
     "profile.too-long": "The profile {name!r} is {size} kB long; the limit is {limit} kB.",
     "profile.too-many": "There are {limit} profiles already.",
-    "profile.unusable": "The profile {name!r} cannot be used: {detail}.",
     "program.bad-tolerance": "A tolerance of {tolerance} mm leaves nothing for the controller's "
     "path blending.",
     "program.control-byte": "Line {line} has the byte 0x{byte}, which the controller would "
@@ -649,6 +653,7 @@ HINTS: Final[Mapping[str, str]] = {
     "language.unknown": "Available: {known:, }.",
     "language.unusable": "Its own language is {own}.",
     "layer.not-finite": "Give finite lengths.",
+    "library.invalid": "Correct it; knifetip schema {shelf} describes all fields.",
     "library.unknown": "Available: {known:, }.",
     "library.unknown-file": "Available: {known:, }.",
     "library.unreadable": "Fix the TOML file.",
@@ -703,7 +708,6 @@ HINTS: Final[Mapping[str, str]] = {
     "profile.stale": 'Check it again, then send your change with If-Match: "{version}".',
     "profile.too-long": "One rule can take many layers, and * matches any letters.",
     "profile.too-many": "Delete one that is not used.",
-    "profile.unusable": "Fix it and send it again.",
     "program.bad-tolerance": "Give 0.001 mm or more.",
     "program.control-byte": "Compile the job again; a program contains none of ? ! ~ and no "
     "control bytes.",

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from knifetip.errors import UnitUnknown
+from knifetip.errors import NoSuchUnit
 
 #: Millimetres to one unit: the five that headers state, then points and pixels, which programs
 #: that draw pages write without saying so.
@@ -38,15 +38,15 @@ def factor(unit: str) -> float:
 
     Raises
     ------
-    UnitUnknown
-        There is no such unit.
+    NoSuchUnit
+        No unit has this name.
     """
     if unit == "":
         return 1.0
     try:
         return MILLIMETRES[unit]
     except KeyError:
-        raise UnitUnknown("unit.unsupported", unit=unit, known=MILLIMETRES) from None
+        raise NoSuchUnit("unit.unsupported", unit=unit, known=MILLIMETRES) from None
 
 
 @dataclass(frozen=True, slots=True)

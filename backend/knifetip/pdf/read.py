@@ -52,7 +52,7 @@ def read(
         Not a PDF, encrypted, without a page, cut short or damaged.
     DrawingTooLarge
         A limit is exceeded.
-    UnitUnknown
+    NoSuchUnit
         ``unit`` is no unit.
     """
     given = factor(unit) if unit else MILLIMETRES["pt"]

@@ -107,7 +107,7 @@ def _beams(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
     pierce = np.zeros(256)
     for station in machine.stations:
         beams[station.number] = station.beams
-        pierce[station.number] = station.tool.pierce
+        pierce[station.number] = station.tool.pierce_time
     on = beams[toolpath.tool] & (toolpath.motion != Motion.RAPID)
     before = np.concatenate([[False], on[:-1]])
     return on != before, np.where(on & ~before, pierce[toolpath.tool], 0.0)

@@ -50,7 +50,7 @@ def read(
         Not an SVG, cut short or damaged.
     DrawingTooLarge
         A limit is exceeded.
-    UnitUnknown
+    NoSuchUnit
         ``unit`` is no unit.
     """
     given = factor(unit) if unit else 0.0

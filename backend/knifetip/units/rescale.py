@@ -25,7 +25,7 @@ def rescaled(drawing: Drawing, unit: str) -> Drawing:
 
     Raises
     ------
-    UnitUnknown
+    NoSuchUnit
         There is no such unit.
     """
     old, new = factor(drawing.unit), factor(unit)

@@ -138,7 +138,7 @@ def _laser(tool: Laser) -> Expected:
         at_rest="the laser cuts while it is off.",
         disc=Disc(radius, 0.0, tool.lead or _SET_UP * radius),
         beam=Beam(tool.focus, tool.pierce),
-        outputs=(int(tool.air),) if tool.air >= 0 else (),
+        outputs=(tool.air,) if tool.air >= 0 else (),
     )
 
 

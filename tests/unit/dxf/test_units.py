@@ -7,7 +7,7 @@ from numpy.testing import assert_array_equal
 
 from knifetip.dxf.read import read
 from knifetip.dxf.units import hints, stated
-from knifetip.errors import UnitUnknown
+from knifetip.errors import NoSuchUnit
 from tests.support.writers.dxf_text import dxf, line
 
 
@@ -54,7 +54,7 @@ def test_unit_of_the_caller_stands_above_the_header_which_is_kept() -> None:
 
 
 def test_unknown_unit_is_refused_with_the_known_ones() -> None:
-    with pytest.raises(UnitUnknown, match="mm, cm, m, in, ft, pt, px"):
+    with pytest.raises(NoSuchUnit, match="mm, cm, m, in, ft, pt, px"):
         read(dxf(line(0, 0, 2, 0)), "furlong")
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from knifetip.errors import LibraryError
 from knifetip.library import load
 
 FIELDS: dict[str, Any] = {
@@ -44,14 +45,14 @@ def test_what_it_asks_for_is_read() -> None:
 @pytest.mark.parametrize("key", MORE)
 @pytest.mark.parametrize("value", [-1.0, float("nan"), "wide"])
 def test_what_is_no_measure_is_refused(key: str, value: float | str) -> None:
-    with pytest.raises(ValueError, match=key):
+    with pytest.raises(LibraryError, match=key):
         load.parse_board("a", FIELDS | {key: value})
 
 
 def test_passes_and_bridges_beyond_all_sense_are_refused() -> None:
-    with pytest.raises(ValueError, match="more than 50 passes"):
+    with pytest.raises(LibraryError, match="more than 50 passes"):
         load.parse_board("a", FIELDS | {"groove_pass": 0.001})
-    with pytest.raises(ValueError, match="must be 10 or more"):
+    with pytest.raises(LibraryError, match="must be 10 or more"):
         load.parse_board("a", FIELDS | {"bridge_spacing": 0.5})
 
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
 from knifetip.dxf.read import read
-from knifetip.errors import UnitUnknown
+from knifetip.errors import NoSuchUnit
 from knifetip.model.unit import MILLIMETRES
 from knifetip.units.rescale import rescaled
 from tests.support.writers.dxf_text import dxf, entity, line
@@ -17,7 +17,7 @@ BOX = (line(0, 0, 250, 0), line(250, 0, 250, 180))
 
 
 def test_unknown_unit_is_refused() -> None:
-    with pytest.raises(UnitUnknown):
+    with pytest.raises(NoSuchUnit):
         rescaled(read(dxf(*BOX)), "furlong")
 
 

@@ -6,9 +6,15 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum, StrEnum
-from typing import TYPE_CHECKING, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, TypeAlias
+
+from annotated_types import Ge, Gt
 
 from knifetip.messages import Message
+
+#: Limits of dimensions, which the library checks where it reads them.
+Positive: TypeAlias = Annotated[float, Gt(0)]
+NotNegative: TypeAlias = Annotated[float, Ge(0)]
 
 
 class Reversal(IntEnum):
@@ -93,6 +99,11 @@ class Tool(ABC):
         return 0
 
     @property
+    def fault(self) -> str:
+        """Why its dimensions do not fit together, or ""."""
+        return ""
+
+    @property
     def spindle_missing(self) -> Message | None:
         """Why it cannot work: it needs a spindle word and its dimensions give none; or None."""
         return None
@@ -103,7 +114,7 @@ class Tool(ABC):
         return ()
 
     @property
-    def pierce(self) -> float:
+    def pierce_time(self) -> float:
         """Seconds that it stays where a cut begins before it moves on."""
         return 0.0
 

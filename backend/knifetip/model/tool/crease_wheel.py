@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from knifetip.geometry.tolerance import POINT
-from knifetip.model.tool.base import Footprint, Reversal, TipCircle, Tool
+from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, Tool
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,10 +17,10 @@ class CreaseWheel(Tool):
 
     period: ClassVar[float] = 180.0
 
-    radius: float  #: R (mm)
-    width: float  #: of its rim (mm)
-    feed: float
-    plunge: float
+    radius: Positive  #: R (mm)
+    width: Positive  #: of its rim (mm)
+    feed: Positive
+    plunge: Positive
 
     def contact(self, depth: float) -> float:
         """Return s, half the length over which it touches the board at a depth (mm).

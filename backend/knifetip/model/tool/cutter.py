@@ -9,6 +9,7 @@ import numpy as np
 
 from knifetip.geometry.columns import F64
 from knifetip.messages import Message
+from knifetip.model.tool.base import NotNegative, Positive
 from knifetip.model.tool.disc import DiscTool
 
 #: More passes than this are a mistake in the tool's ``step``.
@@ -21,15 +22,15 @@ class Cutter(DiscTool):
 
     yields: ClassVar[bool] = True
 
-    radius: float  #: r (mm)
-    feed: float
-    plunge: float
-    speed: float = 0.0  #: of the spindle (rpm)
-    spin_up: float = 0.0  #: seconds from the spindle's start to its full speed
-    lead: float = 0.0  #: straight way on which the offset is set up (mm); 0 for 1.5 r
+    radius: Positive  #: r (mm)
+    feed: Positive
+    plunge: Positive
+    speed: NotNegative = 0.0  #: of the spindle (rpm)
+    spin_up: NotNegative = 0.0  #: seconds from the spindle's start to its full speed
+    lead: NotNegative = 0.0  #: straight way on which the offset is set up (mm); 0 for 1.5 r
     approach: float = 90.0  #: of that way to the contour (degrees): 0 in line, −90 round outside
-    step: float = 0.0  #: deepest cut in one pass (mm); 0 for all at once
-    dwell: float = 0.0  #: longest touch of one corner before it burns (s); 0 for no limit
+    step: NotNegative = 0.0  #: deepest cut in one pass (mm); 0 for all at once
+    dwell: NotNegative = 0.0  #: longest touch of one corner before it burns (s); 0 for no limit
 
     @property
     def spindle(self) -> int:

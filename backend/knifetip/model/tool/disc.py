@@ -39,6 +39,13 @@ class DiscTool(Tool):
         """Length of the straight way on which the offset is set up (mm), longer than r."""
         return self.lead or 1.5 * self.radius
 
+    @property
+    def fault(self) -> str:
+        """A lead no longer than r has no room for the disc."""
+        if 0.0 < self.lead <= self.radius:
+            return f"has a lead of {self.lead}, which must be more than the radius, or 0"
+        return ""
+
     def passes(self, through: float) -> F64:
         """Return the depth of the tip on each pass (mm), where ``through`` cuts the board."""
         return np.array([through])

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
-from knifetip.model.tool.base import Footprint, Reversal, TipCircle, Tool
+from annotated_types import Ge, Lt
+
+from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, Tool
 
 
 @dataclass(frozen=True, slots=True)
 class Knife(Tool):
     """A tangential knife, still or oscillating; with ``trail`` a drag knife."""
 
-    blade_angle: float  #: slant of the leading edge from the vertical (degrees)
+    #: slant of the leading edge from the vertical (degrees)
+    blade_angle: Annotated[float, Ge(0), Lt(80)]
     blade_width: float  #: of the blade along the cut: a wrong heading widens the cut by it (mm)
     swivel: float  #: a corner sharper than this is turned in the air (degrees)
-    feed: float
-    plunge: float
+    feed: Positive
+    plunge: Positive
     oscillating: bool = False
     trail: float = 0.0  #: e, tip behind the head's axis (mm): 0 for a tangential knife
     lead_in: float = 0.0  #: arc by which it comes to an outer contour from the waste (mm)

@@ -8,7 +8,7 @@ import numpy as np
 
 from knifetip.geometry.columns import F64
 from knifetip.messages import Message
-from knifetip.model.tool.base import Footprint
+from knifetip.model.tool.base import Footprint, NotNegative, Positive
 from knifetip.model.tool.disc import DiscTool
 
 
@@ -16,14 +16,14 @@ from knifetip.model.tool.disc import DiscTool
 class Laser(DiscTool):
     """A laser that cuts through the board in one pass, its focus at one height."""
 
-    kerf: float  #: width of the cut (mm); half of it is the radius r
-    feed: float
-    power: float  #: S word of full power for this material, in the controller's units ($30)
-    pierce: float  #: seconds that the beam stays where a cut begins until it is through
+    kerf: Positive  #: width of the cut (mm); half of it is the radius r
+    feed: Positive
+    power: Positive  #: S word of full power for this material, in the controller's units ($30)
+    pierce: NotNegative  #: seconds that the beam stays where a cut begins until it is through
     focus: float = 0.0  #: height of the focus above the board's top face (mm)
-    lead: float = 0.0  #: straight way from the pierced hole to the contour (mm); 0 for 1.5 r
+    lead: NotNegative = 0.0  #: straight way from the pierced hole to the contour (mm); 0 for 1.5 r
     approach: float = 90.0  #: of that way to the contour (degrees): 0 in line, −90 round outside
-    dwell: float = 0.0  #: longest touch of one corner before it burns (s); 0 for no limit
+    dwell: NotNegative = 0.0  #: longest touch of one corner before it burns (s); 0 for no limit
     air: int = -1  #: digital output of the air assist; -1 where it has none
 
     @property
@@ -47,9 +47,14 @@ class Laser(DiscTool):
         return None if self.spindle >= 1 else Message("tool.without-power")
 
     @property
+    def pierce_time(self) -> float:
+        """Seconds that the beam stays where a cut begins."""
+        return self.pierce
+
+    @property
     def outputs(self) -> tuple[int, ...]:
         """The air assist."""
-        return () if self.air < 0 else (int(self.air),)
+        return () if self.air < 0 else (self.air,)
 
     @property
     def footprint(self) -> Footprint:

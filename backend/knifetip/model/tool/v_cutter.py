@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
-from knifetip.model.tool.base import Footprint, Reversal, TipCircle, Tool
+from annotated_types import Gt, Lt
+
+from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, Tool
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,11 +19,11 @@ class VCutter(Tool):
     ahead; the other end of the blade's edge is 2 ``half_width`` ahead of the tip.
     """
 
-    back: float  #: d, tip to head axis, square to the edge (mm)
+    back: Positive  #: d, tip to head axis, square to the edge (mm)
     half_width: float  #: r, tip to head axis, along the edge (mm)
-    tilt: float  #: θ, of the blade from the vertical (degrees)
-    feed: float = 12000.0
-    plunge: float = 3000.0
+    tilt: Annotated[float, Gt(0), Lt(90)]  #: θ, of the blade from the vertical (degrees)
+    feed: Positive = 12000.0
+    plunge: Positive = 3000.0
 
     @property
     def length(self) -> float:

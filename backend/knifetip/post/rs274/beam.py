@@ -38,8 +38,8 @@ def switched_beam(
     first, last = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
     ends = np.concatenate([[0], np.flatnonzero(np.frombuffer(text, np.uint8) == ord("\n")) + 1])
     on, off = [f"M3 S{tool.spindle}"], ["M5"]
-    if tool.pierce > 0.0:
-        on.append(gcode.dwell(tool.pierce))
+    if tool.pierce_time > 0.0:
+        on.append(gcode.dwell(tool.pierce_time))
     parts, at = [], 0
     for begin, end in zip(first.tolist(), last.tolist(), strict=True):
         row = int(source[begin])

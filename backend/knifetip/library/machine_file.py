@@ -1,0 +1,150 @@
+"""machine_file: a machine's TOML, and the tools in it.
+
+The tables of tools are made of the records of ``knifetip.model.tool``, so that a new kind of tool
+needs nothing here.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from functools import reduce
+from operator import or_
+from typing import Annotated, Any, Final, Literal, get_type_hints
+
+from pydantic import Field, ValidationInfo, create_model, field_validator, model_validator
+
+from knifetip.errors import LibraryError
+from knifetip.languages.registry import find_language, names
+from knifetip.library.files import Table
+from knifetip.model.machine import Axis, Machine, Station
+from knifetip.model.tool import KINDS, Kind, Tool
+from knifetip.model.tool.base import NotNegative, Positive
+
+
+class AxisTable(Table):
+    """One axis: its travel and how fast it can go (mm or degrees, and seconds)."""
+
+    low: float = Field(description="least joint position")
+    high: float = Field(description="greatest joint position")
+    velocity: Positive = Field(description="per second")
+    acceleration: Positive = Field(description="per second squared")
+
+    @field_validator("high")
+    @classmethod
+    def _above_low(cls, value: float, info: ValidationInfo) -> float:
+        low = info.data.get("low")
+        if low is not None and value <= low:
+            raise ValueError(f"is {value}, and must be more than low, {low}")
+        return value
+
+
+class Axes(Table):
+    """The four axes."""
+
+    x: AxisTable
+    y: AxisTable
+    z: AxisTable
+    c: AxisTable = Field(description="heading of the tool head (degrees)")
+
+
+class Datum(Table):
+    """Where a station stands: joint position = programmed position + datum."""
+
+    x: float = Field(description="mm")
+    y: float = Field(description="mm")
+    z: float = Field(description="mm")
+    c: float = Field(description="mounting angle (degrees)")
+
+
+class ToolTable(Table):
+    """A tool: its kind and its dimensions."""
+
+    @model_validator(mode="after")
+    def _consistent(self) -> ToolTable:
+        if fault := self.record().fault:
+            raise ValueError(fault)
+        return self
+
+    def record(self) -> Tool:
+        """Return the tool."""
+        fields = self.model_dump()
+        return _CLASSES[fields.pop("kind")](**fields)
+
+
+def _tool_table(kind: Kind) -> type[ToolTable]:
+    """Return the model of one kind of tool, from the fields of its record."""
+    hints = get_type_hints(kind.tool, include_extras=True)
+    fields: dict[str, Any] = {"kind": (Literal[kind.name], ...)}
+    for one in dataclasses.fields(kind.tool):  # type: ignore[arg-type]  # all tools are dataclasses
+        required = one.default is dataclasses.MISSING
+        fields[one.name] = (hints[one.name], ... if required else one.default)
+    return create_model(
+        f"{kind.tool.__name__}Table", __base__=ToolTable, __doc__=kind.tool.__doc__, **fields
+    )
+
+
+_CLASSES: Final = {kind.name: kind.tool for kind in KINDS}
+_AnyTool: Any = reduce(or_, map(_tool_table, KINDS))
+
+
+class StationTable(Table):
+    """A place on the beam that holds one tool."""
+
+    number: int = Field(gt=0, lt=256, description="the T word")
+    name: str
+    datum: Datum
+    output: int = Field(-1, description="digital output that lowers it; -1 where it has none")
+    tool: Annotated[_AnyTool, Field(discriminator="kind")]
+
+    def record(self) -> Station:
+        """Return the station."""
+        datum = self.datum.model_dump()
+        return Station(self.number, self.name, self.tool.record(), **datum, output=self.output)
+
+
+class MachineFile(Table):
+    """A flatbed sample-maker.  Z0 is the top of the cutting mat, up is positive."""
+
+    title: str
+    width: Positive = Field(description="of the table, along X (mm)")
+    height: Positive = Field(description="of the table, along Y (mm)")
+    dialect: str = Field(description="the language of its controller")
+    origin: list[float] = Field(
+        min_length=2, max_length=2, description="where a drawing's lower left corner lies (mm)"
+    )
+    travel_z: Positive = Field(description="height of the tip for rapids, above the mat (mm)")
+    clearance: Positive = Field(description="height above the board where plunging begins (mm)")
+    into_mat: NotNegative = Field(description="how deep a through cut goes into the mat (mm)")
+    settle: NotNegative = Field(description="seconds to wait after a piston is switched")
+    feed: Literal["manual", "automatic"] = Field(
+        "manual", description="how a sheet gets onto the table"
+    )
+    axes: Axes
+    station: list[StationTable]
+    controller: dict[str, Any] = Field({}, description="settings of the controller's language")
+
+    @field_validator("dialect")
+    @classmethod
+    def _known(cls, value: str) -> str:
+        try:
+            return find_language(value).name
+        except LibraryError:
+            raise ValueError(f"is {value[:80]!r}: it is one of {', '.join(names())}") from None
+
+    @field_validator("station")
+    @classmethod
+    def _numbered(cls, value: list[StationTable]) -> list[StationTable]:
+        numbers = [station.number for station in value]
+        if len(set(numbers)) != len(numbers):
+            raise ValueError(f"numbers {numbers} must differ")
+        return value
+
+    def record(self, name: str) -> Machine:
+        """Return the machine, without the settings of its controller."""
+        given = self.model_dump(exclude={"axes", "station", "origin", "controller"})
+        axes: dict[str, Any] = {
+            key: Axis(**limits) for key, limits in self.axes.model_dump().items()
+        }
+        stations = tuple(station.record() for station in self.station)
+        x, y = self.origin
+        return Machine(name=name, **given, **axes, stations=stations, origin=(x, y))

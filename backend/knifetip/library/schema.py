@@ -1,0 +1,44 @@
+"""schema: JSON Schema of the library's files, for editors that complete and check TOML.
+
+"machine" -> JSON Schema, draft 2020-12
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from typing import Any, Final
+
+from knifetip.library.board_file import BoardFile
+from knifetip.library.files import Table
+from knifetip.library.machine_file import MachineFile
+from knifetip.library.profile_file import ProfileFile
+from knifetip.model.tool import KINDS, Tool
+
+FILES: Final[dict[str, type[Table]]] = {
+    "machine": MachineFile,
+    "board": BoardFile,
+    "profile": ProfileFile,
+}
+
+#: A field with its comment, behind it or on the line before.
+_BEHIND: Final = re.compile(r"^    (\w+): [^#\n]*#: (.+)$", re.MULTILINE)
+_BEFORE: Final = re.compile(r"^    #: (.+)\n    (\w+): ", re.MULTILINE)
+
+
+def json_schema(file: str) -> dict[str, Any]:
+    """Return the JSON Schema of a file: "machine", "board" or "profile"."""
+    schema = FILES[file].model_json_schema()
+    for kind in KINDS:
+        table = schema.get("$defs", {}).get(f"{kind.tool.__name__}Table", {"properties": {}})
+        for name, text in _comments(kind.tool).items():
+            if name in table["properties"]:
+                table["properties"][name]["description"] = text
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema
+
+
+def _comments(tool: type[Tool]) -> dict[str, str]:
+    """Return the comments that describe the fields of a kind of tool."""
+    source = inspect.getsource(tool)
+    behind = dict(_BEHIND.findall(source))
+    return {name: text for text, name in _BEFORE.findall(source)} | behind

@@ -1,0 +1,39 @@
+"""The JSON Schema that editors are given."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from knifetip.cli.main import app
+from knifetip.library.schema import FILES, json_schema
+from knifetip.model.tool import KINDS
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_the_command_prints_the_schema_of_each_file(file: str) -> None:
+    shown = CliRunner().invoke(app, ["schema", file])
+    assert json.loads(shown.stdout) == json_schema(file)
+    assert json_schema(file)["additionalProperties"] is False
+
+
+def test_every_dimension_of_a_tool_has_its_limits_and_its_comment() -> None:
+    tables = json_schema("machine")["$defs"]
+    for kind in KINDS:
+        fields = tables[f"{kind.tool.__name__}Table"]["properties"]
+        assert fields.pop("kind")["const"] == kind.name
+        assert list(fields) == list(kind.tool.__slots__)
+    laser = tables["LaserTable"]
+    assert laser["properties"]["kerf"]["description"] == (
+        "width of the cut (mm); half of it is the radius r"
+    )
+    assert laser["properties"]["kerf"]["exclusiveMinimum"] == 0
+    assert laser["required"] == ["kind", "kerf", "feed", "power", "pierce"]
+    assert tables["KnifeTable"]["properties"]["blade_angle"]["description"].startswith("slant")
+
+
+def test_a_rule_may_name_one_pattern_or_a_list() -> None:
+    layer = json_schema("profile")["$defs"]["RuleTable"]["properties"]["layer"]
+    assert [one["type"] for one in layer["anyOf"]] == ["string", "array"]
