@@ -22,6 +22,7 @@ from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import CURVE
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, extents
 from knifetip.model.unit import factor
 
@@ -99,9 +100,10 @@ def _read(found: Source, unit: str, given: float, limits: Limits) -> Drawing:
         elif counts:
             drawn = placed(found, np.diag(found.scale), tolerance, limits)
             columns = drawn.columns(reach)
+    source = Message("unit.in-file", statement=evidence)
     if unit:
-        evidence = "given"
-    known = KnownUnit(scale, chosen, evidence, stated)
+        source = Message("unit.given")
+    known = KnownUnit(scale, chosen, source, stated)
     return assemble(drawn.sheet, columns, drawn.styles, drawn.inscriptions, known)
 
 

@@ -93,7 +93,7 @@ def described(name: str, drawing: Drawing) -> dict[str, Any]:
         "name": name,
         "unit": drawing.unit or None,
         "stated": drawing.stated or None,
-        "evidence": drawing.evidence,
+        "evidence": str(drawing.evidence),
         "unit_evidence": [
             {"unit": one.unit, "text": one.text, "weight": one.weight} for one in found.evidence
         ],

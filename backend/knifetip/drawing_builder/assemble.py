@@ -22,6 +22,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import POINT
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger, LocationBoxes
 from knifetip.model.unit import Hint
 from knifetip.model.words import Repeated
@@ -32,7 +33,7 @@ class KnownUnit(NamedTuple):
 
     scale: float  #: millimetres to a file unit, 0 while it is unknown
     unit: str  #: empty while it is unknown
-    evidence: str
+    evidence: Message
     stated: str  #: the unit that the header states, empty if none
     hints: tuple[Hint, ...] = ()  #: other statements of the header about it
 

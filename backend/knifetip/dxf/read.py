@@ -34,6 +34,7 @@ from knifetip.dxf.units import hints, stated
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats import format_of
 from knifetip.formats.limits import Limits
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import factor
 
@@ -121,7 +122,7 @@ def _known(unit: str, given: float, variables: Mapping[str, str]) -> KnownUnit:
     """Return the unit that the caller gives, else the one that the file states."""
     written, evidence = stated(variables)
     if unit:
-        return KnownUnit(given, unit, "given", written, hints(variables))
+        return KnownUnit(given, unit, Message("unit.given"), written, hints(variables))
     scale = factor(written) if written else 0.0
     return KnownUnit(scale, written, evidence, written, hints(variables))
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
+from knifetip.messages import Message
 from knifetip.model.unit import Hint
 
 #: $INSUNITS of the units that are read.
@@ -46,22 +47,22 @@ _INCHES: Final = {"3": "feet and decimal inches", "4": "feet and fractions of in
 _SHOWN: Final = ((25.4, "25.4"), (1.0 / 25.4, "0.03937"), (10.0, "10"), (1000.0, "1000"))
 
 
-def stated(variables: Mapping[str, str]) -> tuple[str, str]:
+def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
     """Return the unit that header variables state, empty if they do not, and the evidence."""
     written = variables.get("$INSUNITS")
     if written is None:
-        return "", "the file has no $INSUNITS"
+        return "", Message("unit.header-missing")
     try:
         code = int(float(written))
     except (ValueError, OverflowError):
-        return "", f"$INSUNITS = {written[:20]!r} is no number"
+        return "", Message("unit.header-not-a-number", value=written[:20])
     if code in _CODES:
-        return _CODES[code], f"$INSUNITS = {code}"
+        return _CODES[code], Message("unit.header", value=code)
     if code == 0:
-        return "", "$INSUNITS = 0: the file says that it has no unit"
+        return "", Message("unit.header-unitless")
     if code in _OTHERS:
-        return "", f"$INSUNITS = {code}: {_OTHERS[code]}, which are not read"
-    return "", f"$INSUNITS = {code} has no meaning"
+        return "", Message("unit.header-unsupported", value=code, name=_OTHERS[code])
+    return "", Message("unit.header-undefined", value=code)
 
 
 def hints(variables: Mapping[str, str]) -> tuple[Hint, ...]:

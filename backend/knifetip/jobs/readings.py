@@ -16,7 +16,7 @@ import numpy as np
 from knifetip.geometry.columns import U8
 from knifetip.jobs.columns import packed, unpacked
 from knifetip.jobs.report import Report, said
-from knifetip.messages import from_json
+from knifetip.messages import Message, from_json
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate, Ledger
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
@@ -99,7 +99,7 @@ def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
         linetypes=tuple(meta["linetypes"]),
         ledger=ledger,
         unit=meta["unit"],
-        evidence="",
+        evidence=Message("unit.not-given"),
     )
     dieline = Dieline(
         columns["ends"],

@@ -103,7 +103,8 @@ def _summary(
     low_x, low_y, high_x, high_y = (float(side) for side in drawing.bounds)
     return {
         "unit": drawing.unit,
-        "evidence": said(drawing.evidence),
+        "evidence": said(str(drawing.evidence)),
+        "evidence_message": drawing.evidence.as_json(),
         "unit_finding": unit_of(drawing),
         "segments": len(drawing),
         "bounds": [low_x, low_y, high_x, high_y],

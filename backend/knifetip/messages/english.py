@@ -481,6 +481,17 @@ TEXTS: Final[Mapping[str, str]] = {
     "axis {axis} ({low:g} to {high:g}{unit}){place}.",
     "travel.below": "{tool} (station {station}) would go {excess:.2f}{unit} below the travel of "
     "axis {axis} ({low:g} to {high:g}{unit}){place}.",
+    "unit.given": "given",
+    "unit.header": "$INSUNITS = {value}",
+    "unit.header-missing": "the file has no $INSUNITS",
+    "unit.header-not-a-number": "$INSUNITS = {value!r} is not a number",
+    "unit.header-undefined": "$INSUNITS = {value} has no meaning",
+    "unit.header-unitless": "$INSUNITS = 0: the file states that it has no unit",
+    "unit.header-unsupported": "$INSUNITS = {value}: {name}, which are not supported",
+    "unit.in-file": "{statement}",
+    "unit.inconclusive": "{stated}; the drawing does not give enough evidence for {unit:unit}",
+    "unit.not-given": "the unit is not known",
+    "unit.overruled": "{stated}; the drawing supports {unit:unit}: {reason}",
     "unit.unsupported": "{unit!r} is not a supported unit of length.",
     "verify.bad-tolerance": "A tolerance of {tolerance} mm is not a length.",
     "worker.died": "The worker process ended unexpectedly (exit code {code}), as happens when "

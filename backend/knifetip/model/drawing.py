@@ -11,6 +11,7 @@ import numpy as np
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, U8, frozen
+from knifetip.messages import Message
 from knifetip.model.unit import Hint
 
 
@@ -109,7 +110,7 @@ class Drawing:
     linetypes: tuple[str, ...]
     ledger: Ledger
     unit: str  #: "mm", "cm", "m", "in", "ft"; empty while nobody has said it
-    evidence: str  #: how the unit is known: "$INSUNITS = 4", "given", or why it is not
+    evidence: Message  #: how the unit is known: "$INSUNITS = 4", "given", or why it is not
     stated: str = ""  #: the unit that the file's header states, whatever was decided
     inscriptions: tuple[Inscription, ...] = ()  #: those of the sheet itself, in file order
     hints: tuple[Hint, ...] = ()  #: what else the header says that has to do with the unit

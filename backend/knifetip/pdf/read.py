@@ -16,6 +16,7 @@ from knifetip.drawing_builder.assemble import KnownUnit, assemble
 from knifetip.drawing_builder.paths import columns
 from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, factor
 from knifetip.pdf.document import File, Page, bounded, first_page
@@ -89,7 +90,8 @@ def _read(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
     evidence = "a PDF counts in points of 1/72 in"
     if page.unit != 1.0:
         evidence = f"UserUnit = {page.unit:g} points of 1/72 in"
-    known = KnownUnit(given, unit or "pt", "given" if unit else evidence, "pt")
+    source = Message("unit.given") if unit else Message("unit.in-file", statement=evidence)
+    known = KnownUnit(given, unit or "pt", source, "pt")
     return assemble(drawn.sheet, found, styles, drawn.inscriptions, known)
 
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from knifetip.geometry.affine import Matrix
+from knifetip.messages import Message
 from knifetip.model.unit import MILLIMETRES, Hint
 from knifetip.svg.document import Node
 from knifetip.svg.lengths import length
@@ -40,7 +41,7 @@ class Page:
     matrix: Matrix  #: from the root's coordinates to file units, y upwards
     scale: float  #: millimetres to a file unit, 0 while it is unknown
     unit: str  #: empty while it is unknown
-    evidence: str
+    evidence: Message
     stated: str  #: the unit that the file states
     hints: tuple[Hint, ...] = ()  #: what else it says of the unit
 
@@ -62,12 +63,16 @@ def page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
     physical = next((side for side in (wide, high) if side and side[1] in _PHYSICAL), None)
     if physical is None:
         top = box[1] + box[3] if box else high[0] if high else 0.0
-        evidence = "given" if unit else _unknown(root, illustrator)
+        source = (
+            Message("unit.given")
+            if unit
+            else Message("unit.in-file", statement=_unknown(root, illustrator))
+        )
         hints = [Hint("pixels", "a size without a unit, as pages in pixels or points have it")]
         if illustrator:
             hints.append(Hint("points", "the name of Illustrator, which counts in points"))
         upright = (1.0, 0.0, 0.0, -1.0, 0.0, top)
-        return Page(upright, given, unit, evidence, "", tuple(hints))
+        return Page(upright, given, unit, source, "", tuple(hints))
     stated, _, millimetres = _PHYSICAL[physical[1]]
     across, down = (_in_unit(side, millimetres) for side in (wide, high))
     evidence = " and ".join(
@@ -83,7 +88,8 @@ def page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
     else:
         matrix = _flipped(fitted(box, across, down, root), box, across, down)
         evidence += f", viewBox {box[2]:g} × {box[3]:g}"
-    return Page(matrix, given or millimetres, unit or stated, "given" if unit else evidence, stated)
+    source = Message("unit.given") if unit else Message("unit.in-file", statement=evidence)
+    return Page(matrix, given or millimetres, unit or stated, source, stated)
 
 
 def view(node: Node) -> tuple[float, float, float, float] | None:

@@ -63,8 +63,7 @@ def _reason(drawing: Drawing, finding: UnitFinding) -> Message:
         return Message("question.unit-doubtful", stated=drawing.stated, other=finding.ranking[1])
     if drawing.stated:
         return Message("question.unit-contradicted", stated=drawing.stated)
-    if drawing.evidence.startswith("$INSUNITS = 0") or "no $INSUNITS" in drawing.evidence:
+    statement = drawing.evidence.arguments.get("stated", drawing.evidence)
+    if statement.code in ("unit.header-unitless", "unit.header-missing"):
         return Message("question.unit-not-stated")
-    return Message(
-        "question.unit-unreadable", evidence=from_json(drawing.evidence.partition("; ")[0])
-    )
+    return Message("question.unit-unreadable", evidence=statement)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, LocationBoxes
 from knifetip.model.unit import factor
 
@@ -42,5 +43,5 @@ def rescaled(drawing: Drawing, unit: str) -> Drawing:
         ledger=ledger,
         inscriptions=tuple(words.scaled(old, new) for words in drawing.inscriptions),
         unit=unit,
-        evidence="given" if unit else "nobody has said the unit",
+        evidence=Message("unit.given" if unit else "unit.not-given"),
     )

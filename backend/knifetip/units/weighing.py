@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
-from knifetip.model.unit import NAMES, UnitFinding
+from knifetip.model.unit import UnitFinding
 from knifetip.units.evidence import judge
 from knifetip.units.rescale import rescaled
 
@@ -31,16 +32,16 @@ def in_likeliest_unit(drawing: Drawing, read_in: Callable[[str], Drawing]) -> Dr
     found = judge(drawing)
     if found.unit == drawing.unit:
         return drawing
-    if drawing.unit and not drawing.evidence.startswith("$INSUNITS"):
+    if drawing.unit and drawing.evidence.code != "unit.header":
         # Only the unit of a DXF header may be wrong: it often comes from the template.
         return drawing
     better = read_in(found.unit) if found.unit else rescaled(drawing, "")
-    return replace(better, evidence=f"{drawing.evidence}; {_outcome(found, drawing.stated)}")
+    return replace(better, evidence=_outcome(found, drawing))
 
 
-def _outcome(found: UnitFinding, stated: str) -> str:
+def _outcome(found: UnitFinding, drawing: Drawing) -> Message:
     best = found.ranking[0]
-    if best == stated:
-        return f"what is drawn says too little for {NAMES[best]}"
+    if best == drawing.stated:
+        return Message("unit.inconclusive", stated=drawing.evidence, unit=best)
     reason = next(one.text for one in found.evidence if one.unit == best)
-    return f"what is drawn speaks for {NAMES[best]}: {reason}"
+    return Message("unit.overruled", stated=drawing.evidence, unit=best, reason=reason)

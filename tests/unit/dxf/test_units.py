@@ -18,7 +18,7 @@ from tests.support.writers.dxf_text import dxf, line
 def test_header_gives_the_unit(code: int, unit: str, millimetres: float) -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=code))
     assert (drawing.unit, drawing.stated) == (unit, unit)
-    assert drawing.evidence == f"$INSUNITS = {code}"
+    assert str(drawing.evidence) == f"$INSUNITS = {code}"
     assert_array_equal(drawing.ends[0], [[0, 0], [2 * millimetres, 0]])
     assert drawing.ledger.length[0] == 2 * millimetres
 
@@ -26,19 +26,19 @@ def test_header_gives_the_unit(code: int, unit: str, millimetres: float) -> None
 @pytest.mark.parametrize("version", ["AC1006", "AC1009", "AC1015", "AC1027"])
 def test_silent_header_gives_no_unit_whatever_the_version(version: str) -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=None, version=version))
-    assert (drawing.unit, drawing.evidence) == ("", "the file has no $INSUNITS")
+    assert (drawing.unit, str(drawing.evidence)) == ("", "the file has no $INSUNITS")
     assert_array_equal(drawing.ends[0], [[0, 0], [2, 0]])
 
 
 @pytest.mark.parametrize(
     ("written", "evidence"),
     [
-        ("0", "$INSUNITS = 0: the file says that it has no unit"),
-        ("9", "$INSUNITS = 9: mils, which are not read"),
+        ("0", "$INSUNITS = 0: the file states that it has no unit"),
+        ("9", "$INSUNITS = 9: mils, which are not supported"),
         ("77", "$INSUNITS = 77 has no meaning"),
         ("-1", "$INSUNITS = -1 has no meaning"),
-        ("MM", "$INSUNITS = 'MM' is no number"),
-        ("1E999", "$INSUNITS = '1E999' is no number"),
+        ("MM", "$INSUNITS = 'MM' is not a number"),
+        ("1E999", "$INSUNITS = '1E999' is not a number"),
     ],
 )
 def test_header_that_says_nothing_useful_gives_no_unit_and_the_reason(
@@ -49,7 +49,7 @@ def test_header_that_says_nothing_useful_gives_no_unit_and_the_reason(
 
 def test_unit_of_the_caller_stands_above_the_header_which_is_kept() -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=4), "in")
-    assert (drawing.unit, drawing.evidence, drawing.stated) == ("in", "given", "mm")
+    assert (drawing.unit, str(drawing.evidence), drawing.stated) == ("in", "given", "mm")
     assert_array_equal(drawing.ends[0], [[0, 0], [50.8, 0]])
 
 

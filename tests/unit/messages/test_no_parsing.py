@@ -35,8 +35,6 @@ APART = {
 LEFT = {
     "jobs/ledger.py": 1,  # words in paper space, by the reason of their ledger row
     "jobs/report.py": 1,  # themes of the reasons of entities, until those are messages
-    "units/question.py": 3,  # whether the header is silent, by the evidence of the unit
-    "units/weighing.py": 1,  # whether a DXF header states the unit, by the same
 }
 
 

@@ -14,6 +14,7 @@ from numpy.testing import assert_allclose
 from knifetip import pipeline
 from knifetip.geometry import arc
 from knifetip.library import load
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.pdf.read import read
@@ -73,7 +74,7 @@ def pick(drawing: Drawing, kept: np.ndarray) -> Drawing:
     columns = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
     given = {name: getattr(drawing, name)[kept] for name in columns}
     rest = {name: getattr(drawing, name) for name in ("layers", "linetypes", "ledger", "unit")}
-    return Drawing(**given, **rest, evidence="")
+    return Drawing(**given, **rest, evidence=Message("unit.not-given"))
 
 
 def test_its_ellipse_is_followed_within_a_hundredth() -> None:
@@ -109,19 +110,19 @@ def test_a_point_is_a_seventy_second_of_an_inch() -> None:
     drawing = read(pdf("0 0 m 72 36 l S"))
     assert_allclose(drawing.ends, [[[0, 0], [25.4, 12.7]]])
     assert (drawing.unit, drawing.stated) == ("pt", "pt")
-    assert drawing.evidence == "a PDF counts in points of 1/72 in"
+    assert str(drawing.evidence) == "a PDF counts in points of 1/72 in"
 
 
 def test_a_user_unit_makes_the_page_larger() -> None:
     drawing = read(pdf("0 0 m 72 36 l S", page="/UserUnit 10"))
     assert_allclose(drawing.ends, [[[0, 0], [254, 127]]])
-    assert drawing.evidence == "UserUnit = 10 points of 1/72 in"
+    assert str(drawing.evidence) == "UserUnit = 10 points of 1/72 in"
 
 
 def test_the_user_has_the_last_word_on_the_unit() -> None:
     drawing = read(pdf("0 0 m 72 36 l S"), "mm")
     assert_allclose(drawing.ends, [[[0, 0], [72, 36]]])
-    assert (drawing.unit, drawing.evidence, drawing.stated) == ("mm", "given", "pt")
+    assert (drawing.unit, str(drawing.evidence), drawing.stated) == ("mm", "given", "pt")
 
 
 @pytest.mark.parametrize(

@@ -54,7 +54,7 @@ def test_pixels_are_offered_where_they_are_likely() -> None:
 def test_question_for_a_unit_that_is_not_read_names_it() -> None:
     assert asked(dxf(*BOX, units=9)).text.startswith(
         "The file does not state a unit of length that is supported "
-        "($INSUNITS = 9: mils, which are not read)."
+        "($INSUNITS = 9: mils, which are not supported)."
     )
 
 

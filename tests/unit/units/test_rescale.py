@@ -29,7 +29,7 @@ def test_giving_a_unit_scales_ends_ledger_and_words() -> None:
     assert_allclose(inches.ledger.length[:2], [6350, 4572])
     assert inches.inscriptions[0].x == 127.0
     assert_allclose(inches.ledger.location_boxes.box, [[127.0, 152.4, 127.0, 152.4]])
-    assert (inches.unit, inches.evidence) == ("in", "given")
+    assert (inches.unit, str(inches.evidence)) == ("in", "given")
     assert_array_equal(inches.bulge, silent.bulge)
 
 

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.common import LineTypeWord, Name, QuestionOut, Strict
+from knifetip.api.schemas.messages import MessageOut
 from knifetip.library.own import LONGEST
 
 FateWord = Literal["kept", "merged", "dropped"]
@@ -163,6 +164,7 @@ class DrawingOut(BaseModel):
     unit: Unit | None
     unit_given: Unit | None = Field(description="By somebody; null for what the file says")
     evidence: str
+    evidence_message: MessageOut | None = Field(default=None, description="The same, with its code")
     unit_finding: UnitFindingOut | None = Field(default=None, description="As for report")
     profile: str
     profile_state: Literal["current", "changed", "deleted"] = Field(
