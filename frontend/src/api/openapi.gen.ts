@@ -1175,6 +1175,8 @@ export interface components {
             unit_given: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /** Evidence */
             evidence: string;
+            /** @description The same, with its code */
+            evidence_message?: components["schemas"]["MessageOut"] | null;
             /** @description As for report */
             unit_finding?: components["schemas"]["UnitFindingOut"] | null;
             /** Profile */
@@ -1869,6 +1871,30 @@ export interface components {
             dy: number;
         };
         /**
+         * MessageOut
+         * @description Something to report: its code and arguments, and both in English.
+         */
+        MessageOut: {
+            code: components["schemas"]["MessageCode"];
+            /**
+             * Arguments
+             * @description As the union Message has them for the code
+             */
+            arguments: {
+                [key: string]: unknown;
+            };
+            /**
+             * Text
+             * @description In English
+             */
+            text: string;
+            /**
+             * Hint
+             * @description What to do about it, in English; empty where nothing is to do
+             */
+            hint: string;
+        };
+        /**
          * Override
          * @description Give edges a line type, named by row, by handle, or by layer (and colour).
          *
@@ -2526,7 +2552,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "stored.text" | "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-confirmation" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.stale" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.invalid" | "field.missing" | "field.misspelt" | "field.unknown" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-feed" | "hpgl.depth-change" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-pen" | "hpgl.press" | "hpgl.slanted-plunge" | "hpgl.swivel" | "input.not-finite" | "job.being-cancelled" | "job.cancelled-before-request" | "job.compile-crashed" | "job.gateway-silent" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-to-confirm" | "job.other-board" | "job.stale-epoch" | "job.unknown" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.unsupported" | "verify.bad-tolerance" | "worker.died" | "worker.memory" | "worker.timeout";
+        MessageCode: "stored.text" | "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-confirmation" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.stale" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.invalid" | "field.missing" | "field.misspelt" | "field.unknown" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-feed" | "hpgl.depth-change" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-pen" | "hpgl.press" | "hpgl.slanted-plunge" | "hpgl.swivel" | "input.not-finite" | "job.being-cancelled" | "job.cancelled-before-request" | "job.compile-crashed" | "job.gateway-silent" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-to-confirm" | "job.other-board" | "job.stale-epoch" | "job.unknown" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.given" | "unit.header" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.in-file" | "unit.inconclusive" | "unit.not-given" | "unit.overruled" | "unit.unsupported" | "verify.bad-tolerance" | "worker.died" | "worker.memory" | "worker.timeout";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -3446,7 +3472,7 @@ export interface components {
             /** @constant */
             code: "drawing.unit-unknown";
             arguments: {
-                evidence: string;
+                evidence: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -4896,6 +4922,68 @@ export interface components {
                 low: number;
                 high: number;
                 place: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "unit.given";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.header";
+            arguments: {
+                value: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.header-missing";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.header-not-a-number";
+            arguments: {
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.header-undefined";
+            arguments: {
+                value: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.header-unitless";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.header-unsupported";
+            arguments: {
+                value: number;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.in-file";
+            arguments: {
+                statement: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.inconclusive";
+            arguments: {
+                stated: components["schemas"]["Message"];
+                unit: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.not-given";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.overruled";
+            arguments: {
+                stated: components["schemas"]["Message"];
+                unit: string;
+                reason: string;
             };
         } | {
             /** @constant */

@@ -44,7 +44,8 @@ def test_silent_header_gives_no_unit_whatever_the_version(version: str) -> None:
 def test_header_that_says_nothing_useful_gives_no_unit_and_the_reason(
     written: str, evidence: str
 ) -> None:
-    assert stated({"$INSUNITS": written}) == ("", evidence)
+    unit, message = stated({"$INSUNITS": written})
+    assert (unit, str(message)) == ("", evidence)
 
 
 def test_unit_of_the_caller_stands_above_the_header_which_is_kept() -> None:
