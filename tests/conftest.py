@@ -10,6 +10,7 @@ import pytest
 from hypothesis import settings
 
 from knifetip.cli import main
+from tests.support.command import Command
 
 # A busy machine is no finding: what takes long is shown by `make bench`. Nor is the luck of a draw:
 # every run tries the same examples. `--hypothesis-profile=explore` tries others.
@@ -30,14 +31,15 @@ def corpus() -> Path:
 
 
 @pytest.fixture
-def knifetip(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]):
+def knifetip(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Command:
     """Run the command; returns exit code, stdout, stderr."""
 
-    def run(*words):
+    def run(*words: object) -> tuple[int, str, str]:
         monkeypatch.setattr(sys, "argv", ["knifetip", *map(str, words)])
         with pytest.raises(SystemExit) as left:
             main()
         out, err = capfd.readouterr()
+        assert isinstance(left.value.code, int)
         return left.value.code, out, err
 
     return run

@@ -192,7 +192,8 @@ def known() -> Iterator[str]:
             yield _shared(Path(one.path).name, way, *sums[way][-1], asked)
     for way, parts in sums.items():
         columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
-        yield _shared("**all**", way, *columns, "")
+        truth_of, said, length = columns
+        yield _shared("**all**", way, truth_of, said, length, "")
 
 
 def _shared(name: str, way: str, truth: U8, said: U8, length: F64, asked: int | str) -> str:
@@ -210,7 +211,8 @@ def houses() -> Iterator[str]:
         yield _housed(house.name, edges, lengths, asked / len(KINDS), units)
     units = sum((one[3] for one in sums), Counter())
     questions_ = sum(one[2] for one in sums) / len(KINDS) / len(HOUSES)
-    edges, lengths = (sum(one[column] for one in sums) for column in (0, 1))
+    edges = np.sum([one[0] for one in sums], axis=0)
+    lengths = np.sum([one[1] for one in sums], axis=0)
     yield _housed("**all**", edges, lengths, questions_, units)
     yield AFTER_HOUSES.rstrip("\n")
 

@@ -55,7 +55,7 @@ def stars(count: int, corners: int, low: float, high: float, arcs: bool = False)
         xy.reshape(-1, 2),
         np.roll(xy, -1, axis=1).reshape(-1, 2),
         bulge.reshape(-1),
-        np.arange(count + 1) * corners,
+        (np.arange(count + 1) * corners).astype(np.int32),
     )
 
 

@@ -60,8 +60,8 @@ def _edges(kind: LineType, count: int) -> Dieline:
         np.stack([start, end], axis=1),
         np.zeros(count),
         np.full(count, kind),
-        rows,
-        np.zeros(count),
+        rows.astype(np.int32),
+        np.zeros(count, np.int32),
         np.ones(count),
         ("bench",),
     )
@@ -142,9 +142,9 @@ def _cleaned(noise: float, lapped: bool) -> Callable[[], object]:
         ends = np.concatenate([ends, 0.7 * ends + 0.3 * ends[:, ::-1]])
         kind = np.tile(kind, 2)
     ends = ends + np.random.default_rng(1).uniform(-noise, noise, ends.shape)
-    rows = np.arange(len(ends))
+    rows = np.arange(len(ends), dtype=np.int32)
     zeros = np.zeros(len(ends))
-    line = Dieline(ends, zeros, kind, rows, zeros, zeros + 1.0, ("bench",))
+    line = Dieline(ends, zeros, kind, rows, np.zeros_like(rows), zeros + 1.0, ("bench",))
     return lambda: clean(line)
 
 

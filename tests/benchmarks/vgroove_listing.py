@@ -38,7 +38,9 @@ def listing_azimuth(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[n
     return np.where(a < 0, a + 360.0, a)
 
 
-def listing_offset(x: NDArray[np.float64], y: NDArray[np.float64], d: float, r: float):
+def listing_offset(
+    x: NDArray[np.float64], y: NDArray[np.float64], d: float, r: float
+) -> NDArray[np.float64]:
     """VdaoPoint's first point, for r half of what the listing calls r."""
     angle = listing_azimuth(x, y) / 180.0 * _PI
     return np.column_stack(

@@ -8,7 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import FloatRect, Page, expect
 
 from knifetip.dxf.samples import samples
 from tests.support.writers import dxf_text as text
@@ -89,22 +89,22 @@ def compile_on(page: Page, board: str) -> None:
     expect(page.get_by_test_id("verdict")).to_be_visible(timeout=120_000)
 
 
-def middle(page: Page) -> dict[str, float]:
+def middle(page: Page) -> FloatRect:
     """Return the middle of the picture, which no panel lies over."""
     box = page.get_by_test_id("canvas").bounding_box()
     assert box is not None
-    return {
-        "x": box["x"] + 0.2 * box["width"],
-        "y": box["y"] + 0.2 * box["height"],
-        "width": 0.6 * box["width"],
-        "height": 0.5 * box["height"],
-    }
+    return FloatRect(
+        x=box["x"] + 0.2 * box["width"],
+        y=box["y"] + 0.2 * box["height"],
+        width=0.6 * box["width"],
+        height=0.5 * box["height"],
+    )
 
 
 def ink(page: Page) -> int:
     """Return how many pixels of the middle of the picture are brighter than its ground."""
     shot = page.screenshot(clip=middle(page))
-    return page.evaluate(
+    count: int = page.evaluate(
         """async (text) => {
             const image = new Image();
             image.src = "data:image/png;base64," + text;
@@ -121,6 +121,7 @@ def ink(page: Page) -> int:
         }""",
         base64.b64encode(shot).decode(),
     )
+    return count
 
 
 @pytest.mark.parametrize(

@@ -11,10 +11,11 @@ import time
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Browser, Page, Route, expect
+from playwright.sync_api import Browser, FilePayload, Page, Route, expect
 
 from tests.support.writers import dxf_text as text
 
@@ -42,7 +43,7 @@ def drawing(api: httpx.Client) -> str:
     """The id of a drawing that was read."""
     answer = api.post("/api/drawings", files={"file": ("folds.dxf", CARTON)})
     assert answer.status_code == 201, answer.text
-    return answer.json()["id"]
+    return str(answer.json()["id"])
 
 
 def opened(page: Page, drawing: str) -> None:
@@ -89,7 +90,7 @@ def test_an_order_of_what_is_no_longer_there_is_refused(
 ) -> None:
     opened(page, drawing)
     board(page)
-    sent: list[object] = []
+    sent: list[Any] = []
 
     def late(route: Route) -> None:
         if route.request.method == "POST":
@@ -129,7 +130,7 @@ def test_a_file_that_a_busy_server_refuses_is_sent_again(page: Page) -> None:
 
     page.route("**/api/drawings", busy)
     page.get_by_test_id("file-input").set_input_files(
-        [{"name": "folds.dxf", "mimeType": "image/vnd.dxf", "buffer": CARTON}]
+        FilePayload(name="folds.dxf", mimeType="image/vnd.dxf", buffer=CARTON)
     )
     expect(page.get_by_role("heading", name="folds.dxf")).to_be_visible(timeout=60_000)
     assert refused == 2
@@ -142,7 +143,7 @@ def own_address() -> str:
         try:
             # No packet is sent: this only looks up by which address one would go.
             asked.connect(("192.0.2.1", 9))
-            address = asked.getsockname()[0]
+            address = str(asked.getsockname()[0])
         except OSError:
             address = "127.0.0.1"
     if address.startswith("127."):
@@ -189,7 +190,7 @@ def test_another_machine_signs_in_by_link_or_by_key_and_then_works(
                 page.get_by_label("Key").fill(key)
                 page.get_by_role("button", name="Sign in").click()
             page.get_by_test_id("file-input").set_input_files(
-                [{"name": "folds.dxf", "mimeType": "image/vnd.dxf", "buffer": CARTON}]
+                FilePayload(name="folds.dxf", mimeType="image/vnd.dxf", buffer=CARTON)
             )
             expect(page.get_by_role("heading", name="folds.dxf")).to_be_visible(timeout=60_000)
             assert key not in page.url

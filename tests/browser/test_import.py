@@ -8,7 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import FilePayload, Locator, Page, expect
 
 from knifetip.dxf.samples import samples
 from tests.support.writers import dxf_text as text
@@ -69,7 +69,7 @@ def as_sent() -> bytes:
 
 def choose(page: Page, *files: tuple[str, bytes]) -> None:
     page.get_by_test_id("file-input").set_input_files(
-        [{"name": name, "mimeType": "image/vnd.dxf", "buffer": data} for name, data in files]
+        [FilePayload(name=name, mimeType="image/vnd.dxf", buffer=data) for name, data in files]
     )
     # The first reading of a fresh server waits for its processes to start.
     expect(page.get_by_role("heading", name=files[-1][0])).to_be_visible(timeout=60_000)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from knifetip.library.load import machine
@@ -9,6 +11,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.emit import process
 from tests.controllers.linuxcnc_rs274 import TipTool
+from tests.support.shapes import toolpath
 
 TABLE = machine("demo-table")
 CALIPER = 2.0
@@ -28,7 +31,7 @@ class Hand:
 
     def __init__(self) -> None:
         self.poses: list[tuple[float, float, float, float]] = [(0.0, 0.0, 20.0, 0.0)]
-        self.rows: list[tuple[int, int, float, float]] = []
+        self.rows: list[tuple[int, Motion, float, float]] = []
 
     def to(
         self,
@@ -42,14 +45,14 @@ class Hand:
         feed: float = 12000.0,
     ) -> Hand:
         asked = zip((x, y, z, c), self.poses[-1], strict=True)
-        self.poses.append(tuple(old if new is None else new for new, old in asked))
+        x, y, z, c = (old if new is None else new for new, old in asked)
+        self.poses.append((x, y, z, c))
         self.rows.append((station, motion, bulge, 0.0 if motion == Motion.RAPID else feed))
         return self
 
     def toolpath(self) -> Toolpath:
-        tool, motion, bulge, feed = zip(*self.rows, strict=True)
-        n = len(tool)
-        return Toolpath(self.poses, bulge, motion, feed, range(n), tool, [0] * n)
+        rows = [(motion, feed, station) for station, motion, _, feed in self.rows]
+        return toolpath(self.poses, rows, bulge=[row[2] for row in self.rows])
 
     def program(self) -> bytes:
         return process(self.toolpath(), TABLE, "linuxcnc", notes=["placement X20 Y20"]).text
@@ -116,5 +119,16 @@ JOBS = {
 }
 
 
-def together(*parts):
-    return tuple([row for part in parts for row in part[column]] for column in range(3))
+#: Ends, bulges and line types of edges.
+Edges = tuple[
+    Sequence[tuple[tuple[float, float], tuple[float, float]]], Sequence[float], Sequence[LineType]
+]
+
+
+def together(*parts: Edges) -> Edges:
+    """Return the edges of several parts in one list."""
+    return (
+        [row for part in parts for row in part[0]],
+        [row for part in parts for row in part[1]],
+        [row for part in parts for row in part[2]],
+    )

@@ -13,7 +13,7 @@ import socket
 import subprocess
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -71,7 +71,7 @@ class Machine:
             pass
         return line.removeprefix(what.upper()).strip()
 
-    def until(self, reached, seconds: float) -> None:
+    def until(self, reached: Callable[[], bool], seconds: float) -> None:
         end = time.monotonic() + seconds
         while not reached():
             assert time.monotonic() < end, "LinuxCNC did not get there in time"

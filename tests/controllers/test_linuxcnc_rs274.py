@@ -5,6 +5,7 @@ The head's paths are those of ``hand_written``.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -22,13 +23,22 @@ from tests.controllers.hand_written import (
     TABLE,
     TOOLS,
     V_CUTTER,
+    Edges,
     Hand,
     groove,
     knife,
     together,
     wheel,
 )
-from tests.controllers.linuxcnc_rs274 import ABSENT, ARC, RS274, judge, read_program
+from tests.controllers.linuxcnc_rs274 import (
+    ABSENT,
+    ARC,
+    RS274,
+    Report,
+    TipTool,
+    judge,
+    read_program,
+)
 
 pytestmark = [
     pytest.mark.controller,
@@ -36,8 +46,14 @@ pytestmark = [
 ]
 
 
-def verdict(program: bytes, dieline, tools=TOOLS, placement=(20.0, 20.0)):
-    return judge(program, *dieline, placement, tools)
+def verdict(
+    program: bytes,
+    edges: Edges,
+    tools: Mapping[int, TipTool] = TOOLS,
+    placement: tuple[float, float] = (20.0, 20.0),
+) -> Report:
+    ends, bulge, line_type = edges
+    return judge(program, ends, bulge, line_type, placement, tools)
 
 
 @pytest.mark.parametrize("job", JOBS)
@@ -103,8 +119,8 @@ def test_the_judge_sees_an_edge_that_no_tool_works_and_a_line_that_nobody_drew()
     program = knife(Hand()).program()
     more = together(BLANK, ([((0, 0), (5, 0))], [0], [LineType.CUT]))
     assert verdict(program, more).worst_gap == pytest.approx(np.hypot(100, 50), abs=0.01)
-    less = tuple(column[1:] for column in BLANK)
-    assert verdict(program, less).worst_deviation > 40.0
+    ends, bulge, kinds = BLANK
+    assert verdict(program, (ends[1:], bulge[1:], kinds[1:])).worst_deviation > 40.0
     assert verdict(program, (*BLANK[:2], [LineType.CREASE] * 6)).worst_deviation == np.inf
 
 

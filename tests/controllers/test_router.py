@@ -55,7 +55,8 @@ def way(moves: Moves, row: int) -> F64:
     turn = np.arctan2(last[1], last[0]) - np.arctan2(first[1], first[0])
     sweep = turn % (2 * np.pi) if moves.turns[row] > 0 else -(-turn % (2 * np.pi))
     angle = np.arctan2(first[1], first[0]) + sweep * share[:, 0]
-    return middle + np.hypot(*first) * np.column_stack([np.cos(angle), np.sin(angle)])
+    around: F64 = middle + np.hypot(*first) * np.column_stack([np.cos(angle), np.sin(angle)])
+    return around
 
 
 @pytest.mark.parametrize("corner", ["B", "C", "D", "auto"])
@@ -69,7 +70,7 @@ def test_linuxcnc_takes_the_router_round_the_part(corner: str) -> None:
     deep = (np.maximum(moves.start[:, 2], moves.end[:, 2]) < 0.0) & (moves.kind != TRAVERSE)
     assert (moves.station[deep] == 4).all()
     assert moves.oscillates[deep].all()
-    points = np.concatenate([way(moves, row) for row in np.flatnonzero(deep)])
+    points = np.concatenate([way(moves, row) for row in np.flatnonzero(deep).tolist()])
     places = shapely.points(points)
     slit = np.abs(points[:, 0] - 200.0) + np.maximum(120.0 - points[:, 1], 0.0) < 1e-9
     slit &= points[:, 1] <= 180.0
@@ -77,7 +78,7 @@ def test_linuxcnc_takes_the_router_round_the_part(corner: str) -> None:
     # Half a unit of the last place on X and on Y, and rs274 prints no more than 4 decimals.
     assert beside[~slit].min() >= RADIUS - 2e-4
     swept = shapely.union_all(shapely.linestrings(
-        [way(moves, row) for row in np.flatnonzero(deep & (moves.start[:, 2] < -0.299))]
+        [way(moves, row) for row in np.flatnonzero(deep & (moves.start[:, 2] < -0.299)).tolist()]
     ).tolist()).buffer(RADIUS, quad_segs=64)  # fmt: skip
     # Freed all round but 3 mm to either side of five inside corners, less what 0.002 mm hide.
     left = PART.boundary.difference(swept.buffer(2e-3)).length

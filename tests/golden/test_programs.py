@@ -12,12 +12,13 @@ from knifetip.library.load import machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.emit import process
 from tests.support.programs import laser
+from tests.support.shapes import toolpath
 
 QUARTER = np.tan(np.pi / 8)
 R, P, F, S, L = Motion.RAPID, Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.LIFT
 
 #: station, motion, x, y, z, c, bulge, feed: where each move ends.
-MOVES = [
+MOVES: list[tuple[int, Motion, float, float, float, float, float, float]] = [
     (2, R, 150, 73.9, 20, 90, 0, 0),
     (2, P, 150, 73.9, 1.6, 90, 0, 6000),
     (2, F, 150, 126.1, 1.6, 90, 0, 30000),
@@ -41,10 +42,9 @@ MOVES = [
 
 
 def small_job() -> Toolpath:
-    tool, motion, x, y, z, c, bulge, feed = zip(*MOVES, strict=True)
-    poses = np.array([(0.0, 0.0, 20.0, 0.0), *zip(x, y, z, c, strict=True)])
-    n = len(MOVES)
-    return Toolpath(poses, bulge, motion, feed, range(n), tool, [0] * n)
+    poses = [(0.0, 0.0, 20.0, 0.0), *[(x, y, z, c) for _, _, x, y, z, c, _, _ in MOVES]]
+    rows = [(motion, feed, station) for station, motion, *_, feed in MOVES]
+    return toolpath(poses, rows, bulge=[move[6] for move in MOVES])
 
 
 def small_program(dialect: str, path: Toolpath | None = None) -> bytes:

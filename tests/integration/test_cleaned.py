@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ import pytest
 from knifetip import pipeline
 from knifetip.geometry.columns import F64, I64
 from knifetip.library import load
+from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from tests.support.truth.named import SAMPLES, Named
@@ -22,22 +24,22 @@ def with_more(
     drawing: Drawing, line: Dieline, ends: F64, bulge: F64, like: I64
 ) -> tuple[Drawing, Dieline]:
     """The drawing with edges that look like others of it."""
-    columns = ("entity", "layer", "colour", "true_colour", "linetype")
+    columns: dict[str, Any] = {
+        name: np.concatenate([getattr(drawing, name), getattr(drawing, name)[like]])
+        for name in ("entity", "layer", "colour", "true_colour", "linetype")
+    }
     more = replace(
         drawing,
         ends=np.concatenate([drawing.ends, ends]),
         bulge=np.concatenate([drawing.bulge, bulge]),
-        **{
-            name: np.concatenate([getattr(drawing, name), getattr(drawing, name)[like]])
-            for name in columns
-        },
+        **columns,
     )
     return more, replace(
         line,
         ends=more.ends,
         bulge=more.bulge,
         line_type=np.concatenate([line.line_type, line.line_type[like]]),
-        source=np.arange(len(more)),
+        source=np.arange(len(more), dtype=np.int32),
         rule=np.concatenate([line.rule, line.rule[like]]),
         confidence=np.concatenate([line.confidence, line.confidence[like]]),
     )
@@ -102,7 +104,7 @@ def test_a_program_that_cuts_by_a_cleaning_that_lost_an_edge_is_refused(
     drawing, line, board = SAMPLES[0].classified(None)
     right = pipeline.clean
 
-    def careless(given: Dieline):
+    def careless(given: Dieline) -> Cleaned:
         made = right(given)
         kinds = made.dieline.line_type.copy()
         kinds[3] = LineType.IGNORED

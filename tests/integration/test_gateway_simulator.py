@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import math
+from collections.abc import AsyncGenerator, AsyncIterator
 from contextlib import aclosing, asynccontextmanager
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,10 +21,12 @@ from knifetip.errors import (
 )
 from knifetip.gateway import grbl, simulator
 from knifetip.gateway.controller import SafeState, State
+from knifetip.gateway.grbl import Grbl
 from knifetip.gateway.motion import Limits
-from knifetip.gateway.stream import stream
-from knifetip.gateway.table import Faults
+from knifetip.gateway.stream import Progress, stream
+from knifetip.gateway.table import Faults, Table
 from knifetip.gateway.transport import connect
+from knifetip.geometry.columns import F64
 from knifetip.library import load
 
 MACHINE = load.machine("demo-table")
@@ -74,7 +78,9 @@ def off_the_slots(samples: np.ndarray) -> np.ndarray:
 
 
 @asynccontextmanager
-async def joined(*, speed=50.0, faults=None, sample=0.0, window=128):
+async def joined(
+    *, speed: float = 50.0, faults: Faults | None = None, sample: float = 0.0, window: int = 128
+) -> AsyncIterator[tuple[Table, Grbl]]:
     """A table and a controller that has taken it over."""
     async with await simulator.serve(
         MACHINE, speed=speed, faults=faults, sample=sample, window=window
@@ -86,12 +92,18 @@ async def joined(*, speed=50.0, faults=None, sample=0.0, window=128):
             await controller.close()
 
 
-def run(program, controller, **options):
-    options = {"limits": Limits.of(MACHINE), "interval": 0.01} | options
-    return stream(program, controller, **options)
+def samples_of(table: Table) -> F64:
+    """Return the samples of a table that records them."""
+    assert table.trace is not None
+    return table.trace.samples()
 
 
-async def finished(program, controller, **options):
+def run(program: bytes, controller: Grbl, **options: Any) -> AsyncGenerator[Progress]:
+    asked: dict[str, Any] = {"limits": Limits.of(MACHINE), "interval": 0.01} | options
+    return stream(program, controller, **asked)
+
+
+async def finished(program: bytes, controller: Grbl, **options: Any) -> list[Progress]:
     """Stream to the end and return every Progress."""
     async with asyncio.timeout(20.0), aclosing(run(program, controller, **options)) as course:
         return [progress async for progress in course]
@@ -103,7 +115,7 @@ async def test_the_table_moves_along_the_program_and_nowhere_else() -> None:
     async with joined(sample=0.002) as (table, controller):
         course = await finished(program, controller)
         assert table.lost == 0
-        samples = table.trace.samples()
+        samples = samples_of(table)
     low = samples[samples[:, 3] < 0.0]
     assert len(low) > 1000
     assert off_the_slots(low).max() < 1e-6
@@ -145,14 +157,15 @@ async def test_the_executed_line_follows_the_head_and_not_what_was_sent() -> Non
 
 async def test_seconds_left_fall_and_are_near_the_truth() -> None:
     async with joined(speed=5.0) as (table, controller):
-        left = {}
+        left: dict[int, tuple[float | None, float]] = {}
         async with aclosing(run(slots(2), controller)) as course:
             async for progress in course:
                 if progress.state is State.RUN:
                     left.setdefault(progress.executed, (progress.seconds_left, table.time))
     first, began = next(iter(left.values()))
     assert first == pytest.approx(table.time - began, rel=0.2)
-    seconds = [each for each, _ in left.values()]
+    seconds = [each for each, _ in left.values() if each is not None]
+    assert len(seconds) == len(left)
     assert seconds[-1] < 0.2 * seconds[0]
 
 
@@ -208,7 +221,7 @@ async def test_a_reset_in_mid_arc_stops_everything_and_nothing_goes_on() -> None
         assert table.state == "Alarm"
         with pytest.raises(ControllerAlarm, match="locked"):
             await controller.send(b"G0 Z20", 1)
-        samples = table.trace.samples()
+        samples = samples_of(table)
     low = samples[samples[:, 3] < 0.0]
     assert off_the_slots(low).max() < 1e-6
     assert low[:, 2].max() <= 110.0 + 1e-9
@@ -246,7 +259,7 @@ async def test_hold_in_mid_arc_stands_and_resume_finishes_the_same_path() -> Non
         assert held[5].position == held[9].position
         assert math.hypot(x - 300.0, y - 105.0) == pytest.approx(5.0, abs=1e-3)
         assert z == -0.3
-        samples = table.trace.samples()
+        samples = samples_of(table)
     assert off_the_slots(samples[samples[:, 3] < 0.0]).max() < 1e-6
 
 

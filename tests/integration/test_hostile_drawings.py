@@ -31,10 +31,11 @@ def dice() -> np.random.Generator:
     return np.random.default_rng(4)
 
 
-def fan(angle: F64, begin: float, x: object = 0.0, y: object = 0.0) -> F64:
+def fan(angle: F64, begin: float, x: F64 | float = 0.0, y: F64 | float = 0.0) -> F64:
     """Lines through or from a point, 300 mm long to its far side: (n, 4)."""
     c, s = np.cos(angle), np.sin(angle)
-    return np.stack([x + begin * c, y + begin * s, x + 300.0 * c, y + 300.0 * s], axis=1)
+    ends: F64 = np.stack([x + begin * c, y + begin * s, x + 300.0 * c, y + 300.0 * s], axis=1)
+    return ends
 
 
 def all_but_the_same() -> bytes:

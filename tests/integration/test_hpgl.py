@@ -37,7 +37,7 @@ def made() -> Made:
 
 
 @pytest.mark.parametrize("name", ["tuck-end-carton.dxf", "corrugated-tray.dxf"])
-def test_a_sample_is_accepted(name: str):
+def test_a_sample_is_accepted(name: str) -> None:
     _, result = compiled(samples()[name])
     assert result.verdict.findings == ()
     assert result.verdict.accepted
@@ -46,7 +46,7 @@ def test_a_sample_is_accepted(name: str):
     assert 0.005 < result.verdict.deviation.max() < 0.0125 * 2**0.5 + 0.005
 
 
-def test_every_line_type_of_a_knife_and_a_creasing_tool_is_accepted(made: Made):
+def test_every_line_type_of_a_knife_and_a_creasing_tool_is_accepted(made: Made) -> None:
     dieline, result = made
     kinds = {LineType(int(kind)) for kind in dieline.line_type}
     assert kinds == {LineType.CUT, LineType.CREASE, LineType.HALF_CUT, LineType.PERFORATION}
@@ -104,7 +104,7 @@ def _outline_first(text: bytes) -> bytes:
 
 
 @pytest.mark.parametrize("name", BREAKS)
-def test_a_broken_program_is_refused(made: Made, name: str):
+def test_a_broken_program_is_refused(made: Made, name: str) -> None:
     dieline, result = made
     text = BREAKS[name](result.program.text)
     assert text != result.program.text
@@ -112,7 +112,7 @@ def test_a_broken_program_is_refused(made: Made, name: str):
     assert not verdict.accepted
 
 
-def test_every_point_of_the_work_that_is_moved_aside_is_seen(made: Made):
+def test_every_point_of_the_work_that_is_moved_aside_is_seen(made: Made) -> None:
     dieline, result = made
     text = result.program.text
     points = list(re.finditer(rb"P([UD])(\d+),(\d+)", text))
@@ -127,7 +127,7 @@ def test_every_point_of_the_work_that_is_moved_aside_is_seen(made: Made):
         assert not verdict.accepted, (points[row][0], x, y)
 
 
-def test_a_shift_by_the_rounding_alone_is_the_only_one_let_pass(made: Made):
+def test_a_shift_by_the_rounding_alone_is_the_only_one_let_pass(made: Made) -> None:
     dieline, result = made
     refused = [
         not pipeline.verify(
@@ -138,7 +138,7 @@ def test_a_shift_by_the_rounding_alone_is_the_only_one_let_pass(made: Made):
     assert refused == [True, False, True]
 
 
-def test_another_reader_sees_the_same_lines_with_the_same_pens(made: Made):
+def test_another_reader_sees_the_same_lines_with_the_same_pens(made: Made) -> None:
     _, result = made
     moves, faults = READER.read(result.program.text, MACHINE, BOARD)
     assert faults == []

@@ -8,10 +8,14 @@ import pytest
 
 from knifetip import compensate, pipeline, plan, process, sequence
 from knifetip.compensation import crease, knife, tracks, vgroove
+from knifetip.geometry.columns import F64
+from knifetip.geometry.path import Paths
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from knifetip.model.tool import VCutter
 from knifetip.model.verdict import Verdict
 from knifetip.verification.verify import verify
+from tests.support.modules import original
 from tests.support.shapes import closed, dieline, edges
 from tests.support.truth.named import SAMPLES, Named
 
@@ -38,7 +42,7 @@ def test_a_v_cutter_whose_d_or_r_is_wrong_by_a_fiftieth_is_refused(
 ) -> None:
     right = vgroove.head_offset
 
-    def wrong(start, end, cutter):
+    def wrong(start: F64, end: F64, cutter: VCutter) -> F64:
         return right(start, end, replace(cutter, **{dimension: getattr(cutter, dimension) + error}))
 
     monkeypatch.setattr(vgroove, "head_offset", wrong)
@@ -46,7 +50,7 @@ def test_a_v_cutter_whose_d_or_r_is_wrong_by_a_fiftieth_is_refused(
 
 
 def test_a_head_on_the_wrong_side_of_the_groove_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = vgroove.right
+    right = original(vgroove, "right")
     monkeypatch.setattr(vgroove, "right", lambda vectors: -right(vectors))
     assert not verdict(RIGID).accepted
 
@@ -61,7 +65,7 @@ def test_a_plunge_the_wrong_way_along_the_blade_is_refused(monkeypatch: pytest.M
 def test_c_turning_the_wrong_way_is_refused(monkeypatch: pytest.MonkeyPatch, named: Named) -> None:
     right = tracks.headings
 
-    def wrong(paths):
+    def wrong(paths: Paths) -> tuple[F64, F64]:
         start, end = right(paths)
         return -start, -end
 
@@ -73,7 +77,7 @@ def test_c_turning_the_wrong_way_is_refused(monkeypatch: pytest.MonkeyPatch, nam
 def test_c_turning_the_wrong_way_on_the_v_cutter_is_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    right = vgroove.azimuth
+    right = original(vgroove, "azimuth")
     monkeypatch.setattr(vgroove, "azimuth", lambda vectors: -right(vectors))
     assert not verdict(RIGID).accepted
 
@@ -92,14 +96,14 @@ def test_a_blade_that_runs_on_inside_a_panel_is_refused(monkeypatch: pytest.Monk
     line = dieline((LineType.CUT, outline), (LineType.CUT, edges(((50, 50), (120, 50)))))
     machine, board = load.machine("demo-table"), load.board("greyboard-2.0")
 
-    def judged():
+    def judged() -> Verdict:
         operations = plan(line, machine, board)
         toolpath = sequence([compensate(operation) for operation in operations], machine)
         text = process(toolpath, machine, "grblhal").text
         return verify(text, line, (0.0, 0.0), machine, board)
 
     assert judged().accepted
-    right = knife.trimmed
+    right = original(knife, "trimmed")
     monkeypatch.setattr(knife, "trimmed", lambda paths, a, b: right(paths, 0.0 * a, 0.0 * b))
     finding = judged().findings[0]
     assert (finding.kind, finding.edge) == ("overcut", 4)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from knifetip.model.tool import Laser
 from knifetip.model.verdict import Verdict
 from knifetip.sequencing.duration import durations
 from knifetip.verification.verify import verify
+from tests.support.modules import original
 from tests.support.programs.laser import BOARD, LASER, LINE, program, toolpath
 
 
@@ -31,7 +33,7 @@ def findings(text: str) -> str:
     return "\n".join(finding.text for finding in verdict.findings)
 
 
-def with_laser(**dimensions: float) -> Machine:
+def with_laser(**dimensions: Any) -> Machine:
     """Return the table with other dimensions of its laser."""
     stations = (
         replace(one, tool=replace(one.tool, **dimensions)) if isinstance(one.tool, Laser) else one
@@ -97,20 +99,20 @@ def test_the_focus_stays_at_one_height_while_the_laser_is_in_use() -> None:
 def test_half_a_kerf_wrong_by_15_micrometres_is_refused(
     monkeypatch: pytest.MonkeyPatch, factor: float
 ) -> None:
-    right = radius.equidistant
+    right = original(radius, "equidistant")
 
     def wrong(paths: Paths, distance: float, side: int, **more: object) -> object:
-        return right(paths, distance * factor, side, **more)  # type: ignore[arg-type]
+        return right(paths, distance * factor, side, **more)
 
     monkeypatch.setattr(radius, "equidistant", wrong)
     assert not judged(program("grblhal").text).accepted
 
 
 def test_a_kerf_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = radius.equidistant
+    right = original(radius, "equidistant")
 
     def wrong(paths: Paths, distance: float, side: int, **more: object) -> object:
-        return right(paths, distance, -side, **more)  # type: ignore[arg-type]
+        return right(paths, distance, -side, **more)
 
     monkeypatch.setattr(radius, "equidistant", wrong)
     assert not judged(program("grblhal").text).accepted

@@ -28,7 +28,9 @@ def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name: str) -> 
     right = engine.judged(engine.text)
     assert right.accepted, right.findings[:3]
     every = list(mutants(engine.text))
-    refused, let_pass, missed = 0, Counter(), []
+    refused = 0
+    let_pass: Counter[str] = Counter()
+    missed: list[tuple[str, int, float | str, str]] = []
     for k in np.random.default_rng(SEED).choice(len(every), COUNT, replace=False):
         kind, row, mutant = every[k]
         if not engine.judged(mutant).accepted:

@@ -29,7 +29,7 @@ def made(
     line: Dieline,
     machine: Machine = KNIFE,
     board: Board = BOARD,
-    order: tuple[float, float, float, float] | None = None,
+    order: tuple[int, ...] | None = None,
 ) -> Toolpath:
     operations = plan(line, machine, board)
     if order is not None:
@@ -45,7 +45,7 @@ def judged(
     )
 
 
-def out_of_order(sheet: Sheet, toolpath: Toolpath):
+def out_of_order(sheet: Sheet, toolpath: Toolpath) -> list[tuple[int, int]]:
     """Return the pairs of which the inner contour is worked after the outer one is complete."""
     rows = np.flatnonzero(toolpath.source >= 0)
     contour = sheet.contour[toolpath.source[rows]]

@@ -10,14 +10,15 @@ import numpy as np
 import pytest
 
 from knifetip import compensate, plan, process, sequence
-from knifetip.geometry.columns import F64
+from knifetip.geometry.columns import F64, Bool
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Verdict
 from knifetip.planning import plan as planning
 from knifetip.verification.verify import verify
-from tests.support.shapes import closed, dieline, edges
+from tests.support.modules import original
+from tests.support.shapes import closed, dieline, edges, with_dimensions
 
 MACHINE, BOARD = load.machine("demo-table"), load.board("greyboard-2.0")
 OUTLINE = (LineType.CUT, closed((100, 100), (400, 100), (400, 300), (100, 300)))
@@ -72,9 +73,9 @@ def test_a_groove_that_does_not_run_out_into_a_notch_is_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     line = dieline(NOTCHED, (GROOVE, edges(((250, 120), (250, 260)))))
-    right = planning.run_out
+    right = original(planning, "run_out")
 
-    def stopped(*args):
+    def stopped(*args: object) -> tuple[F64, Bool]:
         size, on_edge = right(*args)
         return 0.0 * size, on_edge
 
@@ -88,9 +89,9 @@ def test_a_groove_that_does_not_run_out_far_enough_is_refused(
 ) -> None:
     line = dieline(OUTLINE, (GROOVE, edges(((200, 200), (300, 300)))))
     assert judged(line).accepted
-    right = planning.run_out
+    right = original(planning, "run_out")
 
-    def short(*args):
+    def short(*args: object) -> tuple[F64, Bool]:
         size, on_edge = right(*args)
         return factor * size, on_edge
 
@@ -112,14 +113,14 @@ def test_a_curved_groove_within_the_error_that_the_board_allows() -> None:
     ],
     ids=["blank", "disc", "slanted"],
 )
-def test_a_part_held_by_bridges(contour: F64, bulge: dict[str | int, object | float]) -> None:
+def test_a_part_held_by_bridges(contour: F64, bulge: dict[int, float]) -> None:
     line = dieline((CUT, contour), bulge=bulge)
     verdict = judged(line, bridge_width=0.8, bridge_spacing=200.0)
     assert verdict.accepted, verdict.findings[:2]
 
 
 def test_an_outline_begun_and_ended_in_the_waste() -> None:
-    knife = replace(MACHINE.stations[0].tool, lead_in=5.0, lead_out=5.0)
+    knife = with_dimensions(MACHINE.stations[0].tool, lead_in=5.0, lead_out=5.0)
     stations = (replace(MACHINE.stations[0], tool=knife), *MACHINE.stations[1:])
     verdict = judged(dieline(OUTLINE), replace(MACHINE, stations=stations))
     assert verdict.accepted, verdict.findings[:2]
@@ -187,7 +188,7 @@ def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch: pytest.Monkey
     cut = edges(((200, 130), (200, 150)), ((200, 150), (210, 170)))
     line = dieline(OUTLINE, (CREASE, edges(((150, 150), (300, 150)))), (CUT, cut))
     assert judged(line).accepted
-    right = planning.split_at_cuts
+    right = original(planning, "split_at_cuts")
     monkeypatch.setattr(
         planning, "split_at_cuts", lambda paths, *_: right(paths, cut[:0], cut[:0, 0, 0])
     )

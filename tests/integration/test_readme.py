@@ -41,7 +41,7 @@ def tray(tmp_path: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
-    """Run the whole service on a free port; its simulated table is 50 times as fast as a real one."""
+    """Run the whole service on a free port, with a simulated table at 50 times its speed."""
     with Running(tmp_path_factory.mktemp("readme") / "readme.sqlite", speed=50.0) as client:
         yield client
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -16,8 +17,10 @@ from knifetip.model.board import Board, Deflection
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.tool import Cutter
+from knifetip.model.toolpath import Motion
 from knifetip.model.verdict import Verdict
 from knifetip.verification.verify import verify
+from tests.support.modules import original
 from tests.support.shapes import closed, dieline, edges
 
 ROUTER = load.machine("router-table")
@@ -47,9 +50,9 @@ def test_what_the_router_makes_is_accepted(dialect: str, corner: str) -> None:
 def test_a_radius_wrong_by_a_hundredth_is_refused(
     monkeypatch: pytest.MonkeyPatch, factor: float
 ) -> None:
-    right = radius.equidistant
+    right = original(radius, "equidistant")
 
-    def wrong(paths, distance, side, **more):
+    def wrong(paths: Paths, distance: float, side: int, **more: Any) -> Any:
         return right(paths, distance * factor, side, **more)
 
     monkeypatch.setattr(radius, "equidistant", wrong)
@@ -57,9 +60,9 @@ def test_a_radius_wrong_by_a_hundredth_is_refused(
 
 
 def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = radius.equidistant
+    right = original(radius, "equidistant")
 
-    def wrong(paths, distance, side, **more):
+    def wrong(paths: Paths, distance: float, side: int, **more: Any) -> Any:
         return right(paths, distance, -side, **more)
 
     monkeypatch.setattr(radius, "equidistant", wrong)
@@ -68,7 +71,7 @@ def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) 
 
 
 def _bare(way: Centres) -> tuple[Paths, I32, U8]:
-    return way.paths, way.segment, radius._all(radius.Motion.FEED, way.segment)
+    return way.paths, way.segment, radius._all(Motion.FEED, way.segment)
 
 
 def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is_not(
@@ -77,7 +80,7 @@ def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is
     soft = replace(BOARD, deflection=(Deflection("Router", 0.08, 0.05),))
     result = verdict(soft)
     assert result.accepted, result.findings[:3]
-    right = radius.deflected
+    right = original(radius, "deflected")
     monkeypatch.setattr(radius, "deflected", lambda paths, side, x, y: right(paths, -side, x, y))
     assert not verdict(soft).accepted
 
@@ -106,7 +109,7 @@ NOTCHED = (CUT, closed((100, 100), (400, 100), (400, 300), (270, 300), (250, 220
     ids=["blank", "with arcs", "disc", "notched"],
 )
 def test_a_blank_held_by_bridges_is_accepted(
-    dialect: str, step: float, outline: tuple[LineType, F64], bulge: dict[str | int, object | float]
+    dialect: str, step: float, outline: tuple[LineType, F64], bulge: dict[int, float]
 ) -> None:
     stations = [
         replace(held, tool=replace(held.tool, step=step)) if isinstance(held.tool, Cutter) else held
@@ -122,9 +125,9 @@ def test_a_blank_held_by_bridges_is_accepted(
 def test_bridges_that_are_too_narrow_or_too_wide_are_refused(
     monkeypatch: pytest.MonkeyPatch, wrong: float
 ) -> None:
-    right = radius.interrupted
+    right = original(radius, "interrupted")
 
-    def gapped(paths, path, middle, gap):
+    def gapped(paths: Paths, path: I32, middle: F64, gap: float) -> Any:
         return right(paths, path, middle, gap + wrong)
 
     monkeypatch.setattr(radius, "interrupted", gapped)

@@ -20,7 +20,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.operation import End, Operation
 from tests.support.programs.engines import DEMO, ENGINES, Engine
-from tests.support.shapes import dieline, edges
+from tests.support.shapes import dieline, edges, with_dimensions
 
 V, PASSES, CREASE, DOUBLE = (
     ENGINES[name] for name in ("V-groove", "V-groove in passes", "crease", "double crease")
@@ -37,7 +37,9 @@ def tooled(machine: Machine, number: int, **dimensions: float) -> Machine:
     return replace(
         machine,
         stations=tuple(
-            replace(held, tool=replace(held.tool, **dimensions)) if held.number == number else held
+            replace(held, tool=with_dimensions(held.tool, **dimensions))
+            if held.number == number
+            else held
             for held in machine.stations
         ),
     )
@@ -56,7 +58,7 @@ def moved_datum(machine: Machine, number: int, **datum: float) -> Machine:
     )
 
 
-def board(engine: Engine, **asked: object) -> Engine:
+def board(engine: Engine, **asked: Any) -> Engine:
     return replace(engine, board=replace(engine.board, **asked))
 
 
@@ -69,7 +71,9 @@ def datum(engine: Engine, number: int, **by: float) -> Engine:
     return replace(engine, dialect="grblhal", machine=moved_datum(engine.machine, number, **by))
 
 
-def drawn(engine: Engine, kind: LineType, *lines: tuple[tuple[float, float], ...]) -> Engine:
+def drawn(
+    engine: Engine, kind: LineType, *lines: tuple[tuple[float, float], tuple[float, float]]
+) -> Engine:
     """Return the engine with more lines than the judge knows of."""
     more = dieline((kind, edges(*lines)))
     line = engine.line
@@ -77,8 +81,8 @@ def drawn(engine: Engine, kind: LineType, *lines: tuple[tuple[float, float], ...
         np.concatenate([line.ends, more.ends]),
         np.concatenate([line.bulge, more.bulge]),
         np.concatenate([line.line_type, more.line_type]),
-        np.arange(len(line) + len(more)),
-        np.zeros(len(line) + len(more)),
+        np.arange(len(line) + len(more), dtype=np.int32),
+        np.zeros(len(line) + len(more), np.int32),
         np.ones(len(line) + len(more)),
         ("by hand",),
     )
@@ -194,7 +198,7 @@ def with_ends(old: End, new: End) -> Callable[[list[Operation]], list[Operation]
     return change
 
 
-def fields(**new: object) -> Callable[[list[Operation]], list[Operation]]:
+def fields(**new: Any) -> Callable[[list[Operation]], list[Operation]]:
     return lambda operations: [replace(each, **new) for each in operations]
 
 

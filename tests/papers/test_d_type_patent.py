@@ -34,7 +34,8 @@ def angles_between(paths: Paths) -> F64:
     first = first / np.hypot(*first.T)[:, None]
     last = last / np.hypot(*last.T)[:, None]
     cross = last[:-1, 0] * first[1:, 1] - last[:-1, 1] * first[1:, 0]
-    return np.abs(np.arctan2(cross, (last[:-1] * first[1:]).sum(axis=1)))
+    angle: F64 = np.abs(np.arctan2(cross, (last[:-1] * first[1:]).sum(axis=1)))
+    return angle
 
 
 # L_B, L_C, L_D at k = ½, l and r′, each for r = 1.
@@ -80,14 +81,16 @@ def test_c_at_90_degrees_is_a_square_and_at_120_is_cut_off() -> None:
     # B₀ (10, −2), G 2 mm on, E₀ = (10 + √3, 1), H 2 mm before it.
     path = way(Corner.C, 120.0)
     expected = [[10, -2], [12, -2], [11 + ROOT3, 1 - ROOT3], [10 + ROOT3, 1]]
-    np.testing.assert_allclose(np.concatenate([path.start, path.end[-1:]]), expected, atol=1e-12)
+    corners = np.concatenate([path.start, path.end[-1:]])
+    np.testing.assert_allclose(corners, np.array(expected, float), atol=1e-12)
 
 
 def test_d_at_90_degrees_is_line_arc_line() -> None:
     # l = ½ · 2 · tan 45° = 1, r′ = 1 about (11, −1).
     path = way(Corner.D, 90.0)
     expected = [[10, -2], [11, -2], [12, -1], [12, 0]]
-    np.testing.assert_allclose(np.concatenate([path.start, path.end[-1:]]), expected, atol=1e-12)
+    corners = np.concatenate([path.start, path.end[-1:]])
+    np.testing.assert_allclose(corners, np.array(expected, float), atol=1e-12)
     np.testing.assert_allclose(path.bulge, [0.0, np.tan(np.pi / 8), 0.0], atol=1e-12)
 
 
@@ -124,7 +127,7 @@ def test_claim_d_is_longer_than_b_and_shorter_than_c(
 @many
 @given(degrees=turns, k=knobs)
 def test_claim_the_centres_way_is_smooth_in_d_and_not_in_c(degrees: float, k: float) -> None:
-    def joined(kind):
+    def joined(kind: Corner) -> Paths:
         path = way(kind, degrees, k)
         ends = np.array([[9.0, -2.0]]), path.end[-1:]
         turned = np.radians(degrees)

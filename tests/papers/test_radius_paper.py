@@ -70,7 +70,7 @@ def test_5_at_three_points_of_the_ellipse_by_hand() -> None:
     # tangent is (−40, 20)/√2, so n = (−1, −2)/√5: (28.2843 − 1.3416, 14.1421 − 2.6833).
     t = np.radians([0.0, 90.0, 45.0])
     got = programmed(ELLIPSE.point(t), ELLIPSE.tangent(t), 1, 3.0, 0.0, 0.0)
-    np.testing.assert_allclose(got, [[37, 0], [0, 17], [26.942630, 11.458854]], atol=1e-6)
+    np.testing.assert_allclose(got, [[37.0, 0.0], [0.0, 17.0], [26.942630, 11.458854]], atol=1e-6)
 
 
 @pytest.mark.parametrize("side", [1, -1])

@@ -24,7 +24,8 @@ UNDER = {LineType.CUT: LineType.CREASE, LineType.V_GROOVE: LineType.CREASE}
 
 def drawn(ends: F64, bulge: F64, kind: U8) -> Dieline:
     n = len(bulge)
-    return Dieline(ends, bulge, kind, np.arange(n), np.zeros(n), np.ones(n), ("drawn",))
+    rows = np.arange(n, dtype=np.int32)
+    return Dieline(ends, bulge, kind, rows, np.zeros_like(rows), np.ones(n), ("drawn",))
 
 
 def worked(line: Dieline) -> Dieline:
@@ -38,7 +39,7 @@ def taken(line: Dieline, rows: list[int] | I64) -> Dieline:
 
 
 @st.composite
-def dielines(draw) -> Dieline:
+def dielines(draw: st.DrawFn) -> Dieline:
     """Edges between the points of a lattice, 10 mm apart and turned: none lies on another one."""
     count = draw(st.integers(1, 12))
     steps = [(1, 0), (0, 1), (1, 1), (1, -1)]

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any, cast
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 from knifetip.geometry.columns import F64
+from knifetip.geometry.path import Paths
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Axis, Machine, Station
-from knifetip.model.tool import CreaseWheel, Knife, VCutter
+from knifetip.model.tool import CreaseWheel, Knife, Tool, VCutter
+from knifetip.model.toolpath import Motion, Toolpath
 
 KNIFE = Knife(
     blade_angle=45.0,
@@ -79,8 +86,45 @@ def dieline(*groups: tuple[LineType, F64], bulge: dict[int, float] | None = None
     bent = np.zeros(len(ends))
     for row, value in (bulge or {}).items():
         bent[row] = value
-    rows = np.arange(len(ends))
-    return Dieline(ends, bent, kinds, rows, np.zeros(len(ends)), np.ones(len(ends)), ("by hand",))
+    rows = np.arange(len(ends), dtype=np.int32)
+    return Dieline(ends, bent, kinds, rows, np.zeros_like(rows), np.ones(len(ends)), ("by hand",))
+
+
+def paths(start: ArrayLike, end: ArrayLike, bulge: ArrayLike, first: ArrayLike) -> Paths:
+    """Return Paths of anything that numpy takes for their columns."""
+    return Paths(
+        np.asarray(start, np.float64),
+        np.asarray(end, np.float64),
+        np.asarray(bulge, np.float64),
+        np.asarray(first, np.int32),
+    )
+
+
+def toolpath(
+    pose: ArrayLike,
+    moves: Sequence[tuple[Motion, float, int]],
+    *,
+    bulge: ArrayLike | None = None,
+    source: ArrayLike | None = None,
+    track: ArrayLike | None = None,
+) -> Toolpath:
+    """Return a toolpath of n moves through n + 1 poses, each (motion, feed, station)."""
+    count = len(moves)
+    return Toolpath(
+        np.asarray(pose, np.float64).reshape(-1, 4),
+        np.zeros(count) if bulge is None else np.asarray(bulge, np.float64),
+        np.array([move[0] for move in moves], np.uint8),
+        np.array([move[1] for move in moves], np.float64),
+        np.arange(count, dtype=np.int32) if source is None else np.asarray(source, np.int32),
+        np.array([move[2] for move in moves], np.uint8),
+        np.zeros(count, np.int32) if track is None else np.asarray(track, np.int32),
+    )
+
+
+def with_dimensions(tool: Tool, **dimensions: Any) -> Tool:
+    """Return a tool of the same kind with other dimensions."""
+    made: Tool = replace(cast(Any, tool), **dimensions)
+    return made
 
 
 def rotation(degrees: float) -> F64:

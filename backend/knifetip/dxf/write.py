@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from io import StringIO
 
 import numpy as np
-from ezdxf import options, units  # type: ignore[attr-defined]
+from ezdxf import options, units
 from ezdxf.filemanagement import new
 from ezdxf.layouts.layout import Modelspace
 

@@ -9,6 +9,8 @@ from itertools import pairwise
 import numpy as np
 
 from knifetip.dxf import samples
+from knifetip.dxf.write import Layer
+from knifetip.geometry.path import Paths
 from tests.support.cartons.plan import Plan
 
 _PART_OF_LAYER = {"CUT": "outer", "CREASE": "crease", "V-GROOVE": "v-groove"}
@@ -77,11 +79,12 @@ def tray(rng: np.random.Generator) -> Plan:
     return plan
 
 
-def _sampled(parts: list[tuple[samples.Layer, samples.Paths]]) -> Plan:
+def _sampled(parts: list[tuple[Layer, Paths]]) -> Plan:
     plan = Plan()
     for layer, paths in parts:
         for start, end, bulge in zip(paths.start, paths.end, paths.bulge, strict=True):
-            plan.line(*start.tolist(), *end.tolist(), _PART_OF_LAYER[layer.name], float(bulge))
+            (x0, y0), (x1, y1) = start.tolist(), end.tolist()
+            plan.line(x0, y0, x1, y1, _PART_OF_LAYER[layer.name], float(bulge))
     return plan
 
 

@@ -117,8 +117,8 @@ def _bled(plan: Plan) -> None:
     around = blank.buffer(3.0, join_style="mitre", mitre_limit=2.0)
     for ring in getattr(around, "geoms", [around]):
         points = list(ring.exterior.simplify(0.01).coords)
-        for one, two in pairwise(points):
-            plan.line(*one, *two, "bleed")
+        for (x0, y0), (x1, y1) in pairwise(points):
+            plan.line(x0, y0, x1, y1, "bleed")
 
 
 def _points(stroke: Stroke, count: int = 24) -> list[tuple[float, float]]:

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from knifetip.geometry.columns import F64
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Knife, VCutter
@@ -31,7 +32,7 @@ _WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
 _COMMENT = re.compile(rb"\([^)\n]*\)|;[^\n]*")
 
 #: (number, 4): x y z of the tip on the sheet, and the heading (degrees).
-Way = np.ndarray
+Way = F64
 
 
 @dataclass(frozen=True)
@@ -192,17 +193,18 @@ def followed(text: bytes, machine: Machine) -> list[Move] | None:
     return moves
 
 
-def _datum(machine: Machine, station: int) -> np.ndarray:
+def _datum(machine: Machine, station: int) -> F64:
     held = machine.stations[station]
     return np.array([held.x, held.y, held.z, held.c]) if station >= 0 else np.zeros(4)
 
 
-def _way(start: np.ndarray, end: np.ndarray, centre: np.ndarray, code: float) -> Way:
+def _way(start: F64, end: F64, centre: F64, code: float) -> Way:
     if code < 2.0:
         # A tool that is turned by more than half a turn sweeps all headings between.
         turn = abs(end[3] - start[3])
         pieces = 2 if not turn > 180.0 else 2 + int(turn / 10.0)
-        return start + (end - start) * np.linspace(0.0, 1.0, pieces)[:, None]
+        straight: Way = start + (end - start) * np.linspace(0.0, 1.0, pieces)[:, None]
+        return straight
     (ax, ay), (bx, by) = start[:2] - centre, end[:2] - centre
     first, last = math.atan2(ay, ax), math.atan2(by, bx)
     sweep = (last - first) % (2.0 * math.pi)
@@ -215,13 +217,13 @@ def _way(start: np.ndarray, end: np.ndarray, centre: np.ndarray, code: float) ->
     pieces = 2 + int(abs(sweep) * math.sqrt(max(radius, other) / 1.6e-3))
     share = np.linspace(0.0, 1.0, pieces)[:, None]
     angle, size = first + sweep * share, radius + (other - radius) * share
-    way = start + (end - start) * share
+    way: Way = start + (end - start) * share
     way[:, :2] = centre + size * np.hstack([np.cos(angle), np.sin(angle)])
     return way
 
 
 def _tip(way: Way, machine: Machine, station: int) -> Way:
-    tip = way - _datum(machine, station)
+    tip: Way = way - _datum(machine, station)
     if station >= 0:
         tool = machine.stations[station].tool
         cos, sin = np.cos(np.radians(tip[:, 3])), np.sin(np.radians(tip[:, 3]))

@@ -14,7 +14,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.operation import Operation
 from knifetip.model.verdict import Verdict
 from knifetip.verification.verify import verify
-from tests.support.shapes import closed, dieline, edges
+from tests.support.shapes import closed, dieline, edges, with_dimensions
 
 DEMO, ROUTER = load.machine("demo-table"), load.machine("router-table")
 GREY, THICK = load.board("greyboard-2.0"), load.board("greyboard-3.0")
@@ -58,7 +58,7 @@ MILLED = dieline(
 
 def knifed(**dimensions: float) -> Machine:
     """Return the demo table with another knife."""
-    knife = replace(DEMO.stations[0].tool, **dimensions)
+    knife = with_dimensions(DEMO.stations[0].tool, **dimensions)
     return replace(DEMO, stations=(replace(DEMO.stations[0], tool=knife), *DEMO.stations[1:]))
 
 

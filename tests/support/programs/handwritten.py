@@ -72,7 +72,7 @@ def dieline(*edges: tuple[LineType, float, float, float, float, float]) -> Dieli
         ends=np.array([edge[1:5] for edge in edges], np.float64).reshape(rows, 2, 2),
         bulge=np.array([edge[5] for edge in edges], np.float64),
         line_type=np.array([edge[0] for edge in edges], np.uint8),
-        source=np.arange(rows),
+        source=np.arange(rows, dtype=np.int32),
         rule=np.zeros(rows, np.int32),
         confidence=np.ones(rows),
         rules=("by hand",),

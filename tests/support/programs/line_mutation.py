@@ -16,6 +16,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from knifetip.geometry.columns import F64
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
@@ -156,16 +157,18 @@ def moved(text: bytes, mutant: bytes, machine: Machine, board: Board, dieline: D
     mills = [1e3 * k for k, held in enumerate(machine.stations) if isinstance(held.tool, Cutter)]
     farthest = 0.0
     if mills:
-        milled = [[way for way in ways if way[0, 0] in mills] for ways in (old, new)]
+        milled_old, milled_new = (
+            [way for way in ways if way[0, 0] in mills] for ways in (old, new)
+        )
         old, new = ([way for way in ways if way[0, 0] not in mills] for ways in (old, new))
         tool = machine.stations[int(mills[0] / 1e3)].tool
         assert isinstance(tool, Cutter)
-        farthest = _eaten(*milled, tool.radius, -machine.into_mat, dieline)
+        farthest = _eaten(milled_old, milled_new, tool.radius, -machine.into_mat, dieline)
     return max(farthest, _beyond(new, old), _beyond(old, new))
 
 
 def _eaten(
-    before: list[np.ndarray], after: list[np.ndarray], radius: float, low: float, dieline: Dieline
+    before: list[F64], after: list[F64], radius: float, low: float, dieline: Dieline
 ) -> float:
     """Return how far a cutter's way comes nearer to, or stays farther from, places of the parts.
 
@@ -195,7 +198,7 @@ def _eaten(
     return max(float(np.abs(deep[1] - deep[0]).max()), float(nearer.max()))
 
 
-def _nearest(points: np.ndarray, ways: list[np.ndarray]) -> np.ndarray:
+def _nearest(points: F64, ways: list[F64]) -> F64:
     """Return how near ways come to points, (n,) mm."""
     nearest = np.full(len(points), 1e3)
     if not ways:
@@ -211,11 +214,11 @@ def _nearest(points: np.ndarray, ways: list[np.ndarray]) -> np.ndarray:
     return nearest
 
 
-def chords(start: np.ndarray, end: np.ndarray, bulge: float) -> np.ndarray:
+def chords(start: F64, end: F64, bulge: float) -> F64:
     """Return points along an edge, about every half millimetre."""
     size = float(np.hypot(*(end - start)))
     share = np.linspace(0.0, 1.0, 2 + int(2.0 * size))[:, None]
-    way = start + (end - start) * share
+    way: F64 = start + (end - start) * share
     if bulge == 0.0:
         return way
     left = np.array([start[1] - end[1], end[0] - start[0]])
@@ -223,10 +226,11 @@ def chords(start: np.ndarray, end: np.ndarray, bulge: float) -> np.ndarray:
     out = start - centre
     angle = 4.0 * math.atan(bulge) * share
     turned = np.hstack([-out[1] * np.sin(angle), out[0] * np.sin(angle)])
-    return centre + out * np.cos(angle) + turned
+    bent: F64 = centre + out * np.cos(angle) + turned
+    return bent
 
 
-def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[np.ndarray] | None:
+def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[F64] | None:
     """Return the ways in the board, (k, 6): station, x, y, z, and where the blade's far end is."""
     result = []
     for move in moves:
@@ -254,7 +258,7 @@ def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[np.ndarra
     return result
 
 
-def _beyond(ways: list[np.ndarray], others: list[np.ndarray]) -> float:
+def _beyond(ways: list[F64], others: list[F64]) -> float:
     """Return the farthest that a point of some ways is from all the others (mm).
 
     What is above a deeper place has gone with it.

@@ -62,7 +62,8 @@ def served(settings: Settings) -> Iterator[LocalClient]:
 
 def service_of(app: object) -> Service:
     assert isinstance(app, FastAPI)
-    return app.state.service
+    service: Service = app.state.service
+    return service
 
 
 def square(
@@ -78,14 +79,16 @@ def uploaded(client: httpx.Client, content: bytes, **fields: str) -> dict[str, A
     """Upload a drawing and return what the server says of it."""
     answer = client.post("/api/drawings", files={"file": ("square.dxf", content)}, data=fields)
     assert answer.status_code == 201, answer.text
-    return answer.json()
+    body: dict[str, Any] = answer.json()
+    return body
 
 
 def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict[str, Any]:
     """Order a job and return it."""
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", **fields})
     assert answer.status_code == 201, answer.text
-    return answer.json()
+    body: dict[str, Any] = answer.json()
+    return body
 
 
 def until(
@@ -97,7 +100,7 @@ def until(
     """
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
-        found = client.get(f"/api/jobs/{job}").json()
+        found: dict[str, Any] = client.get(f"/api/jobs/{job}").json()
         if found["state"] in states:
             return found
         assert found["state"] not in ENDS, found

@@ -7,7 +7,7 @@ from importlib import import_module
 from unittest.mock import patch
 
 from knifetip.errors import KnifetipError
-from knifetip.model.drawing import Drawing
+from knifetip.model.drawing import Drawing, LocationBoxes
 
 reading = import_module("knifetip.dxf.read")
 
@@ -54,9 +54,9 @@ def difference(a: Drawing | KnifetipError, b: Drawing | KnifetipError) -> str:
         left, right = getattr(a.ledger, name), getattr(b.ledger, name)
         if left != right:
             return f"ledger.{name}: {left} / {right}"
-    for name, one, other in zip(
-        ("rows", "box"), a.ledger.location_boxes, b.ledger.location_boxes, strict=True
-    ):
+    for name in LocationBoxes._fields:
+        one = getattr(a.ledger.location_boxes, name)
+        other = getattr(b.ledger.location_boxes, name)
         if one.tobytes() != other.tobytes():
             return f"ledger.{name}: {one.tolist()} / {other.tolist()}"
     for name in ("fate", "length"):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 Tag = tuple[int, object]
+#: A coordinate; a text where a file has something else in its place.
+Number = float | str
 
 
 def tags(*pairs: Tag) -> str:
@@ -16,11 +18,11 @@ def entity(kind: str, *pairs: Tag) -> str:
     return tags((0, kind), *layer, *pairs)
 
 
-def line(x1: float, y1: float, x2: float, y2: float, *pairs: Tag) -> str:
+def line(x1: Number, y1: Number, x2: Number, y2: Number, *pairs: Tag) -> str:
     return entity("LINE", *pairs, (10, x1), (20, y1), (11, x2), (21, y2))
 
 
-def insert(block: str, x: float = 0.0, y: float = 0.0, *pairs: Tag) -> str:
+def insert(block: str, x: Number = 0.0, y: Number = 0.0, *pairs: Tag) -> str:
     return entity("INSERT", (2, block), (10, x), (20, y), *pairs)
 
 

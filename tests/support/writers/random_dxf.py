@@ -89,7 +89,8 @@ def _common(draw: Draw, new: bool) -> list[Tag]:
 
 
 def _z(draw: Draw) -> float:
-    return draw(st.sampled_from((0.0, 0.0, 0.0, 0.0, 12.5)))
+    z: float = draw(st.sampled_from((0.0, 0.0, 0.0, 0.0, 12.5)))
+    return z
 
 
 def _side(draw: Draw) -> list[Tag]:
@@ -134,7 +135,8 @@ def _vertices(draw: Draw) -> list[tuple[float, float, float]]:
 @st.composite
 def _lwpolyline(draw: Draw, new: bool) -> list[list[Tag]]:
     if not new and draw(st.booleans()):
-        return draw(_polyline(new))
+        rows: list[list[Tag]] = draw(_polyline(new))
+        return rows
     vertices = _vertices(draw)
     tags: list[Tag] = [(100, "AcDbPolyline"), (90, len(vertices)), (70, draw(st.integers(0, 1)))]
     if (z := _z(draw)) != 0.0:
@@ -339,5 +341,6 @@ def drawings(draw: Draw, plain: bool = False) -> bytes:
     text = "".join(
         tags((0, "SECTION"), (2, name)) + body + tags((0, "ENDSEC")) for name, body in sections
     )
-    encoding = draw(st.sampled_from(("utf-8", "utf-8-sig")))
-    return (text + tags((0, "EOF"))).encode(encoding)
+    encoding: str = draw(st.sampled_from(("utf-8", "utf-8-sig")))
+    whole: bytes = (text + tags((0, "EOF"))).encode(encoding)
+    return whole

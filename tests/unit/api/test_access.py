@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
+from typing import Any
 
 import httpx
 import pytest
@@ -132,7 +133,7 @@ def test_a_default_port_may_be_left_out() -> None:
     ],
 )
 def test_a_change_must_show_that_no_foreign_page_sent_it(
-    method: str, seen: dict[str, str | bool | object | tuple[str, ...] | None], expected: int
+    method: str, seen: dict[str, Any], expected: int
 ) -> None:
     asked = replace(BROWSER, method=method, **seen)
     assert status(HOME, asked) == expected
@@ -168,7 +169,9 @@ def test_plain_forms_are_no_requests_of_the_api(kind: str, expected: int) -> Non
 def test_without_a_key_only_this_machine_is_served() -> None:
     assert status(OPEN, CURL) == 200
     assert status(OPEN, LAN) == 403
-    assert "--key" in hint(refusal(OPEN, LAN, NOW).message)
+    refused = refusal(OPEN, LAN, NOW)
+    assert refused is not None
+    assert "--key" in hint(refused.message)
     # A page that is led to this machine by its address, and a stranger who names it localhost.
     assert status(OPEN, replace(LAN, peer="127.0.0.1", server=("127.0.0.1", 8080))) == 421
     assert status(OPEN, replace(LAN, peer="192.168.1.20")) == 403
@@ -332,7 +335,11 @@ async def test_what_is_no_key_in_the_form_is_wrong(delay: float, body: bytes) ->
 
 async def test_a_wrong_key_waits_and_the_right_one_does_not(delay: float) -> None:
     async with asking(KEYED) as client:
-        for asked in ({"headers": {"Authorization": "Bearer x"}}, {"params": {"key": "x"}}):
+        wrong: tuple[dict[str, Any], ...] = (
+            {"headers": {"Authorization": "Bearer x"}},
+            {"params": {"key": "x"}},
+        )
+        for asked in wrong:
             began = time.monotonic()
             path = "/" if "params" in asked else "/api/jobs"
             assert (await client.get(path, **asked)).status_code == 401

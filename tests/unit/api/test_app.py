@@ -25,7 +25,7 @@ PNG = b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 40
 def problem(answer: httpx.Response, status: int) -> dict[str, Any]:
     assert answer.status_code == status, answer.text
     assert answer.headers["content-type"] == PROBLEM
-    said = answer.json()
+    said: dict[str, Any] = answer.json()
     assert said["status"] == status
     assert said["title"]
     assert said["detail"]
@@ -179,7 +179,7 @@ def body(fields: dict[str, object]) -> bytes:
     return json.dumps(fields).encode()
 
 
-BODIES = {
+BODIES: dict[str, dict[str, Any]] = {
     "/api/jobs": {
         "drawing": "nothing",
         "machine": "demo-table",

@@ -19,7 +19,8 @@ MYSTERY = text.line(10.0, 50.0, 90.0, 50.0, (8, "MYSTERY"), (62, 30))
 
 
 def edges(client: httpx.Client, id: str) -> list[dict[str, Any]]:
-    return client.get(f"/api/drawings/{id}/edges").json()["edges"]
+    found: list[dict[str, Any]] = client.get(f"/api/drawings/{id}/edges").json()["edges"]
+    return found
 
 
 def override(client: httpx.Client, id: str, *overrides: dict[str, Any]) -> httpx.Response:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import asyncio
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from functools import partial
+from typing import Any
 
 import httpx
 import pytest
@@ -36,7 +38,7 @@ async def test_calls_are_made_in_order_and_so_many_at_once() -> None:
             inside -= 1
         return number
 
-    found = await asyncio.gather(*[work.run(lambda n=n: call(n)) for n in range(12)])
+    found = await asyncio.gather(*[work.run(partial(call, n)) for n in range(12)])
     assert found == list(range(12))
     assert order == list(range(12))
     assert most == 2
@@ -52,7 +54,7 @@ async def test_one_more_than_may_wait_is_refused_and_told_when_to_come_again() -
         gate.wait(10.0)
         made.append(number)
 
-    waiting = [asyncio.create_task(work.run(lambda n=n: call(n))) for n in range(3)]
+    waiting = [asyncio.create_task(work.run(partial(call, n))) for n in range(3)]
     await asyncio.sleep(0.05)
     with pytest.raises(ServerBusy) as refused:
         await work.run(lambda: call(99))
@@ -105,7 +107,7 @@ def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
     gate.set()
     timed = WorkQueue._timed
 
-    def slow(self: WorkQueue, call):
+    def slow(self: WorkQueue, call: Callable[[], Any]) -> Any:
         gate.wait(30.0)
         return timed(self, call)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from typing import Any
 
 import httpx
@@ -126,7 +127,7 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
     run = client.service.pool.run
     between: list[int] = []
 
-    def changed_meanwhile(task, *arguments, **named):
+    def changed_meanwhile(task: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
         if task is tasks.ask:
             store = client.service.store
             row = store.drawings.get_with(id, "overrides")
@@ -153,7 +154,7 @@ def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
     run = client.service.pool.run
     others = [3]
 
-    def changed_meanwhile(task, *arguments, **named):
+    def changed_meanwhile(task: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
         found = run(task, *arguments, **named)
         if task is tasks.read and others[0]:
             others[0] -= 1

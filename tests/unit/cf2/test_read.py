@@ -191,7 +191,7 @@ def test_profiles_know_the_types_of_their_program_and_no_others(
     profile: str, known: dict[str, Any]
 ) -> None:
     drawing = read(cf2(*(line(0, k, 9, k, k) for k in KINDS)))
-    of = {**{1: "cut", 2: "crease", 46: "ignored"}, **known}
+    of: dict[Any, str] = {**{1: "cut", 2: "crease", 46: "ignored"}, **known}
     rules = load.profile(profile).rules
     for kind, row in zip(KINDS, drawing.linetype, strict=True):
         name = drawing.linetypes[row]

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from knifetip.classification.arrows import arrows
 from knifetip.topology.planar_graph import build_graph
 
 
-def found(lines: list[tuple[float, float, float, float]], unit: float = 1.0) -> list[bool]:
+def found(lines: Sequence[tuple[float, ...]], unit: float = 1.0) -> list[bool]:
     ends = np.array(lines, np.float64).reshape(-1, 2, 2)
     graph = build_graph(ends, np.zeros(len(lines)), 0.05 * unit, 1.0 * unit)
     assert graph is not None
-    return arrows(graph, len(lines), unit).tolist()
+    seen: list[bool] = arrows(graph, len(lines), unit).tolist()
+    return seen
 
 
 #: A line of 50 mm with two heads of 3 mm, between two that it begins at and ends at.

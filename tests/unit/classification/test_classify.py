@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -155,7 +157,7 @@ def test_overrides_that_do_not_fit_are_refused(given: list[int], said: str) -> N
 # ── questions ────────────────────────────────────────────────────────────────────────────────────
 
 
-def asked(*rows: Style, **more: object) -> list[str]:
+def asked(*rows: Style, **more: Any) -> list[str]:
     sheet = side_by_side(rows, **more)
     return [question.text for question in questions(sheet, classify(sheet, RULES))]
 

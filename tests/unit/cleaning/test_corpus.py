@@ -27,7 +27,15 @@ def all_work(drawing: Drawing) -> Dieline:
     count = len(drawing)
     rows = np.arange(count)
     zeros = np.zeros(count)
-    return Dieline(drawing.ends, drawing.bulge, kinds, rows, zeros, zeros + 1.0, ("all",))
+    return Dieline(
+        drawing.ends,
+        drawing.bulge,
+        kinds,
+        rows.astype(np.int32),
+        np.zeros(len(rows), np.int32),
+        zeros + 1.0,
+        ("all",),
+    )
 
 
 def figures(made: Cleaned) -> tuple[int, int, int]:

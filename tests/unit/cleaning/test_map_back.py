@@ -29,13 +29,17 @@ def verdict(count: int) -> Verdict:
     return Verdict(
         accepted=False,
         tolerance=0.01,
-        deviation=rows * 0.001,
+        deviation=(rows * 0.001).astype(np.float64),
         overcut=np.zeros(count),
         uncut=np.where(rows == 0, 10.0, np.where(rows == 5, 4.0, 0.0)),
         setback=np.zeros(count),
         findings=(Finding("uncut", "", 4.0, edge=5), Finding("feed", "", 1.0)),
         seconds=1.0,
-        samples=Samples([0, 0, 0, 3, 5], [0.15, 0.65, 1.0, 0.5, 0.5], [0.1, 0.2, 0.3, 0.4, 0.5]),
+        samples=Samples(
+            np.array([0, 0, 0, 3, 5], np.int32),
+            np.array([0.15, 0.65, 1.0, 0.5, 0.5]),
+            np.array([0.1, 0.2, 0.3, 0.4, 0.5]),
+        ),
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
@@ -11,27 +12,32 @@ import pytest
 from knifetip.cli import main
 from tests.support.writers import dxf_text as text
 
+Cleaned = Callable[..., tuple[int, str]]
+
 
 @pytest.fixture
-def cleaned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]):
+def cleaned(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> Cleaned:
     """Run the command on a few lines; returns exit code and stdout."""
 
-    def run(*lines, options=(), units=4):
+    def run(*lines: str, options: Sequence[str] = (), units: int | None = 4) -> tuple[int, str]:
         file = tmp_path / "sheet.dxf"
         file.write_bytes(text.dxf(*lines, units=units))
         monkeypatch.setattr(sys, "argv", ["knifetip", "clean", str(file), *options])
         with pytest.raises(SystemExit) as left:
             main()
+        assert isinstance(left.value.code, int)
         return left.value.code, capfd.readouterr().out
 
     return run
 
 
-def cut(*ends: float) -> str:
-    return text.line(*ends, (8, "CUT"))
+def cut(x1: float, y1: float, x2: float, y2: float) -> str:
+    return text.line(x1, y1, x2, y2, (8, "CUT"))
 
 
-def test_the_lengths_add_up_and_every_changed_edge_is_told(cleaned) -> None:
+def test_the_lengths_add_up_and_every_changed_edge_is_told(cleaned: Cleaned) -> None:
     code, out = cleaned(cut(0, 0, 100, 0), cut(40, 0, 70, 0), cut(100.03, 0, 200, 0))
     assert code == 0
     assert "drawn 229.970 mm = kept 199.970 + merged 30.000 + dropped 0.000" in out
@@ -40,7 +46,7 @@ def test_the_lengths_add_up_and_every_changed_edge_is_told(cleaned) -> None:
     assert "edge 2: merged: it goes on in edge 0 and is one with it" in out
 
 
-def test_json_has_the_same(cleaned) -> None:
+def test_json_has_the_same(cleaned: Cleaned) -> None:
     code, out = cleaned(cut(0, 0, 100, 0), cut(40, 0, 70, 0), options=("--json",))
     assert code == 0
     data = json.loads(out)["cleaning"]
@@ -48,6 +54,6 @@ def test_json_has_the_same(cleaned) -> None:
     assert [row["why"] for row in data["rows"]] == ["twice"]
 
 
-def test_without_a_unit_it_asks(cleaned) -> None:
+def test_without_a_unit_it_asks(cleaned: Cleaned) -> None:
     code, _ = cleaned(cut(0, 0, 3, 0), units=None)
     assert code == 2

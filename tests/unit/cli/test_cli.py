@@ -15,7 +15,7 @@ from tests.support.writers import pdf_text
 
 
 @pytest.fixture
-def folder(tmp_path: Path):
+def folder(tmp_path: Path) -> Path:
     for name, data in samples().items():
         (tmp_path / name).write_bytes(data)
     return tmp_path
@@ -24,7 +24,7 @@ def folder(tmp_path: Path):
 RIGID = ("--machine", "demo-table", "--board", "greyboard-2.0")
 
 
-def test_classify_says_of_every_edge_what_it_is_and_why(knifetip: Command, folder) -> None:
+def test_classify_says_of_every_edge_what_it_is_and_why(knifetip: Command, folder: Path) -> None:
     code, out, _ = knifetip("classify", folder / "rigid-box-blank.dxf", "--json")
     data = json.loads(out)
     assert code == 0
@@ -41,7 +41,7 @@ def test_classify_says_of_every_edge_what_it_is_and_why(knifetip: Command, folde
 
 @pytest.mark.parametrize("options", [(), ("--json",)])
 def test_classify_ends_with_2_while_a_question_is_open(
-    knifetip: Command, tmp_path: Path, options
+    knifetip: Command, tmp_path: Path, options: tuple[str, ...]
 ) -> None:
     shape = [text.line(0, 0, 100, 0, (8, "?")), text.line(100, 0, 100, 80, (8, "?"))]
     (tmp_path / "open.dxf").write_bytes(text.dxf(*shape, units=4))
@@ -51,7 +51,7 @@ def test_classify_ends_with_2_while_a_question_is_open(
     assert (code, err) == (0, "")
 
 
-def test_read_lists_every_entity(knifetip: Command, folder) -> None:
+def test_read_lists_every_entity(knifetip: Command, folder: Path) -> None:
     code, out, _ = knifetip("read", folder / "tuck-end-carton.dxf", "--json")
     assert code == 0
     assert len(json.loads(out)["ledger"]) > 5
@@ -77,7 +77,7 @@ def test_read_puts_what_fared_alike_in_one_line_and_what_was_dropped_first(
 
 
 def test_classify_prints_by_what_edges_have_their_type_and_how_sure_that_is(
-    knifetip: Command, folder
+    knifetip: Command, folder: Path
 ) -> None:
     code, out, _ = knifetip("classify", folder / "rigid-box-blank.dxf")
     lines = [line.strip() for line in out.splitlines()]
@@ -87,7 +87,7 @@ def test_classify_prints_by_what_edges_have_their_type_and_how_sure_that_is(
     assert "V-GROOVE" in lines[groove + 1]
 
 
-def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip: Command, folder) -> None:
+def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip: Command, folder: Path) -> None:
     code, out, _ = knifetip("read", folder / "rigid-box-blank.dxf")
     head, *rest = out.splitlines()
     assert code == 0
@@ -106,7 +106,7 @@ def test_a_size_is_in_millimetres_whatever_the_unit_of_the_file(
     )
 
 
-def test_read_warns_of_a_header_that_lies(knifetip: Command, folder) -> None:
+def test_read_warns_of_a_header_that_lies(knifetip: Command, folder: Path) -> None:
     plain = (folder / "tuck-end-carton.dxf").read_bytes()
     start = plain.index(b"$INSUNITS")
     lying = plain[:start] + plain[start:].replace(b" 4\n", b" 6\n", 1).replace(
@@ -123,7 +123,7 @@ def test_read_warns_of_a_header_that_lies(knifetip: Command, folder) -> None:
         assert said["warnings"][0].startswith("The header states metres")
 
 
-def test_program_writes_what_verify_accepts(knifetip: Command, folder) -> None:
+def test_program_writes_what_verify_accepts(knifetip: Command, folder: Path) -> None:
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip(
         "program", drawing, *RIGID, "--dialect", "linuxcnc", "-o", out, "--report", report
@@ -139,14 +139,14 @@ def test_program_writes_what_verify_accepts(knifetip: Command, folder) -> None:
     assert json.loads(judged)["deviation"] < 0.01
 
 
-def test_the_same_input_gives_the_same_bytes(knifetip: Command, folder) -> None:
+def test_the_same_input_gives_the_same_bytes(knifetip: Command, folder: Path) -> None:
     for name in ("a.nc", "b.nc"):
         knifetip("program", folder / "tuck-end-carton.dxf", "--machine", "demo-table",
                  "--board", "fbb-0.4", "-o", folder / name)  # fmt: skip
     assert (folder / "a.nc").read_bytes() == (folder / "b.nc").read_bytes() != b""
 
 
-def test_a_changed_program_is_refused_with_exit_code_1(knifetip: Command, folder) -> None:
+def test_a_changed_program_is_refused_with_exit_code_1(knifetip: Command, folder: Path) -> None:
     drawing, out = folder / "rigid-box-blank.dxf", folder / "p.ngc"
     knifetip("program", drawing, *RIGID, "--dialect", "linuxcnc", "-o", out)
     text = out.read_text()
@@ -158,7 +158,7 @@ def test_a_changed_program_is_refused_with_exit_code_1(knifetip: Command, folder
     assert "refused" in err
 
 
-def test_open_questions_are_printed_and_exit_with_2(knifetip: Command, folder) -> None:
+def test_open_questions_are_printed_and_exit_with_2(knifetip: Command, folder: Path) -> None:
     drawing, out = folder / "rigid-box-blank.dxf", folder / "p.nc"
     code, _, err = knifetip("program", drawing, *RIGID, "--layer", "CUT=unclassified", "-o", out)
     assert code == 2
@@ -166,7 +166,7 @@ def test_open_questions_are_printed_and_exit_with_2(knifetip: Command, folder) -
     assert not out.exists()
 
 
-def test_a_layer_may_be_given_a_line_type(knifetip: Command, folder) -> None:
+def test_a_layer_may_be_given_a_line_type(knifetip: Command, folder: Path) -> None:
     code, out, _ = knifetip(
         "classify", folder / "rigid-box-blank.dxf", "--layer", "cut=half-cut", "--json"
     )
@@ -188,7 +188,7 @@ def test_a_layer_may_be_given_a_line_type(knifetip: Command, folder) -> None:
     ],
 )  # fmt: skip
 def test_what_cannot_be_used_is_said_with_exit_code_3(
-    knifetip: Command, folder, words: tuple[str, ...], said: str
+    knifetip: Command, folder: Path, words: tuple[str, ...], said: str
 ) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip(*(word.format(drawing) for word in words))
@@ -231,7 +231,7 @@ def test_samples_are_written(knifetip: Command, tmp_path: Path) -> None:
 ROUTED = ("--machine", "router-table", "--board", "greyboard-3.0")
 
 
-def test_corners_are_chosen_and_reported(knifetip: Command, folder) -> None:
+def test_corners_are_chosen_and_reported(knifetip: Command, folder: Path) -> None:
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip(
         "program", drawing, *ROUTED, "-o", out, "--report", report, "--corner", "D", "--k", "0.4",
@@ -253,7 +253,7 @@ def test_corners_are_chosen_and_reported(knifetip: Command, folder) -> None:
     assert out.read_bytes() != plain.read_bytes()
 
 
-def test_the_report_has_the_verdicts_figures(knifetip: Command, folder) -> None:
+def test_the_report_has_the_verdicts_figures(knifetip: Command, folder: Path) -> None:
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip("program", drawing, *ROUTED, "-o", out, "--report", report)
     assert code == 0, err
@@ -293,7 +293,7 @@ GROOVE = load.board("greyboard-3.0").groove_depth
     ],
 )
 def test_corners_that_are_none_are_said_with_exit_code_3(
-    knifetip: Command, folder, words: tuple[str, str], said: str
+    knifetip: Command, folder: Path, words: tuple[str, str], said: str
 ) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip("program", drawing, *ROUTED, "-o", folder / "p.ngc", *words)
@@ -302,7 +302,7 @@ def test_corners_that_are_none_are_said_with_exit_code_3(
     assert not (folder / "p.ngc").exists()
 
 
-def test_corners_are_not_for_a_knife(knifetip: Command, folder) -> None:
+def test_corners_are_not_for_a_knife(knifetip: Command, folder: Path) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip("program", drawing, *RIGID, "-o", folder / "p.ngc", "--corner", "D")
     assert code == 3
@@ -310,7 +310,7 @@ def test_corners_are_not_for_a_knife(knifetip: Command, folder) -> None:
 
 
 def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(
-    knifetip: Command, folder
+    knifetip: Command, folder: Path
 ) -> None:
     points, board = folder / "points.csv", folder / "mine.toml"
     # 45°: ΔX = -δx sin 45°, ΔY = δy cos 45°.
@@ -336,7 +336,7 @@ def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(
     ],
 )
 def test_a_calibration_that_says_too_little_is_refused(
-    knifetip: Command, folder, content: str, said: str
+    knifetip: Command, folder: Path, content: str, said: str
 ) -> None:
     points = folder / "points.csv"
     points.write_text(content)

@@ -7,6 +7,7 @@ import json
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer
+from typing import Any
 
 import pytest
 
@@ -33,7 +34,7 @@ class Office:
     """A server that answers every request with a job, and keeps what it was asked."""
 
     def __init__(self) -> None:
-        self.asked: list[tuple[str, str, dict | None]] = []
+        self.asked: list[tuple[str, str, dict[str, Any] | None]] = []
         self.headers: list[dict[str, str]] = []
         self.answer: tuple[int, object] = (200, JOB)
         self.url = ""
@@ -95,7 +96,7 @@ def test_a_command_is_sent_to_its_route(knifetip: Command, office: Office, comma
     code, out, _ = knifetip("job", command, "abc", "--server", office.url)
     assert code == 0
     assert "tray.dxf" in out
-    body = {} if command == "confirm" else None
+    body: dict[str, Any] | None = {} if command == "confirm" else None
     assert office.asked == [("POST", f"/api/jobs/abc/{command}", body)]
     assert office.headers[0]["X-Knifetip"] == "cli"
     assert "Authorization" not in office.headers[0]

@@ -18,7 +18,7 @@ layer = "CUT"
 
 
 @pytest.fixture
-def knifetip(knifetip: Command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+def knifetip(knifetip: Command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Command:
     """Run the command in a folder of its own."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("KNIFETIP_DATABASE", raising=False)

@@ -31,7 +31,7 @@ def operation(paths: Paths = SQUARE, **changes: Any) -> Operation:
         depth=np.full((count, 1), 2.3), caliper=2.0, clearance=2.0, feed=12000.0, plunge=3000.0,
         swivel=0.0, end_clearance=0.0, overcut=0.0, short_crease="press",
         start=np.full(len(paths), End.CLOSED), finish=np.full(len(paths), End.CLOSED),
-        source=np.arange(count), side=-1, acceleration=8000.0,
+        source=np.arange(count, dtype=np.int32), side=-1, acceleration=8000.0,
     )  # fmt: skip
     return replace(plain, **changes)
 

@@ -108,7 +108,8 @@ def test_reversed_or_begun_elsewhere_it_is_the_same_contour(x: float, y: float, 
     turned = Paths(paths.end[::-1], paths.start[::-1], -paths.bulge[::-1], paths.first)
     back, _ = deflected(turned, 1, x, y)
     np.testing.assert_allclose(back.end[::-1], there.start, atol=1e-9)
-    rolled = Paths(*(np.roll(c, shift, axis=0) for c in (paths.start, paths.end, paths.bulge)),
+    start, end, bulge = (np.roll(c, shift, axis=0) for c in (paths.start, paths.end, paths.bulge))
+    rolled = Paths(start, end, bulge,
                    paths.first)  # fmt: skip
     other, _ = deflected(rolled, -1, x, y)
     lengths = (there.lengths, other.lengths)

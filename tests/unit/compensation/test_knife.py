@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -87,7 +88,7 @@ def test_a_cut_shorter_than_the_lead_is_refused() -> None:
         knife(planned(edges(((0, 0), (2.2, 0)))))
 
 
-def led(ends: F64, **leads: float) -> Toolpath:
+def led(ends: F64, **leads: Any) -> Toolpath:
     blade = replace(KNIFE, **leads)
     machine = replace(MACHINE, stations=(replace(MACHINE.stations[0], tool=blade),))
     return knife(plan(dieline((LineType.CUT, ends)), machine, BOARD)[-1])

@@ -5,6 +5,7 @@ Distances are taken to the drawing's own lines and arcs by sums of this file alo
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -49,7 +50,8 @@ def contour(
         line_type=LineType.CUT, tool=replace(ROUTER, radius=r), station=4,
         depth=np.full((count, 1), 2.3), caliper=2.0, clearance=2.0, feed=9000.0, plunge=1500.0,
         swivel=0.0, end_clearance=0.0, overcut=0.0, short_crease="press",
-        start=[End.CLOSED], finish=[End.CLOSED], source=np.arange(count), side=side,
+        start=np.array([End.CLOSED], np.uint8), finish=np.array([End.CLOSED], np.uint8),
+        source=np.arange(count, dtype=np.int32), side=side,
         acceleration=8000.0,
     )  # fmt: skip
     return replace(plain, **changes)
@@ -58,23 +60,26 @@ def contour(
 def open_cut(
     *points: tuple[float, float],
     side: int = 1,
-    r=3.0,
-    depth: tuple[float, float] = (2.3,),
-    **changes: Cutter,
+    r: float = 3.0,
+    depth: tuple[float, ...] = (2.3,),
+    **changes: Any,
 ) -> Operation:
     xy = np.array(points, float)
     whole = contour(*points, side=side, r=r)
     count = len(xy) - 1
     return replace(
         whole, paths=Paths(xy[:-1], xy[1:], np.zeros(count), np.array([0, count])),
-        depth=np.tile(depth, (count, 1)), start=[End.FREE], finish=[End.FREE],
-        source=np.arange(count), k_at=np.zeros(0), corner_at=np.zeros(0, np.uint8),
+        depth=np.tile(depth, (count, 1)), start=np.array([End.FREE], np.uint8),
+        finish=np.array([End.FREE], np.uint8),
+        source=np.arange(count, dtype=np.int32), k_at=np.zeros(0), corner_at=np.zeros(0, np.uint8),
         run_out=np.zeros((0, 2)), **changes,
     )  # fmt: skip
 
 
 def sampled(
-    path: Toolpath, motions: list[Motion] = (Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT), step=0.5
+    path: Toolpath,
+    motions: Sequence[Motion] = (Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT),
+    step: float = 0.5,
 ) -> F64:
     """Points of the centre in the board, ends of moves among them."""
     points = []
@@ -128,9 +133,10 @@ corners = st.sampled_from(["B", "C", "D", "auto"])
 cutters = st.floats(0.2, 8.0)
 
 
-def star(radii: list[float], phase=0.3) -> F64:
+def star(radii: list[float], phase: float = 0.3) -> F64:
     angle = phase + np.arange(len(radii)) * 2 * np.pi / len(radii)
-    return np.array(radii)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+    xy: F64 = np.array(radii)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+    return xy
 
 
 @many
@@ -217,7 +223,7 @@ def test_a_rectangle_from_outside_in_b_worked_by_hand() -> None:
         [50, -4.5], [50, -4.5], [50, -3], [100, -3], [103, 0], [103, 50], [100, 53], [0, 53],
         [-3, 50], [-3, 0], [0, -3], [50, -3], [50, -4.5], [50, -4.5],
     ]  # fmt: skip
-    np.testing.assert_allclose(path.pose[:, :2], expected, atol=1e-12)
+    np.testing.assert_allclose(path.pose[:, :2], np.array(expected, float), atol=1e-12)
     np.testing.assert_allclose(path.pose[[0, 1, 7, 12, 13], 2], [4, -0.3, -0.3, -0.3, 4])
     np.testing.assert_allclose(path.bulge[3:10:2], [QUARTER] * 4)
     assert (path.pose[:, 3] == 0.0).all()
@@ -259,7 +265,7 @@ def test_an_open_cut_is_milled_beside_its_line_left_or_right(side: int) -> None:
     path = compensate(open_cut((0, 0), (50, 0), side=side))
     np.testing.assert_allclose(
         path.pose[:, :2] * [1, side],
-        [[0, 4.5], [0, 4.5], [0, 3], [50, 3], [50, 4.5], [50, 4.5]],
+        np.array([[0, 4.5], [0, 4.5], [0, 3], [50, 3], [50, 4.5], [50, 4.5]]),
         atol=1e-12,
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import ezdxf
@@ -17,7 +17,7 @@ from knifetip.dxf.read import read
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Drawing, Fate
-from tests.support.writers.dxf_text import block, dxf, entity, insert, line, tags
+from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, line, tags
 
 DOWN = ((210, 0.0), (220, 0.0), (230, -1.0))
 
@@ -34,7 +34,7 @@ def only(drawing: Drawing, fate: Fate = Fate.KEPT) -> str:
     return drawing.ledger.reason[0]
 
 
-def polyline(vertices, *head, flags: int = 0) -> str:
+def polyline(vertices: Sequence[Sequence[Any]], *head: Tag, flags: int = 0) -> str:
     text = entity("POLYLINE", (66, 1), (70, flags), (10, 0), (20, 0), (30, 0), *head)
     for vertex in vertices:
         x, y, *more = vertex
@@ -42,9 +42,7 @@ def polyline(vertices, *head, flags: int = 0) -> str:
     return text + tags((0, "SEQEND"))
 
 
-def lwpolyline(
-    vertices: list[tuple[float, float, float]], *head: tuple[float, float], flags: int = 0
-) -> str:
+def lwpolyline(vertices: Sequence[tuple[float, float, float]], *head: Tag, flags: int = 0) -> str:
     body = []
     for x, y, bulge in vertices:
         body += [(10, x), (20, y), (42, bulge)]
@@ -63,7 +61,11 @@ def lwpolyline(
 
 
 def spline(
-    degree: int, knots: list[int], control: list[tuple[float, float, float]], *head, weights=()
+    degree: int,
+    knots: list[int],
+    control: Sequence[tuple[float, float, float]],
+    *head: Tag,
+    weights: Sequence[float] = (),
 ) -> str:
     body = [(40, knot) for knot in knots] + [(41, weight) for weight in weights]
     for x, y, z in control:
@@ -391,7 +393,7 @@ def test_turned_block_in_an_unevenly_scaled_one_is_sheared() -> None:
     drawing = read(dxf(insert("OUTER", 100, 200, (42, 3)), blocks=(inner, outer)))
     assert drawing.ledger.kind == ("INSERT", "INSERT", "LINE", "CIRCLE")
     tip = [100.0 + 10.0 * math.cos(math.radians(30)), 200.0 + 30.0 * math.sin(math.radians(30))]
-    assert_allclose(drawing.ends[0], [[100, 200], tip], atol=1e-12)
+    assert_allclose(drawing.ends[0], np.array([(100, 200), tip], float), atol=1e-12)
     # The circle is now an ellipse of radii 5 and 15, whatever it was turned by.
     round_ = drawing.ledger.kind.index("CIRCLE")
     ring = drawing.ends[drawing.entity == round_]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -29,7 +30,7 @@ def _within(seconds: float, data: bytes) -> str:
     return problem
 
 
-def _spline(knots: list[object], degree: int = 3, points: int = 4) -> bytes:
+def _spline(knots: Sequence[object], degree: int = 3, points: int = 4) -> bytes:
     control: list[Tag] = []
     for n in range(points):
         control += [(10, n % 7 * 3.3), (20, n % 11 * 2.2), (30, 0)]
@@ -238,7 +239,16 @@ def test_table_that_is_unusual_is_left_to_ezdxf(before: bytes, after: bytes) -> 
     assert difference(*read_by_both(data)) == ""
 
 
-_SCRAPS = (b"0\n", b"\n", b" ", b"10\n5\n", b"8\nCUT\n", b"62\n300\n", b"0\nLINE\n", b"1e308")
+_SCRAPS: tuple[bytes, ...] = (
+    b"0\n",
+    b"\n",
+    b" ",
+    b"10\n5\n",
+    b"8\nCUT\n",
+    b"62\n300\n",
+    b"0\nLINE\n",
+    b"1e308",
+)
 _SCRAPS += (b"0\nSEQEND\n", b"100\nAcDbLine\n", b"230\n-1\n", b"67\n1\n", b"nan", b"\x00", b"\xff")
 
 

@@ -65,7 +65,7 @@ def test_every_drawing_by_other_hands_is_read_or_refused_as_listed(corpus: Path)
         assert (np.abs(drawing.bulge) <= 1.0).all(), name
         assert ((drawing.colour >= 1) & (drawing.colour <= 255)).all(), name
         kept = np.flatnonzero(ledger.fate == Fate.KEPT)
-        drawn = {row for row in kept if ledger.kind[row] != "INSERT"}
+        drawn = {row for row in kept.tolist() if ledger.kind[row] != "INSERT"}
         assert set(drawing.entity.tolist()) == drawn, name
         assert_allclose(ledger.length.sum(), drawing.lengths.sum(), rtol=1e-9, err_msg=name)
         if not data.startswith(b"AutoCAD Binary DXF"):
@@ -480,7 +480,8 @@ def test_reading_stops_when_its_time_is_up() -> None:
 
 
 def test_spline_of_astronomic_size_is_dropped() -> None:
-    body = [(70, 8), (71, 3), (72, 8), (73, 4)] + [(40, k) for k in (0, 0, 0, 0, 1, 1, 1, 1)]
+    body: list[tuple[int, object]] = [(70, 8), (71, 3), (72, 8), (73, 4)]
+    body += [(40, k) for k in (0, 0, 0, 0, 1, 1, 1, 1)]
     for x, y in [(0, 0), (1e300, 1), (-1e300, 1), (1, 0)]:
         body += [(10, x), (20, y), (30, 0)]
     text = tags((0, "SPLINE"), (100, "AcDbEntity"), (8, "0"), (100, "AcDbSpline"), *body)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from importlib import import_module
 
 import numpy as np
@@ -41,8 +42,11 @@ _WHOLE = dxf(
 )
 
 
+InRuns = Callable[[int], None]
+
+
 @pytest.fixture
-def in_runs(monkeypatch: pytest.MonkeyPatch):
+def in_runs(monkeypatch: pytest.MonkeyPatch) -> InRuns:
     """Make runs of 300 bytes, on so many cores."""
 
     def cores(number: int) -> None:
@@ -53,14 +57,16 @@ def in_runs(monkeypatch: pytest.MonkeyPatch):
 
 
 def _drawing(data: bytes) -> Drawing | KnifetipError:
+    found: Drawing | KnifetipError
     try:
-        return reading.read(data)
+        found = reading.read(data)
     except KnifetipError as refused:
-        return refused
+        found = refused
+    return found
 
 
 @pytest.mark.parametrize("number", [2, 3, 7, 40])
-def test_several_runs_find_what_one_finds(in_runs, number: int) -> None:
+def test_several_runs_find_what_one_finds(in_runs: InRuns, number: int) -> None:
     in_runs(1)
     assert scan._cuts(_WHOLE) == []
     one, before = scan.scan(_WHOLE), _drawing(_WHOLE)
@@ -82,7 +88,7 @@ def test_several_runs_find_what_one_finds(in_runs, number: int) -> None:
     assert difference(before, _drawing(_WHOLE)) == ""
 
 
-def test_a_run_that_ends_in_another_section_is_none(in_runs) -> None:
+def test_a_run_that_ends_in_another_section_is_none(in_runs: InRuns) -> None:
     # Most of the file is blocks, or what comes after the sheet.
     lines = [line(0, 0, x, 1) for x in range(60)]
     long = dxf(insert("A"), blocks=(block("A", *lines),))
@@ -107,7 +113,7 @@ def _before_lines(data: bytes) -> list[int]:
         _CHAIN,
     ],
 )
-def test_what_is_left_open_where_a_run_ends_is_not_overlooked(in_runs, broken: str) -> None:
+def test_what_is_left_open_where_a_run_ends_is_not_overlooked(in_runs: InRuns, broken: str) -> None:
     data = dxf(*_SHEET, broken, *[line(x, 0, x, 9) for x in range(30)])
     in_runs(1)
     before = _drawing(data)
@@ -117,7 +123,7 @@ def test_what_is_left_open_where_a_run_ends_is_not_overlooked(in_runs, broken: s
     assert difference(before, _drawing(data)) == ""
 
 
-def test_a_second_sheet_behind_the_first_is_seen(in_runs) -> None:
+def test_a_second_sheet_behind_the_first_is_seen(in_runs: InRuns) -> None:
     data = dxf(*[line(x, 0, x, 9) for x in range(60)])
     second = b"0\nSECTION\n2\nTABLES\n0\nENDSEC\n0\nEOF\n"
     data = data.replace(b"0\nEOF\n", second)
@@ -128,7 +134,7 @@ def test_a_second_sheet_behind_the_first_is_seen(in_runs) -> None:
     assert difference(before, _drawing(data)) == ""
 
 
-def test_generated_drawings_in_runs_and_in_one(in_runs) -> None:
+def test_generated_drawings_in_runs_and_in_one(in_runs: InRuns) -> None:
     tally: Counter[bool] = Counter()
 
     @settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))

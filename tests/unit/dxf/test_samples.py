@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pytest
@@ -40,7 +40,8 @@ SHEETS = {
 
 @pytest.fixture(params=SHEETS)
 def sheet(request: pytest.FixtureRequest) -> Sheet:
-    return SHEETS[request.param]()
+    make: Callable[[], Sheet] = SHEETS[request.param]
+    return make()
 
 
 def segments(sheet: Sheet, *layers: Layer) -> tuple[F64, F64]:
@@ -253,7 +254,7 @@ def test_the_rigid_boxs_corners_are_mitred_to_the_end_of_the_groove() -> None:
     _, contour = rigid_box_blank(220.0, 150.0, 50.0, 2.0)[0]
     ends = np.stack([contour.start, contour.end], axis=1)
     for corner in ((50.0, 50.0), (270.0, 50.0), (270.0, 200.0), (50.0, 200.0)):
-        meeting = ends[np.isclose(ends, corner).all(axis=2).any(axis=1)]
+        meeting = ends[(np.hypot(*(ends - corner).T) < 1e-9).any(axis=0)]
         steps = np.abs(np.diff(meeting, axis=1)[:, 0])
         assert sorted(steps.tolist()) == [pytest.approx([0.0, 50.0]), pytest.approx([2.2, 2.2])]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from typing import Any
 
 import ezdxf
 import numpy as np
@@ -17,7 +18,7 @@ CUT = Layer("CUT", 1)
 FOLD = Layer("FALZ ü 刀", 5, "DASHED")
 
 
-def entities(data: bytes) -> list[ezdxf.entities.DXFGraphic]:
+def entities(data: bytes) -> list[Any]:
     return list(ezdxf.read(io.StringIO(data.decode("utf-8"))).modelspace())
 
 

@@ -79,7 +79,8 @@ def as_pdf(drawing: Drawing) -> bytes:
 
 
 def types(drawing: Drawing) -> list[int]:
-    return pipeline.classify(drawing, load.profile("default")).line_type.tolist()
+    kinds: list[int] = pipeline.classify(drawing, load.profile("default")).line_type.tolist()
+    return kinds
 
 
 @pytest.mark.parametrize("name", SAMPLES)
@@ -113,7 +114,9 @@ def test_a_sample_is_the_same_as_pdf(name: str) -> None:
 
 
 @given(st.floats(-180.0, 180.0), st.booleans(), st.floats(0.05, 20.0))
-def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(turn, mirror, scale) -> None:
+def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(
+    turn: float, mirror: bool, scale: float
+) -> None:
     drawing = pipeline.read(SAMPLES["tuck-end-carton.dxf"])
     before = f"translate(500,500) rotate({turn!r}) {'scale(-1,1)' if mirror else ''}"
     again = pipeline.read(as_svg(drawing, before, scale))

@@ -10,8 +10,15 @@ from knifetip.gateway import answers
 from knifetip.gateway.controller import State
 
 
+def report_of(line: str) -> answers.Report:
+    """Return the report that a line contains."""
+    report = answers.report(line)
+    assert report is not None
+    return report
+
+
 def test_a_full_report_is_read() -> None:
-    report = answers.report(
+    report = report_of(
         "<Run|MPos:1.000,2.000,-0.300,90.000|Bf:14,110|FS:600,1|Ln:41|WCO:0.5,0,0,0|Ov:100,100,100>"
     )
     assert report.state is State.RUN
@@ -23,11 +30,11 @@ def test_a_full_report_is_read() -> None:
 
 
 def test_a_report_in_work_coordinates_is_read() -> None:
-    assert answers.report("<Idle|WPos:1.0,2.0,3.0,4.0|F:0>").work == (1.0, 2.0, 3.0, 4.0)
+    assert report_of("<Idle|WPos:1.0,2.0,3.0,4.0|F:0>").work == (1.0, 2.0, 3.0, 4.0)
 
 
 def test_an_axis_that_the_controller_does_not_have_is_zero() -> None:
-    assert answers.report("<Idle|MPos:1.0,2.0,3.0>").machine == (1.0, 2.0, 3.0, 0.0)
+    assert report_of("<Idle|MPos:1.0,2.0,3.0>").machine == (1.0, 2.0, 3.0, 0.0)
 
 
 @pytest.mark.parametrize(
@@ -44,7 +51,7 @@ def test_an_axis_that_the_controller_does_not_have_is_zero() -> None:
     ],
 )
 def test_states_are_known_and_whether_anything_moves(word: str, state: State, still: bool) -> None:
-    report = answers.report(f"<{word}|MPos:0,0,0,0>")
+    report = report_of(f"<{word}|MPos:0,0,0,0>")
     assert (report.state, report.still) == (state, still)
 
 

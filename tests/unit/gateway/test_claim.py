@@ -5,9 +5,11 @@ from __future__ import annotations
 import asyncio
 import hashlib
 import json
+from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -15,10 +17,10 @@ import pytest
 from knifetip.errors import ControllerError
 from knifetip.gateway import grbl, simulator
 from knifetip.gateway.claim import work
-from knifetip.gateway.controller import State
+from knifetip.gateway.controller import Controller, SafeState, State, Status
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.stream import Progress
-from knifetip.gateway.table import Faults
+from knifetip.gateway.table import Faults, Table
 from knifetip.library import load
 
 MACHINE = load.machine("demo-table")
@@ -38,12 +40,24 @@ M30
 """
 
 
+#: What a gateway sends, or is sent.
+Beat = dict[str, Any]
+
+
 class Office:
     """The server, as far as a gateway sees it."""
 
-    def __init__(self, program=PROGRAM, *, copies=1, lease=5.0, sha256=None, confirm=False) -> None:
+    def __init__(
+        self,
+        program: bytes = PROGRAM,
+        *,
+        copies: int = 1,
+        lease: float = 5.0,
+        sha256: str | None = None,
+        confirm: bool = False,
+    ) -> None:
         self.program = program
-        self.claim = {
+        self.claim: Beat = {
             "job": "job-1",
             "epoch": 3,
             "lease": lease,
@@ -53,17 +67,19 @@ class Office:
             "copies": copies,
             "confirm": confirm,
         }
-        self.headers = []
-        self.claims = []
-        self.beats = []
-        self.finished = []
-        self.command = lambda beat: "continue"
+        self.headers: list[httpx.Headers] = []
+        self.claims: list[Beat] = []
+        self.beats: list[Beat] = []
+        self.finished: list[Beat] = []
+        self.command: Callable[[Beat], str] = lambda beat: "continue"
         self.reachable = True
         self.stale = False
         self.deaf = 0  # answers to finish that are lost
-        self.delayed = None  # what the answer to a heartbeat waits for
+        self.delayed: Callable[[Beat], Awaitable[None]] | None = (
+            None  # what the answer to a heartbeat waits for
+        )
 
-    async def __call__(self, request):
+    async def __call__(self, request: httpx.Request) -> httpx.Response:
         if not self.reachable:
             raise httpx.ConnectError("no route", request=request)
         self.headers.append(request.headers)
@@ -94,14 +110,14 @@ class Office:
 
 
 @asynccontextmanager
-async def table(**options):
+async def table(**options: Any) -> AsyncIterator[simulator.Server]:
     async with await simulator.serve(
         MACHINE, speed=options.pop("speed", 20.0), **options
     ) as server:
         yield server
 
 
-async def gateway(office, server, **options) -> None:
+async def gateway(office: Office, server: simulator.Server, **options: Any) -> None:
     """Work for one job."""
     async with httpx.AsyncClient(transport=httpx.MockTransport(office)) as client:
         async with asyncio.timeout(20.0):
@@ -171,7 +187,7 @@ async def test_between_two_copies_it_waits_as_held_for_a_new_sheet() -> None:
     office = Office(copies=2)
     waits = []
 
-    def command(beat):
+    def command(beat: Beat) -> str:
         if beat["copies_done"] == 1 and beat["held"]:
             waits.append(beat)
             return "resume" if len(waits) == 5 else "continue"
@@ -186,7 +202,7 @@ async def test_between_two_copies_it_waits_as_held_for_a_new_sheet() -> None:
     assert office.finished[0]["outcome"] == "done"
 
 
-def released(table):
+def released(table: Table) -> bool:
     """Whether station 2 was lowered and raised again."""
     return [event.on for event in table.switched if event.output == 1][-2:] == [True, False]
 
@@ -196,7 +212,7 @@ async def test_a_resume_that_comes_late_does_not_start_the_next_copy() -> None:
     # Says resume to every heartbeat that is not held, and cancel in the end.
     held = []
 
-    def command(beat):
+    def command(beat: Beat) -> str:
         if beat["held"]:
             held.append(beat)
             return "cancel" if len(held) == 5 else "continue"
@@ -205,7 +221,7 @@ async def test_a_resume_that_comes_late_does_not_start_the_next_copy() -> None:
     office.command = command
     async with table() as server:
 
-        async def delayed(beat) -> None:
+        async def delayed(beat: Beat) -> None:
             while not beat["held"] and not released(server.table):
                 await asyncio.sleep(0.005)
             await asyncio.sleep(0.1 if not beat["held"] else 0.0)
@@ -220,7 +236,7 @@ async def test_hold_stops_the_machine_in_mid_line_and_resume_goes_on() -> None:
     office = Office()
     held = []
 
-    def command(beat):
+    def command(beat: Beat) -> str:
         if beat["held"]:
             held.append(beat["position"])
             return "resume" if len(held) > 25 else "continue"
@@ -254,7 +270,7 @@ async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_wi
 ):
     office = Office()
 
-    def command(beat):
+    def command(beat: Beat) -> str:
         office.stale = beat["line"] == 6
         return "continue"
 
@@ -272,7 +288,7 @@ async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_wi
 async def test_without_the_server_the_machine_goes_on_for_the_lease_and_then_holds() -> None:
     office = Office(lease=0.1)
 
-    def command(beat):
+    def command(beat: Beat) -> str:
         office.reachable = beat["line"] != 6
         return "continue"
 
@@ -313,7 +329,7 @@ async def test_a_table_that_is_switched_off_takes_no_job() -> None:
 
     async with table() as server:
 
-        async def connect(safe, stop_motion):
+        async def connect(safe: SafeState, stop_motion: bool) -> Controller:
             calls.append(len(office.claims))
             if len(calls) < 3:
                 raise ControllerError("controller.unreachable", address="wire", reason="off")
@@ -387,7 +403,7 @@ async def test_nothing_is_sent_to_the_machine_before_the_start() -> None:
     waits = []
     async with table() as server:
 
-        def command(beat):
+        def command(beat: Beat) -> str:
             if not beat["waiting"]:
                 return "continue"
             waits.append(server.table.time)
@@ -403,7 +419,7 @@ async def test_nothing_is_sent_to_the_machine_before_the_start() -> None:
 async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine() -> None:
     office = Office(confirm=True)
 
-    def command(beat):
+    def command(beat: Beat) -> str:
         office.stale = len(office.beats) == 5
         return "wait"
 
@@ -416,23 +432,25 @@ async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine() 
     assert office.finished[0]["line"] == 0
 
 
-async def test_a_table_that_is_jogged_gives_a_waiting_job_back() -> None:
+async def test_a_table_that_is_jogged_gives_a_waiting_job_back(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     office = Office(confirm=True)
     office.command = lambda _: "wait" if len(office.beats) < 500 else "start"
     async with table() as server:
 
-        async def connect(safe, stop_motion):
+        async def connect(safe: SafeState, stop_motion: bool) -> Controller:
             controller = await grbl.dial(
                 server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
             )
             true_status = controller.status
 
-            async def status():
+            async def status() -> Status:
                 jogged = len(office.beats) >= 5
                 found = await true_status()
                 return replace(found, state=State.JOG) if jogged else found
 
-            controller.status = status
+            monkeypatch.setattr(controller, "status", status)
             return controller
 
         await gateway(office, server, connect=connect)
@@ -446,7 +464,7 @@ async def test_a_controller_that_fails_while_a_job_waits_gives_it_back() -> None
     office = Office(confirm=True)
     async with table() as server:
 
-        def command(_):
+        def command(_: Beat) -> str:
             if len(office.beats) == 5:
                 server.table.receive(b"\x18")
             return "wait" if len(office.beats) < 500 else "start"
@@ -540,7 +558,7 @@ async def test_a_withdrawal_after_the_last_line_does_not_make_a_finished_cut_int
 ) -> None:
     office = Office()
 
-    async def stream(*_args, **_options):
+    async def stream(*_args: object, **_options: object) -> AsyncIterator[Progress]:
         at = (0.0,) * 4
         yield Progress(5, 11, 11, at, State.RUN, -1, 1.0)
         office.stale = True

@@ -16,12 +16,19 @@ START = Status(State.IDLE, (0.0, 0.0, 20.0, 0.0), 40, True, sent=40)
 
 
 def report(
-    x: float, y: float, z: float, *, sent=7, answered=7, state=State.RUN, located=True
+    x: float,
+    y: float,
+    z: float,
+    *,
+    sent: int = 7,
+    answered: int = 7,
+    state: State = State.RUN,
+    located: bool = True,
 ) -> Status:
     return Status(state, (x, y, z, 0.0), 40 + answered, False, sent=40 + sent, located=located)
 
 
-def verdict(corridor: Corridor, status: Status, reports=REPORTS) -> ControllerError | None:
+def verdict(corridor: Corridor, status: Status, reports: int = REPORTS) -> ControllerError | None:
     """Return what came of so many reports of one position."""
     for _ in range(reports - 1):
         assert corridor.observe(status) is None
@@ -41,6 +48,7 @@ def test_a_position_off_the_path_is_a_fault_after_three_reports(
     place: tuple[int, float, int],
 ) -> None:
     error = verdict(Corridor(PROGRAM, START, 15), report(*place))
+    assert error is not None
     assert "off the program's path near line" in error.text
     assert "home the machine" in error.hint
 

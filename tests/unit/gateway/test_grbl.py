@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import re
 import time
+from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 
 import pytest
@@ -32,25 +33,31 @@ class Wire:
 
     address = "wire"
 
-    def __init__(self, answers=None, *, state="Idle", options="[OPT:V,15,128]") -> None:
+    def __init__(
+        self,
+        answers: dict[str, str] | None = None,
+        *,
+        state: str = "Idle",
+        options: str = "[OPT:V,15,128]",
+    ) -> None:
         self.answers = {"$I": f"{options}\nok", "$C": "ok"} | (answers or {})
         self.state = state
         self.position = "0,0,0,0"
         self.obliging = True
         self.mute = False
-        self.lines = []
+        self.lines: list[str] = []
         self.realtime = b""
         self.most = 0
         self._due = 0
-        self._out = asyncio.Queue()
+        self._out: asyncio.Queue[bytes] = asyncio.Queue()
 
-    def say(self, text) -> None:
+    def say(self, text: str) -> None:
         self._out.put_nowait("".join(f"{line}\r\n" for line in text.split("\n")).encode())
 
-    async def read(self):
+    async def read(self) -> bytes:
         return await self._out.get()
 
-    async def write(self, data) -> None:
+    async def write(self, data: bytes) -> None:
         if data == b"\x18":
             self.realtime += data
             self.say(f"\n{BANNER}")
@@ -78,8 +85,19 @@ class Wire:
         self._out.put_nowait(b"")
 
 
+def fault_of(controller: Grbl) -> ControllerError | None:
+    """Return the fault that the controller has now."""
+    return controller.fault
+
+
 @asynccontextmanager
-async def opened(wire, *, silence=0.2, safe=None, reconnect=None):
+async def opened(
+    wire: Wire,
+    *,
+    silence: float = 0.2,
+    safe: SafeState | None = None,
+    reconnect: Callable[[], Awaitable[Wire]] | None = None,
+) -> AsyncIterator[Grbl]:
     controller = Grbl(wire, safe=safe, reconnect=reconnect, silence=silence, poll=0.02)
     try:
         await controller.open()
@@ -133,10 +151,10 @@ async def test_a_machine_with_a_beam_is_taken_over_in_laser_mode_only(
     assert "M5" not in wire.lines
 
 
-async def test_a_wire_without_a_controller_is_silent() -> None:
+async def test_a_wire_without_a_controller_is_silent(monkeypatch: pytest.MonkeyPatch) -> None:
     wire = Wire()
     wire.mute = True
-    wire.say = lambda text: None
+    monkeypatch.setattr(wire, "say", lambda text: None)
     with pytest.raises(ControllerSilent):
         async with opened(wire, silence=0.05):
             pass
@@ -187,16 +205,18 @@ async def test_a_refused_line_is_named_with_its_number_text_and_reason() -> None
             await controller.drain()
 
 
-async def test_check_mode_names_the_first_wrong_line_and_leaves_no_fault() -> None:
+async def test_check_mode_names_the_first_wrong_line_and_leaves_no_fault(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     wire = Wire({"G1 X5": "error:22", "G43": "error:20", "$C": "ok"})
     real = wire.write
 
-    async def write(data) -> None:
+    async def write(data: bytes) -> None:
         await real(data)
         if data == b"$C\n" and wire.lines.count("$C") == 2:
             wire.say(BANNER)
 
-    wire.write = write
+    monkeypatch.setattr(wire, "write", write)
     async with opened(wire) as controller:
         with pytest.raises(ControllerRejected, match=r"line 2 \(G1 X5\)") as refused:
             await controller.check([b"G21", b"G1 X5", b"G43"])
@@ -206,16 +226,16 @@ async def test_check_mode_names_the_first_wrong_line_and_leaves_no_fault() -> No
         assert (await controller.status()).state is State.IDLE
 
 
-async def test_outputs_are_not_switched_by_the_check() -> None:
+async def test_outputs_are_not_switched_by_the_check(monkeypatch: pytest.MonkeyPatch) -> None:
     wire = Wire()
     real = wire.write
 
-    async def write(data) -> None:
+    async def write(data: bytes) -> None:
         await real(data)
         if data == b"$C\n" and wire.lines.count("$C") == 2:
             wire.say(BANNER)
 
-    wire.write = write
+    monkeypatch.setattr(wire, "write", write)
     async with opened(wire) as controller:
         await controller.check([b"G21", b"M64 P1", b"M65 P1", b"M30"])
         assert wire.lines == ["$I", "$C", "G21", "M30", "$C"]
@@ -342,7 +362,9 @@ async def test_positions_are_in_the_numbers_of_the_program() -> None:
 RELEASE = ["M5", "M65 P0", "M65 P2"]
 
 
-async def test_stopping_holds_resets_raises_the_tool_and_releases_the_stations() -> None:
+async def test_stopping_holds_resets_raises_the_tool_and_releases_the_stations(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     wire = Wire()
     wire.position = "10,20,20,90"
     async with opened(wire, safe=SafeState((0, 2), 20.0)) as controller:
@@ -353,12 +375,12 @@ async def test_stopping_holds_resets_raises_the_tool_and_releases_the_stations()
         wire.obliging = True
         real = wire.write
 
-        async def write(data) -> None:
+        async def write(data: bytes) -> None:
             await real(data)
             if data == b"\x18":
                 wire.state = "Idle"
 
-        wire.write = write
+        monkeypatch.setattr(wire, "write", write)
         await controller.stop()
         assert wire.realtime == b"\x18!\x18"
         assert wire.lines[-4:] == ["$J=G90 G21 Z20.0000 F6000", *RELEASE]
@@ -391,17 +413,19 @@ async def test_an_output_that_the_controller_does_not_have_is_named_and_the_othe
 
 
 @pytest.mark.parametrize("state", ["Run", "Hold:0"])
-async def test_a_machine_that_runs_a_program_of_ours_is_stopped_at_the_takeover(state: str) -> None:
+async def test_a_machine_that_runs_a_program_of_ours_is_stopped_at_the_takeover(
+    monkeypatch: pytest.MonkeyPatch, state: str
+) -> None:
     wire = Wire(state=state)
     wire.position = "10,20,30,90"
     real = wire.write
 
-    async def write(data) -> None:
+    async def write(data: bytes) -> None:
         await real(data)
         if data == b"\x18":
             wire.state = "Idle"
 
-    wire.write = write
+    monkeypatch.setattr(wire, "write", write)
     controller = Grbl(wire, safe=SafeState((0, 2), 20.0), silence=0.2, poll=0.02)
     await controller.open(stop_motion=True)
     assert wire.realtime == b"!\x18"
@@ -430,9 +454,9 @@ async def test_more_bytes_in_the_buffer_than_are_unanswered_is_an_answer_too_man
         assert controller.fault is None
         wire.say("ok\n<Run|MPos:0,0,0,0|Bf:0,122>\n<Run|MPos:0,0,0,0|Bf:0,122>")
         async with asyncio.timeout(5.0):
-            while controller.fault is None:
+            while (fault := fault_of(controller)) is None:
                 await asyncio.sleep(0.001)
-        assert "an answer was doubled" in controller.fault.text
+        assert "an answer was doubled" in fault.text
 
 
 async def test_an_alarm_that_is_over_does_not_unlock_a_later_one() -> None:

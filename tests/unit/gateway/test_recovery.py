@@ -19,13 +19,13 @@ class Machine:
 
     name = "machine"
 
-    def __init__(self, state=State.RUN, z=-0.3, last_alarm=0) -> None:
+    def __init__(self, state: State = State.RUN, z: float = -0.3, last_alarm: int = 0) -> None:
         self.state = state
         self.z = z
         self.last_alarm = last_alarm
-        self.done = []
+        self.done: list[str] = []
         self.slowing = 2  # reports until it stands
-        self.refuses = {}
+        self.refuses: set[str] = set()
         self.unreachable = 0
         self.homing_lock = False
 
@@ -34,12 +34,12 @@ class Machine:
             self.unreachable -= 1
             raise ControllerError("controller.closed", name="wire")
 
-    async def realtime(self, byte) -> None:
+    async def realtime(self, byte: bytes) -> None:
         self.done.append(byte.decode())
         if self.state is State.RUN:
             self.state = State.HOLD
 
-    async def report(self):
+    async def report(self) -> Status:
         self.slowing = max(self.slowing - 1, 0)
         still = self.state is not State.RUN and not self.slowing
         return Status(self.state, (1.0, 2.0, self.z, 0.0), 0, still)
@@ -50,7 +50,7 @@ class Machine:
         if self.state is not State.ALARM:
             self.state = State.IDLE
 
-    async def command(self, text):
+    async def command(self, text: bytes) -> list[str]:
         line = text.decode()
         locked = self.state is State.ALARM and line != "$X"
         if locked or line in self.refuses or (line == "$X" and self.homing_lock):
@@ -122,17 +122,19 @@ async def test_an_unreachable_controller_is_tried_again_and_given_up() -> None:
     assert machine.done == []
 
 
-async def test_a_controller_that_reports_nothing_is_reset_all_the_same() -> None:
+async def test_a_controller_that_reports_nothing_is_reset_all_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     machine = Machine()
     machine.slowing = 0
     real = machine.report
 
-    async def report():
+    async def report() -> Status:
         if "reset" not in machine.done:
             raise ControllerSilent("controller.closed", name="wire")
         return await real()
 
-    machine.report = report
+    monkeypatch.setattr(machine, "report", report)
     await make_safe(machine, SAFE, 0.2)
     assert machine.done == ["!", "reset", LIFT, *RELEASE]
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -14,12 +16,12 @@ MACHINE = load.machine("demo-table")
 class Bench:
     """A table whose answers are kept."""
 
-    def __init__(self, **options) -> None:
-        self.said = []
+    def __init__(self, **options: Any) -> None:
+        self.said: list[str] = []
         self.table = Table(MACHINE, **options)
         self.table.answer = self.said.append
 
-    def tell(self, text, *, elapse=0.0):
+    def tell(self, text: bytes, *, elapse: float = 0.0) -> list[str]:
         """Send lines (or realtime bytes), let time pass, and return what was answered."""
         self.said.clear()
         self.table.receive(text)
@@ -81,6 +83,7 @@ async def test_a_hold_decelerates_in_mid_arc_and_resume_goes_on() -> None:
     assert 0.0 < y < 200.0
     bench.tell(b"~", elapse=5.0)
     assert bench.table.position[:2] == (0.0, 200.0)
+    assert bench.table.trace is not None
     arc = bench.table.trace.samples()[1:]
     on_arc = arc[arc[:, 2] > 0.0]
     np.testing.assert_allclose(np.hypot(on_arc[:, 1], on_arc[:, 2]), 200.0, atol=1e-9)

@@ -27,7 +27,7 @@ async def test_nobody_there_is_a_controller_error() -> None:
 
 @pytest.mark.parametrize("scheme", ["", "tcp://"])
 async def test_bytes_go_there_and_come_back_until_the_other_side_leaves(scheme: str) -> None:
-    async def echo(reader, writer) -> None:
+    async def echo(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         writer.write(await reader.read(100))
         await writer.drain()
         writer.close()

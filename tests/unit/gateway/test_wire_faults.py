@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import asyncio
 import re
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
 from contextlib import aclosing
-from typing import Any
 
 import pytest
 
@@ -25,7 +24,7 @@ from knifetip.errors import (
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl import Grbl
 from knifetip.gateway.motion import Limits
-from knifetip.gateway.stream import stream
+from knifetip.gateway.stream import Progress, stream
 from knifetip.gateway.table import BANNER, Table
 from knifetip.library import load
 
@@ -49,25 +48,29 @@ LINES = PROGRAM.count(b"\n")
 MIDDLE = 18
 
 
+SpoilAnswer = Callable[[str], list[str]]
+SpoilLine = Callable[[bytes], bytes]
+
+
 class Wire:
     """A Transport to a table in memory, and what spoils the lines on it."""
 
     address = "wire"
 
-    def __init__(self, table) -> None:
+    def __init__(self, table: Table) -> None:
         self.table = table
-        self.spoil_answer = lambda line: [line]
-        self.spoil_line = lambda line: line
+        self.spoil_answer: SpoilAnswer = lambda line: [line]
+        self.spoil_line: SpoilLine = lambda line: line
         self.open = True
         self.muted = False
         self.oks = 0  # outside check mode, of the program
         self.moves = 0
         self._disabled = False
         self.checked = False
-        self._out = asyncio.Queue()
+        self._out: asyncio.Queue[bytes] = asyncio.Queue()
         table.answer = self._answer
 
-    def _answer(self, line) -> None:
+    def _answer(self, line: str) -> None:
         # Its greeting ends the check; greetings before it are those of the takeover's reset.
         self._disabled = self._disabled or line == "[MSG:Disabled]"
         self.checked = self.checked or (self._disabled and line == BANNER)
@@ -76,7 +79,7 @@ class Wire:
         for part in self.spoil_answer(line):
             self.say(part + "\r\n")
 
-    def say(self, text) -> None:
+    def say(self, text: str) -> None:
         if self.open and not self.muted:
             self._out.put_nowait(text.encode("latin-1"))
 
@@ -85,10 +88,10 @@ class Wire:
         self.table.answer = lambda line: None
         self._out.put_nowait(b"")
 
-    async def read(self):
+    async def read(self) -> bytes:
         return await self._out.get()
 
-    async def write(self, data) -> None:
+    async def write(self, data: bytes) -> None:
         if not self.open:
             return
         if data == b"?":
@@ -112,20 +115,20 @@ class Bench:
             self.wire, safe=SAFE, reconnect=self._reconnect, silence=SILENCE, poll=0.01
         )
 
-    async def _reconnect(self):
+    async def _reconnect(self) -> Wire:
         self.wire = Wire(self.table)
         return self.wire
 
-    async def run(self):
+    async def run(self) -> Progress:
         """Stream the program; return the last Progress."""
         course = stream(PROGRAM, self.controller, limits=Limits.of(MACHINE), interval=0.001)
         async with asyncio.timeout(30.0), aclosing(course) as steps:
             return [progress async for progress in steps][-1]
 
-    def at_answer(self, spoil, number=MIDDLE) -> None:
+    def at_answer(self, spoil: SpoilAnswer, number: int = MIDDLE) -> None:
         """Spoil the answer to one line of the program."""
 
-        def spoil_answer(line):
+        def spoil_answer(line: str) -> list[str]:
             if line == "ok" and self.wire.oks == number and self.wire.checked:
                 self.wire.spoil_answer = lambda line: [line]
                 return spoil(line)
@@ -133,10 +136,10 @@ class Bench:
 
         self.wire.spoil_answer = spoil_answer
 
-    def at_move(self, spoil, number=3) -> None:
+    def at_move(self, spoil: SpoilLine, number: int = 3) -> None:
         """Spoil one move on its way to the table."""
 
-        def spoil_line(line):
+        def spoil_line(line: bytes) -> bytes:
             return spoil(line) if self.wire.moves == number else line
 
         self.wire.spoil_line = spoil_line
@@ -150,14 +153,14 @@ class Bench:
 
 
 @pytest.fixture
-async def bench():
+async def bench() -> AsyncIterator[Bench]:
     bench = Bench()
     await bench.controller.open()
     yield bench
     await bench.controller.close()
 
 
-async def test_the_program_runs_to_its_end_and_its_station_was_lowered(bench) -> None:
+async def test_the_program_runs_to_its_end_and_its_station_was_lowered(bench: Bench) -> None:
     progress = await bench.run()
     assert progress.executed == progress.lines == LINES
     assert [event.on for event in bench.table.switched if event.output == 1] == [False, True, False]
@@ -167,26 +170,26 @@ async def test_the_program_runs_to_its_end_and_its_station_was_lowered(bench) ->
 # -- faults that end the job
 
 
-def stranger_resets(bench):
-    def spoil(line):
+def stranger_resets(bench: Bench) -> SpoilAnswer:
+    def spoil(line: str) -> list[str]:
         bench.table.receive(b"\x18")
         return [line]
 
     return spoil
 
 
-def mute(bench, line):
+def mute(bench: Bench, line: str) -> list[str]:
     bench.wire.muted = True
     asyncio.get_running_loop().call_later(1.5 * SILENCE, setattr, bench.wire, "muted", False)
     return [line]
 
 
-def cut(bench):
+def cut(bench: Bench) -> list[str]:
     bench.wire.cut()
     return []
 
 
-ANSWERS = {
+ANSWERS: dict[str, tuple[Callable[[Bench], SpoilAnswer], type[KnifetipError], str]] = {
     "doubled": (lambda bench: lambda line: [line, line], ControllerError, "was doubled"),
     "lost": (lambda bench: lambda line: [], ControllerSilent, "an answer was lost"),
     "garbled": (lambda bench: lambda line: ["\xfe\x81" + line], ControllerSilent, "was lost"),
@@ -201,7 +204,7 @@ ANSWERS = {
 
 
 @pytest.mark.parametrize("kind", ANSWERS)
-async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench, kind: str) -> None:
+async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench: Bench, kind: str) -> None:
     spoil, error, words = ANSWERS[kind]
     bench.at_answer(spoil(bench))
     with pytest.raises(error, match=words) as raised:
@@ -216,7 +219,7 @@ async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench, kind: s
 
 @pytest.mark.parametrize("number", range(1, LINES + 1))
 async def test_a_doubled_answer_is_noticed_wherever_it_comes_and_overruns_nothing(
-    bench, number: int
+    bench: Bench, number: int
 ) -> None:
     bench.at_answer(lambda line: [line, line], number)
     with pytest.raises(ControllerError, match="doubled"):
@@ -224,33 +227,33 @@ async def test_a_doubled_answer_is_noticed_wherever_it_comes_and_overruns_nothin
     bench.assert_safe()
 
 
-async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench) -> None:
+async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench: Bench) -> None:
     bench.at_answer(lambda line: cut(bench))
     with pytest.raises(ControllerError) as raised:
         await bench.run()
-    executed, lines, more = map(
-        int, re.search(r"(\d+) of (\d+) lines .* up to (\d+) more", raised.value.text).groups()
-    )
+    found = re.search(r"(\d+) of (\d+) lines .* up to (\d+) more", raised.value.text)
+    assert found is not None
+    executed, lines, more = map(int, found.groups())
     assert lines == LINES
     # 15 blocks in the planner, and what fits into 128 bytes.
     assert executed < MIDDLE <= executed + more <= executed + 15 + 12
 
 
 async def test_a_connection_that_stays_lost_ends_in_words_that_the_machine_is_not_safe(
-    bench,
+    bench: Bench, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def nobody() -> None:
+    async def nobody() -> Wire:
         raise ControllerError("controller.unreachable", address="wire", reason="off")
 
-    bench.controller._reconnect = nobody
+    monkeypatch.setattr(bench.controller, "_reconnect", nobody)
     bench.at_answer(lambda line: cut(bench))
     with pytest.raises(ControllerError, match="The machine is not safe: No controller answers"):
         await bench.run()
     assert bench.controller.fault is not None
 
 
-async def test_an_alarm_with_a_cause_at_the_machine_is_left_to_the_operator(bench) -> None:
-    def limit_switch(line):
+async def test_an_alarm_with_a_cause_at_the_machine_is_left_to_the_operator(bench: Bench) -> None:
+    def limit_switch(line: str) -> list[str]:
         bench.table._alarm(1)
         return [line]
 
@@ -270,7 +273,7 @@ async def test_an_alarm_with_a_cause_at_the_machine_is_left_to_the_operator(benc
     ids=["digit", "newline", "doubled"],
 )
 async def test_a_line_spoilt_on_its_way_never_ends_as_done(
-    bench, spoil: Callable[..., Any], error: type[KnifetipError], words: str
+    bench: Bench, spoil: SpoilLine, error: type[KnifetipError], words: str
 ) -> None:
     bench.at_move(spoil)
     with pytest.raises(error, match=words):
@@ -291,17 +294,19 @@ async def test_a_line_spoilt_on_its_way_never_ends_as_done(
     ],
     ids=["idle", "elsewhere", "noise", "torn"],
 )
-async def test_a_false_report_and_noise_are_borne(bench, extra: str) -> None:
+async def test_a_false_report_and_noise_are_borne(bench: Bench, extra: str) -> None:
     bench.at_answer(lambda line: [extra, line])
     assert (await bench.run()).executed == LINES
 
 
-async def test_lines_that_come_in_pieces_are_borne(bench) -> None:
+async def test_lines_that_come_in_pieces_are_borne(
+    bench: Bench, monkeypatch: pytest.MonkeyPatch
+) -> None:
     real = bench.wire.say
 
-    def say(text) -> None:
+    def say(text: str) -> None:
         real(text[:1])
         real(text[1:])
 
-    bench.wire.say = say
+    monkeypatch.setattr(bench.wire, "say", say)
     assert (await bench.run()).executed == LINES

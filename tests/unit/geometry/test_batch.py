@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from knifetip.errors import ZeroLengthEdge
 from knifetip.geometry import batch, cores
-from knifetip.geometry.columns import I64
 from knifetip.geometry.offset import Equidistant, equidistant
 from knifetip.geometry.path import Paths
+from tests.support.shapes import paths as paths_of
 
 
 def notched(count: int) -> Paths:
@@ -21,17 +23,15 @@ def notched(count: int) -> Paths:
     bulge = np.zeros((count, 8))
     bulge[::2, 0] = -0.2
     end = np.roll(start, -1, axis=1)
-    return Paths(
+    return paths_of(
         start.reshape(-1, 2), end.reshape(-1, 2), bulge.reshape(-1), np.arange(count + 1) * 8
     )
 
 
-def on(
-    number: int, monkeypatch: pytest.MonkeyPatch, *args: Paths | float | I64, **options: I64
-) -> Equidistant:
+def on(number: int, monkeypatch: pytest.MonkeyPatch, *args: Any, **options: Any) -> Equidistant:
     """Return an equidistant done on so many cores."""
     monkeypatch.setattr(batch, "_WORTH_A_CORE", 8)
-    monkeypatch.setattr(cores.os, "cpu_count", lambda: number)
+    monkeypatch.setattr("os.cpu_count", lambda: number)
     return equidistant(*args, **options)
 
 
@@ -70,6 +70,6 @@ def test_of_several_failures_the_first_is_told(monkeypatch: pytest.MonkeyPatch) 
 
 
 def test_a_small_batch_is_left_to_one_core(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cores.os, "cpu_count", lambda: 8)
+    monkeypatch.setattr("os.cpu_count", lambda: 8)
     monkeypatch.setattr(cores, "ThreadPoolExecutor", None)
     assert len(equidistant(notched(100), 2.0, -1).paths) == 100

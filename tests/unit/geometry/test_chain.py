@@ -14,7 +14,8 @@ SQUARE = closed((0, 0), (100, 0), (100, 100), (0, 100))
 
 
 def sizes(chains: Chains) -> list[int]:
-    return np.diff(chains.first).tolist()
+    found: list[int] = np.diff(chains.first).tolist()
+    return found
 
 
 def test_a_square_of_loose_edges_is_one_closed_path() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -10,7 +12,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from knifetip.errors import GeometryError
 from knifetip.geometry import arc, curve
-from knifetip.geometry.columns import F64
+from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.curve import Spline
 
 #: The walk's own chords stand off an arc by this much at most (mm).
@@ -55,7 +57,8 @@ def corners(segments: tuple[F64, F64, F64]) -> F64:
     before = arc.tangents(*segments)[1][:-1]
     after = arc.tangents(*segments)[0][1:]
     cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-    return np.degrees(np.abs(np.arctan2(cross, (before * after).sum(axis=1))))
+    turn: F64 = np.degrees(np.abs(np.arctan2(cross, (before * after).sum(axis=1))))
+    return turn
 
 
 def on_ellipse(
@@ -109,7 +112,7 @@ def test_nearly_round_ellipse_takes_at_most_16_arcs() -> None:
 def test_elliptic_arc_starts_and_ends_exactly_at_its_parameters() -> None:
     start, end, bulge = curve.ellipse((1.0, 2.0), (0.0, 40.0), 0.25, 0.3, 4.0)
 
-    def at(t):
+    def at(t: float) -> list[float]:
         return [1.0 - 10.0 * np.sin(t), 2.0 + 40.0 * np.cos(t)]
 
     assert_allclose(start[0], at(0.3), atol=1e-13)
@@ -156,15 +159,13 @@ def bezier(*control: tuple[float, float]) -> Spline:
 
 
 def bernstein(
-    control: tuple[
-        tuple[float, float], tuple[float, float], tuple[float, float], tuple[float, float]
-    ]
-    | list[tuple[float, float]],
+    control: Sequence[tuple[float, float]],
     count: int = 1500,
 ) -> F64:
     t = np.linspace(0.0, 1.0, count)[:, None]
     a, b, c, d = np.array(control, dtype=float)
-    return (1 - t) ** 3 * a + 3 * t * (1 - t) ** 2 * b + 3 * t * t * (1 - t) * c + t**3 * d
+    point: F64 = (1 - t) ** 3 * a + 3 * t * (1 - t) ** 2 * b + 3 * t * t * (1 - t) * c + t**3 * d
+    return point
 
 
 @pytest.mark.parametrize(
@@ -276,21 +277,24 @@ def test_parameters_that_do_not_increase_are_refused() -> None:
 
 
 def test_curve_that_cannot_be_followed_is_refused_in_time() -> None:
-    def noise(t):
+    def noise(t: F64) -> F64:
         return np.stack([t, np.sin(1e9 * t * t) * 50.0], axis=1)
 
     with pytest.raises(GeometryError):
         curve.fit(noise, lambda t: np.ones((len(t), 2)), [0.0, 1.0])
 
 
-def cubics(control: np.ndarray):
+Cubics = Callable[[I64, F64], F64]
+
+
+def cubics(control: F64) -> tuple[Cubics, Cubics]:
     """Point and derivative of cubic Bézier curves (n, 4, 2)."""
 
-    def point(k, s):
+    def point(k: I64, s: F64) -> F64:
         p, t, r = control[k], s[:, None], 1.0 - s[:, None]
         return r**3 * p[:, 0] + 3 * r * r * t * p[:, 1] + 3 * r * t * t * p[:, 2] + t**3 * p[:, 3]
 
-    def tangent(k, s):
+    def tangent(k: I64, s: F64) -> F64:
         d, t, r = np.diff(control[k], axis=1), s[:, None], 1.0 - s[:, None]
         return r * r * d[:, 0] + 2 * r * t * d[:, 1] + t * t * d[:, 2]
 
@@ -322,10 +326,12 @@ def test_a_curve_without_length_among_others_has_no_segment() -> None:
     control = np.array(
         [[[0, 0], [1, 2], [3, 2], [4, 0]], [[5, 5]] * 4, [[9, 0]] * 2 + [[9, 9]] * 2]
     )
-    _, _, bulge, which = curve.each(*cubics(control.astype(float)), 3, 0.01)
+    point, tangent = cubics(control.astype(float))
+    _, _, bulge, which = curve.each(point, tangent, 3, 0.01)
     assert set(which.tolist()) == {0, 2}
     assert (bulge[which == 2] == 0.0).all()
 
 
 def test_no_curves_are_no_segments() -> None:
-    assert [len(column) for column in curve.each(*cubics(np.zeros((0, 4, 2))), 0)] == [0] * 4
+    point, tangent = cubics(np.zeros((0, 4, 2)))
+    assert [len(column) for column in curve.each(point, tangent, 0)] == [0] * 4

@@ -21,7 +21,8 @@ def shared(
 ) -> F64:
     """Return the points of one pair, sorted, with the shares of both lengths."""
     columns = [np.array([value]) for value in (*one, *two)]
-    found = crossings(*columns)
+    a, b, bend, c, d, turn = columns
+    found = crossings(a, b, bend, c, d, turn)
     count = found.count[0]
     rows = np.column_stack([found.points[0], found.first[0], found.second[0]])[:count]
     return rows[np.lexsort(rows.T[::-1])]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from knifetip.geometry.intersect import crossings
 from knifetip.geometry.offset import NEARER, Equidistant, equidistant
 from knifetip.geometry.path import Paths, reversed_where, taken
 from knifetip.geometry.transition import Corner
+from tests.support.shapes import paths as paths_of
 from tests.support.shapes import rotation
 
 SQUARE = [(0, 0), (100, 0), (100, 60), (0, 60)]
@@ -27,20 +29,22 @@ DUMBBELL = [
 ]  # fmt: skip
 
 
-def rings(*contours: list[tuple[float, float]] | F64, bulge: list[float] | None = None) -> Paths:
+def rings(
+    *contours: Sequence[tuple[float, float]] | F64, bulge: Sequence[float] | None = None
+) -> Paths:
     """Return closed paths through lists of corners."""
     corners = [np.array(contour, float) for contour in contours]
     start = np.concatenate(corners)
     end = np.concatenate([np.roll(contour, -1, axis=0) for contour in corners])
     first = np.concatenate([[0], np.cumsum([len(contour) for contour in corners])])
-    return Paths(start, end, np.zeros(len(start)) if bulge is None else bulge, first)
+    return paths_of(start, end, np.zeros(len(start)) if bulge is None else bulge, first)
 
 
-def strip(*corners: tuple[float, float], bulge=None) -> Paths:
+def strip(*corners: tuple[float, float], bulge: Sequence[float] | None = None) -> Paths:
     """Return one open path."""
     xy = np.array(corners, float)
     bent = np.zeros(len(xy) - 1) if bulge is None else np.array(bulge, float)
-    return Paths(xy[:-1], xy[1:], bent, [0, len(bent)])
+    return paths_of(xy[:-1], xy[1:], bent, [0, len(bent)])
 
 
 def stars(count: int, corners: int, seed: int, arcs: bool = False) -> Paths:
@@ -55,7 +59,7 @@ def stars(count: int, corners: int, seed: int, arcs: bool = False) -> Paths:
         bulge = np.where(
             random.random(bulge.shape) < 0.5, random.uniform(-0.4, 0.4, bulge.shape), 0
         )
-    return Paths(
+    return paths_of(
         xy.reshape(-1, 2),
         np.roll(xy, -1, axis=1).reshape(-1, 2),
         bulge.reshape(-1),
@@ -68,11 +72,11 @@ def simple(paths: Paths) -> Paths:
     good = []
     for low, high in zip(paths.first[:-1], paths.first[1:], strict=True):
         one, two = np.triu_indices(high - low, 1)
-        columns = (paths.start[low:high], paths.end[low:high], paths.bulge[low:high])
-        found = crossings(*(c[one] for c in columns), *(c[two] for c in columns))
+        start, end, bulge = paths.start[low:high], paths.end[low:high], paths.bulge[low:high]
+        found = crossings(start[one], end[one], bulge[one], start[two], end[two], bulge[two])
         neighbours = (two - one == 1) | (two - one == high - low - 1)
         good.append((found.count == neighbours).all())
-    return taken(paths, np.flatnonzero(good))[0]
+    return taken(paths, np.flatnonzero(good).astype(np.int32))[0]
 
 
 def flattened(paths: Paths, pieces: int) -> list[F64]:
@@ -90,15 +94,15 @@ def areas(paths: Paths) -> F64:
     radius = np.where(paths.bulge != 0.0, arc.radius(paths.start, paths.end, paths.bulge), 0.0)
     under = paths.start[:, 0] * paths.end[:, 1] - paths.start[:, 1] * paths.end[:, 0]
     under = under + radius**2 * (sweep - np.sin(sweep))
-    return np.bincount(paths.path_of, 0.5 * under, minlength=len(paths))
+    return np.bincount(paths.path_of, 0.5 * under, minlength=len(paths)).astype(np.float64)
 
 
 def made_area(made: Equidistant, count: int) -> F64:
     """Return the signed area inside all results of each input path."""
-    return np.bincount(made.owner, areas(made.paths), minlength=count)
+    return np.bincount(made.owner, areas(made.paths), minlength=count).astype(np.float64)
 
 
-def clearance(made: Equidistant, paths: Paths, pieces=16) -> float:
+def clearance(made: Equidistant, paths: Paths, pieces: int = 16) -> float:
     """Return the least distance from points of the results to the path that they belong to."""
     least = np.inf
     points = arc.points_along(made.paths.start, made.paths.end, made.paths.bulge, pieces + 1)
@@ -487,7 +491,7 @@ def test_a_batch_is_the_same_as_one_by_one() -> None:
     for path in range(count):
         rows = slice(12 * path, 12 * path + 12)
         alone = equidistant(
-            Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], [0, 12]),
+            paths_of(paths.start[rows], paths.end[rows], paths.bulge[rows], [0, 12]),
             radius[path],
             side[path],
         )
@@ -517,7 +521,7 @@ def test_tiny_and_huge_tools(radius: float) -> None:
 
 
 def test_no_paths_give_none() -> None:
-    nothing = Paths(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), [0])
+    nothing = paths_of(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), [0])
     made = equidistant(nothing, 1.0, 1)
     assert len(made.paths) == 0
     assert len(made.unreached) == 0
@@ -567,7 +571,7 @@ def test_a_coordinate_that_is_no_number_is_refused(value: float) -> None:
     end = np.roll(start, -1, axis=0)
     start[2, 1] = value
     with pytest.raises(GeometryError, match="Segment 2 has a coordinate"):
-        equidistant(Paths(start, end, np.zeros(4), [0, 4]), 1.0, 1)
+        equidistant(paths_of(start, end, np.zeros(4), [0, 4]), 1.0, 1)
 
 
 def test_a_segment_without_length_is_refused() -> None:
@@ -586,9 +590,7 @@ def test_a_segment_without_length_is_refused() -> None:
         ({"corner": Corner.D, "k": np.nan}, "k = nan"),
     ],
 )
-def test_what_makes_no_sense_is_refused(
-    given_: dict[str, float | str | Corner], words: str
-) -> None:
+def test_what_makes_no_sense_is_refused(given_: dict[str, Any], words: str) -> None:
     with pytest.raises((GeometryError, CompensationError), match=words):
         equidistant(rings(SQUARE), **({"distance": 1.0, "side": 1} | given_))
 

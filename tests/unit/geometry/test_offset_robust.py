@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -18,17 +19,19 @@ from knifetip.geometry.columns import F64
 from knifetip.geometry.offset import Equidistant, equidistant
 from knifetip.geometry.path import Paths
 from knifetip.geometry.transition import Corner
+from tests.support.shapes import paths as paths_of
 
 
-def ring(corners: F64 | list[tuple[float, float]]) -> Paths:
+def ring(corners: F64 | Sequence[tuple[float, float]]) -> Paths:
     xy = np.array(corners, float)
-    return Paths(xy, np.roll(xy, -1, axis=0), np.zeros(len(xy)), [0, len(xy)])
+    return paths_of(xy, np.roll(xy, -1, axis=0), np.zeros(len(xy)), [0, len(xy)])
 
 
 def points(made: Equidistant) -> NDArray[Any]:
     paths = made.paths
     along = arc.points_along(paths.start, paths.end, paths.bulge, 9)
-    return shapely.points(along.reshape(-1, 2))
+    found: NDArray[Any] = shapely.points(along.reshape(-1, 2))
+    return found
 
 
 @settings(max_examples=100, deadline=None)
@@ -94,7 +97,7 @@ def test_two_islands_of_a_pocket_may_touch_in_a_point(radius: float) -> None:
     right = [(60, 20), (50, 30), (60, 40), (70, 30)]
     xy = np.concatenate([outline, left, right]).astype(float)
     ends = np.concatenate([np.roll(np.array(c, float), -1, axis=0) for c in (outline, left, right)])
-    paths = Paths(xy, ends, np.zeros(12), [0, 4, 8, 12])
+    paths = paths_of(xy, ends, np.zeros(12), [0, 4, 8, 12])
     made = equidistant(paths, radius, 1, group=[0, 0, 0])
     shape = shapely.Polygon(outline).difference(
         shapely.union(shapely.Polygon(left), shapely.Polygon(right))
@@ -122,7 +125,9 @@ def test_open_paths_with_c_and_d_corners_keep_clear_and_start_square(
 ) -> None:
     random = np.random.default_rng(seed)
     xy = np.stack([np.arange(8) * 15.0, random.uniform(-20.0, 20.0, 8)], axis=1)
-    made = equidistant(Paths(xy[:-1], xy[1:], np.zeros(7), [0, 7]), radius, side, corner=kind, k=k)
+    made = equidistant(
+        paths_of(xy[:-1], xy[1:], np.zeros(7), [0, 7]), radius, side, corner=kind, k=k
+    )
     assert not made.paths.closed.any()
     line = shapely.LineString(xy)
     assert shapely.distance(line, points(made)).min() >= radius - 1e-9
@@ -146,7 +151,7 @@ def test_islands_with_c_and_d_corners_stay_within_what_b_leaves(
     hole = [(40, 20), (30, 30), (60, 42), (70, 25)]
     xy = np.concatenate([outline, hole]).astype(float)
     ends = np.concatenate([np.roll(np.array(c, float), -1, axis=0) for c in (outline, hole)])
-    paths = Paths(xy, ends, np.zeros(8), [0, 4, 8])
+    paths = paths_of(xy, ends, np.zeros(8), [0, 4, 8])
     made = equidistant(paths, radius, 1, corner=kind, k=k, group=[0, 0])
     shape = shapely.Polygon(outline, [hole])
     assert made.paths.closed.all()

@@ -36,11 +36,13 @@ def gone(process: int) -> bool:
 
 
 def test_a_task_runs_in_another_process_and_tells_how_far_it_is(pool: ProcessPool) -> None:
-    heard = []
-    assert (
-        pool.run(crew_tasks.double, 21, limit=30.0, watch=lambda *said: not heard.append(said))
-        == 42
-    )
+    heard: list[tuple[str, float]] = []
+
+    def watch(stage: str, share: float) -> bool:
+        heard.append((stage, share))
+        return True
+
+    assert pool.run(crew_tasks.double, 21, limit=30.0, watch=watch) == 42
     assert heard[-1] == (Stage.PLAN, 0.5)
     assert pool.run(crew_tasks.process_id, limit=30.0) != os.getpid()
 

@@ -66,12 +66,12 @@ def from_file(wanted: Interpretation) -> tuple[Drawing, Dieline]:
     return drawing, pipeline.interpret(drawing, wanted)
 
 
-def test_a_reading_has_what_its_file_has(unread: None):
+def test_a_reading_has_what_its_file_has(unread: None) -> None:
     kept = stored(Interpretation())
     same(interpreted(kept, kept.interpretation), from_file(Interpretation()))
 
 
-def test_more_overrides_are_laid_over_a_reading(unread: None):
+def test_more_overrides_are_laid_over_a_reading(unread: None) -> None:
     kept = stored(Interpretation())
     wanted = replace(kept.interpretation, overrides=overrides(kept, row3=LineType.IGNORED))
     same(interpreted(kept, wanted), from_file(wanted))
@@ -85,13 +85,13 @@ def test_more_overrides_are_laid_over_a_reading(unread: None):
         Interpretation(rules='title = "Mine"\n[[rule]]\ntype = "half-cut"\ncolour = 1\n'),
     ],
 )
-def test_another_unit_or_profile_reads_the_file_again(wanted: Interpretation):
+def test_another_unit_or_profile_reads_the_file_again(wanted: Interpretation) -> None:
     kept = stored(Interpretation())
     wanted = replace(wanted, overrides=kept.interpretation.overrides)
     same(interpreted(kept, wanted), from_file(wanted))
 
 
-def test_an_override_that_is_taken_back_is_classified_anew():
+def test_an_override_that_is_taken_back_is_classified_anew() -> None:
     count = len(pipeline.read(CONTENT))
     kept = stored(Interpretation(overrides=bytes([LineType.HALF_CUT] * count)))
     wanted = replace(kept.interpretation, overrides=bytes([NO_OVERRIDE] * count))
@@ -100,7 +100,7 @@ def test_an_override_that_is_taken_back_is_classified_anew():
     assert LineType.HALF_CUT not in found[1].line_type
 
 
-def test_a_reading_of_an_older_version_is_made_anew():
+def test_a_reading_of_an_older_version_is_made_anew() -> None:
     kept = stored(Interpretation())
     columns, meta = unpacked(kept.edges)
     del columns["true_colour"]
@@ -108,7 +108,7 @@ def test_a_reading_of_an_older_version_is_made_anew():
     same(interpreted(old, kept.interpretation), from_file(kept.interpretation))
 
 
-def test_a_program_of_a_reading_is_that_of_its_file(unread: None):
+def test_a_program_of_a_reading_is_that_of_its_file(unread: None) -> None:
     kept = stored(Interpretation())
     made = tasks.compile(no_progress, kept, kept.interpretation, "demo-table", "fbb-0.4", ())
     drawing, dieline = from_file(Interpretation())

@@ -5,6 +5,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
+from typing import cast
 
 import pytest
 import sqlalchemy as sa
@@ -12,6 +13,7 @@ from alembic import command
 from alembic.autogenerate import compare_metadata
 from alembic.config import Config
 from alembic.migration import MigrationContext
+from sqlalchemy import Table
 from sqlalchemy.dialects import postgresql
 from sqlalchemy.schema import CreateIndex
 
@@ -232,8 +234,12 @@ def test_the_database_itself_refuses_a_second_job_on_a_table(
 
 
 def test_postgresql_is_told_the_same_index() -> None:
-    (index,) = [index for index in Job.__table__.indexes if index.name == "one_job_on_a_table"]
-    said = str(CreateIndex(index).compile(dialect=postgresql.dialect()))
+    (index,) = [
+        index for index in cast(Table, Job.__table__).indexes if index.name == "one_job_on_a_table"
+    ]
+    # SQLAlchemy does not annotate the constructor.
+    dialect = postgresql.dialect()  # type: ignore[no-untyped-call]
+    said = str(CreateIndex(index).compile(dialect=dialect))
     assert "UNIQUE" in said
     assert "WHERE state IN ('running', 'held', 'interrupted')" in said
     assert "OR (state = 'queued' AND confirmation <> '')" in said

@@ -15,10 +15,10 @@ from knifetip.kernels.walk import kernels_of
 
 
 class Tables(NamedTuple):
-    """Values, how many of them count, and room for a result."""
+    """Values, how many of them are used, and room for a result."""
 
     values: F64_1
-    count: int
+    used: int
     result: OutI64_1
 
 
@@ -35,7 +35,7 @@ def _sum(values: F64_1, first: int, more: float, twice: bool) -> float:
 
 @kernel
 def _count(tables: Tables) -> int:
-    tables.result[0] = tables.count
+    tables.result[0] = tables.used
     return int(tables.result[0])
 
 
@@ -71,7 +71,7 @@ def _compiled_here() -> None:
     """Take no machine code that another version of ``knifetip.kernels`` has kept."""
     for each in (_at, _sum, _count, _sum_of_sums, _half, _checked_half, _wide):
         assert isinstance(each, Kernel)
-        each._cache = NullCache()
+        vars(each)["_cache"] = NullCache()
 
 
 def _signatures(function: Callable[..., Any]) -> int:
@@ -99,8 +99,9 @@ def test_a_kernel_is_compiled_at_its_first_call_and_not_before() -> None:
 
 def test_read_only_arrays_narrow_numbers_and_integers_for_floats_use_one_signature() -> None:
     assert _sum(VALUES, 1, 0.0, False) == 1.0 + 2.0 + 4.0
-    assert _sum(_frozen(VALUES.copy()), np.int32(1), 3, True) == 20.0
-    assert _sum(VALUES, np.int64(1), np.float64(3.0), np.bool_(True)) == 20.0
+    untyped: Callable[..., float] = _sum
+    assert untyped(_frozen(VALUES.copy()), np.int32(1), 3, True) == 20.0
+    assert untyped(VALUES, np.int64(1), np.float64(3.0), np.bool_(True)) == 20.0
     assert _signatures(_sum) == 1
 
 
@@ -124,7 +125,9 @@ def test_constants_and_slices_inside_kernels_use_one_signature() -> None:
         (lambda: _count(Tables(VALUES, 1, _frozen(np.zeros(1, np.int64)))), "argument tables"),
     ],
 )
-def test_what_is_not_as_declared_is_refused_by_the_name_of_its_argument(call, named) -> None:
+def test_what_is_not_as_declared_is_refused_by_the_name_of_its_argument(
+    call: Callable[[], object], named: str
+) -> None:
     with pytest.raises(TypeError, match=named):
         call()
 
@@ -149,8 +152,8 @@ def test_a_kernel_cannot_write_to_what_it_declares_as_read_only() -> None:
 
 
 @pytest.mark.parametrize("missing", ["annotation", "default", "vocabulary"])
-def test_a_declaration_that_is_not_complete_is_refused(missing) -> None:
-    def no_annotation(x) -> float:
+def test_a_declaration_that_is_not_complete_is_refused(missing: str) -> None:
+    def no_annotation(x):  # type: ignore[no-untyped-def]  # this is what the test is about
         return float(x)
 
     def default(x: float = 1.0) -> float:
@@ -159,9 +162,13 @@ def test_a_declaration_that_is_not_complete_is_refused(missing) -> None:
     def vocabulary(x: list[float]) -> float:
         return x[0]
 
-    function = {"annotation": no_annotation, "default": default, "vocabulary": vocabulary}[missing]
+    functions: dict[str, Callable[..., float]] = {
+        "annotation": no_annotation,
+        "default": default,
+        "vocabulary": vocabulary,
+    }
     with pytest.raises(TypeError, match=f"argument x.*{missing}"):
-        kernel(function)(1.0)
+        kernel(functions[missing])(1.0)
 
 
 def test_division_by_zero_is_an_error_only_where_that_is_wanted() -> None:

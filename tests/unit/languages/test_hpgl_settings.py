@@ -10,18 +10,19 @@ from knifetip.errors import ControllerError, LibraryError
 from knifetip.languages.hpgl.plotter import Plotter, Work
 from knifetip.languages.registry import find_language, with_language
 from knifetip.library import load
+from knifetip.model.machine import Machine
 
 TEXT = (Path(load.__file__).parent / "machines" / "flat-cutter-hpgl.toml").read_text("utf-8")
 OWN = '{ title = "Ours", units = 100.0, area = [0, 0, 130000, 90000], origin = "corner", pens = 3 }'
 
 
-def machine(tmp_path: Path, text: str):
+def machine(tmp_path: Path, text: str) -> Machine:
     file = tmp_path / "cutter.toml"
     file.write_text(text, "utf-8")
     return load.machine(str(file))
 
 
-def test_the_shipped_machine():
+def test_the_shipped_machine() -> None:
     plotter = load.machine("flat-cutter-hpgl").controller
     assert isinstance(plotter, Plotter)
     assert plotter.device.units == 40.0
@@ -32,11 +33,12 @@ def test_the_shipped_machine():
     ]
 
 
-def test_a_machine_may_describe_its_own_device(tmp_path: Path):
+def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
     text = TEXT.replace('"flat-cutter"', OWN)
     for force in (30, 24, 12):
         text = text.replace(f"force = {force}\n", "")
     plotter = machine(tmp_path, text).controller
+    assert isinstance(plotter, Plotter)
     assert (plotter.device.units, plotter.device.speed, plotter.device.force) == (100.0, None, None)
 
 
@@ -63,17 +65,19 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path):
         ),
     ],
 )
-def test_a_wrong_file_is_refused_with_the_reason(tmp_path: Path, old: str, new: str, said: str):
+def test_a_wrong_file_is_refused_with_the_reason(
+    tmp_path: Path, old: str, new: str, said: str
+) -> None:
     assert old in TEXT
     with pytest.raises(LibraryError, match=said):
         machine(tmp_path, TEXT.replace(old, new, 1))
 
 
-def test_a_machine_without_a_device_cannot_be_driven_with_hpgl():
+def test_a_machine_without_a_device_cannot_be_driven_with_hpgl() -> None:
     with pytest.raises(LibraryError, match=r"cannot be driven with HPGL.*own language is grblhal"):
         with_language(load.machine("demo-table"), "hpgl")
 
 
-def test_programs_are_downloaded_and_not_streamed():
+def test_programs_are_downloaded_and_not_streamed() -> None:
     with pytest.raises(ControllerError, match=r"HPGL cannot be streamed.*Download the program"):
         find_language("hpgl").dial()

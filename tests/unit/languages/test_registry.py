@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -77,8 +78,11 @@ def emit(toolpath, machine, *, tolerance, notes):
 """
 
 
+Install = Callable[[str, str], None]
+
+
 @pytest.fixture
-def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Install]:
     """Install a package with a language, as the metadata of an installed one declares it."""
 
     def install(declared: str, name: str) -> None:
@@ -97,7 +101,7 @@ def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     sys.modules.pop("elsewhere", None)
 
 
-def test_a_language_of_another_package_is_found_by_its_entry_point(package) -> None:
+def test_a_language_of_another_package_is_found_by_its_entry_point(package: Install) -> None:
     package("elsewhere", "elsewhere")
     assert "elsewhere" in registry.names()
     machine = with_language(load.machine("demo-table"), "elsewhere")
@@ -105,7 +109,7 @@ def test_a_language_of_another_package_is_found_by_its_entry_point(package) -> N
     assert emitter(None, machine, tolerance=0.01, notes=()) == "elsewhere"
 
 
-def test_an_entry_point_that_is_another_language_is_refused(package) -> None:
+def test_an_entry_point_that_is_another_language_is_refused(package: Install) -> None:
     package("elsewhere", "nowhere")
     with pytest.raises(LibraryError, match="is not a controller language of this name"):
         find_language("elsewhere")

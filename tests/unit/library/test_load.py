@@ -6,7 +6,7 @@ import re
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import pytest
 
@@ -74,8 +74,16 @@ layer = "RIEFE"
 """
 
 
+class Put(Protocol):
+    """Writes a file and returns its path."""
+
+    def __call__(self, text: str, name: str = ...) -> str:
+        """Write ``text`` to a file of this name."""
+        ...
+
+
 @pytest.fixture
-def put(tmp_path: Path):
+def put(tmp_path: Path) -> Put:
     def written(text: str, name: str = "own.toml") -> str:
         path = tmp_path / name
         path.write_text(text, "utf-8")
@@ -115,12 +123,12 @@ def test_the_shelves_hold_what_the_first_release_promises() -> None:
     assert "default" in load.names("profiles")
 
 
-def test_a_board_of_ones_own_is_named_after_its_file(put) -> None:
+def test_a_board_of_ones_own_is_named_after_its_file(put: Put) -> None:
     board = load.board(put(BOARD, "house.toml"))
     assert (board.name, board.caliper, board.perforation) == ("house", 2.0, (3.0, 2.0))
 
 
-def test_a_machine_of_ones_own_keeps_its_figures(put) -> None:
+def test_a_machine_of_ones_own_keeps_its_figures(put: Put) -> None:
     machine = load.machine(put(MACHINE))
     (station,) = machine.stations
     assert station.tool == VCutter(6.0, 1.5, 45.0)
@@ -133,7 +141,7 @@ def test_a_machine_of_ones_own_keeps_its_figures(put) -> None:
     assert (machine.x.high, machine.origin) == (1400.0, (20.0, 20.0))
 
 
-def test_a_machine_is_fed_by_hand_unless_its_file_states_otherwise(put) -> None:
+def test_a_machine_is_fed_by_hand_unless_its_file_states_otherwise(put: Put) -> None:
     assert load.machine(put(MACHINE)).feed == "manual"
     own = MACHINE.replace("into_mat = 0.3", 'into_mat = 0.3\nfeed = "automatic"')
     assert own != MACHINE
@@ -141,7 +149,7 @@ def test_a_machine_is_fed_by_hand_unless_its_file_states_otherwise(put) -> None:
     assert {load.machine(name).feed for name in load.names("machines")} == {"manual"}
 
 
-def test_a_profile_of_ones_own_keeps_the_order_of_its_rules(put) -> None:
+def test_a_profile_of_ones_own_keeps_the_order_of_its_rules(put: Put) -> None:
     first, second = load.profile(put(PROFILE)).rules
     assert (first.line_type, first.layer, first.colour) == (
         LineType.CUT,
@@ -151,7 +159,7 @@ def test_a_profile_of_ones_own_keeps_the_order_of_its_rules(put) -> None:
     assert (second.line_type, second.layer) == (LineType.V_GROOVE, ("RIEFE",))
 
 
-def test_a_profile_that_extends_another_has_its_rules_first(put) -> None:
+def test_a_profile_that_extends_another_has_its_rules_first(put: Put) -> None:
     own = load.profile(put('extends = "default"\n' + PROFILE))
     assert own.rules[:-2] == load.profile("default").rules
     assert own.rules[-1].layer == ("RIEFE",)
@@ -201,7 +209,7 @@ def test_each_tool_has_its_word(tool: Knife | CreaseWheel | VCutter | Cutter, wo
         ("caliper = 2.0", "caliper = = 2", "Invalid value"),
     ],
 )
-def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str) -> None:
+def test_a_wrong_board_says_what_is_wrong(put: Put, old: str, new: str, told: str) -> None:
     assert old in BOARD
     with pytest.raises(LibraryError, match=r"cannot be (read|used)") as caught:
         load.board(put(BOARD.replace(old, new)))
@@ -255,7 +263,7 @@ def test_a_wrong_board_says_what_is_wrong(put, old: str, new: str, told: str) ->
         ("datum = {", "datum = 5 # {", ""),
     ],
 )
-def test_a_wrong_machine_says_what_is_wrong(put, old: str, new: str, told: str) -> None:
+def test_a_wrong_machine_says_what_is_wrong(put: Put, old: str, new: str, told: str) -> None:
     assert old in MACHINE
     with pytest.raises(LibraryError, match=r"cannot be (read|used)") as caught:
         load.machine(put(MACHINE.replace(old, new)))
@@ -275,14 +283,14 @@ def test_a_wrong_machine_says_what_is_wrong(put, old: str, new: str, told: str) 
     ],
 )
 def test_a_misspelt_field_is_refused_with_the_name_that_was_meant(
-    put, old: str, new: str, told: str
+    put: Put, old: str, new: str, told: str
 ) -> None:
     with pytest.raises(LibraryError, match="is not a field") as caught:
         load.machine(put(MACHINE.replace(old, new)))
     assert told in caught.value.text
 
 
-def test_an_error_names_the_file_and_the_path_of_its_field(put) -> None:
+def test_an_error_names_the_file_and_the_path_of_its_field(put: Put) -> None:
     file = put(MACHINE.replace("tilt = 45.0", "tilt = 95.0"))
     with pytest.raises(LibraryError) as caught:
         load.machine(file)
@@ -290,12 +298,12 @@ def test_an_error_names_the_file_and_the_path_of_its_field(put) -> None:
     assert caught.value.source == ("station 1", "tool", "tilt")
 
 
-def test_a_machine_of_an_unknown_language_is_refused_when_it_is_loaded(put) -> None:
+def test_a_machine_of_an_unknown_language_is_refused_when_it_is_loaded(put: Put) -> None:
     with pytest.raises(LibraryError, match=r"dialect is 'fanuc': it is one of .*grblhal"):
         load.machine(put(re.sub('dialect = ".*"', 'dialect = "fanuc"', MACHINE)))
 
 
-def test_two_stations_of_one_number_are_refused(put) -> None:
+def test_two_stations_of_one_number_are_refused(put: Put) -> None:
     station = MACHINE[MACHINE.index("[[station]]") :]
     with pytest.raises(LibraryError, match=r"station numbers \[3, 3\] must differ"):
         load.machine(put(MACHINE + station))
@@ -354,7 +362,7 @@ def test_two_stations_of_one_number_are_refused(put) -> None:
         ),
     ],
 )
-def test_a_wrong_profile_says_what_is_wrong(put, old: str, new: str, told: str) -> None:
+def test_a_wrong_profile_says_what_is_wrong(put: Put, old: str, new: str, told: str) -> None:
     assert old in PROFILE
     with pytest.raises(ProfileError, match=r"cannot be used|extends") as caught:
         load.profile(put(PROFILE.replace(old, new)))
@@ -373,7 +381,7 @@ def test_a_wrong_profile_says_what_is_wrong(put, old: str, new: str, told: str) 
     ],
     ids=["no rules", "not tables", "a number", "empty", "not text", "deep"],
 )
-def test_a_profile_without_rules_is_refused(put, text: str) -> None:
+def test_a_profile_without_rules_is_refused(put: Put, text: str) -> None:
     with pytest.raises(ProfileError):
         load.profile(put(text))
 
@@ -408,7 +416,7 @@ def routed(text: str) -> str:
     return MACHINE[: MACHINE.index('kind = "v-cutter"')] + text
 
 
-def test_a_router_keeps_its_figures_and_sets_up_on_one_and_a_half_radii(put) -> None:
+def test_a_router_keeps_its_figures_and_sets_up_on_one_and_a_half_radii(put: Put) -> None:
     (station,) = load.machine(put(routed(CUTTER))).stations
     assert station.tool == Cutter(3.0, 9000.0, 1500.0, speed=18000.0)
     assert station.tool.set_up == 4.5
@@ -424,14 +432,14 @@ def test_a_router_keeps_its_figures_and_sets_up_on_one_and_a_half_radii(put) -> 
         ("teeth = 2", "tool → teeth is not a field"),
     ],
 )
-def test_a_wrong_router_says_what_is_wrong(put, line: str, told: str) -> None:
+def test_a_wrong_router_says_what_is_wrong(put: Put, line: str, told: str) -> None:
     text = CUTTER.replace("speed = 18000.0\n", "") + line + "\n"
     with pytest.raises(LibraryError, match=r"cannot be (read|used)") as caught:
         load.machine(put(routed(text)))
     assert told in caught.value.text
 
 
-def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put) -> None:
+def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put: Put) -> None:
     given = '\n[deflection.Router]\nx = 0.08\ny = 0.05\n[deflection."Router 6"]\nx = 0.1\ny = 0\n'
     board = load.board(put(BOARD + given))
     assert board.deflection == (Deflection("Router", 0.08, 0.05), Deflection("Router 6", 0.1, 0.0))
@@ -449,7 +457,7 @@ def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put) -> None:
         ("[deflection]\nRouter = 3", "deflection → Router is 3, not a table"),
     ],
 )
-def test_a_wrong_deflection_says_what_is_wrong(put, given: str, told: str) -> None:
+def test_a_wrong_deflection_says_what_is_wrong(put: Put, given: str, told: str) -> None:
     with pytest.raises(LibraryError) as caught:
         load.board(put(BOARD + "\n" + given + "\n"))
     assert told in caught.value.text
@@ -458,7 +466,7 @@ def test_a_wrong_deflection_says_what_is_wrong(put, given: str, told: str) -> No
 # ── profiles written out, and read again ─────────────────────────────────────────────────────────
 
 
-def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put) -> None:
+def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put: Put) -> None:
     text = PROFILE + '[[rule]]\ntype = "crease"\ncolour = [5, "#00AEEF"]\nblock = "LID*"\n'
     rule = load.profile(put(text)).rules[-1]
     assert (rule.colour, rule.true_colour, rule.block) == ((5,), (0x00AEEF,), ("LID*",))
@@ -466,12 +474,12 @@ def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put) -> None:
 
 
 @pytest.mark.parametrize("colour", ['"#00AEE"', '"red"', '["#gggggg"]', '[1, "#12345"]'])
-def test_a_true_colour_that_is_none_is_refused(put, colour: str) -> None:
+def test_a_true_colour_that_is_none_is_refused(put: Put, colour: str) -> None:
     with pytest.raises(ProfileError, match="rule 3 → colour"):
         load.profile(put(PROFILE + f'[[rule]]\ntype = "cut"\ncolour = {colour}\n'))
 
 
-def test_a_profile_that_overrules_has_the_rules_that_it_extends_last(put) -> None:
+def test_a_profile_that_overrules_has_the_rules_that_it_extends_last(put: Put) -> None:
     own = load.profile(put('extends = "default"\noverrules = true\n' + PROFILE))
     assert own.rules[2:] == load.profile("default").rules
     assert own.rules[1].layer == ("RIEFE",)
@@ -508,7 +516,7 @@ def test_a_name_that_is_not_text_for_utf_8_is_written_as_a_pattern_that_matches_
     assert tomllib.loads(text)["rule"][0]["layer"] == ["a?b"]
 
 
-def test_names_from_elsewhere_open_no_file(put) -> None:
+def test_names_from_elsewhere_open_no_file(put: Put) -> None:
     path = put(PROFILE)
     assert load.profile(path).rules
     for shelf in (load.profile, load.machine, load.board):
@@ -516,7 +524,7 @@ def test_names_from_elsewhere_open_no_file(put) -> None:
             shelf(path, files=False)
 
 
-def test_a_file_of_ones_own_is_read_again_after_it_was_edited(put) -> None:
+def test_a_file_of_ones_own_is_read_again_after_it_was_edited(put: Put) -> None:
     assert load.profile(put(PROFILE)).title == "Ours"
     assert load.profile(put(PROFILE.replace("Ours", "Mine"))).title == "Mine"
     assert load.profile("default") is load.profile("default")

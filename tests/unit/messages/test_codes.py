@@ -51,7 +51,7 @@ def constants(node: ast.expr) -> list[str]:
     return []
 
 
-def test_every_call_has_a_code_of_the_catalogue_and_its_arguments():
+def test_every_call_has_a_code_of_the_catalogue_and_its_arguments() -> None:
     wrong = [
         (place, code, sorted(given or ()))
         for place, codes, given in calls()
@@ -61,7 +61,7 @@ def test_every_call_has_a_code_of_the_catalogue_and_its_arguments():
     assert wrong == []
 
 
-def test_every_code_of_the_catalogue_is_used():
+def test_every_code_of_the_catalogue_is_used() -> None:
     used = {
         node.value
         for _, tree in trees()
@@ -72,5 +72,5 @@ def test_every_code_of_the_catalogue_is_used():
     assert CODES.keys() - used == {"stored.text"}
 
 
-def test_calls_are_found():
+def test_calls_are_found() -> None:
     assert len(list(calls())) > 200

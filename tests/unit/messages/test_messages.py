@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import pickle
 from string import Formatter
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,7 +25,8 @@ SAMPLES = {
 
 
 def sample(code: str) -> Message:
-    return Message(code, **{name: SAMPLES[kind] for name, kind in CODES[code].items()})
+    arguments: dict[str, Any] = {name: SAMPLES[kind] for name, kind in CODES[code].items()}
+    return Message(code, **arguments)
 
 
 def fields(template: str) -> set[str]:

@@ -29,7 +29,7 @@ def machine(*tools: Tool) -> Machine:
 def number_for(table: Machine, line_type: LineType, caliper: float | None = None) -> int | None:
     """Return the number of the station that makes a line type."""
     station = table.station_for(line_type, caliper)
-    return station and station.number
+    return station.number if station else None
 
 
 def test_a_row_of_the_registry_belongs_to_one_class_and_one_name() -> None:
@@ -55,7 +55,9 @@ def test_a_knife_cuts_where_there_is_one_and_else_a_router() -> None:
 
 
 @pytest.mark.parametrize(("caliper", "number"), [(0.4, 3), (0.7, 2), (0.9, 1), (9.0, 1)])
-def test_the_narrowest_rim_that_is_as_wide_as_the_board_is_taken(caliper, number) -> None:
+def test_the_narrowest_rim_that_is_as_wide_as_the_board_is_taken(
+    caliper: float, number: int | None
+) -> None:
     wheels = machine(*(replace(WHEEL, width=width) for width in (1.5, 0.7, 0.5)))
     assert number_for(wheels, LineType.CREASE, caliper) == number
 

@@ -6,27 +6,34 @@ import importlib.util
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[3]
 
 
+#: The commands that were run, and words of those that fail.
+Commands = tuple[list[list[str]], set[str]]
+
+
 @pytest.fixture
-def install():
+def install() -> ModuleType:
     spec = importlib.util.spec_from_file_location("install", ROOT / "backend" / "install.py")
+    assert spec is not None
+    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
 
 
 @pytest.fixture
-def commands(install, monkeypatch: pytest.MonkeyPatch):
+def commands(install: ModuleType, monkeypatch: pytest.MonkeyPatch) -> Commands:
     """Record the commands; those that contain a word of ``failing`` exit with 1."""
     failing: set[str] = set()
     calls: list[list[str]] = []
 
-    def run(command, **_options):
+    def run(command: list[str], **_options: object) -> subprocess.CompletedProcess[str]:
         calls.append([str(word) for word in command])
         return subprocess.CompletedProcess(command, int(not failing.isdisjoint(command)), "", "")
 
@@ -36,7 +43,7 @@ def commands(install, monkeypatch: pytest.MonkeyPatch):
 
 
 def test_the_environment_overrides_the_section_install_overrides_the_section_global(
-    install,
+    install: ModuleType,
 ) -> None:
     listing = (
         ":env:.find-links='/env'\n"
@@ -51,7 +58,9 @@ def test_the_environment_overrides_the_section_install_overrides_the_section_glo
     }
 
 
-def test_every_index_of_pip_is_handed_on_in_the_separator_of_its_variable(install) -> None:
+def test_every_index_of_pip_is_handed_on_in_the_separator_of_its_variable(
+    install: ModuleType,
+) -> None:
     options = {
         "index-url": "https://a/simple",
         "extra-index-url": "https://b/simple\nfile:///c/simple",
@@ -69,19 +78,19 @@ def test_every_index_of_pip_is_handed_on_in_the_separator_of_its_variable(instal
     }
 
 
-def test_a_variable_that_is_set_stays(install) -> None:
+def test_a_variable_that_is_set_stays(install: ModuleType) -> None:
     found = install.uv_environment({"index-url": "https://a"}, {"UV_DEFAULT_INDEX": "https://mine"})
     assert found["UV_DEFAULT_INDEX"] == "https://mine"
 
 
-def test_pip_is_not_asked_where_uv_installs(install, commands) -> None:
+def test_pip_is_not_asked_where_uv_installs(install: ModuleType, commands: Commands) -> None:
     calls, _ = commands
     assert install.main() == 0
     assert calls[-1][1:5] == ["-m", "uv", "pip", "install"]
     assert calls[-1][-2:] == ["-r", "some.lock"]
 
 
-def test_pip_installs_where_uv_fails(install, commands) -> None:
+def test_pip_installs_where_uv_fails(install: ModuleType, commands: Commands) -> None:
     calls, failing = commands
     failing.add("uv")
     assert install.main() == 0
@@ -90,7 +99,7 @@ def test_pip_installs_where_uv_fails(install, commands) -> None:
 
 
 def test_pip_installs_where_uv_cannot_be_fetched(
-    install, commands, monkeypatch: pytest.MonkeyPatch
+    install: ModuleType, commands: Commands, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     calls, failing = commands
     monkeypatch.setattr(install.importlib.util, "find_spec", lambda _name: None)
@@ -100,13 +109,15 @@ def test_pip_installs_where_uv_cannot_be_fetched(
     assert calls[-1][-2:] == ["-r", "some.lock"]
 
 
-def test_the_exit_code_is_that_of_pip_where_both_fail(install, commands) -> None:
+def test_the_exit_code_is_that_of_pip_where_both_fail(
+    install: ModuleType, commands: Commands
+) -> None:
     _, failing = commands
     failing.add("some.lock")
     assert install.main() == 1
 
 
-def test_the_lock_of_uv_pins_the_uv_of_the_development_lock(install) -> None:
+def test_the_lock_of_uv_pins_the_uv_of_the_development_lock(install: ModuleType) -> None:
     first = install.UV_LOCK.read_text().split(" ")[0]
     assert first.startswith("uv==")
     assert f"\n{first} " in (ROOT / "backend" / "requirements-dev.lock").read_text()

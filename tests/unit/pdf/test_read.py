@@ -108,7 +108,7 @@ def test_it_is_classified_without_a_question(layered: bool) -> None:
 
 def test_a_point_is_a_seventy_second_of_an_inch() -> None:
     drawing = read(pdf("0 0 m 72 36 l S"))
-    assert_allclose(drawing.ends, [[[0, 0], [25.4, 12.7]]])
+    assert_allclose(drawing.ends, [[[0.0, 0.0], [25.4, 12.7]]])
     assert (drawing.unit, drawing.stated) == ("pt", "pt")
     assert str(drawing.evidence) == "a PDF counts in points of 1/72 in"
 
@@ -487,7 +487,7 @@ def test_lengths_in_the_ledger_add_up() -> None:
     by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
     assert_allclose(by_row, drawing.ledger.length)
     dropped = drawing.ledger.fate == Fate.DROPPED
-    assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped)] == ["text"]
+    assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
 
 
 def test_everything_on_the_page_has_a_row_and_what_is_no_line_its_reason() -> None:

@@ -89,7 +89,7 @@ def test_a_rounded_blank_is_held_on_its_straight_pieces() -> None:
     ends = edges(((10, 0), (90, 0)), ((90, 0), (100, 10)), ((100, 10), (100, 90)),
                  ((100, 90), (90, 100)), ((90, 100), (10, 100)), ((10, 100), (0, 90)),
                  ((0, 90), (0, 10)), ((0, 10), (10, 0)))  # fmt: skip
-    operation = cut(ends, bulge=dict.fromkeys((1, 3, 5, 7), quarter))
+    operation = cut(ends, bulge=dict.fromkeys((1, 3, 5, 7), float(quarter)))
     middle, _ = gaps(operation)
     assert (np.minimum(np.abs(middle), np.abs(middle - 100)).min(axis=1) < 1e-9).all()
 

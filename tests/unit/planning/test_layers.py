@@ -90,7 +90,7 @@ def test_an_end_short_of_the_middle_of_an_edge_closes_a_contour() -> None:
 
 def test_two_outlines_with_gaps_beside_each_other_are_both_closed() -> None:
     # The nearest point to each loose end is on the neighbour, 0.6 mm away.
-    def blank(x, side):
+    def blank(x: float, side: float) -> F64:
         return edges(
             ((x, 0), (x, 49.5)), ((x, 50.5), (x, 100)), ((x, 100), (x + side, 100)),
             ((x + side, 100), (x + side, 0)), ((x + side, 0), (x, 0)),
@@ -160,7 +160,7 @@ def test_crossings_without_number_are_refused(monkeypatch: pytest.MonkeyPatch) -
 def test_many_contours_side_by_side_and_nested_take_time_in_proportion() -> None:
     import time
 
-    def seconds(count):
+    def seconds(count: int) -> float:
         cells = np.arange(count)
         corner = np.stack([12.0 * (cells % 100), 12.0 * (cells // 100)], axis=1)
         ends = np.concatenate(

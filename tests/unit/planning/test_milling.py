@@ -85,7 +85,11 @@ def test_blanks_that_touch_in_a_point_are_each_milled_from_outside(turned: int) 
         blank[::-1, ::-1] if turned >> place & 1 else blank for place, blank in enumerate(TOUCHING)
     )
     (operation,) = plan(dieline((LineType.CUT, one), (LineType.CUT, other)), ROUTED, BOARD)
-    assert (len(operation.paths), operation.paths.closed.all(), operation.side) == (2, True, 1)
+    assert (len(operation.paths), bool(operation.paths.closed.all()), operation.side) == (
+        2,
+        True,
+        1,
+    )
     # Clockwise, both of them: 50² and 40².
     assert [area(taken(operation.paths, np.array([path]))[0]) for path in range(2)] == [
         -2500,
@@ -97,7 +101,7 @@ def test_holes_that_touch_in_a_point_are_each_milled_from_inside() -> None:
     sheet = closed((-50, -50), (150, -50), (150, 150), (-50, 150))
     line = dieline(*((LineType.CUT, ends) for ends in (sheet, *TOUCHING)))
     inner, outer = plan(line, ROUTED, BOARD)
-    assert (len(inner.paths), inner.paths.closed.all(), inner.side) == (2, True, 1)
+    assert (len(inner.paths), bool(inner.paths.closed.all()), inner.side) == (2, True, 1)
     assert area(inner.paths) == pytest.approx(2500.0 + 1600.0)
     assert area(outer.paths) == pytest.approx(-40000.0)
 
@@ -139,7 +143,7 @@ def test_a_contour_drawn_with_gaps_within_the_joining_is_closed_to_the_bit() -> 
     loose[1, 0] += [0.0008, -0.0009]
     loose[3, 1] += [0.0005, 0.0005]
     (operation,) = plan(dieline((LineType.CUT, loose)), ROUTED, BOARD)
-    assert operation.paths.closed.all()
+    assert bool(operation.paths.closed.all())
     np.testing.assert_array_equal(operation.paths.end, np.roll(operation.paths.start, -1, axis=0))
 
 

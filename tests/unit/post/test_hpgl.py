@@ -13,6 +13,7 @@ from knifetip.library import load
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.emit import process
+from tests.support.shapes import toolpath as toolpath_of
 
 MACHINE = load.machine("flat-cutter-hpgl")
 R, P, F, S, L = Motion.RAPID, Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.LIFT
@@ -30,12 +31,11 @@ SQUARE: list[Move] = [
 
 
 def toolpath(*moves: Move, start: tuple[float, float] = (0.0, 0.0)) -> Toolpath:
-    tool, motion, x, y, z, bulge, feed = zip(*moves, strict=True)
     pose = np.zeros((len(moves) + 1, 4))
     pose[0] = (*start, 5.0, 0.0)
-    pose[1:, 0], pose[1:, 1], pose[1:, 2] = x, y, z
-    n = len(moves)
-    return Toolpath(pose, bulge, motion, feed, range(n), tool, [0] * n)
+    pose[1:, :3] = [move[2:5] for move in moves]
+    rows = [(Motion(motion), feed, station) for station, motion, *_, feed in moves]
+    return toolpath_of(pose, rows, bulge=[move[5] for move in moves])
 
 
 def instructions(path: Toolpath, machine: Machine = MACHINE, **options: object) -> list[str]:
@@ -50,7 +50,7 @@ def with_device(**changes: object) -> Machine:
     return replace(MACHINE, controller=Plotter(device, pens))
 
 
-def test_one_cut():
+def test_one_cut() -> None:
     assert instructions(toolpath(*SQUARE)) == [
         "IN;", "PA;", "PU;", "SP1;", "FS30;", "VS40;",
         "PU800,800;", "PD;", "PD4800,800;", "PU;",
@@ -58,13 +58,13 @@ def test_one_cut():
     ]  # fmt: skip
 
 
-def test_each_line_has_the_row_that_it_came_from():
+def test_each_line_has_the_row_that_it_came_from() -> None:
     program = process(toolpath(*SQUARE), MACHINE)
     assert program.source.tolist() == [-1] * 6 + [0, 1, 2, 3] + [-1, -1]
     assert program.dialect == "hpgl"
 
 
-def test_a_pen_is_the_work_of_a_station():
+def test_a_pen_is_the_work_of_a_station() -> None:
     lines = instructions(
         toolpath(
             (2, R, 10, 10, 5, 0, 0),
@@ -89,7 +89,7 @@ def test_a_pen_is_the_work_of_a_station():
     assert lines[at + 3 : at + 5] == ["PU800,800;", "PD;"]
 
 
-def test_points_are_rounded_as_points_and_brief_moves_vanish():
+def test_points_are_rounded_as_points_and_brief_moves_vanish() -> None:
     lines = instructions(
         toolpath(
             (1, R, 20.013, 20, 5, 0, 0),
@@ -102,7 +102,7 @@ def test_points_are_rounded_as_points_and_brief_moves_vanish():
     assert lines[6:10] == ["PU801,800;", "PD;", "PD1601,800;", "PU;"]
 
 
-def test_an_arc_becomes_chords_within_half_the_tolerance():
+def test_an_arc_becomes_chords_within_half_the_tolerance() -> None:
     half = toolpath(
         (1, R, 100, 100, 5, 0, 0),
         (1, P, 100, 100, -0.3, 0, 6000),
@@ -123,7 +123,7 @@ def test_an_arc_becomes_chords_within_half_the_tolerance():
     assert 60 <= len(lines) <= 90
 
 
-def test_a_device_has_only_the_instructions_that_its_record_names():
+def test_a_device_has_only_the_instructions_that_its_record_names() -> None:
     bare = instructions(toolpath(*SQUARE), with_device(speed=None, force=None))
     assert bare == [
         "IN;", "PA;", "PU;", "SP1;", "PU800,800;", "PD;", "PD4800,800;", "PU;", "PU;", "SP0;",
@@ -136,13 +136,13 @@ def test_a_device_has_only_the_instructions_that_its_record_names():
     ]  # fmt: skip
 
 
-def test_the_origin_is_where_the_device_has_it():
+def test_the_origin_is_where_the_device_has_it() -> None:
     centred = with_device(zero=(650.0, 450.0), area=(-26000, -18000, 26000, 18000))
     lines = instructions(toolpath(*SQUARE), centred)
     assert lines[6:9] == ["PU-25200,-17200;", "PD;", "PD-21200,-17200;"]
 
 
-def test_the_speed_is_stated_where_it_changes():
+def test_the_speed_is_stated_where_it_changes() -> None:
     slower = [*SQUARE[:3], (1, F, 120, 60, -0.3, 0, 12000.0), (1, F, 60, 60, -0.3, 0, 12000.0)]
     lines = instructions(toolpath(*slower, (1, L, 60, 60, 2.4, 0, 6000)))
     assert lines[5:12] == [
@@ -165,12 +165,12 @@ def test_the_speed_is_stated_where_it_changes():
         ([SQUARE[0]], "never goes down"),
     ],
 )
-def test_what_hpgl_cannot_express_is_refused(moves: list[Move], what: str):
+def test_what_hpgl_cannot_express_is_refused(moves: list[Move], what: str) -> None:
     with pytest.raises(ProgramError, match=what):
         process(toolpath(*moves), MACHINE)
 
 
-def test_work_without_a_pen_is_refused():
+def test_work_without_a_pen_is_refused() -> None:
     plotter = MACHINE.controller
     assert isinstance(plotter, Plotter)
     bare = replace(MACHINE, controller=replace(plotter, pens=plotter.pens[1:]))

@@ -16,27 +16,24 @@ from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.emit import process
 from tests.controllers.grbl_words import read_grbl
+from tests.support.shapes import toolpath as toolpath_of
 
 QUARTER = np.tan(np.radians(90) / 4)
 TABLE = machine("demo-table")
 
 
-def toolpath(*moves: tuple) -> Toolpath:
-    """Moves of (station, motion, (x, y, z, c), bulge, feed), from (0, 0, 20, 0)."""
-    tools, motions, poses, bulges, feeds = zip(*moves, strict=True)
-    n = len(moves)
-    return Toolpath(
-        pose=[(0, 0, 20, 0), *poses],
-        bulge=bulges,
-        motion=motions,
-        feed=feeds,
-        source=range(n),
-        tool=tools,
-        track=[0] * n,
-    )
+#: Station, motion, (x, y, z, c), bulge and feed of a move.
+Row = tuple[int, Motion, tuple[float, float, float, float], float, float]
 
 
-def rapid(x: float, y: float, z: float = 20.0, c: float = 0.0, station: int = 1) -> tuple:
+def toolpath(*moves: Row) -> Toolpath:
+    """Return a toolpath of these moves, from (0, 0, 20, 0)."""
+    poses = [(0.0, 0.0, 20.0, 0.0), *[move[2] for move in moves]]
+    rows = [(motion, feed, station) for station, motion, _, _, feed in moves]
+    return toolpath_of(poses, rows, bulge=[move[3] for move in moves])
+
+
+def rapid(x: float, y: float, z: float = 20.0, c: float = 0.0, station: int = 1) -> Row:
     return station, Motion.RAPID, (x, y, z, c), 0.0, 0.0
 
 
@@ -47,7 +44,7 @@ def feed(
     c: float = 0.0,
     bulge: float = 0.0,
     station: int = 1,
-) -> tuple:
+) -> Row:
     return station, Motion.FEED, (x, y, z, c), bulge, 24000.0
 
 
@@ -57,11 +54,11 @@ def moves(program: Program) -> list[str]:
     return [line.decode() for line, row in rows if row >= 0]
 
 
-def linuxcnc(*rows: tuple) -> list[str]:
+def linuxcnc(*rows: Row) -> list[str]:
     return moves(process(toolpath(*rows), TABLE, "linuxcnc"))
 
 
-def grblhal(*rows: tuple) -> list[str]:
+def grblhal(*rows: Row) -> list[str]:
     return moves(process(toolpath(*rows), TABLE, "grblhal"))
 
 
@@ -333,11 +330,11 @@ def test_the_end_lifts_the_last_tool_by_its_own_datum() -> None:
     assert text.endswith(b"G0 Z18.5000\nG4 P0\nM65 P0\nM65 P1\nM65 P2\nM5\nG49\nM30\n")
 
 
-def halts(*rows: tuple) -> list[str]:
+def halts(*rows: Row) -> list[int]:
     """The rows after which LinuxCNC must halt."""
     program = process(toolpath(*rows), TABLE, "linuxcnc")
     lines = program.lines()
-    return [program.source[n - 1] for n, line in enumerate(lines) if line == b"G4 P0"]
+    return [int(program.source[n - 1]) for n, line in enumerate(lines) if line == b"G4 P0"]
 
 
 def test_linuxcnc_halts_where_c_begins_or_ends_to_turn_and_not_within_a_circle() -> None:
@@ -480,7 +477,7 @@ def test_the_name_of_a_station_cannot_speak_either() -> None:
 )
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
 def test_a_move_that_cannot_be_printed_is_refused_with_its_place(
-    row: tuple[int, Motion | int, tuple[float, int, float, float], float, float],
+    row: Row,
     words: str,
     dialect: str,
 ) -> None:
@@ -489,7 +486,7 @@ def test_a_move_that_cannot_be_printed_is_refused_with_its_place(
 
 
 def test_no_moves_are_refused() -> None:
-    empty = Toolpath(np.zeros((1, 4)), [], [], [], [], [], [])
+    empty = toolpath_of(np.zeros((1, 4)), [])
     with pytest.raises(ProgramError, match="no moves"):
         process(empty, TABLE, "grblhal")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +14,7 @@ from knifetip.library import load
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.duration import duration, durations
-from tests.support.shapes import MACHINE
+from tests.support.shapes import MACHINE, toolpath
 from tests.support.truth.named import SAMPLES, Named
 
 R, F, S = Motion.RAPID, Motion.FEED, Motion.SWIVEL
@@ -22,17 +23,16 @@ QUICK = replace(MACHINE, settle=0.0, dialect="grblhal")
 
 
 def path(
-    *moves: tuple[Motion, int, int, int, int, int],
-    start=(0.0, 0.0, 0.0, 0.0),
-    bulge: list[float] = (),
+    *moves: tuple[Motion, float, float, float, float, float],
+    start: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0),
+    bulge: Sequence[float] = (),
 ) -> Toolpath:
     """Moves as (motion, x, y, z, c, feed)."""
     pose = np.array([start, *[move[1:5] for move in moves]], float)
     n = len(moves)
     bent = np.zeros(n)
     bent[: len(bulge)] = bulge
-    motion, feed = [move[0] for move in moves], [move[5] for move in moves]
-    return Toolpath(pose, bent, motion, feed, [0] * n, [1] * n, [0] * n)
+    return toolpath(pose, [(move[0], move[5], 1) for move in moves], bulge=bent)
 
 
 def test_a_long_feed_is_a_trapezoid() -> None:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.model.tool import Reversal
 from knifetip.sequencing.nearest import nearest_neighbour
 from knifetip.sequencing.order import greedy, link_times, shortest
@@ -32,9 +32,9 @@ def tracks(seed: int, count: int, way: Reversal) -> tuple[F64, F64]:
     return np.stack([begin, finish + half]), np.stack([begin + half, finish])
 
 
-def total(entry: F64, leave: F64, order: I64, flip: I64, period=360.0) -> float:
+def total(entry: F64, leave: F64, order: I32, flip: Bool, period: float = 360.0) -> float:
     side = flip.astype(int)
-    return link_times(entry[side, order], leave[side, order], HOME, PACE, period).sum()
+    return float(link_times(entry[side, order], leave[side, order], HOME, PACE, period).sum())
 
 
 @settings(deadline=None)

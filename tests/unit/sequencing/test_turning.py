@@ -13,7 +13,7 @@ from knifetip.errors import CompensationError
 from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.model.tool import TipCircle
-from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.model.toolpath import Motion
 from knifetip.sequencing.turning import (
     clear_ways,
     interference,
@@ -22,10 +22,10 @@ from knifetip.sequencing.turning import (
     retracted,
     unwound,
 )
-from tests.support.shapes import CUTTER, KNIFE, MACHINE, WHEEL, closed, rotation
+from tests.support.shapes import CUTTER, KNIFE, MACHINE, WHEEL, closed, rotation, toolpath
 
 
-def outline(ends, bulge=None):
+def outline(ends: F64, bulge: F64 | None = None) -> Paths:
     rows = len(ends)
     bulge = np.zeros(rows) if bulge is None else bulge
     return Paths(ends[:, 0], ends[:, 1], bulge, np.array([0, rows]))
@@ -36,7 +36,7 @@ BOARD = outline(closed((0, 0), (100, 0), (100, 60), (0, 60)), np.array([0.0, 1.0
 FACE = 2.0
 
 
-def dots(pose: F64, circle: TipCircle, count=48) -> F64:
+def dots(pose: F64, circle: TipCircle, count: int = 48) -> F64:
     """Points of the tip circle by its drawing: an orthogonal triad about the leaning axis."""
     c, b = math.radians(pose[3]), math.radians(circle.tilt)
     ahead = np.array([math.cos(c), math.sin(c), 0.0])
@@ -45,14 +45,16 @@ def dots(pose: F64, circle: TipCircle, count=48) -> F64:
     across = right * math.cos(b) - up * math.sin(b)
     angle = np.linspace(0.0, 2.0 * math.pi, count, endpoint=False)[:, None]
     centre = pose[:3] - circle.aside * right
-    return centre + circle.radius * (np.cos(angle) * ahead + np.sin(angle) * across)
+    found: F64 = centre + circle.radius * (np.cos(angle) * ahead + np.sin(angle) * across)
+    return found
 
 
 def over_board(xy: F64) -> Bool:
     """Whether points are over BOARD: a rectangle and a half disc."""
     x, y = xy.T
     inside = (x > 0) & (x < 100) & (y > 0) & (y < 60)
-    return inside | ((x >= 100) & (np.hypot(x - 100, y - 30) < 30))
+    over: Bool = inside | ((x >= 100) & (np.hypot(x - 100, y - 30) < 30))
+    return over
 
 
 def test_headings_take_the_nearest_equivalent_turn() -> None:
@@ -205,15 +207,8 @@ def test_steps_of_a_turn_are_no_longer_than_asked() -> None:
 
 def test_a_full_retract_goes_up_along_and_down() -> None:
     pose = np.array([[0, 0, 1, 0], [0, 0, 4, 0], [50, 0, 4, 90], [50, 0, 1, 90]], float)
-    path = Toolpath(
-        pose,
-        np.zeros(3),
-        [Motion.LIFT, Motion.RAPID, Motion.PLUNGE],
-        [6000, 0, 6000],
-        [0, -1, 1],
-        [1, 1, 1],
-        [0, -1, 1],
-    )
+    moves = [(Motion.LIFT, 6000.0, 1), (Motion.RAPID, 0.0, 1), (Motion.PLUNGE, 6000.0, 1)]
+    path = toolpath(pose, moves, source=[0, -1, 1], track=[0, -1, 1])
     full = retracted(path, MACHINE)
     np.testing.assert_allclose(
         full.pose[1:],

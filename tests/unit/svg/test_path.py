@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
-from knifetip.svg.path import ARC, CUBIC, LINE, Scanned, scanned
+from knifetip.drawing_builder.paths import ARC, CUBIC, LINE
+from knifetip.svg.path import Scanned, scanned
 
 
 def table(*paths: str) -> Scanned:
@@ -21,7 +22,8 @@ def table(*paths: str) -> Scanned:
 
 def corners(path: str) -> list[list[float]]:
     """Both ends of each segment: x, y, x, y."""
-    return table(path).numbers[:, :4].tolist()
+    found: list[list[float]] = table(path).numbers[:, :4].tolist()
+    return found
 
 
 def test_a_closed_triangle_is_three_lines() -> None:
@@ -135,7 +137,7 @@ TAKES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "Z": 0}
 
 
 @st.composite
-def drawings(draw) -> list[tuple[str, list[float]]]:
+def drawings(draw: st.DrawFn) -> list[tuple[str, list[float]]]:
     first = ("M", [draw(numbers), draw(numbers)])
     letters = st.sampled_from(sorted([*TAKES, *(letter.lower() for letter in TAKES)]))
     rest = draw(st.lists(letters, max_size=12))

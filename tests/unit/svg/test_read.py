@@ -15,6 +15,7 @@ from numpy.testing import assert_allclose
 from knifetip import pipeline
 from knifetip.dxf import read as dxf
 from knifetip.geometry import arc
+from knifetip.geometry.columns import F64
 from knifetip.library import load
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.svg.read import read
@@ -345,7 +346,7 @@ def test_lengths_in_the_ledger_add_up() -> None:
     by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
     assert_allclose(by_row, drawing.ledger.length)
     dropped = drawing.ledger.fate == Fate.DROPPED
-    assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped)] == ["text"]
+    assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
 
 
 def test_words_are_kept_as_inscriptions() -> None:
@@ -476,7 +477,8 @@ def off(one: Drawing, other: Drawing) -> np.ndarray:
         share = arc.nearest(start, end, other.bulge, many)
         near = arc.point_at(start, end, other.bulge, share)
         farthest.append(np.hypot(*(near - many).T).min())
-    return np.array(farthest).reshape(len(one), -1).max(axis=1)
+    found: F64 = np.array(farthest).reshape(len(one), -1).max(axis=1)
+    return found
 
 
 @pytest.mark.corpus

@@ -69,7 +69,7 @@ numbers = st.floats(-100.0, 100.0).map(lambda value: round(value, 3))
 
 
 @st.composite
-def calls(draw):
+def calls(draw: st.DrawFn) -> tuple[str, list[float]]:
     name = draw(st.sampled_from(["translate", "scale", "rotate", "skewX", "matrix"]))
     count = {"translate": 2, "scale": 2, "rotate": 3, "skewX": 1, "matrix": 6}[name]
     given_ = [draw(numbers) for _ in range(count)]

@@ -17,7 +17,8 @@ _MIDDLE = (100, 0, 100, 90)
 
 def _on(*lines: tuple[float, float, float, float]) -> list[int]:
     ends = np.array(lines, np.float64).reshape(-1, 2, 2)
-    return shape(ends, np.zeros(len(ends))).on.tolist()
+    found: list[int] = shape(ends, np.zeros(len(ends))).on.tolist()
+    return found
 
 
 def test_an_edge_lies_on_the_one_that_is_drawn_there_too() -> None:

@@ -16,6 +16,7 @@ TOUCH = 0.05
 
 def of(ends: F64, bulge: F64) -> tuple[PlanarGraph, Faces]:
     graph = build_graph(ends, bulge, TOUCH, 1.0)
+    assert graph is not None
     return graph, trace_faces(graph, ends, bulge, TOUCH)
 
 

@@ -12,7 +12,9 @@ TOUCH, REACH = 0.05, 1.0
 def graph_of(*lines: tuple[float, float, float, float], bulge: object = None) -> PlanarGraph:
     ends = np.array(lines, float).reshape(-1, 2, 2)
     bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
-    return build_graph(ends, bent, TOUCH, REACH)
+    graph = build_graph(ends, bent, TOUCH, REACH)
+    assert graph is not None
+    return graph
 
 
 def test_ends_within_the_tolerance_are_one_place() -> None:

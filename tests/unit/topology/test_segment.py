@@ -67,5 +67,10 @@ def test_lines_cross_where_shapely_says(
     )
 
 
-def _between(a, b, c, d) -> float:
+def _between(
+    a: tuple[float, float],
+    b: tuple[float, float],
+    c: tuple[float, float],
+    d: tuple[float, float],
+) -> float:
     return math.atan2(b[1] - a[1], b[0] - a[0]) - math.atan2(d[1] - c[1], d[0] - c[0])

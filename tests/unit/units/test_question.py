@@ -17,7 +17,9 @@ BOX = (line(0, 0, 250, 0), line(250, 0, 250, 180))
 def asked(data: bytes) -> Question:
     drawing = rescaled(read(data), "")
     evidence = read(data).evidence
-    return question(replace(drawing, evidence=evidence), judge(drawing))
+    asked = question(replace(drawing, evidence=evidence), judge(drawing))
+    assert asked is not None
+    return asked
 
 
 def test_known_unit_is_not_asked() -> None:

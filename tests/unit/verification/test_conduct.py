@@ -20,6 +20,7 @@ from tests.support.programs.handwritten import (
     knife_program,
     wheel_program,
 )
+from tests.support.shapes import with_dimensions
 
 
 def findings(text: bytes) -> list[Finding]:
@@ -244,7 +245,7 @@ def test_a_wheel_turns_with_its_arc_although_both_of_its_sides_are_alike(
 
 
 def test_a_knife_turns_the_short_way_round_in_the_board_whatever_its_swivel_angle() -> None:
-    free = replace(MACHINE.stations[0].tool, swivel=360.0)
+    free = with_dimensions(MACHINE.stations[0].tool, swivel=360.0)
     machine = replace(
         MACHINE, stations=(replace(MACHINE.stations[0], tool=free), *MACHINE.stations[1:])
     )

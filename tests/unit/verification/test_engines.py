@@ -10,7 +10,7 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import CreaseWheel
-from knifetip.model.verdict import Verdict
+from knifetip.model.verdict import Finding, Verdict
 from knifetip.verification.intent import on_sheet
 from knifetip.verification.outline import inside, outline, run_outs
 from knifetip.verification.verify import verify
@@ -99,7 +99,7 @@ BLANK = dieline(
 )  # fmt: skip
 
 
-def groove_findings(x0: float, x1: float) -> list:
+def groove_findings(x0: float, x1: float) -> list[Finding]:
     verdict = judged(cutter_program(*grooved(x0, x1, 30, 1.3)), BLANK)
     return [finding for finding in verdict.findings if finding.edge == 4]
 

@@ -18,7 +18,7 @@ GROOVE = LineType.V_GROOVE
 REACH = 1.3
 
 
-def torn(*edges: tuple, out: float = 0.0) -> Torn:
+def torn(*edges: tuple[LineType, float, float, float, float, float], out: float = 0.0) -> Torn:
     """Cuts inside the strip of a groove from (0, 0) to (100, 0), or of the grooves given."""
     grooves = [edge for edge in edges if edge[0] == GROOVE] or [(GROOVE, 0, 0, 100, 0, 0.0)]
     drawn = on_sheet(dieline(*grooves, *(e for e in edges if e[0] != GROOVE)), (0.0, 0.0))

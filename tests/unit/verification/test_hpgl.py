@@ -25,17 +25,18 @@ def moves_of(text: str) -> tuple[Moves, list[str]]:
     return moves, [f"{line}: {fault}" for line, fault in faults]
 
 
-def test_a_good_program_has_no_faults():
+def test_a_good_program_has_no_faults() -> None:
     moves, faults = moves_of(GOOD)
     assert faults == []
     assert moves.programmed == "XY"
     assert moves.resolution == pytest.approx(0.0176777, abs=1e-7)
 
 
-def test_units_become_millimetres_and_the_pen_a_height():
+def test_units_become_millimetres_and_the_pen_a_height() -> None:
     moves, _ = moves_of(GOOD)
     np.testing.assert_allclose(
-        moves.end[:4, :3], [[20, 20, 5], [20, 20, -0.3], [120, 20, -0.3], [120, 20, 5]]
+        moves.end[:4, :3],
+        np.array([(20, 20, 5), (20, 20, -0.3), (120, 20, -0.3), (120, 20, 5)]),
     )
     assert moves.code.tolist()[:5] == [0, 1, 1, 1, 0]
     assert moves.line.tolist()[:4] == [7, 8, 9, 10]
@@ -46,7 +47,7 @@ def test_units_become_millimetres_and_the_pen_a_height():
     assert set(moves.station.tolist()) == {0}
 
 
-def test_a_centred_device_has_its_own_zero():
+def test_a_centred_device_has_its_own_zero() -> None:
     plotter = MACHINE.controller
     assert isinstance(plotter, Plotter)
     area = (-26000, -18000, 26000, 18000)
@@ -92,7 +93,7 @@ def test_a_centred_device_has_its_own_zero():
         ("SP1;", 'SP1;CO"note";', "4: CO does not belong here."),
     ],
 )  # fmt: skip
-def test_a_broken_program_has_a_fault(old: str, new: str, fault: str):
+def test_a_broken_program_has_a_fault(old: str, new: str, fault: str) -> None:
     assert old in GOOD
     _, faults = moves_of(
         GOOD.replace(old, new, 1) if old != "PU;\nSP0;" else GOOD.replace(old, new)
@@ -100,22 +101,22 @@ def test_a_broken_program_has_a_fault(old: str, new: str, fault: str):
     assert any(found.startswith(fault) for found in faults), faults
 
 
-def test_a_program_that_ends_at_work_has_a_fault():
+def test_a_program_that_ends_at_work_has_a_fault() -> None:
     assert "3: ends the program with the tool down." in moves_of("IN;PA;\nSP1;\nPD10,10;\n")[1]
 
 
 @pytest.mark.parametrize(
     "text", ["", "\n", ";;;", "PD", "1,2", "\x00\xff" * 50, "IN" * 999, "PD1,"]
 )
-def test_any_text_can_be_read(text: str):
+def test_any_text_can_be_read(text: str) -> None:
     assert moves_of(text)[1]
 
 
-def test_a_text_that_is_too_large_is_refused():
+def test_a_text_that_is_too_large_is_refused() -> None:
     with pytest.raises(ProgramUnreadable, match="at most"):
         READER.read(b" " * (LARGEST + 1), MACHINE, BOARD)
 
 
-def test_the_placement_is_read_from_a_comment():
+def test_the_placement_is_read_from_a_comment() -> None:
     assert READER.placement(b'IN;CO"placement X20.0000 Y-3.5000";PA;') == (20.0, -3.5)
     assert READER.placement(GOOD.encode()) is None

@@ -26,8 +26,14 @@ from tests.support.programs.handwritten import (
     dieline,
 )
 
-WHEEL = MACHINE.station(2).tool
-assert isinstance(WHEEL, CreaseWheel)
+
+def wheel() -> CreaseWheel:
+    tool = MACHINE.station(2).tool
+    assert isinstance(tool, CreaseWheel)
+    return tool
+
+
+WHEEL = wheel()
 
 
 def asked(*edges: tuple[float, float, float, float]) -> Creases:

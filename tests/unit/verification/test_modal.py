@@ -3,7 +3,8 @@ import math
 import numpy as np
 import pytest
 
-from knifetip.verification.rs274.modal import Moves, interpret
+from knifetip.verification.moves import Moves
+from knifetip.verification.rs274.modal import interpret
 from knifetip.verification.rs274.parse import parse
 from tests.support.programs.handwritten import LINUXCNC, MACHINE, changed
 

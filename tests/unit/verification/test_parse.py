@@ -1,3 +1,5 @@
+from typing import cast
+
 import numpy as np
 import pytest
 
@@ -76,7 +78,7 @@ def test_any_bytes_are_read_without_an_error() -> None:
 
 def test_what_is_not_bytes_or_too_large_is_refused() -> None:
     with pytest.raises(ProgramUnreadable, match="a str, not bytes"):
-        parse("G0 X1\n")
+        parse(cast(bytes, "G0 X1\n"))
     with pytest.raises(ProgramUnreadable, match="at most 67,108,864"):
         parse(bytes(LARGEST + 1))
 

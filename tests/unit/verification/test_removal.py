@@ -1,4 +1,5 @@
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +16,6 @@ from knifetip.verification.disc import within
 from knifetip.verification.kinematics import lines
 from knifetip.verification.stretches import gaps
 from knifetip.verification.verify import verify
-from tests.support.programs import digit_mutation
 from tests.support.programs.handwritten import BOARD, CUT, MACHINE, changed, dieline
 
 #: A router of 3 mm radius on output 0, and nothing else.
@@ -283,9 +283,7 @@ def test_one_digit_changed_is_caught_where_it_moves_the_disc() -> None:
     text = program(*HOLE, *ROUND)
     chance = np.random.default_rng(3)
     raw = np.frombuffer(text, np.uint8)
-    words = [
-        (m.start(1), m.end(1)) for m in digit_mutation.re.finditer(rb"[XYIJ](-?\d+\.?\d*)", text)
-    ]
+    words = [(m.start(1), m.end(1)) for m in re.finditer(rb"[XYIJ](-?\d+\.?\d*)", text)]
     caught = total = 0
     for first, last in words:
         for place in range(first, last):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ LINE = dieline(
 )
 
 
-def bent(made: Cleaned, **changes: object) -> Cleaned:
+def bent(made: Cleaned, **changes: Any) -> Cleaned:
     return replace(made, dieline=replace(made.dieline, **changes))
 
 

@@ -1,5 +1,6 @@
 import time
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -24,6 +25,7 @@ from tests.support.programs.handwritten import (
     dieline,
     knife_program,
 )
+from tests.support.shapes import with_dimensions
 
 BOTH = pytest.mark.parametrize("text", [LINUXCNC, GRBLHAL], ids=["linuxcnc", "grblhal"])
 
@@ -63,7 +65,7 @@ def test_both_dialects_take_the_same_time() -> None:
 )
 def test_a_program_for_another_v_cutter_is_refused(other: dict[str, float]) -> None:
     stations = tuple(
-        replace(held, tool=replace(held.tool, **other)) if held.number == 3 else held
+        replace(held, tool=with_dimensions(held.tool, **other)) if held.number == 3 else held
         for held in MACHINE.stations
     )
     machine = replace(MACHINE, stations=stations)
@@ -121,7 +123,7 @@ def test_scrambled_programs_raise_nothing() -> None:
 
 def test_what_cannot_be_judged_raises_an_error_that_says_why() -> None:
     with pytest.raises(ProgramUnreadable):
-        verify("G0", DIELINE, PLACEMENT, MACHINE, BOARD)
+        verify(cast(bytes, "G0"), DIELINE, PLACEMENT, MACHINE, BOARD)
     with pytest.raises(GeometryError, match="The placement"):
         verify(LINUXCNC, DIELINE, (float("nan"), 0.0), MACHINE, BOARD)
     with pytest.raises(GeometryError, match="Edge 1 has a coordinate"):
