@@ -163,18 +163,18 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
 
     page.get_by_test_id("send").click()
     # Nothing moves before somebody at the table has confirmed what lies on it.
-    expect(page.get_by_test_id("job-state")).to_have_text("To confirm")
+    expect(page.get_by_test_id("job-state")).to_have_text("Confirm")
     card = page.get_by_test_id("confirmation")
     expect(card).to_contain_text("Waiting for the operator")
     for word in (board, *tools):
         expect(card).to_contain_text(word)
     page.screenshot(path=screenshots / f"{stem}-3-confirm.png")
-    expect(page.get_by_test_id("confirm")).to_have_text("Table is clear, start")
+    expect(page.get_by_test_id("confirm")).to_have_text("Table checked, start")
     page.get_by_test_id("confirm").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Running")
     expect(card).to_be_hidden()
     page.get_by_test_id("hold").click()
-    expect(page.get_by_test_id("job-state")).to_have_text("Held")
+    expect(page.get_by_test_id("job-state")).to_have_text("Paused")
     page.screenshot(path=screenshots / f"{stem}-3-held.png")
     page.get_by_test_id("resume").click()
     expect(page.get_by_test_id("done")).to_be_visible(timeout=120_000)
@@ -196,11 +196,11 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     expect(card).to_contain_text("Copy 1 of 2 is done.")
     expect(page.get_by_test_id("resume")).to_be_hidden()
     page.screenshot(path=screenshots / "copies-1-sheet.png")
-    expect(page.get_by_test_id("confirm")).to_have_text("New sheet is on, start")
+    expect(page.get_by_test_id("confirm")).to_have_text("New sheet loaded, start")
     page.get_by_test_id("confirm").click()
     expect(state).to_have_text("Running")
     page.get_by_test_id("hold").click()
-    expect(state).to_have_text("Held")
+    expect(state).to_have_text("Paused")
 
     # Another job meanwhile: it waits for its machine, and states why.
     page.get_by_test_id("copies").fill("1")
@@ -212,15 +212,15 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
 
     # The first is cancelled: not before it has been asked.
     page.get_by_test_id("queue-row").filter(has_text="2 copies").first.click()
-    expect(state).to_have_text("Held")
+    expect(state).to_have_text("Paused")
     page.get_by_test_id("cancel").click()
-    expect(page.get_by_test_id("ask")).to_contain_text("lifts the tool and releases its stations")
+    expect(page.get_by_test_id("confirm-text")).to_contain_text("lifts the tool and releases its stations")
     page.screenshot(path=screenshots / "copies-2-cancel.png")
-    page.get_by_test_id("ask-no").click()
-    expect(page.get_by_test_id("ask")).to_be_hidden()
-    expect(state).to_have_text("Held")
+    page.get_by_test_id("confirm-no").click()
+    expect(page.get_by_test_id("confirm-text")).to_be_hidden()
+    expect(state).to_have_text("Paused")
     page.get_by_test_id("cancel").click()
-    page.get_by_test_id("ask-yes").click()
+    page.get_by_test_id("confirm-yes").click()
     expect(state).to_have_text("Cancelled")
 
     # Now the next one waits for its confirmation, in the queue, too.
@@ -371,7 +371,7 @@ def test_a_cutter_is_told_its_corners_and_what_it_leaves_is_shown(
     expect(page.get_by_test_id("verdict")).to_have_attribute("data-accepted", "true")
     # Four corners of the window, 1.93 mm² each, and the slot: 4 × 40 - 1.9.
     expect(page.get_by_test_id("unreached")).to_contain_text(
-        re.compile(r"16\d\smm² in 5 places stay uncut")
+        re.compile(r"16\d\smm² in 5 places cannot be reached")
     )
     expect(page.get_by_test_id("saved")).to_contain_text(re.compile(r"Saves \d+\s%"))
     expect(page.get_by_test_id("layer-uncut")).to_have_attribute("aria-pressed", "true")
@@ -428,6 +428,6 @@ def test_the_inspector_has_the_section_of_a_groove(page: Page, screenshots: Path
         if tip.count() and "V-groove" in tip.inner_text():
             break
     # 1.3 mm deep at 45° in 2 mm.
-    expect(tip).to_contain_text(re.compile(r"2\.60\smm wide"))
-    expect(tip).to_contain_text(re.compile(r"Web left\s*0\.70\smm"))
+    expect(tip).to_contain_text(re.compile(r"2\.60\smm at the top"))
+    expect(tip).to_contain_text(re.compile(r"Remaining web\s*0\.70\smm"))
     page.screenshot(path=screenshots / "router-4-groove.png")

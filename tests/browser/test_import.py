@@ -97,11 +97,11 @@ def test_a_unit_that_nobody_knows_is_asked_with_sizes_and_what_speaks_for_them(
     choose(page, ("silent.dxf", SILENT))
     expect(page.get_by_test_id("unit-in")).to_contain_text("101.6 × 76.2")
     expect(page.get_by_test_id("unit-m")).to_contain_text("4000.0 × 3000.0")
-    expect(page.get_by_test_id("drawing-size")).to_contain_text("unit not known")
-    expect(page.get_by_test_id("scale-bar")).to_contain_text("units of the file")
+    expect(page.get_by_test_id("drawing-size")).to_contain_text("unit unknown")
+    expect(page.get_by_test_id("scale-bar")).to_contain_text("file units")
     # Of the likeliest unit the reasons are there at once, of the others on demand.
     likely = page.locator("[data-likely=true][data-testid^=unit-]")
-    expect(likely).to_contain_text("likeliest")
+    expect(likely).to_contain_text("most likely")
     expect(likely).to_contain_text("the file states no unit")
     other = page.locator("[data-likely=false][data-testid^=unit-]").first
     expect(other).not_to_contain_text("multiples of")
@@ -114,7 +114,7 @@ def test_a_unit_that_nobody_knows_is_asked_with_sizes_and_what_speaks_for_them(
     expect(page.get_by_test_id("drawing-inches")).to_have_text(re.compile(r"^4\.00 × 3\.00"))
     expect(page.get_by_test_id("scale-bar")).to_contain_text("mm")
     page.keyboard.press("Control+z")
-    expect(page.get_by_test_id("drawing-size")).to_contain_text("unit not known")
+    expect(page.get_by_test_id("drawing-size")).to_contain_text("unit unknown")
     page.keyboard.press("Control+Shift+z")
     expect(page.get_by_test_id("drawing-size")).to_have_text(re.compile(r"^101\.6 × 76\.2"))
 
@@ -149,13 +149,13 @@ def test_each_question_is_one_click_and_one_step_back(page: Page) -> None:
 
 def test_an_edge_says_why_it_is_what_it_is_and_what_else_it_could_be(page: Page) -> None:
     choose(page, ("inner.dxf", carton(text.line(0.0, 150.0, 400.0, 150.0, (8, "INNER")))))
-    page.get_by_title("Choose the edges of layer INNER, colour 7").click()
+    page.get_by_title("Select edges of layer INNER, colour 7").click()
     inspector = page.get_by_test_id("inspector")
     expect(inspector.get_by_test_id("why")).to_contain_text("divides two panels")
-    expect(inspector).to_contain_text(re.compile(r"\d\d % sure"))
+    expect(inspector).to_contain_text(re.compile(r"\d\d % confidence"))
     inspector.get_by_test_id("alternative-perforation").click()
     expect(page.get_by_test_id("legend-perforation")).to_be_visible()
-    expect(inspector.get_by_test_id("why")).to_have_text("decided by hand")
+    expect(inspector.get_by_test_id("why")).to_have_text("set by hand")
     page.keyboard.press("Control+z")
     expect(page.get_by_test_id("legend-perforation")).to_be_hidden()
     expect(inspector.get_by_test_id("why")).to_contain_text("divides two panels")
@@ -348,7 +348,7 @@ def test_the_picture_of_the_report_that_the_docs_show(page: Page, screenshots: P
     choose(page, ("carton-as-sent.dxf", as_sent()))
     expect(page.get_by_test_id("drawing-size")).to_contain_text("mm")
     page.set_viewport_size({"width": 1440, "height": 1290})
-    for folded in ("Line types", "Layers of the file"):
+    for folded in ("Line types", "File layers"):
         page.get_by_role("button", name=folded).first.click()
     page.get_by_text("Text is not cut").click()
     page.get_by_test_id("entity").filter(has_text="Glue here").click()
@@ -391,7 +391,7 @@ def test_what_was_read_anew_is_taken_back_to_the_rules_as_they_were(page: Page) 
     # Somebody else changes the profile: the drawing keeps the rules that it was read by.
     assert page.evaluate(put, [rule.replace("crease", "half-cut"), '"1"']) == 200
     page.reload()
-    page.get_by_test_id("bring-up-to-date").click()
+    page.get_by_test_id("apply-again").click()
     expect(page.get_by_test_id("legend-half-cut")).to_contain_text("1")
     expect(page.get_by_test_id("profile-state")).to_be_hidden()
     page.keyboard.press("Control+z")

@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
-import { nextOf, problemOf, retryAfter, revisionOf, ServiceError, service } from "./client";
+import { nextPageOf, parseProblem, retryAfter, revisionOf, ServiceError, service } from "./client";
 
 const answers = (body: string, init: ResponseInit) =>
   vi.stubGlobal(
@@ -67,7 +67,7 @@ describe("what goes wrong", () => {
   test.each(["<html>Bad gateway</html>", "", "null", "[]"])(
     "that is no problem+json (%s) is still one",
     (body) => {
-      const problem = problemOf(502, "Bad Gateway", body);
+      const problem = parseProblem(502, "Bad Gateway", body);
       expect(problem.detail).toBe("knifetip answered 502 Bad Gateway.");
       expect(problem.hint).not.toBe("");
     },
@@ -98,7 +98,7 @@ describe("a list", () => {
 
   test.each([null, "", '</api/jobs?cursor=1>; rel="prev"', '<https://else.where/api>; rel="next"'])(
     "is not led astray by %s",
-    (link) => expect(nextOf(link)).toBeNull(),
+    (link) => expect(nextPageOf(link)).toBeNull(),
   );
 });
 
@@ -112,7 +112,7 @@ describe("a request", () => {
     const asked = vi.fn(async () => new Response("{}"));
     vi.stubGlobal("fetch", asked);
     await service.override("d", [], 7);
-    await service.settle("d", {}, null);
+    await service.patchDrawing("d", {}, null);
     await service.command("j", "release");
     const sent = asked.mock.calls.map((call) => (call as unknown[])[1] as RequestInit);
     expect(sent[0]?.headers).toMatchObject({ "X-Knifetip": "page", "If-Match": '"7"' });

@@ -1,5 +1,5 @@
 /**
- * The service, as functions: one to an endpoint, each answering with what the service promises.
+ * The service, as functions: one to an endpoint, each answerHandlers with what the service promises.
  *
  * Everything that goes wrong is a `ServiceError` with the service's own words: what, and the hint.
  */
@@ -26,8 +26,6 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
 export type JobState = Job["state"];
 export type LedgerRow = Schemas["LedgerRow"];
 export type Machine = Schemas["MachineOut"];
-/** What to draw of a tool, and where its tip lies. */
-export type Footprint = Schemas["Footprint"];
 export type Override = { [K in keyof Schemas["Override"]]?: Schemas["Override"][K] } & {
   type: Schemas["Override"]["type"];
 };
@@ -73,7 +71,7 @@ export class ServiceError extends Error {
   }
 }
 
-const SILENT: Problem = {
+const NO_ANSWER: Problem = {
   type: "about:blank",
   title: "No answer",
   status: 0,
@@ -109,9 +107,9 @@ const sleep = (seconds: number): Promise<void> =>
 const signIn = (): void => globalThis.location?.reload();
 
 /** What an answer that is not a success says, however badly it says it. */
-export function problemOf(status: number, title: string, body: string): Problem {
+export function parseProblem(status: number, title: string, body: string): Problem {
   const plain: Problem = {
-    ...SILENT,
+    ...NO_ANSWER,
     status,
     title: title || `Status ${status}`,
     detail: `knifetip answered ${status}${title ? ` ${title}` : ""}.`,
@@ -144,13 +142,13 @@ async function request(path: string, init?: RequestInit): Promise<Response> {
       answer = await fetch(path, { ...init, headers });
     } catch (cause) {
       if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
-      throw new ServiceError(SILENT);
+      throw new ServiceError(NO_ANSWER);
     }
     if (answer.ok) return answer;
     const wait = retryAfter(answer.status, answer.headers.get("Retry-After"), tried);
     if (wait === null) {
       if (answer.status === 401) signIn();
-      throw new ServiceError(problemOf(answer.status, answer.statusText, await answer.text()));
+      throw new ServiceError(parseProblem(answer.status, answer.statusText, await answer.text()));
     }
     await sleep(wait);
     init?.signal?.throwIfAborted();
@@ -165,14 +163,14 @@ export interface Page<T> {
 }
 
 /** The address that a Link header gives for the next page; null for none, or for another site's. */
-export function nextOf(link: string | null): string | null {
+export function nextPageOf(link: string | null): string | null {
   const [, address] = /<([^>]*)>\s*;[^,]*\brel="?next"?/.exec(link ?? "") ?? [];
   return address?.startsWith("/api/") ? address : null;
 }
 
 const page = async <T>(path: string, signal?: AbortSignal): Promise<Page<T>> => {
   const answer = await request(path, signal ? { signal } : {});
-  return { rows: (await answer.json()) as T[], next: nextOf(answer.headers.get("Link")) };
+  return { rows: (await answer.json()) as T[], next: nextPageOf(answer.headers.get("Link")) };
 };
 
 /** JSON is not kept by the browser: a newer service may have more to tell of the same revision. */
@@ -202,7 +200,7 @@ const ifMatch = (revision: number | null): Record<string, string> =>
   revision === null ? {} : { "If-Match": `"${revision}"` };
 
 /** Send a profile as the text or the data that it is; `version` is the one that was looked at. */
-const keep = async (
+const putProfile = async (
   name: string,
   body: string | ProfileDraft,
   version: number | null,
@@ -248,7 +246,7 @@ async function upload(file: File, onProgress: (fraction: number) => void): Promi
     const wait = retryAfter(door.status, door.getResponseHeader("Retry-After"), tried);
     if (wait === null) {
       if (door.status === 401) signIn();
-      throw new ServiceError(problemOf(door.status, door.statusText, door.responseText));
+      throw new ServiceError(parseProblem(door.status, door.statusText, door.responseText));
     }
     await sleep(wait);
   }
@@ -263,7 +261,7 @@ function sendFile(file: File, onProgress: (fraction: number) => void): Promise<X
     door.upload.onprogress = (event) => {
       if (event.lengthComputable) onProgress(event.loaded / event.total);
     };
-    door.onerror = () => reject(new ServiceError(SILENT));
+    door.onerror = () => reject(new ServiceError(NO_ANSWER));
     door.onload = () => resolve(door);
     const form = new FormData();
     form.append("file", file, file.name);
@@ -282,7 +280,7 @@ export const service = {
   ledger: (id: string, fate: LedgerRow["fate"], signal?: AbortSignal) =>
     get<Schemas["LedgerOut"]>(at("drawings", id, `/ledger?fate=${fate}`), signal),
   upload,
-  settle: (
+  patchDrawing: (
     id: string,
     change: { unit?: Unit | "file"; profile?: string; rules?: string },
     revision: number | null,
@@ -309,7 +307,7 @@ export const service = {
   profileText: async (name: string): Promise<string> =>
     (await request(at("profiles", name, ".toml"))).text(),
   profileUrl: (name: string) => at("profiles", name, ".toml"),
-  keepProfile: keep,
+  putProfile,
   deleteProfile: async (name: string, version: number): Promise<void> => {
     await request(at("profiles", name), { method: "DELETE", headers: ifMatch(version) });
   },

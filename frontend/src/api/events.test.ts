@@ -30,15 +30,15 @@ class FakeSource implements Source {
 const CONNECTING = 0;
 const CLOSED = 2;
 const onEvent = vi.fn();
-const onLine = vi.fn();
-const start = () => listen("/e", ["job"], { onEvent, onLine }, () => new FakeSource());
+const onConnection = vi.fn();
+const start = () => listen("/e", ["job"], { onEvent, onConnection }, () => new FakeSource());
 const source = (at: number) => FakeSource.made.at(at) as FakeSource;
 
 beforeEach(() => {
   vi.useFakeTimers();
   FakeSource.made = [];
   onEvent.mockClear();
-  onLine.mockClear();
+  onConnection.mockClear();
 });
 afterEach(() => vi.useRealTimers());
 
@@ -59,7 +59,7 @@ test("a line that the browser mends itself is not opened twice", () => {
   source(0).fails(CONNECTING);
   vi.advanceTimersByTime(60_000);
   expect(FakeSource.made).toHaveLength(1);
-  expect(onLine).toHaveBeenLastCalledWith("broken");
+  expect(onConnection).toHaveBeenLastCalledWith("broken");
 });
 
 test("a line that was given up is opened anew, later and later", () => {

@@ -6,7 +6,7 @@
  * restarts. So a closed one is opened anew, later and later, up to half a minute.
  */
 
-export type LineState = "connecting" | "open" | "broken";
+export type ConnectionState = "connecting" | "open" | "broken";
 
 /** As much of EventSource as is used here. */
 export interface Source {
@@ -20,7 +20,7 @@ export interface Source {
 interface Listener {
   /** `event` is the name that the service gave it, `data` its parsed JSON. */
   onEvent: (event: string, data: unknown) => void;
-  onLine: (state: LineState) => void;
+  onConnection: (state: ConnectionState) => void;
 }
 
 const CLOSED = 2;
@@ -31,7 +31,7 @@ const LONGEST_WAIT = 30_000;
 export function listen(
   url: string,
   names: readonly string[],
-  { onEvent, onLine }: Listener,
+  { onEvent, onConnection }: Listener,
   open: (url: string) => Source = (address) => new EventSource(address) as unknown as Source,
 ): () => void {
   let source: Source | null = null;
@@ -41,15 +41,15 @@ export function listen(
 
   const connect = () => {
     if (ended) return;
-    onLine("connecting");
+    onConnection("connecting");
     const line = open(url);
     source = line;
     line.onopen = () => {
       wait = SHORTEST_WAIT;
-      onLine("open");
+      onConnection("open");
     };
     line.onerror = () => {
-      onLine("broken");
+      onConnection("broken");
       if (line.readyState !== CLOSED || ended) return;
       line.close();
       timer = setTimeout(connect, wait);

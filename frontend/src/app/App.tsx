@@ -1,4 +1,4 @@
-/** The page: panels at the sides, the picture between them. */
+/** Layout of the page: side panels and the canvas between them. */
 
 import { useEffect, useRef } from "react";
 import { DocumentPanel } from "../panels/DocumentPanel";
@@ -10,42 +10,46 @@ import { LayersPanel } from "../panels/LayersPanel";
 import { LearnedPanel } from "../panels/LearnedPanel";
 import { LineTypesPanel } from "../panels/LineTypesPanel";
 import { MachinePanel } from "../panels/MachinePanel";
+import { NotificationList } from "../panels/NotificationList";
 import { OrderPanel } from "../panels/OrderPanel";
 import { ProfileEditor } from "../panels/ProfileEditor";
+import { ProgressOverlay } from "../panels/ProgressOverlay";
 import { QuestionsPanel } from "../panels/QuestionsPanel";
 import { QueuePanel } from "../panels/QueuePanel";
-import { ReportsList } from "../panels/ReportsList";
 import { ShortcutsDialog } from "../panels/ShortcutsDialog";
-import { UnderWay } from "../panels/UnderWay";
 import { UnitPanel } from "../panels/UnitPanel";
-import { heardDrawing } from "../state/actions";
-import { follow, useDrawing } from "../state/queries";
-import { usePage } from "../state/store";
+import { syncDrawing } from "../state/actions";
+import { subscribeToEvents, useDrawing } from "../state/queries";
+import { useUiStore } from "../state/store";
 import css from "./app.module.css";
-import { DropAnywhere } from "./DropAnywhere";
-import { NoDrawing } from "./NoDrawing";
+import { DrawingError } from "./DrawingError";
+import { DropZone } from "./DropZone";
 import { Picture } from "./Picture";
-import { followAddress } from "./routes";
-import { listenToKeys, type PictureKeys } from "./shortcuts";
+import { syncWithAddress } from "./routes";
+import { listenToKeys, type PictureCommands } from "./shortcuts";
 import { TopBar } from "./TopBar";
 import { Welcome } from "./Welcome";
 
 export function App() {
-  const picture = useRef<PictureKeys | null>(null);
-  const drawing = usePage((page) => page.drawing);
-  const editing = usePage((page) => page.editing);
-  const leftOpen = usePage((page) => page.leftOpen);
-  const rightOpen = usePage((page) => page.rightOpen);
+  const picture = useRef<PictureCommands | null>(null);
+  const drawing = useUiStore((ui) => ui.drawing);
+  const editing = useUiStore((ui) => ui.editedProfile);
+  const leftOpen = useUiStore((ui) => ui.leftOpen);
+  const rightOpen = useUiStore((ui) => ui.rightOpen);
   const { error } = useDrawing();
 
   useEffect(() => {
-    const ends = [followAddress(), follow(heardDrawing), listenToKeys(() => picture.current)];
+    const ends = [
+      syncWithAddress(),
+      subscribeToEvents(syncDrawing),
+      listenToKeys(() => picture.current),
+    ];
     return () => {
       for (const end of ends) end();
     };
   }, []);
 
-  const ready = useRef((keys: PictureKeys | null) => {
+  const ready = useRef((keys: PictureCommands | null) => {
     picture.current = keys;
   });
 
@@ -73,7 +77,7 @@ export function App() {
         {drawing === null ? (
           <Welcome />
         ) : error !== null ? (
-          <NoDrawing error={error} />
+          <DrawingError error={error} />
         ) : (
           <Picture onReady={ready.current} />
         )}
@@ -93,10 +97,10 @@ export function App() {
         <QueuePanel />
         <MachinePanel />
       </aside>
-      <UnderWay />
-      <ReportsList />
+      <ProgressOverlay />
+      <NotificationList />
       <ShortcutsDialog />
-      <DropAnywhere />
+      <DropZone />
     </div>
   );
 }

@@ -1,4 +1,4 @@
-/** A blade on a line. */
+/** The logo: a blade on a line. */
 export function Logo({ size = 24 }: { size?: number }) {
   return (
     <svg width={size} height={size} viewBox="0 0 32 32" aria-hidden="true">

@@ -8,7 +8,7 @@ import { type Edges, lineTypeOf, type Point } from "../geometry/records";
 import { type Sweep, sweepOf } from "../geometry/sweep";
 import { duration, timeOf } from "../geometry/timeline";
 import { tipOffset } from "../geometry/tip";
-import { workedSpans } from "../geometry/worked";
+import { workedSpans } from "../geometry/workedSpans";
 import { ColourBar } from "../panels/ColourBar";
 import { EdgeTooltip } from "../panels/EdgeTooltip";
 import overCss from "../panels/over.module.css";
@@ -16,14 +16,14 @@ import { PathLegend } from "../panels/PathLegend";
 import { Scrubber } from "../panels/Scrubber";
 import { SelectionBar } from "../panels/SelectionBar";
 import { ViewBar } from "../panels/ViewBar";
-import { alongColours, mapColours } from "../scene/map";
+import { figureColours, stretchColours } from "../scene/figureColours";
 import type { Tools } from "../scene/swept";
-import { cornerNear, withCorner } from "../state/corners";
+import { addCorner, cornerNear } from "../state/corners";
+import { isDropped } from "../state/importReport";
 import { isOnTable } from "../state/jobs";
-import { mapOf } from "../state/maps";
 import {
-  keys,
   queries,
+  queryClient,
   useBoards,
   useDrawing,
   useEdges,
@@ -33,16 +33,16 @@ import {
   useVerdict,
   useVerdictColumns,
 } from "../state/queries";
-import { isGone } from "../state/report";
 import { layerKey, layerOf } from "../state/rows";
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
+import { verdictMapOf } from "../state/verdictMap";
 import { NoWebGL, Viewer } from "../viewer/viewer";
 import css from "./app.module.css";
 import { MAP_SCALE, VIEWER_COLOURS } from "./colours";
-import type { PictureKeys } from "./shortcuts";
+import type { PictureCommands } from "./shortcuts";
 
 interface Props {
-  onReady: (keys: PictureKeys | null) => void;
+  onReady: (keys: PictureCommands | null) => void;
 }
 
 export function Picture({ onReady }: Props) {
@@ -53,18 +53,18 @@ export function Picture({ onReady }: Props) {
   const [scale, setScale] = useState(1);
   const [cursor, setCursor] = useState<Point | null>(null);
   const { data: drawing } = useDrawing();
-  const pin = usePage((page) => page.pin);
+  const pin = useUiStore((ui) => ui.pin);
   const [box, setBox] = useState<{ from: Point; to: Point } | null>(null);
 
   useEffect(() => {
     if (host.current === null || canvas.current === null) return;
-    const page = usePage.getState();
+    const page = useUiStore.getState();
     let made: Viewer;
     try {
       made = new Viewer(host.current, canvas.current, VIEWER_COLOURS, {
         onHover: (row, moves, at) =>
-          page.point(row === null && moves.length === 0 ? null : { row, moves, ...at }),
-        onChoose: (rows, add, at) => chooseAt(rows, add, at),
+          page.setHover(row === null && moves.length === 0 ? null : { row, moves, ...at }),
+        onChoose: (rows, add, at) => selectAt(rows, add, at),
         onCursor: setCursor,
         onView: setScale,
         onBox: setBox,
@@ -81,9 +81,9 @@ export function Picture({ onReady }: Props) {
     };
   }, []);
 
-  useShown(viewer, onReady);
+  useViewerContents(viewer, onReady);
 
-  if (failure !== null) return <NoPicture why={failure} />;
+  if (failure !== null) return <WebGlError why={failure} />;
   return (
     <>
       <div
@@ -129,17 +129,18 @@ export function Picture({ onReady }: Props) {
 }
 
 /** A click or a box in the picture: edges as a rule, a corner while one is wanted. */
-function chooseAt(rows: readonly number[], add: boolean, at: Point | null): void {
-  const { picking, drawing, corners, choose, set } = usePage.getState();
-  if (!picking) {
-    choose(rows, add);
+function selectAt(rows: readonly number[], add: boolean, at: Point | null): void {
+  const { pickingCorners, drawing, corners, selectEdges, set } = useUiStore.getState();
+  if (!pickingCorners) {
+    selectEdges(rows, add);
     return;
   }
-  const edges = drawing === null ? undefined : queries.getQueryData(keys.edges(drawing).queryKey);
+  const edges =
+    drawing === null ? undefined : queryClient.getQueryData(queries.edges(drawing).queryKey);
   const [row] = rows;
   if (edges === undefined || row === undefined || at === null) return;
   const place = cornerNear(edges, row, at);
-  if (place !== null) set({ corners: withCorner(corners, place) });
+  if (place !== null) set({ corners: addCorner(corners, place) });
 }
 
 function ZoomButton(props: { label: string; act: () => void; children: React.ReactNode }) {
@@ -189,7 +190,7 @@ function Status({ scale, cursor, unit }: StatusProps) {
         <span className={css.scaleBar} style={{ width: bar * scale }} />
         {bar >= 1000 && unit === "mm"
           ? `${bar / 1000} m`
-          : `${Number(bar.toPrecision(2))} ${unit || "units of the file"}`}
+          : `${Number(bar.toPrecision(2))} ${unit || "file units"}`}
       </span>
       <span style={{ flex: 1 }} />
       {cursor && (
@@ -201,7 +202,7 @@ function Status({ scale, cursor, unit }: StatusProps) {
   );
 }
 
-function NoPicture({ why }: { why: string }) {
+function WebGlError({ why }: { why: string }) {
   return (
     <div className={css.centre} role="alert">
       <div className={css.welcome} data-testid="no-webgl">
@@ -219,7 +220,10 @@ function NoPicture({ why }: { why: string }) {
 }
 
 /** Everything that the viewer is shown. */
-function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => void): void {
+function useViewerContents(
+  viewer: Viewer | null,
+  onReady: (keys: PictureCommands | null) => void,
+): void {
   const { data: edges } = useEdges();
   const { data: drawing } = useDrawing();
   const { data: job } = useJob();
@@ -228,20 +232,20 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   const { data: boards } = useBoards();
   const { data: verdict } = useVerdict();
   const { data: along } = useVerdictColumns();
-  const corners = usePage((page) => page.corners);
-  const colourMode = usePage((page) => page.colourMode);
-  const hiddenTypes = usePage((page) => page.hiddenTypes);
-  const hiddenLayers = usePage((page) => page.hiddenLayers);
-  const layers = usePage((page) => page.layers);
-  const selection = usePage((page) => page.selection);
-  const hovered = usePage((page) => page.hover?.row ?? null);
-  const hoveredMoves = usePage((page) => page.hover?.moves);
-  const focus = usePage((page) => page.focus);
-  const pin = usePage((page) => page.pin);
-  const proposed = usePage((page) => page.proposed);
-  const scrub = usePage((page) => page.scrub);
-  const chosenMachine = usePage((page) => page.machine);
-  const open = usePage((page) => page.drawing);
+  const corners = useUiStore((ui) => ui.corners);
+  const colourMode = useUiStore((ui) => ui.colourMode);
+  const hiddenTypes = useUiStore((ui) => ui.hiddenTypes);
+  const hiddenLayers = useUiStore((ui) => ui.hiddenLayers);
+  const layers = useUiStore((ui) => ui.layers);
+  const selection = useUiStore((ui) => ui.selection);
+  const hovered = useUiStore((ui) => ui.hover?.row ?? null);
+  const hoveredMoves = useUiStore((ui) => ui.hover?.moves);
+  const zoomRequest = useUiStore((ui) => ui.zoomRequest);
+  const pin = useUiStore((ui) => ui.pin);
+  const retypePreviews = useUiStore((ui) => ui.retypePreviews);
+  const previewTime = useUiStore((ui) => ui.previewTime);
+  const chosenMachine = useUiStore((ui) => ui.machine);
+  const open = useUiStore((ui) => ui.drawing);
 
   const machine = machines?.find(({ name }) => name === (job?.machine ?? chosenMachine));
   const stations = machine?.stations;
@@ -259,14 +263,14 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
 
   const shown: Edges | null = open === null ? null : (edges ?? null);
   const colours = useMemo(() => {
-    const map = shown === null ? null : mapOf(colourMode, verdict, shown.bulge.length);
-    return shown === null || map === null ? null : mapColours(shown, map, MAP_SCALE);
+    const map = shown === null ? null : verdictMapOf(colourMode, verdict, shown.bulge.length);
+    return shown === null || map === null ? null : figureColours(shown, map, MAP_SCALE);
   }, [shown, colourMode, verdict]);
   const samples = along?.samples;
   const stretches = useMemo(() => {
     if (shown === null || samples === undefined || colourMode !== "deviation") return null;
-    const map = mapOf(colourMode, verdict, shown.bulge.length);
-    return map === null ? null : alongColours(shown, map, samples, MAP_SCALE);
+    const map = verdictMapOf(colourMode, verdict, shown.bulge.length);
+    return map === null ? null : stretchColours(shown, map, samples, MAP_SCALE);
   }, [shown, samples, colourMode, verdict]);
   const toolpath = line?.toolpath;
   const worked = useMemo(
@@ -281,7 +285,7 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
       if (shown === null || hiddenTypes.has(lineTypeOf(shown.lineType[row]))) return false;
       return !hiddenLayers.has(layerKey(layerOf(shown, row), shown.colour[row] ?? 0));
     };
-    const gone = (row: number) => shown !== null && isGone(shown, row);
+    const gone = (row: number) => shown !== null && isDropped(shown, row);
     viewer?.showEdges(shown, isShown, { colours, worked, along: stretches, gone });
   }, [viewer, shown, hiddenTypes, hiddenLayers, colours, worked, stretches]);
 
@@ -313,7 +317,7 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   // biome-ignore lint/correctness/useExhaustiveDependencies: the rows are those of these edges
   useEffect(() => viewer?.showChosen(selection), [viewer, selection, shown]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the rows are those of these edges
-  useEffect(() => viewer?.showProposed(proposed), [viewer, proposed, shown]);
+  useEffect(() => viewer?.showRetypePreviews(retypePreviews), [viewer, retypePreviews, shown]);
   useEffect(
     () => viewer?.showHovered(hovered, hoveredMoves ?? []),
     [viewer, hovered, hoveredMoves],
@@ -321,10 +325,10 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
   // biome-ignore lint/correctness/useExhaustiveDependencies: the place is that of these edges
   useEffect(() => viewer?.showPin(pin), [viewer, pin, shown]);
   useEffect(() => {
-    if (focus.count === 0) return;
-    if (focus.box === null) viewer?.fitRows(focus.rows);
-    else viewer?.fit(focus.box);
-  }, [viewer, focus]);
+    if (zoomRequest.count === 0) return;
+    if (zoomRequest.box === null) viewer?.fitRows(zoomRequest.rows);
+    else viewer?.fit(zoomRequest.box);
+  }, [viewer, zoomRequest]);
 
   const before = useRef(0);
   useEffect(() => {
@@ -335,11 +339,11 @@ function useShown(viewer: Viewer | null, onReady: (keys: PictureKeys | null) => 
       const lasts = Math.min(1500, Math.max(80, now - before.current));
       before.current = now;
       viewer.runHead(timeOf(line, job.line, job.position), lasts * 1.1);
-    } else if (scrub !== null) viewer.moveHead(scrub);
+    } else if (previewTime !== null) viewer.moveHead(previewTime);
     else if (job.state === "done") viewer.moveHead(duration(line));
     else if (job.state === "interrupted") viewer.moveHead(timeOf(line, job.line, job.position));
     else viewer.moveHead(null);
-  }, [viewer, line, job, scrub]);
+  }, [viewer, line, job, previewTime]);
 
   useEffect(() => {
     if (viewer === null) return;

@@ -1,4 +1,4 @@
-/** Name, undo and redo, the state of the machine. */
+/** Top bar: home, undo and redo, machine state, shortcuts. */
 
 import { ActionIcon, Tooltip } from "@mantine/core";
 import {
@@ -11,25 +11,30 @@ import {
 import type { ReactNode } from "react";
 import { MachineChip } from "../panels/MachineChip";
 import { redo, undo } from "../state/actions";
-import { useEditing } from "../state/editing";
-import { usePage } from "../state/store";
+import { useProfileDraft } from "../state/profileDraft";
+import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 import { Logo } from "./Logo";
 
 export function TopBar() {
-  const open = usePage((page) => page.open);
-  const drawing = usePage((page) => page.drawing);
-  const editing = usePage((page) => page.editing !== null);
-  const steps = useEditing();
-  const past = usePage((page) => page.past.length) + (editing ? steps.past.length : 0);
-  const future = usePage((page) => page.future.length) + (editing ? steps.future.length : 0);
-  const busy = usePage((page) => page.busy);
-  const leftOpen = usePage((page) => page.leftOpen);
-  const rightOpen = usePage((page) => page.rightOpen);
-  const set = usePage((page) => page.set);
+  const open = useUiStore((ui) => ui.open);
+  const drawing = useUiStore((ui) => ui.drawing);
+  const editing = useUiStore((ui) => ui.editedProfile !== null);
+  const steps = useProfileDraft();
+  const past = useUiStore((ui) => ui.past.length) + (editing ? steps.past.length : 0);
+  const future = useUiStore((ui) => ui.future.length) + (editing ? steps.future.length : 0);
+  const busy = useUiStore((ui) => ui.busy);
+  const leftOpen = useUiStore((ui) => ui.leftOpen);
+  const rightOpen = useUiStore((ui) => ui.rightOpen);
+  const set = useUiStore((ui) => ui.set);
   return (
     <header className={css.top}>
-      <button type="button" className={css.brand} onClick={() => open(null)} aria-label="knifetip">
+      <button
+        type="button"
+        className={css.brand}
+        onClick={() => open(null)}
+        aria-label="knifetip: all drawings"
+      >
         <Logo />
         knifetip
       </button>
@@ -59,7 +64,7 @@ export function TopBar() {
       )}
       <span className={css.gap} />
       <MachineChip />
-      <Icon label="Keys and mouse (?)" act={() => set({ helpOpen: true })}>
+      <Icon label="Shortcuts (?)" act={() => set({ helpOpen: true })}>
         <IconKeyboard size={18} stroke={1.6} />
       </Icon>
       <Icon label="Right panel (])" on={rightOpen} act={() => set({ rightOpen: !rightOpen })}>

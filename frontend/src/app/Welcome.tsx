@@ -1,4 +1,4 @@
-/** What a newcomer sees: what this is, and the first thing to do. */
+/** Start page. */
 
 import { ChooseFile } from "../panels/DrawingsPanel";
 import css from "./app.module.css";
@@ -11,19 +11,19 @@ export function Welcome() {
         <Logo size={44} />
         <h1>Drop a dieline here</h1>
         <p>
-          DXF, SVG, CF2 or PDF, from any program. knifetip finds out what is cut, creased and
-          grooved, puts the tip of each tool on its line, and proves it before the table moves.
+          DXF, SVG, CF2 or PDF. knifetip recognises cuts, creases and grooves, computes the tool
+          paths for your machine, and verifies the program before anything moves.
         </p>
         <ChooseFile large />
         <ol className={css.steps}>
           <li>
-            <b>1 Drop</b>a drawing, or open one of the drawings at the left
+            <b>1 Open</b>a drawing: drop a file, or pick one from the list
           </li>
           <li>
-            <b>2 Compile</b>for your board and machine, and read the verdict
+            <b>2 Compile</b>for your machine and board, and check the verdict
           </li>
           <li>
-            <b>3 Send</b>it to the table and watch the head
+            <b>3 Send</b>the job to the table and follow its progress
           </li>
         </ol>
       </div>

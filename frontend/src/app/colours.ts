@@ -1,14 +1,14 @@
-/** The palette of the page, in the form that the picture wants. */
+/** The palette as RGBA bytes, for the viewer. */
 
 import { LINE_TYPES, type LineType } from "../geometry/records";
 import type { Palette } from "../scene/dieline";
+import type { Scale } from "../scene/figureColours";
 import { rgba } from "../scene/lines";
-import type { Scale } from "../scene/map";
-import { CANVAS, LINE_LOOKS, MARKS, SCALE, SWEPT, TRAVEL, UNCUT } from "../state/palette";
+import { CANVAS, LINE_STYLES, MARKS, SCALE, SWEPT, TRAVEL, UNCUT } from "../state/palette";
 import type { ViewerColours } from "../viewer/contract";
 
 const lineLook = (type: LineType) =>
-  [type, { colour: rgba(LINE_LOOKS[type].colour), dash: LINE_LOOKS[type].dash }] as const;
+  [type, { colour: rgba(LINE_STYLES[type].colour), dash: LINE_STYLES[type].dash }] as const;
 
 export const VIEWER_COLOURS: ViewerColours = {
   palette: Object.fromEntries(LINE_TYPES.map(lineLook)) as Palette,

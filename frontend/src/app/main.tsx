@@ -1,4 +1,4 @@
-/** Where the page begins. */
+/** Entry point of the page. */
 
 import "@fontsource-variable/inter";
 import "@mantine/core/styles.css";
@@ -7,17 +7,17 @@ import { MantineProvider } from "@mantine/core";
 import { QueryClientProvider } from "@tanstack/react-query";
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
-import { queries } from "../state/queries";
+import { queryClient } from "../state/queries";
 import { App } from "./App";
 import { theme } from "./theme";
 
 const root = document.getElementById("root");
-if (root === null) throw new Error("The page has no #root to stand in.");
+if (root === null) throw new Error("The page has no element #root.");
 
 createRoot(root).render(
   <StrictMode>
     <MantineProvider theme={theme} forceColorScheme="dark">
-      <QueryClientProvider client={queries}>
+      <QueryClientProvider client={queryClient}>
         <App />
       </QueryClientProvider>
     </MantineProvider>

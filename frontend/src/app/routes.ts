@@ -1,12 +1,12 @@
 /**
- * The address names what is open, so that it can be kept, sent and loaded again.
+ * Route in the hash of the address: the open drawing and job.
  *
- *     #/                              nothing
+ *     #/                              no drawing
  *     #/drawings/ID                   a drawing
- *     #/drawings/ID/jobs/ID           a drawing and the job that was made of it
+ *     #/drawings/ID/jobs/ID           a drawing and a job of it
  */
 
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
 
 export interface Route {
   readonly drawing: string | null;
@@ -22,7 +22,7 @@ export function routeOf(hash: string): Route {
       job: job === undefined ? null : decodeURIComponent(job),
     };
   } catch {
-    // A stray % in an address somebody typed.
+    // Invalid percent-encoding in a typed address.
     return { drawing: null, job: null };
   }
 }
@@ -33,20 +33,20 @@ export function hashOf({ drawing, job }: Route): string {
   return job === null ? page : `${page}/jobs/${encodeURIComponent(job)}`;
 }
 
-/** Keep address and store the same until the returned function is called. */
-export function followAddress(): () => void {
+/** Keep address and store equal until the returned function is called. */
+export function syncWithAddress(): () => void {
   const read = () => {
     const { drawing, job } = routeOf(window.location.hash);
-    const page = usePage.getState();
+    const page = useUiStore.getState();
     if (page.drawing !== drawing || page.job !== job) page.open(drawing, job);
   };
   read();
   window.addEventListener("hashchange", read);
-  const stop = usePage.subscribe((page, before) => {
+  const stop = useUiStore.subscribe((page, before) => {
     if (page.drawing === before.drawing && page.job === before.job) return;
     const hash = hashOf(page);
     if (window.location.hash === hash) return;
-    // Another drawing is a place to come back from; another job of it is not.
+    // Opening a drawing adds an entry to the browser history; opening a job replaces it.
     if (page.drawing === before.drawing) window.history.replaceState(null, "", hash);
     else window.history.pushState(null, "", hash);
   });

@@ -1,12 +1,12 @@
-/** Keys → what the page does. */
+/** Keyboard shortcuts. */
 
 import { redo, retype, undo } from "../state/actions";
-import { CHOICES, LINE_LOOKS } from "../state/palette";
-import { keys, queries } from "../state/queries";
-import { COLOUR_MODES, type Layer, usePage } from "../state/store";
+import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
+import { queries, queryClient } from "../state/queries";
+import { COLOUR_MODES, type Layer, useUiStore } from "../state/store";
 
-/** What only the picture can do. */
-export interface PictureKeys {
+/** Commands of the canvas. */
+export interface PictureCommands {
   fit(): void;
   fitTable(): void;
   zoom(factor: number): void;
@@ -28,22 +28,22 @@ const typing = (target: EventTarget | null): boolean =>
   (target.isContentEditable ||
     target.closest("input, textarea, select, [role=listbox], [role=menu], [role=slider]") !== null);
 
-export function listenToKeys(picture: () => PictureKeys | null): () => void {
+export function listenToKeys(picture: () => PictureCommands | null): () => void {
   const act = (event: KeyboardEvent): boolean => {
-    const page = usePage.getState();
+    const page = useUiStore.getState();
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (event.ctrlKey || event.metaKey) {
       if (key === "z") void (event.shiftKey ? redo() : undo());
       else if (key === "y") void redo();
       else if (key === "a" && page.drawing !== null) {
-        const edges = queries.getQueryData(keys.edges(page.drawing).queryKey);
-        if (edges !== undefined) page.choose(edges.bulge.keys());
+        const edges = queryClient.getQueryData(queries.edges(page.drawing).queryKey);
+        if (edges !== undefined) page.selectEdges(edges.bulge.keys());
       } else return false;
       return true;
     }
     if (event.altKey) return false;
     const layer = LAYER_KEYS[key];
-    const type = CHOICES.find((choice) => LINE_LOOKS[choice].key === key);
+    const type = ASSIGNABLE_TYPES.find((choice) => LINE_STYLES[choice].key === key);
     if (key === "f" && event.shiftKey) picture()?.fitTable();
     else if (key === "f") picture()?.fit();
     else if (key === "+" || key === "=") picture()?.zoom(1.4);
@@ -55,8 +55,9 @@ export function listenToKeys(picture: () => PictureKeys | null): () => void {
     else if (key === "[") page.set({ leftOpen: !page.leftOpen });
     else if (key === "]") page.set({ rightOpen: !page.rightOpen });
     else if (key === "?") page.set({ helpOpen: !page.helpOpen });
-    else if (key === "Escape" && page.editing !== null) page.set({ editing: null, proposed: [] });
-    else if (key === "Escape" && !page.helpOpen) page.choose([]);
+    else if (key === "Escape" && page.editedProfile !== null)
+      page.set({ editedProfile: null, retypePreviews: [] });
+    else if (key === "Escape" && !page.helpOpen) page.selectEdges([]);
     else if (key === "c") {
       const next = (COLOUR_MODES.indexOf(page.colourMode) + 1) % COLOUR_MODES.length;
       page.set({ colourMode: COLOUR_MODES[next] ?? "types" });

@@ -1,4 +1,4 @@
-/** The look of the component library: calm, dark, one accent. */
+/** Theme of the component library. */
 
 import { createTheme, type MantineColorsTuple } from "@mantine/core";
 

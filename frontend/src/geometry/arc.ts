@@ -105,7 +105,8 @@ export function pointAt(
 }
 
 /** The bulge of a part of a line or arc. */
-export const bulgeOf = (bulge: number, share: number): number => Math.tan(Math.atan(bulge) * share);
+export const partialBulge = (bulge: number, share: number): number =>
+  Math.tan(Math.atan(bulge) * share);
 
 /** Where a point is nearest to a line or arc: the distance (mm) and the fraction of the length. */
 export function nearest(

@@ -1,6 +1,6 @@
 /** Footprints of tools, for tests. */
 
-import type { Footprint } from "../api/client";
+import type { Footprint } from "./footprint";
 
 export const footprint = (given: Partial<Footprint>): Footprint => ({
   shape: "line",

@@ -2,7 +2,7 @@
 
 import type { Segments, Toolpath } from "./records";
 
-export function movesOf({ pose, bulge, placement }: Toolpath): Segments {
+export function moveSegments({ pose, bulge, placement }: Toolpath): Segments {
   const ends = new Float64Array(bulge.length * 4);
   for (let row = 0; row < bulge.length; row++) {
     const a = row * 4;

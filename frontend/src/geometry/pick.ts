@@ -20,7 +20,7 @@ export interface PickIndex {
   inside(box: Box): number[];
 }
 
-export function pickIndex(segments: Segments): PickIndex {
+export function buildPickIndex(segments: Segments): PickIndex {
   const count = segments.bulge.length;
   if (count === 0) return { at: () => null, near: () => [], inside: () => [] };
   const tree = new Flatbush(count);

@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { deepest } from "./deepest";
+import { deepestZ } from "./depths";
 import { footprint, vCutter } from "./footprint.fixture";
-import { movesOf } from "./moves";
+import { moveSegments } from "./moves";
 import type { Toolpath } from "./records";
 import { contactOf, sweepOf } from "./sweep";
-import { workedSpans } from "./worked";
+import { workedSpans } from "./workedSpans";
 
 test("a V-cutter sweeps by its slope, along its blade", () => {
   expect(sweepOf(vCutter(6, 1.5, 0.5))).toEqual({ kind: "groove", blade: 3, slope: 0.5 });
@@ -66,9 +66,9 @@ test("an edge that is set back is worked as far as its tool goes, all others who
 });
 
 test("moves are those of the drawing, without the placement", () => {
-  expect([...movesOf(CREASE).ends.slice(4, 8)]).toEqual([5, 0, 90, 0]);
+  expect([...moveSegments(CREASE).ends.slice(4, 8)]).toEqual([5, 0, 90, 0]);
 });
 
-test("a station is as deep as its deepest work, and in the air it has none", () => {
-  expect([...deepest(CREASE)]).toEqual([[2, -1]]);
+test("a station is as deep as its deepestZ work, and in the air it has none", () => {
+  expect([...deepestZ(CREASE)]).toEqual([[2, -1]]);
 });

@@ -1,6 +1,6 @@
 /** What a tool takes of the board, or presses, about its tip at a depth h. */
 
-import type { Footprint } from "../api/client";
+import type { Footprint } from "./footprint";
 
 export type Sweep =
   /** A disc of radius r: of a beam at any height, of a cutter below the board's top face. */

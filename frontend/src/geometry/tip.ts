@@ -4,7 +4,7 @@
  *     tip = head - left · (sin C, -cos C) - behind · (cos C, sin C)
  */
 
-import type { Footprint } from "../api/client";
+import type { Footprint } from "./footprint";
 import type { Point, Pose } from "./records";
 import { degree, radians } from "./units";
 
@@ -18,7 +18,7 @@ export interface TipOffset {
   readonly blade: number;
 }
 
-export const UNDER_THE_HEAD: TipOffset = { left: 0, behind: 0, blade: 0 };
+export const NO_OFFSET: TipOffset = { left: 0, behind: 0, blade: 0 };
 
 /** The offset of a tool's tip. */
 export const tipOffset = ({ left, behind, blade }: Footprint): TipOffset => ({

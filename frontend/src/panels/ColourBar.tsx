@@ -1,9 +1,9 @@
-/** What the colour of a line says: its type, or a figure of the verdict with its scale. */
+/** Choice of what the colour of a line shows, and the scale of that figure. */
 
-import { mapOf } from "../state/maps";
 import { SCALE } from "../state/palette";
 import { useEdges, useVerdict } from "../state/queries";
-import { COLOUR_MODES, type ColourMode, usePage } from "../state/store";
+import { COLOUR_MODES, type ColourMode, useUiStore } from "../state/store";
+import { verdictMapOf } from "../state/verdictMap";
 import css from "./over.module.css";
 
 const TITLES: Readonly<Record<ColourMode, string>> = {
@@ -13,17 +13,17 @@ const TITLES: Readonly<Record<ColourMode, string>> = {
 };
 
 export function ColourBar() {
-  const mode = usePage((page) => page.colourMode);
-  const set = usePage((page) => page.set);
+  const mode = useUiStore((ui) => ui.colourMode);
+  const set = useUiStore((ui) => ui.set);
   const { data: edges } = useEdges();
   const { data: verdict } = useVerdict();
   if (verdict === undefined || edges === undefined) return null;
-  const map = mapOf(mode, verdict, edges.bulge.length);
+  const map = verdictMapOf(mode, verdict, edges.bulge.length);
   return (
     <div className={`${css.float} ${css.chips}`}>
       <div
         role="toolbar"
-        aria-label="Colour the lines by"
+        aria-label="Colour lines by"
         className={css.modes}
         data-testid="colour-mode"
         data-mode={mode}
@@ -52,12 +52,12 @@ function Scale({ title, limit }: { title: string; limit: number }) {
     <div
       className={css.scale}
       role="img"
-      aria-label={`${title}: blue is 0, yellow ${limit} mm, red beyond; grey is not worked`}
+      aria-label={`${title}: blue 0, yellow ${limit} mm, red above; grey: not machined`}
       data-testid="colour-scale"
     >
       <span className={css.scaleKey}>
         <span style={{ background: SCALE.unworked }} />
-        not worked
+        not machined
       </span>
       <span className={css.scaleBar}>
         <span
@@ -72,7 +72,7 @@ function Scale({ title, limit }: { title: string; limit: number }) {
       </span>
       <span className={css.scaleKey}>
         <span style={{ background: SCALE.beyond }} />
-        beyond
+        above
       </span>
     </div>
   );

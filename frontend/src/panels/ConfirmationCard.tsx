@@ -1,22 +1,22 @@
-/** What has to lie on the table and stand in the stations before a job starts, to be confirmed. */
+/** Board and tools that the operator has to check and confirm before a job starts. */
 
 import { Button } from "@mantine/core";
 import { IconPlayerPlayFilled } from "@tabler/icons-react";
 import type { Job } from "../api/client";
 import { command } from "../state/actions";
 import { useBoards } from "../state/queries";
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 
 function buttonOf(job: Job): string {
-  if (job.waiting_for === "sheet") return "New sheet is on, start";
-  return job.state === "queued" ? "Table is clear, start" : "Table is clear, go on";
+  if (job.waiting_for === "sheet") return "New sheet loaded, start";
+  return job.state === "queued" ? "Table checked, start" : "Table checked, continue";
 }
 
 export function ConfirmationCard({ job }: { job: Job }) {
   const { data: boards } = useBoards();
-  const busy = usePage((page) => page.busy);
+  const busy = useUiStore((ui) => ui.busy);
   const board = boards?.find(({ name }) => name === job.board);
   return (
     <div

@@ -1,10 +1,10 @@
-/** How a cutter goes round corners: for all of them, and for some that are pointed at. */
+/** How a router goes round corners: one type for all, and exceptions for single corners. */
 
 import { Button, CloseButton, SegmentedControl, Slider } from "@mantine/core";
 import { IconHandClick } from "@tabler/icons-react";
 import { useId } from "react";
-import { CORNER_TYPES, type CornerType, withKnob, withType } from "../state/corners";
-import { usePage } from "../state/store";
+import { CORNER_TYPES, type CornerType, setCornerK, setCornerType } from "../state/corners";
+import { useUiStore } from "../state/store";
 import cornerCss from "./corners.module.css";
 import css from "./panels.module.css";
 
@@ -15,29 +15,29 @@ const TITLES: Readonly<Record<CornerType, string>> = {
   D: "D blend",
 };
 
-const SAID: Readonly<Record<CornerType, string>> = {
-  auto: "Each corner as is fastest on this machine.",
-  B: "The centre goes round on an arc, and the cutter touches the corner all the way.",
-  C: "The centre goes straight on to a sharp bend, stops there, and turns.",
-  D: "The centre goes straight on, round a smaller arc, and straight back: no stop, no touch.",
+const DESCRIPTIONS: Readonly<Record<CornerType, string>> = {
+  auto: "Use the fastest type for each corner.",
+  B: "The tool centre follows an arc about the corner; the tool touches the corner all the way.",
+  C: "The tool centre runs straight past the corner, stops, and turns.",
+  D: "The tool centre runs past the corner and turns on a small arc, without a stop.",
 };
 
-/** The centre's way past a corner at (34, 26), r = 14 above it and to its right. */
-const WAYS: Readonly<Record<Exclude<CornerType, "auto">, string>> = {
+/** Path of the tool centre past a corner at (34, 26), with a tool radius of 14. */
+const PATHS: Readonly<Record<Exclude<CornerType, "auto">, string>> = {
   B: "M2 12H34A14 14 0 0 1 48 26V42",
   C: "M2 12H48V42",
   D: "M2 12H41A7 7 0 0 1 48 19V42",
 };
 
 export function CornersForm() {
-  const corners = usePage((page) => page.corners);
-  const picking = usePage((page) => page.picking);
-  const set = usePage((page) => page.set);
+  const corners = useUiStore((ui) => ui.corners);
+  const pickingCorners = useUiStore((ui) => ui.pickingCorners);
+  const set = useUiStore((ui) => ui.set);
   const fit = useId();
-  const hasKnob = corners.type === "D" || corners.type === "auto";
+  const hasSize = corners.type === "D" || corners.type === "auto";
   return (
     <fieldset className={cornerCss.corners} data-testid="corners">
-      <legend>Corners of the cutter's path</legend>
+      <legend>Corner type</legend>
       <div className={cornerCss.cornerTypes}>
         {CORNER_TYPES.map((type) => (
           <button
@@ -45,7 +45,7 @@ export function CornersForm() {
             type="button"
             className={cornerCss.cornerType}
             aria-pressed={corners.type === type}
-            title={SAID[type]}
+            title={DESCRIPTIONS[type]}
             onClick={() => set({ corners: { ...corners, type } })}
             data-testid={`corner-${type}`}
           >
@@ -54,16 +54,16 @@ export function CornersForm() {
           </button>
         ))}
       </div>
-      <p className={css.note}>{SAID[corners.type]}</p>
-      {hasKnob && (
-        <Knob
-          label="k of D corners"
+      <p className={css.note}>{DESCRIPTIONS[corners.type]}</p>
+      {hasSize && (
+        <SizeSlider
+          label="D corner size (k)"
           value={corners.k}
           onChange={(k) => set({ corners: { ...corners, k } })}
         />
       )}
       <div className={cornerCss.cornerFit}>
-        <span id={fit}>Where the cutter does not fit</span>
+        <span id={fit}>If the tool does not fit</span>
         <SegmentedControl
           size="xs"
           fullWidth
@@ -79,25 +79,25 @@ export function CornersForm() {
           data-testid="interference"
         />
       </div>
-      <Single />
+      <SingleCorners />
       <Button
         size="xs"
-        variant={picking ? "light" : "default"}
+        variant={pickingCorners ? "light" : "default"}
         leftSection={<IconHandClick size={15} aria-hidden />}
-        aria-pressed={picking}
-        onClick={() => set({ picking: !picking })}
+        aria-pressed={pickingCorners}
+        onClick={() => set({ pickingCorners: !pickingCorners })}
         data-testid="pick-corner"
       >
-        {picking ? "Click cuts near their corners · done" : "Choose single corners"}
+        {pickingCorners ? "Done (click cuts near a corner)" : "Set single corners"}
       </Button>
     </fieldset>
   );
 }
 
-/** The corners that are made otherwise, one to a row. */
-function Single() {
-  const corners = usePage((page) => page.corners);
-  const set = usePage((page) => page.set);
+/** The corners with a type of their own, one per row. */
+function SingleCorners() {
+  const corners = useUiStore((ui) => ui.corners);
+  const set = useUiStore((ui) => ui.set);
   if (corners.at.length === 0) return null;
   return (
     <ul className={cornerCss.cornerList} data-testid="single-corners">
@@ -116,21 +116,21 @@ function Single() {
               value={one.type}
               onChange={(word) => {
                 const type = CORNER_TYPES.find((known) => known === word);
-                if (type !== undefined) set({ corners: withType(corners, which, type) });
+                if (type !== undefined) set({ corners: setCornerType(corners, which, type) });
               }}
               aria-label={`Type of the corner at ${one.x.toFixed(1)}, ${one.y.toFixed(1)}`}
             />
             <CloseButton
               size="sm"
-              aria-label={`Make the corner at ${one.x.toFixed(1)}, ${one.y.toFixed(1)} as the others`}
-              onClick={() => set({ corners: withType(corners, which, null) })}
+              aria-label={`Remove the corner at ${one.x.toFixed(1)}, ${one.y.toFixed(1)}`}
+              onClick={() => set({ corners: setCornerType(corners, which, null) })}
             />
           </div>
           {one.type === "D" && (
-            <Knob
-              label="k"
+            <SizeSlider
+              label="Size (k)"
               value={one.k ?? corners.k}
-              onChange={(k) => set({ corners: withKnob(corners, which, k) })}
+              onChange={(k) => set({ corners: setCornerK(corners, which, k) })}
             />
           )}
         </li>
@@ -139,13 +139,13 @@ function Single() {
   );
 }
 
-interface KnobProps {
+interface SizeSliderProps {
   label: string;
   value: number;
   onChange: (k: number) => void;
 }
 
-function Knob({ label, value, onChange }: KnobProps) {
+function SizeSlider({ label, value, onChange }: SizeSliderProps) {
   return (
     <div className={cornerCss.cornerRow}>
       <span style={{ whiteSpace: "nowrap" }}>{label}</span>
@@ -172,7 +172,7 @@ function CornerPicture({ type }: { type: CornerType }) {
       <path d="M2 26H34V44H2Z" className={cornerCss.cornerPart} />
       <circle cx="20" cy="12" r="10" className={cornerCss.cornerDisc} />
       {(all ? (["B", "C", "D"] as const) : [type]).map((word) => (
-        <path key={word} d={WAYS[word]} className={cornerCss.cornerWay} data-faint={all} />
+        <path key={word} d={PATHS[word]} className={cornerCss.cornerWay} data-faint={all} />
       ))}
     </svg>
   );

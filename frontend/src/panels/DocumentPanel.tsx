@@ -1,21 +1,21 @@
-/** The drawing that is open: its name, its size, and what decided how it was read. */
+/** The open drawing: name, size, import summary and line-type profile. */
 
 import { ActionIcon, Select, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconArrowLeft } from "@tabler/icons-react";
 import type { Drawing, Profile } from "../api/client";
-import { settle } from "../state/actions";
+import { patchDrawing } from "../state/actions";
+import { formatSize, formatUnitless } from "../state/format";
+import { summarizeReport } from "../state/importReport";
 import { useDrawing, useProfiles } from "../state/queries";
-import { outcome } from "../state/report";
-import { inches } from "../state/sizes";
-import { usePage } from "../state/store";
-import { size, unitless } from "../state/words";
+import { formatInches } from "../state/sizes";
+import { useUiStore } from "../state/store";
 import { REPORT } from "./ImportPanel";
 import css from "./panels.module.css";
 
 export function DocumentPanel() {
   const { data: drawing } = useDrawing();
   const { data: profiles } = useProfiles();
-  const open = usePage((page) => page.open);
+  const open = useUiStore((ui) => ui.open);
   if (drawing === undefined) return null;
   return (
     <section className={css.section} style={{ padding: "12px 16px 16px" }}>
@@ -39,26 +39,26 @@ export function DocumentPanel() {
         <dt>Size</dt>
         <dd data-testid="drawing-size">
           {drawing.unit === null
-            ? `${unitless(drawing.width)} × ${unitless(drawing.height)}, unit not known`
-            : size(drawing.width, drawing.height)}
+            ? `${formatUnitless(drawing.width)} × ${formatUnitless(drawing.height)}, unit unknown`
+            : formatSize(drawing.width, drawing.height)}
         </dd>
         {drawing.unit !== null && (
           <>
-            <dt>In inches</dt>
-            <dd data-testid="drawing-inches">{inches(drawing.width, drawing.height)}</dd>
+            <dt>Inches</dt>
+            <dd data-testid="drawing-inches">{formatInches(drawing.width, drawing.height)}</dd>
           </>
         )}
         <dt>Edges</dt>
         <dd>
           {drawing.segments.toLocaleString("en")}
-          {drawing.overrides > 0 && ` · ${drawing.overrides.toLocaleString("en")} decided by hand`}
+          {drawing.overrides > 0 && ` · ${drawing.overrides.toLocaleString("en")} set by hand`}
         </dd>
         {drawing.report && (
           <>
             <dt>Import</dt>
             <dd>
               <button type="button" className={css.link} style={{ margin: 0 }} onClick={show}>
-                {outcome(drawing.report)}
+                {summarizeReport(drawing.report)}
               </button>
             </dd>
           </>
@@ -72,10 +72,10 @@ export function DocumentPanel() {
 const show = () =>
   document.getElementById(REPORT)?.scrollIntoView({ behavior: "smooth", block: "start" });
 
-/** By whose rules the drawing is read; the customers' own stand above those that are shipped. */
+/** Choice of the profile; customer profiles are listed before built-in ones. */
 function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: readonly Profile[] }) {
-  const busy = usePage((page) => page.busy);
-  const set = usePage((page) => page.set);
+  const busy = useUiStore((ui) => ui.busy);
+  const set = useUiStore((ui) => ui.set);
   const option = ({ name, title }: Profile) => ({ value: name, label: title || name });
   const own = profiles.filter(({ shipped }) => !shipped);
   const shipped = profiles.filter((profile) => profile.shipped);
@@ -92,24 +92,24 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
               ? [{ group: "Deleted", items: [{ value: drawing.profile, label: drawing.profile }] }]
               : []),
             ...(own.length > 0 ? [{ group: "Customers", items: own.map(option) }] : []),
-            { group: "Shipped", items: shipped.map(option) },
+            { group: "Built-in", items: shipped.map(option) },
           ]}
           value={drawing.profile}
           allowDeselect={false}
           disabled={busy}
           data-testid="profile-select"
           onChange={(profile) => {
-            if (profile !== null && profile !== drawing.profile) void settle({ profile });
+            if (profile !== null && profile !== drawing.profile) void patchDrawing({ profile });
           }}
         />
-        <Tooltip label={gone ? "It is deleted" : "Rules of this profile"}>
+        <Tooltip label={gone ? "Profile deleted" : "Edit rules"}>
           <ActionIcon
             variant="default"
             size={30}
             disabled={gone}
-            aria-label="Edit the profile"
+            aria-label="Edit profile"
             data-testid="edit-profile"
-            onClick={() => set({ editing: drawing.profile })}
+            onClick={() => set({ editedProfile: drawing.profile })}
           >
             <IconAdjustments size={16} />
           </ActionIcon>
@@ -118,17 +118,17 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
       {drawing.profile_state !== "current" && (
         <p className={css.warning} style={{ margin: "8px 0 0" }} data-testid="profile-state">
           {drawing.profile_state === "changed"
-            ? "The profile has changed since this drawing was read by it. "
-            : "This profile is deleted; the drawing keeps its rules. "}
+            ? "The profile has changed since it was applied to this drawing. "
+            : "This profile was deleted; the drawing keeps its rules. "}
           {drawing.profile_state === "changed" && (
             <button
               type="button"
               className={css.link}
               disabled={busy}
-              data-testid="bring-up-to-date"
-              onClick={() => void settle({ profile: drawing.profile })}
+              data-testid="apply-again"
+              onClick={() => void patchDrawing({ profile: drawing.profile })}
             >
-              Read it anew
+              Apply again
             </button>
           )}
         </p>

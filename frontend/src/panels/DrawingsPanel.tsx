@@ -1,13 +1,13 @@
-/** Bring a drawing in, or open one that is here. */
+/** Upload a drawing, or open one from the list. */
 
 import { Button, Skeleton } from "@mantine/core";
 import { IconFileVector, IconUpload } from "@tabler/icons-react";
 import { useRef } from "react";
 import type { DrawingSummary } from "../api/client";
 import { uploadFiles } from "../state/actions";
+import { formatSize, pluralize } from "../state/format";
 import { useDrawings, useFormats } from "../state/queries";
-import { usePage } from "../state/store";
-import { count, size } from "../state/words";
+import { useUiStore } from "../state/store";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
@@ -15,7 +15,7 @@ import { ShowMore } from "./ShowMore";
 export function DrawingsPanel() {
   const list = useDrawings();
   const { data: drawings, isPending, error } = list;
-  const current = usePage((page) => page.drawing);
+  const current = useUiStore((ui) => ui.drawing);
   return (
     <Section
       title="Drawings"
@@ -35,7 +35,7 @@ export function DrawingsPanel() {
       {error && <p className={css.note}>{error.message}</p>}
       {drawings?.length === 0 && (
         <p className={css.note} style={{ padding: "0 8px" }}>
-          No drawings yet. Drop a DXF, SVG, CF2 or PDF anywhere on this page.
+          No drawings yet. Drop a DXF, SVG, CF2 or PDF file on this page.
         </p>
       )}
       {drawings?.map((drawing) => (
@@ -49,7 +49,7 @@ export function DrawingsPanel() {
 }
 
 function Row({ drawing, current }: { drawing: DrawingSummary; current: boolean }) {
-  const open = usePage((page) => page.open);
+  const open = useUiStore((ui) => ui.open);
   return (
     <button
       type="button"
@@ -64,23 +64,23 @@ function Row({ drawing, current }: { drawing: DrawingSummary; current: boolean }
       <span className={css.drawingName}>{drawing.name}</span>
       {drawing.questions > 0 ? (
         <span className={css.badge} data-tone="amber">
-          {count(drawing.questions, "question")}
+          {pluralize(drawing.questions, "question")}
         </span>
       ) : (
         <span />
       )}
       <small>
-        {drawing.unit === null ? "unit not known" : size(drawing.width, drawing.height)} ·{" "}
-        {count(drawing.segments, "edge")}
+        {drawing.unit === null ? "unit unknown" : formatSize(drawing.width, drawing.height)} ·{" "}
+        {pluralize(drawing.segments, "edge")}
       </small>
     </button>
   );
 }
 
-/** The door for files. */
+/** File chooser. */
 export function ChooseFile({ large = false }: { large?: boolean }) {
   const input = useRef<HTMLInputElement>(null);
-  const upload = usePage((page) => page.upload);
+  const upload = useUiStore((ui) => ui.upload);
   const { data: formats } = useFormats();
   return (
     <>
@@ -105,7 +105,7 @@ export function ChooseFile({ large = false }: { large?: boolean }) {
         onClick={() => input.current?.click()}
         data-testid={large ? "choose-file-large" : "choose-file"}
       >
-        Choose drawings
+        Open files
       </Button>
     </>
   );

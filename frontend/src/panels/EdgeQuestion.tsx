@@ -1,20 +1,20 @@
-/** What nobody knows of some edges: the likeliest answer first, each one click. */
+/** Question for the line type of some edges; the most likely answer first. */
 
 import { useMemo } from "react";
 import type { Question } from "../api/client";
 import { LINE_TYPES, type LineType } from "../geometry/records";
 import { retype } from "../state/actions";
 import { colourWords, indexColour } from "../state/colours";
-import { inspected } from "../state/inspect";
-import { useLength } from "../state/measure";
-import { LINE_LOOKS } from "../state/palette";
+import { pluralize } from "../state/format";
+import { summarizeEdges } from "../state/inspect";
+import { LINE_STYLES } from "../state/palette";
 import { useEdges } from "../state/queries";
 import { askedOf } from "../state/questions";
 import { rowsOfLayer } from "../state/rows";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
+import { useUiStore } from "../state/store";
+import { useFormatLength } from "../state/useFormatLength";
 import css from "./panels.module.css";
-import { answering } from "./pointing";
+import { answerHandlers } from "./previewHandlers";
 import questionCss from "./questions.module.css";
 import { Swatch } from "./Swatch";
 
@@ -23,15 +23,15 @@ const isLineType = (word: string): word is LineType =>
 
 interface Props {
   question: Question;
-  /** Called once it is answered by the keyboard: the focus would be lost with it. */
+  /** Called after an answer by keyboard, to move the focus to the next question. */
   onAnswered: () => void;
 }
 
 export function EdgeQuestion({ question, onAnswered }: Props) {
   const { data: edges } = useEdges();
-  const busy = usePage((page) => page.busy);
-  const look = usePage((page) => page.look);
-  const length = useLength();
+  const busy = useUiStore((ui) => ui.busy);
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
+  const length = useFormatLength();
   const rows = useMemo(
     () =>
       question.edges.length > 0 || edges === undefined
@@ -41,18 +41,21 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
   );
   const choices = question.choices.filter(isLineType);
   const { text, share, why } = askedOf(question.text);
-  const facts = useMemo(() => (edges === undefined ? null : inspected(edges, rows)), [edges, rows]);
+  const facts = useMemo(
+    () => (edges === undefined ? null : summarizeEdges(edges, rows)),
+    [edges, rows],
+  );
   return (
     <article
       className={questionCss.question}
       data-testid="question"
-      {...answering(rows, "unclassified")}
+      {...answerHandlers(rows, "unclassified")}
     >
       <button
         type="button"
         className={questionCss.questionShow}
         title="Show these edges"
-        onClick={() => look(rows)}
+        onClick={() => zoomToEdges(rows)}
       >
         <span className={questionCss.questionHead}>
           <span className={css.dot} style={{ background: indexColour(question.colour) }} />
@@ -60,7 +63,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
             {question.layer === "" ? "These edges" : `Layer ${question.layer}`}
           </span>
           <span className={css.rowFigure}>
-            {count(rows.length, "edge")}
+            {pluralize(rows.length, "edge")}
             {facts !== null && ` · ${length(facts.length)}`}
           </span>
         </span>
@@ -69,7 +72,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
           {facts !== null && facts.linetypes.length > 0 && ` · ${facts.linetypes.join(", ")}`}
         </span>
       </button>
-      <p className={questionCss.questionText}>{why || text || "Nothing says what they are."}</p>
+      <p className={questionCss.questionText}>{why || text || "No evidence for any line type."}</p>
       <div className={questionCss.choices}>
         {choices.map((type, at) => {
           const likely = at === 0 && share !== null;
@@ -88,10 +91,8 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
               }}
             >
               <Swatch type={type} />
-              {LINE_LOOKS[type].title}
-              {likely && (
-                <span className={questionCss.choiceFigure}>likeliest, {share} % sure</span>
-              )}
+              {LINE_STYLES[type].title}
+              {likely && <span className={questionCss.choiceFigure}>most likely, {share} %</span>}
             </button>
           );
         })}

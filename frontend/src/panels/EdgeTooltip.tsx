@@ -1,15 +1,15 @@
-/** What the edge under the cursor is, and why; what the tools do there. */
+/** The edge under the cursor, its figures, and the moves that pass there. */
 
 import { Fragment } from "react";
 import type { Verdict } from "../api/client";
 import { type Edges, lineTypeOf, MOTIONS, type Toolpath } from "../geometry/records";
-import { ruleWords } from "../state/inspect";
-import { useLength } from "../state/measure";
-import { LINE_LOOKS, TRAVEL } from "../state/palette";
+import { formatDeviation, formatHundredths } from "../state/format";
+import { ruleText } from "../state/inspect";
+import { LINE_STYLES, TRAVEL } from "../state/palette";
 import { useEdges, useJob, useMachines, useToolpath, useVerdict } from "../state/queries";
 import { layerOf } from "../state/rows";
-import { usePage } from "../state/store";
-import { deviation, fine } from "../state/words";
+import { useUiStore } from "../state/store";
+import { useFormatLength } from "../state/useFormatLength";
 import overCss from "./over.module.css";
 import css from "./panels.module.css";
 import { Swatch } from "./Swatch";
@@ -18,13 +18,13 @@ const WIDTH = 320;
 const HEAD = 100;
 const LINE = 20;
 const FIGURES = 4;
-/** Less than this is nothing (mm). */
-const SEEN = 0.005;
-/** More moves than these at one place are counted only. */
+/** Shorter lengths are not listed (mm). */
+const MIN_LISTED = 0.005;
+/** Moves listed at most; the rest is counted. */
 const MOVES = 4;
 
 export function EdgeTooltip({ width, height }: { width: number; height: number }) {
-  const hover = usePage((page) => page.hover);
+  const hover = useUiStore((ui) => ui.hover);
   const { data: edges } = useEdges();
   const { data: toolpath } = useToolpath();
   const { data: verdict } = useVerdict();
@@ -33,7 +33,7 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
   const row = edges !== undefined && (hover.row ?? -1) < edges.bulge.length ? hover.row : null;
   const moves = hover.moves.filter((move) => move < (toolpath?.motion.length ?? 0));
   if (row === null && moves.length === 0) return null;
-  const more = verdict === undefined || row === null ? 0 : special(verdict, row).length;
+  const more = verdict === undefined || row === null ? 0 : optionalFigures(verdict, row).length;
   const lines = (verdict === undefined ? 0 : FIGURES + more) + Math.min(moves.length, MOVES + 1);
   const tall = HEAD + lines * LINE;
   const side = x + WIDTH + 24 > width ? { right: width - x + 14 } : { left: x + 16 };
@@ -53,13 +53,13 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
 
 function Edge({ row, edges }: { row: number; edges: Edges }) {
   const { data: verdict } = useVerdict();
-  const length = useLength();
+  const length = useFormatLength();
   const type = lineTypeOf(edges.lineType[row]);
   return (
     <>
       <div className={overCss.tooltipHead}>
         <Swatch type={type} />
-        {LINE_LOOKS[type].title}
+        {LINE_STYLES[type].title}
         <span className={css.rowFigure} style={{ marginLeft: "auto", paddingLeft: 12 }}>
           {length(edges.length[row] ?? 0)}
         </span>
@@ -71,19 +71,19 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
         <dd>
           {edges.handles[row]} · edge {row}
         </dd>
-        <dt>Why</dt>
-        <dd>{ruleWords(edges.rules[edges.rule[row] ?? -1] ?? "")}</dd>
+        <dt>Reason</dt>
+        <dd>{ruleText(edges.rules[edges.rule[row] ?? -1] ?? "")}</dd>
         {verdict !== undefined && verdict.edge_deviation.length === edges.bulge.length && (
           <>
             <dt>Deviation</dt>
-            <dd>{deviation(verdict.edge_deviation[row] ?? Number.NaN)}</dd>
+            <dd>{formatDeviation(verdict.edge_deviation[row] ?? Number.NaN)}</dd>
             <dt>Overcut</dt>
-            <dd>{fine(verdict.edge_overcut[row] ?? Number.NaN)}</dd>
+            <dd>{formatHundredths(verdict.edge_overcut[row] ?? Number.NaN)}</dd>
             <dt>Uncut</dt>
-            <dd>{fine(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
+            <dd>{formatHundredths(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
             <dt>Setback</dt>
-            <dd>{fine(verdict.edge_setback[row] ?? Number.NaN)}</dd>
-            {special(verdict, row).map(({ title, value }) => (
+            <dd>{formatHundredths(verdict.edge_setback[row] ?? Number.NaN)}</dd>
+            {optionalFigures(verdict, row).map(({ title, value }) => (
               <Fragment key={title}>
                 <dt>{title}</dt>
                 <dd>{value}</dd>
@@ -101,28 +101,30 @@ interface Figure {
   readonly value: string;
 }
 
-/** What only some edges have: the section of a groove, both faces of a cut, what is not reached. */
-function special(verdict: Verdict, row: number): Figure[] {
+/** Figures that only some edges have: groove section, board faces, unreachable length. */
+function optionalFigures(verdict: Verdict, row: number): Figure[] {
   const figure = (column: readonly number[]) => column[row] ?? 0;
   const listed: Figure[] = [];
   const width = figure(verdict.edge_width);
   if (width > 0) {
     listed.push(
-      { title: "V, top face", value: `${fine(width)} wide` },
-      { title: "Web left", value: fine(figure(verdict.edge_web)) },
-      { title: "Flank", value: `${deviation(figure(verdict.edge_flank))} off` },
+      { title: "Groove width", value: `${formatHundredths(width)} at the top` },
+      { title: "Remaining web", value: formatHundredths(figure(verdict.edge_web)) },
+      { title: "Flank deviation", value: formatDeviation(figure(verdict.edge_flank)) },
     );
   }
   const top = figure(verdict.edge_top_overcut);
   const bottom = figure(verdict.edge_bottom_uncut);
-  if (top >= SEEN) listed.push({ title: "Top face", value: `${fine(top)} past the ends` });
-  if (bottom >= SEEN) listed.push({ title: "Bottom face", value: `${fine(bottom)} uncut` });
+  if (top >= MIN_LISTED)
+    listed.push({ title: "Top face", value: `${formatHundredths(top)} overcut` });
+  if (bottom >= MIN_LISTED)
+    listed.push({ title: "Bottom face", value: `${formatHundredths(bottom)} uncut` });
   const left = figure(verdict.edge_unreached);
-  if (left >= SEEN) listed.push({ title: "Out of reach", value: fine(left) });
+  if (left >= MIN_LISTED) listed.push({ title: "Unreachable", value: formatHundredths(left) });
   return listed;
 }
 
-/** Each move of the head that passes here: which tool, what it does, how high, and by which line. */
+/** The moves under the cursor: tool, kind of move, height and program line. */
 function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath }) {
   const { data: job } = useJob();
   const { data: machines } = useMachines();

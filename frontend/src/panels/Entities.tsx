@@ -1,24 +1,24 @@
-/** The entities of a group of the import report; each is shown where it is, as far as it has a place. */
+/** The entities of a group of the import report; a click zooms to one. */
 
 import { useMemo, useState } from "react";
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
 import type { Box, Edges } from "../geometry/records";
-import { useLength } from "../state/measure";
+import { entitiesOf, locateEntity } from "../state/importReport";
 import { useEdges, useLedger } from "../state/queries";
-import { entitiesOf, foundOf } from "../state/report";
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
+import { useFormatLength } from "../state/useFormatLength";
 import css from "./import.module.css";
 import panels from "./panels.module.css";
 import { ShowMore } from "./ShowMore";
 
-/** Entities that come at once. */
+/** Entities listed at once. */
 const STEP = 100;
 
 export function Entities({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
   const { data: edges } = useEdges();
   const [most, setMost] = useState(STEP);
   const { rows: first, kept, merged, dropped } = drawing.ledger;
-  // A drawing lists the first of its entities only; the rest is asked for here.
+  // A drawing lists only its first entities; the rest is fetched here.
   const whole = useLedger(group.fate, first.length < kept + merged + dropped);
   const listed = whole.data?.rows ?? first;
   const rows = useMemo(() => entitiesOf(listed, group), [listed, group]);
@@ -48,11 +48,11 @@ interface Props {
 }
 
 function Entity({ row, edges, drawing }: Props) {
-  const look = usePage((page) => page.look);
-  const lookAt = usePage((page) => page.lookAt);
-  const pin = usePage((page) => page.pin);
-  const length = useLength();
-  const found = useMemo(() => foundOf(edges, drawing, row), [edges, drawing, row]);
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
+  const zoomToBox = useUiStore((ui) => ui.zoomToBox);
+  const pin = useUiStore((ui) => ui.pin);
+  const length = useFormatLength();
+  const found = useMemo(() => locateEntity(edges, drawing, row), [edges, drawing, row]);
   const meant = found !== null && "pin" in found && same(pin, found.pin);
   return (
     <button
@@ -60,15 +60,15 @@ function Entity({ row, edges, drawing }: Props) {
       className={css.entity}
       disabled={found === null}
       aria-pressed={meant}
-      title={found === null ? "The file gives it no place on the sheet" : "Show it"}
+      title={found === null ? "No position in the file" : "Show"}
       data-testid="entity"
       onClick={() => {
         if (found === null) return;
-        if ("rows" in found) look(found.rows);
-        else lookAt(found.box, found.pin);
+        if ("rows" in found) zoomToEdges(found.rows);
+        else zoomToBox(found.box, found.pin);
       }}
     >
-      <span className={css.entityWords}>
+      <span className={css.entityText}>
         {row.text === "" ? row.kind : `“${row.text}”`}
         <small>
           {row.text === "" ? "" : `${row.kind} `}

@@ -1,15 +1,21 @@
-/** The import report: what was kept, merged and dropped, and why; the lengths add up. */
+/** The import report: what was kept, merged and dropped, and why. The lengths add up. */
 
 import { SegmentedControl } from "@mantine/core";
 import { IconChevronRight, IconFocusCentered } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Drawing, ReportGroup } from "../api/client";
 import type { Fate } from "../geometry/records";
-import { useLength } from "../state/measure";
+import { pluralize } from "../state/format";
+import {
+  groupsOf,
+  lengthShares,
+  OUTCOME_FILTERS,
+  rowsOfGroup,
+  summarizeReport,
+} from "../state/importReport";
 import { useDrawing, useEdges } from "../state/queries";
-import { FATES_SHOWN, groupsOf, outcome, rowsOfGroup, shares } from "../state/report";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
+import { useUiStore } from "../state/store";
+import { useFormatLength } from "../state/useFormatLength";
 import { Entities } from "./Entities";
 import css from "./import.module.css";
 import panels from "./panels.module.css";
@@ -17,7 +23,7 @@ import { Section } from "./Section";
 
 type Report = NonNullable<Drawing["report"]>;
 
-/** Where the report is on the page. */
+/** Element id of the report. */
 export const REPORT = "import-report";
 
 const TITLES: Readonly<Record<Fate, string>> = {
@@ -36,7 +42,7 @@ export function ImportPanel() {
     <Section
       id={REPORT}
       title="Import report"
-      aside={<span className={panels.rowFigure}>{outcome(report)}</span>}
+      aside={<span className={panels.rowFigure}>{summarizeReport(report)}</span>}
     >
       <Bar report={report} />
       <SegmentedControl
@@ -44,12 +50,12 @@ export function ImportPanel() {
         size="xs"
         mb={6}
         value={fate ?? "all"}
-        onChange={(word) => setFate(FATES_SHOWN.find((one) => one === word) ?? null)}
+        onChange={(word) => setFate(OUTCOME_FILTERS.find((one) => one === word) ?? null)}
         data={[
           { value: "all", label: "All" },
-          ...FATES_SHOWN.map((word) => ({ value: word, label: TITLES[word] })),
+          ...OUTCOME_FILTERS.map((word) => ({ value: word, label: TITLES[word] })),
         ]}
-        aria-label="What became of it"
+        aria-label="Filter by outcome"
       />
       <div className={css.groups} data-testid="report-groups">
         {groups.map((group) => (
@@ -70,29 +76,29 @@ export function ImportPanel() {
 }
 
 function Bar({ report }: { report: Report }) {
-  const said = useLength();
+  const formatRun = useFormatLength();
   return (
     <div className={css.sum} data-testid="report-bar">
-      <div className={css.bar} role="img" aria-label="How the drawn length is shared out">
-        {shares(report).map(({ fate, share }) =>
+      <div className={css.bar} role="img" aria-label="Drawn length: kept, merged and dropped">
+        {lengthShares(report).map(({ fate, share }) =>
           share > 0 ? (
             <span key={fate} data-fate={fate} style={{ flexGrow: Math.max(share, 0.01) }} />
           ) : null,
         )}
       </div>
       <dl className={css.sums}>
-        {shares(report).map(({ fate, length: run }) => (
+        {lengthShares(report).map(({ fate, length: run }) => (
           <div key={fate}>
             <dt>
               <span className={css.fate} data-fate={fate} />
               {TITLES[fate]}
             </dt>
-            <dd>{said(run)}</dd>
+            <dd>{formatRun(run)}</dd>
           </div>
         ))}
         <div>
           <dt>Drawn</dt>
-          <dd data-testid="report-drawn">{said(report.drawn)}</dd>
+          <dd data-testid="report-drawn">{formatRun(report.drawn)}</dd>
         </div>
       </dl>
     </div>
@@ -101,11 +107,11 @@ function Bar({ report }: { report: Report }) {
 
 function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
   const { data: edges } = useEdges();
-  const look = usePage((page) => page.look);
-  const length = useLength();
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
+  const length = useFormatLength();
   const [open, setOpen] = useState(false);
   const lines = group.what === "edges";
-  const words = group.reason === "" ? "Kept as it was drawn" : group.reason;
+  const words = group.reason === "" ? "Kept as drawn" : group.reason;
   const several = group.kinds.length > 0 && !lines;
   return (
     <div>
@@ -113,18 +119,18 @@ function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
         type="button"
         className={css.group}
         aria-expanded={lines ? undefined : open}
-        title={lines ? "Show these edges" : "List them"}
+        title={lines ? "Show these edges" : "List entities"}
         data-testid={`report-${group.fate}`}
         onClick={() => {
           if (!lines) setOpen(!open);
-          else if (edges !== undefined) look(rowsOfGroup(edges, group));
+          else if (edges !== undefined) zoomToEdges(rowsOfGroup(edges, group));
         }}
       >
         <span className={css.fate} data-fate={group.fate} title={TITLES[group.fate]} />
-        <span className={css.groupWords}>
+        <span className={css.groupText}>
           {words}
           <small>
-            {count(group.count, lines ? "edge" : "entity", lines ? "edges" : "entities")}
+            {pluralize(group.count, lines ? "edge" : "entity", lines ? "edges" : "entities")}
             {several && ` · ${group.kinds.join(", ")}`}
           </small>
         </span>

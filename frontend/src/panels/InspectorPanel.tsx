@@ -1,64 +1,64 @@
-/** The edges that are chosen: what they are and why, how sure that is, and what else they could be. */
+/** The selected edges: line type, reason, confidence and alternatives. */
 
 import { retype } from "../state/actions";
 import { colourWords, indexColour } from "../state/colours";
-import { isByHand } from "../state/history";
-import { inspected, ruleWords } from "../state/inspect";
-import { useLength } from "../state/measure";
-import { LINE_LOOKS } from "../state/palette";
+import { pluralize } from "../state/format";
+import { isSetByHand } from "../state/history";
+import { ruleText, summarizeEdges } from "../state/inspect";
+import { LINE_STYLES } from "../state/palette";
 import { useEdges } from "../state/queries";
 import { layerOf, rowsOfLayer } from "../state/rows";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
+import { useUiStore } from "../state/store";
+import { useFormatLength } from "../state/useFormatLength";
 import css from "./inspector.module.css";
 import panels from "./panels.module.css";
-import { showing } from "./pointing";
+import { previewHandlers } from "./previewHandlers";
 import { Section } from "./Section";
 import { Swatch } from "./Swatch";
 
 export function InspectorPanel() {
-  const selection = usePage((page) => page.selection);
+  const selection = useUiStore((ui) => ui.selection);
   const { data: edges } = useEdges();
-  const busy = usePage((page) => page.busy);
-  const choose = usePage((page) => page.choose);
-  const length = useLength();
+  const busy = useUiStore((ui) => ui.busy);
+  const selectEdges = useUiStore((ui) => ui.selectEdges);
+  const length = useFormatLength();
   const rows = [...selection].filter((row) => row < (edges?.bulge.length ?? 0));
   const [row] = rows;
   if (edges === undefined || row === undefined) return null;
-  const found = inspected(edges, rows);
+  const found = summarizeEdges(edges, rows);
   const alike = rowsOfLayer(edges, layerOf(edges, row), edges.colour[row] ?? 0);
-  const byHand = rows.some((one) => isByHand(edges, one));
+  const byHand = rows.some((one) => isSetByHand(edges, one));
   return (
     <Section
-      title={rows.length === 1 ? `Edge ${row}` : count(rows.length, "edge")}
+      title={rows.length === 1 ? `Edge ${row}` : pluralize(rows.length, "edge")}
       aside={<span className={panels.rowFigure}>{length(found.length)}</span>}
     >
       <div data-testid="inspector">
-        {found.why.map(({ type, rule, confidence, rows: those }) => (
+        {found.reasons.map(({ type, rule, confidence, rows: those }) => (
           <div key={`${type} ${rule}`}>
-            <div className={css.inspected}>
+            <div className={css.summarizeEdges}>
               <Swatch type={type} />
-              {LINE_LOOKS[type].title}
-              {found.why.length > 1 && (
-                <span className={panels.rowFigure}>{count(those.length, "edge")}</span>
+              {LINE_STYLES[type].title}
+              {found.reasons.length > 1 && (
+                <span className={panels.rowFigure}>{pluralize(those.length, "edge")}</span>
               )}
             </div>
             <div className={css.trust}>
-              <span className={css.trustWords} data-testid="why">
-                {ruleWords(rule)}
+              <span className={css.trustText} data-testid="why">
+                {ruleText(rule)}
               </span>
               <span className={css.meter} aria-hidden>
                 <span style={{ width: `${100 * confidence}%`, background: tone(confidence) }} />
               </span>
-              <span className={panels.figure}>{Math.round(100 * confidence)} % sure</span>
+              <span className={panels.figure}>{Math.round(100 * confidence)} % confidence</span>
             </div>
           </div>
         ))}
-        {found.more > 0 && <p className={panels.note}>… and {found.more} other reasons</p>}
+        {found.more > 0 && <p className={panels.note}>… and {found.more} more reasons</p>}
         {found.alternatives.length > 0 && (
           <>
             <p className={panels.note} style={{ margin: "10px 0 0" }}>
-              It could also be
+              Could also be
             </p>
             <div className={css.alternatives}>
               {found.alternatives.map((type) => (
@@ -68,11 +68,11 @@ export function InspectorPanel() {
                   className={css.alternative}
                   disabled={busy}
                   data-testid={`alternative-${type}`}
-                  {...showing(() => [{ rows, type }])}
+                  {...previewHandlers(() => [{ rows, type }])}
                   onClick={() => void retype(rows, type)}
                 >
                   <Swatch type={type} />
-                  {LINE_LOOKS[type].title}
+                  {LINE_STYLES[type].title}
                 </button>
               ))}
             </div>
@@ -85,13 +85,13 @@ export function InspectorPanel() {
             disabled={busy}
             onClick={() => void retype(rows, null)}
           >
-            Let the profile decide again
+            Reset to profile
           </button>
         )}
         <dl className={panels.facts}>
           {rows.length === 1 && (
             <>
-              <dt>Handle in the file</dt>
+              <dt>Handle</dt>
               <dd>{edges.handles[row]}</dd>
             </>
           )}
@@ -119,8 +119,8 @@ export function InspectorPanel() {
           )}
         </dl>
         {alike.length > rows.length && (
-          <button type="button" className={panels.link} onClick={() => choose(alike)}>
-            Choose all {alike.length.toLocaleString("en")} of this layer and colour
+          <button type="button" className={panels.link} onClick={() => selectEdges(alike)}>
+            Select all {alike.length.toLocaleString("en")} with this layer and colour
           </button>
         )}
       </div>

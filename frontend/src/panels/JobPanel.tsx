@@ -1,4 +1,4 @@
-/** The job that is looked at: where it stands, and what the operator can ask of it. */
+/** The open job: state, progress, operator commands and verdict. */
 
 import { Button, Progress } from "@mantine/core";
 import {
@@ -15,21 +15,21 @@ import {
 import { type ReactNode, useState } from "react";
 import { type Job, type JobCommand, service } from "../api/client";
 import { command } from "../state/actions";
+import { formatDuration, pluralize } from "../state/format";
 import {
-  askBefore,
   commandsOf,
+  confirmationBefore,
   hasProgram,
   isCompiling,
   isOnTable,
   needsOperator,
-  STATE_LOOKS,
+  STATE_STYLES,
 } from "../state/jobs";
 import { useEdges, useJob } from "../state/queries";
 import { rowsOfHandles } from "../state/rows";
-import { usePage } from "../state/store";
-import { count, duration } from "../state/words";
-import { AskDialog } from "./AskDialog";
+import { useUiStore } from "../state/store";
 import { ConfirmationCard } from "./ConfirmationCard";
+import { ConfirmDialog } from "./ConfirmDialog";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 import { Section } from "./Section";
@@ -57,7 +57,7 @@ export function JobPanel() {
         {needsOperator(job) && <ConfirmationCard job={job} />}
         {job.state === "queued" && !needsOperator(job) && <Waiting job={job} />}
         {isOnTable(job) && <Running job={job} />}
-        <Ending job={job} />
+        <Outcome job={job} />
         <Controls job={job} />
         <VerdictCard job={job} />
         {hasProgram(job) && (
@@ -71,7 +71,7 @@ export function JobPanel() {
             leftSection={<IconDownload size={15} aria-hidden />}
             data-testid="program"
           >
-            Program, {count(job.lines, "line")}
+            Program, {pluralize(job.lines, "line")}
           </Button>
         )}
       </div>
@@ -89,7 +89,7 @@ function Compiling({ job }: { job: Job }) {
         ))}
       </ol>
       <div className={css.runFigures} style={{ marginTop: 0 }}>
-        <span>{job.stage === "" ? "waiting for a worker" : job.stage}</span>
+        <span>{job.stage === "" ? "Waiting to start" : job.stage}</span>
         <span>{Math.round(job.progress * 100)} %</span>
       </div>
     </div>
@@ -128,29 +128,29 @@ function Running({ job }: { job: Job }) {
         <span>
           line {job.line.toLocaleString("en")} of {job.lines.toLocaleString("en")}
         </span>
-        <span data-testid="time-left">{left === null ? "" : `${duration(left)} left`}</span>
+        <span data-testid="time-left">{left === null ? "" : `${formatDuration(left)} left`}</span>
       </div>
     </div>
   );
 }
 
-function Ending({ job }: { job: Job }) {
+function Outcome({ job }: { job: Job }) {
   const { data: edges } = useEdges();
-  const look = usePage((page) => page.look);
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   if (job.state === "done") {
     return (
       <div className={jobCss.callout} data-tone="green" data-testid="done" role="status">
         <div className={verdictCss.verdictHead}>
           <IconCircleCheckFilled size={20} color="var(--good)" aria-hidden />
           <span className={verdictCss.verdictTitle}>
-            {job.copies === 1 ? "Cut and done" : `${count(job.copies, "copy", "copies")} cut`}
+            {job.copies === 1 ? "Cut" : `${pluralize(job.copies, "copy", "copies")} cut`}
           </span>
         </div>
-        <div className={css.hint}>The table is free for the next job.</div>
+        <div className={css.hint}>The table is free.</div>
       </div>
     );
   }
-  // What it waits for has a card of its own.
+  // ConfirmationCard shows what the job waits for.
   if (job.waiting_for !== "") return null;
   const fallback =
     job.state === "interrupted"
@@ -158,12 +158,12 @@ function Ending({ job }: { job: Job }) {
       : job.state === "cancelled"
         ? "The job was cancelled."
         : "";
-  const said = job.reason || fallback;
-  if (said === "") return null;
-  const { tone } = STATE_LOOKS[job.state];
+  const text = job.reason || fallback;
+  if (text === "") return null;
+  const { tone } = STATE_STYLES[job.state];
   const hint =
     job.hint === "" && job.state === "interrupted"
-      ? "Look at the table, then mark the job finished, queue it again or scrap it."
+      ? "Check the table, then mark the job finished, queue it again or scrap it."
       : job.hint;
   const rows = edges === undefined ? [] : rowsOfHandles(edges, job.source);
   return (
@@ -173,11 +173,11 @@ function Ending({ job }: { job: Job }) {
       data-testid="reason"
       role={tone === "red" ? "alert" : "status"}
     >
-      {said}
+      {text}
       {hint !== "" && <div className={css.hint}>{hint}</div>}
       {rows.length > 0 && (
-        <Button mt={8} size="compact-xs" variant="default" onClick={() => look(rows)}>
-          Show {count(rows.length, "edge")}
+        <Button mt={8} size="compact-xs" variant="default" onClick={() => zoomToEdges(rows)}>
+          Show {pluralize(rows.length, "edge")}
         </Button>
       )}
     </div>
@@ -205,7 +205,7 @@ const LOOKS: Readonly<
     testId: "confirm",
   },
   hold: {
-    title: "Hold",
+    title: "Pause",
     icon: <IconPlayerPauseFilled size={16} />,
     colour: "yellow",
     variant: "light",
@@ -226,7 +226,7 @@ const LOOKS: Readonly<
     testId: "cancel",
   },
   finish: {
-    title: "It is finished",
+    title: "Mark finished",
     icon: <IconCheck size={16} />,
     colour: "green",
     variant: "light",
@@ -249,20 +249,20 @@ const LOOKS: Readonly<
 };
 
 function Controls({ job }: { job: Job }) {
-  const busy = usePage((page) => page.busy);
+  const busy = useUiStore((ui) => ui.busy);
   const [asking, setAsking] = useState<JobCommand | null>(null);
   const words = commandsOf(job);
-  // The job goes on while the question is open: what can no longer be done is no longer asked.
-  const open = asking !== null && words.includes(asking) ? askBefore(job, asking) : null;
+  // The job may change while the dialog is open: close it when the command is no longer possible.
+  const open = asking !== null && words.includes(asking) ? confirmationBefore(job, asking) : null;
   if (words.length === 0) return null;
   const send = (word: JobCommand) => {
-    if (askBefore(job, word) === null) void command(job.id, word);
+    if (confirmationBefore(job, word) === null) void command(job.id, word);
     else setAsking(word);
   };
   return (
     <div style={{ display: "flex", flexWrap: "wrap", gap: 8 }}>
-      <AskDialog
-        ask={open}
+      <ConfirmDialog
+        confirmation={open}
         onYes={() => {
           setAsking(null);
           if (asking !== null) void command(job.id, asking);
@@ -279,7 +279,7 @@ function Controls({ job }: { job: Job }) {
             color={colour}
             variant={variant}
             disabled={busy}
-            // Asked for, and the machine has not done it yet.
+            // Requested, but not carried out by the machine yet.
             loading={job.requested_action === word}
             onClick={() => send(word)}
             data-testid={testId}

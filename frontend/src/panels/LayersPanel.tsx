@@ -1,4 +1,4 @@
-/** The layers and colours of the file: show them, choose them, say what they are. */
+/** Layers and colours of the file: show, select, set line type. */
 
 import { ActionIcon } from "@mantine/core";
 import { IconDots, IconEye, IconEyeOff } from "@tabler/icons-react";
@@ -7,7 +7,7 @@ import { retype } from "../state/actions";
 import { indexColour } from "../state/colours";
 import { useDrawing, useEdges } from "../state/queries";
 import { layerKey, rowsOfLayer } from "../state/rows";
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { Swatch } from "./Swatch";
@@ -20,7 +20,7 @@ export function LayersPanel() {
   if (drawing === undefined) return null;
   return (
     <Section
-      title="Layers of the file"
+      title="File layers"
       flush
       aside={<span className={css.rowFigure}>{drawing.layers.length}</span>}
     >
@@ -36,17 +36,17 @@ export function LayersPanel() {
 function Row({ layer }: { layer: Layer }) {
   const { data: edges } = useEdges();
   const key = layerKey(layer.name, layer.colour);
-  const hidden = usePage((page) => page.hiddenLayers.has(key));
-  const toggle = usePage((page) => page.toggleLayerOfDrawing);
-  const choose = usePage((page) => page.choose);
+  const hidden = useUiStore((ui) => ui.hiddenLayers.has(key));
+  const toggle = useUiStore((ui) => ui.toggleFileLayer);
+  const selectEdges = useUiStore((ui) => ui.selectEdges);
   const rows = () => (edges === undefined ? [] : rowsOfLayer(edges, layer.name, layer.colour));
   return (
     <div className={css.row} data-off={hidden}>
       <button
         type="button"
         className={css.rowMain}
-        title={`Choose the edges of layer ${layer.name}, colour ${layer.colour}`}
-        onClick={() => choose(rows())}
+        title={`Select edges of layer ${layer.name}, colour ${layer.colour}`}
+        onClick={() => selectEdges(rows())}
       >
         <span className={css.dot} style={{ background: indexColour(layer.colour) }} />
         <span className={css.rowName}>{layer.name}</span>
@@ -58,7 +58,7 @@ function Row({ layer }: { layer: Layer }) {
         <span className={css.rowCount}>{layer.edges.toLocaleString("en")}</span>
       </button>
       <span style={{ display: "flex" }}>
-        <TypeMenu label={`All of ${layer.name} is`} onChoose={(type) => void retype(rows(), type)}>
+        <TypeMenu label={`Set ${layer.name} to`} onChoose={(type) => void retype(rows(), type)}>
           <ActionIcon
             variant="subtle"
             color="gray"

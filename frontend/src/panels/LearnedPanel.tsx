@@ -1,22 +1,22 @@
-/** What corrections teach: rules for the customer, each shown in the picture before it is kept. */
+/** Rules learned from corrections, each previewed on the canvas before it is saved. */
 
 import { Button, TextInput } from "@mantine/core";
 import { IconBulb } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
 import type { Profile, Proposal } from "../api/client";
-import { LINE_LOOKS } from "../state/palette";
-import { keepLearned } from "../state/profiles";
+import { pluralize } from "../state/format";
+import { LINE_STYLES } from "../state/palette";
+import { saveLearnedRule } from "../state/profiles";
 import { useDrawing, useLearned, useProfiles } from "../state/queries";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
-import { Changes, proposedOf } from "./Changes";
+import { useUiStore } from "../state/store";
 import css from "./learned.module.css";
 import panels from "./panels.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
 import { Swatch } from "./Swatch";
+import { previewsOfChanges, TypeChanges } from "./TypeChanges";
 
-/** Lessons that come at once. */
+/** Rules listed at once. */
 const FEW = 3;
 
 export function LearnedPanel() {
@@ -32,13 +32,13 @@ export function LearnedPanel() {
       title={
         <>
           <IconBulb size={15} color="#79b2ff" aria-hidden />
-          Learn from your corrections
+          Learned from your corrections
         </>
       }
     >
       <div data-testid="learned">
         {learned.slice(0, most).map((proposal) => (
-          <Lesson
+          <LearnedRule
             key={`${proposal.rule.type} ${proposal.rule.words}`}
             proposal={proposal}
             profile={profile}
@@ -52,53 +52,53 @@ export function LearnedPanel() {
   );
 }
 
-function Lesson({ proposal, profile }: { proposal: Proposal; profile: Profile }) {
-  const busy = usePage((page) => page.busy);
-  const set = usePage((page) => page.set);
+function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profile }) {
+  const busy = useUiStore((ui) => ui.busy);
+  const set = useUiStore((ui) => ui.set);
   const [title, setTitle] = useState("");
   const { rule, changes, explains } = proposal;
   const others = changes.reduce((sum, { edges }) => sum + edges.length, 0);
-  useEffect(() => () => set({ proposed: [] }), [set]);
+  useEffect(() => () => set({ retypePreviews: [] }), [set]);
   const show = () =>
-    set({ proposed: [{ rows: explains, type: rule.type }, ...proposedOf(changes)] });
+    set({ retypePreviews: [{ rows: explains, type: rule.type }, ...previewsOfChanges(changes)] });
   return (
     <article
       className={css.lesson}
       data-testid="lesson"
       onMouseEnter={show}
-      onMouseLeave={() => set({ proposed: [] })}
+      onMouseLeave={() => set({ retypePreviews: [] })}
       onFocus={show}
-      onBlur={() => set({ proposed: [] })}
+      onBlur={() => set({ retypePreviews: [] })}
     >
       <div className={css.lessonHead}>
-        Always take <b>{rule.words}</b> as{" "}
+        Always treat <b>{rule.words}</b> as{" "}
         <span style={{ whiteSpace: "nowrap" }}>
           <Swatch type={rule.type} />
-          <b>{LINE_LOOKS[rule.type].title.toLowerCase()}</b>
+          <b>{LINE_STYLES[rule.type].title.toLowerCase()}</b>
         </span>
       </div>
       <p className={panels.note} style={{ margin: "4px 0 0" }}>
-        It says what you said of {count(explains.length, "edge")}
+        Matches {pluralize(explains.length, "edge")} you set by hand
         {others === 0
-          ? ", and changes no other."
+          ? "; changes no other edge."
           : proposal.sure
-            ? ", and decides others that are open:"
-            : ", and would also change others:"}
+            ? " and answers open ones:"
+            : ". Also changes:"}
       </p>
-      <Changes changes={changes} />
+      <TypeChanges changes={changes} />
       {profile.shipped ? (
         <form
           className={css.save}
           onSubmit={(event) => {
             event.preventDefault();
-            void keepLearned(proposal, profile, title.trim());
+            void saveLearnedRule(proposal, profile, title.trim());
           }}
         >
           <TextInput
             size="xs"
             style={{ flex: 1 }}
-            placeholder="Name of the customer"
-            aria-label="Name of the customer"
+            placeholder="Customer name"
+            aria-label="Customer name"
             maxLength={120}
             value={title}
             data-testid="customer"
@@ -110,7 +110,7 @@ function Lesson({ proposal, profile }: { proposal: Proposal; profile: Profile })
             disabled={busy || title.trim() === ""}
             data-testid="keep-lesson"
           >
-            Keep
+            Save
           </Button>
         </form>
       ) : (
@@ -119,9 +119,9 @@ function Lesson({ proposal, profile }: { proposal: Proposal; profile: Profile })
           fullWidth
           disabled={busy}
           data-testid="keep-lesson"
-          onClick={() => void keepLearned(proposal, profile, profile.title)}
+          onClick={() => void saveLearnedRule(proposal, profile, profile.title)}
         >
-          Keep for {profile.title}
+          Save for {profile.title}
         </Button>
       )}
     </article>

@@ -1,13 +1,13 @@
-/** The legend: what each line type is, how much of it there is, and whether it is shown. */
+/** Legend of line types: length, number of edges and visibility. */
 
 import { ActionIcon, Skeleton } from "@mantine/core";
 import { IconEye, IconEyeOff } from "@tabler/icons-react";
 import type { LineType } from "../geometry/records";
-import { useLength } from "../state/measure";
-import { LEGEND, LINE_LOOKS } from "../state/palette";
+import { LEGEND, LINE_STYLES } from "../state/palette";
 import { useDrawing, useEdges } from "../state/queries";
 import { rowsOfType } from "../state/rows";
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
+import { useFormatLength } from "../state/useFormatLength";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { Swatch } from "./Swatch";
@@ -30,19 +30,19 @@ export function LineTypesPanel() {
 }
 
 function Row({ type, edges, run }: { type: LineType; edges: number; run: number }) {
-  const hidden = usePage((page) => page.hiddenTypes.has(type));
-  const toggle = usePage((page) => page.toggleType);
-  const choose = usePage((page) => page.choose);
+  const hidden = useUiStore((ui) => ui.hiddenTypes.has(type));
+  const toggle = useUiStore((ui) => ui.toggleType);
+  const selectEdges = useUiStore((ui) => ui.selectEdges);
   const { data: columns } = useEdges();
-  const length = useLength();
-  const { title } = LINE_LOOKS[type];
+  const length = useFormatLength();
+  const { title } = LINE_STYLES[type];
   return (
     <div className={css.row} data-off={hidden} data-testid={`legend-${type}`}>
       <button
         type="button"
         className={css.rowMain}
-        title={`Choose all edges of type ${title.toLowerCase()}`}
-        onClick={() => columns && choose(rowsOfType(columns, type))}
+        title={`Select all ${title.toLowerCase()} edges`}
+        onClick={() => columns && selectEdges(rowsOfType(columns, type))}
       >
         <Swatch type={type} />
         <span className={css.rowName}>{title}</span>

@@ -1,26 +1,26 @@
-/** In the top bar: is the table there, and is the line to the service up? */
+/** Connection state of the machine and of the server, in the top bar. */
 
 import { Tooltip } from "@mantine/core";
 import { useMachines } from "../state/queries";
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
 import css from "./panels.module.css";
 
 export function MachineChip() {
-  const line = usePage((page) => page.line);
-  const chosen = usePage((page) => page.machine);
+  const connection = useUiStore((ui) => ui.connection);
+  const chosen = useUiStore((ui) => ui.machine);
   const { data: machines, isError } = useMachines();
   const machine = machines?.find(({ name }) => name === chosen) ?? machines?.[0];
-  const lost = line === "broken" || isError;
+  const lost = connection === "broken" || isError;
   const there = !lost && machine?.gateway === "connected";
-  const says = lost
-    ? "knifetip does not answer; trying again"
+  const label = lost
+    ? "The knifetip server does not answer; trying again"
     : machine === undefined
-      ? "Asking for the machines"
+      ? "Loading machines"
       : there
-        ? `The gateway of ${machine.name} is connected`
-        : `No gateway has called for ${machine.name}: jobs will wait in the queue`;
+        ? `${machine.name} is connected`
+        : `${machine.name} is not connected: jobs wait in the queue`;
   return (
-    <Tooltip label={says}>
+    <Tooltip label={label}>
       <span
         className={css.badge}
         data-tone={lost ? "red" : there ? "green" : "grey"}
@@ -31,7 +31,7 @@ export function MachineChip() {
         {lost ? "No connection" : (machine?.name ?? "…")}
         {!lost &&
           machine !== undefined &&
-          ` · ${there ? (machine.job === null ? "idle" : "busy") : "absent"}`}
+          ` · ${there ? (machine.job === null ? "idle" : "busy") : "offline"}`}
       </span>
     </Tooltip>
   );

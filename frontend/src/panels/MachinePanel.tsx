@@ -1,17 +1,17 @@
-/** The machine: whether its table is there, and which tool stands in which station. */
+/** The machine: connection and the tool in each station. */
 
 import type { Machine } from "../api/client";
 import { useMachines } from "../state/queries";
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 
-const WORDS: Readonly<Record<string, string>> = {
-  back: "back",
+const DIMENSIONS: Readonly<Record<string, string>> = {
+  back: "blade offset",
   blade_angle: "blade angle",
   blade_width: "blade",
-  half_width: "half width",
+  half_width: "half blade width",
   radius: "radius",
   tilt: "tilt",
   trail: "trail",
@@ -19,27 +19,27 @@ const WORDS: Readonly<Record<string, string>> = {
 };
 const ANGLES = new Set(["tilt", "blade_angle"]);
 
-const inWords = ({ dimensions }: Machine["stations"][number]["tool"]): string =>
+const dimensionText = ({ dimensions }: Machine["stations"][number]["tool"]): string =>
   Object.entries(dimensions)
-    .filter(([name, value]) => name in WORDS && typeof value === "number" && value !== 0)
-    .map(([name, value]) => `${WORDS[name]} ${value}${ANGLES.has(name) ? "°" : "\u202fmm"}`)
+    .filter(([name, value]) => name in DIMENSIONS && typeof value === "number" && value !== 0)
+    .map(([name, value]) => `${DIMENSIONS[name]} ${value}${ANGLES.has(name) ? "°" : "\u202fmm"}`)
     .join(" · ");
 
 export function MachinePanel() {
   const { data: machines } = useMachines();
-  const chosen = usePage((page) => page.machine);
+  const chosen = useUiStore((ui) => ui.machine);
   const machine = machines?.find(({ name }) => name === chosen) ?? machines?.[0];
   if (machine === undefined) return null;
   return (
     <Section title="Machine" flush aside={<Gateway machine={machine} />}>
       <div style={{ padding: "0 8px 6px" }} className={css.note}>
-        {machine.title || machine.name} · speaks {machine.dialect}
+        {machine.title || machine.name} · {machine.dialect}
       </div>
       {machine.stations.map((station) => (
         <div key={station.number} className={jobCss.station}>
           <span className={jobCss.stationNumber}>{station.number}</span>
           <span>{station.name}</span>
-          <span className={jobCss.stationTool}>{inWords(station.tool)}</span>
+          <span className={jobCss.stationTool}>{dimensionText(station.tool)}</span>
         </div>
       ))}
     </Section>
@@ -47,10 +47,10 @@ export function MachinePanel() {
 }
 
 function Gateway({ machine }: { machine: Machine }) {
-  const there = machine.gateway === "connected";
+  const connected = machine.gateway === "connected";
   return (
-    <span className={css.badge} data-tone={there ? "green" : "grey"}>
-      {there ? "Connected" : "Absent"}
+    <span className={css.badge} data-tone={connected ? "green" : "grey"}>
+      {connected ? "Connected" : "Offline"}
     </span>
   );
 }

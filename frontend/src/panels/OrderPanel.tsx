@@ -1,14 +1,14 @@
-/** The order: on which machine, on which board, how many; then compile. */
+/** Machine, board and number of copies, and the button that compiles. */
 
 import { Button, NumberInput, Select } from "@mantine/core";
 import { IconBolt } from "@tabler/icons-react";
 import { useEffect } from "react";
 import { compile } from "../state/actions";
-import { LEFT_TO_THE_MACHINE } from "../state/corners";
+import { DEFAULT_CORNERS } from "../state/corners";
+import { pluralize } from "../state/format";
 import { isCompiling } from "../state/jobs";
 import { useBoards, useDrawing, useJob, useMachines } from "../state/queries";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
+import { useUiStore } from "../state/store";
 import { CornersForm } from "./CornersForm";
 import css from "./panels.module.css";
 import { Section } from "./Section";
@@ -18,22 +18,22 @@ export function OrderPanel() {
   const { data: machines } = useMachines();
   const { data: boards } = useBoards();
   const { data: job } = useJob();
-  const machine = usePage((page) => page.machine);
-  const board = usePage((page) => page.board);
-  const copies = usePage((page) => page.copies);
-  const busy = usePage((page) => page.busy);
-  const set = usePage((page) => page.set);
+  const machine = useUiStore((ui) => ui.machine);
+  const board = useUiStore((ui) => ui.board);
+  const copies = useUiStore((ui) => ui.copies);
+  const busy = useUiStore((ui) => ui.busy);
+  const set = useUiStore((ui) => ui.set);
 
   useEffect(() => {
     const [only] = machines ?? [];
     if (machine === null && only !== undefined) set({ machine: only.name });
   }, [machines, machine, set]);
 
-  // Looking at a job is the first step to making it once more.
-  // biome-ignore lint/correctness/useExhaustiveDependencies: once to a job, not to each of its news
+  // Opening a job takes over its settings, so that it can be compiled again.
+  // biome-ignore lint/correctness/useExhaustiveDependencies: once per job, not on each update
   useEffect(() => {
     if (job !== undefined) {
-      set({ machine: job.machine, board: job.board, corners: job.corners ?? LEFT_TO_THE_MACHINE });
+      set({ machine: job.machine, board: job.board, corners: job.corners ?? DEFAULT_CORNERS });
     }
   }, [job?.id, set]);
 
@@ -41,14 +41,14 @@ export function OrderPanel() {
   const open = drawing.questions.length;
   const missing =
     open > 0
-      ? `Answer ${open === 1 ? "the open question" : `the ${count(open, "open question")}`} first: nothing is cut by default.`
+      ? `Answer ${open === 1 ? "the open question" : `the ${pluralize(open, "open question")}`} first.`
       : board === null
-        ? "Choose the board that lies on the table."
+        ? "Choose a board."
         : machine === null
           ? "Choose a machine."
           : null;
   return (
-    <Section title="Make it">
+    <Section title="New job">
       <div style={{ display: "grid", gap: 10 }}>
         <Select
           label="Machine"

@@ -1,30 +1,30 @@
-/** What the marks and bands of the path mean, with the figures of the tools. */
+/** Legend of the marks and swept areas of the tool path. */
 
 import { useMemo } from "react";
-import { deepest } from "../geometry/deepest";
+import { deepestZ } from "../geometry/depths";
 import { contactOf, type Sweep, sweepOf } from "../geometry/sweep";
+import { formatHundredths } from "../state/format";
 import { MARKS, SWEPT } from "../state/palette";
 import { useBoards, useJob, useMachines, useToolpath } from "../state/queries";
-import { usePage } from "../state/store";
-import { fine } from "../state/words";
+import { useUiStore } from "../state/store";
 import overCss from "./over.module.css";
 import css from "./panels.module.css";
 
-const WORDS: readonly { word: keyof typeof MARKS; size: number }[] = [
+const MARK_SIZES: readonly { word: keyof typeof MARKS; size: number }[] = [
   { word: "plunge", size: 5 },
   { word: "swivel", size: 7 },
   { word: "lift", size: 10 },
 ];
 
 export function PathLegend() {
-  const layers = usePage((page) => page.layers);
+  const layers = useUiStore((ui) => ui.layers);
   const { data: toolpath } = useToolpath();
   if (toolpath === undefined || !(layers.moves || layers.swept)) return null;
   return (
     <div className={`${overCss.float} ${overCss.legend}`} data-testid="path-legend">
       {layers.swept && <Tools />}
       {layers.moves &&
-        WORDS.map(({ word, size }) => (
+        MARK_SIZES.map(({ word, size }) => (
           <span key={word}>
             <span
               className={css.dot}
@@ -43,7 +43,7 @@ function Tools() {
   const { data: boards } = useBoards();
   const { data: job } = useJob();
   const depths = useMemo(
-    () => (toolpath === undefined ? new Map<number, number>() : deepest(toolpath)),
+    () => (toolpath === undefined ? new Map<number, number>() : deepestZ(toolpath)),
     [toolpath],
   );
   const caliper = boards?.find(({ name }) => name === job?.board)?.caliper ?? 0;
@@ -53,12 +53,12 @@ function Tools() {
     const sweep = sweepOf(tool.footprint);
     return z === undefined || sweep === null ? [] : [{ number, name, sweep, depth: caliper - z }];
   });
-  if (swept.length === 0) return <span>No tool here sweeps wider than its line.</span>;
+  if (swept.length === 0) return <span>No tool on this machine cuts wider than its line.</span>;
   return swept.map(({ number, name, sweep, depth }) => (
     <span key={number}>
       <span className={overCss.band} style={{ background: COLOURS[sweep.kind], opacity: 0.6 }} />
       <b>{name}</b>
-      {inWords(sweep, depth)}
+      {sweepText(sweep, depth)}
     </span>
   ));
 }
@@ -69,10 +69,10 @@ const COLOURS: Readonly<Record<Sweep["kind"], string>> = {
   wheel: SWEPT.crease,
 };
 
-function inWords(sweep: Sweep, depth: number): string {
-  if (sweep.kind === "disc") return `⌀ ${fine(2 * sweep.radius)}`;
+function sweepText(sweep: Sweep, depth: number): string {
+  if (sweep.kind === "disc") return `⌀ ${formatHundredths(2 * sweep.radius)}`;
   if (sweep.kind === "groove") {
-    return `${fine(2 * depth * sweep.slope)} wide at the top face, ${fine(depth)} deep`;
+    return `${formatHundredths(2 * depth * sweep.slope)} wide at the top, ${formatHundredths(depth)} deep`;
   }
-  return `touches ±\u202f${fine(contactOf(sweep.radius, depth))}, ${fine(depth)} deep`;
+  return `contact ±\u202f${formatHundredths(contactOf(sweep.radius, depth))}, ${formatHundredths(depth)} deep`;
 }

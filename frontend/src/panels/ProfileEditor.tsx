@@ -1,51 +1,44 @@
-/** A profile, rule by rule: what each takes of the drawing that is open is counted as one types. */
+/** Editor for a line-type profile; counts the edges that each rule matches in the open drawing. */
 
 import { ActionIcon, Button, Select, Skeleton, Switch, TextInput, Tooltip } from "@mantine/core";
 import { IconArrowLeft, IconDownload, IconPlus, IconTrash, IconUpload } from "@tabler/icons-react";
 import { useEffect, useRef, useState } from "react";
 import { type Preview, type Profile, service } from "../api/client";
-import {
-  type Draft,
-  draftRule,
-  withChanged,
-  withMoved,
-  withoutRule,
-  withRule,
-} from "../state/draft";
-import { useEditing, versionOf } from "../state/editing";
+import { addRule, type Draft, moveRule, newRule, removeRule, updateRule } from "../state/draft";
+import { pluralize } from "../state/format";
 import { usePreview } from "../state/preview";
-import { forgetProfile, freeName, importProfile, keepDraft } from "../state/profiles";
+import { useProfileDraft, versionKey } from "../state/profileDraft";
+import { deleteProfile, importProfile, saveDraft, unusedName } from "../state/profiles";
 import { useDrawing, useProfiles } from "../state/queries";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
-import { Changes, proposedOf } from "./Changes";
+import { useUiStore } from "../state/store";
 import panels from "./panels.module.css";
 import css from "./profile.module.css";
 import { RuleCard } from "./RuleCard";
-import { RuleWords } from "./RuleWords";
+import { RuleSummary } from "./RuleSummary";
+import { previewsOfChanges, TypeChanges } from "./TypeChanges";
 
 export function ProfileEditor({ name }: { name: string }) {
   const { data: profiles } = useProfiles();
   const profile = profiles?.find((one) => one.name === name);
   if (profiles === undefined) return <Skeleton height={200} m={16} />;
-  if (profile === undefined) return <Gone />;
-  return <Begun profile={profile} profiles={profiles} />;
+  if (profile === undefined) return <MissingProfile />;
+  return <LoadedProfile profile={profile} profiles={profiles} />;
 }
 
-/** Another version is another thing to edit. */
-function Begun({ profile, profiles }: Props) {
-  const { of, now, begin } = useEditing();
+/** Starts a draft of the profile; another version of it gets another draft. */
+function LoadedProfile({ profile, profiles }: Props) {
+  const { version, draft, begin } = useProfileDraft();
   useEffect(() => begin(profile), [begin, profile]);
-  if (now === null || of !== versionOf(profile)) return null;
-  return <Editor key={of} profile={profile} profiles={profiles} draft={now} />;
+  if (draft === null || version !== versionKey(profile)) return null;
+  return <Editor key={version} profile={profile} profiles={profiles} draft={draft} />;
 }
 
-function Gone() {
-  const set = usePage((page) => page.set);
+function MissingProfile() {
+  const set = useUiStore((ui) => ui.set);
   return (
     <div style={{ padding: 16 }}>
-      <p className={panels.note}>This profile is not kept any more.</p>
-      <Button size="xs" variant="default" onClick={() => set({ editing: null })}>
+      <p className={panels.note}>This profile was deleted.</p>
+      <Button size="xs" variant="default" onClick={() => set({ editedProfile: null })}>
         Back
       </Button>
     </div>
@@ -59,10 +52,10 @@ interface Props {
 
 function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   const { data: drawing } = useDrawing();
-  const { edit, forget } = useEditing();
-  const touched = useEditing(({ past }) => past.length > 0);
-  const busy = usePage((page) => page.busy);
-  const set = usePage((page) => page.set);
+  const { edit, discard: discardDraft } = useProfileDraft();
+  const touched = useProfileDraft(({ past }) => past.length > 0);
+  const busy = useUiStore((ui) => ui.busy);
+  const set = useUiStore((ui) => ui.set);
   const [dragged, setDragged] = useState<number | null>(null);
   const preview = usePreview(drawing?.id ?? null, draft);
   const changes = preview.data?.changes ?? [];
@@ -71,19 +64,19 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   const untitled = draft.title.trim() === "";
 
   useEffect(() => {
-    set({ proposed: proposedOf(changes) });
-    return () => set({ proposed: [] });
+    set({ retypePreviews: previewsOfChanges(changes) });
+    return () => set({ retypePreviews: [] });
   }, [changes, set]);
 
-  const close = () => set({ editing: null, proposed: [] });
+  const close = () => set({ editedProfile: null, retypePreviews: [] });
   const discard = () => {
-    forget();
+    discardDraft();
     close();
   };
   const save = async () => {
     const taken = profiles.map((one) => one.name);
-    const under = profile.shipped ? freeName(draft.title, taken) : profile.name;
-    if (await keepDraft(under, draft)) set({ editing: under });
+    const under = profile.shipped ? unusedName(draft.title, taken) : profile.name;
+    if (await saveDraft(under, draft)) set({ editedProfile: under });
   };
   const inherited = draft.extends !== null && (
     <Inherited
@@ -94,15 +87,13 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   return (
     <div className={css.editor} data-testid="profile-editor">
       <div className={css.head}>
-        <Tooltip
-          label={touched ? "Back to the drawing; your edits wait here" : "Back to the drawing"}
-        >
+        <Tooltip label={touched ? "Back to drawing (keeps your edits)" : "Back to drawing"}>
           <ActionIcon variant="subtle" color="gray" aria-label="Back" onClick={close}>
             <IconArrowLeft size={17} />
           </ActionIcon>
         </Tooltip>
         <h2 className={panels.docName} style={{ margin: 0, flex: 1 }}>
-          {profile.shipped ? "New customer's profile" : profile.title}
+          {profile.shipped ? "New profile" : profile.title}
         </h2>
         <Files profile={profile} />
       </div>
@@ -110,7 +101,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
       <TextInput
         size="xs"
         label="Customer"
-        placeholder="Whose drawings are these?"
+        placeholder="Customer name"
         maxLength={120}
         value={draft.title}
         data-testid="profile-title"
@@ -118,9 +109,9 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
       />
       <Select
         size="xs"
-        label="On top of"
+        label="Based on"
         clearable
-        placeholder="nothing: only the rules below"
+        placeholder="Nothing: only the rules below"
         data={profiles
           .filter(({ shipped }) => shipped)
           .map((one) => ({ value: one.name, label: one.title }))}
@@ -130,21 +121,21 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
       {draft.extends !== null && (
         <Switch
           size="xs"
-          label="The customer's rules come first"
+          label="Own rules first"
           checked={draft.overrules}
           onChange={(event) => edit({ ...draft, overrules: event.currentTarget.checked })}
         />
       )}
       <div className={css.rulesHead}>
-        <span>Rules: the first that matches decides</span>
+        <span>Rules (first match wins)</span>
         <Button
           size="compact-xs"
           variant="default"
           leftSection={<IconPlus size={13} />}
           data-testid="add-rule"
-          onClick={() => edit(withRule(draft, draftRule({ type: "cut" })))}
+          onClick={() => edit(addRule(draft, newRule({ type: "cut" })))}
         >
-          Rule
+          Add rule
         </Button>
       </div>
       {!draft.overrules && inherited}
@@ -157,22 +148,21 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
             edges={own[at]?.edges ?? null}
             lifted={dragged === rule.key}
             onChange={(part) =>
-              edit(withChanged(draft, rule.key, part), `${rule.key} ${Object.keys(part)}`)
+              edit(updateRule(draft, rule.key, part), `${rule.key} ${Object.keys(part)}`)
             }
-            onDelete={() => edit(withoutRule(draft, rule.key))}
-            onMove={(to) => edit(withMoved(draft, rule.key, to))}
+            onDelete={() => edit(removeRule(draft, rule.key))}
+            onMove={(to) => edit(moveRule(draft, rule.key, to))}
             onLift={setDragged}
             onOver={() => {
               if (dragged !== null && dragged !== rule.key)
-                edit(withMoved(draft, dragged, at), `dragged ${dragged}`);
+                edit(moveRule(draft, dragged, at), `dragged ${dragged}`);
             }}
           />
         ))}
       </ol>
       {draft.rules.length === 0 && (
         <p className={panels.note} style={{ margin: 0 }}>
-          No rules of this customer yet. Add one, or correct edges in the picture and keep what is
-          learned from that.
+          No rules yet. Add one, or set edges by hand and save a learned rule.
         </p>
       )}
       {draft.overrules && inherited}
@@ -186,16 +176,15 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
             <>
               <p className={panels.note} style={{ margin: 0 }} data-testid="profile-outcome">
                 {changes.length === 0
-                  ? "Nothing in this drawing changes"
-                  : `In this drawing ${count(
+                  ? "No change in this drawing"
+                  : `${pluralize(
                       changes.reduce((sum, { edges }) => sum + edges.length, 0),
                       "edge",
-                    )} change`}
-                {preview.data.open > 0 &&
-                  `; no rule takes ${count(preview.data.open, "edge")}: their shape decides, or you`}
-                .{(drawing?.overrides ?? 0) > 0 && " What you decided by hand stays."}
+                    )} change in this drawing`}
+                {preview.data.open > 0 && `; ${pluralize(preview.data.open, "edge")} match no rule`}
+                .{(drawing?.overrides ?? 0) > 0 && " Edges set by hand keep their type."}
               </p>
-              <Changes changes={changes} />
+              <TypeChanges changes={changes} />
             </>
           )
         )}
@@ -206,7 +195,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
             onClick={() => void save()}
             data-testid="save-profile"
           >
-            Keep and use it
+            Save and apply
           </Button>
           <Button size="xs" variant="default" onClick={discard}>
             {touched ? "Discard" : "Close"}
@@ -219,7 +208,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
 
 interface InheritedProps {
   title: string;
-  /** null while the service has not said what they take. */
+  /** null until the server has counted their edges */
   rules: Preview["rules"] | null;
 }
 
@@ -236,42 +225,44 @@ function Inherited({ title, rules }: InheritedProps) {
       >
         <span>{title}</span>
         <span className={panels.rowFigure}>
-          {rules === null ? "…" : `${count(rules.length, "rule")} · ${count(edges, "edge")}`}
+          {rules === null
+            ? "…"
+            : `${pluralize(rules.length, "rule")} · ${pluralize(edges, "edge")}`}
         </span>
       </button>
       {open &&
         rules?.map((rule, at) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: a profile may have two rules alike
-          <RuleWords key={`${at} ${rule.words}`} rule={rule} />
+          <RuleSummary key={`${at} ${rule.words}`} rule={rule} />
         ))}
     </div>
   );
 }
 
-/** Out to a file, in from one, and away. */
+/** Export, import and delete. */
 function Files({ profile }: { profile: Profile }) {
   const input = useRef<HTMLInputElement>(null);
-  const set = usePage((page) => page.set);
+  const set = useUiStore((ui) => ui.set);
   return (
     <span style={{ display: "flex" }}>
-      <Tooltip label="Export as TOML">
+      <Tooltip label="Export TOML">
         <ActionIcon
           component="a"
           href={service.profileUrl(profile.name)}
           download={`${profile.name}.toml`}
           variant="subtle"
           color="gray"
-          aria-label="Export as TOML"
+          aria-label="Export TOML"
           data-testid="export-profile"
         >
           <IconDownload size={16} />
         </ActionIcon>
       </Tooltip>
-      <Tooltip label="Import a TOML file">
+      <Tooltip label="Import TOML">
         <ActionIcon
           variant="subtle"
           color="gray"
-          aria-label="Import a TOML file"
+          aria-label="Import TOML"
           onClick={() => input.current?.click()}
         >
           <IconUpload size={16} />
@@ -287,19 +278,19 @@ function Files({ profile }: { profile: Profile }) {
           const [file] = event.currentTarget.files ?? [];
           event.currentTarget.value = "";
           if (file !== undefined)
-            void importProfile(file).then((name) => name !== null && set({ editing: name }));
+            void importProfile(file).then((name) => name !== null && set({ editedProfile: name }));
         }}
       />
       {!profile.shipped && (
-        <Tooltip label="Delete this profile">
+        <Tooltip label="Delete profile">
           <ActionIcon
             variant="subtle"
             color="gray"
-            aria-label="Delete this profile"
+            aria-label="Delete profile"
             data-testid="delete-profile"
             onClick={() => {
-              set({ editing: null });
-              void forgetProfile(profile);
+              set({ editedProfile: null });
+              void deleteProfile(profile);
             }}
           >
             <IconTrash size={16} />

@@ -1,49 +1,49 @@
-/** What somebody must decide before anything is cut; each in one click. */
+/** Open questions, each answered with one click; nothing is compiled before all are. */
 
 import { IconHelpHexagonFilled } from "@tabler/icons-react";
 import { useRef, useState } from "react";
 import type { Question } from "../api/client";
 import { retype } from "../state/actions";
-import { LINE_LOOKS } from "../state/palette";
+import { pluralize } from "../state/format";
+import { LINE_STYLES } from "../state/palette";
 import { useDrawing, useJob } from "../state/queries";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
+import { useUiStore } from "../state/store";
 import { EdgeQuestion } from "./EdgeQuestion";
-import { showing } from "./pointing";
+import { previewHandlers } from "./previewHandlers";
 import css from "./questions.module.css";
 import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
 import { Swatch } from "./Swatch";
 import { UnitQuestion } from "./UnitQuestion";
 
-/** Questions that come at once: one that is answered makes room for the next. */
+/** Questions listed at once. */
 const STEP = 4;
-/** Up to so many, each is answered by itself. */
+/** With more questions, a button answers all at once. */
 const FEW = 3;
 
 export function QuestionsPanel() {
   const { data: drawing } = useDrawing();
   const { data: job } = useJob();
-  const asked = usePage((page) => page.asked);
+  const compileQuestions = useUiStore((ui) => ui.compileQuestions);
   const [most, setMost] = useState(STEP);
   const list = useRef<HTMLDivElement>(null);
   if (drawing === undefined) return null;
   const questions = new Map<string, Question>();
-  for (const question of [...drawing.questions, ...asked, ...(job?.questions ?? [])]) {
+  for (const question of [...drawing.questions, ...compileQuestions, ...(job?.questions ?? [])]) {
     questions.set(question.text, question);
   }
   if (questions.size === 0) return null;
   const listed = [...questions];
   const lines = listed.map(([, question]) => question).filter(({ kind }) => kind === "line-type");
-  // A frame later it can be answered.
+  // The next question is enabled one frame later.
   const toNext = () =>
     requestAnimationFrame(() => list.current?.querySelector<HTMLElement>("[data-answer]")?.focus());
   return (
     <Section
       title={
         <>
-          <IconHelpHexagonFilled size={15} color={LINE_LOOKS.unclassified.colour} aria-hidden />
-          {count(questions.size, "open question")}
+          <IconHelpHexagonFilled size={15} color={LINE_STYLES.unclassified.colour} aria-hidden />
+          {pluralize(questions.size, "open question")}
         </>
       }
     >
@@ -60,15 +60,15 @@ export function QuestionsPanel() {
         {listed.length > most && (
           <ShowMore left={listed.length - most} act={() => setMost(most + STEP)} />
         )}
-        {lines.length > FEW && <TheRest questions={lines} />}
+        {lines.length > FEW && <IgnoreAll questions={lines} />}
       </div>
     </Section>
   );
 }
 
-/** One answer to all: much of a messy sheet is of no concern to the machine. */
-function TheRest({ questions }: { questions: readonly Question[] }) {
-  const busy = usePage((page) => page.busy);
+/** Sets the edges of all questions to ignored. */
+function IgnoreAll({ questions }: { questions: readonly Question[] }) {
+  const busy = useUiStore((ui) => ui.busy);
   const rows = questions.flatMap(({ edges }) => edges);
   return (
     <button
@@ -76,14 +76,14 @@ function TheRest({ questions }: { questions: readonly Question[] }) {
       className={css.choice}
       style={{ width: "100%", marginTop: 8 }}
       disabled={busy}
-      title="They are shown, and kept out of the tool path"
+      title="Shown, but not cut or creased"
       data-testid="ignore-rest"
-      {...showing(() => [{ rows, type: "ignored" }])}
+      {...previewHandlers(() => [{ rows, type: "ignored" }])}
       onClick={() => void retype(rows, "ignored")}
     >
       <Swatch type="ignored" />
-      Ignore all that is open
-      <span className={css.choiceFigure}>{count(rows.length, "edge")}</span>
+      Ignore all
+      <span className={css.choiceFigure}>{pluralize(rows.length, "edge")}</span>
     </button>
   );
 }

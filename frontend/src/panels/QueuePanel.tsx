@@ -1,12 +1,12 @@
-/** All jobs, those on a table and those waiting first. */
+/** All jobs: running first, then queued, then ready, then finished. */
 
 import { Progress } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { Job } from "../api/client";
+import { formatAgo, formatDuration } from "../state/format";
 import { isCompiling, isOnTable, isOver, needsOperator } from "../state/jobs";
 import { useJobs } from "../state/queries";
-import { usePage } from "../state/store";
-import { ago, duration } from "../state/words";
+import { useUiStore } from "../state/store";
 import { ConfirmationCard } from "./ConfirmationCard";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
@@ -14,11 +14,11 @@ import { Section } from "./Section";
 import { ShowMore } from "./ShowMore";
 import { StateBadge } from "./StateBadge";
 
-/** Rows that come at once. */
+/** Rows listed at once. */
 const STEP = 30;
 
-/** On a table, then waiting, then ready, then over; the latest first among those. */
-function order(job: Job): number {
+/** Sort key of a job; jobs with the same key are sorted by age, newest first. */
+function sortKey(job: Job): number {
   if (isOnTable(job) || needsOperator(job) || job.state === "interrupted") return 0;
   if (job.state === "queued") return 1;
   return isOver(job) ? 3 : 2;
@@ -27,15 +27,15 @@ function order(job: Job): number {
 export function QueuePanel() {
   const list = useJobs();
   const { data: jobs, error } = list;
-  // The job that is looked at has its card in its own panel.
-  const current = usePage((page) => page.job);
+  // The open job has its confirmation card in the job panel.
+  const current = useUiStore((ui) => ui.job);
   const [most, setMost] = useState(STEP);
   const [now, setNow] = useState(() => Date.now() / 1000);
   useEffect(() => {
     const timer = setInterval(() => setNow(Date.now() / 1000), 30_000);
     return () => clearInterval(timer);
   }, []);
-  const listed = [...(jobs ?? [])].sort((a, b) => order(a) - order(b) || b.created - a.created);
+  const listed = [...(jobs ?? [])].sort((a, b) => sortKey(a) - sortKey(b) || b.created - a.created);
   const waiting = listed.filter(({ state }) => state === "queued").length;
   return (
     <Section
@@ -57,7 +57,7 @@ export function QueuePanel() {
         ))}
         {jobs !== undefined && jobs.length === 0 && (
           <p className={css.note} style={{ padding: "0 8px", margin: "0 0 8px" }}>
-            No jobs yet. A drawing becomes one when it is compiled.
+            No jobs yet. Compile a drawing to create one.
           </p>
         )}
         {(listed.length > most || list.hasNextPage) && (
@@ -75,8 +75,8 @@ export function QueuePanel() {
 }
 
 function Row({ job, now }: { job: Job; now: number }) {
-  const open = usePage((page) => page.open);
-  const current = usePage((page) => page.job === job.id);
+  const open = useUiStore((ui) => ui.open);
+  const current = useUiStore((ui) => ui.job === job.id);
   const moving = isOnTable(job) || isCompiling(job);
   return (
     <button
@@ -90,9 +90,9 @@ function Row({ job, now }: { job: Job; now: number }) {
       <StateBadge job={job} />
       <small>
         {job.board}
-        {job.copies > 1 ? ` · ${job.copies} copies` : ""} · {ago(job.updated, now)}
+        {job.copies > 1 ? ` · ${job.copies} copies` : ""} · {formatAgo(job.updated, now)}
       </small>
-      <small>{job.seconds > 0 ? duration(job.seconds) : ""}</small>
+      <small>{job.seconds > 0 ? formatDuration(job.seconds) : ""}</small>
       {moving && (
         <Progress
           className={jobCss.bar ?? ""}

@@ -1,4 +1,4 @@
-/** One rule of a profile, to be written, moved and taken away. */
+/** One rule of a profile: edit, move, delete. */
 
 import { ActionIcon, Select, TextInput, Tooltip } from "@mantine/core";
 import { IconChevronDown, IconChevronUp, IconGripVertical, IconX } from "@tabler/icons-react";
@@ -6,14 +6,14 @@ import { useState } from "react";
 import {
   CONDITIONS,
   type Condition,
-  colourFault,
+  colourError,
   type DraftRule,
-  meetsAll,
-  patternsOf,
-  textOf,
+  formatPatterns,
+  matchesAll,
+  parsePatterns,
 } from "../state/draft";
-import { CHOICES, LINE_LOOKS } from "../state/palette";
-import { count } from "../state/words";
+import { pluralize } from "../state/format";
+import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
 import panels from "./panels.module.css";
 import css from "./profile.module.css";
 import { Swatch } from "./Swatch";
@@ -32,13 +32,13 @@ const HINTS: Readonly<Record<Condition, string>> = {
   entity: "LINE, ARC",
   block: "*",
 };
-/** What most rules are made of; the rest is there once it is wanted. */
+/** Conditions that are always shown; the others on request. */
 const USUAL: readonly Condition[] = ["layer", "colour"];
 
 interface Props {
   rule: DraftRule;
   number: number;
-  /** How many edges of the drawing it takes; null while that is not known. */
+  /** Edges of the open drawing that it matches; null until counted. */
   edges: number | null;
   lifted: boolean;
   onChange: (part: Partial<DraftRule>) => void;
@@ -70,7 +70,7 @@ export function RuleCard(props: Props) {
         <span
           className={css.grip}
           draggable
-          title="Drag it to another place"
+          title="Drag to reorder"
           onDragStart={(event) => {
             event.dataTransfer.effectAllowed = "move";
             onLift(rule.key);
@@ -82,27 +82,27 @@ export function RuleCard(props: Props) {
         <Select
           size="xs"
           aria-label={`Line type of rule ${number}`}
-          data={CHOICES.map((type) => ({ value: type, label: LINE_LOOKS[type].title }))}
+          data={ASSIGNABLE_TYPES.map((type) => ({ value: type, label: LINE_STYLES[type].title }))}
           value={rule.type}
           allowDeselect={false}
           leftSection={<Swatch type={rule.type} />}
           leftSectionWidth={34}
           style={{ flex: 1 }}
           onChange={(word) => {
-            const type = CHOICES.find((one) => one === word);
+            const type = ASSIGNABLE_TYPES.find((one) => one === word);
             if (type !== undefined) onChange({ type });
           }}
         />
         <span className={panels.rowFigure} data-testid="rule-edges">
-          {edges === null ? "…" : count(edges, "edge")}
+          {edges === null ? "…" : pluralize(edges, "edge")}
         </span>
-        <Button label="Sooner" act={() => onMove(number - 2)}>
+        <Button label="Move up" act={() => onMove(number - 2)}>
           <IconChevronUp size={14} />
         </Button>
-        <Button label="Later" act={() => onMove(number)}>
+        <Button label="Move down" act={() => onMove(number)}>
           <IconChevronDown size={14} />
         </Button>
-        <Button label="Delete this rule" act={onDelete}>
+        <Button label="Delete rule" act={onDelete}>
           <IconX size={14} />
         </Button>
       </div>
@@ -118,7 +118,7 @@ export function RuleCard(props: Props) {
         ))}
       </div>
       <div className={css.ruleFoot}>
-        {meetsAll(rule) && <span>Without a condition it takes everything.</span>}
+        {matchesAll(rule) && <span>Without a condition, the rule matches everything.</span>}
         {shown.length < CONDITIONS.length && (
           <button type="button" className={css.more} onClick={() => setAll(true)}>
             More conditions
@@ -136,13 +136,13 @@ interface FieldProps {
   onChange: (patterns: (string | number)[]) => void;
 }
 
-/** What is typed stays as it is typed; what it means goes up. */
+/** Keeps the text as typed and passes on the parsed patterns. */
 function Field({ condition, number, patterns, onChange }: FieldProps) {
-  const [typed, setText] = useState(() => textOf(patterns));
-  // What is meant may have been taken back meanwhile.
-  const means = textOf(patterns);
-  const text = textOf(patternsOf(condition, typed)) === means ? typed : means;
-  const fault = condition === "colour" ? colourFault(patterns) : "";
+  const [typed, setText] = useState(() => formatPatterns(patterns));
+  // Undo may have changed the patterns: then show those instead of the typed text.
+  const means = formatPatterns(patterns);
+  const text = formatPatterns(parsePatterns(condition, typed)) === means ? typed : means;
+  const fault = condition === "colour" ? colourError(patterns) : "";
   return (
     <TextInput
       size="xs"
@@ -153,7 +153,7 @@ function Field({ condition, number, patterns, onChange }: FieldProps) {
       error={fault === "" ? undefined : fault}
       onChange={(event) => {
         setText(event.currentTarget.value);
-        onChange(patternsOf(condition, event.currentTarget.value));
+        onChange(parsePatterns(condition, event.currentTarget.value));
       }}
     />
   );

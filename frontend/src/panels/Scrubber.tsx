@@ -1,24 +1,24 @@
-/** Go along the program by hand, or let it play, before anything moves on the table. */
+/** Preview of the program: a slider over its time, and a play button. */
 
 import { ActionIcon, Slider } from "@mantine/core";
 import { IconPlayerPauseFilled, IconPlayerPlayFilled } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
 import { duration as lengthOf } from "../geometry/timeline";
+import { formatDuration } from "../state/format";
 import { isOnTable } from "../state/jobs";
 import { useJob, useTimeline } from "../state/queries";
-import { usePage } from "../state/store";
-import { duration } from "../state/words";
+import { useUiStore } from "../state/store";
 import overCss from "./over.module.css";
 import css from "./panels.module.css";
 
-/** A play-through lasts about this long, however long the program is (s). */
+/** Duration of the playback (s); shorter programs play in real time. */
 const PLAY = 20;
 
 export function Scrubber() {
   const { data: job } = useJob();
   const { data: line } = useTimeline();
-  const scrub = usePage((page) => page.scrub);
-  const set = usePage((page) => page.set);
+  const previewTime = useUiStore((ui) => ui.previewTime);
+  const set = useUiStore((ui) => ui.set);
   const [playing, setPlaying] = useState(false);
   const whole = line === undefined ? 0 : lengthOf(line);
 
@@ -27,9 +27,9 @@ export function Scrubber() {
     const pace = Math.max(1, whole / PLAY);
     let before = performance.now();
     let frame = requestAnimationFrame(function step(now) {
-      const next = (usePage.getState().scrub ?? 0) + ((now - before) / 1000) * pace;
+      const next = (useUiStore.getState().previewTime ?? 0) + ((now - before) / 1000) * pace;
       before = now;
-      set({ scrub: Math.min(whole, next) });
+      set({ previewTime: Math.min(whole, next) });
       if (next >= whole) setPlaying(false);
       else frame = requestAnimationFrame(step);
     });
@@ -37,16 +37,16 @@ export function Scrubber() {
   }, [playing, whole, set]);
 
   if (job === undefined || line === undefined || whole === 0 || isOnTable(job)) return null;
-  const at = scrub ?? (job.state === "done" ? whole : 0);
+  const at = previewTime ?? (job.state === "done" ? whole : 0);
   return (
     <div className={`${overCss.float} ${overCss.scrubber}`} data-testid="scrubber">
       <ActionIcon
         variant="subtle"
         color="gray"
-        aria-label={playing ? "Pause the preview" : "Play the preview"}
+        aria-label={playing ? "Pause preview" : "Play preview"}
         data-testid="play"
         onClick={() => {
-          if (!playing && (scrub === null || scrub >= whole)) set({ scrub: 0 });
+          if (!playing && (previewTime === null || previewTime >= whole)) set({ previewTime: 0 });
           setPlaying(!playing);
         }}
       >
@@ -61,14 +61,14 @@ export function Scrubber() {
         step={whole / 1000}
         value={at}
         label={null}
-        thumbLabel="Place in the program"
+        thumbLabel="Program time"
         onChange={(value) => {
           setPlaying(false);
-          set({ scrub: value });
+          set({ previewTime: value });
         }}
       />
       <span className={css.rowFigure}>
-        {duration(at)} / {duration(whole)}
+        {formatDuration(at)} / {formatDuration(whole)}
       </span>
     </div>
   );

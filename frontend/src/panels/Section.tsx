@@ -1,4 +1,4 @@
-/** A part of a side panel that folds away. */
+/** A collapsible section of a side panel. */
 
 import { IconChevronDown } from "@tabler/icons-react";
 import { type ReactNode, useId, useState } from "react";
@@ -10,7 +10,7 @@ interface Props {
   /** Shown at the right of the title. */
   aside?: ReactNode;
   open?: boolean;
-  /** Rows reach nearer to the panel's sides than text does. */
+  /** Less padding at the sides, for rows. */
   flush?: boolean;
   children: ReactNode;
 }

@@ -1,23 +1,23 @@
-/** What can be done with the chosen edges. */
+/** Line-type buttons for the selected edges. */
 
 import { ActionIcon, CloseButton, Tooltip } from "@mantine/core";
 import { IconArrowBackUp } from "@tabler/icons-react";
 import { lineTypeOf } from "../geometry/records";
 import { retype } from "../state/actions";
-import { useLength } from "../state/measure";
-import { CHOICES, LINE_LOOKS } from "../state/palette";
+import { pluralize } from "../state/format";
+import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
 import { useEdges } from "../state/queries";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
+import { useUiStore } from "../state/store";
+import { useFormatLength } from "../state/useFormatLength";
 import css from "./over.module.css";
 import { Swatch } from "./Swatch";
 
 export function SelectionBar() {
-  const selection = usePage((page) => page.selection);
-  const choose = usePage((page) => page.choose);
-  const busy = usePage((page) => page.busy);
+  const selection = useUiStore((ui) => ui.selection);
+  const selectEdges = useUiStore((ui) => ui.selectEdges);
+  const busy = useUiStore((ui) => ui.busy);
   const { data: edges } = useEdges();
-  const length = useLength();
+  const length = useFormatLength();
   if (selection.size === 0 || edges === undefined) return null;
   const rows = [...selection];
   const run = rows.reduce((sum, row) => sum + (edges.length[row] ?? 0), 0);
@@ -26,20 +26,20 @@ export function SelectionBar() {
     <div
       className={`${css.float} ${css.selection}`}
       role="toolbar"
-      aria-label="Line type of the chosen edges"
+      aria-label="Line type of selected edges"
       data-testid="selection"
     >
       <span className={css.selectionText}>
-        {count(rows.length, "edge")} · {length(run)}
+        {pluralize(rows.length, "edge")} · {length(run)}
       </span>
-      {CHOICES.map((type) => {
-        const { title, key } = LINE_LOOKS[type];
+      {ASSIGNABLE_TYPES.map((type) => {
+        const { title, key } = LINE_STYLES[type];
         return (
           <Tooltip key={type} label={`${title} (${key})`}>
             <button
               type="button"
               className={css.chip}
-              aria-label={`Make ${title.toLowerCase()}`}
+              aria-label={`Set to ${title.toLowerCase()}`}
               aria-pressed={types.size === 1 && types.has(type)}
               disabled={busy}
               data-testid={`type-${type}`}
@@ -51,19 +51,19 @@ export function SelectionBar() {
           </Tooltip>
         );
       })}
-      <Tooltip label="As the profile says (0)">
+      <Tooltip label="Reset to profile (0)">
         <ActionIcon
           variant="subtle"
           color="gray"
           disabled={busy}
-          aria-label="As the profile says"
+          aria-label="Reset to profile"
           data-testid="type-none"
           onClick={() => void retype(rows, null)}
         >
           <IconArrowBackUp size={16} />
         </ActionIcon>
       </Tooltip>
-      <CloseButton size="sm" aria-label="Choose nothing" onClick={() => choose([])} />
+      <CloseButton size="sm" aria-label="Clear selection" onClick={() => selectEdges([])} />
     </div>
   );
 }

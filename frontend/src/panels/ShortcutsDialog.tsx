@@ -1,8 +1,8 @@
-/** The keys and what they do. */
+/** Keyboard and mouse shortcuts. */
 
 import { Modal } from "@mantine/core";
-import { CHOICES, LINE_LOOKS } from "../state/palette";
-import { usePage } from "../state/store";
+import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
+import { useUiStore } from "../state/store";
 import css from "./panels.module.css";
 
 const KEYS: readonly (readonly [string, string])[] = [
@@ -12,31 +12,33 @@ const KEYS: readonly (readonly [string, string])[] = [
   ["Arrow keys", "Pan"],
   ["Ctrl Z", "Undo"],
   ["Ctrl Shift Z", "Redo"],
-  ["Esc", "Choose nothing"],
-  ["Ctrl A", "Choose all edges"],
-  ["[  ]", "Fold the side panels away"],
-  ["N  H  T  R", "Nominal, head path, tip path, rapids"],
-  ["S  P", "What tools sweep; plunges, lifts and swivels"],
+  ["Esc", "Clear selection"],
+  ["Ctrl A", "Select all edges"],
+  ["[  ]", "Hide side panels"],
+  ["N  H  T  R", "Show drawing, head path, tip path, rapids"],
+  ["S  P", "Show swept area; plunges, lifts and swivels"],
   ["C", "Colour by line type, deviation, overcut"],
-  ["?", "This list"],
+  ["?", "Show shortcuts"],
 ];
 
 const MOUSE: readonly (readonly [string, string])[] = [
   ["Wheel", "Zoom at the cursor"],
   ["Drag", "Pan"],
-  ["Click", "Choose an edge; with Shift one more"],
-  ["Shift drag", "Choose by a box"],
+  ["Click", "Select edge (Shift: add)"],
+  ["Shift drag", "Select with a box"],
 ];
 
 export function ShortcutsDialog() {
-  const open = usePage((page) => page.helpOpen);
-  const set = usePage((page) => page.set);
-  const choices = CHOICES.map((type) => [LINE_LOOKS[type].key, LINE_LOOKS[type].title] as const);
+  const open = useUiStore((ui) => ui.helpOpen);
+  const set = useUiStore((ui) => ui.set);
+  const choices = ASSIGNABLE_TYPES.map(
+    (type) => [LINE_STYLES[type].key, LINE_STYLES[type].title] as const,
+  );
   return (
     <Modal
       opened={open}
       onClose={() => set({ helpOpen: false })}
-      title="Keys and mouse"
+      title="Shortcuts"
       size="lg"
       centered
     >
@@ -46,9 +48,9 @@ export function ShortcutsDialog() {
           <Keys rows={MOUSE} />
           <div>
             <p className={css.note} style={{ margin: "0 0 8px" }}>
-              Line type of the chosen edges
+              Line type of selected edges
             </p>
-            <Keys rows={[...choices, ["0", "As the profile says"]]} />
+            <Keys rows={[...choices, ["0", "Reset to profile"]]} />
           </div>
         </div>
       </div>

@@ -1,11 +1,11 @@
-/** At the end of a list that goes on. */
+/** Button at the end of a list that has more rows. */
 
 import { Button } from "@mantine/core";
 
 interface Props {
   act: () => void;
   busy?: boolean;
-  /** How many there are still, where that is known. */
+  /** Number of rows not shown, if known. */
   left?: number;
 }
 

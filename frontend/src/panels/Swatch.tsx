@@ -1,13 +1,13 @@
-/** How a line type looks on the picture, as a short piece of it. */
+/** Sample of a line type: its colour and dash. */
 
 import type { LineType } from "../geometry/records";
-import { LINE_LOOKS } from "../state/palette";
+import { LINE_STYLES } from "../state/palette";
 import css from "./panels.module.css";
 
 const DASHES = { solid: undefined, dashed: "6 3", dotted: "2 2.5", long: "11 3" } as const;
 
 export function Swatch({ type }: { type: LineType }) {
-  const { colour, dash } = LINE_LOOKS[type];
+  const { colour, dash } = LINE_STYLES[type];
   return (
     <svg className={css.swatch} viewBox="0 0 20 10" aria-hidden="true">
       <line

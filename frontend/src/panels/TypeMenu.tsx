@@ -4,12 +4,12 @@ import { Menu } from "@mantine/core";
 import { IconArrowBackUp } from "@tabler/icons-react";
 import type { ReactNode } from "react";
 import type { LineType } from "../geometry/records";
-import { CHOICES, LINE_LOOKS } from "../state/palette";
+import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
 import css from "./panels.module.css";
 import { Swatch } from "./Swatch";
 
 interface Props {
-  /** null: let the profile decide. */
+  /** null: reset to the profile */
   onChoose: (type: LineType | null) => void;
   label: string;
   children: ReactNode;
@@ -21,19 +21,19 @@ export function TypeMenu({ onChoose, label, children }: Props) {
       <Menu.Target>{children}</Menu.Target>
       <Menu.Dropdown aria-label={label}>
         <Menu.Label>{label}</Menu.Label>
-        {CHOICES.map((type) => (
+        {ASSIGNABLE_TYPES.map((type) => (
           <Menu.Item
             key={type}
             leftSection={<Swatch type={type} />}
-            rightSection={<span className={css.key}>{LINE_LOOKS[type].key}</span>}
+            rightSection={<span className={css.key}>{LINE_STYLES[type].key}</span>}
             onClick={() => onChoose(type)}
           >
-            {LINE_LOOKS[type].title}
+            {LINE_STYLES[type].title}
           </Menu.Item>
         ))}
         <Menu.Divider />
         <Menu.Item leftSection={<IconArrowBackUp size={16} />} onClick={() => onChoose(null)}>
-          As the profile says
+          Reset to profile
         </Menu.Item>
       </Menu.Dropdown>
     </Menu>

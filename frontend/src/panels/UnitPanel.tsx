@@ -1,18 +1,18 @@
-/** How large the drawing is, in which unit that was drawn, and what speaks for it. */
+/** The unit of the drawing: choices with sizes, and the evidence for each. */
 
 import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Drawing, Unit } from "../api/client";
-import { settle } from "../state/actions";
+import { patchDrawing } from "../state/actions";
+import { formatSize } from "../state/format";
 import { useDrawing } from "../state/queries";
-import { inches, sizeIn, UNITS, unitsOffered } from "../state/sizes";
-import { usePage } from "../state/store";
-import { size } from "../state/words";
+import { formatInches, offeredUnits, sizeIn, UNITS } from "../state/sizes";
+import { useUiStore } from "../state/store";
 import panels from "./panels.module.css";
 import { Section } from "./Section";
 import css from "./unit.module.css";
 
-/** Of what speaks for a unit, so much is said. */
+/** Pieces of evidence listed per unit. */
 const REASONS = 4;
 
 export function UnitPanel() {
@@ -26,10 +26,10 @@ export function UnitPanel() {
       aside={
         <span className={panels.rowFigure}>
           {warnings.length > 0 && (
-            <IconAlertTriangle size={13} color="var(--warn)" aria-label="Look at this" />
+            <IconAlertTriangle size={13} color="var(--warn)" aria-label="Warning" />
           )}{" "}
           {UNITS[drawing.unit].title.toLowerCase()}
-          {drawing.unit_given === null ? "" : ", as you said"}
+          {drawing.unit_given === null ? "" : ", set by hand"}
         </span>
       }
     >
@@ -44,19 +44,19 @@ export function UnitPanel() {
           type="button"
           className={panels.link}
           data-testid="unit-file"
-          onClick={() => void settle({ unit: "file" })}
+          onClick={() => void patchDrawing({ unit: "file" })}
         >
-          Take what the file says
+          Reset to the file's unit
         </button>
       )}
     </Section>
   );
 }
 
-/** Each unit with the size that it would make, and why it may be the one; one click says it. */
+/** One button per unit, with the size that it gives and the evidence for it. */
 export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: readonly Unit[] }) {
-  const busy = usePage((page) => page.busy);
-  const offered = units ?? unitsOffered(drawing);
+  const busy = useUiStore((ui) => ui.busy);
+  const offered = units ?? offeredUnits(drawing);
   const evidence = drawing.unit_finding?.evidence ?? [];
   const weightOf = (unit: Unit) =>
     evidence.reduce((sum, one) => (one.unit === unit ? sum + one.weight : sum), 0);
@@ -70,15 +70,15 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
         <span className={css.weight} aria-hidden>
           <span style={{ width: "60%" }} />
         </span>
-        how much speaks for it
+        strength of evidence
       </p>
       {offered.map((unit, at) => {
         const [width, height] = sizeIn(drawing, unit);
         const chosen = drawing.unit === unit;
         const likely = drawing.unit === null && at === 0;
-        // Why not the others either: their sizes say it best.
-        const told = all || chosen || likely;
-        const reasons = told ? evidence.filter((one) => one.unit === unit) : [];
+        // The evidence for unlikely units is collapsed.
+        const listed = all || chosen || likely;
+        const reasons = listed ? evidence.filter((one) => one.unit === unit) : [];
         return (
           <button
             key={unit}
@@ -89,20 +89,20 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
             data-likely={likely}
             data-testid={`unit-${unit}`}
             onClick={() => {
-              if (!chosen) void settle({ unit });
+              if (!chosen) void patchDrawing({ unit });
             }}
           >
             <span className={css.unitHead}>
               {UNITS[unit].title}
-              {chosen && <IconCheck size={14} aria-label="chosen" />}
-              {likely && <span className={css.likely}>likeliest</span>}
-              <span className={css.unitSize}>{size(width, height)}</span>
+              {chosen && <IconCheck size={14} aria-label="selected" />}
+              {likely && <span className={css.likely}>most likely</span>}
+              <span className={css.unitSize}>{formatSize(width, height)}</span>
             </span>
             <span className={css.unitFoot}>
               <span className={css.weight}>
                 <span style={{ width: `${(100 * (weightOf(unit) - lightest)) / range}%` }} />
               </span>
-              <span className={css.unitInches}>{inches(width, height)}</span>
+              <span className={css.unitInches}>{formatInches(width, height)}</span>
             </span>
             {reasons.slice(0, REASONS).map(({ text }) => (
               <span key={text} className={css.reason}>
@@ -121,7 +121,7 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
           data-testid="unit-evidence"
           onClick={() => setAll(!all)}
         >
-          {all ? "Hide what speaks for the others" : "What speaks for the others"}
+          {all ? "Hide evidence for other units" : "Show evidence for other units"}
         </button>
       )}
     </div>

@@ -1,4 +1,4 @@
-/** The unit, where nobody knows it: sizes to choose from, the likeliest first. */
+/** Question for the unit of the drawing: sizes to choose from, the most likely first. */
 
 import type { Drawing, Question } from "../api/client";
 import { isUnit } from "../state/sizes";
@@ -10,7 +10,7 @@ export function UnitQuestion({ question, drawing }: { question: Question; drawin
   const [why = ""] = /^.*?\.(?=\s|$)/.exec(question.text) ?? [question.text];
   return (
     <article className={questionCss.question}>
-      <div className={questionCss.questionHead}>How large is it really?</div>
+      <div className={questionCss.questionHead}>What size is the drawing?</div>
       <p className={questionCss.questionText} title={question.text}>
         {why}
       </p>

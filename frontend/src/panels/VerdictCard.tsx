@@ -1,4 +1,4 @@
-/** The verdict: whether the program cuts what was drawn, in figures, and where it does not. */
+/** The verdict of the verification: accepted or refused, figures and findings. */
 
 import {
   IconAlertOctagonFilled,
@@ -8,16 +8,22 @@ import {
 } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Finding, Job, VerdictSummary } from "../api/client";
+import {
+  formatArea,
+  formatDeviation,
+  formatDuration,
+  formatLength,
+  pluralize,
+} from "../state/format";
 import { UNCUT } from "../state/palette";
 import { useVerdict } from "../state/queries";
-import { usePage } from "../state/store";
-import { area, count, deviation, duration, length } from "../state/words";
+import { useUiStore } from "../state/store";
 import css from "./panels.module.css";
 import verdictCss from "./verdict.module.css";
 
 const SHOWN = 100;
-/** Half the side of what is shown about a small place (mm), and of a large one, to its size. */
-const LEAST_VIEW = 8;
+/** Half the side of the zoom box: at least (mm), and relative to the size of the area. */
+const MIN_VIEW = 8;
 const VIEW = 2;
 
 export function VerdictCard({ job }: { job: Job }) {
@@ -41,25 +47,25 @@ export function VerdictCard({ job }: { job: Job }) {
           )}
         </span>
         <span className={verdictCss.verdictTitle}>
-          {verdict.accepted ? "Verified" : "Refused by verification"}
+          {verdict.accepted ? "Verified" : "Verification failed"}
         </span>
       </div>
       <Deviation verdict={verdict} />
       <dl className={verdictCss.figures} style={{ marginBottom: 0 }}>
         <div>
           <dt>Overcut</dt>
-          <dd>{length(verdict.overcut)}</dd>
+          <dd>{formatLength(verdict.overcut)}</dd>
         </div>
         <div>
-          <dt>Left uncut</dt>
-          <dd>{length(verdict.uncut)}</dd>
+          <dt>Uncut</dt>
+          <dd>{formatLength(verdict.uncut)}</dd>
         </div>
         <div>
           <dt>Machine time</dt>
-          <dd>{duration(verdict.seconds)}</dd>
+          <dd>{formatDuration(verdict.seconds)}</dd>
         </div>
       </dl>
-      <div className={verdictCss.told}>
+      <div className={verdictCss.notes}>
         <Unreached verdict={verdict} />
         <Saved verdict={verdict} />
       </div>
@@ -71,7 +77,7 @@ export function VerdictCard({ job }: { job: Job }) {
           ))}
           {findings.length > SHOWN && (
             <p className={css.note} style={{ padding: "0 8px" }}>
-              … and {count(findings.length - SHOWN, "more finding")}.
+              … and {pluralize(findings.length - SHOWN, "more finding")}.
             </p>
           )}
         </div>
@@ -80,41 +86,41 @@ export function VerdictCard({ job }: { job: Job }) {
   );
 }
 
-/** What the cutter does not get to; each click goes to another place, from the largest on. */
+/** Areas that the tool cannot reach; each click zooms to the next one, the largest first. */
 function Unreached({ verdict }: { verdict: VerdictSummary }) {
   const { data: whole } = useVerdict();
   const [next, setNext] = useState(0);
-  const lookAt = usePage((page) => page.lookAt);
+  const zoomToBox = useUiStore((ui) => ui.zoomToBox);
   if (verdict.unreached_places === 0) return null;
   const goThere = () => {
     const there = whole?.areas[next % whole.areas.length];
     if (there === undefined) return;
-    const reach = Math.max(LEAST_VIEW, VIEW * Math.sqrt(there.area));
-    lookAt([there.x - reach, there.y - reach, there.x + reach, there.y + reach]);
+    const reach = Math.max(MIN_VIEW, VIEW * Math.sqrt(there.area));
+    zoomToBox([there.x - reach, there.y - reach, there.x + reach, there.y + reach]);
     setNext(next + 1);
   };
   return (
-    <button type="button" className={verdictCss.toldRow} onClick={goThere} data-testid="unreached">
-      <span className={verdictCss.toldArea} style={{ color: UNCUT, background: `${UNCUT}66` }} />
+    <button type="button" className={verdictCss.noteRow} onClick={goThere} data-testid="unreached">
+      <span className={verdictCss.noteArea} style={{ color: UNCUT, background: `${UNCUT}66` }} />
       <span>
-        {area(verdict.unreached)} in {count(verdict.unreached_places, "place")} stay uncut: the
-        cutter does not get there.
+        {formatArea(verdict.unreached)} in {pluralize(verdict.unreached_places, "place")} cannot be
+        reached and stay uncut.
       </span>
     </button>
   );
 }
 
-/** What the short lifts are worth. */
+/** Time saved by short lifts. */
 function Saved({ verdict }: { verdict: VerdictSummary }) {
   const full = verdict.seconds_retracted ?? 0;
   const share = full <= 0 ? 0 : Math.round((1 - verdict.seconds / full) * 100);
   if (share < 1) return null;
   return (
-    <div className={verdictCss.toldRow} data-testid="saved">
+    <div className={verdictCss.noteRow} data-testid="saved">
       <IconStopwatch size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
       <span>
         Saves {share}
-        {"\u202f"}% against full retracts: {(full - verdict.seconds).toFixed(1)}
+        {"\u202f"}% compared with full retracts: {(full - verdict.seconds).toFixed(1)}
         {"\u202f"}s.
       </span>
     </div>
@@ -127,9 +133,9 @@ function Deviation({ verdict }: { verdict: VerdictSummary }) {
   return (
     <div style={{ marginTop: 12 }}>
       <div className={css.runFigures} style={{ margin: 0 }}>
-        <span>Farthest from the line</span>
+        <span>Largest deviation</span>
         <span style={{ color: "var(--ink-0)", fontWeight: 600 }} data-testid="deviation">
-          {deviation(verdict.deviation)}
+          {formatDeviation(verdict.deviation)}
         </span>
       </div>
       <div className={verdictCss.gauge} aria-hidden="true">
@@ -141,20 +147,20 @@ function Deviation({ verdict }: { verdict: VerdictSummary }) {
         />
       </div>
       <div className={css.note} style={{ textAlign: "right", fontSize: 11 }}>
-        {deviation(verdict.tolerance)} allowed
+        {formatDeviation(verdict.tolerance)} allowed
       </div>
     </div>
   );
 }
 
 function Row({ finding }: { finding: Finding }) {
-  const look = usePage((page) => page.look);
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   return (
     <button
       type="button"
       className={verdictCss.finding}
       disabled={finding.edge < 0}
-      onClick={() => look([finding.edge])}
+      onClick={() => zoomToEdges([finding.edge])}
       data-testid="finding"
     >
       <IconMapPin size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />

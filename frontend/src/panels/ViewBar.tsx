@@ -1,8 +1,8 @@
-/** Which lines the picture shows. */
+/** Buttons that show and hide the layers of the canvas. */
 
 import { MARKS, SWEPT, TRAVEL, UNCUT } from "../state/palette";
 import { useToolpath, useVerdictColumns } from "../state/queries";
-import { type Layer, usePage } from "../state/store";
+import { type Layer, useUiStore } from "../state/store";
 import css from "./over.module.css";
 
 const LAYERS: readonly {
@@ -13,24 +13,24 @@ const LAYERS: readonly {
   thick?: true;
   dot?: true;
 }[] = [
-  { layer: "nominal", title: "Nominal", colour: "#ff6b61" },
+  { layer: "nominal", title: "Drawing", colour: "#ff6b61" },
   { layer: "head", title: "Head path", colour: TRAVEL.head },
   { layer: "tip", title: "Tip path", colour: TRAVEL.tip },
   { layer: "rapids", title: "Rapids", colour: "#8b97a6", dashed: true },
-  { layer: "swept", title: "Swept", colour: `${SWEPT.groove}99`, thick: true },
+  { layer: "swept", title: "Swept area", colour: `${SWEPT.groove}99`, thick: true },
   { layer: "moves", title: "Plunges", colour: MARKS.plunge, dot: true },
   { layer: "uncut", title: "Uncut", colour: `${UNCUT}aa`, thick: true },
 ];
 
 export function ViewBar() {
-  const layers = usePage((page) => page.layers);
-  const toggle = usePage((page) => page.toggleLayer);
+  const layers = useUiStore((ui) => ui.layers);
+  const toggle = useUiStore((ui) => ui.toggleLayer);
   const { data: toolpath } = useToolpath();
   const { data: along } = useVerdictColumns();
-  // Most jobs leave nothing: then there is nothing to show or to hide.
+  // Without unreachable areas the layer has no button.
   const some = (along?.areas.size.length ?? 0) > 0;
   return (
-    <div className={`${css.float} ${css.chips}`} role="toolbar" aria-label="Lines shown">
+    <div className={`${css.float} ${css.chips}`} role="toolbar" aria-label="Layers shown">
       {LAYERS.filter(({ layer }) => layer !== "uncut" || some).map(
         ({ layer, title, colour, dashed, thick, dot }) => {
           const needsPath = layer !== "nominal";
@@ -41,7 +41,7 @@ export function ViewBar() {
               className={css.chip}
               aria-pressed={layers[layer] && (!needsPath || toolpath !== undefined)}
               disabled={needsPath && toolpath === undefined}
-              title={needsPath && toolpath === undefined ? "Compile to see it" : undefined}
+              title={needsPath && toolpath === undefined ? "Compile first" : undefined}
               onClick={() => toggle(layer)}
               data-testid={`layer-${layer}`}
             >

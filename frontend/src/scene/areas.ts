@@ -2,8 +2,8 @@
 
 import { walk } from "../geometry/arc";
 import type { Areas, Point } from "../geometry/records";
-import { ROUNDNESS } from "./dieline";
-import { type Lines, LinesUnderWay, type Rgba } from "./lines";
+import { CHORD_TOLERANCE } from "./dieline";
+import { LineBuilder, type Lines, type Rgba } from "./lines";
 import type { Bands } from "./swept";
 
 export interface AreaShapes {
@@ -15,7 +15,7 @@ type Pair = readonly [number, number];
 
 export function areaShapes(areas: Areas, origin: Point, fill: Rgba, rim: Rgba): AreaShapes {
   const corners: number[] = [];
-  const rims = new LinesUnderWay(origin);
+  const rims = new LineBuilder(origin);
   for (let loop = 0; loop + 1 < areas.first.length; loop++) {
     const outline = flattened(areas, loop);
     outline.forEach(([x, y], at) => {
@@ -37,7 +37,7 @@ function flattened({ ends, bulge, first }: Areas, loop: number): Pair[] {
   const outline: Pair[] = [];
   for (let row = first[loop] ?? 0; row < (first[loop + 1] ?? 0); row++) {
     const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = ends.subarray(row * 4, row * 4 + 4);
-    walk(x0, y0, x1, y1, bulge[row] ?? 0, ROUNDNESS, (x, y) => outline.push([x, y]));
+    walk(x0, y0, x1, y1, bulge[row] ?? 0, CHORD_TOLERANCE, (x, y) => outline.push([x, y]));
   }
   return outline;
 }

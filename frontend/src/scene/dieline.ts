@@ -1,6 +1,6 @@
 /** Edges → lines coloured by what is to be done along them. */
 
-import { bulgeOf, length, pointAt, walk } from "../geometry/arc";
+import { length, partialBulge, pointAt, walk } from "../geometry/arc";
 import {
   type Edges,
   type LineType,
@@ -9,10 +9,10 @@ import {
   type Segments,
 } from "../geometry/records";
 import { mm } from "../geometry/units";
-import { DASHES, type Dash, type Lines, LinesUnderWay, type Rgba } from "./lines";
+import { DASHES, type Dash, LineBuilder, type Lines, type Rgba } from "./lines";
 
 /** Chords keep this near to their arcs: what a knife is held to. */
-export const ROUNDNESS = mm(0.01);
+export const CHORD_TOLERANCE = mm(0.01);
 
 /** How each line type looks. */
 export type Palette = Readonly<Record<LineType, { colour: Rgba; dash: Dash }>>;
@@ -24,7 +24,7 @@ const LEFT = 0.3;
 const GHOST: Rgba = [139, 151, 166, 130];
 
 /** Colours along the edges: the stretches of edge i begin at first[i] and end before first[i + 1]. */
-export interface Along {
+export interface EdgeStretches {
   /** (n + 1,) */
   readonly first: Int32Array;
   /** (m,) where each stretch begins, as a share of the edge's length */
@@ -33,7 +33,7 @@ export interface Along {
   readonly colour: Uint8Array;
 }
 
-export interface DielineLooks {
+export interface DielineStyle {
   /** Which edges are drawn; all, if it is not said. */
   readonly shown?: (row: number) => boolean;
   /** (n, 4) colours that stand for those of the line types */
@@ -43,7 +43,7 @@ export interface DielineLooks {
   /** Which edges are not made, since the drawing has them twice or by mistake: they stand back. */
   readonly gone?: (row: number) => boolean;
   /** Colours that change along the edges, above `colours` where there are any */
-  readonly along?: Along | null;
+  readonly along?: EdgeStretches | null;
 }
 
 /** The nominal lines, coloured by line type or as they are told to be. */
@@ -57,9 +57,9 @@ export function dielineLines(
     worked = null,
     along = null,
     gone = () => false,
-  }: DielineLooks = {},
+  }: DielineStyle = {},
 ): Lines {
-  const lines = new LinesUnderWay(origin);
+  const lines = new LineBuilder(origin);
   for (let row = 0; row < edges.bulge.length; row++) {
     if (!shown(row)) continue;
     if (gone(row)) {
@@ -84,10 +84,10 @@ export function dielineLines(
 
 /** Lay an edge from stretch to stretch; false where none are known of it. */
 function addStretches(
-  lines: LinesUnderWay,
+  lines: LineBuilder,
   edges: Edges,
   row: number,
-  along: Along | null,
+  along: EdgeStretches | null,
   from: number,
   to: number,
 ): boolean {
@@ -119,7 +119,7 @@ export function highlightLines(
   rows: Iterable<number>,
   colour: Rgba,
 ): Lines {
-  const lines = new LinesUnderWay(origin);
+  const lines = new LineBuilder(origin);
   for (const row of rows) {
     if (row >= 0 && row < edges.bulge.length) addEdge(lines, edges, row, colour, 0);
   }
@@ -127,14 +127,14 @@ export function highlightLines(
 }
 
 /** Edges in the colours of what they would become, to lie under them. */
-export function proposedLines(
+export function retypePreviewLines(
   edges: Segments,
   origin: Point,
-  proposed: readonly { readonly rows: readonly number[]; readonly type: LineType }[],
+  retypePreviews: readonly { readonly rows: readonly number[]; readonly type: LineType }[],
   palette: Palette,
 ): Lines {
-  const lines = new LinesUnderWay(origin);
-  for (const { rows, type } of proposed) {
+  const lines = new LineBuilder(origin);
+  for (const { rows, type } of retypePreviews) {
     const [red, green, blue] = palette[type].colour;
     for (const row of rows) {
       if (row < edges.bulge.length) addEdge(lines, edges, row, [red, green, blue, 150], 0);
@@ -144,7 +144,7 @@ export function proposedLines(
 }
 
 function addEdge(
-  lines: LinesUnderWay,
+  lines: LineBuilder,
   { ends, bulge }: Segments,
   row: number,
   colour: Rgba,
@@ -163,9 +163,9 @@ function addEdge(
   const run = length(...whole);
   let [x, y] = from > 0 ? pointAt(...whole, from) : [whole[0], whole[1]];
   const [x1, y1] = to < 1 ? pointAt(...whole, to) : [whole[2], whole[3]];
-  const bend = bulgeOf(whole[4], to - from);
+  const bend = partialBulge(whole[4], to - from);
   let before = run * from;
-  walk(x, y, x1, y1, bend, ROUNDNESS, (nextX, nextY, fraction) => {
+  walk(x, y, x1, y1, bend, CHORD_TOLERANCE, (nextX, nextY, fraction) => {
     lines.add(x, y, nextX, nextY, colour, { along: before, dash, row });
     before = run * (from + (to - from) * fraction);
     x = nextX;

@@ -34,7 +34,7 @@ export interface Lines {
 export const NEVER = 3e38;
 
 /** Pieces, as they come. */
-export class LinesUnderWay {
+export class LineBuilder {
   private count = 0;
   private room = 256;
   private ends = new Float32Array(this.room * 4);

@@ -1,7 +1,7 @@
 /** Where the tool goes down, comes up and is turned: moves that a path seen from above hides. */
 
 import { MOTIONS, type Point, type Toolpath } from "../geometry/records";
-import { type Lines, LinesUnderWay, type Rgba } from "./lines";
+import { LineBuilder, type Lines, type Rgba } from "./lines";
 
 export const MARKED = ["plunge", "lift", "swivel"] as const;
 export type Marked = (typeof MARKED)[number];
@@ -14,9 +14,9 @@ export function motionMarks(
 ): Record<Marked, Lines> {
   const onSheet = { x: origin.x + placement[0], y: origin.y + placement[1] };
   const dots = {
-    plunge: new LinesUnderWay(onSheet),
-    lift: new LinesUnderWay(onSheet),
-    swivel: new LinesUnderWay(onSheet),
+    plunge: new LineBuilder(onSheet),
+    lift: new LineBuilder(onSheet),
+    swivel: new LineBuilder(onSheet),
   };
   for (let row = 0; row < motion.length; row++) {
     const kind = MARKED.find((word) => word === MOTIONS[motion[row] ?? 0]);

@@ -4,8 +4,8 @@ import { type Edges, LINE_TYPES, type Toolpath } from "../geometry/records";
 import { timeline } from "../geometry/timeline";
 import { tipOffset } from "../geometry/tip";
 import { dielineLines, highlightLines, type Palette } from "./dieline";
-import { gridLines, gridStep } from "./furniture";
 import { NEVER, type Rgba, rgba } from "./lines";
+import { gridLines, gridStep } from "./overlays";
 import { travelLines } from "./travel";
 
 const RED: Rgba = [255, 0, 0, 255];

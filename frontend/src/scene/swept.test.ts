@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { Footprint } from "../api/client";
+import type { Footprint } from "../geometry/footprint";
 import { footprint, vCutter } from "../geometry/footprint.fixture";
 import { MOTIONS, type Motion, type Toolpath } from "../geometry/records";
 import { sweepOf } from "../geometry/sweep";

@@ -9,9 +9,9 @@
 import { circle, walk } from "../geometry/arc";
 import { MOTIONS, type Motion, type Point, type Toolpath } from "../geometry/records";
 import { contactOf, type Sweep } from "../geometry/sweep";
-import { type TipOffset, tipOf, UNDER_THE_HEAD } from "../geometry/tip";
+import { NO_OFFSET, type TipOffset, tipOf } from "../geometry/tip";
 import { degree, mm, radians } from "../geometry/units";
-import { type Lines, LinesUnderWay, type Rgba } from "./lines";
+import { LineBuilder, type Lines, type Rgba } from "./lines";
 
 /** Triangles for the screen, float32 about an origin. */
 export interface Bands {
@@ -46,7 +46,7 @@ export interface Tools {
 }
 
 /** Chords keep this near to the rim of a disc. */
-const ROUNDNESS = mm(0.02);
+const CHORD_TOLERANCE = mm(0.02);
 /** Moves that turn by less than this run on (cosine). */
 const ON = 0.9999;
 /** Half the length of the mark across the end of a crease (mm), at least. */
@@ -56,7 +56,7 @@ const CUTTING: ReadonlySet<Motion> = new Set(["lead-in", "feed", "lead-out"]);
 
 type Pair = readonly [number, number];
 
-class BandsUnderWay {
+class BandBuilder {
   private readonly corners: number[] = [];
   private readonly colour: number[] = [];
 
@@ -74,7 +74,7 @@ class BandsUnderWay {
   }
 
   disc([x, y]: Pair, radius: number, colour: Rgba): void {
-    const widest = 2 * Math.acos(1 - Math.min(1, ROUNDNESS / radius));
+    const widest = 2 * Math.acos(1 - Math.min(1, CHORD_TOLERANCE / radius));
     const count = Math.min(96, Math.max(12, Math.ceil((2 * Math.PI) / widest)));
     const rim = (step: number): Pair => {
       const angle = (2 * Math.PI * step) / count;
@@ -101,8 +101,8 @@ export function sweptShapes(
 ): Swept {
   const { motion, tool, placement } = toolpath;
   const onSheet = { x: origin.x + placement[0], y: origin.y + placement[1] };
-  const bands = new BandsUnderWay(onSheet);
-  const rims = new LinesUnderWay(onSheet);
+  const bands = new BandBuilder(onSheet);
+  const rims = new LineBuilder(onSheet);
   for (let row = 0; row < motion.length; row++) {
     const station = tool[row] ?? 0;
     const sweep = sweeps.get(station);
@@ -111,10 +111,10 @@ export function sweptShapes(
     const move = moveAt(toolpath, row);
     const depth = [caliper - move.z0, caliper - move.z1] as const;
     if (sweep.kind === "disc" && CUTTING.has(kind) && (sweep.anyHeight || Math.min(...depth) > 0)) {
-      cutDisc(bands, toolpath, row, sweep.radius, colours.cutter);
+      addDisc(bands, toolpath, row, sweep.radius, colours.cutter);
     } else if (sweep.kind === "groove" && kind === "feed" && Math.max(...depth) > 0) {
-      const offset = offsets.get(station) ?? UNDER_THE_HEAD;
-      cutFlank(bands, rims, move, depth, sweep, offset, colours);
+      const offset = offsets.get(station) ?? NO_OFFSET;
+      addGroove(bands, rims, move, depth, sweep, offset, colours);
     } else if (sweep.kind === "wheel" && depth[1] > 0) {
       const pressed = kind === "plunge" && MOTIONS[motion[row + 1] ?? 0] === "lift";
       if (kind === "feed" || pressed) press(bands, rims, toolpath, row, depth[1], sweep, colours);
@@ -167,7 +167,11 @@ function tangents({ x0, y0, x1, y1, c1, bulge }: Move): { first: Pair; last: Pai
 }
 
 /** Whether a tool that makes this move makes the next one without leaving its direction. */
-function runsOn(toolpath: Toolpath, row: number, makes: (kind: Motion) => boolean): boolean {
+function continuesStraight(
+  toolpath: Toolpath,
+  row: number,
+  makes: (kind: Motion) => boolean,
+): boolean {
   const { motion, tool, bulge } = toolpath;
   if (row < 0 || row + 1 >= bulge.length || tool[row] !== tool[row + 1]) return false;
   const both = [row, row + 1].every((at) => makes(MOTIONS[motion[at] ?? 0] ?? "rapid"));
@@ -178,7 +182,7 @@ function runsOn(toolpath: Toolpath, row: number, makes: (kind: Motion) => boolea
 }
 
 /** A strip of the same width on either side of a move. */
-function strip(bands: BandsUnderWay, move: Move, half: number, colour: Rgba): void {
+function strip(bands: BandBuilder, move: Move, half: number, colour: Rgba): void {
   const { x0, y0, x1, y1, bulge } = move;
   const chord = Math.hypot(x1 - x0, y1 - y0);
   if (chord === 0) return;
@@ -188,7 +192,7 @@ function strip(bands: BandsUnderWay, move: Move, half: number, colour: Rgba): vo
     return [(x - round.x) / round.radius, (y - round.y) / round.radius];
   };
   let before: Pair = [x0, y0];
-  walk(x0, y0, x1, y1, bulge, ROUNDNESS, (x, y) => {
+  walk(x0, y0, x1, y1, bulge, CHORD_TOLERANCE, (x, y) => {
     const a = across(...before);
     const b = across(x, y);
     bands.quad(
@@ -202,8 +206,8 @@ function strip(bands: BandsUnderWay, move: Move, half: number, colour: Rgba): vo
   });
 }
 
-function cutDisc(
-  bands: BandsUnderWay,
+function addDisc(
+  bands: BandBuilder,
   toolpath: Toolpath,
   row: number,
   radius: number,
@@ -212,13 +216,13 @@ function cutDisc(
   const move = moveAt(toolpath, row);
   const cuts = (kind: Motion) => CUTTING.has(kind);
   strip(bands, move, radius, colour);
-  if (!runsOn(toolpath, row - 1, cuts)) bands.disc([move.x0, move.y0], radius, colour);
-  if (!runsOn(toolpath, row, cuts)) bands.disc([move.x1, move.y1], radius, colour);
+  if (!continuesStraight(toolpath, row - 1, cuts)) bands.disc([move.x0, move.y0], radius, colour);
+  if (!continuesStraight(toolpath, row, cuts)) bands.disc([move.x1, move.y1], radius, colour);
 }
 
-function cutFlank(
-  bands: BandsUnderWay,
-  rims: LinesUnderWay,
+function addGroove(
+  bands: BandBuilder,
+  rims: LineBuilder,
   { x0, y0, z0, c0, x1, y1, z1, c1 }: Move,
   depth: Pair,
   { slope, blade }: Extract<Sweep, { kind: "groove" }>,
@@ -240,8 +244,8 @@ function cutFlank(
 }
 
 function press(
-  bands: BandsUnderWay,
-  rims: LinesUnderWay,
+  bands: BandBuilder,
+  rims: LineBuilder,
   toolpath: Toolpath,
   row: number,
   depth: number,
@@ -266,6 +270,6 @@ function press(
     const tick = Math.max(TICK, width);
     rims.add(ex - uy * tick, ey + ux * tick, ex + uy * tick, ey - ux * tick, colours.contact);
   };
-  if (!runsOn(toolpath, row - 1, creases)) end(move.x0, move.y0, [-first[0], -first[1]]);
-  if (!runsOn(toolpath, row, creases)) end(move.x1, move.y1, last);
+  if (!continuesStraight(toolpath, row - 1, creases)) end(move.x0, move.y0, [-first[0], -first[1]]);
+  if (!continuesStraight(toolpath, row, creases)) end(move.x1, move.y1, last);
 }

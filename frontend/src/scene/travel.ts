@@ -8,9 +8,9 @@
 import { length, walk } from "../geometry/arc";
 import { MOTIONS, type Motion, type Point } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
-import { type TipOffset, tipOf, UNDER_THE_HEAD } from "../geometry/tip";
-import { ROUNDNESS } from "./dieline";
-import { DASHES, type Lines, LinesUnderWay, type Rgba } from "./lines";
+import { NO_OFFSET, type TipOffset, tipOf } from "../geometry/tip";
+import { CHORD_TOLERANCE } from "./dieline";
+import { DASHES, LineBuilder, type Lines, type Rgba } from "./lines";
 
 export interface TravelColours {
   readonly head: Rgba;
@@ -38,9 +38,9 @@ export function travelLines(
   const { clock, toolpath } = line;
   const { pose, bulge, motion, placement } = toolpath;
   const onSheet = { x: origin.x + placement[0], y: origin.y + placement[1] };
-  const head = new LinesUnderWay(onSheet);
-  const tip = new LinesUnderWay(onSheet);
-  const rapids = new LinesUnderWay(onSheet);
+  const head = new LineBuilder(onSheet);
+  const tip = new LineBuilder(onSheet);
+  const rapids = new LineBuilder(onSheet);
 
   for (let row = 0; row < bulge.length; row++) {
     const a = row * 4;
@@ -62,7 +62,7 @@ export function travelLines(
       let x = x0;
       let y = y0;
       let done = 0;
-      walk(x0, y0, x1, y1, bend, ROUNDNESS, (nextX, nextY, fraction) => {
+      walk(x0, y0, x1, y1, bend, CHORD_TOLERANCE, (nextX, nextY, fraction) => {
         into.add(x, y, nextX, nextY, colour, {
           along: whole * done,
           dash,
@@ -77,13 +77,12 @@ export function travelLines(
     }
 
     if (rapid) continue;
-    const offset = offsets.get(toolpath.tool[row] ?? 0) ?? UNDER_THE_HEAD;
+    const offset = offsets.get(toolpath.tool[row] ?? 0) ?? NO_OFFSET;
     const c0 = pose[a + 3] as number;
     const c1 = pose[a + 7] as number;
     const z = pose[a + 2] as number;
     let from = tipOf({ x: x0, y: y0, z, c: c0 }, offset);
-    const turns =
-      offset === UNDER_THE_HEAD ? 1 : Math.max(1, Math.ceil(Math.abs(c1 - c0) / TURN_STEP));
+    const turns = offset === NO_OFFSET ? 1 : Math.max(1, Math.ceil(Math.abs(c1 - c0) / TURN_STEP));
     let done = 0;
     const reach = (x: number, y: number, fraction: number) => {
       const to = tipOf({ x, y, z, c: c0 + (c1 - c0) * fraction }, offset);
@@ -97,7 +96,7 @@ export function travelLines(
       from = to;
       done = fraction;
     };
-    if (whole > 0) walk(x0, y0, x1, y1, bend, ROUNDNESS, reach);
+    if (whole > 0) walk(x0, y0, x1, y1, bend, CHORD_TOLERANCE, reach);
     else for (let step = 1; step <= turns; step++) reach(x1, y1, step / turns);
   }
   return { head: head.done(), tip: tip.done(), rapids: rapids.done() };

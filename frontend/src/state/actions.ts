@@ -1,4 +1,4 @@
-/** What the user does, from the page to the service and back into what is shown. */
+/** User actions: send requests to the server and update the cached data. */
 
 import {
   type Drawing,
@@ -9,207 +9,213 @@ import {
   type Unit,
 } from "../api/client";
 import type { LineType } from "../geometry/records";
-import { useEditing } from "./editing";
-import { changedRows, difference, undoable } from "./elsewhere";
 import {
-  backwards,
   type Change,
-  changeOf,
-  forwards,
-  type Keeping,
-  readBy,
-  reversed,
-  type Said,
-  saidOf,
+  inverseOf,
+  overridesToApply,
+  overridesToUndo,
+  type ProfileChange,
+  profileRefOf,
+  type ReadingSettings,
+  retypeChange,
+  settingsOf,
 } from "./history";
-import { heardJob, keys, queries } from "./queries";
-import { report, useReports } from "./reports";
-import { usePage } from "./store";
+import { notifyError, useNotifications } from "./notifications";
+import { useProfileDraft } from "./profileDraft";
+import { queries, queryClient, upsertJob } from "./queries";
+import { changedRows, describeDifference, undoableChanges } from "./remoteChanges";
+import { useUiStore } from "./store";
 
-let last: Promise<void> = Promise.resolve();
-let waiting = 0;
+let queue: Promise<void> = Promise.resolve();
+let pending = 0;
 
-/** Run one thing after the other, in the order in which they were asked; what fails is told. */
-export function inTurn(act: () => Promise<void>): Promise<void> {
-  waiting++;
-  usePage.getState().set({ busy: true });
-  last = last
+/** Run actions one after another, in the order of the calls; report errors. */
+export function enqueue(act: () => Promise<void>): Promise<void> {
+  pending++;
+  useUiStore.getState().set({ busy: true });
+  queue = queue
     .then(act)
-    .catch(failed)
-    .catch(report)
+    .catch(handleFailure)
+    .catch(notifyError)
     .finally(() => {
-      waiting--;
-      if (waiting === 0) usePage.getState().set({ busy: false });
+      pending--;
+      if (pending === 0) useUiStore.getState().set({ busy: false });
     });
-  return last;
+  return queue;
 }
 
 export function uploadFiles(files: readonly File[]): Promise<void> {
-  return inTurn(async () => {
+  return enqueue(async () => {
     try {
       for (const file of files) {
-        usePage.getState().set({ upload: { name: file.name, fraction: 0 } });
+        useUiStore.getState().set({ upload: { name: file.name, fraction: 0 } });
         try {
           const drawing = await service.upload(file, (fraction) =>
-            usePage.getState().set({ upload: { name: file.name, fraction } }),
+            useUiStore.getState().set({ upload: { name: file.name, fraction } }),
           );
-          queries.setQueryData(keys.drawing(drawing.id).queryKey, drawing);
-          usePage.getState().open(drawing.id);
+          queryClient.setQueryData(queries.drawing(drawing.id).queryKey, drawing);
+          useUiStore.getState().open(drawing.id);
         } catch (cause) {
-          // One that cannot be read does not keep the others out.
-          report(cause);
+          // A file that cannot be read does not stop the others.
+          notifyError(cause);
         }
       }
     } finally {
-      usePage.getState().set({ upload: null });
-      await queries.invalidateQueries({ queryKey: keys.drawings().queryKey });
+      useUiStore.getState().set({ upload: null });
+      await queryClient.invalidateQueries({ queryKey: queries.drawings().queryKey });
     }
   });
 }
 
-/** Take a drawing as the service answered it, and ask again for what belongs to it. */
-async function changed(drawing: Drawing): Promise<void> {
-  queries.setQueryData(keys.drawing(drawing.id).queryKey, drawing);
-  // A job's path belongs to the drawing as it was: it is no longer that of this one.
-  usePage.getState().openJob(null);
-  usePage.getState().set({ asked: [], proposed: [] });
-  const old = [
-    keys.edges(drawing.id).queryKey,
-    keys.ledgers(drawing.id),
-    keys.learned(drawing.id).queryKey,
-    keys.drawings().queryKey,
+/** Cache a changed drawing and refetch what depends on it. */
+async function applyDrawing(drawing: Drawing): Promise<void> {
+  queryClient.setQueryData(queries.drawing(drawing.id).queryKey, drawing);
+  // The job's tool path belongs to the previous revision of the drawing.
+  useUiStore.getState().openJob(null);
+  useUiStore.getState().set({ compileQuestions: [], retypePreviews: [] });
+  const stale = [
+    queries.edges(drawing.id).queryKey,
+    queries.ledgers(drawing.id),
+    queries.learned(drawing.id).queryKey,
+    queries.drawings().queryKey,
   ];
-  // A first answer that is still on its way would count as new, though it was asked for before.
-  await Promise.all(old.map((queryKey) => queries.cancelQueries({ queryKey })));
-  await Promise.all(old.map((queryKey) => queries.invalidateQueries({ queryKey })));
+  // Cancel requests in flight: their answers may be of the previous revision.
+  await Promise.all(stale.map((queryKey) => queryClient.cancelQueries({ queryKey })));
+  await Promise.all(stale.map((queryKey) => queryClient.invalidateQueries({ queryKey })));
 }
 
-const known = (id: string): Drawing | undefined => queries.getQueryData(keys.drawing(id).queryKey);
+const cachedDrawing = (id: string): Drawing | undefined =>
+  queryClient.getQueryData(queries.drawing(id).queryKey);
 
-/** The revision that is shown: that of the picture, or of the panels where they are older. */
-function shownRevision(id: string): number | null {
-  const edges = queries.getQueryData(keys.edges(id).queryKey);
-  const shown = [known(id)?.revision, edges?.revision].filter((one) => one !== undefined);
+/** The revision on display: the older of those of canvas and panels. */
+function displayedRevision(id: string): number | null {
+  const edges = queryClient.getQueryData(queries.edges(id).queryKey);
+  const shown = [cachedDrawing(id)?.revision, edges?.revision].filter((one) => one !== undefined);
   return shown.length === 0 ? null : Math.min(...shown);
 }
 
-/** Tell why something was not done; where the drawing has changed elsewhere, show how. */
-async function failed(cause: unknown): Promise<void> {
-  const { drawing } = usePage.getState();
+/** Report an error; after a conflict of revisions, show the changed drawing. */
+async function handleFailure(cause: unknown): Promise<void> {
+  const { drawing } = useUiStore.getState();
   const stale = cause instanceof ServiceError && cause.stale;
-  if (!stale || drawing === null || !(await catchUp(drawing, true))) report(cause);
+  if (!stale || drawing === null || !(await applyRemoteChange(drawing, true))) notifyError(cause);
 }
 
 /**
- * Show the open drawing as it is now, and tell what others changed; false where it is the same.
+ * Fetch the open drawing, and notify the user of what others changed; false if nothing changed.
  *
- * `refused` says that something of our own was not done because of it.
+ * `refused`: an action of this user was rejected because of the change.
  */
-async function catchUp(id: string, refused = false): Promise<boolean> {
-  const before = known(id);
-  const shown = shownRevision(id);
+async function applyRemoteChange(id: string, refused = false): Promise<boolean> {
+  const before = cachedDrawing(id);
+  const shown = displayedRevision(id);
   if (before === undefined) return false;
-  const seen = queries.getQueryData(keys.edges(id).queryKey);
+  const shownEdges = queryClient.getQueryData(queries.edges(id).queryKey);
   const [after, edges] = await Promise.all([service.drawing(id), service.edges(id)]);
   if (after.revision === shown && after.profile_state === before.profile_state) return false;
-  const rows = seen === undefined ? null : changedRows(seen, edges);
+  const rows = shownEdges === undefined ? null : changedRows(shownEdges, edges);
   await Promise.all(
-    [keys.drawing(id).queryKey, keys.edges(id).queryKey].map((queryKey) =>
-      queries.cancelQueries({ queryKey }),
+    [queries.drawing(id).queryKey, queries.edges(id).queryKey].map((queryKey) =>
+      queryClient.cancelQueries({ queryKey }),
     ),
   );
-  queries.setQueryData(keys.drawing(id).queryKey, after);
-  queries.setQueryData(keys.edges(id).queryKey, edges);
+  queryClient.setQueryData(queries.drawing(id).queryKey, after);
+  queryClient.setQueryData(queries.edges(id).queryKey, edges);
   if (after.revision === shown) return false;
-  const page = usePage.getState();
+  const page = useUiStore.getState();
   const { length } = page.past;
-  const left = undoable(page.past, rows);
-  page.rebase(left);
-  page.set({ asked: [], proposed: [] });
-  closeOldJob();
-  useReports.getState().add({
-    title: refused ? "Not done: changed elsewhere" : "Changed elsewhere",
-    detail: `${after.name} was changed elsewhere: ${difference(before, after, rows)}.`,
+  const remaining = undoableChanges(page.past, rows);
+  page.replaceHistory(remaining);
+  page.set({ compileQuestions: [], retypePreviews: [] });
+  closeOutdatedJob();
+  useNotifications.getState().add({
+    title: refused ? "Not saved: drawing changed elsewhere" : "Drawing changed elsewhere",
+    detail: `${after.name} was changed by another user or page: ${describeDifference(before, after, rows)}.`,
     hint: [
-      refused ? "Look at it, and repeat what you wanted if it still holds." : "",
-      left.length < length ? "What you did before that can no longer be undone." : "",
+      refused ? "Check the drawing, then repeat your change if it is still needed." : "",
+      remaining.length < length ? "Your earlier changes can no longer be undone." : "",
     ]
       .join(" ")
       .trim(),
     source: [],
     notice: !refused,
   });
-  const old = [keys.ledgers(id), keys.learned(id).queryKey];
-  await Promise.all(old.map((queryKey) => queries.invalidateQueries({ queryKey })));
+  const stale = [queries.ledgers(id), queries.learned(id).queryKey];
+  await Promise.all(stale.map((queryKey) => queryClient.invalidateQueries({ queryKey })));
   return true;
 }
 
-/** A job that waits or is over is of the drawing as it was; one on a table stays in view. */
-function closeOldJob(): void {
-  const { job, openJob } = usePage.getState();
-  const state = job === null ? undefined : queries.getQueryData(keys.job(job).queryKey)?.state;
+/** Close the open job unless it is on a table: it belongs to the previous revision. */
+function closeOutdatedJob(): void {
+  const { job, openJob } = useUiStore.getState();
+  const state =
+    job === null ? undefined : queryClient.getQueryData(queries.job(job).queryKey)?.state;
   if (state !== "running" && state !== "held" && state !== "interrupted") openJob(null);
 }
 
-/** A drawing was changed, by this page or elsewhere; null where any may have been. */
-export function heardDrawing(heard: Pick<Drawing, "id" | "revision"> | null): Promise<void> {
-  const { drawing } = usePage.getState();
+/** Handle the event that a drawing changed; null if any drawing may have changed. */
+export function syncDrawing(heard: Pick<Drawing, "id" | "revision"> | null): Promise<void> {
+  const { drawing } = useUiStore.getState();
   if (drawing === null || (heard !== null && heard.id !== drawing)) return Promise.resolve();
-  // After what is under way: the answer to a change of our own brings its revision.
-  return inTurn(async () => {
-    if (usePage.getState().drawing !== drawing) return;
-    if (known(drawing) === undefined) {
-      // What is on its way may be from before the change.
+  // Queued behind pending actions: the answer to our own change contains its revision.
+  return enqueue(async () => {
+    if (useUiStore.getState().drawing !== drawing) return;
+    if (cachedDrawing(drawing) === undefined) {
+      // Requests in flight may return the previous revision.
       await Promise.all(
-        [keys.drawing(drawing).queryKey, keys.edges(drawing).queryKey].map((queryKey) =>
-          queries.invalidateQueries({ queryKey }),
+        [queries.drawing(drawing).queryKey, queries.edges(drawing).queryKey].map((queryKey) =>
+          queryClient.invalidateQueries({ queryKey }),
         ),
       );
       return;
     }
-    if (heard === null || heard.revision > (shownRevision(drawing) ?? heard.revision))
-      await catchUp(drawing);
+    if (heard === null || heard.revision > (displayedRevision(drawing) ?? heard.revision))
+      await applyRemoteChange(drawing);
   });
 }
 
-/** Say the unit of the drawing, or by which profile it is read. */
-export function settle(part: { unit?: Unit | "file"; profile?: string }): Promise<void> {
-  return inTurn(async () => {
-    const { drawing } = usePage.getState();
-    const before = drawing === null ? undefined : known(drawing);
+/** Set the unit or the profile of the open drawing. */
+export function patchDrawing(part: { unit?: Unit | "file"; profile?: string }): Promise<void> {
+  return enqueue(async () => {
+    const { drawing } = useUiStore.getState();
+    const before = drawing === null ? undefined : cachedDrawing(drawing);
     if (drawing === null || before === undefined) return;
-    const after = await service.settle(drawing, part, shownRevision(drawing));
-    await changed(after);
-    usePage.getState().made({ kind: "settled", before: saidOf(before), after: saidOf(after) });
+    const after = await service.patchDrawing(drawing, part, displayedRevision(drawing));
+    await applyDrawing(after);
+    useUiStore
+      .getState()
+      .recordChange({ kind: "settings", before: settingsOf(before), after: settingsOf(after) });
   });
 }
 
-/** Give these edges a line type; null lets the profile decide again. */
+/** Set the line type of edges; null resets them to the profile. */
 export function retype(rows: readonly number[], to: LineType | null): Promise<void> {
-  return inTurn(async () => {
-    const { drawing } = usePage.getState();
+  return enqueue(async () => {
+    const { drawing } = useUiStore.getState();
     if (drawing === null || rows.length === 0) return;
-    const edges = queries.getQueryData(keys.edges(drawing).queryKey);
+    const edges = queryClient.getQueryData(queries.edges(drawing).queryKey);
     if (edges === undefined) return;
-    const change = changeOf(edges, rows, to);
-    await changed(await service.override(drawing, forwards(change), shownRevision(drawing)));
-    usePage.getState().made(change);
+    const change = retypeChange(edges, rows, to);
+    await applyDrawing(
+      await service.override(drawing, overridesToApply(change), displayedRevision(drawing)),
+    );
+    useUiStore.getState().recordChange(change);
   });
 }
 
-/** A profile as the last change left it; somebody else's words are not overwritten. */
-async function asItWas(name: string, text: string): Promise<Profile> {
+/** Return a profile if its text is still `text`; raise if another user has changed it. */
+async function assertUnchanged(name: string, text: string): Promise<Profile> {
   const now = await service.profile(name);
   if ((await service.profileText(name)) === text) return now;
   throw new ServiceError({
     type: "about:blank",
-    title: "The profile has changed",
+    title: "Profile changed elsewhere",
     status: 412,
     code: "stored.text",
     arguments: {},
-    detail: `Somebody else changed the profile ${now.title} since.`,
+    detail: `Another user has changed the profile ${now.title}.`,
     text: `Somebody else changed the profile ${now.title} since.`,
-    hint: "Look at its rules; nothing was taken back.",
+    hint: "Check its rules. Nothing was undone.",
     source: [],
     questions: [],
     revision: null,
@@ -217,97 +223,110 @@ async function asItWas(name: string, text: string): Promise<Profile> {
 }
 
 /**
- * Keep a profile as a text, or keep none of its name, and read the drawing by another.
+ * Save or delete a profile and apply a profile to the drawing.
  *
- * `written` says that the service has the text already.
+ * `written`: the server has the text already.
  */
-export async function keepAs(drawing: string, change: Keeping, written = false): Promise<void> {
-  const { name, before, after, readAfter } = change;
+export async function saveProfile(
+  drawing: string,
+  change: ProfileChange,
+  written = false,
+): Promise<void> {
+  const { name, before, after, profileAfter } = change;
   if (after === null) {
-    const now = await asItWas(name, before ?? "");
-    // A drawing that was read by it is read by another first: it would say that it is gone.
-    const answer = await service.settle(drawing, readAfter, shownRevision(drawing));
+    const now = await assertUnchanged(name, before ?? "");
+    // Apply the other profile first, so that the drawing never refers to a deleted one.
+    const answer = await service.patchDrawing(drawing, profileAfter, displayedRevision(drawing));
     await service.deleteProfile(name, now.version);
-    await changed(answer);
+    await applyDrawing(answer);
   } else {
     if (!written) {
-      const version = before === null ? null : (await asItWas(name, before)).version;
-      await service.keepProfile(name, after, version);
+      const version = before === null ? null : (await assertUnchanged(name, before)).version;
+      await service.putProfile(name, after, version);
     }
-    await changed(await service.settle(drawing, readAfter, shownRevision(drawing)));
+    await applyDrawing(
+      await service.patchDrawing(drawing, profileAfter, displayedRevision(drawing)),
+    );
   }
-  await queries.invalidateQueries({ queryKey: keys.profiles().queryKey });
+  await queryClient.invalidateQueries({ queryKey: queries.profiles().queryKey });
 }
 
-async function again(drawing: string, change: Change, back: boolean): Promise<void> {
+async function applyChange(drawing: string, change: Change, back: boolean): Promise<void> {
   if (change.kind === "types") {
-    const overrides = back ? backwards(change) : forwards(change);
-    await changed(await service.override(drawing, overrides, shownRevision(drawing)));
-  } else if (change.kind === "settled") {
-    const { before, after } = back ? reversed(change) : change;
-    const part = differing(before, after);
-    await changed(await service.settle(drawing, part, shownRevision(drawing)));
-  } else await keepAs(drawing, back ? reversed(change) : change);
+    const overrides = back ? overridesToUndo(change) : overridesToApply(change);
+    await applyDrawing(await service.override(drawing, overrides, displayedRevision(drawing)));
+  } else if (change.kind === "settings") {
+    const { before, after } = back ? inverseOf(change) : change;
+    const part = changedSettings(before, after);
+    await applyDrawing(await service.patchDrawing(drawing, part, displayedRevision(drawing)));
+  } else await saveProfile(drawing, back ? inverseOf(change) : change);
 }
 
-/** What of `after` is not as it was: the profile is read anew only where it says something else. */
-function differing(before: Said, after: Said): Partial<Said> {
+/** The settings of `after` that differ from `before`; an unchanged profile is not applied again. */
+function changedSettings(
+  before: ReadingSettings,
+  after: ReadingSettings,
+): Partial<ReadingSettings> {
   const same = before.profile === after.profile && before.rules === after.rules;
   return {
     ...(before.unit === after.unit ? {} : { unit: after.unit }),
-    ...(same ? {} : readBy(after)),
+    ...(same ? {} : profileRefOf(after)),
   };
 }
 
-/** Take the last step back: of the profile that is being edited, or else of the drawing. */
+/** Undo the last step in the profile editor if it has one, else the last change of the drawing. */
 export function undo(): Promise<void> {
-  if (usePage.getState().editing !== null && useEditing.getState().past.length > 0) {
-    useEditing.getState().back();
+  if (useUiStore.getState().editedProfile !== null && useProfileDraft.getState().past.length > 0) {
+    useProfileDraft.getState().undo();
     return Promise.resolve();
   }
-  return inTurn(async () => {
-    const { drawing, past } = usePage.getState();
+  return enqueue(async () => {
+    const { drawing, past } = useUiStore.getState();
     const change = past.at(-1);
     if (drawing === null || change === undefined) return;
-    await again(drawing, change, true);
-    usePage.getState().undone();
+    await applyChange(drawing, change, true);
+    useUiStore.getState().recordUndo();
   });
 }
 
 export function redo(): Promise<void> {
-  if (usePage.getState().editing !== null && useEditing.getState().future.length > 0) {
-    useEditing.getState().forward();
+  if (
+    useUiStore.getState().editedProfile !== null &&
+    useProfileDraft.getState().future.length > 0
+  ) {
+    useProfileDraft.getState().redo();
     return Promise.resolve();
   }
-  return inTurn(async () => {
-    const { drawing, future } = usePage.getState();
+  return enqueue(async () => {
+    const { drawing, future } = useUiStore.getState();
     const change = future.at(-1);
     if (drawing === null || change === undefined) return;
-    await again(drawing, change, false);
-    usePage.getState().redone();
+    await applyChange(drawing, change, false);
+    useUiStore.getState().recordRedo();
   });
 }
 
 export function compile(machine: string, board: string): Promise<void> {
-  return inTurn(async () => {
-    const { drawing, copies } = usePage.getState();
+  return enqueue(async () => {
+    const { drawing, copies } = useUiStore.getState();
     if (drawing === null) return;
-    usePage.getState().set({ picking: false });
-    const machines = queries.getQueryData(keys.machines().queryKey);
+    useUiStore.getState().set({ pickingCorners: false });
+    const machines = queryClient.getQueryData(queries.machines().queryKey);
     const milled = machines?.find(({ name }) => name === machine)?.offset_cuts === true;
-    const corners = milled ? usePage.getState().corners : null;
+    const corners = milled ? useUiStore.getState().corners : null;
     try {
-      const revision = shownRevision(drawing);
+      const revision = displayedRevision(drawing);
       const job = await service.compile({ drawing, revision, machine, board, copies, corners });
-      heardJob(job);
-      usePage.getState().openJob(job.id);
+      upsertJob(job);
+      useUiStore.getState().openJob(job.id);
     } catch (cause) {
-      if (cause instanceof ServiceError) usePage.getState().set({ asked: cause.problem.questions });
+      if (cause instanceof ServiceError)
+        useUiStore.getState().set({ compileQuestions: cause.problem.questions });
       throw cause;
     }
   });
 }
 
 export function command(job: string, word: JobCommand): Promise<void> {
-  return inTurn(async () => heardJob(await service.command(job, word)));
+  return enqueue(async () => upsertJob(await service.command(job, word)));
 }

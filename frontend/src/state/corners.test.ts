@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Edges } from "../geometry/records";
-import { cornerNear, LEFT_TO_THE_MACHINE, withCorner, withKnob, withType } from "./corners";
+import { addCorner, cornerNear, DEFAULT_CORNERS, setCornerK, setCornerType } from "./corners";
 
 test("a click on a cut means its nearer end, and a crease has no corner", () => {
   const edges = {
@@ -13,15 +13,15 @@ test("a click on a cut means its nearer end, and a crease has no corner", () => 
 });
 
 test("a corner is chosen once, changed and taken back", () => {
-  const one = withCorner(LEFT_TO_THE_MACHINE, { x: 100, y: 0 });
+  const one = addCorner(DEFAULT_CORNERS, { x: 100, y: 0 });
   expect(one.at).toEqual([{ x: 100, y: 0, type: "C", k: null }]);
-  expect(withCorner(one, { x: 100.2, y: 0 })).toBe(one);
-  const d = withKnob(withType(one, 0, "D"), 0, 0.3);
+  expect(addCorner(one, { x: 100.2, y: 0 })).toBe(one);
+  const d = setCornerK(setCornerType(one, 0, "D"), 0, 0.3);
   expect(d.at).toEqual([{ x: 100, y: 0, type: "D", k: 0.3 }]);
-  expect(withType(d, 0, null).at).toEqual([]);
+  expect(setCornerType(d, 0, null).at).toEqual([]);
 });
 
 test("a corner that is clicked differs from the rest", () => {
-  const rest = { ...LEFT_TO_THE_MACHINE, type: "C" } as const;
-  expect(withCorner(rest, { x: 0, y: 0 }).at[0]?.type).toBe("B");
+  const rest = { ...DEFAULT_CORNERS, type: "C" } as const;
+  expect(addCorner(rest, { x: 0, y: 0 }).at[0]?.type).toBe("B");
 });

@@ -1,4 +1,4 @@
-/** How a cutter goes round corners, as the order will say it. */
+/** Corner types of a router, as a job request contains them. */
 
 import type { CornerAt, Corners } from "../api/client";
 import { type Edges, lineTypeOf, type Point } from "../geometry/records";
@@ -6,18 +6,18 @@ import { type Edges, lineTypeOf, type Point } from "../geometry/records";
 export const CORNER_TYPES = ["auto", "B", "C", "D"] as const;
 export type CornerType = (typeof CORNER_TYPES)[number];
 
-/** What the service takes where an order says nothing. */
-export const LEFT_TO_THE_MACHINE: Corners = {
+/** Defaults of the server. */
+export const DEFAULT_CORNERS: Corners = {
   type: "auto",
   k: 0.5,
   interference: "trim",
   at: [],
 };
 
-/** Two places nearer than this are one corner (mm). */
-const SAME = 0.5;
+/** Points closer than this are one corner (mm). */
+const SAME_CORNER = 0.5;
 
-/** The end of a cut that is nearer to a place; null where the edge is no cut. */
+/** The end of a cut that is closer to a point; null if the edge is not a cut. */
 export function cornerNear(edges: Edges, row: number, to: Point): Point | null {
   if (lineTypeOf(edges.lineType[row]) !== "cut") return null;
   const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = edges.ends.subarray(row * 4, row * 4 + 4);
@@ -25,18 +25,18 @@ export function cornerNear(edges: Edges, row: number, to: Point): Point | null {
   return first ? { x: x0, y: y0 } : { x: x1, y: y1 };
 }
 
-const isThere = (one: CornerAt, { x, y }: Point) => Math.hypot(one.x - x, one.y - y) <= SAME;
+const isThere = (one: CornerAt, { x, y }: Point) => Math.hypot(one.x - x, one.y - y) <= SAME_CORNER;
 
-/** The choices with one for the corner at a place, which lies above an earlier one. */
-export function withCorner(corners: Corners, place: Point): Corners {
+/** Add a corner with a type of its own. */
+export function addCorner(corners: Corners, place: Point): Corners {
   if (corners.at.some((one) => isThere(one, place))) return corners;
   // The opposite of what the others are, so that a click is seen to do something.
   const type = corners.type === "C" ? "B" : "C";
   return { ...corners, at: [...corners.at, { x: place.x, y: place.y, type, k: null }] };
 }
 
-/** The choices with another type for one of the corners; null takes it back. */
-export function withType(corners: Corners, which: number, type: CornerType | null): Corners {
+/** Set the type of a single corner; null removes it from the list. */
+export function setCornerType(corners: Corners, which: number, type: CornerType | null): Corners {
   const at =
     type === null
       ? corners.at.filter((_, row) => row !== which)
@@ -44,7 +44,7 @@ export function withType(corners: Corners, which: number, type: CornerType | nul
   return { ...corners, at };
 }
 
-/** The choices with another knob for one of the corners; null for that of the others. */
-export function withKnob(corners: Corners, which: number, k: number | null): Corners {
+/** Set k of a single corner; null for the common k. */
+export function setCornerK(corners: Corners, which: number, k: number | null): Corners {
   return { ...corners, at: corners.at.map((one, row) => (row === which ? { ...one, k } : one)) };
 }

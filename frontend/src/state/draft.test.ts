@@ -1,16 +1,16 @@
 import { describe, expect, test } from "vitest";
 import type { Profile } from "../api/client";
 import {
-  colourFault,
-  draftOf,
-  draftRule,
-  nameOf,
-  patternsOf,
-  sentOf,
-  withChanged,
-  withMoved,
-  withoutRule,
-  withRule,
+  addRule,
+  colourError,
+  draftFromProfile,
+  moveRule,
+  newRule,
+  parsePatterns,
+  profileRequest,
+  removeRule,
+  slugOf,
+  updateRule,
 } from "./draft";
 
 const RULE = { type: "cut", words: "", colour: [], linetype: [], entity: [], block: [] } as const;
@@ -31,14 +31,19 @@ const PROFILE = {
   ],
 } as unknown as Profile;
 
-const layers = (draft: ReturnType<typeof draftOf>) => draft.rules.map(({ layer }) => layer[0]);
+const layers = (draft: ReturnType<typeof draftFromProfile>) =>
+  draft.rules.map(({ layer }) => layer[0]);
 
 describe("a draft", () => {
   test("has the customer's own rules, not those that it extends", () => {
-    const draft = draftOf(PROFILE);
+    const draft = draftFromProfile(PROFILE);
     expect(layers(draft)).toEqual(["A", "B"]);
-    expect(sentOf(draft)).toMatchObject({ title: "Acme", extends: "default", overrules: true });
-    expect(sentOf(draft).rules[0]).toEqual({
+    expect(profileRequest(draft)).toMatchObject({
+      title: "Acme",
+      extends: "default",
+      overrules: true,
+    });
+    expect(profileRequest(draft).rules[0]).toEqual({
       type: "cut",
       layer: ["A"],
       colour: [],
@@ -49,31 +54,31 @@ describe("a draft", () => {
   });
 
   test("of a shipped profile is a new one on top of it", () => {
-    const draft = draftOf({ ...PROFILE, name: "german", shipped: true });
+    const draft = draftFromProfile({ ...PROFILE, name: "german", shipped: true });
     expect(draft).toMatchObject({ title: "", extends: "german", overrules: true, rules: [] });
   });
 
   test("takes a rule on top, moves it and lets it go", () => {
-    const added = withRule(draftOf(PROFILE), draftRule({ layer: ["C"] }));
+    const added = addRule(draftFromProfile(PROFILE), newRule({ layer: ["C"] }));
     expect(layers(added)).toEqual(["C", "A", "B"]);
     const key = added.rules[0]?.key ?? -1;
-    expect(layers(withMoved(added, key, 1))).toEqual(["A", "C", "B"]);
-    expect(layers(withMoved(added, key, 99))).toEqual(["A", "B", "C"]);
-    expect(layers(withMoved(added, key, -1))).toEqual(["C", "A", "B"]);
-    expect(layers(withoutRule(added, key))).toEqual(["A", "B"]);
-    expect(withChanged(added, key, { type: "crease" }).rules[0]).toMatchObject({
+    expect(layers(moveRule(added, key, 1))).toEqual(["A", "C", "B"]);
+    expect(layers(moveRule(added, key, 99))).toEqual(["A", "B", "C"]);
+    expect(layers(moveRule(added, key, -1))).toEqual(["C", "A", "B"]);
+    expect(layers(removeRule(added, key))).toEqual(["A", "B"]);
+    expect(updateRule(added, key, { type: "crease" }).rules[0]).toMatchObject({
       key,
       type: "crease",
       layer: ["C"],
     });
-    expect(withMoved(added, -5, 0)).toBe(added);
+    expect(moveRule(added, -5, 0)).toBe(added);
   });
 });
 
 describe("what somebody writes", () => {
   test("is parted at commas; colours are numbers where they can be", () => {
-    expect(patternsOf("layer", " FOLDS, 10 ,,crease*")).toEqual(["FOLDS", "10", "crease*"]);
-    expect(patternsOf("colour", "1, #FF0000, red")).toEqual([1, "#ff0000", "red"]);
+    expect(parsePatterns("layer", " FOLDS, 10 ,,crease*")).toEqual(["FOLDS", "10", "crease*"]);
+    expect(parsePatterns("colour", "1, #FF0000, red")).toEqual([1, "#ff0000", "red"]);
   });
 
   test.each([
@@ -83,7 +88,7 @@ describe("what somebody writes", () => {
     ["red", "red is"],
     ["#12345", "#12345 is"],
   ])("as colours %s", (text, fault) => {
-    const said = colourFault(patternsOf("colour", text));
+    const said = colourError(parsePatterns("colour", text));
     expect(fault === "" ? said : said.slice(0, fault.length)).toBe(fault);
   });
 
@@ -93,5 +98,5 @@ describe("what somebody writes", () => {
     ["../../etc/passwd", "etc-passwd"],
     ["刀线", ""],
     ["x".repeat(100), "x".repeat(64)],
-  ])("%s becomes a name", (title, name) => expect(nameOf(title)).toBe(name));
+  ])("%s becomes a name", (title, name) => expect(slugOf(title)).toBe(name));
 });

@@ -1,7 +1,7 @@
 /**
- * A profile while it is being edited: its own rules in order, above or below those it extends.
+ * Draft of a profile in the editor: its own rules in order, before or after the inherited ones.
  *
- * Nothing here asks the service: a draft is a value, and each edit makes another.
+ * Drafts are immutable; each edit returns a new one.
  */
 
 import type { Profile, ProfileDraft, Rule } from "../api/client";
@@ -16,7 +16,7 @@ export type Condition = "layer" | "colour" | "linetype" | "entity" | "block";
 export const CONDITIONS: readonly Condition[] = ["layer", "colour", "linetype", "entity", "block"];
 
 export interface DraftRule extends Readonly<Record<Condition, readonly (string | number)[]>> {
-  /** Of the page alone, so that a rule is known again where it has moved. */
+  /** Identifies a rule on this page when it is moved. */
   readonly key: number;
   readonly type: LineType;
 }
@@ -25,7 +25,7 @@ let lastKey = 0;
 
 const NOTHING = { layer: [], colour: [], linetype: [], entity: [], block: [] } as const;
 
-export const draftRule = (rule: Partial<Omit<DraftRule, "key">>): DraftRule => ({
+export const newRule = (rule: Partial<Omit<DraftRule, "key">>): DraftRule => ({
   ...NOTHING,
   type: "cut",
   ...rule,
@@ -33,7 +33,7 @@ export const draftRule = (rule: Partial<Omit<DraftRule, "key">>): DraftRule => (
 });
 
 const ruleOf = (rule: Rule): DraftRule =>
-  draftRule({
+  newRule({
     type: rule.type,
     layer: rule.layer,
     colour: rule.colour,
@@ -42,8 +42,8 @@ const ruleOf = (rule: Rule): DraftRule =>
     block: rule.block,
   });
 
-/** What is edited of a profile; of one that is shipped, nothing: a new one extends it. */
-export function draftOf(profile: Profile): Draft {
+/** Draft of a customer profile; for a built-in profile, of a new profile that extends it. */
+export function draftFromProfile(profile: Profile): Draft {
   if (profile.shipped) return { title: "", extends: profile.name, overrules: true, rules: [] };
   return {
     title: profile.title,
@@ -53,8 +53,8 @@ export function draftOf(profile: Profile): Draft {
   };
 }
 
-/** What the service is sent. */
-export const sentOf = (draft: Draft): ProfileDraft => ({
+/** Request body for the server. */
+export const profileRequest = (draft: Draft): ProfileDraft => ({
   title: draft.title.trim() === "" ? "Untitled" : draft.title.trim(),
   extends: draft.extends,
   overrules: draft.overrules,
@@ -69,24 +69,24 @@ export const sentOf = (draft: Draft): ProfileDraft => ({
   })),
 });
 
-/** The draft with another rule on top of its own: the newest is asked first. */
-export const withRule = (draft: Draft, rule: DraftRule): Draft => ({
+/** Insert a rule before the others. */
+export const addRule = (draft: Draft, rule: DraftRule): Draft => ({
   ...draft,
   rules: [rule, ...draft.rules],
 });
 
-export const withoutRule = (draft: Draft, key: number): Draft => ({
+export const removeRule = (draft: Draft, key: number): Draft => ({
   ...draft,
   rules: draft.rules.filter((rule) => rule.key !== key),
 });
 
-export const withChanged = (draft: Draft, key: number, part: Partial<DraftRule>): Draft => ({
+export const updateRule = (draft: Draft, key: number, part: Partial<DraftRule>): Draft => ({
   ...draft,
   rules: draft.rules.map((rule) => (rule.key === key ? { ...rule, ...part, key } : rule)),
 });
 
-/** The draft with a rule moved to a place; where the list ends, it ends. */
-export function withMoved(draft: Draft, key: number, to: number): Draft {
+/** Move a rule to an index, limited to the length of the list. */
+export function moveRule(draft: Draft, key: number, to: number): Draft {
   const from = draft.rules.findIndex((rule) => rule.key === key);
   const moved = draft.rules[from];
   if (moved === undefined) return draft;
@@ -95,8 +95,8 @@ export function withMoved(draft: Draft, key: number, to: number): Draft {
   return { ...draft, rules };
 }
 
-/** What somebody wrote into a field, as a condition: parts between commas. */
-export function patternsOf(condition: Condition, text: string): (string | number)[] {
+/** Parse the text of a field: patterns separated by commas. */
+export function parsePatterns(condition: Condition, text: string): (string | number)[] {
   const parts = text
     .split(",")
     .map((part) => part.trim())
@@ -105,22 +105,23 @@ export function patternsOf(condition: Condition, text: string): (string | number
   return parts.map((part) => (/^\d{1,3}$/.test(part) ? Number(part) : part.toLowerCase()));
 }
 
-export const textOf = (patterns: readonly (string | number)[]): string => patterns.join(", ");
+export const formatPatterns = (patterns: readonly (string | number)[]): string =>
+  patterns.join(", ");
 
-/** Why a colour that was written is none; empty where all are. */
-export function colourFault(patterns: readonly (string | number)[]): string {
+/** Error message for an invalid colour; empty if all are valid. */
+export function colourError(patterns: readonly (string | number)[]): string {
   const wrong = patterns.find((part) =>
     typeof part === "number" ? part < 1 || part > 255 : !/^#[0-9a-f]{6}$/.test(part),
   );
-  return wrong === undefined ? "" : `${wrong} is neither 1 … 255 nor #rrggbb`;
+  return wrong === undefined ? "" : `${wrong} is not a colour: enter 1 to 255 or #rrggbb`;
 }
 
-/** Whether a rule meets everything: it has no condition. */
-export const meetsAll = (rule: DraftRule): boolean =>
+/** Whether a rule matches every edge because it has no condition. */
+export const matchesAll = (rule: DraftRule): boolean =>
   CONDITIONS.every((condition) => rule[condition].length === 0);
 
-/** A name that the service takes, made of what people call it. */
-export function nameOf(title: string): string {
+/** A valid profile name made from a title. */
+export function slugOf(title: string): string {
   const plain = title
     .normalize("NFKD")
     .replace(/\p{M}/gu, "")

@@ -2,11 +2,17 @@ import { QueryObserver } from "@tanstack/react-query";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { type Drawing, type Profile, type Proposal, service } from "../api/client";
 import { type Edges, LINE_TYPES } from "../geometry/records";
-import { redo, retype, settle, undo } from "./actions";
-import { backwards, changeOf, forwards, type Keeping, reversed } from "./history";
-import { keys, queries } from "./queries";
-import { useReports } from "./reports";
-import { usePage } from "./store";
+import { patchDrawing, redo, retype, undo } from "./actions";
+import {
+  inverseOf,
+  overridesToApply,
+  overridesToUndo,
+  type ProfileChange,
+  retypeChange,
+} from "./history";
+import { useNotifications } from "./notifications";
+import { queries, queryClient } from "./queries";
+import { useUiStore } from "./store";
 
 /** Edge 0 is a cut by rule, edge 1 a crease by hand, edge 2 a V-groove by hand. */
 const EDGES: Edges = {
@@ -30,14 +36,14 @@ const EDGES: Edges = {
 };
 
 describe("a change", () => {
-  const change = changeOf(EDGES, [0, 1, 2], "half-cut");
+  const change = retypeChange(EDGES, [0, 1, 2], "half-cut");
 
   test("is one override for all its edges", () => {
-    expect(forwards(change)).toEqual([{ type: "half-cut", edges: [0, 1, 2] }]);
+    expect(overridesToApply(change)).toEqual([{ type: "half-cut", edges: [0, 1, 2] }]);
   });
 
   test("is taken back by what each edge had before; a rule decides again where one did", () => {
-    expect(backwards(change)).toEqual([
+    expect(overridesToUndo(change)).toEqual([
       { type: null, edges: [0] },
       { type: "crease", edges: [1] },
       { type: "v-groove", edges: [2] },
@@ -50,13 +56,13 @@ describe("undo and redo", () => {
 
   beforeEach(() => {
     override.mockReset().mockResolvedValue({ id: "d1" } as Drawing);
-    queries.clear();
-    queries.setQueryData(keys.edges("d1").queryKey, EDGES);
-    usePage.getState().open(null);
-    usePage.getState().open("d1", "j1");
-    for (const { id } of useReports.getState().list) useReports.getState().dismiss(id);
+    queryClient.clear();
+    queryClient.setQueryData(queries.edges("d1").queryKey, EDGES);
+    useUiStore.getState().open(null);
+    useUiStore.getState().open("d1", "j1");
+    for (const { id } of useNotifications.getState().list) useNotifications.getState().dismiss(id);
   });
-  afterEach(() => queries.clear());
+  afterEach(() => queryClient.clear());
 
   const told = () => override.mock.calls.map(([, overrides]) => overrides);
 
@@ -65,7 +71,7 @@ describe("undo and redo", () => {
     const asked = vi
       .spyOn(service, "learned")
       .mockImplementation(() => new Promise((answer) => answers.push(answer)));
-    const watched = new QueryObserver(queries, keys.learned("d1"));
+    const watched = new QueryObserver(queryClient, queries.learned("d1"));
     const leave = watched.subscribe(() => undefined);
     const answered = retype([0], "crease");
     await vi.waitFor(() => expect(answers).toHaveLength(2));
@@ -80,12 +86,12 @@ describe("undo and redo", () => {
 
   test("go to the service and back", async () => {
     await retype([0], "crease");
-    expect(usePage.getState().past).toHaveLength(1);
+    expect(useUiStore.getState().past).toHaveLength(1);
     await undo();
-    expect(usePage.getState().past).toHaveLength(0);
-    expect(usePage.getState().future).toHaveLength(1);
+    expect(useUiStore.getState().past).toHaveLength(0);
+    expect(useUiStore.getState().future).toHaveLength(1);
     await redo();
-    expect(usePage.getState().past).toHaveLength(1);
+    expect(useUiStore.getState().past).toHaveLength(1);
     expect(told()).toEqual([
       [{ type: "crease", edges: [0] }],
       [{ type: null, edges: [0] }],
@@ -96,28 +102,28 @@ describe("undo and redo", () => {
   test("keys that are pressed fast are done one after the other", async () => {
     await Promise.all([retype([0], "crease"), undo(), redo(), undo()]);
     expect(override).toHaveBeenCalledTimes(4);
-    expect(usePage.getState().future).toHaveLength(1);
-    expect(usePage.getState().busy).toBe(false);
+    expect(useUiStore.getState().future).toHaveLength(1);
+    expect(useUiStore.getState().busy).toBe(false);
   });
 
   test("a new change forgets what was undone", async () => {
     await retype([0], "crease");
     await undo();
     await retype([0], "perforation");
-    expect(usePage.getState().future).toHaveLength(0);
+    expect(useUiStore.getState().future).toHaveLength(0);
   });
 
   test("what the service refuses is told and is not in the history", async () => {
     override.mockRejectedValue(new Error("no"));
     await retype([0], "crease");
-    expect(usePage.getState().past).toHaveLength(0);
-    expect(useReports.getState().list.map(({ detail }) => detail)).toEqual(["no"]);
-    expect(usePage.getState().busy).toBe(false);
+    expect(useUiStore.getState().past).toHaveLength(0);
+    expect(useNotifications.getState().list.map(({ detail }) => detail)).toEqual(["no"]);
+    expect(useUiStore.getState().busy).toBe(false);
   });
 
   test("a changed drawing is no longer that of its job", async () => {
     await retype([0], "crease");
-    expect(usePage.getState().job).toBeNull();
+    expect(useUiStore.getState().job).toBeNull();
   });
 
   test("with nothing to undo nothing is asked of the service", async () => {
@@ -128,14 +134,14 @@ describe("undo and redo", () => {
 
   test("another drawing has a history of its own", async () => {
     await retype([0], "crease");
-    usePage.getState().open("d2");
-    expect(usePage.getState().past).toHaveLength(0);
+    useUiStore.getState().open("d2");
+    expect(useUiStore.getState().past).toHaveLength(0);
   });
 });
 
 describe("a unit and a profile", () => {
-  const told = vi.spyOn(service, "settle");
-  const texts = vi.spyOn(service, "keepProfile");
+  const told = vi.spyOn(service, "patchDrawing");
+  const texts = vi.spyOn(service, "putProfile");
   const forgotten = vi.spyOn(service, "deleteProfile");
   const read = vi.spyOn(service, "profile");
   const text = vi.spyOn(service, "profileText");
@@ -155,14 +161,14 @@ describe("a unit and a profile", () => {
     forgotten.mockReset().mockResolvedValue();
     read.mockReset().mockResolvedValue({ version: 7, title: "Acme" } as Profile);
     text.mockReset().mockResolvedValue('title = "Acme"');
-    queries.clear();
-    queries.setQueryData(keys.drawing("d1").queryKey, drawing({}));
-    usePage.getState().open(null);
-    usePage.getState().open("d1");
+    queryClient.clear();
+    queryClient.setQueryData(queries.drawing("d1").queryKey, drawing({}));
+    useUiStore.getState().open(null);
+    useUiStore.getState().open("d1");
   });
 
   test("that were said are unsaid, and said again", async () => {
-    await settle({ unit: "in" });
+    await patchDrawing({ unit: "in" });
     await undo();
     await redo();
     expect(told.mock.calls.map(([, part]) => part)).toEqual([
@@ -174,9 +180,9 @@ describe("a unit and a profile", () => {
 
   test("a profile that has changed is read anew, and then as it was", async () => {
     const acme = (rules: string) => drawing({ profile: "acme", rules });
-    queries.setQueryData(keys.drawing("d1").queryKey, acme("old"));
+    queryClient.setQueryData(queries.drawing("d1").queryKey, acme("old"));
     told.mockImplementation((_, { rules }) => Promise.resolve(acme(rules || "new")));
-    await settle({ profile: "acme" });
+    await patchDrawing({ profile: "acme" });
     await undo();
     await redo();
     expect(told.mock.calls.map(([, part]) => part)).toEqual([
@@ -186,17 +192,17 @@ describe("a unit and a profile", () => {
     ]);
   });
 
-  const KEPT: Keeping = {
-    kind: "kept",
+  const KEPT: ProfileChange = {
+    kind: "profile",
     name: "acme",
     before: null,
     after: 'title = "Acme"',
-    readBefore: { profile: "default", rules: "" },
-    readAfter: { profile: "acme" },
+    profileBefore: { profile: "default", rules: "" },
+    profileAfter: { profile: "acme" },
   };
 
   test("a new profile is forgotten, once the drawing is read by the one before", async () => {
-    usePage.getState().made(KEPT);
+    useUiStore.getState().recordChange(KEPT);
     await undo();
     expect(told).toHaveBeenCalledWith("d1", { profile: "default", rules: "" }, null);
     expect(forgotten).toHaveBeenCalledWith("acme", 7);
@@ -206,10 +212,10 @@ describe("a unit and a profile", () => {
   });
 
   test("a changed profile gets back the text that it had", async () => {
-    usePage.getState().made({
+    useUiStore.getState().recordChange({
       ...KEPT,
       before: 'title = "Old"',
-      readBefore: { profile: "acme", rules: 'title = "Old"' },
+      profileBefore: { profile: "acme", rules: 'title = "Old"' },
     });
     await undo();
     expect(texts).toHaveBeenCalledWith("acme", 'title = "Old"', 7);
@@ -218,19 +224,19 @@ describe("a unit and a profile", () => {
 
   test("what somebody else wrote meanwhile is left as it is, and that is told", async () => {
     text.mockResolvedValue('title = "Theirs"');
-    usePage.getState().made({
+    useUiStore.getState().recordChange({
       ...KEPT,
       before: 'title = "Old"',
-      readBefore: { profile: "acme", rules: 'title = "Old"' },
+      profileBefore: { profile: "acme", rules: 'title = "Old"' },
     });
     await undo();
     expect(texts).not.toHaveBeenCalled();
-    expect(usePage.getState().past).toHaveLength(1);
-    expect(useReports.getState().list.at(-1)?.title).toBe("The profile has changed");
+    expect(useUiStore.getState().past).toHaveLength(1);
+    expect(useNotifications.getState().list.at(-1)?.title).toBe("Profile changed elsewhere");
   });
 
   test("the way back of the way back is the way", () => {
-    expect(reversed(reversed(KEPT))).toEqual(KEPT);
+    expect(inverseOf(inverseOf(KEPT))).toEqual(KEPT);
   });
 });
 

@@ -1,80 +1,84 @@
 /**
- * What somebody decided, so that it can be taken back.
+ * Changes made by the user, with what is needed to undo them.
  *
- * The service keeps overrides, the later on top; undo is one more of them. An edge that had none
- * before gets its override taken back, so that the profile decides again and says by which rule.
- * A unit, or the choice of a profile, is said again as it was; a profile is kept again as it was.
+ * The server stores overrides in order, and the last one wins; undo adds another override. An
+ * edge without a previous override has it removed, so that the rules of the profile apply again.
+ * To undo a change of unit or profile, the previous value is sent.
  */
 
 import type { Drawing, Override, Unit } from "../api/client";
 import { type Edges, type LineType, lineTypeOf } from "../geometry/records";
 
-/** What the service gives as the rule of an edge that somebody decided. */
-export const BY_HAND = "override";
+/** Name that the server gives as the rule of an edge with an override. */
+export const OVERRIDE_RULE = "override";
 
-/** Edges got a line type. */
-export interface Retyping {
+/** The line type of edges was changed. */
+export interface RetypeChange {
   readonly kind: "types";
   readonly rows: readonly number[];
   readonly to: LineType | null;
-  /** For each row: the type that an override gave it before; null where a rule decided. */
+  /** For each row: the type of its previous override; null if a rule decided. */
   readonly before: readonly (LineType | null)[];
 }
 
-/** What is said of a drawing as a whole. */
-export interface Said {
+/** Settings by which a drawing is read. */
+export interface ReadingSettings {
   readonly unit: Unit | "file";
   readonly profile: string;
-  /** The customer's profile as it was when the drawing was read by it; empty for a shipped one. */
+  /** Text of the customer profile when it was applied; empty for a built-in profile. */
   readonly rules: string;
 }
 
-/** A drawing got a unit or a profile. */
-export interface Settling {
-  readonly kind: "settled";
-  readonly before: Said;
-  readonly after: Said;
+/** The unit or the profile of the drawing was changed. */
+export interface SettingsChange {
+  readonly kind: "settings";
+  readonly before: ReadingSettings;
+  readonly after: ReadingSettings;
 }
 
-/** A customer's profile was kept; null where there was none. */
-export interface Keeping {
-  readonly kind: "kept";
+/** A customer profile was created, changed or deleted; null: it did not exist. */
+export interface ProfileChange {
+  readonly kind: "profile";
   readonly name: string;
   readonly before: string | null;
   readonly after: string | null;
-  /** By which profile the drawing was classified before and after, and by which text of it. */
-  readonly readBefore: ReadBy;
-  readonly readAfter: ReadBy;
+  /** Profile of the drawing before and after. */
+  readonly profileBefore: ProfileRef;
+  readonly profileAfter: ProfileRef;
 }
 
-/** A profile, as it is now where no rules are told. */
-export interface ReadBy {
+/** A profile: the given text of it, or its current one. */
+export interface ProfileRef {
   readonly profile: string;
   readonly rules?: string;
 }
 
-export type Change = Retyping | Settling | Keeping;
+export type Change = RetypeChange | SettingsChange | ProfileChange;
 
-export const isByHand = (edges: Edges, row: number): boolean =>
-  edges.rules[edges.rule[row] ?? -1] === BY_HAND;
+export const isSetByHand = (edges: Edges, row: number): boolean =>
+  edges.rules[edges.rule[row] ?? -1] === OVERRIDE_RULE;
 
-/** The change that gives these rows a type (null: lets the rules decide again). */
-export function changeOf(edges: Edges, rows: readonly number[], to: LineType | null): Retyping {
+/** The change that sets the type of rows (null: resets them to the profile). */
+export function retypeChange(
+  edges: Edges,
+  rows: readonly number[],
+  to: LineType | null,
+): RetypeChange {
   return {
     kind: "types",
     rows: [...rows],
     to,
-    before: rows.map((row) => (isByHand(edges, row) ? lineTypeOf(edges.lineType[row]) : null)),
+    before: rows.map((row) => (isSetByHand(edges, row) ? lineTypeOf(edges.lineType[row]) : null)),
   };
 }
 
-/** The overrides that make a change. */
-export const forwards = (change: Retyping): Override[] => [
+/** Overrides that make a change. */
+export const overridesToApply = (change: RetypeChange): Override[] => [
   { type: change.to, edges: [...change.rows] },
 ];
 
-/** The overrides that take it back: one to each type that there was before. */
-export function backwards(change: Retyping): Override[] {
+/** Overrides that undo a change: one per previous type. */
+export function overridesToUndo(change: RetypeChange): Override[] {
   const byType = new Map<LineType | null, number[]>();
   change.rows.forEach((row, at) => {
     const type = change.before[at] ?? null;
@@ -85,23 +89,26 @@ export function backwards(change: Retyping): Override[] {
   return [...byType].map(([type, edges]) => ({ type, edges }));
 }
 
-/** What is said of a drawing now. */
-export const saidOf = (drawing: Drawing): Said => ({
+/** Current settings of a drawing. */
+export const settingsOf = (drawing: Drawing): ReadingSettings => ({
   unit: drawing.unit_given ?? "file",
   profile: drawing.profile,
   rules: drawing.rules,
 });
 
-/** By which profile a drawing is read, and by which text of it. */
-export const readBy = ({ profile, rules }: Pick<Said, "profile" | "rules">): ReadBy => ({
+/** The profile of some settings. */
+export const profileRefOf = ({
+  profile,
+  rules,
+}: Pick<ReadingSettings, "profile" | "rules">): ProfileRef => ({
   profile,
   rules,
 });
 
-/** The same change the other way round. */
-export function reversed<C extends Settling | Keeping>(change: C): C {
+/** The change that undoes another one. */
+export function inverseOf<C extends SettingsChange | ProfileChange>(change: C): C {
   const turned = { ...change, before: change.after, after: change.before };
-  if (turned.kind !== "kept") return turned;
-  const { readBefore, readAfter } = turned;
-  return { ...turned, readBefore: readAfter, readAfter: readBefore };
+  if (turned.kind !== "profile") return turned;
+  const { profileBefore, profileAfter } = turned;
+  return { ...turned, profileBefore: profileAfter, profileAfter: profileBefore };
 }

@@ -1,42 +1,42 @@
-/** What can be said of some edges together. */
+/** Summary of some edges: types, reasons, layers, colours. */
 
 import { type Edges, fateOf, type LineType, lineTypeOf } from "../geometry/records";
-import { BY_HAND } from "./history";
+import { OVERRIDE_RULE } from "./history";
 import { layerOf } from "./rows";
 
-export interface Why {
+export interface TypeReason {
   readonly type: LineType;
-  /** The rule or the evidence, in words. */
+  /** Rule or evidence. */
   readonly rule: string;
-  /** The least of those that it decided: 0 … 1 */
+  /** Lowest confidence of its edges, 0 … 1. */
   readonly confidence: number;
   readonly rows: readonly number[];
 }
 
-export interface Inspected {
+export interface EdgeSummary {
   /** mm */
   readonly length: number;
-  /** The reasons that decided most edges first. */
-  readonly why: readonly Why[];
-  /** So many reasons are not listed. */
+  /** Ordered by number of edges, most first. */
+  readonly reasons: readonly TypeReason[];
+  /** Number of reasons not listed. */
   readonly more: number;
-  /** What all of them could be besides, the likeliest first. */
+  /** Other line types possible for all of them, most likely first. */
   readonly alternatives: readonly LineType[];
   readonly layers: readonly string[];
   readonly colours: readonly number[];
   readonly linetypes: readonly string[];
-  /** What the cleaning made of them, where that is one thing and not nothing. */
+  /** Outcome of cleaning if it is the same for all; empty if kept as drawn. */
   readonly fate: string;
 }
 
 const LISTED = 4;
 
-/** The rule or the evidence that decided an edge, in words. */
-export const ruleWords = (rule: string): string =>
-  rule === BY_HAND ? "decided by hand" : rule === "" ? "nothing says what it is" : rule;
+/** Text for the rule or evidence that decided an edge. */
+export const ruleText = (rule: string): string =>
+  rule === OVERRIDE_RULE ? "set by hand" : rule === "" ? "no evidence" : rule;
 
-export function inspected(edges: Edges, rows: readonly number[]): Inspected {
-  const why = new Map<
+export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSummary {
+  const reasons = new Map<
     string,
     { type: LineType; rule: string; confidence: number; rows: number[] }
   >();
@@ -50,23 +50,23 @@ export function inspected(edges: Edges, rows: readonly number[]): Inspected {
     const rule = edges.rules[edges.rule[row] ?? -1] ?? "";
     const confidence = edges.confidence[row] ?? 0;
     const key = `${type} ${rule}`;
-    const known = why.get(key);
-    if (known === undefined) why.set(key, { type, rule, confidence, rows: [row] });
+    const known = reasons.get(key);
+    if (known === undefined) reasons.set(key, { type, rule, confidence, rows: [row] });
     else {
       known.rows.push(row);
       known.confidence = Math.min(known.confidence, confidence);
     }
     length += edges.length[row] ?? 0;
-    fates.add(fateWords(edges, row));
+    fates.add(outcomeText(edges, row));
     layers.add(layerOf(edges, row));
     colours.add(edges.colour[row] ?? 0);
     linetypes.add(edges.linetypes[edges.linetype[row] ?? -1] ?? "");
   }
-  const listed = [...why.values()].sort((a, b) => b.rows.length - a.rows.length);
+  const listed = [...reasons.values()].sort((a, b) => b.rows.length - a.rows.length);
   const [fate = ""] = fates;
   return {
     length,
-    why: listed.slice(0, LISTED),
+    reasons: listed.slice(0, LISTED),
     more: Math.max(0, listed.length - LISTED),
     alternatives: alternativesOf(edges, rows),
     layers: [...layers].slice(0, LISTED),
@@ -76,13 +76,13 @@ export function inspected(edges: Edges, rows: readonly number[]): Inspected {
   };
 }
 
-function fateWords(edges: Edges, row: number): string {
+function outcomeText(edges: Edges, row: number): string {
   const fate = fateOf(edges.fate[row]);
   const reason = edges.reasons[edges.reason[row] ?? 0] ?? "";
   return reason === "" && fate === "kept" ? "" : reason === "" ? fate : `${fate}: ${reason}`;
 }
 
-/** What each of them could be besides; in the order of the first. */
+/** Alternatives that all edges share, in the order of the first edge. */
 function alternativesOf(edges: Edges, rows: readonly number[]): LineType[] {
   const rules = [...new Set(rows.map((row) => edges.rule[row] ?? -1))];
   const lists = rules.map((rule) => edges.alternatives[rule] ?? []);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Job } from "../api/client";
-import { askBefore, commandsOf, lookOf, needsOperator } from "./jobs";
+import { commandsOf, confirmationBefore, needsOperator, stateStyleOf } from "./jobs";
 
 const job = (change: Partial<Job>): Job =>
   ({ state: "ready", waiting_for: "", line: 0, lines: 100, copies: 1, ...change }) as Job;
@@ -23,32 +23,38 @@ describe("what the operator is offered", () => {
   });
 
   it("names what is waited for instead of the state", () => {
-    expect(lookOf(job({ state: "queued", waiting_for: "confirmation" })).title).toBe("To confirm");
-    expect(lookOf(job({ state: "held", waiting_for: "sheet" })).title).toBe("New sheet");
-    expect(lookOf(job({ state: "queued", waiting_for: "turn" })).title).toBe("Queued");
+    expect(stateStyleOf(job({ state: "queued", waiting_for: "confirmation" })).title).toBe(
+      "Confirm",
+    );
+    expect(stateStyleOf(job({ state: "held", waiting_for: "sheet" })).title).toBe("New sheet");
+    expect(stateStyleOf(job({ state: "queued", waiting_for: "turn" })).title).toBe("Queued");
   });
 });
 
 describe("what is asked before it is sent", () => {
   it("states what a cancel does while the board is on the table, and only then", () => {
     for (const state of ["running", "held"] as const) {
-      const ask = askBefore(job({ state }), "cancel");
-      expect(ask?.text).toContain("holds, lifts the tool and releases its stations");
+      const ask = confirmationBefore(job({ state }), "cancel");
+      expect(ask?.text).toContain("stops, lifts the tool and releases its stations");
       expect(ask?.text).toContain("probably lost");
     }
-    expect(askBefore(job({ state: "queued" }), "cancel")).toBeNull();
+    expect(confirmationBefore(job({ state: "queued" }), "cancel")).toBeNull();
   });
 
   it("asks before an interrupted job is scrapped or declared finished", () => {
     const interrupted = job({ state: "interrupted", copies: 3 });
-    expect(askBefore(interrupted, "scrap")?.text).toContain("given up");
-    expect(askBefore(interrupted, "finish")?.text).toContain("All 3 sheets are complete");
-    expect(askBefore(interrupted, "requeue")).toBeNull();
+    expect(confirmationBefore(interrupted, "scrap")?.text).toContain(
+      "ends without its remaining copies",
+    );
+    expect(confirmationBefore(interrupted, "finish")?.text).toContain(
+      "Only if all 3 sheets are complete",
+    );
+    expect(confirmationBefore(interrupted, "requeue")).toBeNull();
   });
 
   it("sends hold, resume and confirm at once", () => {
     for (const word of ["hold", "resume", "confirm"] as const) {
-      expect(askBefore(job({ state: "running" }), word)).toBeNull();
+      expect(confirmationBefore(job({ state: "running" }), word)).toBeNull();
     }
   });
 });

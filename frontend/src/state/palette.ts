@@ -1,16 +1,16 @@
-/** How each thing looks, on the picture and in the legend alike. */
+/** Colours and dashes, shared by canvas and legends. */
 
 import type { LineType } from "../geometry/records";
 
-export interface LineLook {
+export interface LineStyle {
   readonly title: string;
   readonly colour: string;
   readonly dash: "solid" | "dashed" | "dotted" | "long";
-  /** The key that gives it to the chosen edges. */
+  /** Keyboard shortcut that sets it. */
   readonly key: string;
 }
 
-export const LINE_LOOKS: Readonly<Record<LineType, LineLook>> = {
+export const LINE_STYLES: Readonly<Record<LineType, LineStyle>> = {
   cut: { title: "Cut", colour: "#ff6b61", dash: "solid", key: "1" },
   crease: { title: "Crease", colour: "#3ddc97", dash: "dashed", key: "2" },
   "v-groove": { title: "V-groove", colour: "#b794ff", dash: "solid", key: "3" },
@@ -33,8 +33,10 @@ export const LEGEND: readonly LineType[] = [
   "ignored",
 ];
 
-/** What an edge can be made by hand. */
-export const CHOICES: readonly LineType[] = LEGEND.filter((type) => type !== "unclassified");
+/** Line types that can be set by hand. */
+export const ASSIGNABLE_TYPES: readonly LineType[] = LEGEND.filter(
+  (type) => type !== "unclassified",
+);
 
 export const TRAVEL = {
   head: "#5cbcff",
@@ -66,17 +68,17 @@ export const SCALE = {
   unworked: "#525c69",
 } as const;
 
-/** What a tool takes of the board, or presses. */
+/** Area that a tool cuts or presses. */
 export const SWEPT = {
   cutter: "#5cbcff",
   groove: "#b794ff",
   crease: "#3ddc97",
 } as const;
 
-/** Where no cutter gets to. */
+/** Area that no tool reaches. */
 export const UNCUT = "#ff4fa3";
 
-/** The moves that go nowhere on the plane. */
+/** Moves without length in the plane. */
 export const MARKS = {
   plunge: "#ff9446",
   lift: "#8fe3ff",

@@ -1,33 +1,33 @@
-/** What a profile would do to the drawing that is open, asked a moment after the last edit. */
+/** Preview of an edited profile on the open drawing, requested shortly after the last edit. */
 
 import { useEffect, useState } from "react";
 import { type Preview, service } from "../api/client";
-import { type Draft, sentOf } from "./draft";
+import { type Draft, profileRequest } from "./draft";
 
-export interface Previewed {
+export interface PreviewState {
   readonly data: Preview | null;
   readonly error: Error | null;
 }
 
-/** Milliseconds without an edit before the service is asked. */
-const PAUSE = 250;
+/** Delay between the last edit and the request (ms). */
+const DELAY = 250;
 
-export function usePreview(drawing: string | null, draft: Draft): Previewed {
-  const [found, setFound] = useState<Previewed>({ data: null, error: null });
+export function usePreview(drawing: string | null, draft: Draft): PreviewState {
+  const [found, setFound] = useState<PreviewState>({ data: null, error: null });
   useEffect(() => {
     if (drawing === null) return;
-    let late = false;
-    // A fault of what was written before is none of what is written now.
+    let outdated = false;
+    // Clear an error of the previous draft.
     setFound((before) => (before.error === null ? before : { ...before, error: null }));
     const timer = window.setTimeout(() => {
-      service.preview(drawing, sentOf(draft)).then(
-        (data) => !late && setFound({ data, error: null }),
-        (error: Error) => !late && setFound((before) => ({ ...before, error })),
+      service.preview(drawing, profileRequest(draft)).then(
+        (data) => !outdated && setFound({ data, error: null }),
+        (error: Error) => !outdated && setFound((before) => ({ ...before, error })),
       );
-    }, PAUSE);
+    }, DELAY);
     return () => {
-      // What comes after the next edit is not of it.
-      late = true;
+      // Discard answers that arrive after the next edit.
+      outdated = true;
       window.clearTimeout(timer);
     };
   }, [drawing, draft]);

@@ -1,4 +1,4 @@
-/** What the service knows, asked for once, kept, and refreshed by its events. */
+/** Server data: fetched once, cached, and refreshed by server events. */
 
 import {
   infiniteQueryOptions,
@@ -18,15 +18,16 @@ import {
 import { listen } from "../api/events";
 import { timeline } from "../geometry/timeline";
 import { hasProgram } from "./jobs";
-import { usePage } from "./store";
+import { useUiStore } from "./store";
 
-export const queries = new QueryClient({
+export const queryClient = new QueryClient({
   defaultOptions: { queries: { retry: 1, staleTime: 30_000, refetchOnWindowFocus: false } },
 });
 
 const getNextPageParam = ({ next }: Page<unknown>) => next;
 
-const ask = {
+/** Key and fetch function of each query. */
+export const queries = {
   drawings: () =>
     infiniteQueryOptions({
       queryKey: ["drawings"],
@@ -77,7 +78,7 @@ const ask = {
       queryFn: ({ signal }) => service.verdictColumns(id, signal),
       staleTime: Number.POSITIVE_INFINITY,
       structuralSharing: false,
-      // A verdict of an older service has none, and will not get any.
+      // Verdicts of older versions have no columns; a retry would not help.
       retry: false,
     }),
   toolpath: (id: string) =>
@@ -101,60 +102,58 @@ const ask = {
     queryOptions({ queryKey: ["profiles"], queryFn: ({ signal }) => service.profiles(signal) }),
 };
 
-export const keys = ask;
+const flattenPages = <T>({ pages }: { pages: Page<T>[] }): T[] => pages.flatMap(({ rows }) => rows);
 
-const rowsOf = <T>({ pages }: { pages: Page<T>[] }): T[] => pages.flatMap(({ rows }) => rows);
-
-/** The lists, as far as they were asked for: `fetchNextPage` brings more where `hasNextPage`. */
+/** Lists, page by page: `fetchNextPage` loads more if `hasNextPage`. */
 export const useDrawings = () =>
-  useInfiniteQuery({ ...ask.drawings(), select: rowsOf<DrawingSummary> });
-export const useJobs = () => useInfiniteQuery({ ...ask.jobs(), select: rowsOf<Job> });
-export const useMachines = () => useQuery(ask.machines());
-export const useFormats = () => useQuery(ask.formats());
-export const useBoards = () => useQuery(ask.boards());
-export const useProfiles = () => useQuery(ask.profiles());
+  useInfiniteQuery({ ...queries.drawings(), select: flattenPages<DrawingSummary> });
+export const useJobs = () => useInfiniteQuery({ ...queries.jobs(), select: flattenPages<Job> });
+export const useMachines = () => useQuery(queries.machines());
+export const useFormats = () => useQuery(queries.formats());
+export const useBoards = () => useQuery(queries.boards());
+export const useProfiles = () => useQuery(queries.profiles());
 
 export function useDrawing() {
-  const id = usePage((page) => page.drawing);
-  return useQuery({ ...ask.drawing(id ?? ""), enabled: id !== null });
+  const id = useUiStore((ui) => ui.drawing);
+  return useQuery({ ...queries.drawing(id ?? ""), enabled: id !== null });
 }
 
 export function useEdges() {
-  const id = usePage((page) => page.drawing);
-  return useQuery({ ...ask.edges(id ?? ""), enabled: id !== null });
+  const id = useUiStore((ui) => ui.drawing);
+  return useQuery({ ...queries.edges(id ?? ""), enabled: id !== null });
 }
 
-/** The entities of one fate of the drawing that is open, once they are `wanted`. */
+/** Entities of the open drawing with one import outcome; fetched if `wanted`. */
 export function useLedger(fate: LedgerRow["fate"], wanted: boolean) {
-  const id = usePage((page) => page.drawing);
-  return useQuery({ ...ask.ledger(id ?? "", fate), enabled: id !== null && wanted });
+  const id = useUiStore((ui) => ui.drawing);
+  return useQuery({ ...queries.ledger(id ?? "", fate), enabled: id !== null && wanted });
 }
 
-/** Rules that would have said what somebody corrected in the drawing that is open. */
+/** Rules that explain the corrections made in the open drawing. */
 export function useLearned(wanted: boolean) {
-  const id = usePage((page) => page.drawing);
-  return useQuery({ ...ask.learned(id ?? ""), enabled: id !== null && wanted });
+  const id = useUiStore((ui) => ui.drawing);
+  return useQuery({ ...queries.learned(id ?? ""), enabled: id !== null && wanted });
 }
 
-/** The job that is looked at. */
+/** The open job. */
 export function useJob() {
-  const id = usePage((page) => page.job);
-  return useQuery({ ...ask.job(id ?? ""), enabled: id !== null });
+  const id = useUiStore((ui) => ui.job);
+  return useQuery({ ...queries.job(id ?? ""), enabled: id !== null });
 }
 
 export function useVerdict() {
   const { data: job } = useJob();
   return useQuery({
-    ...ask.verdict(job?.id ?? ""),
+    ...queries.verdict(job?.id ?? ""),
     enabled: job !== undefined && job.verdict !== null,
   });
 }
 
-/** What the verdict of the job says along the lines, and where no cutter gets to. */
+/** Deviations along the edges and unreachable areas, from the verdict of the open job. */
 export function useVerdictColumns() {
   const { data: job } = useJob();
   return useQuery({
-    ...ask.verdictColumns(job?.id ?? ""),
+    ...queries.verdictColumns(job?.id ?? ""),
     enabled: job !== undefined && job.verdict !== null,
   });
 }
@@ -162,31 +161,31 @@ export function useVerdictColumns() {
 export function useToolpath() {
   const { data: job } = useJob();
   return useQuery({
-    ...ask.toolpath(job?.id ?? ""),
+    ...queries.toolpath(job?.id ?? ""),
     enabled: job !== undefined && hasProgram(job),
   });
 }
 
-/** The toolpath of the job laid out in time. */
+/** The tool path of the open job with times. */
 export function useTimeline() {
   const { data: job } = useJob();
   return useQuery({
-    ...ask.toolpath(job?.id ?? ""),
+    ...queries.toolpath(job?.id ?? ""),
     enabled: job !== undefined && hasProgram(job),
     select: timeline,
   });
 }
 
-/** Take a job as the service just told it, wherever it is shown. */
-export function heardJob(job: Job): void {
-  const known = queries.getQueryData(ask.job(job.id).queryKey);
+/** Insert or update a job in the cache, unless the cached one is newer. */
+export function upsertJob(job: Job): void {
+  const known = queryClient.getQueryData(queries.job(job.id).queryKey);
   if (known !== undefined && known.updated > job.updated) return;
-  queries.setQueryData(ask.job(job.id).queryKey, job);
-  // A job that begins or ends makes a table busy or free.
+  queryClient.setQueryData(queries.job(job.id).queryKey, job);
+  // A job that starts or ends makes its machine busy or free.
   if (known?.state !== job.state) {
-    void queries.invalidateQueries({ queryKey: ask.machines().queryKey });
+    void queryClient.invalidateQueries({ queryKey: queries.machines().queryKey });
   }
-  queries.setQueryData(ask.jobs().queryKey, (list) => {
+  queryClient.setQueryData(queries.jobs().queryKey, (list) => {
     if (list === undefined) return list;
     const known = list.pages.some(({ rows }) => rows.some(({ id }) => id === job.id));
     const pages = list.pages.map((page, at) => {
@@ -203,40 +202,44 @@ const isJob = (data: unknown): data is Job =>
 const isDrawing = (data: unknown): data is DrawingSummary =>
   typeof data === "object" && data !== null && "id" in data && "revision" in data;
 
-/** Of what belongs to a drawing, forget what is not shown: it is asked for again when it is. */
-function forget(id: string): void {
-  for (const queryKey of [ask.drawing(id).queryKey, ask.edges(id).queryKey, ask.ledgers(id)])
-    queries.removeQueries({ queryKey, type: "inactive" });
+/** Drop cached data of a drawing that is not on display. */
+function dropInactive(id: string): void {
+  for (const queryKey of [
+    queries.drawing(id).queryKey,
+    queries.edges(id).queryKey,
+    queries.ledgers(id),
+  ])
+    queryClient.removeQueries({ queryKey, type: "inactive" });
 }
 
 /**
- * Follow the service's events until the returned function is called.
+ * Subscribe to server events until the returned function is called.
  *
- * `onDrawing` hears which drawing has changed, or null where anything may have.
+ * `onDrawing` receives the drawing that changed, or null if any may have changed.
  */
-export function follow(
+export function subscribeToEvents(
   onDrawing: (drawing: Pick<DrawingSummary, "id" | "revision"> | null) => void,
 ): () => void {
   let broken = false;
   return listen("/api/events", ["job", "drawing", "deleted"], {
     onEvent: (name, data) => {
-      if (name === "job" && isJob(data)) heardJob(data);
+      if (name === "job" && isJob(data)) upsertJob(data);
       else {
-        // Another page, or an order by REST, brought a drawing, changed it or took it away.
-        void queries.invalidateQueries({ queryKey: ask.drawings().queryKey });
+        // A drawing was added, changed or deleted.
+        void queryClient.invalidateQueries({ queryKey: queries.drawings().queryKey });
         if (name === "drawing" && isDrawing(data)) {
-          forget(data.id);
+          dropInactive(data.id);
           onDrawing(data);
         }
       }
     },
-    onLine: (line) => {
-      usePage.getState().set({ line });
-      if (line === "broken") broken = true;
-      else if (line === "open" && broken) {
+    onConnection: (connection) => {
+      useUiStore.getState().set({ connection });
+      if (connection === "broken") broken = true;
+      else if (connection === "open" && broken) {
         broken = false;
-        // What happened while nobody listened; the drawing that is open is compared first.
-        void queries.invalidateQueries({
+        // Events were missed; the open drawing is compared before it is replaced.
+        void queryClient.invalidateQueries({
           predicate: ({ queryKey }) => queryKey[0] !== "drawing" && queryKey[0] !== "edges",
         });
         onDrawing(null);

@@ -1,24 +1,24 @@
-/** Which rows of the drawing something is about. */
+/** Rows of edges by line type, layer or handle. */
 
 import { type Edges, type LineType, lineTypeOf } from "../geometry/records";
 
-const where = (edges: Edges, accepts: (row: number) => boolean): number[] => {
+const filterRows = (edges: Edges, accepts: (row: number) => boolean): number[] => {
   const rows: number[] = [];
   for (let row = 0; row < edges.bulge.length; row++) if (accepts(row)) rows.push(row);
   return rows;
 };
 
 export const rowsOfType = (edges: Edges, type: LineType): number[] =>
-  where(edges, (row) => lineTypeOf(edges.lineType[row]) === type);
+  filterRows(edges, (row) => lineTypeOf(edges.lineType[row]) === type);
 
 export const rowsOfLayer = (edges: Edges, layer: string, colour: number): number[] =>
-  where(edges, (row) => layerOf(edges, row) === layer && edges.colour[row] === colour);
+  filterRows(edges, (row) => layerOf(edges, row) === layer && edges.colour[row] === colour);
 
-const found = new WeakMap<readonly string[], ReadonlyMap<string, readonly number[]>>();
+const cache = new WeakMap<readonly string[], ReadonlyMap<string, readonly number[]>>();
 
-/** The rows of each handle: laid out once for a drawing, asked for by every entity of a list. */
+/** Rows by handle, built once per drawing. */
 function byHandle(handles: readonly string[]): ReadonlyMap<string, readonly number[]> {
-  const known = found.get(handles);
+  const known = cache.get(handles);
   if (known !== undefined) return known;
   const rows = new Map<string, number[]>();
   handles.forEach((handle, row) => {
@@ -26,7 +26,7 @@ function byHandle(handles: readonly string[]): ReadonlyMap<string, readonly numb
     if (those === undefined) rows.set(handle, [row]);
     else those.push(row);
   });
-  found.set(handles, rows);
+  cache.set(handles, rows);
   return rows;
 }
 
@@ -38,5 +38,5 @@ export function rowsOfHandles(edges: Edges, handles: Iterable<string>): number[]
 export const layerOf = (edges: Edges, row: number): string =>
   edges.layers[edges.layer[row] ?? -1] ?? "";
 
-/** A layer and a colour as one word: what the page can hide. */
+/** Key of a layer and colour that can be hidden. */
 export const layerKey = (layer: string, colour: number): string => `${colour}\u0000${layer}`;

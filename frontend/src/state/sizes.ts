@@ -1,4 +1,4 @@
-/** Sizes in both of the units that people in this trade think in. */
+/** Units of drawings, and sizes in inches. */
 
 import type { Drawing, Unit } from "../api/client";
 
@@ -17,29 +17,29 @@ export const UNITS: Readonly<Record<Unit, { title: string; mm: number }>> = {
 export const isUnit = (word: string): word is Unit => word in UNITS;
 
 /** Width and height in inches, or in feet from ten of those up. */
-export function inches(width: number, height: number): string {
+export function formatInches(width: number, height: number): string {
   const [unit, mm] =
     Math.max(width, height) < 3048 ? (["in", 25.4] as const) : (["ft", 304.8] as const);
   const digits = Math.max(width, height) / mm < 100 ? 2 : 1;
   return `${(width / mm).toFixed(digits)} × ${(height / mm).toFixed(digits)}${THIN}${unit}`;
 }
 
-/** How large a drawing would be (mm) if its file were in this unit. */
+/** Width and height (mm) of a drawing if its file were in this unit. */
 export function sizeIn(drawing: Drawing, unit: Unit): readonly [number, number] {
   const factor = UNITS[unit].mm / (drawing.unit === null ? 1 : UNITS[drawing.unit].mm);
   return [drawing.width * factor, drawing.height * factor];
 }
 
-/** The units worth offering: those people draw in, and others that something speaks for. */
-export function unitsOffered(drawing: Drawing): Unit[] {
+/** Units to offer: the usual ones, and others that have strong evidence. */
+export function offeredUnits(drawing: Drawing): Unit[] {
   const finding = drawing.unit_finding;
-  const drawn: readonly Unit[] = ["mm", "cm", "m", "in", "ft"];
-  const ranked = finding?.ranking ?? drawn;
-  const spoken = new Set(
+  const usual: readonly Unit[] = ["mm", "cm", "m", "in", "ft"];
+  const ranked = finding?.ranking ?? usual;
+  const supported = new Set(
     (finding?.evidence ?? []).filter(({ weight }) => weight > 1).map(({ unit }) => unit),
   );
   return ranked.filter(
     (unit) =>
-      drawn.includes(unit) || unit === drawing.unit || (spoken.has(unit) && ranked[0] === unit),
+      usual.includes(unit) || unit === drawing.unit || (supported.has(unit) && ranked[0] === unit),
   );
 }

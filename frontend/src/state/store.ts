@@ -1,43 +1,42 @@
 /**
- * The one store: which document, what is chosen, what is shown, and how it came to be.
+ * State of the user interface: open drawing and job, selection, visible layers, undo history.
  *
- * What the service knows (drawings, jobs, the library) is not copied here: `queries.ts` asks for
- * it and keeps it fresh. Here is what only this page knows.
+ * Server data (drawings, jobs, library) is not copied here; `queries.ts` fetches and caches it.
  */
 
 import { create } from "zustand";
 import type { Corners, Question } from "../api/client";
-import type { LineState } from "../api/events";
+import type { ConnectionState } from "../api/events";
 import type { Box, LineType } from "../geometry/records";
-import { LEFT_TO_THE_MACHINE } from "./corners";
+import { DEFAULT_CORNERS } from "./corners";
 import type { Change } from "./history";
 
 export type Layer = "nominal" | "head" | "tip" | "rapids" | "swept" | "moves" | "uncut";
 
-/** What the colour of a nominal line says. */
+/** What the colour of a nominal line shows. */
 export const COLOUR_MODES = ["types", "deviation", "overcut"] as const;
 export type ColourMode = (typeof COLOUR_MODES)[number];
 
 export interface Hover {
-  /** of the edge; null where there are only moves */
+  /** row of the edge; null if only moves lie under the cursor */
   readonly row: number | null;
   /** rows of the toolpath */
   readonly moves: readonly number[];
-  /** CSS pixels from the upper left of the picture */
+  /** CSS pixels from the upper left corner of the canvas */
   readonly x: number;
   readonly y: number;
 }
 
-/** Somebody wants to see these edges: the picture goes there. */
-export interface Focus {
+/** Request to zoom to some edges or to a box; a new `count` is a new request. */
+export interface ZoomRequest {
   readonly rows: readonly number[];
-  /** Or this part of the drawing. */
+  /** zoomed to instead of `rows` unless null */
   readonly box: Box | null;
   readonly count: number;
 }
 
-/** Edges that would get another line type, shown before anybody says so. */
-export interface Proposed {
+/** Edges and the line type that they would get: shown on the canvas before it is applied. */
+export interface RetypePreview {
   readonly rows: readonly number[];
   readonly type: LineType;
 }
@@ -47,7 +46,7 @@ export interface Upload {
   readonly fraction: number;
 }
 
-export interface PageState {
+export interface UiState {
   readonly drawing: string | null;
   readonly job: string | null;
   readonly selection: ReadonlySet<number>;
@@ -56,88 +55,90 @@ export interface PageState {
   readonly hiddenLayers: ReadonlySet<string>;
   readonly layers: Readonly<Record<Layer, boolean>>;
   readonly colourMode: ColourMode;
-  readonly focus: Focus;
-  /** A place of the drawing that is meant, where no edge is. */
+  readonly zoomRequest: ZoomRequest;
+  /** A marked place where there is no edge. */
   readonly pin: Box | null;
   readonly past: readonly Change[];
   readonly future: readonly Change[];
   readonly busy: boolean;
   readonly upload: Upload | null;
-  readonly line: LineState;
+  readonly connection: ConnectionState;
   readonly leftOpen: boolean;
   readonly rightOpen: boolean;
   readonly helpOpen: boolean;
-  /** Where the head is put by hand in the preview (s), while no table moves it. */
-  readonly scrub: number | null;
+  /** Program time (s) at which the preview shows the head; null while it follows the machine. */
+  readonly previewTime: number | null;
   readonly machine: string | null;
   readonly board: string | null;
   readonly copies: number;
-  /** How a cutter goes round corners, where the machine has one. */
+  /** How a router goes round corners; unused on other machines. */
   readonly corners: Corners;
-  /** A click means a corner now, and not an edge. */
-  readonly picking: boolean;
-  /** What the service asked when it was told to compile. */
-  readonly asked: readonly Question[];
-  /** What would become of which edges: shown in the picture, and not said. */
-  readonly proposed: readonly Proposed[];
-  /** The profile that is being edited. */
-  readonly editing: string | null;
+  /** A click on the canvas selects a corner instead of an edge. */
+  readonly pickingCorners: boolean;
+  /** Questions that the last compile request was refused with. */
+  readonly compileQuestions: readonly Question[];
+  /** Line types shown on the canvas but not applied. */
+  readonly retypePreviews: readonly RetypePreview[];
+  /** Name of the profile in the editor. */
+  readonly editedProfile: string | null;
 
   open(drawing: string | null, job?: string | null): void;
   openJob(job: string | null): void;
-  choose(rows: Iterable<number>, add?: boolean): void;
-  point(hover: Hover | null): void;
+  selectEdges(rows: Iterable<number>, add?: boolean): void;
+  setHover(hover: Hover | null): void;
   toggleType(type: string): void;
-  toggleLayerOfDrawing(layer: string): void;
+  toggleFileLayer(layer: string): void;
   toggleLayer(layer: Layer): void;
-  look(rows: readonly number[]): void;
-  /** Bring a part of the drawing into view, and mark a place in it. */
-  lookAt(box: Box, pin?: Box): void;
-  /** A change was made: it can be undone, and what was undone is forgotten. */
-  made(change: Change): void;
-  /** The last change was undone (or done again). */
-  undone(): void;
-  redone(): void;
-  /** Others changed the drawing: only these steps can still be undone. */
-  rebase(past: readonly Change[]): void;
-  set(part: Partial<PageValues>): void;
+  /** Select edges and zoom to them. */
+  zoomToEdges(rows: readonly number[]): void;
+  /** Zoom to a box and mark a place in it. */
+  zoomToBox(box: Box, pin?: Box): void;
+  /** Append a change to the undo history and clear the redo history. */
+  recordChange(change: Change): void;
+  /** Move the last change from the undo to the redo history. */
+  recordUndo(): void;
+  /** Move the last change from the redo to the undo history. */
+  recordRedo(): void;
+  /** Replace the undo history and clear the redo history. */
+  replaceHistory(past: readonly Change[]): void;
+  set(part: Partial<UiValues>): void;
 }
 
-type PageValues = Pick<
-  PageState,
+type UiValues = Pick<
+  UiState,
   | "busy"
   | "upload"
-  | "line"
+  | "connection"
   | "leftOpen"
   | "rightOpen"
   | "helpOpen"
-  | "scrub"
+  | "previewTime"
   | "machine"
   | "board"
   | "copies"
   | "corners"
-  | "picking"
-  | "asked"
-  | "proposed"
-  | "editing"
+  | "pickingCorners"
+  | "compileQuestions"
+  | "retypePreviews"
+  | "editedProfile"
   | "colourMode"
 >;
 
-const NOTHING: ReadonlySet<number> = new Set();
+const NO_ROWS: ReadonlySet<number> = new Set();
 
-const toggled = (set: ReadonlySet<string>, word: string): ReadonlySet<string> => {
+const withToggled = (set: ReadonlySet<string>, word: string): ReadonlySet<string> => {
   const next = new Set(set);
   if (!next.delete(word)) next.add(word);
   return next;
 };
 
-const same = (a: readonly number[], b: readonly number[]): boolean =>
+const equalRows = (a: readonly number[], b: readonly number[]): boolean =>
   a.length === b.length && a.every((row, at) => row === b[at]);
 
-export const usePage = create<PageState>()((put) => ({
+export const useUiStore = create<UiState>()((set) => ({
   drawing: null,
   job: null,
-  selection: NOTHING,
+  selection: NO_ROWS,
   hover: null,
   hiddenTypes: new Set<string>(),
   hiddenLayers: new Set<string>(),
@@ -151,96 +152,97 @@ export const usePage = create<PageState>()((put) => ({
     uncut: true,
   },
   colourMode: "types",
-  focus: { rows: [], box: null, count: 0 },
+  zoomRequest: { rows: [], box: null, count: 0 },
   pin: null,
   past: [],
   future: [],
   busy: false,
   upload: null,
-  line: "connecting",
+  connection: "connecting",
   leftOpen: true,
   rightOpen: true,
   helpOpen: false,
-  scrub: null,
+  previewTime: null,
   machine: null,
   board: null,
   copies: 1,
-  corners: LEFT_TO_THE_MACHINE,
-  picking: false,
-  asked: [],
-  proposed: [],
-  editing: null,
+  corners: DEFAULT_CORNERS,
+  pickingCorners: false,
+  compileQuestions: [],
+  retypePreviews: [],
+  editedProfile: null,
 
   open: (drawing, job = null) =>
-    put((page) =>
+    set((page) =>
       page.drawing === drawing
-        ? { job, scrub: null }
+        ? { job, previewTime: null }
         : {
             drawing,
             job,
-            selection: NOTHING,
+            selection: NO_ROWS,
             pin: null,
             hover: null,
             hiddenTypes: new Set<string>(),
             hiddenLayers: new Set<string>(),
             past: [],
             future: [],
-            scrub: null,
-            asked: [],
-            proposed: [],
-            picking: false,
-            // Single corners are places of the drawing that was open.
+            previewTime: null,
+            compileQuestions: [],
+            retypePreviews: [],
+            pickingCorners: false,
+            // Single corners belong to the drawing that was open.
             corners: { ...page.corners, at: [] },
           },
     ),
-  openJob: (job) => put({ job, scrub: null }),
-  choose: (rows, add = false) =>
-    put(({ selection }) => {
+  openJob: (job) => set({ job, previewTime: null }),
+  selectEdges: (rows, add = false) =>
+    set(({ selection }) => {
       if (!add) return { selection: new Set(rows), pin: null };
       const listed = [...rows];
       const next = new Set(selection);
-      // A single edge that is chosen already is let go; a box only adds.
+      // Clicking a selected edge removes it; a selection box only adds.
       const [only] = listed;
       if (listed.length === 1 && only !== undefined && next.delete(only))
         return { selection: next };
       for (const row of listed) next.add(row);
       return { selection: next };
     }),
-  point: (hover) =>
-    put((page) => {
+  setHover: (hover) =>
+    set((page) => {
       const before = page.hover?.moves;
-      if (hover === null || before === undefined || !same(before, hover.moves)) return { hover };
-      // The cursor moved on along the same moves: they are the same list.
+      if (hover === null || before === undefined || !equalRows(before, hover.moves))
+        return { hover };
+      // Keep the identity of an unchanged list, so that nothing is rendered again.
       return { hover: { ...hover, moves: before } };
     }),
-  toggleType: (type) => put(({ hiddenTypes }) => ({ hiddenTypes: toggled(hiddenTypes, type) })),
-  toggleLayerOfDrawing: (layer) =>
-    put(({ hiddenLayers }) => ({ hiddenLayers: toggled(hiddenLayers, layer) })),
-  toggleLayer: (layer) => put(({ layers }) => ({ layers: { ...layers, [layer]: !layers[layer] } })),
-  look: (rows) =>
-    put(({ focus }) => ({
+  toggleType: (type) => set(({ hiddenTypes }) => ({ hiddenTypes: withToggled(hiddenTypes, type) })),
+  toggleFileLayer: (layer) =>
+    set(({ hiddenLayers }) => ({ hiddenLayers: withToggled(hiddenLayers, layer) })),
+  toggleLayer: (layer) => set(({ layers }) => ({ layers: { ...layers, [layer]: !layers[layer] } })),
+  zoomToEdges: (rows) =>
+    set(({ zoomRequest }) => ({
       selection: new Set(rows),
       pin: null,
-      focus: { rows, box: null, count: focus.count + 1 },
+      zoomRequest: { rows, box: null, count: zoomRequest.count + 1 },
     })),
-  lookAt: (box, pin) =>
-    put(({ selection, focus }) => ({
-      // What is marked is not one of the edges that are chosen.
-      selection: pin === undefined ? selection : NOTHING,
+  zoomToBox: (box, pin) =>
+    set(({ selection, zoomRequest }) => ({
+      // A mark replaces the selection.
+      selection: pin === undefined ? selection : NO_ROWS,
       pin: pin ?? null,
-      focus: { rows: [], box, count: focus.count + 1 },
+      zoomRequest: { rows: [], box, count: zoomRequest.count + 1 },
     })),
-  made: (change) => put(({ past }) => ({ past: [...past, change], future: [] })),
-  undone: () =>
-    put(({ past, future }) => {
+  recordChange: (change) => set(({ past }) => ({ past: [...past, change], future: [] })),
+  recordUndo: () =>
+    set(({ past, future }) => {
       const last = past.at(-1);
       return last === undefined ? {} : { past: past.slice(0, -1), future: [...future, last] };
     }),
-  redone: () =>
-    put(({ past, future }) => {
+  recordRedo: () =>
+    set(({ past, future }) => {
       const next = future.at(-1);
       return next === undefined ? {} : { past: [...past, next], future: future.slice(0, -1) };
     }),
-  rebase: (past) => put({ past, future: [] }),
-  set: (part) => put(part),
+  replaceHistory: (past) => set({ past, future: [] }),
+  set: (part) => set(part),
 }));

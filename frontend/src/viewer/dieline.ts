@@ -1,7 +1,12 @@
 /** The edges of the drawing, and what is said of them: chosen, pointed at, or about to change. */
 
 import type { Edges, LineType, Point, Segments } from "../geometry/records";
-import { type DielineLooks, dielineLines, highlightLines, proposedLines } from "../scene/dieline";
+import {
+  type DielineStyle,
+  dielineLines,
+  highlightLines,
+  retypePreviewLines,
+} from "../scene/dieline";
 import type { ViewerColours } from "./contract";
 import { LineLayer } from "./layer";
 import { ORDER } from "./order";
@@ -17,13 +22,13 @@ export class DielineLayers {
 
   private readonly nominal = new LineLayer(1.75, ORDER.nominal);
   private readonly chosen = new LineLayer(10, ORDER.chosen);
-  private readonly proposed = new LineLayer(9, ORDER.proposed);
+  private readonly retypePreviews = new LineLayer(9, ORDER.retypePreviews);
   private readonly hovered = new LineLayer(3.5, ORDER.hovered);
-  readonly layers = [this.nominal, this.chosen, this.proposed, this.hovered];
+  readonly layers = [this.nominal, this.chosen, this.retypePreviews, this.hovered];
 
   constructor(private readonly colours: ViewerColours) {}
 
-  show(edges: Edges | null, origin: Point, looks: DielineLooks): void {
+  show(edges: Edges | null, origin: Point, looks: DielineStyle): void {
     const { palette } = this.colours;
     this.nominal.show(edges === null ? null : dielineLines(edges, origin, palette, looks));
     this.mapped = (looks.colours ?? null) !== null;
@@ -35,9 +40,11 @@ export class DielineLayers {
   }
 
   /** Lay under edges the colours of what they would become. */
-  propose(edges: Edges | null, origin: Point, proposed: readonly Proposal[]): void {
-    const none = edges === null || proposed.length === 0;
-    this.proposed.show(none ? null : proposedLines(edges, origin, proposed, this.colours.palette));
+  propose(edges: Edges | null, origin: Point, retypePreviews: readonly Proposal[]): void {
+    const none = edges === null || retypePreviews.length === 0;
+    this.retypePreviews.show(
+      none ? null : retypePreviewLines(edges, origin, retypePreviews, this.colours.palette),
+    );
   }
 
   /** Light edges, or moves of the head. */

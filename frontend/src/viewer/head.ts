@@ -2,9 +2,9 @@
 
 import type { Point, Pose } from "../geometry/records";
 import { poseAt, rowAt, type Timeline } from "../geometry/timeline";
-import { UNDER_THE_HEAD } from "../geometry/tip";
-import { headLines } from "../scene/furniture";
+import { NO_OFFSET } from "../geometry/tip";
 import type { Rgba } from "../scene/lines";
+import { headLines } from "../scene/overlays";
 import type { Tools } from "../scene/swept";
 import type { ViewerColours } from "./contract";
 import { LineLayer } from "./layer";
@@ -32,7 +32,7 @@ export class HeadMark {
       return;
     }
     const { placement, tool } = timeline.toolpath;
-    const offset = tools.offsets.get(tool[rowAt(timeline, seconds)] ?? 0) ?? UNDER_THE_HEAD;
+    const offset = tools.offsets.get(tool[rowAt(timeline, seconds)] ?? 0) ?? NO_OFFSET;
     const here: Pose = { ...pose, x: pose.x - placement[0], y: pose.y - placement[1] };
     const { mark, blade } = this.colours;
     this.halo.show(headLines(here, offset, origin, 1 / scale, SHADOW, SHADOW));

@@ -4,7 +4,7 @@ export const ORDER = {
   frame: 2,
   datum: 3,
   chosen: 4,
-  proposed: 4.2,
+  retypePreviews: 4.2,
   bands: 4.5,
   rims: 4.6,
   nominal: 5,

@@ -1,7 +1,7 @@
 /** What is under the cursor: an edge, and the moves of the head that are seen there. */
 
-import { movesOf } from "../geometry/moves";
-import { type PickIndex, pickIndex } from "../geometry/pick";
+import { moveSegments } from "../geometry/moves";
+import { buildPickIndex, type PickIndex } from "../geometry/pick";
 import { type Box, type Edges, MOTIONS, type Point, type Segments } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
 import type { PlaneCamera } from "./camera";
@@ -22,7 +22,7 @@ export class Picker {
   constructor(private readonly camera: PlaneCamera) {}
 
   takeEdges(edges: Edges | null): void {
-    this.index = edges === null ? null : pickIndex(edges);
+    this.index = edges === null ? null : buildPickIndex(edges);
   }
 
   takeVisible(visible: (row: number) => boolean): void {
@@ -49,8 +49,8 @@ export class Picker {
     if (this.timeline === null || !(shown.head || shown.rapids)) return [];
     const { toolpath } = this.timeline;
     if (this.moves === null) {
-      const segments = movesOf(toolpath);
-      this.moves = { segments, index: pickIndex(segments) };
+      const segments = moveSegments(toolpath);
+      this.moves = { segments, index: buildPickIndex(segments) };
     }
     const place = this.camera.toPlane(at);
     const pixel = 1 / this.camera.scale;

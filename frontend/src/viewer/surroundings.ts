@@ -2,7 +2,7 @@
 
 import { Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
 import type { Box, Point } from "../geometry/records";
-import { datumLines, frameLines, gridLines, pinLines, ringLines } from "../scene/furniture";
+import { datumLines, frameLines, gridLines, pinLines, ringLines } from "../scene/overlays";
 import type { PlaneCamera } from "./camera";
 import type { ViewerColours } from "./contract";
 import { LineLayer } from "./layer";

@@ -9,18 +9,18 @@ import { Scene, WebGLRenderer } from "three";
 import { boundsOf, joined } from "../geometry/bounds";
 import type { Areas, Box, Edges, Point } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
-import type { DielineLooks } from "../scene/dieline";
+import type { DielineStyle } from "../scene/dieline";
 import type { Tools } from "../scene/swept";
 import { type Insets, PlaneCamera } from "./camera";
 import { HeadClock } from "./clock";
 import type { Shown, ViewerColours, ViewerEvents } from "./contract";
 import { DielineLayers, type Proposal } from "./dieline";
-import { Glide } from "./glide";
 import { HeadMark } from "./head";
 import { Picker } from "./picker";
 import { listenToPointer } from "./pointer";
 import { Surroundings } from "./surroundings";
 import { TravelLayers } from "./travel";
+import { ViewTransition } from "./viewTransition";
 
 /** What floats over the picture, at its sides (pixels). */
 const INSETS: Insets = { left: 56, top: 108, right: 64, bottom: 104 };
@@ -39,7 +39,7 @@ export class Viewer {
   private readonly travel: TravelLayers;
   private readonly head: HeadMark;
   private readonly clock = new HeadClock();
-  private readonly glide = new Glide(this.camera);
+  private readonly glide = new ViewTransition(this.camera);
   private readonly picker = new Picker(this.camera);
   private readonly watch: ResizeObserver;
   private readonly stopListening: () => void;
@@ -107,7 +107,7 @@ export class Viewer {
   showEdges(
     edges: Edges | null,
     visible: (row: number) => boolean,
-    looks: Omit<DielineLooks, "shown"> = {},
+    looks: Omit<DielineStyle, "shown"> = {},
   ): void {
     const fresh = edges?.ends !== this.edges?.ends;
     this.edges = edges;
@@ -176,8 +176,8 @@ export class Viewer {
     this.draw();
   }
 
-  showProposed(proposed: readonly Proposal[]): void {
-    this.dieline.propose(this.edges, this.origin, proposed);
+  showRetypePreviews(retypePreviews: readonly Proposal[]): void {
+    this.dieline.propose(this.edges, this.origin, retypePreviews);
     this.draw();
   }
 

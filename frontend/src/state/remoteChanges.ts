@@ -1,11 +1,11 @@
-/** What others made of the drawing that is open: how it differs, and what of it can be undone. */
+/** Changes of the open drawing by others: what differs, and which changes can still be undone. */
 
 import type { Drawing } from "../api/client";
 import type { Edges } from "../geometry/records";
+import { pluralize } from "./format";
 import type { Change } from "./history";
-import { count } from "./words";
 
-/** Rows of edges whose type or rule differs; null where the edges are not the same ones. */
+/** Rows of edges whose type or rule differs; null if the edges themselves were replaced. */
 export function changedRows(before: Edges, after: Edges): number[] | null {
   const same =
     before.handles.length === after.handles.length &&
@@ -19,27 +19,29 @@ export function changedRows(before: Edges, after: Edges): number[] | null {
   return rows;
 }
 
-/** What differs, in words. */
-export function difference(
+/** Describe the differences to the user. */
+export function describeDifference(
   before: Drawing,
   after: Drawing,
   rows: readonly number[] | null,
 ): string {
   const parts: string[] = [];
-  if (before.unit !== after.unit) parts.push(`its unit is ${after.unit ?? "open"}`);
+  if (before.unit !== after.unit) parts.push(`its unit is ${after.unit ?? "unknown"}`);
   if (before.profile !== after.profile || before.rules !== after.rules)
-    parts.push(`it is classified by the profile ${after.profile}`);
-  if (rows === null) parts.push("its edges are new");
+    parts.push(`its profile is ${after.profile}`);
+  if (rows === null) parts.push("its edges were replaced");
   else if (rows.length > 0)
-    parts.push(`${count(rows.length, "edge")} ${rows.length === 1 ? "has" : "have"} another type`);
-  return parts.length === 0 ? "nothing that is shown differs" : parts.join(", ");
+    parts.push(
+      `${pluralize(rows.length, "edge")} ${rows.length === 1 ? "has" : "have"} another type`,
+    );
+  return parts.length === 0 ? "no visible difference" : parts.join(", ");
 }
 
 /**
- * The steps that can still be undone: those after the last one that touches what others changed.
- * To undo that one, or any before it, would overwrite what they did.
+ * The changes that can still be undone: those after the last one that affects the given rows.
+ * Undoing that one, or one before it, would overwrite the changes of others.
  */
-export function undoable(past: readonly Change[], rows: readonly number[] | null): Change[] {
+export function undoableChanges(past: readonly Change[], rows: readonly number[] | null): Change[] {
   if (rows === null) return [];
   const theirs = new Set(rows);
   const last = past.findLastIndex(

@@ -3,7 +3,7 @@
 import type { Box, Point, Pose } from "../geometry/records";
 import { type TipOffset, tipOf } from "../geometry/tip";
 import { degree, radians } from "../geometry/units";
-import { type Lines, LinesUnderWay, type Rgba } from "./lines";
+import { LineBuilder, type Lines, type Rgba } from "./lines";
 
 /** Grid lines nearer than this are not told apart (pixels). */
 const FINEST = 9;
@@ -25,7 +25,7 @@ export function gridLines(
   // The finer lines come up gently as they part.
   const near = Math.min(1, Math.max(0, (step * pixelsPerMm - FINEST) / (FINEST * 4)));
   const faint: Rgba = [minor[0], minor[1], minor[2], minor[3] * near];
-  const lines = new LinesUnderWay(origin);
+  const lines = new LineBuilder(origin);
   const stroke = (index: number) => (index % 10 === 0 ? major : faint);
   for (let index = Math.ceil(box[0] / step); index * step <= box[2]; index++) {
     lines.add(index * step, box[1], index * step, box[3], stroke(index));
@@ -38,12 +38,12 @@ export function gridLines(
 
 /** The outline of a box. */
 export function frameLines(box: Box, origin: Point, colour: Rgba): Lines {
-  const lines = new LinesUnderWay(origin);
+  const lines = new LineBuilder(origin);
   addFrame(lines, box, colour);
   return lines.done();
 }
 
-function addFrame(lines: LinesUnderWay, [x0, y0, x1, y1]: Box, colour: Rgba) {
+function addFrame(lines: LineBuilder, [x0, y0, x1, y1]: Box, colour: Rgba) {
   lines.add(x0, y0, x1, y0, colour);
   lines.add(x1, y0, x1, y1, colour);
   lines.add(x1, y1, x0, y1, colour);
@@ -52,7 +52,7 @@ function addFrame(lines: LinesUnderWay, [x0, y0, x1, y1]: Box, colour: Rgba) {
 
 /** A cross of the axes at a datum, its arms in mm. */
 export function datumLines(at: Point, origin: Point, arm: number, x: Rgba, y: Rgba): Lines {
-  const lines = new LinesUnderWay(origin);
+  const lines = new LineBuilder(origin);
   lines.add(at.x, at.y, at.x + arm, at.y, x);
   lines.add(at.x, at.y, at.x, at.y + arm, y);
   return lines.done();
@@ -65,7 +65,7 @@ export function ringLines(
   radius: number,
   colour: Rgba,
 ): Lines {
-  const lines = new LinesUnderWay(origin);
+  const lines = new LineBuilder(origin);
   for (const { x, y } of places) addRing(lines, x, y, radius, colour);
   return lines.done();
 }
@@ -75,7 +75,7 @@ const PIN = { ring: 12, arm: 9, gap: 4 };
 
 /** A ring about a place, or a frame about what is larger, with four arms that point at it. */
 export function pinLines(box: Box, origin: Point, mmPerPixel: number, colour: Rgba): Lines {
-  const lines = new LinesUnderWay(origin);
+  const lines = new LineBuilder(origin);
   const [x, y] = [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2];
   const ring = PIN.ring * mmPerPixel;
   const arm = PIN.arm * mmPerPixel;
@@ -97,7 +97,7 @@ export function pinLines(box: Box, origin: Point, mmPerPixel: number, colour: Rg
 
 const RING = 40;
 
-function addRing(lines: LinesUnderWay, x: number, y: number, radius: number, colour: Rgba) {
+function addRing(lines: LineBuilder, x: number, y: number, radius: number, colour: Rgba) {
   for (let step = 0; step < RING; step++) {
     const a = (2 * Math.PI * step) / RING;
     const b = (2 * Math.PI * (step + 1)) / RING;
@@ -124,7 +124,7 @@ export function headLines(
   colour: Rgba,
   blade: Rgba,
 ): Lines {
-  const lines = new LinesUnderWay(origin);
+  const lines = new LineBuilder(origin);
   const c = radians(degree(pose.c));
   const ahead = { x: Math.cos(c), y: Math.sin(c) };
   const left = { x: -ahead.y, y: ahead.x };

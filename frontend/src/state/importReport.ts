@@ -4,35 +4,35 @@ import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
 import { type Box, type Edges, FATES, type Fate, fateOf } from "../geometry/records";
 import { rowsOfHandles } from "./rows";
 
-/** The order in which they are read: what is not there first. */
-export const FATES_SHOWN: readonly Fate[] = ["dropped", "merged", "kept"];
+/** Filters of the import report, in display order. */
+export const OUTCOME_FILTERS: readonly Fate[] = ["dropped", "merged", "kept"];
 
 export interface Share {
   readonly fate: Fate;
   /** mm */
   readonly length: number;
-  /** of all that was drawn: 0 … 1 */
+  /** of the drawn length: 0 … 1 */
   readonly share: number;
 }
 
 type Report = NonNullable<Drawing["report"]>;
 
-/** How the drawn length is shared out; together it is all of it. */
-export function shares(report: Report): Share[] {
+/** Length of each outcome; the sum is the drawn length. */
+export function lengthShares(report: Report): Share[] {
   return FATES.map((fate) => {
     const length = report[fate];
     return { fate, length, share: report.drawn > 0 ? length / report.drawn : 0 };
   });
 }
 
-/** The groups of some fate, or all; what is simply kept needs no reason, and comes last. */
+/** Groups with some outcome, or all. */
 export const groupsOf = (report: Report, fate: Fate | null): ReportGroup[] =>
   report.groups.filter((group) => fate === null || group.fate === fate);
 
 /**
- * The edges of a group; none for entities that are no lines.
+ * Rows of the edges of a group; none for entities that are not lines.
  *
- * They are found by the reason: of an edge that is kept a part may be merged, for that reason too.
+ * Edges are found by the reason, because part of a kept edge may have been merged.
  */
 export function rowsOfGroup(edges: Edges, group: ReportGroup): number[] {
   if (group.what !== "edges") return [];
@@ -44,26 +44,26 @@ export function rowsOfGroup(edges: Edges, group: ReportGroup): number[] {
   return rows;
 }
 
-/** The entities of a group as the ledger lists them. */
+/** Entities of a group, from the import ledger. */
 export const entitiesOf = (ledger: readonly LedgerRow[], group: ReportGroup): LedgerRow[] =>
   group.what === "edges"
     ? []
     : ledger.filter((row) => row.fate === group.fate && (row.theme || row.reason) === group.reason);
 
-/** Where an entity is seen: its edges, those that it lies on, or the box around what it is. */
-export type Found =
+/** Location of an entity: its edges, those that it coincides with, or its bounding box. */
+export type EntityLocation =
   | { readonly rows: readonly number[] }
   | { readonly pin: Box; readonly box: Box }
   | null;
 
-/** Of words so much is shown to each side (heights of the letters) … */
-const AROUND = 14;
-/** … of all else so much of its size … */
-const BESIDE = 0.75;
-/** … and at least this part of the drawing. */
-const LEAST = 0.25;
+/** Margin about a text (letter heights) … */
+const TEXT_MARGIN = 14;
+/** … about other entities (relative to their size) … */
+const BOX_MARGIN = 0.75;
+/** … and at least (relative to the drawing). */
+const MIN_MARGIN = 0.25;
 
-export function foundOf(edges: Edges, drawing: Drawing, row: LedgerRow): Found {
+export function locateEntity(edges: Edges, drawing: Drawing, row: LedgerRow): EntityLocation {
   const twin = /: the same as (\S+)$/.exec(row.reason)?.[1];
   const own = rowsOfHandles(edges, [row.handle]);
   const rows = own.length > 0 || twin === undefined ? own : rowsOfHandles(edges, [twin]);
@@ -72,9 +72,9 @@ export function foundOf(edges: Edges, drawing: Drawing, row: LedgerRow): Found {
   const [x0 = x, y0 = y, x1 = x, y1 = y] = row.box ?? [];
   if (x0 === undefined || y0 === undefined || x1 === undefined || y1 === undefined) return null;
   const side = Math.max(
-    AROUND * height,
-    BESIDE * Math.max(x1 - x0, y1 - y0),
-    LEAST * Math.max(drawing.width, drawing.height),
+    TEXT_MARGIN * height,
+    BOX_MARGIN * Math.max(x1 - x0, y1 - y0),
+    MIN_MARGIN * Math.max(drawing.width, drawing.height),
   );
   const [middleX, middleY] = [(x0 + x1) / 2, (y0 + y1) / 2];
   return {
@@ -83,16 +83,17 @@ export function foundOf(edges: Edges, drawing: Drawing, row: LedgerRow): Found {
   };
 }
 
-/** A report in a few words: entities and edges that are not there as they were drawn. */
-export function outcome(report: Report): string {
+/** Short summary of a report: numbers of dropped and merged entities and edges. */
+export function summarizeReport(report: Report): string {
   const sum = (fate: Fate) =>
     report.groups.reduce((all, one) => (one.fate === fate ? all + one.count : all), 0);
-  const told = (["dropped", "merged"] as const)
+  const parts = (["dropped", "merged"] as const)
     .map((fate) => ({ fate, many: sum(fate) }))
     .filter(({ many }) => many > 0)
     .map(({ fate, many }) => `${many.toLocaleString("en")} ${fate}`);
-  return told.length > 0 ? told.join(" · ") : "all kept";
+  return parts.length > 0 ? parts.join(" · ") : "all kept";
 }
 
-/** Whether an edge is not made: dropped, or made by another that it lies on. */
-export const isGone = (edges: Edges, row: number): boolean => fateOf(edges.fate[row]) === "dropped";
+/** Whether an edge was dropped by the cleaning. */
+export const isDropped = (edges: Edges, row: number): boolean =>
+  fateOf(edges.fate[row]) === "dropped";

@@ -1,23 +1,23 @@
-/** What is under way: a line for whatever takes its time, a card for a file that comes in. */
+/** Progress bar while requests are pending, and a card for an upload. */
 
 import { Progress } from "@mantine/core";
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
+import reportCss from "./notifications.module.css";
 import overCss from "./over.module.css";
 import css from "./panels.module.css";
-import reportCss from "./reports.module.css";
 
-export function UnderWay() {
-  const busy = usePage((page) => page.busy);
-  const upload = usePage((page) => page.upload);
+export function ProgressOverlay() {
+  const busy = useUiStore((ui) => ui.busy);
+  const upload = useUiStore((ui) => ui.upload);
   return (
     <>
-      {busy && <div className={reportCss.underWay} role="progressbar" aria-label="Under way" />}
+      {busy && <div className={reportCss.working} role="progressbar" aria-label="Working" />}
       {upload !== null && (
         <div className={`${overCss.float} ${reportCss.upload}`} role="status" data-testid="upload">
           <div className={css.runFigures} style={{ margin: "0 0 6px" }}>
             <span className={css.rowName}>{upload.name}</span>
             <span>
-              {upload.fraction < 1 ? `${Math.round(upload.fraction * 100)} %` : "reading …"}
+              {upload.fraction < 1 ? `${Math.round(upload.fraction * 100)} %` : "Reading …"}
             </span>
           </div>
           <Progress

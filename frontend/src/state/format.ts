@@ -1,9 +1,9 @@
-/** Figures as people read them. */
+/** Formatting of figures for display. */
 
 const THIN = "\u202f";
 
 /** A length in mm, or in m from ten metres up. */
-export function length(value: number): string {
+export function formatLength(value: number): string {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return `0${THIN}mm`;
   if (Math.abs(value) < 0.05) return `<${THIN}0.1${THIN}mm`;
@@ -11,31 +11,31 @@ export function length(value: number): string {
   return `${value.toFixed(Math.abs(value) >= 100 ? 0 : 1)}${THIN}mm`;
 }
 
-/** A length in a unit that nobody knows. */
-export const unitless = (value: number): string =>
+/** A length in an unknown unit. */
+export const formatUnitless = (value: number): string =>
   value.toLocaleString("en", { maximumFractionDigits: Math.abs(value) >= 100 ? 1 : 3 });
 
-/** A length of which hundredths matter, and the rest is nothing. */
-export function fine(value: number): string {
+/** A length in mm, rounded to hundredths. */
+export function formatHundredths(value: number): string {
   if (!Number.isFinite(value)) return "–";
   return value < 0.005 ? `0${THIN}mm` : `${value.toFixed(2)}${THIN}mm`;
 }
 
-/** A deviation in mm: small, so with all the digits that mean something. */
-export function deviation(value: number): string {
+/** A deviation in mm, with four decimals. */
+export function formatDeviation(value: number): string {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return `0${THIN}mm`;
   return value < 0.0001 ? `<${THIN}0.0001${THIN}mm` : `${value.toFixed(4)}${THIN}mm`;
 }
 
 /** An area in mm², or in cm² from ten of those up. */
-export function area(value: number): string {
+export function formatArea(value: number): string {
   if (!Number.isFinite(value)) return "–";
   if (value >= 1000) return `${(value / 100).toFixed(1)}${THIN}cm²`;
   return `${value.toFixed(value >= 100 ? 0 : value >= 10 ? 1 : 2)}${THIN}mm²`;
 }
 
-export function duration(seconds: number): string {
+export function formatDuration(seconds: number): string {
   if (!Number.isFinite(seconds)) return "–";
   const whole = Math.max(0, Math.round(seconds));
   if (whole < 60) return `${seconds < 10 ? seconds.toFixed(1) : whole}${THIN}s`;
@@ -44,7 +44,7 @@ export function duration(seconds: number): string {
   return `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}${THIN}h`;
 }
 
-export function ago(then: number, now: number): string {
+export function formatAgo(then: number, now: number): string {
   const seconds = Math.max(0, now - then);
   if (seconds < 60) return "just now";
   if (seconds < 3600) return `${Math.floor(seconds / 60)}${THIN}min ago`;
@@ -52,11 +52,11 @@ export function ago(then: number, now: number): string {
   return new Date(then * 1000).toLocaleDateString();
 }
 
-export const count = (n: number, one: string, many = `${one}s`): string =>
+export const pluralize = (n: number, one: string, many = `${one}s`): string =>
   `${n.toLocaleString("en")} ${n === 1 ? one : many}`;
 
 /** Width and height in mm, or in m where either is ten metres or more. */
-export const size = (width: number, height: number): string =>
+export const formatSize = (width: number, height: number): string =>
   Math.max(width, height) < 10_000
     ? `${width.toFixed(1)} × ${height.toFixed(1)}${THIN}mm`
     : `${(width / 1000).toFixed(2)} × ${(height / 1000).toFixed(2)}${THIN}m`;

@@ -10,7 +10,7 @@ interface View {
 
 const LASTS = 260; // ms
 
-export class Glide {
+export class ViewTransition {
   private way: { from: View; to: View; began: number } | null = null;
 
   constructor(private readonly camera: PlaneCamera) {}

@@ -2,12 +2,12 @@ import { QueryObserver } from "@tanstack/react-query";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { type Drawing, type Job, ServiceError, service } from "../api/client";
 import type { Edges } from "../geometry/records";
-import { compile, heardDrawing, retype } from "./actions";
-import { changedRows, difference, undoable } from "./elsewhere";
-import type { Change, Retyping } from "./history";
-import { keys, queries } from "./queries";
-import { useReports } from "./reports";
-import { usePage } from "./store";
+import { compile, retype, syncDrawing } from "./actions";
+import type { Change, RetypeChange } from "./history";
+import { useNotifications } from "./notifications";
+import { queries, queryClient } from "./queries";
+import { changedRows, describeDifference, undoableChanges } from "./remoteChanges";
+import { useUiStore } from "./store";
 
 /** Three edges of these types, all by one rule. */
 const edgesOf = (types: readonly number[], revision: number): Edges => ({
@@ -43,14 +43,14 @@ const drawingOf = (revision: number, more: Partial<Drawing> = {}): Drawing =>
     ...more,
   }) as Drawing;
 
-const retyping = (rows: number[]): Retyping => ({
+const retyping = (rows: number[]): RetypeChange => ({
   kind: "types",
   rows,
   to: "cut",
   before: rows.map(() => null),
 });
 
-const SETTLED = { kind: "settled" } as Change;
+const SETTLED = { kind: "settings" } as Change;
 
 describe("what differs", () => {
   test("is listed by row while the edges are the same", () => {
@@ -64,23 +64,23 @@ describe("what differs", () => {
   });
 
   test("is told in words", () => {
-    expect(difference(drawingOf(1), drawingOf(2), [4])).toBe("1 edge has another type");
-    expect(difference(drawingOf(1), drawingOf(2), [])).toBe("nothing that is shown differs");
+    expect(describeDifference(drawingOf(1), drawingOf(2), [4])).toBe("1 edge has another type");
+    expect(describeDifference(drawingOf(1), drawingOf(2), [])).toBe("no visible difference");
     const after = drawingOf(2, { unit: "in", profile: "acme" });
-    expect(difference(drawingOf(1), after, null)).toBe(
-      "its unit is in, it is classified by the profile acme, its edges are new",
+    expect(describeDifference(drawingOf(1), after, null)).toBe(
+      "its unit is in, its profile is acme, its edges were replaced",
     );
   });
 });
 
 test("only steps that overwrite nothing of others can be undone", () => {
   const past = [retyping([0]), retyping([1, 2]), retyping([3])];
-  expect(undoable(past, [2])).toEqual(past.slice(2));
-  expect(undoable(past, [9])).toEqual(past);
-  expect(undoable(past, [3])).toEqual([]);
-  expect(undoable(past, [])).toEqual(past);
-  expect(undoable(past, null)).toEqual([]);
-  expect(undoable([past[0] as Change, SETTLED, past[2] as Change], [9])).toEqual([past[2]]);
+  expect(undoableChanges(past, [2])).toEqual(past.slice(2));
+  expect(undoableChanges(past, [9])).toEqual(past);
+  expect(undoableChanges(past, [3])).toEqual([]);
+  expect(undoableChanges(past, [])).toEqual(past);
+  expect(undoableChanges(past, null)).toEqual([]);
+  expect(undoableChanges([past[0] as Change, SETTLED, past[2] as Change], [9])).toEqual([past[2]]);
 });
 
 describe("a drawing that is changed elsewhere", () => {
@@ -90,21 +90,21 @@ describe("a drawing that is changed elsewhere", () => {
   const order = vi.spyOn(service, "compile");
 
   beforeEach(() => {
-    queries.clear();
-    queries.setQueryData(keys.drawing("d1").queryKey, drawingOf(1));
-    queries.setQueryData(keys.edges("d1").queryKey, edgesOf([1, 2, 1], 1));
+    queryClient.clear();
+    queryClient.setQueryData(queries.drawing("d1").queryKey, drawingOf(1));
+    queryClient.setQueryData(queries.edges("d1").queryKey, edgesOf([1, 2, 1], 1));
     drawing.mockReset().mockResolvedValue(drawingOf(2));
     edges.mockReset().mockResolvedValue(edgesOf([1, 4, 1], 2));
     override.mockReset();
     order.mockReset();
-    usePage.getState().open(null);
-    usePage.getState().open("d1", "j1");
-    for (const { id } of useReports.getState().list) useReports.getState().dismiss(id);
+    useUiStore.getState().open(null);
+    useUiStore.getState().open("d1", "j1");
+    for (const { id } of useNotifications.getState().list) useNotifications.getState().dismiss(id);
   });
-  afterEach(() => queries.clear());
+  afterEach(() => queryClient.clear());
 
-  const shown = () => queries.getQueryData(keys.edges("d1").queryKey)?.lineType;
-  const told = () => useReports.getState().list;
+  const shown = () => queryClient.getQueryData(queries.edges("d1").queryKey)?.lineType;
+  const told = () => useNotifications.getState().list;
   const stale = () =>
     new ServiceError({
       type: "urn:knifetip:problem:stale-revision",
@@ -121,44 +121,44 @@ describe("a drawing that is changed elsewhere", () => {
     });
 
   test("is shown as it is now, and that is told", async () => {
-    usePage.getState().made(retyping([0]));
-    usePage.getState().made(retyping([1]));
-    await heardDrawing({ id: "d1", revision: 2 });
+    useUiStore.getState().recordChange(retyping([0]));
+    useUiStore.getState().recordChange(retyping([1]));
+    await syncDrawing({ id: "d1", revision: 2 });
     expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
-    expect(queries.getQueryData(keys.drawing("d1").queryKey)?.revision).toBe(2);
-    expect(told()).toMatchObject([{ title: "Changed elsewhere", notice: true }]);
+    expect(queryClient.getQueryData(queries.drawing("d1").queryKey)?.revision).toBe(2);
+    expect(told()).toMatchObject([{ title: "Drawing changed elsewhere", notice: true }]);
     expect(told()[0]?.detail).toContain("1 edge has another type");
     expect(told()[0]?.hint).toContain("undone");
-    expect(usePage.getState().past).toEqual([]);
-    expect(usePage.getState().job).toBeNull();
+    expect(useUiStore.getState().past).toEqual([]);
+    expect(useUiStore.getState().job).toBeNull();
   });
 
   test("leaves a job in view that is on a table", async () => {
-    queries.setQueryData(keys.job("j1").queryKey, { id: "j1", state: "held" } as Job);
-    await heardDrawing({ id: "d1", revision: 2 });
-    expect(usePage.getState().job).toBe("j1");
+    queryClient.setQueryData(queries.job("j1").queryKey, { id: "j1", state: "held" } as Job);
+    await syncDrawing({ id: "d1", revision: 2 });
+    expect(useUiStore.getState().job).toBe("j1");
   });
 
   test("is not asked for again because of a change of our own, or of another drawing", async () => {
     override.mockImplementation(async () => {
       // The event is heard before the answer.
-      void heardDrawing({ id: "d1", revision: 2 });
+      void syncDrawing({ id: "d1", revision: 2 });
       return drawingOf(2);
     });
-    const leave = new QueryObserver(queries, keys.edges("d1")).subscribe(() => undefined);
+    const leave = new QueryObserver(queryClient, queries.edges("d1")).subscribe(() => undefined);
     await retype([1], "perforation");
-    await heardDrawing({ id: "d2", revision: 9 });
-    await heardDrawing({ id: "d1", revision: 2 });
+    await syncDrawing({ id: "d2", revision: 9 });
+    await syncDrawing({ id: "d1", revision: 2 });
     expect(drawing).not.toHaveBeenCalled();
     expect(told()).toEqual([]);
-    expect(usePage.getState().past).toHaveLength(1);
+    expect(useUiStore.getState().past).toHaveLength(1);
     leave();
   });
 
   test("is compared after the line was broken", async () => {
-    await heardDrawing(null);
+    await syncDrawing(null);
     expect(told()).toHaveLength(1);
-    await heardDrawing(null);
+    await syncDrawing(null);
     expect(drawing).toHaveBeenCalledTimes(2);
     expect(told()).toHaveLength(1);
   });
@@ -167,10 +167,10 @@ describe("a drawing that is changed elsewhere", () => {
     override.mockRejectedValue(stale());
     await retype([0], "crease");
     expect(override).toHaveBeenCalledWith("d1", [{ type: "crease", edges: [0] }], 1);
-    expect(told()).toMatchObject([{ title: "Not done: changed elsewhere" }]);
+    expect(told()).toMatchObject([{ title: "Not saved: drawing changed elsewhere" }]);
     expect(told()[0]?.detail).toContain("1 edge has another type");
     expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
-    expect(usePage.getState().past).toEqual([]);
+    expect(useUiStore.getState().past).toEqual([]);
 
     drawing.mockResolvedValue(drawingOf(3));
     edges.mockResolvedValue(edgesOf([1, 1, 1], 3));
@@ -182,7 +182,7 @@ describe("a drawing that is changed elsewhere", () => {
   });
 
   test("with a picture older than the panels is ordered as the picture shows it", async () => {
-    queries.setQueryData(keys.drawing("d1").queryKey, drawingOf(2));
+    queryClient.setQueryData(queries.drawing("d1").queryKey, drawingOf(2));
     order.mockRejectedValue(stale());
     await compile("demo-table", "e-flute");
     expect(order.mock.calls[0]?.[0]).toMatchObject({ revision: 1 });

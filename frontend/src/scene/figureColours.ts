@@ -1,7 +1,7 @@
 /** The verdict's figures → a colour to each edge: from nothing to a limit, and beyond. */
 
 import { type Edges, lineTypeOf, type Samples } from "../geometry/records";
-import type { Along } from "./dieline";
+import type { EdgeStretches } from "./dieline";
 import type { Rgba } from "./lines";
 
 export interface Scale {
@@ -27,7 +27,7 @@ export interface FigureMap {
 const ROUNDED = 1e-6;
 
 /** The colour of a figure. */
-export function onScale(figure: number, limit: number, { stops, beyond }: Scale): Rgba {
+export function scaleColour(figure: number, limit: number, { stops, beyond }: Scale): Rgba {
   if (!(figure <= limit + ROUNDED)) return beyond;
   const share = limit > 0 ? Math.min(1, Math.max(0, figure / limit)) : 0;
   const place = share * (stops.length - 1);
@@ -48,12 +48,12 @@ export function isWorked(edges: Edges, { uncut, setback }: FigureMap, row: numbe
 }
 
 /** The colours of all edges, (n, 4). */
-export function mapColours(edges: Edges, map: FigureMap, scale: Scale): Uint8Array {
+export function figureColours(edges: Edges, map: FigureMap, scale: Scale): Uint8Array {
   const count = edges.bulge.length;
   const colours = new Uint8Array(count * 4);
   for (let row = 0; row < count; row++) {
     const colour = isWorked(edges, map, row)
-      ? onScale(map.figure[row] ?? Number.NaN, map.limit, scale)
+      ? scaleColour(map.figure[row] ?? Number.NaN, map.limit, scale)
       : scale.unworked;
     colours.set(colour, row * 4);
   }
@@ -66,12 +66,12 @@ export function mapColours(edges: Edges, map: FigureMap, scale: Scale): Uint8Arr
  * What a controller may round counts in an edge's figure and not in what was found: it is added
  * everywhere, so that the worst place of an edge has the edge's own colour.
  */
-export function alongColours(
+export function stretchColours(
   edges: Edges,
   map: FigureMap,
   { edge, place, deviation }: Samples,
   scale: Scale,
-): Along {
+): EdgeStretches {
   const count = edges.bulge.length;
   const first = new Int32Array(count + 1);
   const worst = new Float64Array(count);
@@ -89,7 +89,9 @@ export function alongColours(
     const there = edge[at - 1] === row && place[at - 1] === place[at];
     const other = there ? Math.abs(deviation[at - 1] ?? 0) : 0;
     const figure = Math.max(Math.abs(deviation[at] ?? 0), next, other) + rounded;
-    const shown = isWorked(edges, map, row) ? onScale(figure, map.limit, scale) : scale.unworked;
+    const shown = isWorked(edges, map, row)
+      ? scaleColour(figure, map.limit, scale)
+      : scale.unworked;
     colour.set(shown, at * 4);
   });
   return { first, place, colour };

@@ -1,8 +1,15 @@
 import { describe, expect, test } from "vitest";
 import { type Edges, LINE_TYPES } from "../geometry/records";
 import { dielineLines, type Palette } from "./dieline";
+import {
+  type FigureMap,
+  figureColours,
+  isWorked,
+  type Scale,
+  scaleColour,
+  stretchColours,
+} from "./figureColours";
 import type { Rgba } from "./lines";
-import { alongColours, type FigureMap, isWorked, mapColours, onScale, type Scale } from "./map";
 
 const SCALE: Scale = {
   stops: [
@@ -49,25 +56,25 @@ describe("a figure on the scale", () => {
     [2.25, [100, 150, 100, 255]],
     [3, [200, 200, 0, 255]],
   ])("%f mm of 3 lies between its stops", (figure, colour) => {
-    expect(onScale(figure, 3, SCALE)).toEqual(colour);
+    expect(scaleColour(figure, 3, SCALE)).toEqual(colour);
   });
 
   test("that was rounded at its limit is not beyond it", () => {
-    expect(onScale(3.000_000_000_4, 3, SCALE)).toEqual(SCALE.stops[2]);
+    expect(scaleColour(3.000_000_000_4, 3, SCALE)).toEqual(SCALE.stops[2]);
   });
 
   test.each([3.001, Number.POSITIVE_INFINITY, Number.NaN])("%f mm of 3 is beyond", (figure) => {
-    expect(onScale(figure, 3, SCALE)).toEqual(SCALE.beyond);
+    expect(scaleColour(figure, 3, SCALE)).toEqual(SCALE.beyond);
   });
 
   test("where nothing is allowed nothing is well, and all else beyond", () => {
-    expect(onScale(0, 0, SCALE)).toEqual(SCALE.stops[0]);
-    expect(onScale(0.1, 0, SCALE)).toEqual(SCALE.beyond);
+    expect(scaleColour(0, 0, SCALE)).toEqual(SCALE.stops[0]);
+    expect(scaleColour(0.1, 0, SCALE)).toEqual(SCALE.beyond);
   });
 });
 
 describe("the map", () => {
-  const colours = mapColours(EDGES, MAP, SCALE);
+  const colours = figureColours(EDGES, MAP, SCALE);
   const at = (row: number) => [...colours.slice(row * 4, row * 4 + 4)];
 
   test("colours each edge by its figure", () => {
@@ -135,18 +142,18 @@ describe("a deviation that changes along an edge", () => {
     place: Float64Array.of(0, 0.5, 1, 0, 1),
     deviation: Float64Array.of(0, 0, -0.003, 0, 0),
   };
-  const along = alongColours(EDGES, MAP, samples, SCALE);
+  const along = stretchColours(EDGES, MAP, samples, SCALE);
   const lines = dielineLines(EDGES, { x: 0, y: 0 }, {} as Palette, {
     shown: (row) => row === 1,
-    colours: mapColours(EDGES, MAP, SCALE),
+    colours: figureColours(EDGES, MAP, SCALE),
     along,
   });
 
   test("is told stretch by stretch, the worst as the edge itself", () => {
     // 0.005 for the edge, 0.003 of it found at its end: 0.002 are the controller's everywhere.
     expect([...along.first]).toEqual([0, 0, 3, 3, 5]);
-    expect([...along.colour.slice(0, 4)]).toEqual([...onScale(0.002, 0.01, SCALE)]);
-    expect([...along.colour.slice(4, 8)]).toEqual([...onScale(0.005, 0.01, SCALE)]);
+    expect([...along.colour.slice(0, 4)]).toEqual([...scaleColour(0.002, 0.01, SCALE)]);
+    expect([...along.colour.slice(4, 8)]).toEqual([...scaleColour(0.005, 0.01, SCALE)]);
   });
 
   test("leaves an edge that nobody works as it is", () => {
@@ -156,6 +163,6 @@ describe("a deviation that changes along an edge", () => {
   test("is drawn from stretch to stretch over the whole edge", () => {
     expect(lines.count).toBe(2);
     expect([...lines.ends]).toEqual([10, 0, 10, 5, 10, 5, 10, 10]);
-    expect([...lines.colour.slice(4, 8)]).toEqual([...onScale(0.005, 0.01, SCALE)]);
+    expect([...lines.colour.slice(4, 8)]).toEqual([...scaleColour(0.005, 0.01, SCALE)]);
   });
 });

@@ -1,8 +1,16 @@
 import { describe, expect, test } from "vitest";
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
 import type { Edges } from "../geometry/records";
-import { inspected } from "./inspect";
-import { entitiesOf, foundOf, groupsOf, isGone, outcome, rowsOfGroup, shares } from "./report";
+import {
+  entitiesOf,
+  groupsOf,
+  isDropped,
+  lengthShares,
+  locateEntity,
+  rowsOfGroup,
+  summarizeReport,
+} from "./importReport";
+import { summarizeEdges } from "./inspect";
 
 type Report = NonNullable<Drawing["report"]>;
 
@@ -49,8 +57,8 @@ const EDGES: Edges = {
 
 describe("the import report", () => {
   test("shares out all that was drawn", () => {
-    expect(shares(REPORT).map(({ share }) => share)).toEqual([0.75, 0.2, 0.05]);
-    expect(shares({ ...REPORT, drawn: 0 }).every(({ share }) => share === 0)).toBe(true);
+    expect(lengthShares(REPORT).map(({ share }) => share)).toEqual([0.75, 0.2, 0.05]);
+    expect(lengthShares({ ...REPORT, drawn: 0 }).every(({ share }) => share === 0)).toBe(true);
   });
 
   test("is filtered by what became of things", () => {
@@ -66,14 +74,14 @@ describe("the import report", () => {
     const row = { fate: "dropped", reason: "text is not cut: 12", theme: "text is not cut" };
     expect(entitiesOf([row as LedgerRow], TEXTS)).toHaveLength(1);
     expect(entitiesOf([row as LedgerRow], SPECKS)).toHaveLength(0);
-    expect([0, 1, 2].map((edge) => isGone(EDGES, edge))).toEqual([false, true, false]);
+    expect([0, 1, 2].map((edge) => isDropped(EDGES, edge))).toEqual([false, true, false]);
   });
 });
 
 describe("edges that are looked at", () => {
   test("one says its rule, how sure that is and what else it could be", () => {
-    const found = inspected(EDGES, [2]);
-    expect(found.why).toEqual([
+    const found = summarizeEdges(EDGES, [2]);
+    expect(found.reasons).toEqual([
       { type: "crease", rule: "shape: it divides two panels", confidence: 0.6, rows: [2] },
     ]);
     expect(found.alternatives).toEqual(["cut", "perforation"]);
@@ -81,14 +89,14 @@ describe("edges that are looked at", () => {
   });
 
   test("several are as sure as the least sure of them, and share what all could be", () => {
-    const found = inspected(EDGES, [0, 1, 2]);
-    expect(found.why.map(({ confidence, rows }) => [confidence, rows.length])).toEqual([
+    const found = summarizeEdges(EDGES, [0, 1, 2]);
+    expect(found.reasons.map(({ confidence, rows }) => [confidence, rows.length])).toEqual([
       [0.9, 2],
       [0.6, 1],
     ]);
     expect(found.alternatives).toEqual([]);
     expect(found.length).toBeCloseTo(150.01);
-    expect(inspected(EDGES, [1]).fate).toBe("dropped: a speck");
+    expect(summarizeEdges(EDGES, [1]).fate).toBe("dropped: a speck");
   });
 });
 
@@ -107,13 +115,13 @@ const entity = (part: Partial<LedgerRow>): LedgerRow => ({
 
 describe("an entity of the report", () => {
   test("is found by its edges, or by the one that it lies on", () => {
-    expect(foundOf(EDGES, DRAWING, entity({ handle: "C" }))).toEqual({ rows: [2] });
+    expect(locateEntity(EDGES, DRAWING, entity({ handle: "C" }))).toEqual({ rows: [2] });
     const twice = entity({ handle: "D", reason: "it is drawn twice: the same as A" });
-    expect(foundOf(EDGES, DRAWING, twice)).toEqual({ rows: [0] });
+    expect(locateEntity(EDGES, DRAWING, twice)).toEqual({ rows: [0] });
   });
 
   test("is found by the place of its words, with a quarter of the drawing about it", () => {
-    expect(foundOf(EDGES, DRAWING, entity({ place: [50, 20, 1] }))).toEqual({
+    expect(locateEntity(EDGES, DRAWING, entity({ place: [50, 20, 1] }))).toEqual({
       pin: [50, 20, 50, 20],
       box: [25, -5, 75, 45],
     });
@@ -121,18 +129,18 @@ describe("an entity of the report", () => {
 
   test("is found by the box around it, which is seen whole", () => {
     const hatch = entity({ kind: "HATCH", box: [20, 0, 80, 10] });
-    expect(foundOf(EDGES, DRAWING, hatch)).toEqual({
+    expect(locateEntity(EDGES, DRAWING, hatch)).toEqual({
       pin: [20, 0, 80, 10],
       box: [5, -40, 95, 50],
     });
   });
 
   test("is nowhere where the file gives it no place", () => {
-    expect(foundOf(EDGES, DRAWING, entity({ kind: "HATCH" }))).toBeNull();
+    expect(locateEntity(EDGES, DRAWING, entity({ kind: "HATCH" }))).toBeNull();
   });
 });
 
 test("a report in a few words counts what is not there as it was drawn", () => {
-  expect(outcome(REPORT)).toBe("2 dropped");
-  expect(outcome({ ...REPORT, groups: [group({ count: 7 })] })).toBe("all kept");
+  expect(summarizeReport(REPORT)).toBe("2 dropped");
+  expect(summarizeReport({ ...REPORT, groups: [group({ count: 7 })] })).toBe("all kept");
 });

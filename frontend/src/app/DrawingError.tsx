@@ -1,16 +1,16 @@
-/** A drawing that cannot be shown: why, and the way back. */
+/** Shown instead of a drawing that cannot be loaded. */
 
 import { Button } from "@mantine/core";
 import { ServiceError } from "../api/client";
-import { usePage } from "../state/store";
+import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 
-export function NoDrawing({ error }: { error: Error }) {
-  const open = usePage((page) => page.open);
+export function DrawingError({ error }: { error: Error }) {
+  const open = useUiStore((ui) => ui.open);
   return (
     <div className={css.centre} role="alert">
       <div className={css.welcome}>
-        <h1>This drawing cannot be shown</h1>
+        <h1>Drawing not available</h1>
         <p>
           {error.message} {error instanceof ServiceError && error.hint}
         </p>

@@ -6,7 +6,7 @@ const FEED = MOTIONS.indexOf("feed");
 const PLUNGE = MOTIONS.indexOf("plunge");
 
 /** The least Z that each station comes to at work (mm), by its number. */
-export function deepest({ motion, tool, pose }: Toolpath): Map<number, number> {
+export function deepestZ({ motion, tool, pose }: Toolpath): Map<number, number> {
   const found = new Map<number, number>();
   for (let row = 0; row < motion.length; row++) {
     if (motion[row] !== FEED && motion[row] !== PLUNGE) continue;

@@ -1,17 +1,17 @@
-/** A rule that is only read. */
+/** A rule, read-only. */
 
 import type { Rule } from "../api/client";
-import { LINE_LOOKS } from "../state/palette";
+import { LINE_STYLES } from "../state/palette";
 import panels from "./panels.module.css";
 import css from "./profile.module.css";
 import { Swatch } from "./Swatch";
 
-export function RuleWords({ rule }: { rule: Rule & { edges?: number } }) {
+export function RuleSummary({ rule }: { rule: Rule & { edges?: number } }) {
   return (
     <div className={css.read}>
       <Swatch type={rule.type} />
       <span className={css.readWords} title={rule.words}>
-        <b>{LINE_LOOKS[rule.type].title}</b> {rule.words}
+        <b>{LINE_STYLES[rule.type].title}</b> {rule.words}
       </span>
       <span className={panels.rowCount}>{rule.edges ?? ""}</span>
     </div>

@@ -1,19 +1,19 @@
-/** What went wrong, with the hint, until it is read. */
+/** Notifications of errors and events, each with its hint, until dismissed. */
 
 import { Button, CloseButton } from "@mantine/core";
 import { IconAlertTriangleFilled, IconInfoCircleFilled } from "@tabler/icons-react";
+import { pluralize } from "../state/format";
+import { useNotifications } from "../state/notifications";
 import { useEdges } from "../state/queries";
-import { useReports } from "../state/reports";
 import { rowsOfHandles } from "../state/rows";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
+import { useUiStore } from "../state/store";
+import reportCss from "./notifications.module.css";
 import css from "./panels.module.css";
-import reportCss from "./reports.module.css";
 
-export function ReportsList() {
-  const list = useReports((reports) => reports.list);
-  const dismiss = useReports((reports) => reports.dismiss);
-  const look = usePage((page) => page.look);
+export function NotificationList() {
+  const list = useNotifications((notifications) => notifications.list);
+  const dismiss = useNotifications((notifications) => notifications.dismiss);
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const { data: edges } = useEdges();
   return (
     <div className={reportCss.reports} role="alert" aria-live="assertive">
@@ -31,8 +31,13 @@ export function ReportsList() {
               <div>{detail}</div>
               {hint !== "" && <div className={css.hint}>{hint}</div>}
               {rows.length > 0 && (
-                <Button mt={8} size="compact-xs" variant="default" onClick={() => look(rows)}>
-                  Show {count(rows.length, "edge")}
+                <Button
+                  mt={8}
+                  size="compact-xs"
+                  variant="default"
+                  onClick={() => zoomToEdges(rows)}
+                >
+                  Show {pluralize(rows.length, "edge")}
                 </Button>
               )}
             </div>

@@ -1,10 +1,10 @@
-/** The whole page is a door for files. */
+/** Accepts files dropped anywhere on the page. */
 
 import { useEffect, useState } from "react";
 import { uploadFiles } from "../state/actions";
 import css from "./app.module.css";
 
-export function DropAnywhere() {
+export function DropZone() {
   const [over, setOver] = useState(false);
   useEffect(() => {
     let depth = 0;

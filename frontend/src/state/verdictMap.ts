@@ -1,4 +1,4 @@
-/** The verdict as maps: which figure colours the edges, and up to what. */
+/** Figures of a verdict that can colour the edges, with their limits. */
 
 import type { Verdict } from "../api/client";
 import type { ColourMode } from "./store";
@@ -15,11 +15,11 @@ export interface VerdictMap {
   readonly setback: readonly number[];
 }
 
-/** As far as a blade may run past an end before it is seen on any board (mm). */
+/** Overcut visible on every board (mm): the end of the colour scale. */
 const OVERCUT = 3;
 
-/** The map of a verdict; null where the line types are to be seen, or it is of other edges. */
-export function mapOf(
+/** The figure for a colour mode; null for line types, or if the verdict is of other edges. */
+export function verdictMapOf(
   mode: ColourMode,
   verdict: Verdict | undefined,
   edges: number,

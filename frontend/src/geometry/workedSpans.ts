@@ -2,7 +2,7 @@
 
 import { nearest } from "./arc";
 import { type Edges, MOTIONS, type Toolpath } from "./records";
-import { type TipOffset, tipOf, UNDER_THE_HEAD } from "./tip";
+import { NO_OFFSET, type TipOffset, tipOf } from "./tip";
 
 const FEED = MOTIONS.indexOf("feed");
 /** A part this short is not seen, and may be no more than rounding (mm). */
@@ -30,7 +30,7 @@ export function workedSpans(
     const edge = source[row] as number;
     if (motion[row] !== FEED || edge < 0 || edge >= count || !((setback[edge] ?? 0) >= SHORTEST))
       continue;
-    const offset = offsets.get(tool[row] ?? 0) ?? UNDER_THE_HEAD;
+    const offset = offsets.get(tool[row] ?? 0) ?? NO_OFFSET;
     for (const at of [row * 4, row * 4 + 4]) {
       const tip = tipOf(
         {

@@ -1,18 +1,18 @@
-/** Edges that would become something else: by what they are and would be. */
+/** Edges whose line type would change, grouped by old and new type. */
 
 import { IconArrowRight } from "@tabler/icons-react";
 import type { Retyped } from "../api/client";
-import { LINE_LOOKS } from "../state/palette";
-import { usePage } from "../state/store";
-import { count } from "../state/words";
+import { pluralize } from "../state/format";
+import { LINE_STYLES } from "../state/palette";
+import { useUiStore } from "../state/store";
 import css from "./learned.module.css";
 import { Swatch } from "./Swatch";
 
-export const proposedOf = (changes: readonly Retyped[]) =>
+export const previewsOfChanges = (changes: readonly Retyped[]) =>
   changes.map(({ edges, after }) => ({ rows: edges, type: after }));
 
-export function Changes({ changes }: { changes: readonly Retyped[] }) {
-  const look = usePage((page) => page.look);
+export function TypeChanges({ changes }: { changes: readonly Retyped[] }) {
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   return (
     <ul className={css.changes} data-testid="changes">
       {changes.map(({ before, after, edges }) => (
@@ -21,14 +21,14 @@ export function Changes({ changes }: { changes: readonly Retyped[] }) {
             type="button"
             className={css.change}
             title="Show these edges"
-            onClick={() => look(edges)}
+            onClick={() => zoomToEdges(edges)}
           >
-            {count(edges.length, "edge")}
+            {pluralize(edges.length, "edge")}
             <Swatch type={before} />
-            {LINE_LOOKS[before].title}
+            {LINE_STYLES[before].title}
             <IconArrowRight size={13} aria-label="becomes" />
             <Swatch type={after} />
-            {LINE_LOOKS[after].title}
+            {LINE_STYLES[after].title}
           </button>
         </li>
       ))}

@@ -1,0 +1,51 @@
+/** Notifications: errors and events shown until dismissed. */
+
+import { create } from "zustand";
+import { type Problem, ServiceError } from "../api/client";
+
+export interface Notification {
+  readonly id: number;
+  readonly title: string;
+  readonly detail: string;
+  readonly hint: string;
+  readonly source: readonly string[];
+  /** Not an error. */
+  readonly notice?: boolean;
+}
+
+interface Notifications {
+  readonly list: readonly Notification[];
+  add(notification: Omit<Notification, "id">): void;
+  dismiss(id: number): void;
+}
+
+const MAX_SHOWN = 4;
+let last = 0;
+
+export const useNotifications = create<Notifications>()((set) => ({
+  list: [],
+  add: (notification) =>
+    set(({ list }) => {
+      // The same text is shown once.
+      const others = list.filter(({ detail }) => detail !== notification.detail);
+      return { list: [...others, { ...notification, id: ++last }].slice(-MAX_SHOWN) };
+    }),
+  dismiss: (id) => set(({ list }) => ({ list: list.filter((one) => one.id !== id) })),
+}));
+
+const fromProblem = ({ title, detail, hint, source }: Problem): Omit<Notification, "id"> => ({
+  title,
+  detail,
+  hint,
+  source,
+});
+
+export function notifyError(cause: unknown): void {
+  const { add } = useNotifications.getState();
+  if (cause instanceof ServiceError) add(fromProblem(cause.problem));
+  else if (cause instanceof Error) {
+    add({ title: "Page error", detail: cause.message, hint: "Reload the page.", source: [] });
+  } else {
+    add({ title: "Page error", detail: String(cause), hint: "Reload the page.", source: [] });
+  }
+}
