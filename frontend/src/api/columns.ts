@@ -1,5 +1,5 @@
 /**
- * Binary columns: what the service sends becomes typed-array views, without a copy.
+ * Binary columns of the server as typed-array views, without a copy.
  *
  *     "KTIP"  uint32 header length  JSON header, padded to 8 bytes  little-endian columns
  *
@@ -22,7 +22,7 @@ export interface Columns {
   readonly meta: Readonly<Record<string, unknown>>;
 }
 
-/** The bytes are not what the service promises: it and the page are of different versions. */
+/** The bytes have an unexpected format: server and page are of different versions. */
 export class ColumnsError extends Error {
   override name = "ColumnsError";
 }
@@ -39,11 +39,15 @@ const MAGIC = "KTIP";
 export function decodeColumns(bytes: ArrayBuffer): Columns {
   const magic = String.fromCharCode(...new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength)));
   if (magic !== MAGIC || bytes.byteLength < 8) {
-    throw new ColumnsError(`These are not columns: they begin with “${magic}”, not “${MAGIC}”.`);
+    throw new ColumnsError(
+      `Not a column file: it begins with “${magic}” instead of “${MAGIC}”. Reload the page.`,
+    );
   }
   const size = new DataView(bytes).getUint32(4, true);
   if (8 + size > bytes.byteLength) {
-    throw new ColumnsError(`The header should be ${size} bytes long, but the answer ends before.`);
+    throw new ColumnsError(
+      `Incomplete answer: its header should have ${size} bytes. Reload the page.`,
+    );
   }
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 8, size))) as {
     columns: ColumnHead[];
@@ -56,7 +60,9 @@ export function decodeColumns(bytes: ArrayBuffer): Columns {
     const at = data + offset;
     const view = viewOf(dtype, bytes, at, count);
     if (view === null) {
-      throw new ColumnsError(`Column ${name} (${dtype}, ${count} values) does not fit the answer.`);
+      throw new ColumnsError(
+        `Column ${name} (${dtype}, ${count} values) does not fit the answer. Reload the page.`,
+      );
     }
     columns.set(name, view);
   }
@@ -75,16 +81,17 @@ function viewOf(dtype: string, bytes: ArrayBuffer, at: number, count: number): C
 
 function column<T extends Column>(from: Columns, name: string, kind: new (n: number) => T): T {
   const found = from.columns.get(name);
-  if (!(found instanceof kind)) throw new ColumnsError(`The answer has no column ${name}.`);
+  if (!(found instanceof kind))
+    throw new ColumnsError(`The answer has no column ${name}. Reload the page.`);
   return found;
 }
 
-const words = (value: unknown): string[] => (Array.isArray(value) ? value.map(String) : []);
+const strings = (value: unknown): string[] => (Array.isArray(value) ? value.map(String) : []);
 
 const isLineType = (word: string): word is LineType => LINE_TYPES.some((type) => type === word);
 
-const wordLists = (value: unknown): LineType[][] =>
-  (Array.isArray(value) ? value : []).map((list) => words(list).filter(isLineType));
+const lineTypeLists = (value: unknown): LineType[][] =>
+  (Array.isArray(value) ? value : []).map((list) => strings(list).filter(isLineType));
 
 export function edgesOf(bytes: ArrayBuffer): Edges {
   const from = decodeColumns(bytes);
@@ -99,19 +106,19 @@ export function edgesOf(bytes: ArrayBuffer): Edges {
     linetype: column(from, "linetype", Int32Array),
     confidence: column(from, "confidence", Float64Array),
     length: column(from, "length", Float64Array),
-    handles: words(from.meta.handles),
-    layers: words(from.meta.layers),
-    rules: words(from.meta.rules),
-    linetypes: words(from.meta.linetypes),
-    alternatives: wordLists(from.meta.alternatives),
-    // A drawing that an older service read says nothing of these: all was kept.
+    handles: strings(from.meta.handles),
+    layers: strings(from.meta.layers),
+    rules: strings(from.meta.rules),
+    linetypes: strings(from.meta.linetypes),
+    alternatives: lineTypeLists(from.meta.alternatives),
+    // Drawings of older versions have no outcome columns: all edges were kept.
     fate: from.columns.has("fate")
       ? column(from, "fate", Uint8Array)
       : new Uint8Array(bulge.length),
     reason: from.columns.has("reason")
       ? column(from, "reason", Int32Array)
       : new Int32Array(bulge.length),
-    reasons: words(from.meta.reasons),
+    reasons: strings(from.meta.reasons),
   };
 }
 

@@ -1,11 +1,11 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { listen, type Source } from "./events";
+import { type EventSourceLike, openEventStream } from "./events";
 
-class FakeSource implements Source {
+class FakeSource implements EventSourceLike {
   static made: FakeSource[] = [];
   readyState = 0;
-  onopen: Source["onopen"] = null;
-  onerror: Source["onerror"] = null;
+  onopen: EventSourceLike["onopen"] = null;
+  onerror: EventSourceLike["onerror"] = null;
   closed = false;
   private readonly listeners = new Map<string, (event: MessageEvent<string>) => void>();
 
@@ -31,7 +31,8 @@ const CONNECTING = 0;
 const CLOSED = 2;
 const onEvent = vi.fn();
 const onConnection = vi.fn();
-const start = () => listen("/e", ["job"], { onEvent, onConnection }, () => new FakeSource());
+const start = () =>
+  openEventStream("/e", ["job"], { onEvent, onConnection }, () => new FakeSource());
 const source = (at: number) => FakeSource.made.at(at) as FakeSource;
 
 beforeEach(() => {

@@ -1,15 +1,15 @@
 /**
- * The service's events as they happen, across every break of the line.
+ * Server-sent events with reconnection.
  *
- * The browser's EventSource mends a dropped connection by itself (and says with Last-Event-ID how
- * far it heard) but gives up for good when the service answers with an error, as while it
- * restarts. So a closed one is opened anew, later and later, up to half a minute.
+ * EventSource reconnects after a dropped connection (and sends Last-Event-ID), but closes when the
+ * server answers with an error, for example during a restart. A closed one is opened again after a
+ * delay that doubles up to 30 s.
  */
 
 export type ConnectionState = "connecting" | "open" | "broken";
 
-/** As much of EventSource as is used here. */
-export interface Source {
+/** The part of EventSource that is used here. */
+export interface EventSourceLike {
   readyState: number;
   onopen: ((event: Event) => void) | null;
   onerror: ((event: Event) => void) | null;
@@ -18,7 +18,7 @@ export interface Source {
 }
 
 interface Listener {
-  /** `event` is the name that the service gave it, `data` its parsed JSON. */
+  /** `event` is the name of the event, `data` its parsed JSON. */
   onEvent: (event: string, data: unknown) => void;
   onConnection: (state: ConnectionState) => void;
 }
@@ -27,14 +27,15 @@ const CLOSED = 2;
 const SHORTEST_WAIT = 500;
 const LONGEST_WAIT = 30_000;
 
-/** Listen to these events until the returned function is called. */
-export function listen(
+/** Receive these events until the returned function is called. */
+export function openEventStream(
   url: string,
   names: readonly string[],
   { onEvent, onConnection }: Listener,
-  open: (url: string) => Source = (address) => new EventSource(address) as unknown as Source,
+  open: (url: string) => EventSourceLike = (address) =>
+    new EventSource(address) as unknown as EventSourceLike,
 ): () => void {
-  let source: Source | null = null;
+  let source: EventSourceLike | null = null;
   let wait = SHORTEST_WAIT;
   let timer: ReturnType<typeof setTimeout> | undefined;
   let ended = false;
@@ -61,7 +62,7 @@ export function listen(
         try {
           data = JSON.parse(event.data);
         } catch {
-          // A keep-alive without JSON carries no news.
+          // Keep-alive messages have no JSON.
           return;
         }
         onEvent(name, data);

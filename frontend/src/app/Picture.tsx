@@ -6,7 +6,7 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { boundsOf } from "../geometry/bounds";
 import { type Edges, lineTypeOf, type Point } from "../geometry/records";
 import { type Sweep, sweepOf } from "../geometry/sweep";
-import { duration, timeOf } from "../geometry/timeline";
+import { timeOf, totalSeconds } from "../geometry/timeline";
 import { tipOffset } from "../geometry/tip";
 import { workedSpans } from "../geometry/workedSpans";
 import { ColourBar } from "../panels/ColourBar";
@@ -64,7 +64,7 @@ export function Picture({ onReady }: Props) {
       made = new Viewer(host.current, canvas.current, VIEWER_COLOURS, {
         onHover: (row, moves, at) =>
           page.setHover(row === null && moves.length === 0 ? null : { row, moves, ...at }),
-        onChoose: (rows, add, at) => selectAt(rows, add, at),
+        onSelect: (rows, add, at) => selectAt(rows, add, at),
         onCursor: setCursor,
         onView: setScale,
         onBox: setBox,
@@ -285,8 +285,8 @@ function useViewerContents(
       if (shown === null || hiddenTypes.has(lineTypeOf(shown.lineType[row]))) return false;
       return !hiddenLayers.has(layerKey(layerOf(shown, row), shown.colour[row] ?? 0));
     };
-    const gone = (row: number) => shown !== null && isDropped(shown, row);
-    viewer?.showEdges(shown, isShown, { colours, worked, along: stretches, gone });
+    const dropped = (row: number) => shown !== null && isDropped(shown, row);
+    viewer?.showEdges(shown, isShown, { colours, worked, along: stretches, dropped });
   }, [viewer, shown, hiddenTypes, hiddenLayers, colours, worked, stretches]);
 
   // A drawing that is opened, or has another size now, is brought into view; a new type is not.
@@ -340,7 +340,7 @@ function useViewerContents(
       before.current = now;
       viewer.runHead(timeOf(line, job.line, job.position), lasts * 1.1);
     } else if (previewTime !== null) viewer.moveHead(previewTime);
-    else if (job.state === "done") viewer.moveHead(duration(line));
+    else if (job.state === "done") viewer.moveHead(totalSeconds(line));
     else if (job.state === "interrupted") viewer.moveHead(timeOf(line, job.line, job.position));
     else viewer.moveHead(null);
   }, [viewer, line, job, previewTime]);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { circle, length, nearest, pointAt, walk } from "./arc";
+import { arcLength, circleOf, flattenArc, nearestOnArc, pointAt } from "./arc";
 import { boxOf } from "./bounds";
 import { mm } from "./units";
 
@@ -10,7 +10,7 @@ const QUARTER = [10, 0, 0, 10, Math.tan(Math.PI / 8)] as const;
 
 const vertices = (arc: readonly [number, number, number, number, number], tolerance: number) => {
   const found: [number, number][] = [[arc[0], arc[1]]];
-  walk(...arc, mm(tolerance), (x, y) => found.push([x, y]));
+  flattenArc(...arc, mm(tolerance), (x, y) => found.push([x, y]));
   return found;
 };
 
@@ -48,9 +48,9 @@ describe("arcs to vertices", () => {
   });
 
   test("half a circle of radius 10 is 31.4 mm long and has that radius", () => {
-    expect(length(...HALF)).toBeCloseTo(10 * Math.PI, 12);
-    expect(circle(...HALF)?.radius).toBe(10);
-    expect(circle(0, 0, 30, 40, 0)).toBeNull();
+    expect(arcLength(...HALF)).toBeCloseTo(10 * Math.PI, 12);
+    expect(circleOf(...HALF)?.radius).toBe(10);
+    expect(circleOf(0, 0, 30, 40, 0)).toBeNull();
   });
 });
 
@@ -72,17 +72,17 @@ describe("boxes", () => {
 
 describe("nearest", () => {
   test("from the centre every place of the arc is a radius away", () => {
-    expect(nearest(10, 0, ...HALF).distance).toBeCloseTo(10, 12);
+    expect(nearestOnArc(10, 0, ...HALF).distance).toBeCloseTo(10, 12);
   });
 
   test("outside the sweep it is the nearer end", () => {
     // Below the half circle: (3, -4) is 5 from (0, 0) and further from (20, 0).
-    expect(nearest(3, -4, ...HALF)).toEqual({ distance: expect.closeTo(5, 12), fraction: 1 });
-    expect(nearest(17, -4, ...HALF)).toEqual({ distance: expect.closeTo(5, 12), fraction: 0 });
+    expect(nearestOnArc(3, -4, ...HALF)).toEqual({ distance: expect.closeTo(5, 12), fraction: 1 });
+    expect(nearestOnArc(17, -4, ...HALF)).toEqual({ distance: expect.closeTo(5, 12), fraction: 0 });
   });
 
   test("beside a line it is the foot of the perpendicular", () => {
-    expect(nearest(30, 7, 0, 0, 100, 0, 0)).toEqual({ distance: 7, fraction: 0.3 });
-    expect(nearest(-3, 4, 0, 0, 100, 0, 0)).toEqual({ distance: 5, fraction: 0 });
+    expect(nearestOnArc(30, 7, 0, 0, 100, 0, 0)).toEqual({ distance: 7, fraction: 0.3 });
+    expect(nearestOnArc(-3, 4, 0, 0, 100, 0, 0)).toEqual({ distance: 5, fraction: 0 });
   });
 });

@@ -1,29 +1,29 @@
 /**
  * Arcs as bulges: a chord and tan(sweep / 4), positive to the left, 0 a straight line.
  *
- * The same words as the service's `geometry/arc.py`; one segment at a time, for the screen.
+ * Same conventions as `geometry/arc.py` of the backend; one segment at a time, for display.
  */
 
 import type { Millimetre } from "./units";
 
-/** A bulge smaller than this bends a metre of chord by less than a nanometre. */
+/** A smaller bulge is a line: it bends a metre of chord by less than a nanometre. */
 const STRAIGHT = 1e-12;
 
-/** No arc is drawn with more vertices than this, however fine the tolerance. */
-const MOST_STEPS = 720;
+/** Maximum number of chords of an arc. */
+const MAX_CHORDS = 720;
 
 export interface Circle {
   readonly x: number;
   readonly y: number;
   readonly radius: number;
-  /** Azimuth of the start, seen from the centre (radians). */
+  /** Angle of the start about the centre (radians). */
   readonly first: number;
   /** Angle of travel, counter-clockwise positive (radians). */
   readonly sweep: number;
 }
 
 /** The circle that an arc is part of; null for a line. */
-export function circle(
+export function circleOf(
   x0: number,
   y0: number,
   x1: number,
@@ -46,12 +46,12 @@ export function circle(
   };
 }
 
-/** How many chords keep an arc within `tolerance` of itself; 1 for a line. */
-export function steps(radius: number, sweep: number, tolerance: Millimetre): number {
+/** Number of chords that approximate an arc within `tolerance`. */
+export function chordCount(radius: number, sweep: number, tolerance: Millimetre): number {
   if (radius <= tolerance) return Math.max(3, Math.ceil(Math.abs(sweep)));
   // The sagitta of a chord over the angle φ is r (1 - cos φ/2).
   const widest = 2 * Math.acos(1 - tolerance / radius);
-  return Math.min(MOST_STEPS, Math.max(1, Math.ceil(Math.abs(sweep) / widest)));
+  return Math.min(MAX_CHORDS, Math.max(1, Math.ceil(Math.abs(sweep) / widest)));
 }
 
 /**
@@ -59,7 +59,7 @@ export function steps(radius: number, sweep: number, tolerance: Millimetre): num
  *
  * `fraction` is the part of the length travelled at that vertex, in (0, 1].
  */
-export function walk(
+export function flattenArc(
   x0: number,
   y0: number,
   x1: number,
@@ -68,9 +68,9 @@ export function walk(
   tolerance: Millimetre,
   visit: (x: number, y: number, fraction: number) => void,
 ): void {
-  const round = circle(x0, y0, x1, y1, bulge);
+  const round = circleOf(x0, y0, x1, y1, bulge);
   if (round !== null) {
-    const count = steps(round.radius, round.sweep, tolerance);
+    const count = chordCount(round.radius, round.sweep, tolerance);
     for (let step = 1; step < count; step++) {
       const angle = round.first + (round.sweep * step) / count;
       visit(
@@ -84,8 +84,8 @@ export function walk(
 }
 
 /** Length along a line or arc (mm). */
-export function length(x0: number, y0: number, x1: number, y1: number, bulge: number): number {
-  const round = circle(x0, y0, x1, y1, bulge);
+export function arcLength(x0: number, y0: number, x1: number, y1: number, bulge: number): number {
+  const round = circleOf(x0, y0, x1, y1, bulge);
   return round === null ? Math.hypot(x1 - x0, y1 - y0) : round.radius * Math.abs(round.sweep);
 }
 
@@ -98,7 +98,7 @@ export function pointAt(
   bulge: number,
   fraction: number,
 ): [number, number] {
-  const round = circle(x0, y0, x1, y1, bulge);
+  const round = circleOf(x0, y0, x1, y1, bulge);
   if (round === null) return [x0 + (x1 - x0) * fraction, y0 + (y1 - y0) * fraction];
   const angle = round.first + round.sweep * fraction;
   return [round.x + round.radius * Math.cos(angle), round.y + round.radius * Math.sin(angle)];
@@ -108,8 +108,8 @@ export function pointAt(
 export const partialBulge = (bulge: number, share: number): number =>
   Math.tan(Math.atan(bulge) * share);
 
-/** Where a point is nearest to a line or arc: the distance (mm) and the fraction of the length. */
-export function nearest(
+/** Distance (mm) of a point from a line or arc, and the fraction of its length of the nearest point. */
+export function nearestOnArc(
   x: number,
   y: number,
   x0: number,
@@ -118,7 +118,7 @@ export function nearest(
   y1: number,
   bulge: number,
 ): { distance: number; fraction: number } {
-  const round = circle(x0, y0, x1, y1, bulge);
+  const round = circleOf(x0, y0, x1, y1, bulge);
   let fraction: number;
   if (round === null) {
     const dx = x1 - x0;
@@ -132,7 +132,7 @@ export function nearest(
     const along = (((round.sweep > 0 ? angle : -angle) % turn) + turn) % turn;
     const sweep = Math.abs(round.sweep);
     if (along <= sweep) fraction = along / sweep;
-    // Past the end: half of what is left of the circle is nearer to the end, half to the start.
+    // Beyond the ends: the nearer one.
     else fraction = along - sweep < (turn - sweep) / 2 ? 1 : 0;
   }
   const [px, py] = pointAt(x0, y0, x1, y1, bulge, fraction);

@@ -1,22 +1,22 @@
-/** Boxes about lines and arcs, the arcs with their bellies. */
+/** Bounding boxes of lines and arcs. */
 
-import { circle } from "./arc";
+import { circleOf } from "./arc";
 import type { Box, Segments } from "./records";
 
-const NOTHING: Box = [
+const EMPTY: Box = [
   Number.POSITIVE_INFINITY,
   Number.POSITIVE_INFINITY,
   Number.NEGATIVE_INFINITY,
   Number.NEGATIVE_INFINITY,
 ];
 
-/** The box about one line or arc. */
+/** Bounding box of a line or arc. */
 export function boxOf(x0: number, y0: number, x1: number, y1: number, bulge: number): Box {
   let low = Math.min(x0, x1);
   let bottom = Math.min(y0, y1);
   let high = Math.max(x0, x1);
   let top = Math.max(y0, y1);
-  const round = circle(x0, y0, x1, y1, bulge);
+  const round = circleOf(x0, y0, x1, y1, bulge);
   if (round !== null) {
     const turn = 2 * Math.PI;
     for (let quarter = 0; quarter < 4; quarter++) {
@@ -34,14 +34,14 @@ export function boxOf(x0: number, y0: number, x1: number, y1: number, bulge: num
   return [low, bottom, high, top];
 }
 
-export const joined = (a: Box, b: Box): Box => [
+export const unionBox = (a: Box, b: Box): Box => [
   Math.min(a[0], b[0]),
   Math.min(a[1], b[1]),
   Math.max(a[2], b[2]),
   Math.max(a[3], b[3]),
 ];
 
-/** The box about one row. */
+/** Bounding box of one row. */
 export function boxOfRow(segments: Segments, row: number): Box {
   const { ends, bulge } = segments;
   const at = row * 4;
@@ -54,11 +54,11 @@ export function boxOfRow(segments: Segments, row: number): Box {
   );
 }
 
-/** The box about some rows, or about all; null where there are none. */
+/** Bounding box of some rows, or of all; null if there are none. */
 export function boundsOf(segments: Segments, rows?: Iterable<number>): Box | null {
-  let box = NOTHING;
+  let box = EMPTY;
   for (const row of rows ?? segments.bulge.keys()) {
-    if (row >= 0 && row < segments.bulge.length) box = joined(box, boxOfRow(segments, row));
+    if (row >= 0 && row < segments.bulge.length) box = unionBox(box, boxOfRow(segments, row));
   }
   return Number.isFinite(box[0]) ? box : null;
 }

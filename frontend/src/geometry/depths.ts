@@ -1,11 +1,11 @@
-/** How deep each station works. */
+/** Working depth of each station. */
 
 import { MOTIONS, type Toolpath } from "./records";
 
 const FEED = MOTIONS.indexOf("feed");
 const PLUNGE = MOTIONS.indexOf("plunge");
 
-/** The least Z that each station comes to at work (mm), by its number. */
+/** Lowest Z of the feeds and plunges of each station (mm), by station number. */
 export function deepestZ({ motion, tool, pose }: Toolpath): Map<number, number> {
   const found = new Map<number, number>();
   for (let row = 0; row < motion.length; row++) {

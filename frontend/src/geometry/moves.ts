@@ -1,4 +1,4 @@
-/** The moves of a toolpath as lines and arcs of the drawing, so that they can be pointed at. */
+/** The moves of a tool path as lines and arcs in drawing coordinates, for picking. */
 
 import type { Segments, Toolpath } from "./records";
 

@@ -1,7 +1,7 @@
-/** What is near the cursor: an index over the boxes of edges, and the exact distance to each. */
+/** Picking of edges: a spatial index of their boxes, then the exact distance. */
 
 import Flatbush from "flatbush";
-import { nearest } from "./arc";
+import { nearestOnArc } from "./arc";
 import { boxOfRow } from "./bounds";
 import type { Box, Segments } from "./records";
 
@@ -28,9 +28,9 @@ export function buildPickIndex(segments: Segments): PickIndex {
   tree.finish();
   const { ends, bulge } = segments;
 
-  const away = (x: number, y: number, row: number): number => {
+  const distanceTo = (x: number, y: number, row: number): number => {
     const at = row * 4;
-    return nearest(
+    return nearestOnArc(
       x,
       y,
       ends[at] as number,
@@ -47,7 +47,7 @@ export function buildPickIndex(segments: Segments): PickIndex {
       let least = reach;
       for (const row of tree.search(x - reach, y - reach, x + reach, y + reach)) {
         if (!accepts(row)) continue;
-        const distance = away(x, y, row);
+        const distance = distanceTo(x, y, row);
         if (distance <= least) {
           least = distance;
           found = row;
@@ -59,7 +59,7 @@ export function buildPickIndex(segments: Segments): PickIndex {
       const around = tree
         .search(x - reach, y - reach, x + reach, y + reach)
         .filter(accepts)
-        .map((row) => ({ row, distance: away(x, y, row) }));
+        .map((row) => ({ row, distance: distanceTo(x, y, row) }));
       const least = Math.min(reach, ...around.map(({ distance }) => distance));
       return around
         .filter(({ distance }) => distance <= reach && distance <= least + slack)

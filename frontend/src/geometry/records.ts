@@ -1,10 +1,10 @@
 /**
- * The records that the service sends, as typed-array views of its columns.
+ * Records sent by the server, as typed-array views of their columns.
  *
- * Coordinates are mm and stay float64 here; only the viewer makes them float32, about an origin.
+ * Coordinates are float64 mm; only the viewer converts them to float32, relative to an origin.
  */
 
-/** n lines and arcs, each with its own two ends. */
+/** n lines and arcs. */
 export interface Segments {
   /** (n, 2, 2) mm */
   readonly ends: Float64Array;
@@ -12,7 +12,7 @@ export interface Segments {
   readonly bulge: Float64Array;
 }
 
-/** What is to be done along an edge: the index is the code in the column. */
+/** Line types; the index is the code in the column. */
 export const LINE_TYPES = [
   "unclassified",
   "cut",
@@ -49,48 +49,48 @@ export interface Edges extends Segments {
   readonly layers: readonly string[];
   readonly rules: readonly string[];
   readonly linetypes: readonly string[];
-  /** What else an edge could be that a rule decided, by rule, the likeliest first. */
+  /** Other possible line types by rule, most likely first. */
   readonly alternatives: readonly (readonly LineType[])[];
   /** (n,) index into FATES */
   readonly fate: Uint8Array;
   /** (n,) index into `reasons` */
   readonly reason: Int32Array;
   readonly reasons: readonly string[];
-  /** Of the drawing, where the service told it. */
+  /** Revision of the drawing, if known. */
   readonly revision?: number;
 }
 
-/** What became of an edge when the drawing was cleaned: the index is the code in the column. */
+/** Import outcomes; the index is the code in the column. */
 export const FATES = ["kept", "merged", "dropped"] as const;
 export type Fate = (typeof FATES)[number];
 
 export const fateOf = (code: number | undefined): Fate => FATES[code ?? 0] ?? "kept";
 
-/** Areas that no cutter gets to: q loops of lines and arcs. */
+/** Areas that no tool reaches: q loops of lines and arcs. */
 export interface Areas extends Segments {
-  /** (q + 1,) where each loop begins, and the last one ends */
+  /** (q + 1,) row offsets of the loops */
   readonly first: Int32Array;
   /** (q,) mm² */
   readonly size: Float64Array;
 }
 
-/** Where the work was found along the edges, and how far beside them. */
+/** Measured deviations at places along the edges. */
 export interface Samples {
   /** (m,) row of the edge, ascending */
   readonly edge: Int32Array;
-  /** (m,) share of its length, ascending on each edge */
+  /** (m,) fraction of its length, ascending on each edge */
   readonly place: Float64Array;
   /** (m,) mm to the left */
   readonly deviation: Float64Array;
 }
 
-/** What a verdict says along the lines. */
+/** Columns of a verdict. */
 export interface VerdictColumns {
   readonly areas: Areas;
   readonly samples: Samples;
 }
 
-/** What a move is for: the index is the code in the column. */
+/** Kinds of moves; the index is the code in the column. */
 export const MOTIONS = [
   "rapid",
   "plunge",
@@ -116,7 +116,7 @@ export interface Toolpath {
   readonly source: Int32Array;
   /** (n,) station number */
   readonly tool: Uint8Array;
-  /** (n,) last line of the program that the move became, 1-based; -1 where there is none */
+  /** (n,) last program line of the move, 1-based; -1 if none */
   readonly line: Int32Array;
   /** Sheet coordinates = drawing coordinates + placement. */
   readonly placement: readonly [number, number];
@@ -127,7 +127,7 @@ export interface Point {
   readonly y: number;
 }
 
-/** A head axis at X, Y with the tip at Z, turned to C degrees. */
+/** Position of the head: its axis at X, Y, the tip at Z, C in degrees. */
 export interface Pose extends Point {
   readonly z: number;
   readonly c: number;

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Toolpath } from "./records";
-import { duration, poseAt, timeline, timeOf } from "./timeline";
+import { buildTimeline, poseAt, timeOf, totalSeconds } from "./timeline";
 
 /** Down 12 mm in 1 s, 100 mm east in 10 s, half a circle of radius 10 to the left in π s, up. */
 const PATH: Toolpath = {
@@ -19,11 +19,11 @@ const PATH: Toolpath = {
   line: Int32Array.of(10, 11, 12, 13),
   placement: [0, 0],
 };
-const LINE = timeline(PATH);
+const LINE = buildTimeline(PATH);
 
 describe("timeline", () => {
   test("lasts as long as its lengths over its feeds", () => {
-    expect(duration(LINE)).toBeCloseTo(1 + 10 + Math.PI + 1, 9);
+    expect(totalSeconds(LINE)).toBeCloseTo(1 + 10 + Math.PI + 1, 9);
   });
 
   test("the head is half way along the line after half its time", () => {
@@ -43,7 +43,7 @@ describe("timeline", () => {
   });
 
   test("an empty toolpath has no place for a head", () => {
-    const empty = timeline({
+    const empty = buildTimeline({
       ...PATH,
       pose: new Float64Array(4),
       bulge: new Float64Array(),
@@ -74,7 +74,7 @@ describe("a reported position", () => {
       line: Int32Array.from({ length: moves }, (_, at) => at + 1),
     };
     // Move 61 (row 60) begins after 600 s.
-    const found = timeOf(timeline(twice), 63, [50, 0, 0, 0]);
+    const found = timeOf(buildTimeline(twice), 63, [50, 0, 0, 0]);
     expect(found).toBeCloseTo(605 - 10, 6);
   });
 

@@ -1,21 +1,20 @@
 /**
- * When the head is where: the moves of a toolpath laid out in nominal time.
+ * Nominal time of each move of a tool path.
  *
- * A machine reports a position some times a second; between two reports the marker must go on
- * along the path, round the arcs, and not cut across. So a report becomes a time on this line,
- * and the marker moves in time.
+ * A machine reports its position a few times a second. Between two reports the head marker has to
+ * follow the path. So a reported position is converted to a time, and the marker moves in time.
  */
 
-import { length, nearest, pointAt } from "./arc";
+import { arcLength, nearestOnArc, pointAt } from "./arc";
 import type { Pose, Toolpath } from "./records";
 
-/** Assumed for rapids, which carry no feed (mm/min). */
+/** Assumed feed of rapids (mm/min). */
 const RAPID_FEED = 90_000;
-/** Assumed for turns of C in the air (degrees/min). */
+/** Assumed speed of C turns above the board (degrees/min). */
 const TURN_FEED = 216_000;
-/** A report is looked for from here before its program line … */
+/** A reported position is searched from this many lines before its program line … */
 const LINES_BEFORE = 3;
-/** … to here after it, since a controller has more lines in its window than it reports. */
+/** … to this many after it: a controller looks ahead further than it reports. */
 const LINES_AFTER = 24;
 
 export interface Timeline {
@@ -24,13 +23,13 @@ export interface Timeline {
   readonly toolpath: Toolpath;
 }
 
-export function timeline(toolpath: Toolpath): Timeline {
+export function buildTimeline(toolpath: Toolpath): Timeline {
   const { pose, bulge, feed } = toolpath;
   const clock = new Float64Array(bulge.length + 1);
   for (let row = 0; row < bulge.length; row++) {
     const a = row * 4;
     const run = Math.hypot(
-      length(
+      arcLength(
         pose[a] as number,
         pose[a + 1] as number,
         pose[a + 4] as number,
@@ -49,9 +48,9 @@ export function timeline(toolpath: Toolpath): Timeline {
   return { clock, toolpath };
 }
 
-export const duration = (line: Timeline): number => line.clock[line.clock.length - 1] ?? 0;
+export const totalSeconds = (line: Timeline): number => line.clock[line.clock.length - 1] ?? 0;
 
-/** The last row that has begun at a time. */
+/** Row of the move in progress at a time. */
 export function rowAt(line: Timeline, seconds: number): number {
   let low = 0;
   let high = line.toolpath.bulge.length;
@@ -63,7 +62,7 @@ export function rowAt(line: Timeline, seconds: number): number {
   return Math.min(low, line.toolpath.bulge.length - 1);
 }
 
-/** Where the head is at a time; null for an empty toolpath. */
+/** Position of the head at a time; null for an empty tool path. */
 export function poseAt(line: Timeline, seconds: number): Pose | null {
   const { pose, bulge } = line.toolpath;
   const row = rowAt(line, seconds);
@@ -90,9 +89,9 @@ export function poseAt(line: Timeline, seconds: number): Pose | null {
 }
 
 /**
- * The time at which the head passes a reported position, near a reported program line.
+ * Time at which the head passes a reported position near a reported program line.
  *
- * Without a position it is the time at which the line is finished.
+ * Without a position: the time at which the line ends.
  */
 export function timeOf(
   line: Timeline,
@@ -111,7 +110,7 @@ export function timeOf(
       continue;
     }
     const a = row * 4;
-    const { distance, fraction } = nearest(
+    const { distance, fraction } = nearestOnArc(
       position[0],
       position[1],
       pose[a] as number,
@@ -122,7 +121,7 @@ export function timeOf(
     );
     const rise =
       (pose[a + 2] as number) + ((pose[a + 6] as number) - (pose[a + 2] as number)) * fraction;
-    // Height tells the outward pass from the way back through the air.
+    // The height tells a cutting pass from the return above the board.
     const miss = distance + Math.abs(rise - position[2]);
     if (miss < least - 1e-6) {
       least = miss;

@@ -1,5 +1,5 @@
 /**
- * Where the tip is when the head stands at a pose.
+ * Position of the tip for a pose of the head.
  *
  *     tip = head - left · (sin C, -cos C) - behind · (cos C, sin C)
  */

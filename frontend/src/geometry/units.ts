@@ -1,8 +1,4 @@
-/**
- * Lengths and angles that the compiler can tell apart from counts and pixels.
- *
- * A plain number does not become a length by accident: it is called one, once, where it enters.
- */
+/** Branded number types, so that the compiler distinguishes lengths and angles from other numbers. */
 
 declare const unit: unique symbol;
 

@@ -1,17 +1,17 @@
-/** Which part of each edge the tip goes along. */
+/** The part of each edge along which the tip moves. */
 
-import { nearest } from "./arc";
+import { nearestOnArc } from "./arc";
 import { type Edges, MOTIONS, type Toolpath } from "./records";
 import { NO_OFFSET, type TipOffset, tipOf } from "./tip";
 
 const FEED = MOTIONS.indexOf("feed");
-/** A part this short is not seen, and may be no more than rounding (mm). */
+/** Shorter setbacks are ignored: not visible, or rounding (mm). */
 const SHORTEST = 0.05;
 
 /**
- * The first and last place on each edge that a tip comes to, (n, 2) as fractions of its length.
+ * First and last place on each edge that a tip reaches, (n, 2), as fractions of its length.
  *
- * Only an edge of which some was set back on purpose is looked at; all others are whole.
+ * Only edges with a setback are examined; the span of all others is (0, 1).
  */
 export function workedSpans(
   edges: Edges,
@@ -43,7 +43,7 @@ export function workedSpans(
       );
       const { ends, bulge } = edges;
       const e = edge * 4;
-      const { fraction } = nearest(
+      const { fraction } = nearestOnArc(
         tip.x,
         tip.y,
         ends[e] as number,
@@ -57,7 +57,7 @@ export function workedSpans(
       reached[edge] = 1;
     }
   }
-  // What no feed names may have been pressed on the spot: no part of it is told apart.
+  // Without a feed, the edge may have been pressed by a single plunge: take it as whole.
   for (let edge = 0; edge < count; edge++) {
     if (reached[edge] === 0) spans.set([0, 1], edge * 2);
   }

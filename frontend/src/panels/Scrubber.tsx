@@ -3,7 +3,7 @@
 import { ActionIcon, Slider } from "@mantine/core";
 import { IconPlayerPauseFilled, IconPlayerPlayFilled } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
-import { duration as lengthOf } from "../geometry/timeline";
+import { totalSeconds } from "../geometry/timeline";
 import { formatDuration } from "../state/format";
 import { isOnTable } from "../state/jobs";
 import { useJob, useTimeline } from "../state/queries";
@@ -20,7 +20,7 @@ export function Scrubber() {
   const previewTime = useUiStore((ui) => ui.previewTime);
   const set = useUiStore((ui) => ui.set);
   const [playing, setPlaying] = useState(false);
-  const whole = line === undefined ? 0 : lengthOf(line);
+  const whole = line === undefined ? 0 : totalSeconds(line);
 
   useEffect(() => {
     if (!playing || whole === 0) return;

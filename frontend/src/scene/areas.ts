@@ -1,6 +1,6 @@
-/** Areas between lines and arcs → bands that fill them, and their rims. */
+/** Areas bounded by lines and arcs → filling triangles and outlines. */
 
-import { walk } from "../geometry/arc";
+import { flattenArc } from "../geometry/arc";
 import type { Areas, Point } from "../geometry/records";
 import { CHORD_TOLERANCE } from "./dieline";
 import { LineBuilder, type Lines, type Rgba } from "./lines";
@@ -17,54 +17,54 @@ export function areaShapes(areas: Areas, origin: Point, fill: Rgba, rim: Rgba): 
   const corners: number[] = [];
   const rims = new LineBuilder(origin);
   for (let loop = 0; loop + 1 < areas.first.length; loop++) {
-    const outline = flattened(areas, loop);
+    const outline = flattenLoop(areas, loop);
     outline.forEach(([x, y], at) => {
       const [nextX, nextY] = outline[(at + 1) % outline.length] as Pair;
       rims.add(x, y, nextX, nextY, rim);
     });
-    for (const [x, y] of filled(outline)) corners.push(x - origin.x, y - origin.y);
+    for (const [x, y] of triangulate(outline)) corners.push(x - origin.x, y - origin.y);
   }
   const colour = new Uint8Array(corners.length * 2);
   for (let at = 0; at < colour.length; at += 4) colour.set(fill, at);
   return {
     bands: { count: corners.length / 6, corners: Float32Array.from(corners), colour },
-    rims: rims.done(),
+    rims: rims.build(),
   };
 }
 
-/** The vertices of a loop, its arcs as chords. */
-function flattened({ ends, bulge, first }: Areas, loop: number): Pair[] {
+/** Vertices of a loop, its arcs flattened. */
+function flattenLoop({ ends, bulge, first }: Areas, loop: number): Pair[] {
   const outline: Pair[] = [];
   for (let row = first[loop] ?? 0; row < (first[loop + 1] ?? 0); row++) {
     const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = ends.subarray(row * 4, row * 4 + 4);
-    walk(x0, y0, x1, y1, bulge[row] ?? 0, CHORD_TOLERANCE, (x, y) => outline.push([x, y]));
+    flattenArc(x0, y0, x1, y1, bulge[row] ?? 0, CHORD_TOLERANCE, (x, y) => outline.push([x, y]));
   }
   return outline;
 }
 
 /**
- * The corners of triangles that fill a polygon, three to each.
+ * Corners of the triangles that fill a polygon, three per triangle.
  *
- * Between the heights of two neighbouring vertices nothing but slanting sides go through: they
- * bound trapezia, the first and second, the third and fourth, and so on.
+ * No vertex lies between two neighbouring vertex heights, so the sides that cross this strip
+ * bound trapezoids in pairs.
  */
-function filled(outline: readonly Pair[]): Pair[] {
+function triangulate(outline: readonly Pair[]): Pair[] {
   const heights = [...new Set(outline.map(([, y]) => y))].sort((a, b) => a - b);
   const sides = outline.map((a, at) => [a, outline[(at + 1) % outline.length] as Pair] as const);
   const triangles: Pair[] = [];
   for (let at = 0; at + 1 < heights.length; at++) {
     const [low, high] = [heights[at] as number, heights[at + 1] as number];
     const middle = (low + high) / 2;
-    const through = sides
+    const crossing = sides
       .filter(([a, b]) => a[1] > middle !== b[1] > middle)
       .map(([a, b]) => {
         const x = (y: number) => a[0] + ((b[0] - a[0]) * (y - a[1])) / (b[1] - a[1]);
         return { low: x(low), middle: x(middle), high: x(high) };
       })
       .sort((a, b) => a.middle - b.middle);
-    for (let pair = 0; pair + 1 < through.length; pair += 2) {
-      const left = through[pair];
-      const right = through[pair + 1];
+    for (let pair = 0; pair + 1 < crossing.length; pair += 2) {
+      const left = crossing[pair];
+      const right = crossing[pair + 1];
       if (left === undefined || right === undefined) continue;
       triangles.push([left.low, low], [right.low, low], [right.high, high]);
       triangles.push([left.low, low], [right.high, high], [left.high, high]);

@@ -1,6 +1,6 @@
-/** Edges → lines coloured by what is to be done along them. */
+/** Edges → lines in the colours of their line types. */
 
-import { length, partialBulge, pointAt, walk } from "../geometry/arc";
+import { arcLength, flattenArc, partialBulge, pointAt } from "../geometry/arc";
 import {
   type Edges,
   type LineType,
@@ -11,42 +11,42 @@ import {
 import { mm } from "../geometry/units";
 import { DASHES, type Dash, LineBuilder, type Lines, type Rgba } from "./lines";
 
-/** Chords keep this near to their arcs: what a knife is held to. */
+/** Maximum distance of a chord from its arc (mm). */
 export const CHORD_TOLERANCE = mm(0.01);
 
-/** How each line type looks. */
+/** Colour and dash of each line type. */
 export type Palette = Readonly<Record<LineType, { colour: Rgba; dash: Dash }>>;
 
-/** What is not worked is this much fainter. */
-const LEFT = 0.3;
+/** Opacity of the part of an edge that is not machined. */
+const UNWORKED_OPACITY = 0.3;
 
-/** What is not made at all. */
-const GHOST: Rgba = [139, 151, 166, 130];
+/** Colour of dropped edges. */
+const DROPPED: Rgba = [139, 151, 166, 130];
 
-/** Colours along the edges: the stretches of edge i begin at first[i] and end before first[i + 1]. */
+/** Colours along the edges: edge i has the stretches first[i] to first[i + 1] - 1. */
 export interface EdgeStretches {
   /** (n + 1,) */
   readonly first: Int32Array;
-  /** (m,) where each stretch begins, as a share of the edge's length */
+  /** (m,) start of each stretch, as a fraction of the edge's length */
   readonly place: Float64Array;
   /** (m, 4) */
   readonly colour: Uint8Array;
 }
 
 export interface DielineStyle {
-  /** Which edges are drawn; all, if it is not said. */
+  /** Which edges are drawn; default: all. */
   readonly shown?: (row: number) => boolean;
-  /** (n, 4) colours that stand for those of the line types */
+  /** (n, 4) colours instead of those of the line types */
   readonly colours?: Uint8Array | null;
-  /** (n, 2) the part of each edge that is worked, as fractions of its length */
+  /** (n, 2) the machined part of each edge, as fractions of its length */
   readonly worked?: Float64Array | null;
-  /** Which edges are not made, since the drawing has them twice or by mistake: they stand back. */
-  readonly gone?: (row: number) => boolean;
-  /** Colours that change along the edges, above `colours` where there are any */
+  /** Which edges were dropped by the cleaning; they are drawn faint. */
+  readonly dropped?: (row: number) => boolean;
+  /** Colours that change along the edges; they override `colours` */
   readonly along?: EdgeStretches | null;
 }
 
-/** The nominal lines, coloured by line type or as they are told to be. */
+/** Lines of the drawing, coloured by line type or by `colours`. */
 export function dielineLines(
   edges: Edges,
   origin: Point,
@@ -56,33 +56,33 @@ export function dielineLines(
     colours = null,
     worked = null,
     along = null,
-    gone = () => false,
+    dropped = () => false,
   }: DielineStyle = {},
 ): Lines {
   const lines = new LineBuilder(origin);
   for (let row = 0; row < edges.bulge.length; row++) {
     if (!shown(row)) continue;
-    if (gone(row)) {
-      addEdge(lines, edges, row, GHOST, DASHES.indexOf("dotted"));
+    if (dropped(row)) {
+      addEdge(lines, edges, row, DROPPED, DASHES.indexOf("dotted"));
       continue;
     }
     const look = palette[lineTypeOf(edges.lineType[row])];
     const colour = colours === null ? look.colour : rgbaAt(colours, row);
-    // In a gap of a line there would be nothing to read a colour from.
+    // A dash gap would hide the colour.
     const dash = colours === null ? DASHES.indexOf(look.dash) : 0;
     const from = worked?.[row * 2] ?? 0;
     const to = worked?.[row * 2 + 1] ?? 1;
-    const faint: Rgba = [colour[0], colour[1], colour[2], Math.round(colour[3] * LEFT)];
+    const faint: Rgba = [colour[0], colour[1], colour[2], Math.round(colour[3] * UNWORKED_OPACITY)];
     if (from > 0) addEdge(lines, edges, row, faint, dash, 0, from);
     if (to > from && !addStretches(lines, edges, row, along, from, to)) {
       addEdge(lines, edges, row, colour, dash, from, to);
     }
     if (to < 1) addEdge(lines, edges, row, faint, dash, to, 1);
   }
-  return lines.done();
+  return lines.build();
 }
 
-/** Lay an edge from stretch to stretch; false where none are known of it. */
+/** Add an edge stretch by stretch; false if it has no stretches. */
 function addStretches(
   lines: LineBuilder,
   edges: Edges,
@@ -96,7 +96,7 @@ function addStretches(
   if (along === null || end - begin < 2) return false;
   let before = from;
   for (let at = begin; at < end && before < to; at++) {
-    // The last one that is known holds to the end.
+    // The last stretch extends to the end.
     const next = at + 1 === end ? to : Math.min(to, along.place[at + 1] ?? to);
     if (next <= before) continue;
     addEdge(lines, edges, row, rgbaAt(along.colour, at), 0, before, next);
@@ -112,7 +112,7 @@ const rgbaAt = (colours: Uint8Array, row: number): Rgba => [
   colours[row * 4 + 3] ?? 0,
 ];
 
-/** Some edges, or moves, in one colour, to lie under or over the others. */
+/** Edges or moves in one colour, as a highlight. */
 export function highlightLines(
   edges: Segments,
   origin: Point,
@@ -123,10 +123,10 @@ export function highlightLines(
   for (const row of rows) {
     if (row >= 0 && row < edges.bulge.length) addEdge(lines, edges, row, colour, 0);
   }
-  return lines.done();
+  return lines.build();
 }
 
-/** Edges in the colours of what they would become, to lie under them. */
+/** Edges in the colours of the line types that they would get. */
 export function retypePreviewLines(
   edges: Segments,
   origin: Point,
@@ -140,7 +140,7 @@ export function retypePreviewLines(
       if (row < edges.bulge.length) addEdge(lines, edges, row, [red, green, blue, 150], 0);
     }
   }
-  return lines.done();
+  return lines.build();
 }
 
 function addEdge(
@@ -160,12 +160,12 @@ function addEdge(
     ends[at + 3] as number,
     bulge[row] as number,
   ] as const;
-  const run = length(...whole);
+  const run = arcLength(...whole);
   let [x, y] = from > 0 ? pointAt(...whole, from) : [whole[0], whole[1]];
   const [x1, y1] = to < 1 ? pointAt(...whole, to) : [whole[2], whole[3]];
   const bend = partialBulge(whole[4], to - from);
   let before = run * from;
-  walk(x, y, x1, y1, bend, CHORD_TOLERANCE, (nextX, nextY, fraction) => {
+  flattenArc(x, y, x1, y1, bend, CHORD_TOLERANCE, (nextX, nextY, fraction) => {
     lines.add(x, y, nextX, nextY, colour, { along: before, dash, row });
     before = run * (from + (to - from) * fraction);
     x = nextX;

@@ -1,34 +1,34 @@
-/** The verdict's figures → a colour to each edge: from nothing to a limit, and beyond. */
+/** Figures of a verdict → a colour per edge, on a scale from 0 to a limit. */
 
 import { type Edges, lineTypeOf, type Samples } from "../geometry/records";
 import type { EdgeStretches } from "./dieline";
 import type { Rgba } from "./lines";
 
 export interface Scale {
-  /** From nothing to the limit, at equal steps; at least two. */
+  /** Colours from 0 to the limit at equal steps; at least two. */
   readonly stops: readonly Rgba[];
   readonly beyond: Rgba;
-  /** Of an edge that no tool works. */
+  /** Colour of an edge that is not machined. */
   readonly unworked: Rgba;
 }
 
-/** One figure of every edge, and what it may come to (mm). */
+/** One figure per edge and its limit (mm). */
 export interface FigureMap {
   /** (n,) */
   readonly figure: readonly number[];
   readonly limit: number;
-  /** (n,) length that was left, though it should have been worked */
+  /** (n,) uncut length */
   readonly uncut: readonly number[];
-  /** (n,) length that was left on purpose */
+  /** (n,) length left uncut on purpose */
   readonly setback: readonly number[];
 }
 
-/** A figure this little past its limit was rounded there (mm). */
-const ROUNDED = 1e-6;
+/** Rounding allowed above the limit (mm). */
+const ROUNDING = 1e-6;
 
 /** The colour of a figure. */
 export function scaleColour(figure: number, limit: number, { stops, beyond }: Scale): Rgba {
-  if (!(figure <= limit + ROUNDED)) return beyond;
+  if (!(figure <= limit + ROUNDING)) return beyond;
   const share = limit > 0 ? Math.min(1, Math.max(0, figure / limit)) : 0;
   const place = share * (stops.length - 1);
   const before = Math.min(stops.length - 2, Math.floor(place));
@@ -37,14 +37,14 @@ export function scaleColour(figure: number, limit: number, { stops, beyond }: Sc
   return [mixed(0), mixed(1), mixed(2), mixed(3)];
 }
 
-/** Whether a tool worked some of an edge. */
+/** Whether some of an edge was machined. */
 export function isWorked(edges: Edges, { uncut, setback }: FigureMap, row: number): boolean {
   const type = lineTypeOf(edges.lineType[row]);
   if (type === "ignored" || type === "unclassified") return false;
   const left = (uncut[row] ?? 0) + (setback[row] ?? 0);
-  // A crease that is shorter than the wheel's contact is pressed on the spot: all of it is set
-  // back, and it is worked nevertheless.
-  return (uncut[row] ?? 0) === 0 || left < (edges.length[row] ?? 0) - ROUNDED;
+  // A crease shorter than the wheel's contact is pressed by one plunge: its setback is its whole
+  // length, although it is machined.
+  return (uncut[row] ?? 0) === 0 || left < (edges.length[row] ?? 0) - ROUNDING;
 }
 
 /** The colours of all edges, (n, 4). */
@@ -61,10 +61,10 @@ export function figureColours(edges: Edges, map: FigureMap, scale: Scale): Uint8
 }
 
 /**
- * The colours of deviations along the edges, from where they were found.
+ * Colours of the deviations measured along the edges.
  *
- * What a controller may round counts in an edge's figure and not in what was found: it is added
- * everywhere, so that the worst place of an edge has the edge's own colour.
+ * The figure of an edge includes the rounding of the controller, the samples do not. The difference
+ * is added to all samples, so that the worst sample has the colour of the edge.
  */
 export function stretchColours(
   edges: Edges,
@@ -82,13 +82,13 @@ export function stretchColours(
   for (let row = 0; row < count; row++) first[row + 1] = (first[row + 1] ?? 0) + (first[row] ?? 0);
   const colour = new Uint8Array(edge.length * 4);
   edge.forEach((row, at) => {
-    const rounded = Math.max(0, (map.figure[row] ?? 0) - (worst[row] ?? 0));
-    // A stretch is as bad as the worse of its ends.
+    const rounding = Math.max(0, (map.figure[row] ?? 0) - (worst[row] ?? 0));
+    // A stretch has the larger deviation of its two ends.
     const next = edge[at + 1] === row ? Math.abs(deviation[at + 1] ?? 0) : 0;
-    // Two passes have two ends in one place.
-    const there = edge[at - 1] === row && place[at - 1] === place[at];
-    const other = there ? Math.abs(deviation[at - 1] ?? 0) : 0;
-    const figure = Math.max(Math.abs(deviation[at] ?? 0), next, other) + rounded;
+    // Two passes may have samples at the same place.
+    const coincident = edge[at - 1] === row && place[at - 1] === place[at];
+    const other = coincident ? Math.abs(deviation[at - 1] ?? 0) : 0;
+    const figure = Math.max(Math.abs(deviation[at] ?? 0), next, other) + rounding;
     const shown = isWorked(edges, map, row)
       ? scaleColour(figure, map.limit, scale)
       : scale.unworked;

@@ -1,13 +1,13 @@
 /**
- * Lines for the screen: straight pieces in float32 about an origin, with colour, dash and time.
+ * Lines for display: float32 segments relative to an origin, with colour, dash and time.
  *
- * The origin is the middle of the drawing, so that a drawing in survey coordinates, a kilometre
- * from its zero, keeps all its digits.
+ * The origin is the centre of the drawing, so that float32 is precise enough for a drawing far
+ * from its zero point.
  */
 
 import type { Point } from "../geometry/records";
 
-/** How the pieces of a line are broken; the index goes to the shader. */
+/** Dash patterns; the index is passed to the shader. */
 export const DASHES = ["solid", "dashed", "dotted", "long"] as const;
 export type Dash = (typeof DASHES)[number];
 
@@ -20,29 +20,29 @@ export interface Lines {
   readonly ends: Float32Array;
   /** (m, 4) */
   readonly colour: Uint8Array;
-  /** (m,) mm travelled before the piece, so that dashes run on round an arc */
+  /** (m,) mm along the edge before the segment, so that dashes continue across chords */
   readonly along: Float32Array;
   /** (m,) index into DASHES */
   readonly dash: Uint8Array;
-  /** (m, 2) seconds at either end; never for what has no time */
+  /** (m, 2) seconds at either end; NEVER for lines without time */
   readonly time: Float32Array;
-  /** (m,) of the edge or move */
+  /** (m,) row of the edge or move */
   readonly row: Int32Array;
 }
 
 /** Later than the end of every program. */
 export const NEVER = 3e38;
 
-/** Pieces, as they come. */
+/** Growable buffers of segments. */
 export class LineBuilder {
   private count = 0;
-  private room = 256;
-  private ends = new Float32Array(this.room * 4);
-  private colour = new Uint8Array(this.room * 4);
-  private along = new Float32Array(this.room);
-  private dash = new Uint8Array(this.room);
-  private time = new Float32Array(this.room * 2);
-  private row = new Int32Array(this.room);
+  private capacity = 256;
+  private ends = new Float32Array(this.capacity * 4);
+  private colour = new Uint8Array(this.capacity * 4);
+  private along = new Float32Array(this.capacity);
+  private dash = new Uint8Array(this.capacity);
+  private time = new Float32Array(this.capacity * 2);
+  private row = new Int32Array(this.capacity);
 
   constructor(private readonly origin: Point) {}
 
@@ -54,7 +54,7 @@ export class LineBuilder {
     colour: Rgba,
     { along = 0, dash = 0, from = NEVER, to = NEVER, row = -1 } = {},
   ): void {
-    if (this.count === this.room) this.grow();
+    if (this.count === this.capacity) this.grow();
     const at = this.count++;
     const { x, y } = this.origin;
     this.ends.set([x0 - x, y0 - y, x1 - x, y1 - y], at * 4);
@@ -66,7 +66,7 @@ export class LineBuilder {
     this.row[at] = row;
   }
 
-  done(): Lines {
+  build(): Lines {
     const { count } = this;
     return {
       count,
@@ -80,17 +80,17 @@ export class LineBuilder {
   }
 
   private grow(): void {
-    this.room *= 2;
+    this.capacity *= 2;
     const larger = <T extends Float32Array | Uint8Array | Int32Array>(old: T, next: T): T => {
       next.set(old);
       return next;
     };
-    this.ends = larger(this.ends, new Float32Array(this.room * 4));
-    this.colour = larger(this.colour, new Uint8Array(this.room * 4));
-    this.along = larger(this.along, new Float32Array(this.room));
-    this.dash = larger(this.dash, new Uint8Array(this.room));
-    this.time = larger(this.time, new Float32Array(this.room * 2));
-    this.row = larger(this.row, new Int32Array(this.room));
+    this.ends = larger(this.ends, new Float32Array(this.capacity * 4));
+    this.colour = larger(this.colour, new Uint8Array(this.capacity * 4));
+    this.along = larger(this.along, new Float32Array(this.capacity));
+    this.dash = larger(this.dash, new Uint8Array(this.capacity));
+    this.time = larger(this.time, new Float32Array(this.capacity * 2));
+    this.row = larger(this.row, new Int32Array(this.capacity));
   }
 }
 

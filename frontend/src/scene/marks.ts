@@ -1,4 +1,4 @@
-/** Where the tool goes down, comes up and is turned: moves that a path seen from above hides. */
+/** Marks of plunges, lifts and swivels, which are not visible in a plan view of the path. */
 
 import { MOTIONS, type Point, type Toolpath } from "../geometry/records";
 import { LineBuilder, type Lines, type Rgba } from "./lines";
@@ -6,7 +6,7 @@ import { LineBuilder, type Lines, type Rgba } from "./lines";
 export const MARKED = ["plunge", "lift", "swivel"] as const;
 export type Marked = (typeof MARKED)[number];
 
-/** A dot, a line of no length, to each such move: where it is down, or turns. */
+/** One dot (a line without length) per plunge, lift and swivel. */
 export function motionMarks(
   { pose, motion, placement }: Toolpath,
   origin: Point,
@@ -26,5 +26,5 @@ export function motionMarks(
     const y = pose[down + 1] as number;
     dots[kind].add(x, y, x, y, colours[kind], { row });
   }
-  return { plunge: dots.plunge.done(), lift: dots.lift.done(), swivel: dots.swivel.done() };
+  return { plunge: dots.plunge.build(), lift: dots.lift.build(), swivel: dots.swivel.build() };
 }

@@ -1,19 +1,19 @@
-/** What stands around the drawing: grid, table, datum and the mark of the head. */
+/** Lines around the drawing: grid, table, datum, marks and the head. */
 
 import type { Box, Point, Pose } from "../geometry/records";
 import { type TipOffset, tipOf } from "../geometry/tip";
 import { degree, radians } from "../geometry/units";
 import { LineBuilder, type Lines, type Rgba } from "./lines";
 
-/** Grid lines nearer than this are not told apart (pixels). */
-const FINEST = 9;
+/** Minimum distance of grid lines (pixels). */
+const MIN_GRID_PIXELS = 9;
 
-/** The step of the grid (mm), a power of ten, whose lines stand at least `FINEST` pixels apart. */
+/** Step of the grid (mm): the smallest power of ten at least `MIN_GRID_PIXELS` wide. */
 export function gridStep(pixelsPerMm: number): number {
-  return 10 ** Math.ceil(Math.log10(FINEST / pixelsPerMm));
+  return 10 ** Math.ceil(Math.log10(MIN_GRID_PIXELS / pixelsPerMm));
 }
 
-/** Grid lines across a box, each tenth one stronger. */
+/** Grid lines across a box; every tenth line is stronger. */
 export function gridLines(
   box: Box,
   origin: Point,
@@ -22,8 +22,11 @@ export function gridLines(
   major: Rgba,
 ): Lines {
   const step = gridStep(pixelsPerMm);
-  // The finer lines come up gently as they part.
-  const near = Math.min(1, Math.max(0, (step * pixelsPerMm - FINEST) / (FINEST * 4)));
+  // Fade in the finer lines while zooming in.
+  const near = Math.min(
+    1,
+    Math.max(0, (step * pixelsPerMm - MIN_GRID_PIXELS) / (MIN_GRID_PIXELS * 4)),
+  );
   const faint: Rgba = [minor[0], minor[1], minor[2], minor[3] * near];
   const lines = new LineBuilder(origin);
   const stroke = (index: number) => (index % 10 === 0 ? major : faint);
@@ -33,14 +36,14 @@ export function gridLines(
   for (let index = Math.ceil(box[1] / step); index * step <= box[3]; index++) {
     lines.add(box[0], index * step, box[2], index * step, stroke(index));
   }
-  return lines.done();
+  return lines.build();
 }
 
 /** The outline of a box. */
 export function frameLines(box: Box, origin: Point, colour: Rgba): Lines {
   const lines = new LineBuilder(origin);
   addFrame(lines, box, colour);
-  return lines.done();
+  return lines.build();
 }
 
 function addFrame(lines: LineBuilder, [x0, y0, x1, y1]: Box, colour: Rgba) {
@@ -50,15 +53,15 @@ function addFrame(lines: LineBuilder, [x0, y0, x1, y1]: Box, colour: Rgba) {
   lines.add(x0, y1, x0, y0, colour);
 }
 
-/** A cross of the axes at a datum, its arms in mm. */
+/** The X and Y axis at a datum; `arm` in mm. */
 export function datumLines(at: Point, origin: Point, arm: number, x: Rgba, y: Rgba): Lines {
   const lines = new LineBuilder(origin);
   lines.add(at.x, at.y, at.x + arm, at.y, x);
   lines.add(at.x, at.y, at.x, at.y + arm, y);
-  return lines.done();
+  return lines.build();
 }
 
-/** Rings that keep their size on the screen, about places of the drawing. */
+/** Rings about points of the drawing. */
 export function ringLines(
   places: readonly Point[],
   origin: Point,
@@ -67,13 +70,13 @@ export function ringLines(
 ): Lines {
   const lines = new LineBuilder(origin);
   for (const { x, y } of places) addRing(lines, x, y, radius, colour);
-  return lines.done();
+  return lines.build();
 }
 
-/** Of a pin (pixels): its ring, the arms that run from there outwards, and how far off a frame is. */
+/** Pin (pixels): radius of its ring, length of its arms, distance of its frame. */
 const PIN = { ring: 12, arm: 9, gap: 4 };
 
-/** A ring about a place, or a frame about what is larger, with four arms that point at it. */
+/** Pin: a ring about a small box, or a frame about a larger one, with four arms. */
 export function pinLines(box: Box, origin: Point, mmPerPixel: number, colour: Rgba): Lines {
   const lines = new LineBuilder(origin);
   const [x, y] = [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2];
@@ -92,7 +95,7 @@ export function pinLines(box: Box, origin: Point, mmPerPixel: number, colour: Rg
   lines.add(x - wide, y, x - wide - arm, y, colour);
   lines.add(x, y + high, x, y + high + arm, colour);
   lines.add(x, y - high, x, y - high - arm, colour);
-  return lines.done();
+  return lines.build();
 }
 
 const RING = 40;
@@ -112,9 +115,9 @@ function addRing(lines: LineBuilder, x: number, y: number, radius: number, colou
 }
 
 /**
- * The mark of the head: a ring about its axis, an arrow along C, and where the tip is.
+ * Marker of the head: a ring about its axis, an arrow along C, and the tip.
  *
- * Ring and arrow keep their size on the screen; tip and blade are where they really are.
+ * Ring and arrow have a fixed size on the screen; tip and blade are to scale.
  */
 export function headLines(
   pose: Pose,
@@ -149,5 +152,5 @@ export function headLines(
   const dot = 2.5 * mmPerPixel;
   lines.add(tip.x - dot, tip.y, tip.x + dot, tip.y, blade);
   lines.add(tip.x, tip.y - dot, tip.x, tip.y + dot, blade);
-  return lines.done();
+  return lines.build();
 }

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { vCutter } from "../geometry/footprint.fixture";
 import { type Edges, LINE_TYPES, type Toolpath } from "../geometry/records";
-import { timeline } from "../geometry/timeline";
+import { buildTimeline } from "../geometry/timeline";
 import { tipOffset } from "../geometry/tip";
 import { dielineLines, highlightLines, type Palette } from "./dieline";
 import { NEVER, type Rgba, rgba } from "./lines";
@@ -114,7 +114,7 @@ describe("the travel", () => {
   };
   const colours = { head: BLUE, lead: BLUE, tip: RED, rapid: GREY };
   const offsets = new Map([[3, tipOffset(vCutter(4, 1.5))]]);
-  const travel = travelLines(timeline(PATH), { x: 0, y: 0 }, colours, offsets);
+  const travel = travelLines(buildTimeline(PATH), { x: 0, y: 0 }, colours, offsets);
 
   test("is in the drawing's coordinates: the placement is taken off", () => {
     expect([...travel.head.ends.slice(0, 4)]).toEqual([1.5, -4, 101.5, -4]);

@@ -1,19 +1,19 @@
 /**
- * Toolpath and tools → what each tool takes of the board, or presses, as seen from above.
+ * Tool path and tools → the area that each tool cuts or presses, in plan view.
  *
  *     cutter, beam   the disc that removes material, along every move that cuts
  *     V-cutter       on each pass one flank, h tan θ wide at the top face: both make the groove
  *     crease wheel   the rim over the length that it touches, with a mark where that ends
  */
 
-import { circle, walk } from "../geometry/arc";
+import { circleOf, flattenArc } from "../geometry/arc";
 import { MOTIONS, type Motion, type Point, type Toolpath } from "../geometry/records";
 import { contactOf, type Sweep } from "../geometry/sweep";
 import { NO_OFFSET, type TipOffset, tipOf } from "../geometry/tip";
 import { degree, mm, radians } from "../geometry/units";
 import { LineBuilder, type Lines, type Rgba } from "./lines";
 
-/** Triangles for the screen, float32 about an origin. */
+/** Triangles for display, float32 relative to an origin. */
 export interface Bands {
   /** of triangles */
   readonly count: number;
@@ -27,7 +27,7 @@ export interface SweptColours {
   readonly cutter: Rgba;
   readonly groove: Rgba;
   readonly crease: Rgba;
-  /** Of the marks at the ends of a wheel's contact, and along the rim of a groove. */
+  /** Of the marks at the ends of a contact. */
   readonly groovesRim: Rgba;
   readonly contact: Rgba;
 }
@@ -41,15 +41,15 @@ export interface Swept {
 export interface Tools {
   readonly sweeps: ReadonlyMap<number, Sweep>;
   readonly offsets: ReadonlyMap<number, TipOffset>;
-  /** Of the board (mm): Z of its top face. */
+  /** Thickness of the board (mm): Z of its top face. */
   readonly caliper: number;
 }
 
 /** Chords keep this near to the rim of a disc. */
 const CHORD_TOLERANCE = mm(0.02);
-/** Moves that turn by less than this run on (cosine). */
-const ON = 0.9999;
-/** Half the length of the mark across the end of a crease (mm), at least. */
+/** Cosine of the largest turn between moves that continue straight. */
+const STRAIGHT_COSINE = 0.9999;
+/** Minimum half length of the mark across the end of a crease (mm). */
 const TICK = 1.2;
 
 const CUTTING: ReadonlySet<Motion> = new Set(["lead-in", "feed", "lead-out"]);
@@ -84,7 +84,7 @@ class BandBuilder {
       this.triangle([x, y], rim(step), rim(step + 1), colour);
   }
 
-  done(): Bands {
+  build(): Bands {
     return {
       count: this.corners.length / 6,
       corners: Float32Array.from(this.corners),
@@ -117,10 +117,11 @@ export function sweptShapes(
       addGroove(bands, rims, move, depth, sweep, offset, colours);
     } else if (sweep.kind === "wheel" && depth[1] > 0) {
       const pressed = kind === "plunge" && MOTIONS[motion[row + 1] ?? 0] === "lift";
-      if (kind === "feed" || pressed) press(bands, rims, toolpath, row, depth[1], sweep, colours);
+      if (kind === "feed" || pressed)
+        addCrease(bands, rims, toolpath, row, depth[1], sweep, colours);
     }
   }
-  return { bands: bands.done(), rims: rims.done() };
+  return { bands: bands.build(), rims: rims.build() };
 }
 
 interface Move {
@@ -150,7 +151,7 @@ function moveAt({ pose, bulge }: Toolpath, row: number): Move {
   };
 }
 
-/** The unit tangents at either end of a move; C where it goes nowhere. */
+/** Unit tangents at the ends of a move; the direction of C for a move without length. */
 function tangents({ x0, y0, x1, y1, c1, bulge }: Move): { first: Pair; last: Pair } {
   const chord = Math.hypot(x1 - x0, y1 - y0);
   if (chord < 1e-9) {
@@ -166,7 +167,7 @@ function tangents({ x0, y0, x1, y1, c1, bulge }: Move): { first: Pair; last: Pai
   };
 }
 
-/** Whether a tool that makes this move makes the next one without leaving its direction. */
+/** Whether the next move is of the same tool and continues in the same direction. */
 function continuesStraight(
   toolpath: Toolpath,
   row: number,
@@ -178,21 +179,21 @@ function continuesStraight(
   if (!both) return false;
   const { last } = tangents(moveAt(toolpath, row));
   const { first } = tangents(moveAt(toolpath, row + 1));
-  return last[0] * first[0] + last[1] * first[1] > ON;
+  return last[0] * first[0] + last[1] * first[1] > STRAIGHT_COSINE;
 }
 
-/** A strip of the same width on either side of a move. */
-function strip(bands: BandBuilder, move: Move, half: number, colour: Rgba): void {
+/** Add a strip along a move. */
+function addStrip(bands: BandBuilder, move: Move, half: number, colour: Rgba): void {
   const { x0, y0, x1, y1, bulge } = move;
   const chord = Math.hypot(x1 - x0, y1 - y0);
   if (chord === 0) return;
-  const round = circle(x0, y0, x1, y1, bulge);
+  const round = circleOf(x0, y0, x1, y1, bulge);
   const across = (x: number, y: number): Pair => {
     if (round === null) return [(y0 - y1) / chord, (x1 - x0) / chord];
     return [(x - round.x) / round.radius, (y - round.y) / round.radius];
   };
   let before: Pair = [x0, y0];
-  walk(x0, y0, x1, y1, bulge, CHORD_TOLERANCE, (x, y) => {
+  flattenArc(x0, y0, x1, y1, bulge, CHORD_TOLERANCE, (x, y) => {
     const a = across(...before);
     const b = across(x, y);
     bands.quad(
@@ -215,7 +216,7 @@ function addDisc(
 ): void {
   const move = moveAt(toolpath, row);
   const cuts = (kind: Motion) => CUTTING.has(kind);
-  strip(bands, move, radius, colour);
+  addStrip(bands, move, radius, colour);
   if (!continuesStraight(toolpath, row - 1, cuts)) bands.disc([move.x0, move.y0], radius, colour);
   if (!continuesStraight(toolpath, row, cuts)) bands.disc([move.x1, move.y1], radius, colour);
 }
@@ -243,7 +244,7 @@ function addGroove(
   rims.add(...rim0, ...rim1, colours.groovesRim);
 }
 
-function press(
+function addCrease(
   bands: BandBuilder,
   rims: LineBuilder,
   toolpath: Toolpath,
@@ -256,7 +257,7 @@ function press(
   const reach = contactOf(radius, depth);
   const creases = (kind: Motion) => kind === "feed";
   const { first, last } = tangents(move);
-  strip(bands, move, width / 2, colours.crease);
+  addStrip(bands, move, width / 2, colours.crease);
   const end = (x: number, y: number, [ux, uy]: Pair) => {
     const [ex, ey] = [x + ux * reach, y + uy * reach];
     const [px, py] = [(-uy * width) / 2, (ux * width) / 2];

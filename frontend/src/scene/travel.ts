@@ -1,11 +1,11 @@
 /**
- * Toolpath → the compensated path of the head, the path of the tip, and the rapids.
+ * Tool path → lines of the head path, the tip path and the rapids.
  *
- * A toolpath is in sheet coordinates; the picture is in those of the drawing, so that nothing
- * jumps when a job is compiled: the placement is taken off here.
+ * A tool path is in sheet coordinates, the canvas in drawing coordinates: the placement is
+ * subtracted here.
  */
 
-import { length, walk } from "../geometry/arc";
+import { arcLength, flattenArc } from "../geometry/arc";
 import { MOTIONS, type Motion, type Point } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
 import { NO_OFFSET, type TipOffset, tipOf } from "../geometry/tip";
@@ -26,7 +26,7 @@ export interface TravelLines {
 }
 
 const DASHED = DASHES.indexOf("dashed");
-/** The tip of a turning tool is looked at this often (degrees). */
+/** Step for the tip path of a swivel (degrees). */
 const TURN_STEP = 5;
 
 export function travelLines(
@@ -57,12 +57,12 @@ export function travelLines(
     const into = rapid ? rapids : head;
     const colour = rapid ? colours.rapid : kind === "feed" ? colours.head : colours.lead;
     const dash = rapid ? DASHED : 0;
-    const whole = length(x0, y0, x1, y1, bend);
+    const whole = arcLength(x0, y0, x1, y1, bend);
     if (whole > 0) {
       let x = x0;
       let y = y0;
       let done = 0;
-      walk(x0, y0, x1, y1, bend, CHORD_TOLERANCE, (nextX, nextY, fraction) => {
+      flattenArc(x0, y0, x1, y1, bend, CHORD_TOLERANCE, (nextX, nextY, fraction) => {
         into.add(x, y, nextX, nextY, colour, {
           along: whole * done,
           dash,
@@ -96,8 +96,8 @@ export function travelLines(
       from = to;
       done = fraction;
     };
-    if (whole > 0) walk(x0, y0, x1, y1, bend, CHORD_TOLERANCE, reach);
+    if (whole > 0) flattenArc(x0, y0, x1, y1, bend, CHORD_TOLERANCE, reach);
     else for (let step = 1; step <= turns; step++) reach(x1, y1, step / turns);
   }
-  return { head: head.done(), tip: tip.done(), rapids: rapids.done() };
+  return { head: head.build(), tip: tip.build(), rapids: rapids.build() };
 }

@@ -15,8 +15,8 @@ import {
   type Page,
   service,
 } from "../api/client";
-import { listen } from "../api/events";
-import { timeline } from "../geometry/timeline";
+import { openEventStream } from "../api/events";
+import { buildTimeline } from "../geometry/timeline";
 import { hasProgram } from "./jobs";
 import { useUiStore } from "./store";
 
@@ -172,7 +172,7 @@ export function useTimeline() {
   return useQuery({
     ...queries.toolpath(job?.id ?? ""),
     enabled: job !== undefined && hasProgram(job),
-    select: timeline,
+    select: buildTimeline,
   });
 }
 
@@ -221,7 +221,7 @@ export function subscribeToEvents(
   onDrawing: (drawing: Pick<DrawingSummary, "id" | "revision"> | null) => void,
 ): () => void {
   let broken = false;
-  return listen("/api/events", ["job", "drawing", "deleted"], {
+  return openEventStream("/api/events", ["job", "drawing", "deleted"], {
     onEvent: (name, data) => {
       if (name === "job" && isJob(data)) upsertJob(data);
       else {

@@ -1,4 +1,4 @@
-/** Translucent areas on the graphics card: where two overlap, the ground is covered but once. */
+/** WebGL layer of translucent areas; overlapping triangles do not add up. */
 
 import {
   BufferAttribute,
@@ -47,7 +47,7 @@ export class BandLayer {
       transparent: true,
       side: DoubleSide,
       forceSinglePass: true,
-      // All lie in one plane: what is drawn first keeps others off by being as near.
+      // All triangles have the same depth: LessDepth draws each pixel only once.
       depthTest: true,
       depthWrite: true,
       depthFunc: LessDepth,
@@ -64,7 +64,7 @@ export class BandLayer {
     if (bands === null) return;
     this.mesh.geometry.setAttribute("corner", new BufferAttribute(bands.corners, 2));
     this.mesh.geometry.setAttribute("colour", new BufferAttribute(bands.colour, 4, true));
-    // There is no attribute `position` from which three.js could count.
+    // Without an attribute `position`, three.js cannot count the vertices.
     this.mesh.geometry.setDrawRange(0, bands.count * 3);
   }
 

@@ -34,7 +34,7 @@ test("panning keeps what was grabbed under the cursor", () => {
 
 test("a box is framed between the insets", () => {
   const made = camera();
-  const { centre, scale } = made.framing([0, 0, 100, 100], {
+  const { centre, scale } = made.frameBox([0, 0, 100, 100], {
     left: 100,
     top: 0,
     right: 0,
@@ -50,5 +50,5 @@ test("a box is framed between the insets", () => {
 
 test("a box without extent does not zoom to infinity", () => {
   const insets = { left: 0, top: 0, right: 0, bottom: 0 };
-  expect(Number.isFinite(camera().framing([5, 5, 5, 5], insets).scale)).toBe(true);
+  expect(Number.isFinite(camera().frameBox([5, 5, 5, 5], insets).scale)).toBe(true);
 });

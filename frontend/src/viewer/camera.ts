@@ -1,4 +1,4 @@
-/** The plane as it is looked at: which millimetre is in the middle, and how large. */
+/** Orthographic view of the drawing plane: centre and scale. */
 
 import { OrthographicCamera } from "three";
 import type { Box, Point } from "../geometry/records";
@@ -13,7 +13,7 @@ export interface Insets {
   readonly bottom: number;
 }
 
-/** Pixels are CSS pixels from the upper left; millimetres are the drawing's. */
+/** Screen coordinates: CSS pixels from the upper left corner; plane: mm of the drawing. */
 export class PlaneCamera {
   readonly three = new OrthographicCamera(-1, 1, 1, -1, -10, 10);
   width = 1;
@@ -41,7 +41,7 @@ export class PlaneCamera {
     };
   }
 
-  /** Pan by pixels: what was grabbed stays under the cursor. */
+  /** Pan by pixels. */
   pan(dx: number, dy: number): void {
     this.centre = {
       x: this.centre.x - dx / this.scale,
@@ -49,7 +49,7 @@ export class PlaneCamera {
     };
   }
 
-  /** Zoom about a pixel, which keeps its millimetre. */
+  /** Zoom about a pixel, which keeps its position in the plane. */
   zoom(factor: number, about: Point): void {
     const before = this.toPlane(about);
     this.scale = Math.min(MOST_SCALE, Math.max(LEAST_SCALE, this.scale * factor));
@@ -60,8 +60,8 @@ export class PlaneCamera {
     };
   }
 
-  /** The place from which a box fills what the insets leave free. */
-  framing(box: Box, insets: Insets): { centre: Point; scale: number } {
+  /** Centre and scale at which a box fills the canvas without the insets. */
+  frameBox(box: Box, insets: Insets): { centre: Point; scale: number } {
     const wide = Math.max(1, this.width - insets.left - insets.right);
     const tall = Math.max(1, this.height - insets.top - insets.bottom);
     const scale = Math.min(
@@ -80,14 +80,14 @@ export class PlaneCamera {
     };
   }
 
-  /** What is seen (mm). */
-  seen(): Box {
+  /** Visible part of the plane (mm). */
+  visibleBox(): Box {
     const low = this.toPlane({ x: 0, y: this.height });
     const high = this.toPlane({ x: this.width, y: 0 });
     return [low.x, low.y, high.x, high.y];
   }
 
-  /** Give three.js the same view, about the origin of the scene. */
+  /** Set the camera of three.js, relative to the origin of the scene. */
   apply(origin: Point): void {
     const half = { x: this.width / 2 / this.scale, y: this.height / 2 / this.scale };
     const { three } = this;

@@ -1,6 +1,6 @@
-/** Where in its program the head is shown: put there, or on the way there. */
+/** Program time at which the head is shown: fixed, or animated to a target. */
 
-/** A report this much behind the marker is no way back (s of the program). */
+/** Reports behind the marker by less than this are ignored (s of the program). */
 const SLACK = 1.5;
 
 export class HeadClock {
@@ -11,31 +11,31 @@ export class HeadClock {
     return this.run !== null;
   }
 
-  /** Be there at once; null takes the head off. */
-  put(seconds: number | null): void {
+  /** Set the time; null hides the head. */
+  set(seconds: number | null): void {
     this.run = null;
     this.seconds = seconds;
   }
 
-  /** Travel there in `lasts` ms from `now` on. */
-  send(seconds: number, lasts: number, now: number): void {
-    const from = this.at(now);
-    // The report may be a little behind where the marker has come to: let it catch up.
+  /** Animate to a time within `lasts` ms. */
+  travelTo(seconds: number, lasts: number, now: number): void {
+    const from = this.timeAt(now);
+    // The marker is slightly ahead of the report: wait for the next one.
     if (from !== null && seconds < from && from - seconds < SLACK) return;
-    // Far back is a new copy, or another place altogether: be there at once.
-    if (from === null || seconds < from) this.put(seconds);
+    // Further back: a new copy, or another place; jump there.
+    if (from === null || seconds < from) this.set(seconds);
     else this.run = { from, to: seconds, began: now, lasts: Math.max(1, lasts) };
   }
 
-  at(now: number): number | null {
+  timeAt(now: number): number | null {
     if (this.run === null) return this.seconds;
     const { from, to, began, lasts } = this.run;
     return from + (to - from) * Math.min(1, Math.max(0, (now - began) / lasts));
   }
 
-  /** The same, and a way that has come to its end is none any more. */
+  /** Time at `now`; ends the animation if its target is reached. */
   tick(now: number): number | null {
-    this.seconds = this.at(now);
+    this.seconds = this.timeAt(now);
     if (this.run !== null && now >= this.run.began + this.run.lasts) this.run = null;
     return this.seconds;
   }

@@ -1,4 +1,4 @@
-/** What the picture is given to draw with, and what it tells of the user. */
+/** Interface of the viewer: colours, events and visible layers. */
 
 import type { Point } from "../geometry/records";
 import type { Palette } from "../scene/dieline";
@@ -13,7 +13,7 @@ export interface ViewerColours extends TravelColours {
   readonly marks: Readonly<Record<Marked, Rgba>>;
   readonly backdrop: string;
   readonly table: string;
-  /** What a line that steps back comes near to. */
+  /** Colour towards which faint lines are mixed. */
   readonly ground: Rgba;
   readonly tableEdge: Rgba;
   readonly gridMinor: Rgba;
@@ -27,24 +27,24 @@ export interface ViewerColours extends TravelColours {
   readonly blade: Rgba;
   readonly uncut: Rgba;
   readonly uncutRim: Rgba;
-  /** Of the ring about a corner that was chosen. */
+  /** Ring about a selected corner. */
   readonly corner: Rgba;
-  /** Of the mark about a place that is meant. */
+  /** Mark about a place. */
   readonly pin: Rgba;
 }
 
 export interface ViewerEvents {
-  /** An edge, and the moves of the head that are there: both may be none. */
+  /** Edge and moves under the cursor; both may be empty. */
   onHover(row: number | null, moves: readonly number[], at: Point): void;
-  /** Edges, and where in the drawing it was clicked; nowhere for a box. */
-  onChoose(rows: readonly number[], add: boolean, at: Point | null): void;
+  /** Edges selected by a click at `at`, or by a box (`at` null). */
+  onSelect(rows: readonly number[], add: boolean, at: Point | null): void;
   onCursor(at: Point | null): void;
   onView(pixelsPerMm: number): void;
   onBox(box: { from: Point; to: Point } | null): void;
 }
 
-/** Which of it all is drawn. */
-export interface Shown {
+/** Which layers are visible. */
+export interface VisibleLayers {
   readonly nominal: boolean;
   readonly head: boolean;
   readonly tip: boolean;

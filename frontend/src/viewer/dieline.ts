@@ -1,4 +1,4 @@
-/** The edges of the drawing, and what is said of them: chosen, pointed at, or about to change. */
+/** Layers of the edges: drawing, selection, hover and previews of line types. */
 
 import type { Edges, LineType, Point, Segments } from "../geometry/records";
 import {
@@ -11,14 +11,14 @@ import type { ViewerColours } from "./contract";
 import { LineLayer } from "./layer";
 import { ORDER } from "./order";
 
-export interface Proposal {
+export interface EdgePreview {
   readonly rows: readonly number[];
   readonly type: LineType;
 }
 
 export class DielineLayers {
-  /** Whether the colours of the edges are figures. */
-  mapped = false;
+  /** Whether the edges are coloured by a figure. */
+  showsFigures = false;
 
   private readonly nominal = new LineLayer(1.75, ORDER.nominal);
   private readonly chosen = new LineLayer(10, ORDER.chosen);
@@ -31,38 +31,37 @@ export class DielineLayers {
   show(edges: Edges | null, origin: Point, looks: DielineStyle): void {
     const { palette } = this.colours;
     this.nominal.show(edges === null ? null : dielineLines(edges, origin, palette, looks));
-    this.mapped = (looks.colours ?? null) !== null;
+    this.showsFigures = (looks.colours ?? null) !== null;
   }
 
-  choose(edges: Edges | null, origin: Point, rows: ReadonlySet<number>): void {
+  select(edges: Edges | null, origin: Point, rows: ReadonlySet<number>): void {
     const { chosen } = this.colours;
     this.chosen.show(edges === null ? null : highlightLines(edges, origin, rows, chosen));
   }
 
-  /** Lay under edges the colours of what they would become. */
-  propose(edges: Edges | null, origin: Point, retypePreviews: readonly Proposal[]): void {
+  /** Show edges in the line types that they would get. */
+  preview(edges: Edges | null, origin: Point, retypePreviews: readonly EdgePreview[]): void {
     const none = edges === null || retypePreviews.length === 0;
     this.retypePreviews.show(
       none ? null : retypePreviewLines(edges, origin, retypePreviews, this.colours.palette),
     );
   }
 
-  /** Light edges, or moves of the head. */
-  light(segments: Segments | null, origin: Point, rows: Iterable<number>): void {
+  /** Highlight edges or moves. */
+  highlight(segments: Segments | null, origin: Point, rows: Iterable<number>): void {
     const { hover } = this.colours;
     this.hovered.show(segments === null ? null : highlightLines(segments, origin, rows, hover));
   }
 
-  /** `under`: a path of the tool lies upon the edges. */
+  /** `under`: a tool path is drawn above the edges. */
   draw(visible: boolean, under: boolean): void {
     const { ground } = this.colours;
     this.nominal.mesh.visible = visible;
-    // Where the tool turns about its tip both paths are one: the nominal line becomes the wider
-    // and fainter, so that it is seen on either side of the other.
-    if (this.mapped) this.nominal.look(4, 1, ground);
-    else if (under) this.nominal.look(4.5, 0.75, ground);
-    else this.nominal.look(1.75, 1, ground);
-    this.nominal.mesh.renderOrder = this.mapped ? ORDER.map : ORDER.nominal;
+    // Tool path and edge may coincide: a wider and fainter edge stays visible on both sides.
+    if (this.showsFigures) this.nominal.setStyle(4, 1, ground);
+    else if (under) this.nominal.setStyle(4.5, 0.75, ground);
+    else this.nominal.setStyle(1.75, 1, ground);
+    this.nominal.mesh.renderOrder = this.showsFigures ? ORDER.map : ORDER.nominal;
   }
 
   dispose(): void {

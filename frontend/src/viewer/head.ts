@@ -1,4 +1,4 @@
-/** The mark of the head, with a shadow that keeps it apart from what it stands on. */
+/** Layers of the head marker and its shadow. */
 
 import type { Point, Pose } from "../geometry/records";
 import { poseAt, rowAt, type Timeline } from "../geometry/timeline";

@@ -1,8 +1,8 @@
 /**
- * Lines on the graphics card: one quad to a piece, as wide as asked on the screen.
+ * WebGL layer of lines: one quad per segment, with a width in screen pixels.
  *
- * A fragment knows how far it is from its piece, so edges and round caps are smooth without
- * multisampling, and dashes are measured along the line.
+ * The fragment shader computes the distance to the segment, so that edges and round caps are
+ * smooth without multisampling; dashes are measured along the line.
  */
 
 import {
@@ -91,7 +91,7 @@ void main() {
   vec4 hue = when <= now ? done : ink;
   float opacity = cover * hue.a;
   if (opacity < 0.004) discard;
-  // Mixed with the ground and not translucent: the caps of neighbours lie on each other unseen.
+  // Mixed with the ground instead of translucent: overlapping caps stay invisible.
   paint = vec4(mix(ground, hue.rgb, strength), opacity);
 }
 `;
@@ -135,7 +135,7 @@ export class LineLayer {
     this.mesh.geometry = emptyGeometry();
     this.mesh.visible = lines !== null && lines.count > 0;
     if (lines === null || lines.count === 0) return;
-    const put = (
+    const setAttribute = (
       name: string,
       values: Float32Array | Uint8Array,
       size: number,
@@ -145,22 +145,22 @@ export class LineLayer {
       attribute.setUsage(DynamicDrawUsage);
       this.mesh.geometry.setAttribute(name, attribute);
     };
-    put("ends", lines.ends, 4);
-    put("colour", lines.colour, 4, true);
-    put("along", lines.along, 1);
-    put("dash", Float32Array.from(lines.dash), 1);
-    put("time", lines.time, 2);
+    setAttribute("ends", lines.ends, 4);
+    setAttribute("colour", lines.colour, 4, true);
+    setAttribute("along", lines.along, 1);
+    setAttribute("dash", Float32Array.from(lines.dash), 1);
+    setAttribute("time", lines.time, 2);
     this.mesh.geometry.instanceCount = lines.count;
   }
 
-  /** Everything before this time (s) is drawn in the colour of what is done. */
-  until(seconds: number, done: Rgba): void {
+  /** Lines before this time (s) are drawn in the colour `done`. */
+  setDoneUntil(seconds: number, done: Rgba): void {
     this.uniform("now").value = Math.min(seconds, NEVER / 2);
     (this.uniform("done").value as Vector4).set(...done).divideScalar(255);
   }
 
-  /** Wider, and nearer to the colour of the ground, as when another line lies upon it. */
-  look(width: number, strength: number, ground: Rgba): void {
+  /** Set the width (pixels) and how much of its own colour a line keeps, mixed with `ground`. */
+  setStyle(width: number, strength: number, ground: Rgba): void {
     this.width = width;
     this.uniform("width").value = width * this.ratio;
     this.uniform("strength").value = strength;

@@ -1,4 +1,4 @@
-/** What lies over what: the larger above. */
+/** Drawing order of the layers: larger is above. */
 export const ORDER = {
   grid: 1,
   frame: 2,
@@ -13,10 +13,10 @@ export const ORDER = {
   rapids: 6,
   head: 7,
   tip: 8,
-  /** The nominal line, where its colour is what is looked at: the paths step back under it. */
+  /** The edges while coloured by a figure: above the tool paths. */
   map: 8.5,
   hovered: 9,
-  // One within the other, so that all are seen where a tool is lifted, turned and set down.
+  // Concentric dots: lift, swivel and plunge at one place are all visible.
   lift: 9.1,
   swivel: 9.2,
   plunge: 9.3,

@@ -1,19 +1,19 @@
-/** What is under the cursor: an edge, and the moves of the head that are seen there. */
+/** Finds the edge and the moves under the cursor. */
 
 import { moveSegments } from "../geometry/moves";
 import { buildPickIndex, type PickIndex } from "../geometry/pick";
 import { type Box, type Edges, MOTIONS, type Point, type Segments } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
 import type { PlaneCamera } from "./camera";
-import type { Shown } from "./contract";
+import type { VisibleLayers } from "./contract";
 
-/** How near the cursor must come to an edge (pixels). */
+/** Maximum distance of the cursor from an edge (pixels). */
 const REACH = 7;
-/** Moves this much farther than the nearest one are pointed at with it (pixels). */
-const TOGETHER = 1.5;
+/** Moves farther than the nearest one by at most this are picked with it (pixels). */
+const TOLERANCE = 1.5;
 
 export class Picker {
-  /** Laid out when first asked for. */
+  /** Built on first use. */
   private moves: { segments: Segments; index: PickIndex } | null = null;
   private timeline: Timeline | null = null;
   private index: PickIndex | null = null;
@@ -21,31 +21,31 @@ export class Picker {
 
   constructor(private readonly camera: PlaneCamera) {}
 
-  takeEdges(edges: Edges | null): void {
+  setEdges(edges: Edges | null): void {
     this.index = edges === null ? null : buildPickIndex(edges);
   }
 
-  takeVisible(visible: (row: number) => boolean): void {
+  setVisible(visible: (row: number) => boolean): void {
     this.visible = visible;
   }
 
-  takeTravel(timeline: Timeline | null): void {
+  setTimeline(timeline: Timeline | null): void {
     this.timeline = timeline;
     this.moves = null;
   }
 
-  /** The moves as lines, once they were pointed at. */
+  /** The moves as segments, if they were built. */
   get segments(): Segments | null {
     return this.moves?.segments ?? null;
   }
 
-  edge(at: Point, shown: Shown): number | null {
+  edgeAt(at: Point, shown: VisibleLayers): number | null {
     if (this.index === null || !shown.nominal) return null;
     const place = this.camera.toPlane(at);
     return this.index.at(place.x, place.y, REACH / this.camera.scale, this.visible);
   }
 
-  movesAt(at: Point, shown: Shown): readonly number[] {
+  movesAt(at: Point, shown: VisibleLayers): readonly number[] {
     if (this.timeline === null || !(shown.head || shown.rapids)) return [];
     const { toolpath } = this.timeline;
     if (this.moves === null) {
@@ -54,13 +54,13 @@ export class Picker {
     }
     const place = this.camera.toPlane(at);
     const pixel = 1 / this.camera.scale;
-    return this.moves.index.near(place.x, place.y, REACH * pixel, TOGETHER * pixel, (row) =>
+    return this.moves.index.near(place.x, place.y, REACH * pixel, TOLERANCE * pixel, (row) =>
       MOTIONS[toolpath.motion[row] ?? 0] === "rapid" ? shown.rapids : shown.head,
     );
   }
 
-  /** The edges between two places of the screen. */
-  between(from: Point, to: Point): readonly number[] {
+  /** Edges inside the box between two points of the screen. */
+  edgesBetween(from: Point, to: Point): readonly number[] {
     const a = this.camera.toPlane(from);
     const b = this.camera.toPlane(to);
     const box: Box = [

@@ -1,8 +1,8 @@
 /**
- * Mouse, pen and fingers → pan, zoom, point and choose.
+ * Mouse, pen and touch input → pan, zoom, hover and select.
  *
  *     drag, middle or right drag   pan         wheel, pinch    zoom about the cursor
- *     click                        choose      shift + drag    choose by a box
+ *     click                        select      shift + drag    select with a box
  */
 
 import type { Point } from "../geometry/records";
@@ -10,14 +10,14 @@ import type { Point } from "../geometry/records";
 export interface PointerTarget {
   pan(dx: number, dy: number): void;
   zoom(factor: number, about: Point): void;
-  point(at: Point | null): void;
-  choose(at: Point, add: boolean): void;
-  /** While a box is drawn, and once more with `final` when it is let go. */
+  hover(at: Point | null): void;
+  select(at: Point, add: boolean): void;
+  /** Called while a box is drawn, and with `final` when it is released. */
   box(from: Point, to: Point, final: boolean): void;
 }
 
-/** A press that moves less than this is a click (pixels). */
-const STILL = 4;
+/** Maximum movement of a click (pixels). */
+const CLICK_RADIUS = 4;
 const LINE_HEIGHT = 16;
 
 export function listenToPointer(element: HTMLElement, target: PointerTarget): () => void {
@@ -55,7 +55,7 @@ export function listenToPointer(element: HTMLElement, target: PointerTarget): ()
     const now = place(event);
     const before = held.get(event.pointerId);
     if (before === undefined || pressed === null) {
-      if (event.pointerType !== "touch") target.point(now);
+      if (event.pointerType !== "touch") target.hover(now);
       return;
     }
     if (held.size === 2) {
@@ -67,8 +67,9 @@ export function listenToPointer(element: HTMLElement, target: PointerTarget): ()
       pressed.moved = true;
       return;
     }
-    if (!pressed.moved && Math.hypot(now.x - pressed.at.x, now.y - pressed.at.y) < STILL) return;
-    if (!pressed.moved) target.point(null);
+    if (!pressed.moved && Math.hypot(now.x - pressed.at.x, now.y - pressed.at.y) < CLICK_RADIUS)
+      return;
+    if (!pressed.moved) target.hover(null);
     const from = pressed.moved ? before : pressed.at;
     pressed.moved = true;
     held.set(event.pointerId, now);
@@ -82,14 +83,14 @@ export function listenToPointer(element: HTMLElement, target: PointerTarget): ()
     if (pressed.moved && pressed.shift && pressed.button === 0) {
       target.box(pressed.at, finished ? now : pressed.at, true);
     } else if (!pressed.moved && pressed.button === 0 && finished) {
-      target.choose(now, pressed.shift || event.ctrlKey || event.metaKey);
+      target.select(now, pressed.shift || event.ctrlKey || event.metaKey);
     }
     pressed = null;
   };
   on("pointerup", (event) => release(event, true));
   on("pointercancel", (event) => release(event, false));
   on("pointerleave", () => {
-    if (held.size === 0) target.point(null);
+    if (held.size === 0) target.hover(null);
   });
   on("contextmenu", (event) => event.preventDefault(), false);
   on(
@@ -97,7 +98,7 @@ export function listenToPointer(element: HTMLElement, target: PointerTarget): ()
     (event) => {
       event.preventDefault();
       const turned = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_HEIGHT : 1;
-      // A pinch on a touch pad arrives as a wheel with Ctrl, in small steps.
+      // A pinch on a touch pad is sent as wheel events with Ctrl, in small steps.
       const gain = event.ctrlKey ? 0.01 : 0.0016;
       target.zoom(Math.exp(-event.deltaY * turned * gain), place(event));
     },

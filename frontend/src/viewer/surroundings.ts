@@ -1,4 +1,4 @@
-/** What stands about the drawing: grid, table, datum, and places that are marked. */
+/** Layers around the drawing: grid, table, datum and marks. */
 
 import { Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
 import type { Box, Point } from "../geometry/records";
@@ -8,7 +8,7 @@ import type { ViewerColours } from "./contract";
 import { LineLayer } from "./layer";
 import { ORDER } from "./order";
 
-/** About a corner that was chosen, and an arm of the datum (pixels). */
+/** Radius of the ring about a corner, and length of the datum axes (pixels). */
 const RING = 9;
 const ARM = 36;
 
@@ -16,9 +16,9 @@ export class Surroundings {
   readonly table: Mesh<PlaneGeometry, MeshBasicMaterial>;
   /** The table in the drawing's coordinates. */
   box: Box | null = null;
-  /** Corners that were chosen. */
+  /** Selected corners. */
   corners: readonly Point[] = [];
-  /** What is meant, where no edge is. */
+  /** Marked place. */
   pin: Box | null = null;
 
   private readonly gridLayer = new LineLayer(1, ORDER.grid);
@@ -43,8 +43,8 @@ export class Surroundings {
     this.table.frustumCulled = false;
   }
 
-  /** Lay the table anew: it, or the middle that all is laid about, is another. */
-  place(origin: Point): void {
+  /** Rebuild the table after a change of it or of the origin. */
+  updateTable(origin: Point): void {
     const { box } = this;
     this.table.visible = box !== null;
     this.frameLayer.show(box === null ? null : frameLines(box, origin, this.colours.tableEdge));
@@ -54,12 +54,12 @@ export class Surroundings {
     this.table.position.set((x0 + x1) / 2 - origin.x, (y0 + y1) / 2 - origin.y, 0);
   }
 
-  /** Lay what keeps its size on the screen. */
+  /** Rebuild the layers that have a fixed size on the screen. */
   draw(camera: PlaneCamera, origin: Point): void {
     const { box, pin, colours } = this;
     const pixel = 1 / camera.scale;
     const { gridMinor, gridMajor, axisX, axisY } = colours;
-    this.gridLayer.show(gridLines(camera.seen(), origin, camera.scale, gridMinor, gridMajor));
+    this.gridLayer.show(gridLines(camera.visibleBox(), origin, camera.scale, gridMinor, gridMajor));
     const datum = box === null ? null : { x: box[0], y: box[1] };
     this.datumLayer.show(
       datum === null ? null : datumLines(datum, origin, ARM * pixel, axisX, axisY),

@@ -1,4 +1,4 @@
-/** The path of the head and of the tip, what the tools take, and what none of them reaches. */
+/** Layers of the head path, the tip path, swept areas and unreachable areas. */
 
 import type { Areas, Point } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
@@ -7,13 +7,13 @@ import { MARKED, type Marked, motionMarks } from "../scene/marks";
 import { sweptShapes, type Tools } from "../scene/swept";
 import { travelLines } from "../scene/travel";
 import { BandLayer } from "./bands";
-import type { Shown, ViewerColours } from "./contract";
+import type { ViewerColours, VisibleLayers } from "./contract";
 import { LineLayer } from "./layer";
 import { ORDER } from "./order";
 
-/** How wide the dots of the moves are (pixels) … */
+/** Diameter of the dots of moves (pixels) … */
 const MARKS: Readonly<Record<Marked, number>> = { lift: 10, swivel: 7, plunge: 4 };
-/** … where a millimetre is at least this large; smaller from farther away, to this part of it. */
+/** … from this scale on (pixels per mm); smaller below, to this fraction of it. */
 const FULL_MARKS = 2;
 const LEAST_MARKS = 0.4;
 
@@ -42,12 +42,12 @@ export class TravelLayers {
 
   private timeline: Timeline | null = null;
   private hasAreas = false;
-  /** What is swept costs more to lay than a line: it is laid when it is first asked for. */
-  private sweptLaid = false;
+  /** Swept areas are expensive and built on first use. */
+  private sweptBuilt = false;
 
   constructor(private readonly colours: ViewerColours) {}
 
-  lay(timeline: Timeline | null, tools: Tools, origin: Point): void {
+  setTimeline(timeline: Timeline | null, tools: Tools, origin: Point): void {
     const { colours } = this;
     this.timeline = timeline;
     const lines = timeline === null ? null : travelLines(timeline, origin, colours, tools.offsets);
@@ -56,10 +56,10 @@ export class TravelLayers {
     this.rapids.show(lines?.rapids ?? null);
     const dots = timeline === null ? null : motionMarks(timeline.toolpath, origin, colours.marks);
     for (const word of MARKED) this.motions[word].show(dots?.[word] ?? null);
-    this.sweptLaid = false;
+    this.sweptBuilt = false;
   }
 
-  layAreas(areas: Areas | null, origin: Point): void {
+  setAreas(areas: Areas | null, origin: Point): void {
     const { uncut, uncutRim } = this.colours;
     const shapes = areas === null ? null : areaShapes(areas, origin, uncut, uncutRim);
     this.uncut.show(shapes?.bands ?? null);
@@ -67,9 +67,9 @@ export class TravelLayers {
     this.hasAreas = areas !== null;
   }
 
-  laySwept(tools: Tools, origin: Point): void {
-    if (this.sweptLaid) return;
-    this.sweptLaid = true;
+  buildSwept(tools: Tools, origin: Point): void {
+    if (this.sweptBuilt) return;
+    this.sweptBuilt = true;
     const { timeline, colours } = this;
     const swept =
       timeline === null ? null : sweptShapes(timeline.toolpath, origin, tools, colours.swept);
@@ -77,12 +77,12 @@ export class TravelLayers {
     this.rims.show(swept?.rims ?? null);
   }
 
-  /** Until `seconds` of the program the path is done. Under a map of figures it steps back. */
-  draw(shown: Shown, scale: number, seconds: number | null, mapped: boolean): void {
+  /** Moves before `seconds` are drawn as done; `mapped` draws the paths faint. */
+  draw(shown: VisibleLayers, scale: number, seconds: number | null, mapped: boolean): void {
     const has = this.timeline !== null;
     const { ground, done } = this.colours;
-    this.head.look(1.6, mapped ? 0.5 : 1, ground);
-    this.tip.look(1, mapped ? 0.4 : 1, ground);
+    this.head.setStyle(1.6, mapped ? 0.5 : 1, ground);
+    this.tip.setStyle(1, mapped ? 0.4 : 1, ground);
     this.head.mesh.visible = shown.head && has;
     this.tip.mesh.visible = shown.tip && has;
     this.rapids.mesh.visible = shown.rapids && has;
@@ -93,9 +93,9 @@ export class TravelLayers {
     const near = Math.min(1, Math.max(LEAST_MARKS, scale / FULL_MARKS));
     for (const word of MARKED) {
       this.motions[word].mesh.visible = shown.moves && has;
-      this.motions[word].look(MARKS[word] * near, 1, ground);
+      this.motions[word].setStyle(MARKS[word] * near, 1, ground);
     }
-    for (const layer of [this.head, this.tip]) layer.until(seconds ?? -1, done);
+    for (const layer of [this.head, this.tip]) layer.setDoneUntil(seconds ?? -1, done);
   }
 
   dispose(): void {

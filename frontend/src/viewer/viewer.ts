@@ -1,20 +1,20 @@
 /**
- * The picture: the dieline, the path of the head, the table under it and the head upon it.
+ * The canvas: dieline, tool path, table and head.
  *
- * It is drawn when something has changed and not otherwise: a page left open costs nothing.
- * What it is shown comes in through methods; what the user does goes out through callbacks.
+ * A frame is rendered only after a change, so that an idle page costs nothing. Contents are set
+ * through methods; user input is passed on through callbacks.
  */
 
 import { Scene, WebGLRenderer } from "three";
-import { boundsOf, joined } from "../geometry/bounds";
+import { boundsOf, unionBox } from "../geometry/bounds";
 import type { Areas, Box, Edges, Point } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
 import type { DielineStyle } from "../scene/dieline";
 import type { Tools } from "../scene/swept";
 import { type Insets, PlaneCamera } from "./camera";
 import { HeadClock } from "./clock";
-import type { Shown, ViewerColours, ViewerEvents } from "./contract";
-import { DielineLayers, type Proposal } from "./dieline";
+import type { ViewerColours, ViewerEvents, VisibleLayers } from "./contract";
+import { DielineLayers, type EdgePreview } from "./dieline";
 import { HeadMark } from "./head";
 import { Picker } from "./picker";
 import { listenToPointer } from "./pointer";
@@ -22,10 +22,10 @@ import { Surroundings } from "./surroundings";
 import { TravelLayers } from "./travel";
 import { ViewTransition } from "./viewTransition";
 
-/** What floats over the picture, at its sides (pixels). */
+/** Width of the controls above the canvas, at its sides (pixels). */
 const INSETS: Insets = { left: 56, top: 108, right: 64, bottom: 104 };
 
-/** This browser has no WebGL. */
+/** Raised if the browser has no WebGL. */
 export class NoWebGL extends Error {
   override name = "NoWebGL";
 }
@@ -34,23 +34,23 @@ export class Viewer {
   private readonly camera = new PlaneCamera();
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly around: Surroundings;
+  private readonly surroundings: Surroundings;
   private readonly dieline: DielineLayers;
   private readonly travel: TravelLayers;
   private readonly head: HeadMark;
   private readonly clock = new HeadClock();
-  private readonly glide = new ViewTransition(this.camera);
+  private readonly transition = new ViewTransition(this.camera);
   private readonly picker = new Picker(this.camera);
   private readonly watch: ResizeObserver;
   private readonly stopListening: () => void;
 
-  /** All is laid about it: the graphics card counts in single precision. */
+  /** Origin of all layers: the graphics card computes in single precision. */
   private origin: Point = { x: 0, y: 0 };
   private edges: Edges | null = null;
   private timeline: Timeline | null = null;
   private tools: Tools = { sweeps: new Map(), offsets: new Map(), caliper: 0 };
   private areas: Areas | null = null;
-  private shown: Shown = {
+  private shown: VisibleLayers = {
     nominal: true,
     head: true,
     tip: false,
@@ -59,7 +59,7 @@ export class Viewer {
     moves: false,
     uncut: true,
   };
-  private asked = 0;
+  private frameRequest = 0;
   private hoverRow: number | null = null;
   private hoverMoves: readonly number[] = [];
 
@@ -72,14 +72,14 @@ export class Viewer {
     try {
       this.renderer = new WebGLRenderer({ canvas, antialias: false, alpha: false });
     } catch (cause) {
-      throw new NoWebGL("This browser cannot draw with WebGL.", { cause });
+      throw new NoWebGL("This browser has no WebGL.", { cause });
     }
     this.renderer.setClearColor(colours.backdrop);
-    this.around = new Surroundings(colours);
+    this.surroundings = new Surroundings(colours);
     this.dieline = new DielineLayers(colours);
     this.travel = new TravelLayers(colours);
     this.head = new HeadMark(colours);
-    this.scene.add(this.around.table);
+    this.scene.add(this.surroundings.table);
     for (const { mesh } of [...this.travel.areas, ...this.layers]) this.scene.add(mesh);
 
     this.watch = new ResizeObserver(() => this.resize());
@@ -88,134 +88,134 @@ export class Viewer {
     this.stopListening = listenToPointer(host, {
       pan: (dx, dy) => this.panBy(dx, dy),
       zoom: (factor, about) => this.zoom(factor, about),
-      point: (at) => this.point(at),
-      choose: (at, add) => {
-        const row = this.picker.edge(at, this.shown);
-        events.onChoose(row === null ? [] : [row], add, this.camera.toPlane(at));
+      hover: (at) => this.setCursor(at),
+      select: (at, add) => {
+        const row = this.picker.edgeAt(at, this.shown);
+        events.onSelect(row === null ? [] : [row], add, this.camera.toPlane(at));
       },
       box: (from, to, final) => {
         events.onBox(final ? null : { from, to });
         if (final && this.edges !== null) {
-          events.onChoose(this.picker.between(from, to), true, null);
+          events.onSelect(this.picker.edgesBetween(from, to), true, null);
         }
       },
     });
     this.resize();
   }
 
-  /** Show a drawing; `visible` says which of its edges, `looks` how they are told apart. */
+  /** Show a drawing: `visible` filters its edges, `style` sets their style. */
   showEdges(
     edges: Edges | null,
     visible: (row: number) => boolean,
-    looks: Omit<DielineStyle, "shown"> = {},
+    style: Omit<DielineStyle, "shown"> = {},
   ): void {
     const fresh = edges?.ends !== this.edges?.ends;
     this.edges = edges;
-    this.picker.takeVisible(visible);
+    this.picker.setVisible(visible);
     if (fresh) {
       const box = edges === null ? null : boundsOf(edges);
       this.origin =
         box === null ? { x: 0, y: 0 } : { x: (box[0] + box[2]) / 2, y: (box[1] + box[3]) / 2 };
-      this.picker.takeEdges(edges);
+      this.picker.setEdges(edges);
       this.hoverRow = null;
-      this.dieline.light(null, this.origin, []);
-      this.around.place(this.origin);
-      this.layTravel();
-      this.travel.layAreas(this.areas, this.origin);
+      this.dieline.highlight(null, this.origin, []);
+      this.surroundings.updateTable(this.origin);
+      this.updateTravel();
+      this.travel.setAreas(this.areas, this.origin);
     }
-    this.dieline.show(edges, this.origin, { ...looks, shown: visible });
+    this.dieline.show(edges, this.origin, { ...style, shown: visible });
     this.draw();
   }
 
   showTravel(timeline: Timeline | null, tools: Tools): void {
     if (timeline !== this.timeline) {
-      this.clock.put(null);
-      this.picker.takeTravel(timeline);
+      this.clock.set(null);
+      this.picker.setTimeline(timeline);
       this.hoverMoves = [];
     }
     this.timeline = timeline;
     this.tools = tools;
-    this.layTravel();
+    this.updateTravel();
     this.draw();
   }
 
-  /** Where no cutter gets to. */
+  /** Unreachable areas. */
   showAreas(areas: Areas | null): void {
     this.areas = areas;
-    this.travel.layAreas(areas, this.origin);
+    this.travel.setAreas(areas, this.origin);
     this.draw();
   }
 
-  /** Corners that were chosen. */
+  /** Selected corners. */
   showCorners(places: readonly Point[]): void {
-    this.around.corners = places;
+    this.surroundings.corners = places;
     this.draw();
   }
 
-  /** What is meant, where no edge is. */
+  /** Marked place. */
   showPin(box: Box | null): void {
-    this.around.pin = box;
+    this.surroundings.pin = box;
     this.draw();
   }
 
   /** The table, in the drawing's coordinates. */
   showTable(box: Box | null): void {
-    this.around.box = box;
-    this.around.place(this.origin);
+    this.surroundings.box = box;
+    this.surroundings.updateTable(this.origin);
     this.draw();
   }
 
-  showLayers(shown: Shown): void {
+  showLayers(shown: VisibleLayers): void {
     this.shown = shown;
-    if (shown.swept) this.travel.laySwept(this.tools, this.origin);
+    if (shown.swept) this.travel.buildSwept(this.tools, this.origin);
     this.draw();
   }
 
   showChosen(rows: ReadonlySet<number>): void {
-    this.dieline.choose(this.edges, this.origin, rows);
+    this.dieline.select(this.edges, this.origin, rows);
     this.draw();
   }
 
-  showRetypePreviews(retypePreviews: readonly Proposal[]): void {
-    this.dieline.propose(this.edges, this.origin, retypePreviews);
+  showRetypePreviews(retypePreviews: readonly EdgePreview[]): void {
+    this.dieline.preview(this.edges, this.origin, retypePreviews);
     this.draw();
   }
 
-  /** Light an edge, or the moves where there is none. */
+  /** Highlight an edge, or moves if `row` is null. */
   showHovered(row: number | null, moves: readonly number[] = []): void {
     this.hoverRow = row;
     this.hoverMoves = moves;
-    if (row === null) this.dieline.light(this.picker.segments, this.origin, moves);
-    else this.dieline.light(this.edges, this.origin, [row]);
+    if (row === null) this.dieline.highlight(this.picker.segments, this.origin, moves);
+    else this.dieline.highlight(this.edges, this.origin, [row]);
     this.draw();
   }
 
-  /** Put the head where it is after so many seconds of the program; null takes it off. */
+  /** Show the head at a program time (s); null hides it. */
   moveHead(seconds: number | null): void {
-    this.clock.put(seconds);
+    this.clock.set(seconds);
     this.draw();
   }
 
-  /** Let the head travel there along its path, in `lasts` ms. */
+  /** Animate the head along its path to a program time, within `lasts` ms. */
   runHead(seconds: number, lasts: number): void {
-    this.clock.send(seconds, lasts, performance.now());
+    this.clock.travelTo(seconds, lasts, performance.now());
     this.draw();
   }
 
-  /** Bring a box, or all there is, into view. */
-  fit(box?: Box | null, gently = true): void {
+  /** Zoom to a box, or to the whole drawing. */
+  fit(box?: Box | null, animate = true): void {
     const all = box ?? this.everything();
     if (all === null) return;
-    this.glide.to(this.camera.framing(all, INSETS), gently, performance.now());
+    this.transition.start(this.camera.frameBox(all, INSETS), animate, performance.now());
     this.draw();
   }
 
-  /** Bring the table into view, or all there is where there is none. */
+  /** Zoom to the table, or to the whole drawing if there is none. */
   fitTable(): void {
-    this.fit(this.around.box);
+    this.fit(this.surroundings.box);
   }
 
-  /** Bring some edges into view, with what surrounds them. */
+  /** Zoom to edges, with a margin. */
   fitRows(rows: Iterable<number>): void {
     if (this.edges === null) return;
     const box = boundsOf(this.edges, rows);
@@ -229,32 +229,34 @@ export class Viewer {
   }
 
   panBy(dx: number, dy: number): void {
-    this.glide.stop();
+    this.transition.stop();
     this.camera.pan(dx, dy);
     this.draw();
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.asked);
+    cancelAnimationFrame(this.frameRequest);
     this.watch.disconnect();
     this.stopListening();
-    for (const part of [this.around, this.dieline, this.travel, this.head]) part.dispose();
+    for (const part of [this.surroundings, this.dieline, this.travel, this.head]) part.dispose();
     this.renderer.dispose();
   }
 
   private get layers() {
-    return [this.around, this.dieline, this.travel, this.head].flatMap(({ layers }) => layers);
+    return [this.surroundings, this.dieline, this.travel, this.head].flatMap(
+      ({ layers }) => layers,
+    );
   }
 
   private zoom(factor: number, about: Point): void {
-    this.glide.stop();
+    this.transition.stop();
     this.camera.zoom(factor, about);
     this.draw();
   }
 
   private everything(): Box | null {
     const drawing = this.edges === null ? null : boundsOf(this.edges);
-    if (drawing === null) return this.around.box;
+    if (drawing === null) return this.surroundings.box;
     const { timeline } = this;
     if (timeline === null || !this.shown.head) return drawing;
     let box = drawing;
@@ -263,14 +265,14 @@ export class Viewer {
       if (motion[row] === 0) continue;
       const x = (pose[row * 4] as number) - placement[0];
       const y = (pose[row * 4 + 1] as number) - placement[1];
-      box = joined(box, [x, y, x, y]);
+      box = unionBox(box, [x, y, x, y]);
     }
     return box;
   }
 
-  private point(at: Point | null): void {
+  private setCursor(at: Point | null): void {
     this.events.onCursor(at === null ? null : this.camera.toPlane(at));
-    const row = at === null ? null : this.picker.edge(at, this.shown);
+    const row = at === null ? null : this.picker.edgeAt(at, this.shown);
     const moves = at === null ? [] : this.picker.movesAt(at, this.shown);
     const was = this.hoverRow !== null || this.hoverMoves.length > 0;
     if (row !== null || moves.length > 0 || was) {
@@ -279,9 +281,9 @@ export class Viewer {
     }
   }
 
-  private layTravel(): void {
-    this.travel.lay(this.timeline, this.tools, this.origin);
-    if (this.shown.swept) this.travel.laySwept(this.tools, this.origin);
+  private updateTravel(): void {
+    this.travel.setTimeline(this.timeline, this.tools, this.origin);
+    if (this.shown.swept) this.travel.buildSwept(this.tools, this.origin);
   }
 
   private resize(): void {
@@ -293,28 +295,29 @@ export class Viewer {
     this.renderer.setSize(width, height, false);
     this.camera.resize(width, height);
     for (const layer of this.layers) layer.resize(width, height, ratio);
-    // A canvas that changed its size is empty until it is drawn: not a frame later.
-    cancelAnimationFrame(this.asked);
+    // A resized canvas is empty: render now, not in the next frame.
+    cancelAnimationFrame(this.frameRequest);
     this.render(performance.now());
   }
 
   private draw(): void {
-    if (this.asked === 0) this.asked = requestAnimationFrame((now) => this.render(now));
+    if (this.frameRequest === 0)
+      this.frameRequest = requestAnimationFrame((now) => this.render(now));
   }
 
   private render(now: number): void {
-    this.asked = 0;
+    this.frameRequest = 0;
     const { camera, origin, shown, timeline } = this;
-    this.glide.tick(now);
+    this.transition.tick(now);
     const seconds = this.clock.tick(now);
     const under = timeline !== null && (shown.head || shown.tip);
-    this.around.draw(camera, origin);
+    this.surroundings.draw(camera, origin);
     this.dieline.draw(shown.nominal && this.edges !== null, under);
-    this.travel.draw(shown, camera.scale, seconds, this.dieline.mapped);
+    this.travel.draw(shown, camera.scale, seconds, this.dieline.showsFigures);
     this.head.draw(timeline, seconds, this.tools, origin, camera.scale);
     camera.apply(origin);
     this.renderer.render(this.scene, camera.three);
     this.events.onView(camera.scale);
-    if (this.glide.gliding || this.clock.running) this.draw();
+    if (this.transition.active || this.clock.running) this.draw();
   }
 }
