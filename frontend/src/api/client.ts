@@ -1,12 +1,17 @@
 /**
- * The service, as functions: one to an endpoint, each answerHandlers with what the service promises.
+ * The REST API as functions.
  *
- * Everything that goes wrong is a `ServiceError` with the service's own words: what, and the hint.
+ * `openapi-fetch` checks paths, parameters and bodies against the generated types. Every failure
+ * is a `ServiceError` with the server's problem.
  */
 
+import createClient from "openapi-fetch";
 import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
 import { edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
-import type { components } from "./openapi.gen";
+import type { components, paths } from "./openapi.gen";
+import { fetchWithRetries, OWN_PAGE, upload } from "./transport";
+
+export { type Problem, pageProblem, ServiceError } from "./errors";
 
 type Schemas = components["schemas"];
 export type Board = Schemas["BoardOut"];
@@ -18,7 +23,7 @@ export type Format = Schemas["FormatOut"];
 export type Finding = Schemas["FindingOut"];
 export type Job = Schemas["JobOut"];
 export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> & {
-  /** Of the drawing that is shown; null where that is not known. */
+  /** Revision of the drawing on display; null if unknown. */
   revision: number | null;
   copies: number;
   corners: Corners | null;
@@ -26,10 +31,7 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
 export type JobState = Job["state"];
 export type LedgerRow = Schemas["LedgerRow"];
 export type Machine = Schemas["MachineOut"];
-export type Override = { [K in keyof Schemas["Override"]]?: Schemas["Override"][K] } & {
-  type: Schemas["Override"]["type"];
-};
-export type Problem = Schemas["Problem"];
+export type Override = Schemas["Override"];
 export type Profile = Schemas["ProfileOut"];
 export type ProfileDraft = Schemas["ProfileIn"];
 export type Preview = Schemas["PreviewOut"];
@@ -42,7 +44,7 @@ export type Unit = NonNullable<Drawing["unit"]>;
 export type Verdict = Schemas["VerdictOut"];
 export type VerdictSummary = Schemas["VerdictSummary"];
 
-/** What the operator can ask of a job. */
+/** Commands of the operator for a job. */
 export type JobCommand =
   | "release"
   | "confirm"
@@ -53,269 +55,179 @@ export type JobCommand =
   | "requeue"
   | "scrap";
 
-/** The service said no, or did not answer. */
-export class ServiceError extends Error {
-  override name = "ServiceError";
+const api = createClient<paths>({
+  // Request needs an absolute URL; tests have no location.
+  baseUrl: globalThis.location?.origin ?? "http://localhost",
+  fetch: fetchWithRetries,
+  headers: OWN_PAGE,
+});
 
-  constructor(readonly problem: Problem) {
-    super(problem.detail || problem.title);
-  }
+/** JSON is not cached by the browser: a newer server may return more for the same revision. */
+const uncached = (signal?: AbortSignal) => ({ cache: "no-store", signal: signal ?? null }) as const;
+const binary = (signal?: AbortSignal) =>
+  ({ parseAs: "arrayBuffer", signal: signal ?? null }) as const;
 
-  get hint(): string {
-    return this.problem.hint;
-  }
+const byId = (id: string) => ({ path: { id } });
+const byName = (name: string) => ({ path: { name } });
 
-  /** The drawing was changed since the request was made for it. */
-  get stale(): boolean {
-    return this.problem.type === "urn:knifetip:problem:stale-revision";
-  }
+/** Header that applies a change to this revision only. */
+const ifMatch = (revision: number | null) => ({
+  header: revision === null ? {} : { "If-Match": `"${revision}"` },
+});
+
+/** A type as `openapi-fetch` infers it: tuples are arrays. */
+type Untupled<T> = T extends readonly (infer E)[]
+  ? Untupled<E>[]
+  : T extends object
+    ? { [K in keyof T]: Untupled<T[K]> }
+    : T;
+
+/** The data of an answer; refusals have been raised by the transport. */
+async function dataOf<T>(call: Promise<{ data?: NoInfer<Untupled<T>> | undefined }>): Promise<T> {
+  return (await call).data as T;
 }
 
-const NO_ANSWER: Problem = {
-  type: "about:blank",
-  title: "No answer",
-  status: 0,
-  code: "stored.text",
-  arguments: {},
-  detail: "knifetip does not answer.",
-  text: "knifetip does not answer.",
-  hint: "See whether it is still running, then try again.",
-  source: [],
-  questions: [],
-  revision: null,
-};
-
-/** No page of another origin can send this header without asking first. */
-const OWN = { "X-Knifetip": "page" } as const;
-
-/** How often a request is sent that a busy service refused, and how long (s) it waits at most. */
-const TRIES = 6;
-const LONGEST_WAIT = 30;
-
-/** Seconds after which to send a request again that was refused unbegun; null for never. */
-export function retryAfter(status: number, header: string | null, tried: number): number | null {
-  const seconds = Number.parseInt(header ?? "", 10);
-  if ((status !== 503 && status !== 429) || Number.isNaN(seconds) || tried >= TRIES) return null;
-  // Pages that were refused together do not come back together.
-  return Math.min(Math.max(seconds, 1), LONGEST_WAIT) * (1 + Math.random() / 4);
-}
-
-const sleep = (seconds: number): Promise<void> =>
-  new Promise((resolve) => setTimeout(resolve, seconds * 1000));
-
-/** The session is over: the service answers the page's address with where to sign in. */
-const signIn = (): void => globalThis.location?.reload();
-
-/** What an answer that is not a success says, however badly it says it. */
-export function parseProblem(status: number, title: string, body: string): Problem {
-  const plain: Problem = {
-    ...NO_ANSWER,
-    status,
-    title: title || `Status ${status}`,
-    detail: `knifetip answered ${status}${title ? ` ${title}` : ""}.`,
-    hint: status >= 500 ? "Try again; if it stays, look into the server's log." : "",
-  };
-  let said: unknown;
-  try {
-    said = JSON.parse(body);
-  } catch {
-    return plain;
-  }
-  if (typeof said !== "object" || said === null) return plain;
-  const known = said as Partial<Problem>;
-  return {
-    ...plain,
-    ...known,
-    detail: typeof known.detail === "string" ? known.detail : plain.detail,
-    hint: typeof known.hint === "string" ? known.hint : plain.hint,
-    source: known.source ?? [],
-    questions: known.questions ?? [],
-    status,
-  };
-}
-
-async function request(path: string, init?: RequestInit): Promise<Response> {
-  const headers = { ...OWN, ...(init?.headers as Record<string, string> | undefined) };
-  for (let tried = 1; ; tried++) {
-    let answer: Response;
-    try {
-      answer = await fetch(path, { ...init, headers });
-    } catch (cause) {
-      if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
-      throw new ServiceError(NO_ANSWER);
-    }
-    if (answer.ok) return answer;
-    const wait = retryAfter(answer.status, answer.headers.get("Retry-After"), tried);
-    if (wait === null) {
-      if (answer.status === 401) signIn();
-      throw new ServiceError(parseProblem(answer.status, answer.statusText, await answer.text()));
-    }
-    await sleep(wait);
-    init?.signal?.throwIfAborted();
-  }
-}
-
-/** Part of a list, the newest first. */
+/** Part of a list, newest first. */
 export interface Page<T> {
   readonly rows: readonly T[];
-  /** Where the service has the next part; null where this is the last. */
-  readonly next: string | null;
+  /** Cursor of the next part; null if this is the last. */
+  readonly next: number | null;
 }
 
-/** The address that a Link header gives for the next page; null for none, or for another site's. */
-export function nextPageOf(link: string | null): string | null {
-  const [, address] = /<([^>]*)>\s*;[^,]*\brel="?next"?/.exec(link ?? "") ?? [];
-  return address?.startsWith("/api/") ? address : null;
+/** Cursor in the Link header of a list; null if there is no next page. */
+export function nextCursor(link: string | null): number | null {
+  const [, address = ""] = /<([^>]*)>\s*;[^,]*\brel="?next"?/.exec(link ?? "") ?? [];
+  if (!address.startsWith("/api/")) return null;
+  const cursor = new URL(address, "http://localhost").searchParams.get("cursor");
+  return cursor === null || cursor === "" ? null : Number(cursor);
 }
 
-const page = async <T>(path: string, signal?: AbortSignal): Promise<Page<T>> => {
-  const answer = await request(path, signal ? { signal } : {});
-  return { rows: (await answer.json()) as T[], next: nextPageOf(answer.headers.get("Link")) };
-};
+async function pageOf<T>(
+  call: Promise<{ data?: NoInfer<Untupled<T>>[] | undefined; response: Response }>,
+): Promise<Page<T>> {
+  const { data = [], response } = await call;
+  return { rows: data as T[], next: nextCursor(response.headers.get("Link")) };
+}
 
-/** JSON is not kept by the browser: a newer service may have more to tell of the same revision. */
-const get = async <T>(path: string, signal?: AbortSignal): Promise<T> =>
-  (await request(path, { cache: "no-store", ...(signal ? { signal } : {}) })).json() as Promise<T>;
-
-const send = async <T>(
-  method: string,
-  path: string,
-  body?: unknown,
-  headers: Record<string, string> = {},
-): Promise<T> => {
-  const answer = await request(path, {
-    method,
-    ...(body === undefined
-      ? { headers }
-      : {
-          headers: { "Content-Type": "application/json", ...headers },
-          body: JSON.stringify(body),
-        }),
-  });
-  return answer.json() as Promise<T>;
-};
-
-/** Makes a change apply to this revision only. */
-const ifMatch = (revision: number | null): Record<string, string> =>
-  revision === null ? {} : { "If-Match": `"${revision}"` };
-
-/** Send a profile as the text or the data that it is; `version` is the one that was looked at. */
-const putProfile = async (
-  name: string,
-  body: string | ProfileDraft,
-  version: number | null,
-): Promise<Profile> => {
-  const text = typeof body === "string";
-  const answer = await request(at("profiles", name), {
-    method: "PUT",
-    headers: {
-      "Content-Type": text ? "application/toml" : "application/json",
-      ...ifMatch(version),
-    },
-    body: text ? body : JSON.stringify(body),
-  });
-  return answer.json() as Promise<Profile>;
-};
-
-/** The revision that an ETag names; null for none. */
+/** The revision in an ETag; null if there is none. */
 export function revisionOf(etag: string | null): number | null {
   const [, digits] = /^(?:W\/)?"(\d+)/.exec(etag ?? "") ?? [];
   return digits === undefined ? null : Number.parseInt(digits, 10);
 }
 
-/** The edges, and the revision of the drawing that they are of. */
-const edges = async (id: string, signal?: AbortSignal): Promise<Edges> => {
-  const path = at("drawings", id, "/edges?format=columns");
-  const answer = await request(path, signal ? { signal } : {});
-  const revision = revisionOf(answer.headers.get("ETag"));
-  const read = edgesOf(await answer.arrayBuffer());
-  return revision === null ? read : { ...read, revision };
-};
-
-const bytes = async (path: string, signal?: AbortSignal): Promise<ArrayBuffer> =>
-  (await request(path, signal ? { signal } : {})).arrayBuffer();
-
-const at = (kind: string, id: string, rest = ""): string =>
-  `/api/${kind}/${encodeURIComponent(id)}${rest}`;
-
-/** Send a file; `onProgress` hears how much of it (0 … 1) is up. */
-async function upload(file: File, onProgress: (fraction: number) => void): Promise<Drawing> {
-  for (let tried = 1; ; tried++) {
-    const door = await sendFile(file, onProgress);
-    if (door.status >= 200 && door.status < 300) return JSON.parse(door.responseText) as Drawing;
-    const wait = retryAfter(door.status, door.getResponseHeader("Retry-After"), tried);
-    if (wait === null) {
-      if (door.status === 401) signIn();
-      throw new ServiceError(parseProblem(door.status, door.statusText, door.responseText));
-    }
-    await sleep(wait);
-  }
-}
-
-function sendFile(file: File, onProgress: (fraction: number) => void): Promise<XMLHttpRequest> {
-  // fetch does not tell how much of a body it has sent; this old door does.
-  return new Promise((resolve, reject) => {
-    const door = new XMLHttpRequest();
-    door.open("POST", "/api/drawings");
-    for (const [name, value] of Object.entries(OWN)) door.setRequestHeader(name, value);
-    door.upload.onprogress = (event) => {
-      if (event.lengthComputable) onProgress(event.loaded / event.total);
-    };
-    door.onerror = () => reject(new ServiceError(NO_ANSWER));
-    door.onload = () => resolve(door);
-    const form = new FormData();
-    form.append("file", file, file.name);
-    door.send(form);
+/** The edges, with the revision of their drawing. */
+async function fetchEdges(id: string, signal?: AbortSignal): Promise<Edges> {
+  const params = { ...byId(id), query: { format: "columns" as const } };
+  const { data, response } = await api.GET("/api/drawings/{id}/edges", {
+    params,
+    ...binary(signal),
   });
+  const edges = edgesOf(data as ArrayBuffer);
+  const revision = revisionOf(response.headers.get("ETag"));
+  return revision === null ? edges : { ...edges, revision };
 }
 
-/** Where the lists begin. */
-export const FIRST = { drawings: "/api/drawings", jobs: "/api/jobs" } as const;
+/** Save a profile as TOML text or as data; `version` is the one that was edited. */
+const putProfile = (
+  name: string,
+  body: string | ProfileDraft,
+  version: number | null,
+): Promise<Profile> =>
+  dataOf(
+    api.PUT("/api/profiles/{name}", {
+      params: { ...byName(name), ...ifMatch(version) },
+      body,
+      bodySerializer: (profile) =>
+        typeof profile === "string" ? profile : JSON.stringify(profile),
+      headers: {
+        "Content-Type": typeof body === "string" ? "application/toml" : "application/json",
+      },
+    }),
+  );
 
 export const service = {
-  drawings: (signal?: AbortSignal, from: string = FIRST.drawings) =>
-    page<DrawingSummary>(from, signal),
-  drawing: (id: string, signal?: AbortSignal) => get<Drawing>(at("drawings", id), signal),
-  edges,
-  ledger: (id: string, fate: LedgerRow["fate"], signal?: AbortSignal) =>
-    get<Schemas["LedgerOut"]>(at("drawings", id, `/ledger?fate=${fate}`), signal),
-  upload,
+  drawings: (signal?: AbortSignal, cursor: number | null = null): Promise<Page<DrawingSummary>> =>
+    pageOf(api.GET("/api/drawings", { params: { query: { cursor } }, ...uncached(signal) })),
+  drawing: (id: string, signal?: AbortSignal): Promise<Drawing> =>
+    dataOf(api.GET("/api/drawings/{id}", { params: byId(id), ...uncached(signal) })),
+  edges: fetchEdges,
+  ledger: (
+    id: string,
+    fate: LedgerRow["fate"],
+    signal?: AbortSignal,
+  ): Promise<Schemas["LedgerOut"]> =>
+    dataOf(
+      api.GET("/api/drawings/{id}/ledger", {
+        params: { ...byId(id), query: { fate } },
+        ...uncached(signal),
+      }),
+    ),
+  upload: async (file: File, onProgress: (fraction: number) => void): Promise<Drawing> =>
+    JSON.parse(await upload(file, onProgress)) as Drawing,
   patchDrawing: (
     id: string,
-    change: { unit?: Unit | "file"; profile?: string; rules?: string },
+    { rules = "", ...change }: { unit?: Unit | "file"; profile?: string; rules?: string },
     revision: number | null,
-  ) => send<Drawing>("PATCH", at("drawings", id), change, ifMatch(revision)),
-  override: (id: string, overrides: readonly Override[], revision: number | null) =>
-    send<Drawing>("PATCH", at("drawings", id, "/edges"), { overrides }, ifMatch(revision)),
+  ): Promise<Drawing> =>
+    dataOf(
+      api.PATCH("/api/drawings/{id}", {
+        params: { ...byId(id), ...ifMatch(revision) },
+        body: { ...change, rules },
+      }),
+    ),
+  override: (id: string, overrides: Override[], revision: number | null): Promise<Drawing> =>
+    dataOf(
+      api.PATCH("/api/drawings/{id}/edges", {
+        params: { ...byId(id), ...ifMatch(revision) },
+        body: { overrides },
+      }),
+    ),
 
-  jobs: (signal?: AbortSignal, from: string = FIRST.jobs) => page<Job>(from, signal),
-  job: (id: string, signal?: AbortSignal) => get<Job>(at("jobs", id), signal),
-  compile: (order: JobOrder) => send<Job>("POST", "/api/jobs", order),
-  command: (id: string, command: JobCommand) => send<Job>("POST", at("jobs", id, `/${command}`)),
-  verdict: (id: string, signal?: AbortSignal) => get<Verdict>(at("jobs", id, "/verdict"), signal),
-  verdictColumns: async (id: string, signal?: AbortSignal): Promise<VerdictColumns> =>
-    verdictColumnsOf(await bytes(at("jobs", id, "/verdict?format=columns"), signal)),
-  toolpath: async (id: string, signal?: AbortSignal): Promise<Toolpath> =>
-    toolpathOf(await bytes(at("jobs", id, "/toolpath"), signal)),
-  programUrl: (id: string) => at("jobs", id, "/program"),
+  jobs: (signal?: AbortSignal, cursor: number | null = null): Promise<Page<Job>> =>
+    pageOf(api.GET("/api/jobs", { params: { query: { cursor } }, ...uncached(signal) })),
+  job: (id: string, signal?: AbortSignal): Promise<Job> =>
+    dataOf(api.GET("/api/jobs/{id}", { params: byId(id), ...uncached(signal) })),
+  compile: (order: JobOrder): Promise<Job> =>
+    dataOf(
+      api.POST("/api/jobs", { body: { ...order, priority: 0, overrides: [], release: false } }),
+    ),
+  command: (id: string, command: JobCommand): Promise<Job> =>
+    dataOf(api.POST(`/api/jobs/{id}/${command}`, { params: byId(id) })),
+  verdict: async (id: string, signal?: AbortSignal): Promise<Verdict> => {
+    const params = { ...byId(id), query: { format: "json" as const } };
+    const { data } = await api.GET("/api/jobs/{id}/verdict", { params, ...uncached(signal) });
+    return data as Verdict;
+  },
+  verdictColumns: async (id: string, signal?: AbortSignal): Promise<VerdictColumns> => {
+    const params = { ...byId(id), query: { format: "columns" as const } };
+    const { data } = await api.GET("/api/jobs/{id}/verdict", { params, ...binary(signal) });
+    return verdictColumnsOf(data as ArrayBuffer);
+  },
+  toolpath: async (id: string, signal?: AbortSignal): Promise<Toolpath> => {
+    const init = { params: byId(id), ...binary(signal) };
+    return toolpathOf((await api.GET("/api/jobs/{id}/toolpath", init)).data as ArrayBuffer);
+  },
+  programUrl: (id: string) => `/api/jobs/${encodeURIComponent(id)}/program`,
 
-  machines: (signal?: AbortSignal) => get<Machine[]>("/api/machines", signal),
-  formats: (signal?: AbortSignal) => get<Format[]>("/api/formats", signal),
-  boards: (signal?: AbortSignal) => get<Board[]>("/api/boards", signal),
-  profiles: (signal?: AbortSignal) => get<Profile[]>("/api/profiles", signal),
-  profile: (name: string, signal?: AbortSignal) => get<Profile>(at("profiles", name), signal),
-  profileText: async (name: string): Promise<string> =>
-    (await request(at("profiles", name, ".toml"))).text(),
-  profileUrl: (name: string) => at("profiles", name, ".toml"),
+  machines: (signal?: AbortSignal): Promise<Machine[]> =>
+    dataOf(api.GET("/api/machines", uncached(signal))),
+  formats: (signal?: AbortSignal): Promise<Format[]> =>
+    dataOf(api.GET("/api/formats", uncached(signal))),
+  boards: (signal?: AbortSignal): Promise<Board[]> =>
+    dataOf(api.GET("/api/boards", uncached(signal))),
+  profiles: (signal?: AbortSignal): Promise<Profile[]> =>
+    dataOf(api.GET("/api/profiles", uncached(signal))),
+  profile: (name: string, signal?: AbortSignal): Promise<Profile> =>
+    dataOf(api.GET("/api/profiles/{name}", { params: byName(name), ...uncached(signal) })),
+  profileText: (name: string): Promise<string> =>
+    dataOf(api.GET("/api/profiles/{name}.toml", { params: byName(name), parseAs: "text" })),
+  profileUrl: (name: string) => `/api/profiles/${encodeURIComponent(name)}.toml`,
   putProfile,
   deleteProfile: async (name: string, version: number): Promise<void> => {
-    await request(at("profiles", name), { method: "DELETE", headers: ifMatch(version) });
+    await api.DELETE("/api/profiles/{name}", { params: { ...byName(name), ...ifMatch(version) } });
   },
-  preview: (id: string, profile: ProfileDraft) =>
-    send<Preview>("POST", at("drawings", id, "/preview"), profile),
-  learned: (id: string, signal?: AbortSignal) =>
-    request(at("drawings", id, "/learned"), {
-      method: "POST",
-      ...(signal ? { signal } : {}),
-    }).then((answer) => answer.json() as Promise<Proposal[]>),
+  preview: (id: string, profile: ProfileDraft): Promise<Preview> =>
+    dataOf(api.POST("/api/drawings/{id}/preview", { params: byId(id), body: profile })),
+  learned: (id: string, signal?: AbortSignal): Promise<Proposal[]> =>
+    dataOf(api.POST("/api/drawings/{id}/learned", { params: byId(id), signal: signal ?? null })),
 };

@@ -4,6 +4,7 @@ import {
   type Drawing,
   type JobCommand,
   type Profile,
+  pageProblem,
   ServiceError,
   service,
   type Unit,
@@ -207,19 +208,12 @@ export function retype(rows: readonly number[], to: LineType | null): Promise<vo
 async function assertUnchanged(name: string, text: string): Promise<Profile> {
   const now = await service.profile(name);
   if ((await service.profileText(name)) === text) return now;
-  throw new ServiceError({
-    type: "about:blank",
-    title: "Profile changed elsewhere",
-    status: 412,
-    code: "stored.text",
-    arguments: {},
-    detail: `Another user has changed the profile ${now.title}.`,
-    text: `Somebody else changed the profile ${now.title} since.`,
-    hint: "Check its rules. Nothing was undone.",
-    source: [],
-    questions: [],
-    revision: null,
-  });
+  throw pageProblem(
+    412,
+    "Profile changed elsewhere",
+    `Another user has changed the profile ${now.title}.`,
+    "Check its rules. Nothing was undone.",
+  );
 }
 
 /**

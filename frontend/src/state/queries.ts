@@ -7,14 +7,7 @@ import {
   useInfiniteQuery,
   useQuery,
 } from "@tanstack/react-query";
-import {
-  type DrawingSummary,
-  FIRST,
-  type Job,
-  type LedgerRow,
-  type Page,
-  service,
-} from "../api/client";
+import { type DrawingSummary, type Job, type LedgerRow, type Page, service } from "../api/client";
 import { openEventStream } from "../api/events";
 import { buildTimeline } from "../geometry/timeline";
 import { hasProgram } from "./jobs";
@@ -32,7 +25,7 @@ export const queries = {
     infiniteQueryOptions({
       queryKey: ["drawings"],
       queryFn: ({ signal, pageParam }) => service.drawings(signal, pageParam),
-      initialPageParam: FIRST.drawings as string,
+      initialPageParam: null as number | null,
       getNextPageParam,
     }),
   drawing: (id: string) =>
@@ -61,7 +54,7 @@ export const queries = {
     infiniteQueryOptions({
       queryKey: ["jobs"],
       queryFn: ({ signal, pageParam }) => service.jobs(signal, pageParam),
-      initialPageParam: FIRST.jobs as string,
+      initialPageParam: null as number | null,
       getNextPageParam,
     }),
   job: (id: string) =>
