@@ -9,12 +9,13 @@ const SRC = dirname(fileURLToPath(import.meta.url));
 
 const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   geometry: ["geometry"],
+  messages: ["messages", "api"],
   api: ["api", "geometry"],
-  state: ["state", "api", "geometry"],
-  panels: ["panels", "state", "api", "geometry"],
+  state: ["state", "messages", "api", "geometry"],
+  panels: ["panels", "state", "messages", "api", "geometry"],
   scene: ["scene", "geometry"],
   viewer: ["viewer", "scene", "geometry"],
-  app: ["app", "panels", "state", "api", "viewer", "scene", "geometry"],
+  app: ["app", "panels", "state", "messages", "api", "viewer", "scene", "geometry"],
 };
 
 /** Libraries that only some layers may know. */

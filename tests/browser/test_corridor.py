@@ -214,7 +214,9 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     page.get_by_test_id("queue-row").filter(has_text="2 copies").first.click()
     expect(state).to_have_text("Paused")
     page.get_by_test_id("cancel").click()
-    expect(page.get_by_test_id("confirm-text")).to_contain_text("lifts the tool and releases its stations")
+    expect(page.get_by_test_id("confirm-text")).to_contain_text(
+        "lifts the tool and releases its stations"
+    )
     page.screenshot(path=screenshots / "copies-2-cancel.png")
     page.get_by_test_id("confirm-no").click()
     expect(page.get_by_test_id("confirm-text")).to_be_hidden()

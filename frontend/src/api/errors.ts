@@ -14,10 +14,6 @@ export class ServiceError extends Error {
     super(problem.detail || problem.title);
   }
 
-  get hint(): string {
-    return this.problem.hint;
-  }
-
   /** The drawing has changed since the revision that the request is for. */
   get stale(): boolean {
     return this.problem.type === STALE_REVISION;

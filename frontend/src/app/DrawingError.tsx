@@ -2,6 +2,7 @@
 
 import { Button } from "@mantine/core";
 import { ServiceError } from "../api/client";
+import { errorText, renderHint } from "../messages/render";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 
@@ -12,7 +13,7 @@ export function DrawingError({ error }: { error: Error }) {
       <div className={css.welcome}>
         <h1>Drawing not available</h1>
         <p>
-          {error.message} {error instanceof ServiceError && error.hint}
+          {errorText(error)} {error instanceof ServiceError && renderHint(error.problem)}
         </p>
         <Button variant="default" onClick={() => open(null)}>
           All drawings

@@ -4,6 +4,7 @@ import { Button, Skeleton } from "@mantine/core";
 import { IconFileVector, IconUpload } from "@tabler/icons-react";
 import { useRef } from "react";
 import type { DrawingSummary } from "../api/client";
+import { errorText } from "../messages/render";
 import { uploadFiles } from "../state/actions";
 import { formatSize, pluralize } from "../state/format";
 import { useDrawings, useFormats } from "../state/queries";
@@ -32,7 +33,7 @@ export function DrawingsPanel() {
         <ChooseFile />
       </div>
       {isPending && [1, 2, 3].map((row) => <Skeleton key={row} height={44} mb={6} radius={8} />)}
-      {error && <p className={css.note}>{error.message}</p>}
+      {error && <p className={css.note}>{errorText(error)}</p>}
       {drawings?.length === 0 && (
         <p className={css.note} style={{ padding: "0 8px" }}>
           No drawings yet. Drop a DXF, SVG, CF2 or PDF file on this page.

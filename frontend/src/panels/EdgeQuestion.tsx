@@ -3,13 +3,14 @@
 import { useMemo } from "react";
 import type { Question } from "../api/client";
 import { LINE_TYPES, type LineType } from "../geometry/records";
+import { renderText } from "../messages/render";
 import { retype } from "../state/actions";
 import { colourWords, indexColour } from "../state/colours";
 import { pluralize } from "../state/format";
 import { summarizeEdges } from "../state/inspect";
 import { LINE_STYLES } from "../state/palette";
 import { useEdges } from "../state/queries";
-import { askedOf } from "../state/questions";
+import { edgeQuestionText } from "../state/questions";
 import { rowsOfLayer } from "../state/rows";
 import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
@@ -40,7 +41,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
     [question, edges],
   );
   const choices = question.choices.filter(isLineType);
-  const { text, share, why } = askedOf(question.text);
+  const { text, percent } = edgeQuestionText(question);
   const facts = useMemo(
     () => (edges === undefined ? null : summarizeEdges(edges, rows)),
     [edges, rows],
@@ -67,15 +68,15 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
             {facts !== null && ` · ${length(facts.length)}`}
           </span>
         </span>
-        <span className={questionCss.questionFacts} title={question.text}>
+        <span className={questionCss.questionFacts} title={renderText(question)}>
           Colour {colourWords(question.colour)}
           {facts !== null && facts.linetypes.length > 0 && ` · ${facts.linetypes.join(", ")}`}
         </span>
       </button>
-      <p className={questionCss.questionText}>{why || text || "No evidence for any line type."}</p>
+      <p className={questionCss.questionText}>{text || "No evidence for any line type."}</p>
       <div className={questionCss.choices}>
         {choices.map((type, at) => {
-          const likely = at === 0 && share !== null;
+          const likely = at === 0 && percent !== null;
           return (
             <button
               key={type}
@@ -92,7 +93,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
             >
               <Swatch type={type} />
               {LINE_STYLES[type].title}
-              {likely && <span className={questionCss.choiceFigure}>most likely, {share} %</span>}
+              {likely && <span className={questionCss.choiceFigure}>most likely, {percent} %</span>}
             </button>
           );
         })}

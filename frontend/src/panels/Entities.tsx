@@ -3,6 +3,7 @@
 import { useMemo, useState } from "react";
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
 import type { Box, Edges } from "../geometry/records";
+import { errorText } from "../messages/render";
 import { entitiesOf, locateEntity } from "../state/importReport";
 import { useEdges, useLedger } from "../state/queries";
 import { useUiStore } from "../state/store";
@@ -29,7 +30,7 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
           // biome-ignore lint/suspicious/noArrayIndexKey: a file may name two entities alike
           <Entity key={`${row.handle} ${at}`} row={row} edges={edges} drawing={drawing} />
         ))}
-      {whole.error && <p className={panels.note}>{whole.error.message}</p>}
+      {whole.error && <p className={panels.note}>{errorText(whole.error)}</p>}
       {(rows.length > most || whole.isFetching) && (
         <ShowMore
           left={Math.max(rows.length, group.count) - Math.min(rows.length, most)}

@@ -27,6 +27,7 @@ import {
 } from "../state/jobs";
 import { useEdges, useJob } from "../state/queries";
 import { rowsOfHandles } from "../state/rows";
+import { SHOWN_STAGES, stageProgress } from "../state/stages";
 import { useUiStore } from "../state/store";
 import { ConfirmationCard } from "./ConfirmationCard";
 import { ConfirmDialog } from "./ConfirmDialog";
@@ -36,16 +37,6 @@ import { Section } from "./Section";
 import { StateBadge } from "./StateBadge";
 import { VerdictCard } from "./VerdictCard";
 import verdictCss from "./verdict.module.css";
-
-const STAGES: readonly string[] = [
-  "read",
-  "classify",
-  "plan",
-  "compensate",
-  "sequence",
-  "process",
-  "verify",
-];
 
 export function JobPanel() {
   const { data: job } = useJob();
@@ -80,16 +71,16 @@ export function JobPanel() {
 }
 
 function Compiling({ job }: { job: Job }) {
-  const now = STAGES.indexOf(job.stage);
+  const { title, index } = stageProgress(job.stage);
   return (
     <div role="status" data-testid="stage">
       <ol className={jobCss.stages} aria-hidden="true">
-        {STAGES.map((stage, at) => (
-          <li key={stage} data-state={at < now ? "done" : at === now ? "now" : "open"} />
+        {SHOWN_STAGES.map((stage, at) => (
+          <li key={stage} data-state={at < index ? "done" : at === index ? "now" : "open"} />
         ))}
       </ol>
       <div className={css.runFigures} style={{ marginTop: 0 }}>
-        <span>{job.stage === "" ? "Waiting to start" : job.stage}</span>
+        <span>{title}</span>
         <span>{Math.round(job.progress * 100)} %</span>
       </div>
     </div>

@@ -4,6 +4,7 @@ import { ActionIcon, Button, Select, Skeleton, Switch, TextInput, Tooltip } from
 import { IconArrowLeft, IconDownload, IconPlus, IconTrash, IconUpload } from "@tabler/icons-react";
 import { useEffect, useRef, useState } from "react";
 import { type Preview, type Profile, service } from "../api/client";
+import { errorText } from "../messages/render";
 import { addRule, type Draft, moveRule, newRule, removeRule, updateRule } from "../state/draft";
 import { pluralize } from "../state/format";
 import { usePreview } from "../state/preview";
@@ -169,7 +170,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
       <div className={css.outcome}>
         {preview.error !== null ? (
           <p className={css.fault} role="alert" data-testid="profile-fault">
-            {preview.error.message}
+            {errorText(preview.error)}
           </p>
         ) : (
           preview.data && (

@@ -7,6 +7,7 @@ import { retype } from "../state/actions";
 import { pluralize } from "../state/format";
 import { LINE_STYLES } from "../state/palette";
 import { useDrawing, useJob } from "../state/queries";
+import { questionKey } from "../state/questions";
 import { useUiStore } from "../state/store";
 import { EdgeQuestion } from "./EdgeQuestion";
 import { previewHandlers } from "./previewHandlers";
@@ -30,7 +31,7 @@ export function QuestionsPanel() {
   if (drawing === undefined) return null;
   const questions = new Map<string, Question>();
   for (const question of [...drawing.questions, ...compileQuestions, ...(job?.questions ?? [])]) {
-    questions.set(question.text, question);
+    questions.set(questionKey(question), question);
   }
   if (questions.size === 0) return null;
   const listed = [...questions];
@@ -50,11 +51,11 @@ export function QuestionsPanel() {
       <div ref={list} data-testid="questions">
         {listed
           .slice(0, most)
-          .map(([text, question]) =>
+          .map(([key, question]) =>
             question.kind === "unit" ? (
-              <UnitQuestion key={text} question={question} drawing={drawing} />
+              <UnitQuestion key={key} question={question} drawing={drawing} />
             ) : (
-              <EdgeQuestion key={text} question={question} onAnswered={toNext} />
+              <EdgeQuestion key={key} question={question} onAnswered={toNext} />
             ),
           )}
         {listed.length > most && (

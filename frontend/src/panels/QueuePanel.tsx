@@ -3,6 +3,7 @@
 import { Progress } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { Job } from "../api/client";
+import { errorText } from "../messages/render";
 import { formatAgo, formatDuration } from "../state/format";
 import { isCompiling, isOnTable, isOver, needsOperator } from "../state/jobs";
 import { useJobs } from "../state/queries";
@@ -44,7 +45,7 @@ export function QueuePanel() {
       aside={<span className={css.rowFigure}>{waiting > 0 ? `${waiting} waiting` : ""}</span>}
     >
       <div data-testid="queue">
-        {error && <p className={css.note}>{error.message}</p>}
+        {error && <p className={css.note}>{errorText(error)}</p>}
         {listed.slice(0, most).map((job) => (
           <div key={job.id}>
             <Row job={job} now={now} />

@@ -2,6 +2,7 @@
 
 import { create } from "zustand";
 import { type Problem, ServiceError } from "../api/client";
+import { renderHint, renderText } from "../messages/render";
 
 export interface Notification {
   readonly id: number;
@@ -33,11 +34,11 @@ export const useNotifications = create<Notifications>()((set) => ({
   dismiss: (id) => set(({ list }) => ({ list: list.filter((one) => one.id !== id) })),
 }));
 
-const fromProblem = ({ title, detail, hint, source }: Problem): Omit<Notification, "id"> => ({
-  title,
-  detail,
-  hint,
-  source,
+const fromProblem = (problem: Problem): Omit<Notification, "id"> => ({
+  title: problem.title,
+  detail: renderText(problem),
+  hint: renderHint(problem),
+  source: problem.source,
 });
 
 export function notifyError(cause: unknown): void {

@@ -1,21 +1,45 @@
 import { expect, test } from "vitest";
-import { askedOf } from "./questions";
+import { edgeQuestionText, questionKey, unitQuestionText } from "./questions";
 
-const WHICH =
-  '1,246 edges on layer "A: B", colour 1, linetype CONTINUOUS, 389.0 mm long in all, in a box of ' +
-  "229.0 × 155.0 mm at (0.0, 345.2): what are they?";
+const reason = (text: string) => ({ code: "stored.text", arguments: { text, hint: "" } });
+const LINE = { edges: 2, layer: "A", colour: "1", linetype: "X", unit: "mm" };
 
-test("a question is taken apart into what is likely and why", () => {
-  const text = `${WHICH} Most likely v-groove (55 %): shape: it divides two panels.`;
-  expect(askedOf(text)).toEqual({ text: "", share: 55, why: "Shape: it divides two panels." });
+test("a question with a guess shows its confidence and its evidence", () => {
+  const guess = {
+    code: "question.guess",
+    arguments: { type: "v-groove", percent: 55, reason: reason("shape: it divides two panels") },
+  };
+  const question = { code: "question.line-type", arguments: { ...LINE, guess } };
+  expect(edgeQuestionText(question)).toEqual({
+    percent: 55,
+    text: "Shape: it divides two panels",
+  });
 });
 
-test("where nothing speaks for anything, the rest of the words stays", () => {
-  expect(askedOf(WHICH)).toEqual({ text: "", share: null, why: "" });
-  expect(askedOf(`${WHICH} It does not close.`).text).toBe("It does not close.");
+test("a question without a guess shows the shape, or nothing", () => {
+  const shape = { code: "question.shape", arguments: { reason: reason("it does not close") } };
+  const line = (guess: unknown) => ({ code: "question.line-type", arguments: { ...LINE, guess } });
+  expect(edgeQuestionText(line(shape)).text).toBe("It does not close");
+  expect(edgeQuestionText(line(null))).toEqual({ percent: null, text: "" });
 });
 
-test("a question of another kind is asked as it is", () => {
-  const text = "No tool of this machine makes a V-groove. What then?";
-  expect(askedOf(text)).toEqual({ text, share: null, why: "" });
+test("a question of another kind is shown whole", () => {
+  const given = { edges: 12, type: "crease", machine: "demo-table" };
+  expect(edgeQuestionText({ code: "question.tool", arguments: given }).text).toBe(
+    "demo-table has no tool for crease (12 edges). Which line type should they get?",
+  );
+});
+
+test("a question for the unit shows why it is unknown", () => {
+  const why = { code: "question.unit-doubtful", arguments: { stated: "in", other: "mm" } };
+  const given = { reason: why, sizes: [], evidence: null };
+  expect(unitQuestionText({ code: "question.unit", arguments: given })).toBe(
+    "The file states inches as its unit, but the drawing could also be in mm.",
+  );
+});
+
+test("questions that differ in an argument have different keys", () => {
+  const key = (layer: string) => questionKey({ code: "question.line-type", arguments: { layer } });
+  expect(key("A")).not.toBe(key("B"));
+  expect(key("A")).toBe(key("A"));
 });

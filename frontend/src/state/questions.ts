@@ -1,21 +1,38 @@
-/** What the service asks, taken apart: much of it stands on the card already. */
+/** What a question card shows beside the facts of the edges. */
 
-/** Which edges are meant: the card shows their layer, colour, linetype and length. */
-const WHICH = /^[\d,.]+ edges? on layer .*?: what (?:are they|is it)\?\s*/s;
-const LIKELY = /^Most likely [^(]+ \((\d+) %\): (.*)$/s;
+import { renderText, type ServerMessage, typed } from "../messages/render";
 
-export interface Asked {
-  /** What a card does not show anyway. */
+export interface QuestionText {
+  /** Confidence of the most likely answer (%); null if there is none. */
+  readonly percent: number | null;
+  /** Evidence for it, or the question itself if its facts are not on the card. */
   readonly text: string;
-  /** How sure the likeliest answer is (%); null where nothing speaks for any. */
-  readonly share: number | null;
-  /** What speaks for it, as a sentence. */
-  readonly why: string;
 }
 
-export function askedOf(text: string): Asked {
-  const left = text.replace(WHICH, "");
-  const [, share, why = ""] = LIKELY.exec(left) ?? [];
-  if (share === undefined) return { text: left, share: null, why: "" };
-  return { text: "", share: Number(share), why: why.slice(0, 1).toUpperCase() + why.slice(1) };
+const capitalized = (text: string): string => text.charAt(0).toUpperCase() + text.substring(1);
+
+/** The text for a question about edges; the card shows their layer, colour and length already. */
+export function edgeQuestionText(question: ServerMessage): QuestionText {
+  const message = typed(question);
+  if (message.code !== "question.line-type") return { percent: null, text: renderText(question) };
+  const { guess } = message.arguments;
+  if (guess?.code === "question.guess") {
+    const { percent, reason } = guess.arguments;
+    return { percent, text: capitalized(renderText(reason)) };
+  }
+  if (guess?.code === "question.shape")
+    return { percent: null, text: capitalized(renderText(guess.arguments.reason)) };
+  return { percent: null, text: "" };
 }
+
+/** Why the unit is unknown; the sizes and the evidence are on the answers. */
+export function unitQuestionText(question: ServerMessage): string {
+  const message = typed(question);
+  return message.code === "question.unit"
+    ? renderText(message.arguments.reason)
+    : renderText(question);
+}
+
+/** Identifies a question among those of a drawing and its job. */
+export const questionKey = ({ code, arguments: given }: ServerMessage): string =>
+  JSON.stringify([code, given]);

@@ -1,0 +1,1281 @@
+/** English texts and hints of all messages. Written by frontend/catalogue.py: do not edit. */
+
+import type { Catalogue } from "./catalogue";
+
+export const TEXTS = {
+  "stored.text": {
+    "text": "{text}",
+    "hint": "{hint}"
+  },
+  "advice.compiling": {
+    "text": "Wait until it is ready.",
+    "hint": ""
+  },
+  "advice.ended": {
+    "text": "Order it again.",
+    "hint": ""
+  },
+  "advice.interrupted": {
+    "text": "Check the table, then mark the job finished, queue it again or scrap it.",
+    "hint": ""
+  },
+  "advice.queued": {
+    "text": "Wait until its machine has taken it.",
+    "hint": ""
+  },
+  "advice.ready": {
+    "text": "Release it first.",
+    "hint": ""
+  },
+  "advice.running": {
+    "text": "Hold, resume or cancel it.",
+    "hint": ""
+  },
+  "bridges.no-room": {
+    "text": "The contour at edge {edge} is {length:.1f} mm long and has no places for {fewest:# bridge|# bridges} of {gap:.2f} mm, at most {spacing:.1f} mm apart and clear of its corners and narrow slots.",
+    "hint": "Choose narrower bridges or a longer spacing, or cut this board without bridges."
+  },
+  "calibration.bad-points": {
+    "text": "The {count} measured points contain a value that is not a number, or there are none.",
+    "hint": "Measure at least one point on a slanted part of the contour."
+  },
+  "calibration.choose-cutter": {
+    "text": "{machine} has {count:# cutter|# cutters}.",
+    "hint": "Choose one: {cutters:, }."
+  },
+  "calibration.missing-column": {
+    "text": "{file}, line {line}: {columns} is missing.",
+    "hint": "Its first line must be azimuth,dx,dy; then degrees and mm follow, for example 45,-0.05,0.06."
+  },
+  "calibration.not-a-number": {
+    "text": "{file}, line {line}: {reason}.",
+    "hint": "Write numbers with a decimal point."
+  },
+  "calibration.not-csv": {
+    "text": "{file} is not a CSV file: {reason}.",
+    "hint": "Save it as CSV in UTF-8."
+  },
+  "calibration.undetermined": {
+    "text": "The contour runs along {along} at every measured point, so {other} is not determined (the sum of squares is {weight:.4f}; {least} is needed).",
+    "hint": "Measure one more point where the contour runs along {direction}, or at 45°."
+  },
+  "calibration.wrong-sign": {
+    "text": "By the measured points the tool is drawn into the board (δx {x:.3f}, δy {y:.3f} mm).",
+    "hint": "Check the signs of ΔX and ΔY, and the side on which the tool runs."
+  },
+  "cf2.cut-short": {
+    "text": "The CF2 is cut short: it ends at line {line} inside {inside}, so lines may be missing.",
+    "hint": "Send it again, or export it again as CF2."
+  },
+  "cf2.decimal-commas": {
+    "text": "Line {line} of the CF2 has {fields} fields where {record} has {expected}: its decimals seem to use commas, which also separate the fields.",
+    "hint": "Export it with a decimal point."
+  },
+  "cf2.empty": {
+    "text": "The CF2 draws nothing: it has neither a MAIN section nor a subroutine.",
+    "hint": "Send it again, or export it again as CF2."
+  },
+  "command.bad-corner": {
+    "text": "--corner-at {text!r} is not X,Y=TYPE or X,Y=TYPE:K.",
+    "hint": "Write for example --corner-at 300,100=C or 300,100=D:0.3."
+  },
+  "command.bad-layer": {
+    "text": "--layer {pair!r} is not NAME=TYPE.",
+    "hint": "Write for example --layer FOLDS=crease."
+  },
+  "command.bad-line-type": {
+    "text": "--layer {pair!r}: {reason}.",
+    "hint": "Choose one of them."
+  },
+  "command.file-too-large": {
+    "text": "{path} is larger than {limit} MB.",
+    "hint": "Export a single carton, without pictures."
+  },
+  "command.no-such-layer": {
+    "text": "There is no layer {layer!r} in {file}.",
+    "hint": "Its layers are {layers:, }."
+  },
+  "command.unreadable-file": {
+    "text": "Cannot read {path}: {reason}.",
+    "hint": "Check the file's name and permissions."
+  },
+  "command.unwritable-file": {
+    "text": "Cannot write {path}: {reason}.",
+    "hint": "Choose another path."
+  },
+  "controller.alarm": {
+    "text": "{name} stopped with ALARM:{code}: {alarm}{due}.",
+    "hint": "Check the table and home the machine ($H) before the next job."
+  },
+  "controller.alarm-code": {
+    "text": "ALARM:{code} ({alarm})",
+    "hint": ""
+  },
+  "controller.alarm-state": {
+    "text": "{name} reports alarm{due}.",
+    "hint": "Check the table, then home it ($H) or unlock it ($X)."
+  },
+  "controller.alarm-unknown": {
+    "text": "an alarm",
+    "hint": ""
+  },
+  "controller.answer-lost": {
+    "text": "{name} has reported {state} for {seconds:g} s{due}: an answer was lost on the way.",
+    "hint": "Check the cable, then the board."
+  },
+  "controller.bad-address": {
+    "text": "{address!r} is not the address of a controller.",
+    "hint": "Write host:port, for example 127.0.0.1:2323."
+  },
+  "controller.busy": {
+    "text": "{name} is busy: it reports {state}.",
+    "hint": "Wait until it is idle, or reset it at the table; nothing was sent."
+  },
+  "controller.closed": {
+    "text": "The connection to {name} was closed.",
+    "hint": ""
+  },
+  "controller.connection-failed": {
+    "text": "The connection to {address} is lost ({reason}).",
+    "hint": "Check the table before anything is sent again."
+  },
+  "controller.due": {
+    "text": "; the answer to line {line} ({text}) is due",
+    "hint": ""
+  },
+  "controller.lift-not-finished": {
+    "text": "{name} did not finish its lift within {seconds:g} s.",
+    "hint": "Lift the tool and raise the stations at the table."
+  },
+  "controller.locked": {
+    "text": "{name} is locked by {cause}: the stations may still be lowered.",
+    "hint": "Lift the tool and raise the stations at the table, then home ($H) or unlock ($X) it."
+  },
+  "controller.locked-by-alarm": {
+    "text": "{name} is locked by an alarm.",
+    "hint": "Home it ($H) or unlock it ($X) at the table."
+  },
+  "controller.lost": {
+    "text": "The connection to {name} is lost{due}.",
+    "hint": "Check the cable, then the board."
+  },
+  "controller.lost-in-buffer": {
+    "text": "The connection to {name} is lost.",
+    "hint": "Check the table: the controller may still execute what is in its buffer."
+  },
+  "controller.no-confirmation": {
+    "text": "{name} did not confirm {what} within {seconds:g} s.",
+    "hint": "Check the table, then try again."
+  },
+  "controller.not-in-laser-mode": {
+    "text": "{name} is not in laser mode, so a hold would leave the beam on.",
+    "hint": "Set $32=1 at the controller and connect again; nothing was sent."
+  },
+  "controller.not-ready": {
+    "text": "{name} is not ready: it reports {state}.",
+    "hint": "Wait until it is idle, or unlock it, then send the job again; nothing was sent."
+  },
+  "controller.not-recovered": {
+    "text": "{name} was not brought into its safe state.",
+    "hint": ""
+  },
+  "controller.not-secured": {
+    "text": "{name} cannot be brought into its safe state: it reports {state}.",
+    "hint": "Lift the tool and raise the stations at the table."
+  },
+  "controller.not-stopped": {
+    "text": "{error} {progress} The machine is not safe: {unsafe}",
+    "hint": "{unsafe:hint}"
+  },
+  "controller.off-path": {
+    "text": "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f}, {distance:.1f} mm off the program's path near line {line}: a line was changed on its way to the controller, or steps were lost.",
+    "hint": "Check the cable and home the machine; the board may be spoiled."
+  },
+  "controller.refused-safe-state": {
+    "text": "{refusals: }",
+    "hint": "Lift the tool and raise the stations at the table; compare the machine's file with the controller's outputs."
+  },
+  "controller.rejected-command": {
+    "text": "{name} refused {command}: {error} (error:{code}).",
+    "hint": "Check the table, then try again."
+  },
+  "controller.rejected-in-check": {
+    "text": "{name} refused line {line} ({text}): {error} (error:{code}).",
+    "hint": "Nothing has moved: compile the job again for this controller."
+  },
+  "controller.rejected-line": {
+    "text": "{name} refused line {line} ({text}): {error} (error:{code}).",
+    "hint": "Check the board, then compile the job again for this controller."
+  },
+  "controller.reports-alarm": {
+    "text": "{name} reports an alarm.",
+    "hint": "Check the table, then home or unlock it."
+  },
+  "controller.reset": {
+    "text": "{name} was reset{due}.",
+    "hint": "Check the table and home the machine: its position may be lost. Nothing continues by itself."
+  },
+  "controller.silent": {
+    "text": "{name} has not answered for {seconds:g} s{due}.",
+    "hint": "Check the cable, then the board."
+  },
+  "controller.stopped": {
+    "text": "{error} {progress} The machine was stopped and lifted to Z {height:.1f}, its stations were released.",
+    "hint": "{error:hint}"
+  },
+  "controller.unexpected-answer": {
+    "text": "{name} answered a line that was not sent from here: an answer was doubled on the way, or another program sends to the controller.",
+    "hint": "Check the cable, and close any other program that sends to it."
+  },
+  "controller.unreachable": {
+    "text": "No controller answers at {address} ({reason}).",
+    "hint": "Switch it on, or correct the address."
+  },
+  "controller.was-reset": {
+    "text": "{name} was reset.",
+    "hint": ""
+  },
+  "corner.at": {
+    "text": " at ({x:g}, {y:g})",
+    "hint": ""
+  },
+  "corner.bad-interference": {
+    "text": "{interference!r} is not a way to handle places where the cutter does not fit.",
+    "hint": "Choose trim or refuse."
+  },
+  "corner.bad-k": {
+    "text": "The corner parameter k at the corner where edge {edge} begins is {k}.",
+    "hint": "Give a k from 0 (as B) to 1 (as C)."
+  },
+  "corner.bad-k-at": {
+    "text": "The corner parameter k{where} is {k}; a D corner needs one between 0 and 1.",
+    "hint": "Choose B instead of 0, and C instead of 1."
+  },
+  "corner.bad-place": {
+    "text": "The corner at ({x}, {y}) has no valid position.",
+    "hint": "Give X and Y in the drawing's millimetres."
+  },
+  "corner.bad-share": {
+    "text": "Corner {corner} is of type D with k = {k}.",
+    "hint": "Give a k from 0 (as B) to 1 (as C)."
+  },
+  "corner.inside": {
+    "text": "The corner at ({x:g}, {y:g}) is an inside corner, which the cutter passes in one way only.",
+    "hint": "Choose types for outside corners."
+  },
+  "corner.no-contour": {
+    "text": "No corner of a milled contour is within {within:g} mm of ({x:g}, {y:g}).",
+    "hint": "This drawing has no contour that the cutter mills round corners."
+  },
+  "corner.no-cutter": {
+    "text": "Corner types were chosen, and {machine} has no rotating cutter.",
+    "hint": "Leave the corner types out, or choose a machine that mills."
+  },
+  "corner.not-found": {
+    "text": "No corner of a milled contour is within {within:g} mm of ({x:g}, {y:g}): the nearest is {distance:.2f} mm away.",
+    "hint": "Give its X and Y in the drawing's millimetres: the nearest are {known:, }."
+  },
+  "corner.unknown-number": {
+    "text": "Corner {corner} has the type {type}, which does not exist.",
+    "hint": "Give B, C or D."
+  },
+  "corner.unknown-type": {
+    "text": "There is no corner type {type!r}.",
+    "hint": "The types are B, C, D and auto."
+  },
+  "corner.unknown-type-at": {
+    "text": "There is no corner type {type!r}{where}.",
+    "hint": "The types are B, C, D and auto."
+  },
+  "crease.tight-bend": {
+    "text": "The crease at edge {edge} bends with a radius of {radius:.2f} mm, and its double would lie {offset:.2f} mm inside it.",
+    "hint": "Draw a wider bend, or set the board's double crease to 0."
+  },
+  "crease.too-short": {
+    "text": "The crease at edge {edge} is {length:.2f} mm long, too short for a wheel of {radius:.1f} mm radius that keeps {clearance:.2f} mm off its ends.",
+    "hint": "Join it to its neighbour, ignore it, or choose a board that allows short creases to be pressed in place."
+  },
+  "curve.bad-ellipse": {
+    "text": "The ellipse has no size, or no sweep that is a number.",
+    "hint": "Draw it again."
+  },
+  "curve.bad-spline": {
+    "text": "The spline of degree {degree} with {points} control points and {knots} knots is damaged.",
+    "hint": "Draw it again, or export it as lines and arcs."
+  },
+  "curve.bad-tolerance": {
+    "text": "A curve cannot be fitted within {tolerance} mm.",
+    "hint": "Give a tolerance greater than 0."
+  },
+  "curve.not-finite": {
+    "text": "The curve has points that are not numbers.",
+    "hint": "Draw it again, as lines and arcs."
+  },
+  "curve.not-fitted": {
+    "text": "The curve cannot be approximated within {tolerance:g} mm.",
+    "hint": "Draw it again, as lines and arcs."
+  },
+  "curve.parameters": {
+    "text": "The curve's parameters do not increase.",
+    "hint": "Draw it again, as lines and arcs."
+  },
+  "curve.too-many-pieces": {
+    "text": "The curve needs more than {limit:,} pieces to stay within {tolerance:g} mm.",
+    "hint": "Increase the tolerance, or simplify the curve."
+  },
+  "curve.too-many-spans": {
+    "text": "The curve has {spans:,} spans; the limit is {limit:,}.",
+    "hint": "Simplify it before exporting."
+  },
+  "cut.too-many-crossings": {
+    "text": "More than {limit:,} pairs of cuts cross or lie beside each other.",
+    "hint": "Delete hatching and what is drawn many times over, or split the drawing."
+  },
+  "cut.too-short": {
+    "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge; the slanted blade needs {lead:.2f} mm.",
+    "hint": "Ignore it, join it to another cut, or choose a steeper blade."
+  },
+  "cutter.does-not-fit": {
+    "text": "The cutter of {diameter:.2f} mm does not fit into the contour at edge {edge}, nor into {others} more.",
+    "hint": "Choose a thinner cutter, or ignore the contour."
+  },
+  "cutter.misses-bridge": {
+    "text": "The cutter does not reach the contour at edge {edge} where a bridge is needed, {distance:.1f} mm along it.",
+    "hint": "Choose a thinner cutter, another spacing of bridges, or a board without them."
+  },
+  "cutter.short-lead": {
+    "text": "The cutter's lead is {lead:g} mm, not longer than its radius of {radius:g} mm.",
+    "hint": "Give the cutter a lead longer than its radius."
+  },
+  "database.bad-url": {
+    "text": "{url!r} is not the URL of a database.",
+    "hint": "Write sqlite:///FILE or postgresql://USER@HOST/NAME."
+  },
+  "database.in-memory": {
+    "text": "A database in memory would lose its jobs.",
+    "hint": "Name a file: sqlite:///FILE."
+  },
+  "deflection.arc-too-small": {
+    "text": "The cutter's centre follows an arc of {radius:.3f} mm radius near ({x:.2f}, {y:.2f}), and the tool gives way by {deflection:.3f} mm.",
+    "hint": "Choose a smaller k or the B type, or measure the deflection again."
+  },
+  "deflection.path-too-short": {
+    "text": "Near ({x:.2f}, {y:.2f}) the path of the cutter's centre is too short, or turns too sharply, to correct for the deflection.",
+    "hint": "Join short edges there, or measure the deflection again."
+  },
+  "drawing.changing": {
+    "text": "Drawing {drawing} is being changed by others at the same time.",
+    "hint": "Try again in a moment."
+  },
+  "drawing.in-use": {
+    "text": "Job {job} was made from drawing {drawing}, which is kept as its record.",
+    "hint": "Only drawings without jobs can be deleted."
+  },
+  "drawing.larger-than-table": {
+    "text": "The drawing is {width:.1f} × {height:.1f} mm, and {machine} has room for {room_x:.0f} × {room_y:.0f} mm.",
+    "hint": "Check the unit of the drawing, turn it, or choose a larger machine."
+  },
+  "drawing.open-questions": {
+    "text": "{count:# question|# questions} must be answered first: {questions: }",
+    "hint": "Answer them on the drawing; nothing is cut by default."
+  },
+  "drawing.stale": {
+    "text": "Drawing {drawing} is at revision {revision}, and the request names {named}.",
+    "hint": "Look at the drawing again; if the change is still wanted, repeat the request."
+  },
+  "drawing.unit-for-cleaning": {
+    "text": "The drawing does not state its unit, so the size of specks and gaps is not known.",
+    "hint": "Set it with PATCH /api/drawings/ID, or on the page."
+  },
+  "drawing.unit-unknown": {
+    "text": "The drawing does not state its unit ({evidence}).",
+    "hint": "Set it with PATCH /api/drawings/ID, or on the page."
+  },
+  "drawing.unknown": {
+    "text": "There is no drawing {drawing}.",
+    "hint": "GET /api/drawings lists them."
+  },
+  "drawing.upload-too-large": {
+    "text": "{name} is larger than {limit} MB.",
+    "hint": "Send a smaller drawing."
+  },
+  "dxf.blocks-expand-too-far": {
+    "text": "The blocks of the drawing expand to {count} entities; the limit is {limit:,}.",
+    "hint": "Export a single carton, or explode the blocks and delete the copies."
+  },
+  "dxf.blocks-too-deep": {
+    "text": "Blocks are nested {depth} deep; the limit is {limit}.",
+    "hint": "Explode the blocks in the CAD program and export again."
+  },
+  "dxf.cut-short": {
+    "text": "The file is cut short: it stops {where} in section {section}, after {count:# entity|# entities}, so lines may be missing.",
+    "hint": "Send or export it again."
+  },
+  "dxf.no-section": {
+    "text": "The file is not a DXF: it has no section.",
+    "hint": "Export the drawing as DXF (text or binary, any version)."
+  },
+  "dxf.not-a-group-code": {
+    "text": "The file is not a DXF: line {line} is {text!r}, not a group code.",
+    "hint": "Export the drawing as DXF (text or binary, any version)."
+  },
+  "dxf.other-kind": {
+    "text": "The file is {kind}, not a DXF.",
+    "hint": "Export the drawing as DXF (text or binary, any version)."
+  },
+  "dxf.too-large-unusual": {
+    "text": "The DXF has {size:.1f} MB and uses features that are read slowly; the limit for such a file is {limit:.1f} MB.",
+    "hint": "Export a single carton, or save it as DXF R2000."
+  },
+  "edge.no-length": {
+    "text": "Edge {edges:, } has no length, so it has no direction.",
+    "hint": "Delete it from the drawing, or increase the debris tolerance."
+  },
+  "edge.not-finite": {
+    "text": "Edge {edge} has a coordinate that is not a number.",
+    "hint": "Draw it again."
+  },
+  "edge.place": {
+    "text": " at edge {edge}",
+    "hint": ""
+  },
+  "edge.too-crowded": {
+    "text": "More than {limit:,} pairs of line ends lie within {distance} mm of each other.",
+    "hint": "Delete what is drawn many times over."
+  },
+  "edge.too-far": {
+    "text": "Edge {edge} lies {distance:.3g} mm from the drawing's origin.",
+    "hint": "Check the drawing's unit, or delete what was drawn there."
+  },
+  "edge.too-many-overlaps": {
+    "text": "{edges:,} edges overlap each other in more than {limit:,} places.",
+    "hint": "Delete what was drawn many times over."
+  },
+  "error.at-edge": {
+    "text": "{error} Place: handle {handle}, layer \"{layer}\".",
+    "hint": "{error:hint}"
+  },
+  "error.at-edges": {
+    "text": "At edge {edges: and edge }: {error}",
+    "hint": "{error:hint}"
+  },
+  "error.in-file": {
+    "text": "{name}: {error}",
+    "hint": "{error:hint}"
+  },
+  "groove.along-edge": {
+    "text": "The V-groove at edge {edge} meets the board's edge at {angle:.1f}°, almost along it, so its flanks would not leave the board.",
+    "hint": "End it before the edge, or meet the edge at 5° or more."
+  },
+  "groove.curved": {
+    "text": "{count:# V-groove edge is an arc|# V-groove edges are arcs}, the first of them edge {edge}; a straight blade cannot follow an arc.",
+    "hint": "Draw straight lines, or give them another line type."
+  },
+  "groove.overcut": {
+    "text": "The blade runs {overrun:.2f} mm past each end of a V-groove inside the board; the board allows {allowed:.2f} mm.",
+    "hint": "Choose a narrower blade, or allow a longer overcut for this board."
+  },
+  "groove.runs-out": {
+    "text": "The V-groove at edge {edge} would run {distance:.2f} mm over the board's edge, and cut into the board beyond.",
+    "hint": "End it before the edge, meet the edge more squarely, or move the blanks apart."
+  },
+  "groove.through-cut": {
+    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face, and its flank runs {through:.2f} mm through the cut at edge {cut}, which lies {distance:.2f} mm beside it, {place:.1f} mm from where the groove begins.",
+    "hint": "Move them {through:.2f} mm further apart, or make the groove less deep."
+  },
+  "groove.through-cut-at-it": {
+    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face, and its flank runs {through:.2f} mm through the cut at edge {cut}, which lies {distance:.2f} mm beside it, {place:.1f} mm from where the groove begins.",
+    "hint": "End the groove at the cut, or move one of them."
+  },
+  "groove.tight-bend": {
+    "text": "The V-groove at edge {edge} bends with a radius of {radius:.1f} mm; a blade of {blade:.2f} mm deviates from it by more than {error:.3f} mm.",
+    "hint": "Draw a wider bend, choose a narrower blade, or allow this board a larger error."
+  },
+  "groove.too-deep": {
+    "text": "The V-groove at edge {edge} is {depth:.2f} mm deep, and the board is only {caliper:.2f} mm thick.",
+    "hint": "Choose a shallower groove or a thicker board."
+  },
+  "groove.too-short": {
+    "text": "The V-groove at edge {edge} is {length:.2f} mm long, and the blade is {blade:.2f} mm wide.",
+    "hint": "Draw the groove longer, or choose a narrower blade."
+  },
+  "hpgl.bad-feed": {
+    "text": "{place} has a feed of {feed:g} mm/min, and {device} has whole cm/s from {slowest} to {fastest}.",
+    "hint": "Give the tool a feed that is a multiple of {step:g} mm/min."
+  },
+  "hpgl.depth-change": {
+    "text": "{place} changes its depth while it works.",
+    "hint": "Work in one pass."
+  },
+  "hpgl.never-down": {
+    "text": "The toolpath never goes down.",
+    "hint": "Give at least one edge a line type that the machine makes."
+  },
+  "hpgl.no-approach": {
+    "text": "{place} begins the work of its station, and no rapid leads there.",
+    "hint": "Begin each station with a rapid."
+  },
+  "hpgl.no-device": {
+    "text": "{machine} has no HPGL device.",
+    "hint": "Describe it under [controller] of its TOML."
+  },
+  "hpgl.no-pen": {
+    "text": "{machine} has no pen for {work} with station {station}.",
+    "hint": "Add a [[controller.pen]] to its TOML."
+  },
+  "hpgl.press": {
+    "text": "{place} presses the tool in one place, where HPGL cannot turn it.",
+    "hint": "Choose a board with short_crease = \"refuse\", or another machine."
+  },
+  "hpgl.slanted-plunge": {
+    "text": "{place} goes down or up along a slope.",
+    "hint": "Choose a tool that goes straight down."
+  },
+  "hpgl.swivel": {
+    "text": "{place} turns the head about the tip.",
+    "hint": "Give the knife no trail: the device compensates it."
+  },
+  "input.not-finite": {
+    "text": "{what} has a coordinate that is not a number.",
+    "hint": "Draw it again."
+  },
+  "job.being-cancelled": {
+    "text": "Job {job} is being cancelled.",
+    "hint": "Wait until the machine has stopped."
+  },
+  "job.cancelled-before-request": {
+    "text": "Job {job} is being cancelled, so it cannot {request}.",
+    "hint": "Wait until the machine has stopped."
+  },
+  "job.compile-crashed": {
+    "text": "Internal error while compiling: {reason}. Nothing was cut.",
+    "hint": "The server's log has the details."
+  },
+  "job.gateway-silent": {
+    "text": "The gateway {gateway} that claimed job {job} does not answer.",
+    "hint": "Switch on the machine and its gateway, then confirm when the job waits again."
+  },
+  "job.no-confirmation-awaited": {
+    "text": "Job {job} is {state}, so it waits for no confirmation.",
+    "hint": "{advice}"
+  },
+  "job.no-sheet-awaited": {
+    "text": "Job {job} is held, not waiting for a sheet.",
+    "hint": "Resume it."
+  },
+  "job.no-work": {
+    "text": "There is nothing to make in this drawing: every edge is ignored.",
+    "hint": "Give at least one edge a line type that the machine makes."
+  },
+  "job.not-confirmed": {
+    "text": "Job {job} was started without a confirmation of its sheet.",
+    "hint": "Check the table, then confirm the job or cancel it."
+  },
+  "job.not-running": {
+    "text": "Job {job} is {state}; no machine runs it.",
+    "hint": "Claim it first."
+  },
+  "job.not-taken": {
+    "text": "Job {job} is queued, and its machine {machine} has not taken it yet.",
+    "hint": "Confirm it when its turn has come; its reason states what it waits for."
+  },
+  "job.nothing-to-confirm": {
+    "text": "Job {job} is running.",
+    "hint": "There is nothing to confirm."
+  },
+  "job.other-board": {
+    "text": "Job {job} is for the board {board}, not {given}.",
+    "hint": "Put {board} on the table."
+  },
+  "job.stale-epoch": {
+    "text": "This gateway no longer owns job {job}, which is {state} (epoch {epoch}; it is in epoch {current} now).",
+    "hint": "Stop the machine and claim again."
+  },
+  "job.unknown": {
+    "text": "There is no job {job}.",
+    "hint": "GET /api/jobs lists them."
+  },
+  "job.wrong-state": {
+    "text": "Job {job} is {state}, so it cannot become {goal}.",
+    "hint": "{advice}"
+  },
+  "job.wrong-state-for-request": {
+    "text": "Job {job} is {state}; the request {request} is for a job that is {states: or }.",
+    "hint": "{advice}"
+  },
+  "language.bad-entry-point": {
+    "text": "The entry point {name!r} of {group} is not a controller language of this name.",
+    "hint": "Correct or remove the package that declares it."
+  },
+  "language.no-driver": {
+    "text": "Programs for {language} cannot be streamed: there is no gateway driver.",
+    "hint": "{advice}"
+  },
+  "language.unknown": {
+    "text": "There is no controller language {name!r}.",
+    "hint": "Available: {known:, }."
+  },
+  "language.unusable": {
+    "text": "{machine} cannot be driven with {language}: {reason}.",
+    "hint": "Its own language is {own}."
+  },
+  "layer.not-finite": {
+    "text": "Layer {layer} has a coordinate that is not a number.",
+    "hint": "Give finite lengths."
+  },
+  "library.unknown": {
+    "text": "There is no {shelf} {name!r}.",
+    "hint": "Available: {known:, }."
+  },
+  "library.unknown-file": {
+    "text": "There is no {shelf} {name!r}: {reason}.",
+    "hint": "Available: {known:, }."
+  },
+  "library.unreadable": {
+    "text": "The {shelf} {name!r} cannot be read: {detail}.",
+    "hint": "Fix the TOML file."
+  },
+  "machine.busy": {
+    "text": "Job {job} is on the table of {machine}.",
+    "hint": "One job at a time: finish it, queue it again or scrap it."
+  },
+  "machine.busy-with-another": {
+    "text": "Another job is on the table of {machine}.",
+    "hint": "One job at a time: finish it, queue it again or scrap it."
+  },
+  "machine.no-cutter": {
+    "text": "{machine} has no cutter {cutter!r}.",
+    "hint": "Only a rotating cutter or a beam can be calibrated."
+  },
+  "machine.no-such-cutter": {
+    "text": "{machine} has no cutter {cutter!r}.",
+    "hint": "It has {known:, }."
+  },
+  "milling.shared-edge": {
+    "text": "Two blanks share edge {edge}, and the cutter removes {diameter:g} mm from one or the other.",
+    "hint": "Move them at least {diameter:g} mm apart, each with an edge of its own, or choose a machine with a knife."
+  },
+  "offset.bad-distance": {
+    "text": "The distance of an offset is not a number of 0 mm or more.",
+    "hint": "Correct the tool."
+  },
+  "offset.bad-interference": {
+    "text": "{interference!r} is not a way to handle interference.",
+    "hint": "Give 'trim' or 'refuse'."
+  },
+  "offset.bad-side": {
+    "text": "The side of a path is neither left nor right.",
+    "hint": "Give +1 or -1."
+  },
+  "offset.dead-end": {
+    "text": "The offset of path {path} at {radius:g} mm cannot be closed: {depth:.4g} mm of it beside segment {segment} lead nowhere.",
+    "hint": "Draw the contour without overlaps, or change the radius a little."
+  },
+  "offset.interference": {
+    "text": "A tool of radius {radius:g} mm beside segment {segment} would cut {depth:.4g} mm into segment {other}.",
+    "hint": "Choose a smaller tool, or allow it to leave uncut what it cannot reach."
+  },
+  "offset.mixed-group": {
+    "text": "Path {path} has another radius or side than the group that it belongs to.",
+    "hint": "Reverse it, or give it a group of its own."
+  },
+  "offset.self-contact": {
+    "text": "The offset of path {path} at {radius:g} mm cannot be closed: the contour touches itself at ({x:.4f}, {y:.4f}), in segments {one} and {two}.",
+    "hint": "Trim the two segments to where they meet, or move one of them off the other."
+  },
+  "override.ambiguous": {
+    "text": "An override must name its edges in exactly one way.",
+    "hint": "Give edges, or handles, or layer and colour."
+  },
+  "override.no-edges-there": {
+    "text": "There is no edge {place: and }.",
+    "hint": "GET …/edges lists layers and colours."
+  },
+  "override.no-such-edge": {
+    "text": "The drawing has {count:# edge|# edges}; there is no edge {edge}.",
+    "hint": "Edges are numbered from 0."
+  },
+  "override.no-such-handle": {
+    "text": "No edge has the handle {handle!r}.",
+    "hint": "GET …/edges lists the handles."
+  },
+  "override.of-colour": {
+    "text": "of colour {colour}",
+    "hint": ""
+  },
+  "override.on-layer": {
+    "text": "on layer {layer!r}",
+    "hint": ""
+  },
+  "pdf.blank": {
+    "text": "There is no drawing on the first page of the PDF.",
+    "hint": "Export the drawing as a page of its own."
+  },
+  "pdf.content-damaged": {
+    "text": "The content of the PDF's {where} {reason}, so lines may be missing.",
+    "hint": "Export it again, or send the drawing as DXF."
+  },
+  "pdf.cut-short": {
+    "text": "The PDF is cut short: its {bytes:,} bytes do not end with %%EOF, so lines may be missing.",
+    "hint": "Send or export it again."
+  },
+  "pdf.encrypted": {
+    "text": "The PDF is encrypted.",
+    "hint": "Save it without a password and without restrictions."
+  },
+  "pdf.expands-too-far": {
+    "text": "The page of the PDF and the forms that it repeats expand to more than {limit:.1f} MB of drawing.",
+    "hint": "Export a single carton, with its symbols expanded."
+  },
+  "pdf.form": {
+    "text": "The PDF is a form (XFA) and has no drawing on its page.",
+    "hint": "Print it to a PDF, or send the drawing itself."
+  },
+  "pdf.illustrator-only": {
+    "text": "The Illustrator file was saved without PDF content, and there is no line on its page.",
+    "hint": "Save it with 'Create PDF Compatible File', or as PDF."
+  },
+  "pdf.layers-too-deep": {
+    "text": "Layers of the PDF are nested more than {limit:,} deep.",
+    "hint": "Export it again from the program that drew it."
+  },
+  "pdf.no-header": {
+    "text": "The file is not a PDF: it does not begin with %PDF.",
+    "hint": "Export it again, or send the drawing as DXF."
+  },
+  "pdf.no-page": {
+    "text": "The PDF has no page.",
+    "hint": "Export it again, or send the drawing as DXF."
+  },
+  "pdf.page-too-large": {
+    "text": "The page of the PDF reaches to {size:g} mm; the limit is {limit:g} mm.",
+    "hint": "Export it in its true size."
+  },
+  "pdf.part-missing": {
+    "text": "A part of the PDF's page is missing, so lines may be missing.",
+    "hint": "Export it again, or send the drawing as DXF."
+  },
+  "pdf.stream-cut-short": {
+    "text": "A stream of the PDF is cut short, so lines may be missing.",
+    "hint": "Send or export it again."
+  },
+  "pdf.stream-damaged": {
+    "text": "A stream of the PDF is damaged ({reason}), so lines may be missing.",
+    "hint": "Export it again, or send the drawing as DXF."
+  },
+  "pdf.stream-too-large": {
+    "text": "A stream of the PDF unpacks to more than {limit:.1f} MB.",
+    "hint": "Export a single carton, without pictures."
+  },
+  "pdf.too-many-states": {
+    "text": "The PDF saves more than {limit:,} graphics states at once.",
+    "hint": "Export it again from the program that drew it."
+  },
+  "profile.bad-if-match": {
+    "text": "If-Match is {match!r}, which is not a version.",
+    "hint": "Send the ETag of the profile, for example \"3\"."
+  },
+  "profile.bad-name": {
+    "text": "{name!r} is not a valid profile name.",
+    "hint": "Use up to 64 lower-case letters, digits, - and _; the page shows the title."
+  },
+  "profile.exists": {
+    "text": "There is a profile {name} already, at version {version}.",
+    "hint": "To replace it, send If-Match: \"{version}\"; or choose another name."
+  },
+  "profile.invalid-field": {
+    "text": "The profile cannot be read: {place}: {fault}.",
+    "hint": "See ProfileIn in /api/openapi.json for the expected fields."
+  },
+  "profile.nested-too-deep": {
+    "text": "The profile {name!r} is nested too deeply.",
+    "hint": "A profile is a title and a list of [[rule]]."
+  },
+  "profile.not-an-extension": {
+    "text": "The rules of {name!r} are not those of {extends!r} with additions.",
+    "hint": "Write it out without extends."
+  },
+  "profile.not-kept": {
+    "text": "There is no custom profile {name}.",
+    "hint": "GET /api/profiles lists them."
+  },
+  "profile.not-toml": {
+    "text": "The profile {name!r} is not TOML: {reason}.",
+    "hint": "Fix that line."
+  },
+  "profile.not-utf8": {
+    "text": "{name} is not UTF-8 text.",
+    "hint": "Save it as UTF-8."
+  },
+  "profile.not-utf8-byte": {
+    "text": "The profile {name!r} is not UTF-8 text: byte {byte} is invalid.",
+    "hint": "Save it as UTF-8."
+  },
+  "profile.shipped": {
+    "text": "The profile {name!r} is part of knifetip and cannot be changed.",
+    "hint": "Save yours under another name; it can extend this one."
+  },
+  "profile.shipped-command": {
+    "text": "The profile {name!r} is part of knifetip and cannot be changed.",
+    "hint": "Save yours under another --name."
+  },
+  "profile.stale": {
+    "text": "Profile {name} is at version {version}, and this change was made from version {given}: another user changed it in between.",
+    "hint": "Check it again, then send your change with If-Match: \"{version}\"."
+  },
+  "profile.too-long": {
+    "text": "The profile {name!r} is {size} kB long; the limit is {limit} kB.",
+    "hint": "One rule can take many layers, and * matches any letters."
+  },
+  "profile.too-many": {
+    "text": "There are {limit} profiles already.",
+    "hint": "Delete one that is not used."
+  },
+  "profile.unusable": {
+    "text": "The profile {name!r} cannot be used: {detail}.",
+    "hint": "Fix it and send it again."
+  },
+  "program.bad-tolerance": {
+    "text": "A tolerance of {tolerance} mm leaves nothing for the controller's path blending.",
+    "hint": "Give 0.001 mm or more."
+  },
+  "program.control-byte": {
+    "text": "Line {line} has the byte 0x{byte}, which the controller would execute at once.",
+    "hint": "Compile the job again; a program contains none of ? ! ~ and no control bytes."
+  },
+  "program.line-too-long": {
+    "text": "Row {row} of the toolpath needs a line of {length} characters ({line} …), and {dialect} accepts {limit}.",
+    "hint": "Check the coordinates: they exceed any real table."
+  },
+  "program.line-too-long-to-send": {
+    "text": "Line {line} has {length} bytes; {name} accepts {limit}.",
+    "hint": "Compile the job again with shorter notes."
+  },
+  "program.no-placement": {
+    "text": "{program} does not state where on the sheet it places the drawing.",
+    "hint": "Its header needs a comment like (placement X20.0000 Y20.0000)."
+  },
+  "program.not-bytes": {
+    "text": "The program is a {type}, not bytes.",
+    "hint": "Give the bytes of the file."
+  },
+  "program.not-fetched": {
+    "text": "The program of job {job} could not be fetched ({reason}); nothing was sent to the machine.",
+    "hint": "Queue the job again."
+  },
+  "program.too-large": {
+    "text": "The program has {bytes:,} bytes; at most {limit:,} are read.",
+    "hint": "Split the job into several sheets."
+  },
+  "program.too-many-lines": {
+    "text": "The program has {lines:,} lines; at most {limit:,} are read.",
+    "hint": "Split the job into several sheets."
+  },
+  "program.too-many-moves": {
+    "text": "The program has {moves:,} moves; at most {limit:,} are read.",
+    "hint": "Split the job into several sheets."
+  },
+  "program.wrong-checksum": {
+    "text": "The program of job {job} arrived with SHA-256 {arrived}…, not {expected}…; nothing was sent to the machine.",
+    "hint": "Queue the job again; if this is repeated, compile it again."
+  },
+  "question.guess": {
+    "text": " Most likely {type} ({percent} %): {reason}.",
+    "hint": ""
+  },
+  "question.line-type": {
+    "text": "{edges:# edge|# edges} on layer \"{layer}\", colour {colour}, linetype {linetype}, total length {length:,.1f} {unit:unit}, in a box of {width:,.1f} × {height:,.1f} {unit:unit} at ({x:,.1f}, {y:,.1f}): what {edges:is it|are they}?{guess}",
+    "hint": ""
+  },
+  "question.shape": {
+    "text": " Shape: {reason}.",
+    "hint": ""
+  },
+  "question.tool": {
+    "text": "{machine} has no tool for {type} ({edges:# edge|# edges}). Which line type should they get?",
+    "hint": ""
+  },
+  "question.unit": {
+    "text": "{reason} The drawing's size would be {sizes:, }.{evidence}",
+    "hint": ""
+  },
+  "question.unit-contradicted": {
+    "text": "The file states {stated:unit} as its unit, but the drawing does not look like it.",
+    "hint": ""
+  },
+  "question.unit-doubtful": {
+    "text": "The file states {stated:unit} as its unit, but the drawing could also be in {other:unit}.",
+    "hint": ""
+  },
+  "question.unit-evidence": {
+    "text": " Strongest evidence for {unit:unit}: {evidence:; }.",
+    "hint": ""
+  },
+  "question.unit-not-stated": {
+    "text": "The file does not state its unit.",
+    "hint": ""
+  },
+  "question.unit-size": {
+    "text": "{width:mm} × {height:mm} mm in {unit:unit}",
+    "hint": ""
+  },
+  "question.unit-unreadable": {
+    "text": "The file does not state a unit of length that is supported ({evidence}).",
+    "hint": ""
+  },
+  "reading.crashed": {
+    "text": "{name}: the file is damaged and cannot be read ({reason}).",
+    "hint": "Export it again as DXF, CF2, SVG or PDF, from another program if necessary."
+  },
+  "reading.damaged": {
+    "text": "The {format} is damaged and cannot be read ({reason}).",
+    "hint": "Export it again, from another program if necessary."
+  },
+  "reading.empty": {
+    "text": "The file is empty.",
+    "hint": "Send the drawing as {formats:or}."
+  },
+  "reading.expands-too-far": {
+    "text": "The repeated parts of the {format} expand to more than {limit:,} elements.",
+    "hint": "Export a single carton, with blocks and symbols expanded."
+  },
+  "reading.nested-too-deep": {
+    "text": "Blocks, symbols or groups of the {format} are nested more than {limit} deep.",
+    "hint": "Explode them in the program that drew the file, and export again."
+  },
+  "reading.too-large": {
+    "text": "The file has {size:.1f} MB; the limit is {limit:.1f} MB.",
+    "hint": "Export a single carton, without pictures."
+  },
+  "reading.too-many-elements": {
+    "text": "The {format} has more than {limit:,} elements.",
+    "hint": "Export a single carton."
+  },
+  "reading.too-many-entities": {
+    "text": "The file has {count:,} entities; the limit is {limit:,}.",
+    "hint": "Export a single carton."
+  },
+  "reading.too-many-segments": {
+    "text": "The {format} has more than {limit:,} lines and curves.",
+    "hint": "Export a single carton, without pictures made of lines."
+  },
+  "reading.too-slow": {
+    "text": "The {format} takes longer than {seconds:g} s to read.",
+    "hint": "Export a single carton, with curves as lines and arcs and without pictures."
+  },
+  "reading.unexpected": {
+    "text": "The {format} is damaged in an unexpected way and cannot be read ({reason}).",
+    "hint": "Export it again, from another program if necessary."
+  },
+  "reading.unknown-kind": {
+    "text": "The file is {what}, not a drawing that can be read.",
+    "hint": "Send the drawing as {formats:or}."
+  },
+  "request.body-too-large": {
+    "text": "A request may have at most {limit} MB here.",
+    "hint": "Send it in several requests."
+  },
+  "request.foreign-origin": {
+    "text": "Cross-site request refused: a page of another origin sent it.",
+    "hint": "Send it from this server's page, or from a program that is not a browser."
+  },
+  "request.foreign-page": {
+    "text": "Cross-site request refused: a page of {origin} sent it.",
+    "hint": "Send it from this server's page, or from a program that is not a browser."
+  },
+  "request.html-form": {
+    "text": "The API does not accept {media}.",
+    "hint": "Send it with Content-Type: application/json."
+  },
+  "request.invalid": {
+    "text": "The request cannot be read: {faults:; }.",
+    "hint": "See /api/openapi.json for what is expected."
+  },
+  "request.key-needed": {
+    "text": "This request needs a key.",
+    "hint": "Send Authorization: Bearer KEY, or sign in at the page."
+  },
+  "request.key-reused": {
+    "text": "The Idempotency-Key {key} was used for another request.",
+    "hint": "Use a new key for a new request."
+  },
+  "request.local-only": {
+    "text": "Without a key this server answers only requests from its own machine.",
+    "hint": "Start it with --key-file PATH or --key KEY, or open it at http://localhost."
+  },
+  "request.no-host": {
+    "text": "A request needs exactly one Host header.",
+    "hint": "Use HTTP/1.1."
+  },
+  "request.not-marked": {
+    "text": "The request does not show that it was not sent by a page of another site.",
+    "hint": "Send an X-Knifetip header with it (any value)."
+  },
+  "request.not-storable": {
+    "text": "The request contains text or numbers that cannot be stored.",
+    "hint": ""
+  },
+  "request.nothing-there": {
+    "text": "There is nothing at {path}.",
+    "hint": "See /api/openapi.json for the available paths."
+  },
+  "request.refused": {
+    "text": "{detail}",
+    "hint": ""
+  },
+  "request.upload-too-large": {
+    "text": "A request may have at most {limit} MB here.",
+    "hint": "Send a smaller drawing."
+  },
+  "request.wrong-host": {
+    "text": "This server does not answer requests for the host {host!r}.",
+    "hint": "Use its address, or start it with --allow-host and this name."
+  },
+  "request.wrong-key": {
+    "text": "The key is wrong.",
+    "hint": "Send Authorization: Bearer KEY."
+  },
+  "request.wrong-method": {
+    "text": "{method} is not supported at {path}.",
+    "hint": "See /api/openapi.json for the supported methods."
+  },
+  "run.executed": {
+    "text": "{executed} of {lines} lines were executed.",
+    "hint": ""
+  },
+  "run.in-buffer": {
+    "text": "{executed} of {lines} lines were executed, and up to {rest} more, which were in the controller's buffer, may have been.",
+    "hint": ""
+  },
+  "run.nothing-sent": {
+    "text": "No line was sent.",
+    "hint": ""
+  },
+  "segment.not-finite": {
+    "text": "Segment {segment} has a coordinate or a bulge that is not a number.",
+    "hint": "Draw it again."
+  },
+  "server.address-in-use": {
+    "text": "Cannot listen on {host}:{port}: {reason}.",
+    "hint": "Stop the program that uses the port, or choose another with --port."
+  },
+  "server.answered": {
+    "text": "{url} answered {status}.",
+    "hint": ""
+  },
+  "server.busy": {
+    "text": "{waiting:# request waits|# requests wait} for a free process; this one was not started.",
+    "hint": "Send it again in {seconds} s."
+  },
+  "server.database-silent": {
+    "text": "The database does not answer.",
+    "hint": "Try again in a moment."
+  },
+  "server.internal-error": {
+    "text": "Internal error. Nothing was cut.",
+    "hint": "The server's log has the details."
+  },
+  "server.not-started": {
+    "text": "The server did not start with the database {database}.",
+    "hint": "The log lines above show the cause."
+  },
+  "server.stopping": {
+    "text": "The server is stopping.",
+    "hint": "Try again in a moment."
+  },
+  "server.unreachable": {
+    "text": "Cannot reach {server}: {reason}.",
+    "hint": "Check --server and the network."
+  },
+  "settings.bad-host": {
+    "text": "{host!r} is not a host name.",
+    "hint": "Write NAME or NAME:PORT."
+  },
+  "settings.bad-key": {
+    "text": "{what} must have {shortest} to 200 ASCII characters without spaces; it has {length}.",
+    "hint": "With --key-file PATH a random key is generated."
+  },
+  "settings.key-file": {
+    "text": "Cannot use the key file {file}: {reason}.",
+    "hint": "Name a file that can be written."
+  },
+  "settings.two-keys": {
+    "text": "Both a key and a key file are given.",
+    "hint": "Give one of them."
+  },
+  "store.no-column": {
+    "text": "The {kind} {id} has no {column}.",
+    "hint": "The compile makes it; see the job's state and reason."
+  },
+  "store.unknown": {
+    "text": "There is no {kind} {id}.",
+    "hint": "GET /api/{kind}s lists them."
+  },
+  "svg.cut-short": {
+    "text": "The SVG is cut short: it ends at line {line}, after {count:# element|# elements}, so lines may be missing.",
+    "hint": "Export it again, as plain SVG."
+  },
+  "svg.damaged-at": {
+    "text": "The SVG is damaged at line {line}, column {column}: {reason}.",
+    "hint": "Export it again, as plain SVG."
+  },
+  "svg.empty": {
+    "text": "The SVG is empty.",
+    "hint": "Export it again, as plain SVG."
+  },
+  "svg.external-entity": {
+    "text": "The SVG's DOCTYPE has an entity {name!r} that refers to another file, which is not loaded.",
+    "hint": "Save it as plain SVG, without a DOCTYPE."
+  },
+  "svg.long-entity": {
+    "text": "The SVG's DOCTYPE has an entity {name!r} of {length:,} characters, which would expand the file too far.",
+    "hint": "Save it as plain SVG, without a DOCTYPE."
+  },
+  "svg.markup-entity": {
+    "text": "The SVG's DOCTYPE has an entity {name!r} that contains markup.",
+    "hint": "Save it as plain SVG, without a DOCTYPE."
+  },
+  "svg.nested-too-deep": {
+    "text": "Elements of the SVG are nested more than {limit} deep.",
+    "hint": "Ungroup the drawing and export it again."
+  },
+  "svg.other-xml": {
+    "text": "The file is XML with the outermost element {element}, not svg.",
+    "hint": "Save it as plain SVG."
+  },
+  "svg.packed-cut-short": {
+    "text": "The packed SVG (.svgz) is cut short.",
+    "hint": "Export it again, as plain SVG."
+  },
+  "svg.packed-damaged": {
+    "text": "The packed SVG (.svgz) is damaged: {reason}.",
+    "hint": "Export it again, as plain SVG."
+  },
+  "svg.too-many-rules": {
+    "text": "The SVG's style sheet has {count:,} rules; the limit is {limit:,}.",
+    "hint": "Export it with the style in each element."
+  },
+  "svg.unpacks-too-far": {
+    "text": "The packed SVG (.svgz) holds more than {limit:.1f} MB.",
+    "hint": "Export a single carton, without pictures."
+  },
+  "tool.bad-radius": {
+    "text": "A tool's radius is not a number of 0 mm or more.",
+    "hint": "Correct the tool."
+  },
+  "tool.cannot-work": {
+    "text": "Station {station} ({name}) of {machine} cannot work: {reason}",
+    "hint": "Complete the tool in the machine's file."
+  },
+  "tool.missing": {
+    "text": "{machine} has no tool for {type} ({count:# edge|# edges}).",
+    "hint": "Give them another line type, or choose another machine."
+  },
+  "tool.tilted": {
+    "text": "The tool is tilted by {tilt:.2f}°, and moving along its axis lifts it only up to {limit:g}°.",
+    "hint": "Choose a tool that is less tilted."
+  },
+  "tool.without-power": {
+    "text": "The laser has no power.",
+    "hint": ""
+  },
+  "tool.without-speed": {
+    "text": "The cutter has no spindle speed.",
+    "hint": ""
+  },
+  "toolpath.arc-too-long": {
+    "text": "{place} is an arc of more than half a turn: {move}.",
+    "hint": "Send the drawing with a report: an earlier stage went wrong."
+  },
+  "toolpath.empty": {
+    "text": "The toolpath has no moves.",
+    "hint": "Give at least one edge a line type that the machine makes."
+  },
+  "toolpath.feed-too-fast": {
+    "text": "{place} has a feed beyond any machine: {move}.",
+    "hint": "Check the tool's feed."
+  },
+  "toolpath.no-approach": {
+    "text": "{place} begins the work of station {station} and is not a rapid: the head is not there yet.",
+    "hint": "Begin each station with a rapid."
+  },
+  "toolpath.no-feed": {
+    "text": "{place} has no feed: {move}.",
+    "hint": "Give the tool a feed."
+  },
+  "toolpath.not-finite": {
+    "text": "{place} has a value that is not a number: {move}.",
+    "hint": "Send the drawing with a report: an earlier stage went wrong."
+  },
+  "toolpath.rapid-arc": {
+    "text": "{place} is a rapid along an arc: {move}.",
+    "hint": "Send the drawing with a report: an earlier stage went wrong."
+  },
+  "toolpath.row": {
+    "text": "Row {row} of the toolpath ({motion})",
+    "hint": ""
+  },
+  "toolpath.row-of-edge": {
+    "text": "Row {row} of the toolpath ({motion}, edge {edge})",
+    "hint": ""
+  },
+  "toolpath.swivel-without-turn": {
+    "text": "Row {row} of the toolpath is a swivel that moves without turning, so its feed in degrees per minute has no meaning.",
+    "hint": "Make it a feed."
+  },
+  "toolpath.too-far": {
+    "text": "{place} is farther than {limit:g} mm away: {move}.",
+    "hint": "Check the unit."
+  },
+  "toolpath.unknown-motion": {
+    "text": "{place} has an unknown motion: {move}.",
+    "hint": "Send the drawing with a report: an earlier stage went wrong."
+  },
+  "toolpath.unknown-station": {
+    "text": "{place} is for station {station}, which {machine} does not have.",
+    "hint": "Its stations are {known:, }."
+  },
+  "track.too-flat": {
+    "text": "Track {track} leaves the board at {angle:.2f}° from square, so its tool never leaves the board (limit {limit:g}°).",
+    "hint": "End the line inside the board, or draw it across the edge."
+  },
+  "travel.above": {
+    "text": "{tool} (station {station}) would go {excess:.2f}{unit} above the travel of axis {axis} ({low:g} to {high:g}{unit}){place}.",
+    "hint": "Place the drawing elsewhere on the table, turn it, or choose a larger machine."
+  },
+  "travel.below": {
+    "text": "{tool} (station {station}) would go {excess:.2f}{unit} below the travel of axis {axis} ({low:g} to {high:g}{unit}){place}.",
+    "hint": "Place the drawing elsewhere on the table, turn it, or choose a larger machine."
+  },
+  "unit.unsupported": {
+    "text": "{unit!r} is not a supported unit of length.",
+    "hint": "Choose one of {known:, }."
+  },
+  "verify.bad-tolerance": {
+    "text": "A tolerance of {tolerance} mm is not a length.",
+    "hint": "Give a number greater than 0, usually 0.01 mm."
+  },
+  "worker.died": {
+    "text": "The worker process ended unexpectedly (exit code {code}), as happens when memory runs out.",
+    "hint": "Send a smaller drawing, or split this one."
+  },
+  "worker.memory": {
+    "text": "The drawing needs more than the {limit} GB of memory that one drawing may use.",
+    "hint": "Send a smaller drawing, or split this one."
+  },
+  "worker.timeout": {
+    "text": "Stage {stage} was not finished after {seconds:.0f} s.",
+    "hint": "Send a smaller drawing, or split this one."
+  }
+} as const satisfies Catalogue;
+
+export const UNITS: Readonly<Record<string, string>> = {
+  "": "units of the file",
+  "mm": "mm",
+  "cm": "cm",
+  "m": "metres",
+  "in": "inches",
+  "ft": "feet",
+  "pt": "points",
+  "px": "pixels"
+};
