@@ -1,10 +1,11 @@
 /** The selected edges: line type, reason, confidence and alternatives. */
 
+import type { LineType } from "../geometry/records";
 import { retype } from "../state/actions";
 import { colourWords, indexColour } from "../state/colours";
 import { pluralize } from "../state/format";
 import { isSetByHand } from "../state/history";
-import { ruleText, summarizeEdges } from "../state/inspect";
+import { type EdgeSummary, ruleText, summarizeEdges } from "../state/inspect";
 import { LINE_STYLES } from "../state/palette";
 import { useEdges } from "../state/queries";
 import { layerOf, rowsOfLayer } from "../state/rows";
@@ -34,50 +35,9 @@ export function InspectorPanel() {
       aside={<span className={panels.rowFigure}>{length(found.length)}</span>}
     >
       <div data-testid="inspector">
-        {found.reasons.map(({ type, rule, confidence, rows: those }) => (
-          <div key={`${type} ${rule}`}>
-            <div className={css.summarizeEdges}>
-              <Swatch type={type} />
-              {LINE_STYLES[type].title}
-              {found.reasons.length > 1 && (
-                <span className={panels.rowFigure}>{pluralize(those.length, "edge")}</span>
-              )}
-            </div>
-            <div className={css.trust}>
-              <span className={css.trustText} data-testid="why">
-                {ruleText(rule)}
-              </span>
-              <span className={css.meter} aria-hidden>
-                <span style={{ width: `${100 * confidence}%`, background: tone(confidence) }} />
-              </span>
-              <span className={panels.figure}>{Math.round(100 * confidence)} % confidence</span>
-            </div>
-          </div>
-        ))}
+        <Reasons found={found} />
         {found.more > 0 && <p className={panels.note}>… and {found.more} more reasons</p>}
-        {found.alternatives.length > 0 && (
-          <>
-            <p className={panels.note} style={{ margin: "10px 0 0" }}>
-              Could also be
-            </p>
-            <div className={css.alternatives}>
-              {found.alternatives.map((type) => (
-                <button
-                  key={type}
-                  type="button"
-                  className={css.alternative}
-                  disabled={busy}
-                  data-testid={`alternative-${type}`}
-                  {...previewHandlers(() => [{ rows, type }])}
-                  onClick={() => void retype(rows, type)}
-                >
-                  <Swatch type={type} />
-                  {LINE_STYLES[type].title}
-                </button>
-              ))}
-            </div>
-          </>
-        )}
+        {found.alternatives.length > 0 && <Alternatives types={found.alternatives} rows={rows} />}
         {byHand && (
           <button
             type="button"
@@ -88,36 +48,7 @@ export function InspectorPanel() {
             Reset to profile
           </button>
         )}
-        <dl className={panels.facts}>
-          {rows.length === 1 && (
-            <>
-              <dt>Handle</dt>
-              <dd>{edges.handles[row]}</dd>
-            </>
-          )}
-          <dt>Layer</dt>
-          <dd>{found.layers.join(", ")}</dd>
-          <dt>Colour</dt>
-          <dd>
-            {found.colours.map((colour) => (
-              <span key={colour} style={{ display: "block", whiteSpace: "nowrap" }}>
-                <span
-                  className={panels.dot}
-                  style={{ display: "inline-block", background: indexColour(colour) }}
-                />{" "}
-                {colourWords(colour)}
-              </span>
-            ))}
-          </dd>
-          <dt>Linetype</dt>
-          <dd>{found.linetypes.join(", ")}</dd>
-          {found.fate !== "" && (
-            <>
-              <dt>Cleaning</dt>
-              <dd>{found.fate}</dd>
-            </>
-          )}
-        </dl>
+        <Facts found={found} handle={rows.length === 1 ? (edges.handles[row] ?? "") : null} />
         {alike.length > rows.length && (
           <button type="button" className={panels.link} onClick={() => selectEdges(alike)}>
             Select all {alike.length.toLocaleString("en")} with this layer and colour
@@ -125,6 +56,103 @@ export function InspectorPanel() {
         )}
       </div>
     </Section>
+  );
+}
+
+/** Line type, rule and confidence of the edges, by reason. */
+function Reasons({ found }: { found: EdgeSummary }) {
+  return (
+    <>
+      {found.reasons.map(({ type, rule, confidence, rows: those }) => (
+        <div key={`${type} ${rule}`}>
+          <div className={css.inspected}>
+            <Swatch type={type} />
+            {LINE_STYLES[type].title}
+            {found.reasons.length > 1 && (
+              <span className={panels.rowFigure}>{pluralize(those.length, "edge")}</span>
+            )}
+          </div>
+          <div className={css.trust}>
+            <span className={css.trustText} data-testid="why">
+              {ruleText(rule)}
+            </span>
+            <span className={css.meter} aria-hidden>
+              <span style={{ width: `${100 * confidence}%`, background: tone(confidence) }} />
+            </span>
+            <span className={panels.figure}>{Math.round(100 * confidence)} % confidence</span>
+          </div>
+        </div>
+      ))}
+    </>
+  );
+}
+
+/** Buttons for the other possible line types. */
+function Alternatives({ types, rows }: { types: readonly LineType[]; rows: readonly number[] }) {
+  const busy = useUiStore((ui) => ui.busy);
+  return (
+    <>
+      <p className={panels.note} style={{ margin: "10px 0 0" }}>
+        Could also be
+      </p>
+      <div className={css.alternatives}>
+        {types.map((type) => (
+          <button
+            key={type}
+            type="button"
+            className={css.alternative}
+            disabled={busy}
+            data-testid={`alternative-${type}`}
+            {...previewHandlers(() => [{ rows, type }])}
+            onClick={() => void retype(rows, type)}
+          >
+            <Swatch type={type} />
+            {LINE_STYLES[type].title}
+          </button>
+        ))}
+      </div>
+    </>
+  );
+}
+
+interface FactsProps {
+  found: EdgeSummary;
+  /** null: more than one edge */
+  handle: string | null;
+}
+
+function Facts({ found, handle }: FactsProps) {
+  return (
+    <dl className={panels.facts}>
+      {handle !== null && (
+        <>
+          <dt>Handle</dt>
+          <dd>{handle}</dd>
+        </>
+      )}
+      <dt>Layer</dt>
+      <dd>{found.layers.join(", ")}</dd>
+      <dt>Colour</dt>
+      <dd>
+        {found.colours.map((colour) => (
+          <span key={colour} style={{ display: "block", whiteSpace: "nowrap" }}>
+            <span
+              className={panels.dot}
+              style={{ display: "inline-block", background: indexColour(colour) }}
+            />{" "}
+            {colourWords(colour)}
+          </span>
+        ))}
+      </dd>
+      <dt>Linetype</dt>
+      <dd>{found.linetypes.join(", ")}</dd>
+      {found.fate !== "" && (
+        <>
+          <dt>Cleaning</dt>
+          <dd>{found.fate}</dd>
+        </>
+      )}
+    </dl>
   );
 }
 

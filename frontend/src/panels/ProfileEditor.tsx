@@ -1,21 +1,22 @@
 /** Editor for a line-type profile; counts the edges that each rule matches in the open drawing. */
 
 import { ActionIcon, Button, Select, Skeleton, Switch, TextInput, Tooltip } from "@mantine/core";
-import { IconArrowLeft, IconDownload, IconPlus, IconTrash, IconUpload } from "@tabler/icons-react";
-import { useEffect, useRef, useState } from "react";
-import { type Preview, type Profile, service } from "../api/client";
+import { IconArrowLeft, IconPlus } from "@tabler/icons-react";
+import { type ReactNode, useEffect, useState } from "react";
+import type { Preview, Profile } from "../api/client";
 import { errorText } from "../messages/render";
 import { addRule, type Draft, moveRule, newRule, removeRule, updateRule } from "../state/draft";
 import { pluralize } from "../state/format";
-import { usePreview } from "../state/preview";
+import { type PreviewState, usePreview } from "../state/preview";
 import { useProfileDraft, versionKey } from "../state/profileDraft";
-import { deleteProfile, importProfile, saveDraft, unusedName } from "../state/profiles";
+import { saveDraft, unusedName } from "../state/profiles";
 import { useDrawing, useProfiles } from "../state/queries";
 import { useUiStore } from "../state/store";
+import { InheritedRules } from "./InheritedRules";
+import { ProfileFiles } from "./ProfileFiles";
 import panels from "./panels.module.css";
 import css from "./profile.module.css";
 import { RuleCard } from "./RuleCard";
-import { RuleSummary } from "./RuleSummary";
 import { previewsOfChanges, TypeChanges } from "./TypeChanges";
 
 export function ProfileEditor({ name }: { name: string }) {
@@ -53,14 +54,12 @@ interface Props {
 
 function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   const { data: drawing } = useDrawing();
-  const { edit, discard: discardDraft } = useProfileDraft();
+  const discardDraft = useProfileDraft((editor) => editor.discard);
   const touched = useProfileDraft(({ past }) => past.length > 0);
   const busy = useUiStore((ui) => ui.busy);
   const set = useUiStore((ui) => ui.set);
-  const [dragged, setDragged] = useState<number | null>(null);
   const preview = usePreview(drawing?.id ?? null, draft);
   const changes = preview.data?.changes ?? [];
-  const own = preview.data?.rules.filter(({ inherited }) => !inherited) ?? [];
   const theirs = preview.data?.rules.filter(({ inherited }) => inherited) ?? [];
   const untitled = draft.title.trim() === "";
 
@@ -80,7 +79,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
     if (await saveDraft(under, draft)) set({ editedProfile: under });
   };
   const inherited = draft.extends !== null && (
-    <Inherited
+    <InheritedRules
       title={profiles.find(({ name }) => name === draft.extends)?.title ?? draft.extends}
       rules={preview.data === null ? null : theirs}
     />
@@ -96,9 +95,36 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
         <h2 className={panels.docName} style={{ margin: 0, flex: 1 }}>
           {profile.shipped ? "New profile" : profile.title}
         </h2>
-        <Files profile={profile} />
+        <ProfileFiles profile={profile} />
       </div>
       {profile.fault !== "" && <p className={css.fault}>{profile.fault}</p>}
+      <ProfileFields draft={draft} profiles={profiles} />
+      <RuleList draft={draft} preview={preview.data} inherited={inherited} />
+      <div className={css.outcome}>
+        <PreviewResult preview={preview} />
+        <div className={css.buttons}>
+          <Button
+            size="xs"
+            disabled={busy || untitled || !touched || preview.error !== null}
+            onClick={() => void save()}
+            data-testid="save-profile"
+          >
+            Save and apply
+          </Button>
+          <Button size="xs" variant="default" onClick={discard}>
+            {touched ? "Discard" : "Close"}
+          </Button>
+        </div>
+      </div>
+    </div>
+  );
+}
+
+/** Title of the profile and the profile that it extends. */
+function ProfileFields({ draft, profiles }: { draft: Draft; profiles: readonly Profile[] }) {
+  const edit = useProfileDraft((editor) => editor.edit);
+  return (
+    <>
       <TextInput
         size="xs"
         label="Customer"
@@ -127,6 +153,23 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
           onChange={(event) => edit({ ...draft, overrules: event.currentTarget.checked })}
         />
       )}
+    </>
+  );
+}
+
+interface RuleListProps {
+  draft: Draft;
+  preview: Preview | null;
+  /** Shown before or after the rules of the profile. */
+  inherited: ReactNode;
+}
+
+function RuleList({ draft, preview, inherited }: RuleListProps) {
+  const edit = useProfileDraft((editor) => editor.edit);
+  const [dragged, setDragged] = useState<number | null>(null);
+  const own = preview?.rules.filter((rule) => !rule.inherited) ?? [];
+  return (
+    <>
       <div className={css.rulesHead}>
         <span>Rules (first match wins)</span>
         <Button
@@ -167,137 +210,33 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
         </p>
       )}
       {draft.overrules && inherited}
-      <div className={css.outcome}>
-        {preview.error !== null ? (
-          <p className={css.fault} role="alert" data-testid="profile-fault">
-            {errorText(preview.error)}
-          </p>
-        ) : (
-          preview.data && (
-            <>
-              <p className={panels.note} style={{ margin: 0 }} data-testid="profile-outcome">
-                {changes.length === 0
-                  ? "No change in this drawing"
-                  : `${pluralize(
-                      changes.reduce((sum, { edges }) => sum + edges.length, 0),
-                      "edge",
-                    )} change in this drawing`}
-                {preview.data.open > 0 && `; ${pluralize(preview.data.open, "edge")} match no rule`}
-                .{(drawing?.overrides ?? 0) > 0 && " Edges set by hand keep their type."}
-              </p>
-              <TypeChanges changes={changes} />
-            </>
-          )
-        )}
-        <div className={css.buttons}>
-          <Button
-            size="xs"
-            disabled={busy || untitled || !touched || preview.error !== null}
-            onClick={() => void save()}
-            data-testid="save-profile"
-          >
-            Save and apply
-          </Button>
-          <Button size="xs" variant="default" onClick={discard}>
-            {touched ? "Discard" : "Close"}
-          </Button>
-        </div>
-      </div>
-    </div>
+    </>
   );
 }
 
-interface InheritedProps {
-  title: string;
-  /** null until the server has counted their edges */
-  rules: Preview["rules"] | null;
-}
-
-function Inherited({ title, rules }: InheritedProps) {
-  const [open, setOpen] = useState(false);
-  const edges = rules?.reduce((sum, rule) => sum + rule.edges, 0) ?? 0;
+/** What the draft would change in the open drawing, or why it is invalid. */
+function PreviewResult({ preview }: { preview: PreviewState }) {
+  const { data: drawing } = useDrawing();
+  if (preview.error !== null) {
+    return (
+      <p className={css.fault} role="alert" data-testid="profile-fault">
+        {errorText(preview.error)}
+      </p>
+    );
+  }
+  if (preview.data === null) return null;
+  const { changes, open } = preview.data;
+  const changed = changes.reduce((sum, { edges }) => sum + edges.length, 0);
   return (
-    <div className={css.inherited}>
-      <button
-        type="button"
-        className={css.inheritedHead}
-        aria-expanded={open}
-        onClick={() => setOpen(!open)}
-      >
-        <span>{title}</span>
-        <span className={panels.rowFigure}>
-          {rules === null
-            ? "…"
-            : `${pluralize(rules.length, "rule")} · ${pluralize(edges, "edge")}`}
-        </span>
-      </button>
-      {open &&
-        rules?.map((rule, at) => (
-          // biome-ignore lint/suspicious/noArrayIndexKey: a profile may have two rules alike
-          <RuleSummary key={`${at} ${rule.words}`} rule={rule} />
-        ))}
-    </div>
-  );
-}
-
-/** Export, import and delete. */
-function Files({ profile }: { profile: Profile }) {
-  const input = useRef<HTMLInputElement>(null);
-  const set = useUiStore((ui) => ui.set);
-  return (
-    <span style={{ display: "flex" }}>
-      <Tooltip label="Export TOML">
-        <ActionIcon
-          component="a"
-          href={service.profileUrl(profile.name)}
-          download={`${profile.name}.toml`}
-          variant="subtle"
-          color="gray"
-          aria-label="Export TOML"
-          data-testid="export-profile"
-        >
-          <IconDownload size={16} />
-        </ActionIcon>
-      </Tooltip>
-      <Tooltip label="Import TOML">
-        <ActionIcon
-          variant="subtle"
-          color="gray"
-          aria-label="Import TOML"
-          onClick={() => input.current?.click()}
-        >
-          <IconUpload size={16} />
-        </ActionIcon>
-      </Tooltip>
-      <input
-        ref={input}
-        type="file"
-        accept=".toml"
-        hidden
-        data-testid="import-profile"
-        onChange={(event) => {
-          const [file] = event.currentTarget.files ?? [];
-          event.currentTarget.value = "";
-          if (file !== undefined)
-            void importProfile(file).then((name) => name !== null && set({ editedProfile: name }));
-        }}
-      />
-      {!profile.shipped && (
-        <Tooltip label="Delete profile">
-          <ActionIcon
-            variant="subtle"
-            color="gray"
-            aria-label="Delete profile"
-            data-testid="delete-profile"
-            onClick={() => {
-              set({ editedProfile: null });
-              void deleteProfile(profile);
-            }}
-          >
-            <IconTrash size={16} />
-          </ActionIcon>
-        </Tooltip>
-      )}
-    </span>
+    <>
+      <p className={panels.note} style={{ margin: 0 }} data-testid="profile-outcome">
+        {changed === 0
+          ? "No change in this drawing"
+          : `${pluralize(changed, "edge")} change in this drawing`}
+        {open > 0 && `; ${pluralize(open, "edge")} match no rule`}.
+        {(drawing?.overrides ?? 0) > 0 && " Edges set by hand keep their type."}
+      </p>
+      <TypeChanges changes={changes} />
+    </>
   );
 }

@@ -1,0 +1,21 @@
+/** Shown instead of the canvas if the browser has no WebGL. */
+
+import { Button } from "@mantine/core";
+import css from "./app.module.css";
+
+export function WebGlError({ why }: { why: string }) {
+  return (
+    <div className={css.centre} role="alert">
+      <div className={css.welcome} data-testid="no-webgl">
+        <h1>The drawing cannot be displayed</h1>
+        <p>
+          {why} Turn on hardware acceleration in the browser settings, or use a current Firefox,
+          Chrome, Edge or Safari. The rest of this page works.
+        </p>
+        <Button variant="default" onClick={() => window.location.reload()}>
+          Try again
+        </Button>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,33 @@
+/** Zoom buttons of the canvas. */
+
+import { ActionIcon, Tooltip } from "@mantine/core";
+import { IconFocusCentered, IconMinus, IconPlus } from "@tabler/icons-react";
+import overCss from "../panels/over.module.css";
+import type { Viewer } from "../viewer/viewer";
+import css from "./app.module.css";
+
+export function ZoomControls({ viewer }: { viewer: Viewer | null }) {
+  return (
+    <div className={`${overCss.float} ${css.zoom}`}>
+      <ZoomButton label="Zoom in (+)" act={() => viewer?.zoomBy(1.4)}>
+        <IconPlus size={16} />
+      </ZoomButton>
+      <ZoomButton label="Zoom out (−)" act={() => viewer?.zoomBy(1 / 1.4)}>
+        <IconMinus size={16} />
+      </ZoomButton>
+      <ZoomButton label="Fit (F)" act={() => viewer?.fit()}>
+        <IconFocusCentered size={16} />
+      </ZoomButton>
+    </div>
+  );
+}
+
+function ZoomButton(props: { label: string; act: () => void; children: React.ReactNode }) {
+  return (
+    <Tooltip label={props.label} position="left">
+      <ActionIcon variant="subtle" color="gray" aria-label={props.label} onClick={props.act}>
+        {props.children}
+      </ActionIcon>
+    </Tooltip>
+  );
+}

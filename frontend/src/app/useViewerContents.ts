@@ -1,0 +1,216 @@
+/** Passes the data of the store on to the viewer: edges, table, tool path, marks and the head. */
+
+import { useEffect, useMemo, useRef } from "react";
+import { boundsOf } from "../geometry/bounds";
+import { type Edges, lineTypeOf } from "../geometry/records";
+import { type Sweep, sweepOf } from "../geometry/sweep";
+import { timeOf, totalSeconds } from "../geometry/timeline";
+import { type TipOffset, tipOffset } from "../geometry/tip";
+import { workedSpans } from "../geometry/workedSpans";
+import { figureColours, stretchColours } from "../scene/figureColours";
+import type { Tools } from "../scene/swept";
+import { isDropped } from "../state/importReport";
+import { isOnTable } from "../state/jobs";
+import {
+  useBoards,
+  useDrawing,
+  useEdges,
+  useJob,
+  useMachines,
+  useTimeline,
+  useVerdict,
+  useVerdictColumns,
+} from "../state/queries";
+import { layerKey, layerOf } from "../state/rows";
+import { useUiStore } from "../state/store";
+import { verdictMapOf } from "../state/verdictMap";
+import type { Viewer } from "../viewer/viewer";
+import { MAP_SCALE } from "./colours";
+import type { PictureCommands } from "./shortcuts";
+
+type MaybeViewer = Viewer | null;
+
+export function useViewerContents(
+  viewer: MaybeViewer,
+  onReady: (commands: PictureCommands | null) => void,
+): void {
+  const open = useUiStore((ui) => ui.drawing);
+  const { data } = useEdges();
+  const edges = open === null ? null : (data ?? null);
+  const tools = useTools();
+  useShownEdges(viewer, edges, tools);
+  useShownTable(viewer);
+  useShownPath(viewer, edges, tools);
+  useShownMarks(viewer, edges);
+  useShownHead(viewer);
+  useCommands(viewer, onReady);
+}
+
+/** Machine of the open job, or the one selected for a new job. */
+function useShownMachine() {
+  const { data: job } = useJob();
+  const { data: machines } = useMachines();
+  const selected = useUiStore((ui) => ui.machine);
+  return machines?.find(({ name }) => name === (job?.machine ?? selected));
+}
+
+function useTools(): Tools {
+  const { data: job } = useJob();
+  const { data: boards } = useBoards();
+  const stations = useShownMachine()?.stations;
+  const caliper = boards?.find(({ name }) => name === job?.board)?.caliper ?? 0;
+  return useMemo<Tools>(() => {
+    const offsets = new Map<number, TipOffset>();
+    const sweeps = new Map<number, Sweep>();
+    for (const { number, tool } of stations ?? []) {
+      offsets.set(number, tipOffset(tool.footprint));
+      const sweep = sweepOf(tool.footprint);
+      if (sweep !== null) sweeps.set(number, sweep);
+    }
+    return { offsets, sweeps, caliper };
+  }, [stations, caliper]);
+}
+
+/** Colours of the edges and of stretches along them, in the current colour mode. */
+function useFigureColours(edges: Edges | null) {
+  const { data: verdict } = useVerdict();
+  const { data: columns } = useVerdictColumns();
+  const colourMode = useUiStore((ui) => ui.colourMode);
+  const samples = columns?.samples;
+  return useMemo(() => {
+    const map = edges === null ? null : verdictMapOf(colourMode, verdict, edges.bulge.length);
+    if (edges === null || map === null) return { colours: null, along: null };
+    const hasStretches = samples !== undefined && colourMode === "deviation";
+    return {
+      colours: figureColours(edges, map, MAP_SCALE),
+      along: hasStretches ? stretchColours(edges, map, samples, MAP_SCALE) : null,
+    };
+  }, [edges, samples, colourMode, verdict]);
+}
+
+function useShownEdges(viewer: MaybeViewer, edges: Edges | null, tools: Tools): void {
+  const { data: timeline } = useTimeline();
+  const { data: verdict } = useVerdict();
+  const hiddenTypes = useUiStore((ui) => ui.hiddenTypes);
+  const hiddenLayers = useUiStore((ui) => ui.hiddenLayers);
+  const open = useUiStore((ui) => ui.drawing);
+  const figures = useFigureColours(edges);
+  const toolpath = timeline?.toolpath;
+  const worked = useMemo(
+    () =>
+      edges === null || toolpath === undefined || verdict === undefined
+        ? null
+        : workedSpans(edges, toolpath, tools.offsets, verdict.edge_setback),
+    [edges, toolpath, verdict, tools],
+  );
+  useEffect(() => {
+    const isVisible = (row: number) => {
+      if (edges === null || hiddenTypes.has(lineTypeOf(edges.lineType[row]))) return false;
+      return !hiddenLayers.has(layerKey(layerOf(edges, row), edges.colour[row] ?? 0));
+    };
+    const dropped = (row: number) => edges !== null && isDropped(edges, row);
+    viewer?.showEdges(edges, isVisible, { ...figures, worked, dropped });
+  }, [viewer, edges, hiddenTypes, hiddenLayers, figures, worked]);
+
+  // Zoom to a drawing when it is opened or its size changes, not when line types change.
+  const extent = useMemo(() => (edges === null ? "" : String(boundsOf(edges))), [edges]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: `open` triggers the zoom
+  useEffect(() => {
+    if (extent !== "") viewer?.fit(null, false);
+  }, [viewer, open, extent]);
+}
+
+function useShownTable(viewer: MaybeViewer): void {
+  const { data: drawing } = useDrawing();
+  const { data: timeline } = useTimeline();
+  const open = useUiStore((ui) => ui.drawing);
+  const machine = useShownMachine();
+  const placement = timeline?.toolpath.placement;
+  useEffect(() => {
+    if (machine === undefined || drawing === undefined || open === null) {
+      viewer?.showTable(null);
+      return;
+    }
+    const x = placement?.[0] ?? machine.origin[0] - drawing.bounds[0];
+    const y = placement?.[1] ?? machine.origin[1] - drawing.bounds[1];
+    viewer?.showTable([-x, -y, machine.width - x, machine.height - y]);
+  }, [viewer, machine, drawing, placement, open]);
+}
+
+function useShownPath(viewer: MaybeViewer, edges: Edges | null, tools: Tools): void {
+  const { data: job } = useJob();
+  const { data: timeline } = useTimeline();
+  const { data: columns } = useVerdictColumns();
+  const layers = useUiStore((ui) => ui.layers);
+  const open = useUiStore((ui) => ui.drawing);
+  useEffect(() => viewer?.showTravel(timeline ?? null, tools), [viewer, timeline, tools]);
+  useEffect(() => viewer?.showLayers(layers), [viewer, layers]);
+  const areas = open === null || job === undefined ? null : (columns?.areas ?? null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the origin depends on the edges
+  useEffect(() => viewer?.showAreas(areas), [viewer, areas, edges]);
+}
+
+function useShownMarks(viewer: MaybeViewer, edges: Edges | null): void {
+  const { data: machines } = useMachines();
+  const selected = useUiStore((ui) => ui.machine);
+  const corners = useUiStore((ui) => ui.corners);
+  const selection = useUiStore((ui) => ui.selection);
+  const retypePreviews = useUiStore((ui) => ui.retypePreviews);
+  const hovered = useUiStore((ui) => ui.hover?.row ?? null);
+  const hoveredMoves = useUiStore((ui) => ui.hover?.moves);
+  const pin = useUiStore((ui) => ui.pin);
+  const zoomRequest = useUiStore((ui) => ui.zoomRequest);
+  const hasCorners = machines?.find(({ name }) => name === selected)?.offset_cuts === true;
+  useEffect(() => viewer?.showCorners(hasCorners ? corners.at : []), [viewer, corners, hasCorners]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the rows refer to the edges
+  useEffect(() => viewer?.showChosen(selection), [viewer, selection, edges]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the rows refer to the edges
+  useEffect(() => viewer?.showRetypePreviews(retypePreviews), [viewer, retypePreviews, edges]);
+  useEffect(
+    () => viewer?.showHovered(hovered, hoveredMoves ?? []),
+    [viewer, hovered, hoveredMoves],
+  );
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the place refers to the edges
+  useEffect(() => viewer?.showPin(pin), [viewer, pin, edges]);
+  useEffect(() => {
+    if (zoomRequest.count === 0) return;
+    if (zoomRequest.box === null) viewer?.fitRows(zoomRequest.rows);
+    else viewer?.fit(zoomRequest.box);
+  }, [viewer, zoomRequest]);
+}
+
+function useShownHead(viewer: MaybeViewer): void {
+  const { data: job } = useJob();
+  const { data: timeline } = useTimeline();
+  const previewTime = useUiStore((ui) => ui.previewTime);
+  const lastReport = useRef(0);
+  useEffect(() => {
+    if (viewer === null || timeline === undefined || job === undefined) return;
+    if (isOnTable(job)) {
+      const now = performance.now();
+      // Assume that the next report takes as long as the last one.
+      const interval = Math.min(1500, Math.max(80, now - lastReport.current));
+      lastReport.current = now;
+      viewer.runHead(timeOf(timeline, job.line, job.position), interval * 1.1);
+    } else if (previewTime !== null) viewer.moveHead(previewTime);
+    else if (job.state === "done") viewer.moveHead(totalSeconds(timeline));
+    else if (job.state === "interrupted") viewer.moveHead(timeOf(timeline, job.line, job.position));
+    else viewer.moveHead(null);
+  }, [viewer, timeline, job, previewTime]);
+}
+
+function useCommands(
+  viewer: MaybeViewer,
+  onReady: (commands: PictureCommands | null) => void,
+): void {
+  useEffect(() => {
+    if (viewer === null) return;
+    onReady({
+      fit: () => viewer.fit(),
+      fitTable: () => viewer.fitTable(),
+      zoom: (factor) => viewer.zoomBy(factor),
+      pan: (dx, dy) => viewer.panBy(dx, dy),
+    });
+    return () => onReady(null);
+  }, [viewer, onReady]);
+}

@@ -1,0 +1,69 @@
+/** Buttons that export, import and delete a profile. */
+
+import { ActionIcon, Tooltip } from "@mantine/core";
+import { IconDownload, IconTrash, IconUpload } from "@tabler/icons-react";
+import { useRef } from "react";
+import { type Profile, service } from "../api/client";
+import { deleteProfile, importProfile } from "../state/profiles";
+import { useUiStore } from "../state/store";
+
+export function ProfileFiles({ profile }: { profile: Profile }) {
+  const input = useRef<HTMLInputElement>(null);
+  const set = useUiStore((ui) => ui.set);
+  return (
+    <span style={{ display: "flex" }}>
+      <Tooltip label="Export TOML">
+        <ActionIcon
+          component="a"
+          href={service.profileUrl(profile.name)}
+          download={`${profile.name}.toml`}
+          variant="subtle"
+          color="gray"
+          aria-label="Export TOML"
+          data-testid="export-profile"
+        >
+          <IconDownload size={16} />
+        </ActionIcon>
+      </Tooltip>
+      <Tooltip label="Import TOML">
+        <ActionIcon
+          variant="subtle"
+          color="gray"
+          aria-label="Import TOML"
+          onClick={() => input.current?.click()}
+        >
+          <IconUpload size={16} />
+        </ActionIcon>
+      </Tooltip>
+      <input
+        ref={input}
+        type="file"
+        accept=".toml"
+        hidden
+        data-testid="import-profile"
+        onChange={(event) => {
+          const [file] = event.currentTarget.files ?? [];
+          event.currentTarget.value = "";
+          if (file !== undefined)
+            void importProfile(file).then((name) => name !== null && set({ editedProfile: name }));
+        }}
+      />
+      {!profile.shipped && (
+        <Tooltip label="Delete profile">
+          <ActionIcon
+            variant="subtle"
+            color="gray"
+            aria-label="Delete profile"
+            data-testid="delete-profile"
+            onClick={() => {
+              set({ editedProfile: null });
+              void deleteProfile(profile);
+            }}
+          >
+            <IconTrash size={16} />
+          </ActionIcon>
+        </Tooltip>
+      )}
+    </span>
+  );
+}
