@@ -75,6 +75,222 @@ export const TEXTS = {
     "text": "The CF2 draws nothing: it has neither a MAIN section nor a subroutine.",
     "hint": "Send it again, or export it again as CF2."
   },
+  "classification.around": {
+    "text": "surrounds a whole carton",
+    "hint": ""
+  },
+  "classification.arrow": {
+    "text": "has an arrowhead, or belongs to a line that has one",
+    "hint": ""
+  },
+  "classification.as-its-style": {
+    "text": "as all of its style do",
+    "hint": ""
+  },
+  "classification.bleed": {
+    "text": "surrounds a blank at the same distance everywhere, as a bleed does",
+    "hint": ""
+  },
+  "classification.board-ends": {
+    "text": ": the board ends there, unless the outline is open",
+    "hint": ""
+  },
+  "classification.closes-nothing": {
+    "text": " and closes nothing",
+    "hint": ""
+  },
+  "classification.contradicted": {
+    "text": "{rule}; but {reason}",
+    "hint": ""
+  },
+  "classification.convention": {
+    "text": "colour convention \"{name}\" fits: the outline closes, {folds} of {lines:# dividing line is a fold|# dividing lines are folds}",
+    "hint": ""
+  },
+  "classification.cuts-panel-off": {
+    "text": "it would cut a panel off its blank",
+    "hint": ""
+  },
+  "classification.dashed": {
+    "text": "in dashes",
+    "hint": ""
+  },
+  "classification.divider": {
+    "text": "divides two panels",
+    "hint": ""
+  },
+  "classification.divides-panels": {
+    "text": ", and a {type} divides panels",
+    "hint": ""
+  },
+  "classification.frame": {
+    "text": "frames the whole drawing",
+    "hint": ""
+  },
+  "classification.free": {
+    "text": "lies free inside a panel",
+    "hint": ""
+  },
+  "classification.hole": {
+    "text": "closes a hole in a panel",
+    "hint": ""
+  },
+  "classification.inner": {
+    "text": "lies inside a hole, or divides one",
+    "hint": ""
+  },
+  "classification.layer-denies": {
+    "text": "but its layer is called \"{layer}\"",
+    "hint": ""
+  },
+  "classification.layer-name": {
+    "text": "its layer name contains \"{word}\"",
+    "hint": ""
+  },
+  "classification.legend": {
+    "text": "lies outside every blank, beside the name of a line type: a legend",
+    "hint": ""
+  },
+  "classification.letter": {
+    "text": "lies in a row of small shapes, as letters do",
+    "hint": ""
+  },
+  "classification.like-outline": {
+    "text": "in the style of the outline",
+    "hint": ""
+  },
+  "classification.like-outline-not-folds": {
+    "text": "in the style of the outline; another style has the folds",
+    "hint": ""
+  },
+  "classification.linetype-name": {
+    "text": "its linetype name contains \"{word}\"",
+    "hint": ""
+  },
+  "classification.mark": {
+    "text": "closes a shape much smaller than the blank",
+    "hint": ""
+  },
+  "classification.mirror-cut": {
+    "text": "its mirror image is cut",
+    "hint": ""
+  },
+  "classification.mirror-folded": {
+    "text": "its mirror image is folded",
+    "hint": ""
+  },
+  "classification.mixed": {
+    "text": "{reason}, with the greater part of its length",
+    "hint": ""
+  },
+  "classification.named": {
+    "text": "is not part of the carton by its name, and the outlines close without it",
+    "hint": ""
+  },
+  "classification.no-rule": {
+    "text": "no rule of profile {profile}",
+    "hint": ""
+  },
+  "classification.no-rule-but-shape": {
+    "text": "no rule of profile {profile}; {shape}",
+    "hint": ""
+  },
+  "classification.none-closes": {
+    "text": ", as all of its style do, and none closes an outline",
+    "hint": ""
+  },
+  "classification.not-made": {
+    "text": ", and is not to be made",
+    "hint": ""
+  },
+  "classification.on-cut": {
+    "text": "{rule}; it lies on a cut",
+    "hint": ""
+  },
+  "classification.open": {
+    "text": "belongs to an outline that does not close",
+    "hint": ""
+  },
+  "classification.other-style-closes": {
+    "text": "but another style closes most of it",
+    "hint": ""
+  },
+  "classification.outline": {
+    "text": "closes the outline of a blank",
+    "hint": ""
+  },
+  "classification.override": {
+    "text": "override",
+    "hint": ""
+  },
+  "classification.paired": {
+    "text": "some of them in pairs",
+    "hint": ""
+  },
+  "classification.panel-hangs": {
+    "text": "and a panel hangs on it",
+    "hint": ""
+  },
+  "classification.panels-hang": {
+    "text": "and panels hang on most of them",
+    "hint": ""
+  },
+  "classification.role-against": {
+    "text": "it {role}{against}",
+    "hint": ""
+  },
+  "classification.rule": {
+    "text": "profile {profile}: {rule}",
+    "hint": ""
+  },
+  "classification.shape": {
+    "text": "shape: it {parts:, }",
+    "hint": ""
+  },
+  "classification.slit": {
+    "text": "begins at another line and ends inside a panel",
+    "hint": ""
+  },
+  "classification.slot": {
+    "text": "closes a slot or a round hole in a panel",
+    "hint": ""
+  },
+  "classification.speck": {
+    "text": "lies outside every blank, by itself, and is small",
+    "hint": ""
+  },
+  "classification.stray": {
+    "text": "lies outside every blank",
+    "hint": ""
+  },
+  "classification.swapped": {
+    "text": "the lines that it calls crease close the outline",
+    "hint": ""
+  },
+  "classification.swapped-both": {
+    "text": "the lines that it calls crease close the outline, and those that it calls cut divide the panels",
+    "hint": ""
+  },
+  "classification.swapped-like": {
+    "text": "{reason}; {convention}",
+    "hint": ""
+  },
+  "classification.table": {
+    "text": "lies beside a text: a title block, a dimension or a label",
+    "hint": ""
+  },
+  "classification.unknown": {
+    "text": "gives no information by its shape",
+    "hint": ""
+  },
+  "classification.votes": {
+    "text": "{votes:; }",
+    "hint": ""
+  },
+  "classification.with-text": {
+    "text": "{reason}, with a text beside it",
+    "hint": ""
+  },
   "command.bad-corner": {
     "text": "--corner-at {text!r} is not X,Y=TYPE or X,Y=TYPE:K.",
     "hint": "Write for example --corner-at 300,100=C or 300,100=D:0.3."
@@ -888,7 +1104,7 @@ export const TEXTS = {
     "hint": ""
   },
   "question.shape": {
-    "text": " Shape: {reason}.",
+    "text": " By its {reason}.",
     "hint": ""
   },
   "question.tool": {
