@@ -18,7 +18,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   app: ["app", "panels", "state", "messages", "api", "viewer", "scene", "geometry"],
 };
 
-/** Libraries that only some layers may know. */
+/** Libraries that only some layers may import. */
 const ONLY_IN: Readonly<Record<string, readonly string[]>> = {
   three: ["viewer"],
   react: ["state", "panels", "app"],
@@ -49,7 +49,7 @@ function imports(): Import[] {
 describe("layers", () => {
   const all = imports();
 
-  test("every folder says on which floor it lives", () => {
+  test("every folder has a layer", () => {
     expect([...new Set(all.map(({ layer }) => layer))].sort()).toEqual(
       Object.keys(MAY_IMPORT).sort(),
     );
@@ -71,7 +71,7 @@ describe("layers", () => {
     expect(wrong).toEqual([]);
   });
 
-  test("the scene knows neither DOM nor WebGL", () => {
+  test("the scene uses neither DOM nor WebGL", () => {
     const names = readdirSync(join(SRC, "scene")).filter((name) => !name.endsWith(".test.ts"));
     for (const name of names) {
       const text = readFileSync(join(SRC, "scene", name), "utf8");

@@ -18,8 +18,8 @@ const addressOf = (call: number): string => {
 
 afterEach(() => vi.unstubAllGlobals());
 
-describe("what goes wrong", () => {
-  test("keeps the service's own words, the hint and the entities", async () => {
+describe("an error", () => {
+  test("keeps the text, hint and entities of the server", async () => {
     answers(
       JSON.stringify({
         title: "The job cannot be made",
@@ -54,7 +54,7 @@ describe("what goes wrong", () => {
     ).rejects.toMatchObject({ problem: { questions: [question] } });
   });
 
-  test("of a service that does not answer is told as that", async () => {
+  test("reports a server that does not answer", async () => {
     vi.stubGlobal(
       "fetch",
       vi.fn(async () => Promise.reject(new TypeError("Failed to fetch"))),
@@ -64,7 +64,7 @@ describe("what goes wrong", () => {
     });
   });
 
-  test("of a page that was left is not told at all", async () => {
+  test("passes on an aborted request", async () => {
     const left = new DOMException("left", "AbortError");
     vi.stubGlobal(
       "fetch",
@@ -74,7 +74,7 @@ describe("what goes wrong", () => {
   });
 
   test.each(["<html>Bad gateway</html>", "", "null", "[]"])(
-    "that is no problem+json (%s) is still one",
+    "without problem+json (%s) becomes a problem",
     (body) => {
       const problem = parseProblem(502, "Bad Gateway", body);
       expect(problem.detail).toBe("knifetip answered 502 Bad Gateway.");
@@ -83,14 +83,14 @@ describe("what goes wrong", () => {
   );
 });
 
-test("a name from elsewhere cannot leave its place in the address", async () => {
+test("a name is escaped in the path", async () => {
   answers("{}", { status: 200 });
   await service.drawing("../jobs?x");
   expect(addressOf(0)).toBe("/api/drawings/..%2Fjobs%3Fx");
 });
 
 describe("a list", () => {
-  test("leads on by its Link header", async () => {
+  test("takes the next page from its Link header", async () => {
     const link = '</api/jobs?state=done&cursor=41&limit=100>; rel="next"';
     answers('[{"id": "a"}]', { status: 200, headers: { Link: link } });
     const { rows, next } = await service.jobs();
@@ -100,13 +100,13 @@ describe("a list", () => {
     expect(addressOf(1)).toBe("/api/jobs?cursor=41");
   });
 
-  test("without one has come to its end", async () => {
+  test("without a Link header is complete", async () => {
     answers("[]", { status: 200 });
     expect(await service.drawings()).toEqual({ rows: [], next: null });
   });
 
   test.each([null, "", '</api/jobs?cursor=1>; rel="prev"', '<https://else.where/api>; rel="next"'])(
-    "is not led astray by %s",
+    "ignores the Link header %s",
     (link) => expect(nextCursor(link)).toBeNull(),
   );
 });
@@ -117,7 +117,7 @@ describe("a request", () => {
     vi.unstubAllGlobals();
   });
 
-  test("shows that the page sent it, and for which revision", async () => {
+  test("contains the header of the page and the revision", async () => {
     const asked = vi.fn(async () => new Response("{}"));
     vi.stubGlobal("fetch", asked);
     await service.override("d", [], 7);
@@ -133,7 +133,7 @@ describe("a request", () => {
     ]);
   });
 
-  test("that a busy service refused is sent again when it says so", async () => {
+  test("is repeated after the time that a busy server names", async () => {
     vi.useFakeTimers();
     const busy = { status: 503, headers: { "Retry-After": "3" } };
     const asked = vi
@@ -150,7 +150,7 @@ describe("a request", () => {
     await expect(answer).resolves.toEqual({ id: "j" });
   });
 
-  test("is given up after a while, and at once where the service names no time", async () => {
+  test("is given up after six attempts, and at once without Retry-After", async () => {
     expect(retryAfter(503, "1", 1)).toBeGreaterThanOrEqual(1);
     expect(retryAfter(503, "999", 1)).toBeLessThanOrEqual(40);
     expect(retryAfter(503, "1", 6)).toBeNull();
@@ -160,7 +160,7 @@ describe("a request", () => {
     await expect(service.command("j", "hold")).rejects.toMatchObject({ problem: { status: 503 } });
   });
 
-  test("without a session leads to where one signs in", async () => {
+  test("without a session reloads the page to sign in", async () => {
     const reload = vi.fn();
     vi.stubGlobal("location", { reload });
     vi.stubGlobal("fetch", async () => new Response("{}", { status: 401 }));

@@ -47,7 +47,7 @@ const EDGES = {
 };
 
 describe("columns", () => {
-  test("come back as they went in", () => {
+  test("are decoded as encoded", () => {
     const { columns, meta } = decodeColumns(
       packed({ a: Float64Array.of(1.5, -2), b: Uint8Array.of(7), c: Int32Array.of(-1) }, { n: 3 }),
     );
@@ -68,7 +68,7 @@ describe("columns", () => {
     expect(edges.length[0]).toBe(115.9);
   });
 
-  test("edges have their names beside them", () => {
+  test("edges have their names", () => {
     const edges = edgesOf(
       packed(EDGES, {
         handles: ["2F4"],
@@ -82,7 +82,7 @@ describe("columns", () => {
     expect(edges.handles).toEqual(["2F4"]);
   });
 
-  test("a toolpath knows its placement", () => {
+  test("a tool path has its placement", () => {
     const toolpath = toolpathOf(
       packed(
         {
@@ -101,7 +101,7 @@ describe("columns", () => {
     expect(toolpath.pose[7]).toBe(90);
   });
 
-  test("anything else is refused", () => {
+  test("other content is refused", () => {
     const html = new TextEncoder().encode("<!doctype html>").buffer as ArrayBuffer;
     expect(() => decodeColumns(html)).toThrow(ColumnsError);
     expect(() => decodeColumns(new ArrayBuffer(0))).toThrow(ColumnsError);
@@ -136,6 +136,6 @@ test("a verdict's areas and samples are read by their names", () => {
   expect([...samples.deviation]).toEqual([0.001, -0.002]);
 });
 
-test("a verdict of a service without areas is an error that says so", () => {
+test("a verdict without areas raises an error that names the column", () => {
   expect(() => verdictColumnsOf(packed({ deviation: Float64Array.of(0) }))).toThrow(/area_ends/);
 });

@@ -18,7 +18,7 @@ class FakeSource implements EventSourceLike {
   close() {
     this.closed = true;
   }
-  says(name: string, data: string) {
+  emit(name: string, data: string) {
     this.listeners.get(name)?.({ data } as MessageEvent<string>);
   }
   fails(readyState: number) {
@@ -45,17 +45,17 @@ afterEach(() => vi.useRealTimers());
 
 test("an event arrives as its name and its data", () => {
   start();
-  source(0).says("job", '{"id":"j1"}');
+  source(0).emit("job", '{"id":"j1"}');
   expect(onEvent).toHaveBeenCalledWith("job", { id: "j1" });
 });
 
-test("what is no JSON is no news", () => {
+test("messages without JSON are ignored", () => {
   start();
-  source(0).says("job", "still here");
+  source(0).emit("job", "still here");
   expect(onEvent).not.toHaveBeenCalled();
 });
 
-test("a line that the browser mends itself is not opened twice", () => {
+test("a connection that the browser restores is not opened twice", () => {
   start();
   source(0).fails(CONNECTING);
   vi.advanceTimersByTime(60_000);
@@ -63,7 +63,7 @@ test("a line that the browser mends itself is not opened twice", () => {
   expect(onConnection).toHaveBeenLastCalledWith("broken");
 });
 
-test("a line that was given up is opened anew, later and later", () => {
+test("a closed connection is opened again with growing delays", () => {
   start();
   source(0).fails(CLOSED);
   vi.advanceTimersByTime(499);
@@ -77,7 +77,7 @@ test("a line that was given up is opened anew, later and later", () => {
   expect(FakeSource.made).toHaveLength(3);
 });
 
-test("after a success the waiting begins again at its shortest", () => {
+test("after a success the delay is the shortest again", () => {
   start();
   source(0).fails(CLOSED);
   vi.advanceTimersByTime(500);
@@ -87,7 +87,7 @@ test("after a success the waiting begins again at its shortest", () => {
   expect(FakeSource.made).toHaveLength(3);
 });
 
-test("once it is ended it stays so", () => {
+test("no connection is opened after the end", () => {
   const end = start();
   source(0).fails(CLOSED);
   end();

@@ -84,6 +84,6 @@ function Entity({ row, edges, drawing }: Props) {
 
 const same = (a: Box | null, b: Box): boolean => a?.every((side, at) => side === b[at]) ?? false;
 
-/** What its reason says beyond that of the group. */
+/** The part of its reason that the group does not have. */
 const particular = ({ reason, theme }: LedgerRow): string =>
   reason === theme ? "" : reason.replace(`${theme}: `, "");

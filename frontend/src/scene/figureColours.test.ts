@@ -21,7 +21,7 @@ const SCALE: Scale = {
   unworked: [90, 90, 90, 255],
 };
 
-/** Two cuts, a crease and one that nobody works, each 10 mm long. */
+/** Two cuts, a crease and an ignored edge, each 10 mm long. */
 const EDGES: Edges = {
   ends: Float64Array.of(0, 0, 10, 0, 10, 0, 10, 10, 0, 0, 0, 10, 0, 10, 10, 10),
   bulge: Float64Array.of(0, 0, 0, 0),
@@ -59,7 +59,7 @@ describe("a figure on the scale", () => {
     expect(scaleColour(figure, 3, SCALE)).toEqual(colour);
   });
 
-  test("that was rounded at its limit is not beyond it", () => {
+  test("rounded at its limit is not above it", () => {
     expect(scaleColour(3.000_000_000_4, 3, SCALE)).toEqual(SCALE.stops[2]);
   });
 
@@ -67,7 +67,7 @@ describe("a figure on the scale", () => {
     expect(scaleColour(figure, 3, SCALE)).toEqual(SCALE.beyond);
   });
 
-  test("where nothing is allowed nothing is well, and all else beyond", () => {
+  test("with limit 0, only 0 is within", () => {
     expect(scaleColour(0, 0, SCALE)).toEqual(SCALE.stops[0]);
     expect(scaleColour(0.1, 0, SCALE)).toEqual(SCALE.beyond);
   });
@@ -149,14 +149,14 @@ describe("a deviation that changes along an edge", () => {
     along,
   });
 
-  test("is told stretch by stretch, the worst as the edge itself", () => {
+  test("colours each stretch, the worst like the edge", () => {
     // 0.005 for the edge, 0.003 of it found at its end: 0.002 are the controller's everywhere.
     expect([...along.first]).toEqual([0, 0, 3, 3, 5]);
     expect([...along.colour.slice(0, 4)]).toEqual([...scaleColour(0.002, 0.01, SCALE)]);
     expect([...along.colour.slice(4, 8)]).toEqual([...scaleColour(0.005, 0.01, SCALE)]);
   });
 
-  test("leaves an edge that nobody works as it is", () => {
+  test("keeps the colour of an edge that is not machined", () => {
     expect([...along.colour.slice(12, 16)]).toEqual([...SCALE.unworked]);
   });
 

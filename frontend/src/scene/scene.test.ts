@@ -60,7 +60,7 @@ describe("the dieline", () => {
     expect(lines.along[lines.count - 1]).toBeLessThan(5 * Math.PI);
   });
 
-  test("leaves out what is hidden", () => {
+  test("leaves out hidden edges", () => {
     const lines = dielineLines(EDGES, ORIGIN, PALETTE, { shown: (row) => row === 0 });
     expect(lines.count).toBe(1);
   });
@@ -140,7 +140,7 @@ describe("the travel", () => {
     }
   });
 
-  test("knows when each piece is done", () => {
+  test("has the time of each segment", () => {
     const [from = 0, to = 0] = travel.head.time;
     // 100 mm and 20 mm down at 6000 mm/min.
     expect(to - from).toBeCloseTo(Math.hypot(100, 20) / 100, 4);

@@ -75,7 +75,7 @@ describe("a draft", () => {
   });
 });
 
-describe("what somebody writes", () => {
+describe("the text of a field", () => {
   test("is parted at commas; colours are numbers where they can be", () => {
     expect(parsePatterns("layer", " FOLDS, 10 ,,crease*")).toEqual(["FOLDS", "10", "crease*"]);
     expect(parsePatterns("colour", "1, #FF0000, red")).toEqual([1, "#ff0000", "red"]);
@@ -88,8 +88,8 @@ describe("what somebody writes", () => {
     ["red", "red is"],
     ["#12345", "#12345 is"],
   ])("as colours %s", (text, fault) => {
-    const said = colourError(parsePatterns("colour", text));
-    expect(fault === "" ? said : said.slice(0, fault.length)).toBe(fault);
+    const error = colourError(parsePatterns("colour", text));
+    expect(fault === "" ? error : error.slice(0, fault.length)).toBe(fault);
   });
 
   test.each([

@@ -64,7 +64,7 @@ describe("undo and redo", () => {
   });
   afterEach(() => queryClient.clear());
 
-  const told = () => override.mock.calls.map(([, overrides]) => overrides);
+  const sent = () => override.mock.calls.map(([, overrides]) => overrides);
 
   test("ask again for what was on its way for the first time", async () => {
     const answers: ((lessons: Proposal[]) => void)[] = [];
@@ -92,7 +92,7 @@ describe("undo and redo", () => {
     expect(useUiStore.getState().future).toHaveLength(1);
     await redo();
     expect(useUiStore.getState().past).toHaveLength(1);
-    expect(told()).toEqual([
+    expect(sent()).toEqual([
       [{ type: "crease", edges: [0] }],
       [{ type: null, edges: [0] }],
       [{ type: "crease", edges: [0] }],
@@ -113,7 +113,7 @@ describe("undo and redo", () => {
     expect(useUiStore.getState().future).toHaveLength(0);
   });
 
-  test("what the service refuses is told and is not in the history", async () => {
+  test("a refused change is reported and not recorded", async () => {
     override.mockRejectedValue(new Error("no"));
     await retype([0], "crease");
     expect(useUiStore.getState().past).toHaveLength(0);
@@ -140,7 +140,7 @@ describe("undo and redo", () => {
 });
 
 describe("a unit and a profile", () => {
-  const told = vi.spyOn(service, "patchDrawing");
+  const sent = vi.spyOn(service, "patchDrawing");
   const texts = vi.spyOn(service, "putProfile");
   const forgotten = vi.spyOn(service, "deleteProfile");
   const read = vi.spyOn(service, "profile");
@@ -149,7 +149,7 @@ describe("a unit and a profile", () => {
     ({ id: "d1", unit: "mm", unit_given: null, profile: "default", ...part }) as Drawing;
 
   beforeEach(() => {
-    told.mockReset().mockImplementation((_, part) =>
+    sent.mockReset().mockImplementation((_, part) =>
       Promise.resolve(
         drawing({
           unit_given: part.unit === "file" ? null : (part.unit ?? null),
@@ -167,11 +167,11 @@ describe("a unit and a profile", () => {
     useUiStore.getState().open("d1");
   });
 
-  test("that were said are unsaid, and said again", async () => {
+  test("are undone and redone", async () => {
     await patchDrawing({ unit: "in" });
     await undo();
     await redo();
-    expect(told.mock.calls.map(([, part]) => part)).toEqual([
+    expect(sent.mock.calls.map(([, part]) => part)).toEqual([
       { unit: "in" },
       { unit: "file" },
       { unit: "in" },
@@ -181,11 +181,11 @@ describe("a unit and a profile", () => {
   test("a profile that has changed is read anew, and then as it was", async () => {
     const acme = (rules: string) => drawing({ profile: "acme", rules });
     queryClient.setQueryData(queries.drawing("d1").queryKey, acme("old"));
-    told.mockImplementation((_, { rules }) => Promise.resolve(acme(rules || "new")));
+    sent.mockImplementation((_, { rules }) => Promise.resolve(acme(rules || "new")));
     await patchDrawing({ profile: "acme" });
     await undo();
     await redo();
-    expect(told.mock.calls.map(([, part]) => part)).toEqual([
+    expect(sent.mock.calls.map(([, part]) => part)).toEqual([
       { profile: "acme" },
       { profile: "acme", rules: "old" },
       { profile: "acme", rules: "new" },
@@ -204,11 +204,11 @@ describe("a unit and a profile", () => {
   test("a new profile is forgotten, once the drawing is read by the one before", async () => {
     useUiStore.getState().recordChange(KEPT);
     await undo();
-    expect(told).toHaveBeenCalledWith("d1", { profile: "default", rules: "" }, null);
+    expect(sent).toHaveBeenCalledWith("d1", { profile: "default", rules: "" }, null);
     expect(forgotten).toHaveBeenCalledWith("acme", 7);
     await redo();
     expect(texts).toHaveBeenCalledWith("acme", 'title = "Acme"', null);
-    expect(told).toHaveBeenLastCalledWith("d1", { profile: "acme" }, null);
+    expect(sent).toHaveBeenLastCalledWith("d1", { profile: "acme" }, null);
   });
 
   test("a changed profile gets back the text that it had", async () => {
@@ -222,7 +222,7 @@ describe("a unit and a profile", () => {
     expect(forgotten).not.toHaveBeenCalled();
   });
 
-  test("what somebody else wrote meanwhile is left as it is, and that is told", async () => {
+  test("a profile changed by another user is not overwritten, and that is reported", async () => {
     text.mockResolvedValue('title = "Theirs"');
     useUiStore.getState().recordChange({
       ...KEPT,

@@ -56,7 +56,7 @@ const EDGES: Edges = {
 };
 
 describe("the import report", () => {
-  test("shares out all that was drawn", () => {
+  test("gives the share of each outcome", () => {
     expect(lengthShares(REPORT).map(({ share }) => share)).toEqual([0.75, 0.2, 0.05]);
     expect(lengthShares({ ...REPORT, drawn: 0 }).every(({ share }) => share === 0)).toBe(true);
   });
@@ -79,7 +79,7 @@ describe("the import report", () => {
 });
 
 describe("edges that are looked at", () => {
-  test("one says its rule, how sure that is and what else it could be", () => {
+  test("one has its rule, confidence and alternatives", () => {
     const found = summarizeEdges(EDGES, [2]);
     expect(found.reasons).toEqual([
       { type: "crease", rule: "shape: it divides two panels", confidence: 0.6, rows: [2] },
@@ -88,7 +88,7 @@ describe("edges that are looked at", () => {
     expect(found.fate).toBe("");
   });
 
-  test("several are as sure as the least sure of them, and share what all could be", () => {
+  test("several have the lowest confidence and the common alternatives", () => {
     const found = summarizeEdges(EDGES, [0, 1, 2]);
     expect(found.reasons.map(({ confidence, rows }) => [confidence, rows.length])).toEqual([
       [0.9, 2],
@@ -135,7 +135,7 @@ describe("an entity of the report", () => {
     });
   });
 
-  test("is nowhere where the file gives it no place", () => {
+  test("without a position has no location", () => {
     expect(locateEntity(EDGES, DRAWING, entity({ kind: "HATCH" }))).toBeNull();
   });
 });

@@ -41,7 +41,7 @@ describe("the scale of the figures", () => {
     expect(light).toEqual([...light].sort((a, b) => a - b));
   });
 
-  test("says too much and not worked in colours that are far from all of its own", () => {
+  test("has distinct colours for above the limit and not machined", () => {
     for (const stop of SCALE.stops) {
       expect(apart(stop, SCALE.beyond)).toBeGreaterThan(2.5 * mean);
       expect(apart(stop, SCALE.unworked)).toBeGreaterThan(1.5 * mean);

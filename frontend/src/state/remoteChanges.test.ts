@@ -63,7 +63,7 @@ describe("what differs", () => {
     expect(changedRows(edgesOf([1, 2], 1), renamed)).toBeNull();
   });
 
-  test("is told in words", () => {
+  test("is described", () => {
     expect(describeDifference(drawingOf(1), drawingOf(2), [4])).toBe("1 edge has another type");
     expect(describeDifference(drawingOf(1), drawingOf(2), [])).toBe("no visible difference");
     const after = drawingOf(2, { unit: "in", profile: "acme" });
@@ -104,7 +104,7 @@ describe("a drawing that is changed elsewhere", () => {
   afterEach(() => queryClient.clear());
 
   const shown = () => queryClient.getQueryData(queries.edges("d1").queryKey)?.lineType;
-  const told = () => useNotifications.getState().list;
+  const notifications = () => useNotifications.getState().list;
   const stale = () =>
     new ServiceError({
       type: "urn:knifetip:problem:stale-revision",
@@ -120,15 +120,15 @@ describe("a drawing that is changed elsewhere", () => {
       revision: 2,
     });
 
-  test("is shown as it is now, and that is told", async () => {
+  test("is shown in its new state, with a notification", async () => {
     useUiStore.getState().recordChange(retyping([0]));
     useUiStore.getState().recordChange(retyping([1]));
     await syncDrawing({ id: "d1", revision: 2 });
     expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
     expect(queryClient.getQueryData(queries.drawing("d1").queryKey)?.revision).toBe(2);
-    expect(told()).toMatchObject([{ title: "Drawing changed elsewhere", notice: true }]);
-    expect(told()[0]?.detail).toContain("1 edge has another type");
-    expect(told()[0]?.hint).toContain("undone");
+    expect(notifications()).toMatchObject([{ title: "Drawing changed elsewhere", notice: true }]);
+    expect(notifications()[0]?.detail).toContain("1 edge has another type");
+    expect(notifications()[0]?.hint).toContain("undone");
     expect(useUiStore.getState().past).toEqual([]);
     expect(useUiStore.getState().job).toBeNull();
   });
@@ -150,25 +150,25 @@ describe("a drawing that is changed elsewhere", () => {
     await syncDrawing({ id: "d2", revision: 9 });
     await syncDrawing({ id: "d1", revision: 2 });
     expect(drawing).not.toHaveBeenCalled();
-    expect(told()).toEqual([]);
+    expect(notifications()).toEqual([]);
     expect(useUiStore.getState().past).toHaveLength(1);
     leave();
   });
 
   test("is compared after the line was broken", async () => {
     await syncDrawing(null);
-    expect(told()).toHaveLength(1);
+    expect(notifications()).toHaveLength(1);
     await syncDrawing(null);
     expect(drawing).toHaveBeenCalledTimes(2);
-    expect(told()).toHaveLength(1);
+    expect(notifications()).toHaveLength(1);
   });
 
   test("is changed and ordered only as it is shown", async () => {
     override.mockRejectedValue(stale());
     await retype([0], "crease");
     expect(override).toHaveBeenCalledWith("d1", [{ type: "crease", edges: [0] }], 1);
-    expect(told()).toMatchObject([{ title: "Not saved: drawing changed elsewhere" }]);
-    expect(told()[0]?.detail).toContain("1 edge has another type");
+    expect(notifications()).toMatchObject([{ title: "Not saved: drawing changed elsewhere" }]);
+    expect(notifications()[0]?.detail).toContain("1 edge has another type");
     expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
     expect(useUiStore.getState().past).toEqual([]);
 
@@ -178,7 +178,7 @@ describe("a drawing that is changed elsewhere", () => {
     await compile("demo-table", "e-flute");
     expect(order.mock.calls[0]?.[0]).toMatchObject({ drawing: "d1", revision: 2 });
     expect(shown()).toEqual(Uint8Array.of(1, 1, 1));
-    expect(told()).toHaveLength(1);
+    expect(notifications()).toHaveLength(1);
   });
 
   test("with a picture older than the panels is ordered as the picture shows it", async () => {

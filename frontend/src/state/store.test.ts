@@ -14,13 +14,13 @@ beforeEach(() => {
 });
 
 describe("the selection", () => {
-  test("a click chooses one edge alone", () => {
+  test("a click selects one edge", () => {
     page().selectEdges([1]);
     page().selectEdges([4]);
     expect([...page().selection]).toEqual([4]);
   });
 
-  test("with Shift one more, or one less", () => {
+  test("with Shift a click adds or removes an edge", () => {
     page().selectEdges([1]);
     page().selectEdges([4], true);
     expect([...page().selection]).toEqual([1, 4]);
@@ -34,7 +34,7 @@ describe("the selection", () => {
     expect([...page().selection]).toEqual([1, 2, 3]);
   });
 
-  test("is let go with its drawing", () => {
+  test("is cleared with its drawing", () => {
     page().open("d1");
     page().selectEdges([1]);
     page().open("d2");
@@ -42,14 +42,14 @@ describe("the selection", () => {
   });
 });
 
-test("to look at the same edges again is a new wish", () => {
+test("zooming to the same edges again is a new request", () => {
   page().zoomToEdges([3]);
   const first = page().zoomRequest.count;
   page().zoomToEdges([3]);
   expect(page().zoomRequest.count).toBe(first + 1);
 });
 
-test("moves that stay under the cursor stay the same list", () => {
+test("unchanged moves under the cursor keep the same list", () => {
   page().setHover({ row: null, moves: [3, 4], x: 1, y: 1 });
   const before = page().hover?.moves;
   page().setHover({ row: null, moves: [3, 4], x: 2, y: 1 });
@@ -59,15 +59,15 @@ test("moves that stay under the cursor stay the same list", () => {
   expect(page().hover?.moves).toEqual([4]);
 });
 
-test("what is hidden is shown again by the same click", () => {
+test("a second click shows a hidden type again", () => {
   page().toggleType("cut");
   expect(page().hiddenTypes.has("cut")).toBe(true);
   page().toggleType("cut");
   expect(page().hiddenTypes.has("cut")).toBe(false);
 });
 
-describe("what the service tells of a job", () => {
-  test("stands in the queue and where it is looked at", () => {
+describe("an update of a job", () => {
+  test("is shown in the queue and in the job panel", () => {
     queryClient.setQueryData(queries.jobs().queryKey, {
       pages: [
         { rows: [job("a")], next: 1 },
@@ -83,14 +83,14 @@ describe("what the service tells of a job", () => {
     expect(queryClient.getQueryData(queries.job("b").queryKey)?.progress).toBe(0.5);
   });
 
-  test("is not undone by older news that comes late", () => {
+  test("is not replaced by an older one that arrives later", () => {
     upsertJob(job("a", { state: "done", updated: 12 }));
     upsertJob(job("a", { state: "running", updated: 11 }));
     expect(queryClient.getQueryData(queries.job("a").queryKey)?.state).toBe("done");
   });
 });
 
-describe("figures in words", () => {
+describe("formatted figures", () => {
   test.each([
     [0, "0\u202fmm"],
     [0.002, "<\u202f0.1\u202fmm"],
@@ -112,7 +112,7 @@ describe("figures in words", () => {
     [3720, "1:02\u202fh"],
   ])("%f seconds", (value, words) => expect(formatDuration(value)).toBe(words));
 
-  test("a size beyond ten metres is said in metres", () => {
+  test("a size above ten metres is in metres", () => {
     expect(formatSize(60_960, 36_576)).toBe("60.96 × 36.58\u202fm");
     expect(formatSize(200, 120)).toBe("200.0 × 120.0\u202fmm");
   });

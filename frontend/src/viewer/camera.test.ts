@@ -25,7 +25,7 @@ test("zooming keeps the millimetre under the cursor", () => {
   expect(made.scale).toBeCloseTo(7.4, 9);
 });
 
-test("panning keeps what was grabbed under the cursor", () => {
+test("panning keeps the grabbed point under the cursor", () => {
   const made = camera();
   const before = made.toPlane({ x: 10, y: 10 });
   made.pan(30, -20);

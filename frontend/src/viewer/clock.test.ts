@@ -16,7 +16,7 @@ test("the head travels evenly, and stays where it was sent", () => {
   expect(clock.timeAt(9000)).toBe(20);
 });
 
-test("a report a little behind is no way back; one far behind is another place", () => {
+test("a report slightly behind is ignored; one far behind is jumped to", () => {
   const clock = running();
   clock.travelTo(14, 1000, 500); // it is at 15 by then
   expect(clock.timeAt(1000)).toBe(20);
