@@ -679,6 +679,22 @@ export const TEXTS = {
     "text": "{name}: {error}",
     "hint": "{error:hint}"
   },
+  "field.invalid": {
+    "text": "{path} {fault}",
+    "hint": ""
+  },
+  "field.missing": {
+    "text": "{path} is missing",
+    "hint": ""
+  },
+  "field.misspelt": {
+    "text": "{path} is not a field; did you mean {near}?",
+    "hint": ""
+  },
+  "field.unknown": {
+    "text": "{path} is not a field",
+    "hint": ""
+  },
   "groove.along-edge": {
     "text": "The V-groove at edge {edge} meets the board's edge at {angle:.1f}°, almost along it, so its flanks would not leave the board.",
     "hint": "End it before the edge, or meet the edge at 5° or more."
@@ -838,6 +854,10 @@ export const TEXTS = {
   "layer.not-finite": {
     "text": "Layer {layer} has a coordinate that is not a number.",
     "hint": "Give finite lengths."
+  },
+  "library.invalid": {
+    "text": "The {shelf} {name!r} cannot be used: {faults:; }.",
+    "hint": "Correct it; knifetip schema {shelf} describes all fields."
   },
   "library.unknown": {
     "text": "There is no {shelf} {name!r}.",
@@ -1046,10 +1066,6 @@ export const TEXTS = {
   "profile.too-many": {
     "text": "There are {limit} profiles already.",
     "hint": "Delete one that is not used."
-  },
-  "profile.unusable": {
-    "text": "The profile {name!r} cannot be used: {detail}.",
-    "hint": "Fix it and send it again."
   },
   "program.bad-tolerance": {
     "text": "A tolerance of {tolerance} mm leaves nothing for the controller's path blending.",
@@ -1462,6 +1478,50 @@ export const TEXTS = {
   "travel.below": {
     "text": "{tool} (station {station}) would go {excess:.2f}{unit} below the travel of axis {axis} ({low:g} to {high:g}{unit}){place}.",
     "hint": "Place the drawing elsewhere on the table, turn it, or choose a larger machine."
+  },
+  "unit.given": {
+    "text": "given",
+    "hint": ""
+  },
+  "unit.header": {
+    "text": "$INSUNITS = {value}",
+    "hint": ""
+  },
+  "unit.header-missing": {
+    "text": "the file has no $INSUNITS",
+    "hint": ""
+  },
+  "unit.header-not-a-number": {
+    "text": "$INSUNITS = {value!r} is not a number",
+    "hint": ""
+  },
+  "unit.header-undefined": {
+    "text": "$INSUNITS = {value} has no meaning",
+    "hint": ""
+  },
+  "unit.header-unitless": {
+    "text": "$INSUNITS = 0: the file states that it has no unit",
+    "hint": ""
+  },
+  "unit.header-unsupported": {
+    "text": "$INSUNITS = {value}: {name}, which are not supported",
+    "hint": ""
+  },
+  "unit.in-file": {
+    "text": "{statement}",
+    "hint": ""
+  },
+  "unit.inconclusive": {
+    "text": "{stated}; the drawing does not give enough evidence for {unit:unit}",
+    "hint": ""
+  },
+  "unit.not-given": {
+    "text": "the unit is not known",
+    "hint": ""
+  },
+  "unit.overruled": {
+    "text": "{stated}; the drawing supports {unit:unit}: {reason}",
+    "hint": ""
   },
   "unit.unsupported": {
     "text": "{unit!r} is not a supported unit of length.",
