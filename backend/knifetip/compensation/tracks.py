@@ -10,12 +10,12 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth, turn
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths
+from knifetip.kernels import F64_1, F64_2, I32_1, U8_1, Bool_1, kernel
 from knifetip.model.operation import Operation
 from knifetip.model.toolpath import Motion, Toolpath
 
@@ -139,19 +139,19 @@ class Strokes:
         )
 
 
-@njit(cache=True)
+@kernel
 def _laid(
-    start: Any,
-    end: Any,
-    bulge: Any,
-    above_start: Any,
-    above_end: Any,
-    down: Any,
-    up: Any,
-    track: Any,
-    source: Any,
-    swing: Any,
-    motion: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    above_start: F64_2,
+    above_end: F64_2,
+    down: Bool_1,
+    up: Bool_1,
+    track: I32_1,
+    source: I32_1,
+    swing: F64_1,
+    motion: U8_1,
     feed: float,
     plunge: float,
     swivel: float,

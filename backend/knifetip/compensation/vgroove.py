@@ -15,13 +15,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.compensation.tracks import Strokes
 from knifetip.errors import CurvedGroove, EdgeTooShort, GrooveTooDeep
 from knifetip.geometry.azimuth import azimuth, right, turn, unit
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_1, F64_2, I32_1, kernel
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import VCutter
 from knifetip.model.toolpath import Motion, Toolpath
@@ -174,16 +174,16 @@ def _run_out(operation: Operation) -> tuple[F64, F64]:
     return start, end
 
 
-@njit(cache=True)
+@kernel
 def _out_and_back(
-    first: Any,
-    start: Any,
-    end: Any,
-    offset: Any,
-    aside: Any,
-    heading: Any,
-    depth: Any,
-    source: Any,
+    first: I32_1,
+    start: F64_2,
+    end: F64_2,
+    offset: F64_2,
+    aside: F64_2,
+    heading: F64_1,
+    depth: F64_2,
+    source: I32_1,
     caliper: float,
     clearance: float,
 ) -> Any:

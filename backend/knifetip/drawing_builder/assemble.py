@@ -12,7 +12,6 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from knifetip.drawing_builder.columns import Columns, Style
@@ -22,6 +21,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import POINT
+from knifetip.kernels import F64_1, F64_3, I64_1, Bool_1, OutI64_1, OutU64_1, kernel
 from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger, LocationBoxes
 from knifetip.model.unit import Hint
@@ -155,9 +155,15 @@ def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> 
     return first
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _find_survivors(
-    ends: Any, bulge: Any, alike: Any, speck: Any, points: float, slots: Any, first: Any
+    ends: F64_3,
+    bulge: F64_1,
+    alike: I64_1,
+    speck: Bool_1,
+    points: float,
+    slots: OutU64_1,
+    first: OutI64_1,
 ) -> None:
     """Write the first segment of each line to ``first``."""
     mask, low = np.uint64(len(slots) - 1), np.uint64(0xFFFFFFFF)
@@ -182,8 +188,8 @@ def _find_survivors(
             slots[slot] = (key & ~low) | np.uint64(row + 1)
 
 
-@njit(cache=True, error_model="numpy")
-def _place(ends: Any, bulge: Any, row: int, points: float) -> Any:
+@kernel
+def _place(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
     """Return the rounded ends and bulge of a segment, equal for both of its directions."""
     ax, ay = np.rint(ends[row, 0, 0] * points), np.rint(ends[row, 0, 1] * points)
     bx, by = np.rint(ends[row, 1, 0] * points), np.rint(ends[row, 1, 1] * points)

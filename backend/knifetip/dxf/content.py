@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from knifetip.dxf import fields as f
 from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
 from knifetip.dxf import words as w
 from knifetip.dxf.decimals import EXACT, UNSURE
+from knifetip.dxf.scan_tables import ScanTables
 from knifetip.dxf.structure import mark_odd
 from knifetip.dxf.values import name_at, whole_at
 from knifetip.dxf.words import is_word
-from knifetip.geometry.compiled import part
+from knifetip.kernels import (
+    U8_1,
+    OutI32_1,
+    OutI32_2F,
+    OutI64_1,
+    OutI64_2,
+    inline_kernel,
+)
 
 
-@part
+@inline_kernel
 def take_decimal(
     code: int,
     before: int,
@@ -23,19 +29,16 @@ def take_decimal(
     sure: int,
     low: int,
     high: int,
-    entity: Any,
-    value: Any,
-    vertex: Any,
-    base: Any,
-    left: Any,
-    state: Any,
+    tables: ScanTables,
+    state: OutI64_1,
 ) -> int:
     """Keep a decimal, or mark its entity as odd."""
+    entity, value, vertex, left = tables.entity, tables.value, tables.vertex, tables.left
     mode, kind, row = state[s.MODE], state[s.OPEN_KIND], state[s.ROW]
     table, line, column = 0, row, 0
     if mode == s.IN_BLOCK:
         table, line, column = 2, state[s.INSIDE], 0 if code == 10 else 1
-        base[line, column] = read
+        tables.base[line, column] = read
     elif kind == g.OF_WORDS:
         column = g.COLUMN_OF[code]
         bit = 1 << (g.B_VALUE + column)
@@ -102,9 +105,16 @@ def take_decimal(
     return s.ON
 
 
-@part
+@inline_kernel
 def take_tag(
-    code: int, data: Any, low: int, high: int, entity: Any, spans: Any, slots: Any, state: Any
+    code: int,
+    data: U8_1,
+    low: int,
+    high: int,
+    entity: OutI32_2F,
+    spans: OutI64_2,
+    slots: OutI32_1,
+    state: OutI64_1,
 ) -> int:
     """Take a tag of an entity that is no decimal."""
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
@@ -150,8 +160,8 @@ def take_tag(
     return s.ON
 
 
-@part
-def _take_marker(data: Any, low: int, high: int, entity: Any, state: Any) -> None:
+@inline_kernel
+def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1) -> None:
     """Take a subclass marker."""
     kind = state[s.OPEN_KIND]
     state[s.OPEN_MARKS] += 1
@@ -171,8 +181,10 @@ def _take_marker(data: Any, low: int, high: int, entity: Any, state: Any) -> Non
         mark_odd(entity, state)
 
 
-@part
-def _of_words(code: int, data: Any, low: int, high: int, entity: Any, state: Any) -> None:
+@inline_kernel
+def _of_words(
+    code: int, data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1
+) -> None:
     """Take a tag of a text or a dimension."""
     row, seen = state[s.ROW], state[s.SEEN]
     if code == 101:
@@ -189,9 +201,16 @@ def _of_words(code: int, data: Any, low: int, high: int, entity: Any, state: Any
         state[s.SEEN] |= 1 << g.B_FLAGS
 
 
-@part
+@inline_kernel
 def _of_plain(
-    code: int, data: Any, low: int, high: int, entity: Any, spans: Any, slots: Any, state: Any
+    code: int,
+    data: U8_1,
+    low: int,
+    high: int,
+    entity: OutI32_2F,
+    spans: OutI64_2,
+    slots: OutI32_1,
+    state: OutI64_1,
 ) -> int:
     """Take a tag of a line, an INSERT …: attributes, flags and references."""
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]

@@ -18,11 +18,10 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
-from knifetip.dxf.lines import eight_at
+from knifetip.dxf.lines import ONE, eight_at
 from knifetip.geometry.columns import F64
-from knifetip.geometry.compiled import ONE, part, whole
+from knifetip.kernels import U8_1, U64, inline_kernel, kernel
 
 #: What ``number`` says of what it found.
 EXACT: Final = 0
@@ -61,8 +60,8 @@ _POWERS: Final = _powers()
 _TWOS: Final[F64] = np.ldexp(1.0, np.arange(-1022, 1024))
 
 
-@njit(cache=True, error_model="numpy", inline="always")
-def _product(a: Any, b: Any) -> Any:
+@inline_kernel
+def _product(a: U64, b: U64) -> Any:
     """Return the upper and the lower half of the 128 bits of a · b."""
     half = np.uint64(0xFFFFFFFF)
     shift = np.uint64(32)
@@ -76,8 +75,8 @@ def _product(a: Any, b: Any) -> Any:
     return high, (middle << shift) | (low & half)
 
 
-@njit(cache=True, error_model="numpy")
-def _rounded(w: Any, q: int) -> tuple[float, int]:
+@kernel
+def _rounded(w: U64, q: int) -> tuple[float, int]:
     """Return w · 10^q, w > 0, rounded once, or ``UNSURE``."""
     if q < _LEAST or q > _MOST:
         return 0.0, UNSURE
@@ -114,8 +113,8 @@ def _rounded(w: Any, q: int) -> tuple[float, int]:
     return float(np.int64(mantissa)) * 2.0**-52 * _TWOS[exponent + 1022], EXACT
 
 
-@part
-def _eight(data: Any, at: Any) -> Any:
+@inline_kernel
+def _eight(data: U8_1, at: U64) -> Any:
     """Return the number of the eight digits that stand there, ``_NOT`` where these are none."""
     word = eight_at(data, at)
     upper, zeros = np.uint64(0xF0F0F0F0F0F0F0F0), np.uint64(0x3030303030303030)
@@ -131,8 +130,8 @@ def _eight(data: Any, at: Any) -> Any:
     return ((low + high) >> np.uint64(32)) & np.uint64(0xFFFFFFFF)
 
 
-@whole
-def number(data: Any, first: int, last: int) -> tuple[float, int, int]:
+@kernel(allocates=False)
+def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
     """Return the decimal number that stands alone on a line.
 
     Parameters
@@ -153,8 +152,7 @@ def number(data: Any, first: int, last: int) -> tuple[float, int, int]:
         ``EXACT``; ``UNSURE`` where the line is a number that ``float`` must read; ``WRONG`` where
         it is none, or is infinite, or is written in any other way.
     """
-    at: Any = np.uint64(first)
-    end: Any = np.uint64(last)
+    at, end = first, last
     while at < end and (data[at] == 32 or data[at] == 9):
         at += ONE
     negative = False

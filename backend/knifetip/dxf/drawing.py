@@ -7,10 +7,9 @@ Compiled; the arithmetic is that of ``shapes`` and ``walk``.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 
 from knifetip.dxf import fields as f
 from knifetip.dxf.shapes import (
@@ -22,10 +21,26 @@ from knifetip.dxf.shapes import (
     swept,
     turning,
 )
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    F64_2A,
+    F64_3,
+    I32_1,
+    I32_2A,
+    I64_1,
+    I64_2,
+    OutF64_1,
+    OutF64_3,
+    OutI32_1,
+    OutI32_2A,
+    OutI64_1,
+    kernel,
+)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def counts(entity: Any, value: Any, vertex: Any) -> Any:
+@kernel
+def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
     """Return the rows that each entity takes, 0 for what is not drawn; what is wrong is odd."""
     count = np.zeros(len(entity), np.int64)
     for row in range(len(entity)):
@@ -50,8 +65,10 @@ def counts(entity: Any, value: Any, vertex: Any) -> Any:
     return count
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def draw(entity: Any, value: Any, vertex: Any, first: Any, ends: Any, bulge: Any) -> None:
+@kernel
+def draw(
+    entity: I32_2A, value: F64_2A, vertex: F64_2, first: OutI64_1, ends: OutF64_3, bulge: OutF64_1
+) -> None:
     """Write the rows of every entity, in its own coordinates."""
     for row in range(len(entity)):
         at = first[row]
@@ -78,8 +95,8 @@ def draw(entity: Any, value: Any, vertex: Any, first: Any, ends: Any, bulge: Any
             mirror_rows(ends, bulge, at, first[row + 1])
 
 
-@njit(cache=True, error_model="numpy")
-def distant(ends: Any, first: Any, reach: float) -> Any:
+@kernel
+def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
     """Return which entities have an end beyond ``reach`` from an axis, (e,)."""
     result = np.zeros(len(first) - 1, np.bool_)
     for row in range(len(result)):
@@ -90,8 +107,8 @@ def distant(ends: Any, first: Any, reach: float) -> Any:
     return result
 
 
-@njit(cache=True, error_model="numpy")
-def style_keys(entity: Any, rows: Any, count: Any) -> Any:
+@kernel
+def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
     """Return which of some entities have segments, (d,), and a number of what each is drawn with.
 
     One number for layer, linetype, colour and true colour: there are fewer than 2^15 names, and
@@ -110,8 +127,8 @@ def style_keys(entity: Any, rows: Any, count: Any) -> Any:
     return drawn[:found], key[:found]
 
 
-@njit(cache=True, error_model="numpy")
-def inserts(said: Any, base: Any, move: Any) -> None:
+@kernel
+def inserts(said: F64_2, base: F64_2, move: OutF64_3) -> None:
     """Write linear map and shift of INSERTs, (k, 2, 3).
 
     Parameters
@@ -131,9 +148,48 @@ def inserts(said: Any, base: Any, move: Any) -> None:
         move[k, 1, 2] = y - (move[k, 1, 0] * base[k, 0] + move[k, 1, 1] * base[k, 1])
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def place(sheet: Any, drawn: Any, inserts: Any, out: Any) -> None:
-    """Write all segments of the sheet, those of its INSERTs where they stand in the file."""
+class SheetRows(NamedTuple):
+    """The k entities of the sheet in file order."""
+
+    entity: I64_1  #: (k,) row of each entity
+    ledger: I64_1  #: (k,) row of each in the ledger
+    first: I64_1  #: (k,) number of segments written before each
+    segments: I64_1  #: (k,) number of segments that each draws itself, 0 for INSERTs
+
+
+class EntitySegments(NamedTuple):
+    """The segments of e entities in their own coordinates."""
+
+    ends: F64_3  #: (n, 2, 2)
+    bulge: F64_1  #: (n,)
+    first: I64_1  #: (e + 1,) first segment of each entity
+    style: I32_1  #: (e,) number of the style of each entity on the sheet
+
+
+class PlacedBlocks(NamedTuple):
+    """The j INSERTs whose blocks are drawn in columns."""
+
+    row: I64_1  #: (j,) place of each among the entities of the sheet
+    source: I64_2  #: (j, 3) first entity of the block, its first segment, and its first style
+    entities: I64_1  #: (j,) number of entities in the block
+    move: F64_3  #: (j, 2, 3) linear map and shift
+    style: I32_1  #: style numbers of the segments of blocks
+
+
+class SheetSegments(NamedTuple):
+    """Room for the m segments of the sheet."""
+
+    ends: OutF64_3  #: (m, 2, 2)
+    bulge: OutF64_1  #: (m,)
+    row: OutI32_1  #: (m,) row in the ledger
+    style: OutI32_1  #: (m,) number of the style
+
+
+@kernel
+def place(
+    sheet: SheetRows, drawn: EntitySegments, inserts: PlacedBlocks, out: SheetSegments
+) -> None:
+    """Write all segments of the sheet in file order, those of its INSERTs transformed."""
     rows, ledger, first_out, shown = sheet
     ends, bulge, first, style_of = drawn
     spots, source, children, move, styles = inserts

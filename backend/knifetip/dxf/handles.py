@@ -13,7 +13,7 @@ import numpy as np
 from knifetip.dxf import fields as f
 from knifetip.dxf import state as s
 from knifetip.geometry.columns import I32, I64
-from knifetip.geometry.compiled import part, whole
+from knifetip.kernels import I32_1, I64_1, U8_1, OutI64_1, OutU8_1, inline_kernel, kernel
 from knifetip.model.words import Spelled
 
 #: Handles of more digits are no handles.
@@ -78,8 +78,8 @@ def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spel
     return Spelled(out.tobytes(), out_end)
 
 
-@part
-def value_at(data: Any, low: int, high: int) -> Any:
+@inline_kernel
+def value_at(data: U8_1, low: int, high: int) -> Any:
     """Return the value of a handle, 0 where there is none that ezdxf would take."""
     if high - low > _DIGITS:
         return 0
@@ -95,8 +95,8 @@ def value_at(data: Any, low: int, high: int) -> Any:
     return value
 
 
-@part
-def take_handle(data: Any, low: int, high: int, others: Any, state: Any) -> int:
+@inline_kernel
+def take_handle(data: U8_1, low: int, high: int, others: OutI64_1, state: OutI64_1) -> int:
     """Keep the handle of what is no entity."""
     value, row = value_at(data, low, high), state[s.OTHERS]
     if value == 0 or row == state[s.MOST_OTHERS]:
@@ -106,9 +106,16 @@ def take_handle(data: Any, low: int, high: int, others: Any, state: Any) -> int:
     return s.ON
 
 
-@whole
+@kernel(allocates=False)
 def _spell(
-    data: Any, start: Any, size: Any, block: Any, count: Any, text: Any, end: Any, number: Any
+    data: U8_1,
+    start: I32_1,
+    size: I32_1,
+    block: I32_1,
+    count: OutI64_1,
+    text: OutU8_1,
+    end: OutI64_1,
+    number: OutI64_1,
 ) -> bool:
     """Write handles, and their values; return whether all are such."""
     at = 0
@@ -135,8 +142,8 @@ def _spell(
     return True
 
 
-@whole
-def _measure(end: Any, own: Any, insert: Any, out_end: Any) -> int:
+@kernel(allocates=False)
+def _measure(end: I64_1, own: I64_1, insert: I64_1, out_end: OutI64_1) -> int:
     """Write where each path ends; return the size of all."""
     at = 0
     for row in range(len(own)):
@@ -147,8 +154,8 @@ def _measure(end: Any, own: Any, insert: Any, out_end: Any) -> int:
     return at
 
 
-@whole
-def _join(text: Any, end: Any, own: Any, insert: Any, out: Any) -> None:
+@kernel(allocates=False)
+def _join(text: U8_1, end: I64_1, own: I64_1, insert: I64_1, out: OutU8_1) -> None:
     at = 0
     for row in range(len(own)):
         outer = insert[row]

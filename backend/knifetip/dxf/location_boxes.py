@@ -12,13 +12,12 @@ from collections.abc import Sequence
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.dxf.decimals import EXACT, number
-from knifetip.dxf.lines import NO_CODE, code_at, end_of_line
+from knifetip.dxf.lines import NO_CODE, ONE, code_at, end_of_line
 from knifetip.dxf.shapes import moved
 from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.compiled import ONE, whole
+from knifetip.kernels import F64_1, I64_1, I64_2, U8_1, OutF64_1, OutF64_2, OutI64_1, kernel
 
 # What a rule says: which group codes from 10 on are points, as bits; behind which code they begin
 # and before which they end, -1 for the whole entity; whether its x counts to the left under −Z.
@@ -108,8 +107,10 @@ def _number(code: int, value: Any) -> float:
         return float("nan")
 
 
-@whole
-def _around(codes: Any, numbers: Any, count: int, rules: Any, row: int, box: Any) -> None:
+@kernel(allocates=False)
+def _around(
+    codes: I64_1, numbers: F64_1, count: int, rules: I64_2, row: int, box: OutF64_2
+) -> None:
     """Write the box around the points of one entity, if it has any."""
     bits, since, until = rules[row, _BITS], rules[row, _SINCE], rules[row, _UNTIL]
     low_x = low_y = np.inf
@@ -142,8 +143,8 @@ def _around(codes: Any, numbers: Any, count: int, rules: Any, row: int, box: Any
         box[row, 0], box[row, 1], box[row, 2], box[row, 3] = low_x, low_y, high_x, high_y
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _boxes(data: Any, spans: Any, rules: Any) -> tuple[F64, Bool]:
+@kernel
+def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
     """Return the boxes (k, 4), and for which of them every number could be read, (k,)."""
     box, sure = np.full((len(spans), 4), np.nan), np.ones(len(spans), np.bool_)
     longest = 0
@@ -157,8 +158,8 @@ def _boxes(data: Any, spans: Any, rules: Any) -> tuple[F64, Bool]:
     return box, sure
 
 
-@whole
-def _tags(data: Any, low: int, high: int, codes: Any, numbers: Any) -> tuple[int, bool]:
+@kernel(allocates=False)
+def _tags(data: U8_1, low: int, high: int, codes: OutI64_1, numbers: OutF64_1) -> tuple[int, bool]:
     """Write the tags of an entity; return how many, and whether every number could be read."""
     at: Any = np.uint64(low)
     size: Any = np.uint64(high)

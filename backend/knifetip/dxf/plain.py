@@ -23,7 +23,18 @@ from knifetip.drawing_builder.report import ReportRows, ReportWriter
 from knifetip.dxf import fields as f
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.census import Counted
-from knifetip.dxf.drawing import counts, distant, draw, inserts, place, style_keys
+from knifetip.dxf.drawing import (
+    EntitySegments,
+    PlacedBlocks,
+    SheetRows,
+    SheetSegments,
+    counts,
+    distant,
+    draw,
+    inserts,
+    place,
+    style_keys,
+)
 from knifetip.dxf.entities import Drawn, Lines, Undrawable
 from knifetip.dxf.inscriptions import WORDS
 from knifetip.dxf.place import columns, refuse_after, refuse_beyond, styled
@@ -255,7 +266,7 @@ class PlainReader:
         placed = Inserts(spot, block, *self._variants(rows[spot], block), move)
         texts = rows[self._is_word[self.entity[rows, f.WORD]]]
         styles = self._entity_styles(rows)
-        sheet = rows, ledger, before, shown
+        sheet = SheetRows(rows, ledger, before, shown)
         done, words = both(
             lambda: self._placed(sheet, styles, int(segments.sum()), placed),
             lambda: inscriptions(self.tables, texts),
@@ -331,9 +342,7 @@ class PlainReader:
         others = others[self.entity[others, f.KIND] == f.INSERT]
         return found + [self._found(row).repeats() for row in others.tolist()]
 
-    def _placed(
-        self, sheet: tuple[I64, I64, I64, I64], styles: I32, total: int, placed: Inserts
-    ) -> Columns:
+    def _placed(self, sheet: SheetRows, styles: I32, total: int, placed: Inserts) -> Columns:
         """Return the segments of all that is drawn in columns.
 
         Parameters
@@ -356,15 +365,15 @@ class PlainReader:
         begin = np.array([one.first for one in placed.variants], np.int64)[placed.variant]
         place(
             sheet,
-            (self.ends, self.bulge, self.first, styles),
-            (
+            EntitySegments(self.ends, self.bulge, self.first, styles),
+            PlacedBlocks(
                 placed.spot,
                 np.column_stack([low, self.first[low], begin]),
                 self._size[placed.block],
                 placed.move,
                 np.concatenate([np.zeros(0, np.int32), *self._variant_styles]),
             ),
-            (done.ends, done.bulge, done.row, done.style),
+            SheetSegments(done.ends, done.bulge, done.row, done.style),
         )
         return done
 

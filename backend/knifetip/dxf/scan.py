@@ -13,19 +13,20 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.dxf import fields as f
 from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
 from knifetip.dxf import words as w
+from knifetip.dxf.scan_tables import ScanTables
 from knifetip.dxf.tagging import scan_tags
 from knifetip.dxf.values import MOST_NAMES
 from knifetip.geometry.columns import F64, I32, I64
 from knifetip.geometry.cores import each, number
+from knifetip.kernels import I32_1, OutF64_2F, OutI32_2F, kernel
 
 #: Numbers of more digits than the pass can read are read afterwards, so many of them.
 _MOST_LEFT: Final = 100_000
@@ -145,8 +146,18 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
         # Only the first has a place for blocks and layers.
         size = None if run == 0 else 0
         slots = np.full(1 << 16, -1, np.int32)
-        heads = block[:size], base[:size], layer[:size]
-        tables = (entity, value, vertex, *heads, spans[run], slots, left[run], others)
+        tables = ScanTables(
+            entity,
+            value,
+            vertex,
+            block[:size],
+            base[:size],
+            layer[:size],
+            spans[run],
+            slots,
+            left[run],
+            others,
+        )
         return bool(scan_tags(text, *runs[run], tables, state[run]))
 
     plain = all(each(passed, range(len(runs))))
@@ -200,9 +211,9 @@ def _whole(data: bytes, found: _Passed) -> Scan | None:
     )
 
 
-@njit("void(i4[::1,:], f8[::1,:], i8, i8, i8, i4[::1], i8)", cache=True, error_model="numpy")
+@kernel
 def _move_up(
-    entity: Any, value: Any, row: int, to: int, count: int, numbers: Any, gap: int
+    entity: OutI32_2F, value: OutF64_2F, row: int, to: int, count: int, numbers: I32_1, gap: int
 ) -> None:
     """Move rows of a run to where those before it end, its names and vertices counted anew."""
     for column in range(f.WIDTH):

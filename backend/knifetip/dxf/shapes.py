@@ -10,33 +10,40 @@ is also why they are compiled code: a library may round a column in another way 
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.columns import F64
+from knifetip.kernels import F64_2, OutF64_1, OutF64_3, kernel
 
 #: Radians to a degree.
 _DEGREE: Final = math.pi / 180.0
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def swept(first: float, last: float) -> float:
     """Return how far an arc turns (degrees), 0 … 360: 360 for ends a whole turn apart."""
     sweep = (last - first) % 360.0
     return 360.0 if sweep == 0.0 and last != first else sweep
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def round_count(sweep: float) -> int:
     """Return how many rows an arc takes: none turns by more than half a turn."""
     return 1 if sweep <= 180.0 + 1e-9 else 2
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def round_rows(
-    x: float, y: float, radius: float, first: float, sweep: float, ends: Any, bulge: Any, at: int
+    x: float,
+    y: float,
+    radius: float,
+    first: float,
+    sweep: float,
+    ends: OutF64_3,
+    bulge: OutF64_1,
+    at: int,
 ) -> int:
     """Write the rows of an arc from row ``at`` on, angles in degrees; return the row after."""
     rows = round_count(sweep)
@@ -57,8 +64,8 @@ def round_rows(
     return at
 
 
-@njit(cache=True, error_model="numpy")
-def chain_count(vertex: Any, low: int, high: int, closed: bool) -> int:
+@kernel
+def chain_count(vertex: F64_2, low: int, high: int, closed: bool) -> int:
     """Return how many rows a polyline takes: an arc of more than half a turn takes two."""
     rows = 0
     for i in range(low, high if closed else high - 1):
@@ -66,9 +73,9 @@ def chain_count(vertex: Any, low: int, high: int, closed: bool) -> int:
     return rows
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def chain_rows(
-    vertex: Any, low: int, high: int, closed: bool, ends: Any, bulge: Any, at: int
+    vertex: F64_2, low: int, high: int, closed: bool, ends: OutF64_3, bulge: OutF64_1, at: int
 ) -> int:
     """Write the rows between vertices (x, y, bulge) from row ``at`` on; return the row after."""
     for i in range(low, high if closed else high - 1):
@@ -92,8 +99,8 @@ def chain_rows(
     return at
 
 
-@njit(cache=True, error_model="numpy")
-def mirror_rows(ends: Any, bulge: Any, low: int, high: int) -> None:
+@kernel
+def mirror_rows(ends: OutF64_3, bulge: OutF64_1, low: int, high: int) -> None:
     """Turn rows over, as an extrusion of -Z does: x counts to the left."""
     for i in range(low, high):
         ends[i, 0, 0] = -ends[i, 0, 0]
@@ -101,7 +108,7 @@ def mirror_rows(ends: Any, bulge: Any, low: int, high: int) -> None:
         bulge[i] = -bulge[i]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def turning(rotation: float) -> tuple[float, float]:
     """Return cosine and sine of an angle in degrees."""
     return math.cos(rotation * _DEGREE), math.sin(rotation * _DEGREE)

@@ -10,13 +10,21 @@ from knifetip.dxf import fields as f
 from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
 from knifetip.dxf import words as w
+from knifetip.dxf.scan_tables import ScanTables
 from knifetip.dxf.values import name_at
 from knifetip.dxf.words import is_word, word_at
-from knifetip.geometry.compiled import part
+from knifetip.kernels import (
+    I64_1,
+    U8_1,
+    OutI32_2,
+    OutI32_2F,
+    OutI64_1,
+    inline_kernel,
+)
 
 
-@part
-def context(state: Any) -> Any:
+@inline_kernel
+def context(state: I64_1) -> Any:
     """Return which row of ``groups.ACTION`` says what is done with a tag."""
     mode, kind = state[s.MODE], state[s.OPEN_KIND]
     if state[s.GROUP] != 0 or mode < s.IN_ENTITY:
@@ -26,16 +34,16 @@ def context(state: Any) -> Any:
     return g.UNREAD if kind == f.OTHER else kind
 
 
-@part
-def mark_odd(entity: Any, state: Any) -> None:
+@inline_kernel
+def mark_odd(entity: OutI32_2F, state: OutI64_1) -> None:
     """Mark the open entity as one that is not plain."""
     entity[state[s.ROW], f.ODD] = 1
     state[s.OPEN_KIND] = f.OTHER
     state[s.CONTEXT] = context(state)
 
 
-@part
-def _close(start: int, entity: Any, state: Any) -> None:
+@inline_kernel
+def _close(start: int, entity: OutI32_2F, state: OutI64_1) -> None:
     """End the open entity: it is complete, or it is odd."""
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     if row < 0:
@@ -54,26 +62,19 @@ def _close(start: int, entity: Any, state: Any) -> None:
         mark_odd(entity, state)
 
 
-@part
+@inline_kernel
 def begin(
-    data: Any,
+    data: U8_1,
     start: int,
     low: int,
     high: int,
-    entity: Any,
-    value: Any,
-    vertex: Any,
-    block: Any,
-    base: Any,
-    layer: Any,
-    spans: Any,
-    slots: Any,
-    state: Any,
+    tables: ScanTables,
+    state: OutI64_1,
 ) -> int:
-    """Begin what group 0 begins."""
+    """Handle a tag of group 0: close the open entity, and open what begins here."""
     if state[s.GROUP] == 1:
         return s.REFUSED
-    _close(start, entity, state)
+    _close(start, tables.entity, state)
     state[s.GROUP] = state[s.SEEN] = state[s.OPEN_MARKS] = state[s.IS_MTEXT] = 0
     mode, named = state[s.MODE], state[s.NAMED] != 0
     state[s.MODE] = s.NOTHING
@@ -100,19 +101,10 @@ def begin(
             # The first of them is the root of all others.
             return s.REFUSED
         if section == w.TABLES:
-            return _of_tables(data, low, high, layer, state)
+            return _of_tables(data, low, high, tables.layer, state)
         if section == w.BLOCKS:
             if is_word(data, low, high, w.BLOCK):
-                row = state[s.BLOCKS]
-                if state[s.INSIDE] >= 0 or row == len(block):
-                    return s.REFUSED
-                block[row, :] = 0
-                block[row, f.NAME] = block[row, f.BLOCK_LAYER] = -1
-                base[row, 0] = base[row, 1] = 0.0
-                state[s.INSIDE] = row
-                state[s.BLOCKS] = row + 1
-                state[s.MODE] = s.IN_BLOCK
-                return s.ON
+                return _open_block(tables, state)
             if is_word(data, low, high, w.ENDBLK):
                 if state[s.INSIDE] < 0:
                     return s.REFUSED
@@ -123,24 +115,59 @@ def begin(
     if section == w.BLOCKS and state[s.INSIDE] < 0:
         return s.REFUSED
     if word == w.VERTEX:
-        chain, row = state[s.CHAIN], state[s.VERTICES]
-        if chain < 0 or row == state[s.MOST_VERTICES]:
-            return s.REFUSED
-        vertex[row, 2] = 0.0
-        state[s.VERTICES] = row + 1
-        entity[chain, f.COUNT] += 1
-        state[s.ROW] = chain
-        state[s.MODE] = s.IN_VERTEX
-        state[s.OPEN_KIND] = f.OTHER if entity[chain, f.ODD] else f.POLYLINE
-        return s.ON
+        return _open_vertex(tables, state)
     if word == w.SEQEND:
         if state[s.CHAIN] < 0 and state[s.FOLLOWED] == 0:
             return s.REFUSED
         state[s.CHAIN] = -1
         state[s.FOLLOWED] = 0
         return s.ON
-    row = state[s.ENTITIES]
-    name = name_at(data, low, high, spans, slots, state)
+    name = name_at(data, low, high, tables.spans, tables.slots, state)
+    return _open_entity(start, word, name, tables, state)
+
+
+@inline_kernel
+def _open_block(tables: ScanTables, state: OutI64_1) -> int:
+    """Open a block with an empty head."""
+    row = state[s.BLOCKS]
+    if state[s.INSIDE] >= 0 or row == len(tables.block):
+        return s.REFUSED
+    tables.block[row, :] = 0
+    tables.block[row, f.NAME] = tables.block[row, f.BLOCK_LAYER] = -1
+    tables.base[row, 0] = tables.base[row, 1] = 0.0
+    state[s.INSIDE] = row
+    state[s.BLOCKS] = row + 1
+    state[s.MODE] = s.IN_BLOCK
+    return s.ON
+
+
+@inline_kernel
+def _open_vertex(tables: ScanTables, state: OutI64_1) -> int:
+    """Open a vertex of the open polyline."""
+    chain, row = state[s.CHAIN], state[s.VERTICES]
+    if chain < 0 or row == state[s.MOST_VERTICES]:
+        return s.REFUSED
+    tables.vertex[row, 2] = 0.0
+    state[s.VERTICES] = row + 1
+    tables.entity[chain, f.COUNT] += 1
+    state[s.ROW] = chain
+    state[s.MODE] = s.IN_VERTEX
+    state[s.OPEN_KIND] = f.OTHER if tables.entity[chain, f.ODD] else f.POLYLINE
+    return s.ON
+
+
+@inline_kernel
+def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: OutI64_1) -> int:
+    """Open an entity with the attributes that it has where none are written.
+
+    Parameters
+    ----------
+    start
+        The byte where it begins.
+    word, name
+        Its kind as one of ``words``, -1 for others, and as a name of the file.
+    """
+    entity, value, row = tables.entity, tables.value, state[s.ENTITIES]
     if row == state[s.MOST_ENTITIES] or name < 0:
         return s.REFUSED
     state[s.ENTITIES] = row + 1
@@ -170,8 +197,8 @@ def begin(
     return s.ON
 
 
-@part
-def pause(start: int, last: int, entity: Any, state: Any) -> bool:
+@inline_kernel
+def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
     """End a run of the sheet's entities before one that stands for itself; return whether it is.
 
     Parameters
@@ -185,8 +212,8 @@ def pause(start: int, last: int, entity: Any, state: Any) -> bool:
     return bool(state[s.CHAIN] < 0 and state[s.FOLLOWED] == 0 and state[s.MODE] != s.IN_SECTION)
 
 
-@part
-def _of_tables(data: Any, low: int, high: int, layer: Any, state: Any) -> int:
+@inline_kernel
+def _of_tables(data: U8_1, low: int, high: int, layer: OutI32_2, state: OutI64_1) -> int:
     """Open or close a table, or begin a row of the one that is open."""
     is_table = is_word(data, low, high, w.TABLE)
     if is_table == (state[s.TABLE] >= 0):
@@ -216,8 +243,8 @@ def _of_tables(data: Any, low: int, high: int, layer: Any, state: Any) -> int:
     return s.ON
 
 
-@part
-def _frame(low: int, word: int, state: Any) -> int:
+@inline_kernel
+def _frame(low: int, word: int, state: OutI64_1) -> int:
     """Open or close a section."""
     if state[s.INSIDE] >= 0 or state[s.TABLE] >= 0:
         return s.REFUSED

@@ -21,24 +21,42 @@ from knifetip.dxf import words as w
 from knifetip.dxf.content import take_decimal, take_tag
 from knifetip.dxf.decimals import WRONG, number
 from knifetip.dxf.handles import take_handle
-from knifetip.dxf.lines import code_at, end_of_line
+from knifetip.dxf.lines import ONE, code_at, end_of_line
+from knifetip.dxf.scan_tables import ScanTables
 from knifetip.dxf.structure import begin, context, pause
 from knifetip.dxf.values import name_at, valid, whole_at
 from knifetip.dxf.words import is_word, word_at
-from knifetip.geometry.compiled import ONE, part, whole
+from knifetip.kernels import (
+    I32_2F,
+    I64_1,
+    U8_1,
+    OutI32_1,
+    OutI32_2,
+    OutI64_1,
+    OutI64_2,
+    inline_kernel,
+    kernel,
+)
 
 
-@part
-def _of_header(code: int, before: int, data: Any, low: int, high: int) -> bool:
+@inline_kernel
+def _of_header(code: int, before: int, data: U8_1, low: int, high: int) -> bool:
     """Return whether a tag stands where it may in the header: a name, and one value."""
     if code == 9:
         return before != 9 and high > low and data[low] == 36
     return before == 9 or (code == 20 and before == 10) or (code == 30 and before == 20)
 
 
-@part
+@inline_kernel
 def _of_layer(
-    code: int, data: Any, low: int, high: int, layer: Any, spans: Any, slots: Any, state: Any
+    code: int,
+    data: U8_1,
+    low: int,
+    high: int,
+    layer: OutI32_2,
+    spans: OutI64_2,
+    slots: OutI32_1,
+    state: OutI64_1,
 ) -> int:
     """Take a tag of the layer table."""
     row = state[s.LAYERS] - 1
@@ -71,9 +89,16 @@ def _of_layer(
     return s.ON
 
 
-@part
+@inline_kernel
 def _of_block(
-    code: int, data: Any, low: int, high: int, block: Any, spans: Any, slots: Any, state: Any
+    code: int,
+    data: U8_1,
+    low: int,
+    high: int,
+    block: OutI32_2,
+    spans: OutI64_2,
+    slots: OutI32_1,
+    state: OutI64_1,
 ) -> int:
     """Take a tag of the head of a block."""
     row = state[s.INSIDE]
@@ -92,8 +117,8 @@ def _of_block(
     return s.ON
 
 
-@part
-def _group(code: int, data: Any, low: int, high: int, entity: Any, state: Any) -> int:
+@inline_kernel
+def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: OutI64_1) -> int:
     """Take a tag around {…}, or of what other programs have added: it is skipped."""
     if code == 102:
         opens = high > low and data[low] == 123
@@ -123,8 +148,8 @@ def _group(code: int, data: Any, low: int, high: int, entity: Any, state: Any) -
     return s.ON
 
 
-@part
-def _is_handle(code: int, state: Any) -> bool:
+@inline_kernel
+def _is_handle(code: int, state: I64_1) -> bool:
     """Return whether a tag is the handle of something that is no entity."""
     named = 105 if state[s.MODE] == s.IN_STYLE else 5
     # Behind a subclass marker it is another's.
@@ -133,8 +158,8 @@ def _is_handle(code: int, state: Any) -> bool:
     return bool(w.TABLES <= state[s.SECTION] <= w.OBJECTS)
 
 
-@whole
-def scan_tags(data: Any, begins: int, ends: int, tables: Any, state: Any) -> bool:
+@kernel(allocates=False)
+def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: OutI64_1) -> bool:
     """Fill the tables; return whether the file is plain to its end mark, or to where a run ends.
 
     Parameters
@@ -142,13 +167,11 @@ def scan_tags(data: Any, begins: int, ends: int, tables: Any, state: Any) -> boo
     data : (m,) uint8
     begins, ends
         The bytes to pass over: from a group code on, to one or to the end.
-    tables
-        Entities, values, vertices, blocks, base points, layers, spans of names, their hash table,
-        places of numbers that are left to ``float``, and handles of what is no entity.
     state : (``STATES``,) int64
         Where the pass begins; of use afterwards are the numbers from ``ENTITIES`` on.
     """
-    entity, value, vertex, block, base, layer, spans, slots, left, others = tables
+    entity, block, layer = tables.entity, tables.block, tables.layer
+    spans, slots, others = tables.spans, tables.slots, tables.others
     size: Any = np.uint64(len(data))
     stop: Any = np.uint64(ends)
     at: Any = np.uint64(begins)
@@ -188,27 +211,11 @@ def scan_tags(data: Any, begins: int, ends: int, tables: Any, state: Any) -> boo
         if code == 100 and state[s.MODE] < s.IN_ENTITY:
             state[s.OPEN_MARKS] += 1
         if sure != WRONG:
-            verdict = take_decimal(
-                code, before, read, sure, low, high, entity, value, vertex, base, left, state
-            )
+            verdict = take_decimal(code, before, read, sure, low, high, tables, state)
         elif code == 0:
             if before == 9 and state[s.SECTION] == w.HEADER:
                 return False
-            verdict = begin(
-                data,
-                start,
-                low,
-                high,
-                entity,
-                value,
-                vertex,
-                block,
-                base,
-                layer,
-                spans,
-                slots,
-                state,
-            )
+            verdict = begin(data, start, low, high, tables, state)
             if verdict == s.DONE:
                 return True
             state[s.CONTEXT] = context(state)

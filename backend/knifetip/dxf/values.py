@@ -13,7 +13,7 @@ from knifetip.dxf import groups as g
 from knifetip.dxf import state as s
 from knifetip.dxf.decimals import WRONG, number
 from knifetip.dxf.lines import hashed, same
-from knifetip.geometry.compiled import part
+from knifetip.kernels import U8_1, OutI32_1, OutI64_1, OutI64_2, inline_kernel
 
 #: More names than this are no layers; so many of them have place in the hash table.
 MOST_NAMES: Final = 20_000
@@ -24,8 +24,10 @@ _MOST_STEPS: Final = 64
 NONE: Final = -(1 << 62)
 
 
-@part
-def name_at(data: Any, low: int, high: int, spans: Any, slots: Any, state: Any) -> Any:
+@inline_kernel
+def name_at(
+    data: U8_1, low: int, high: int, spans: OutI64_2, slots: OutI32_1, state: OutI64_1
+) -> Any:
     """Return the number of a name, -1 where it is not plain or there are too many."""
     if high > low and (data[low] <= 32 or data[high - 1] <= 32):
         return -1
@@ -47,8 +49,8 @@ def name_at(data: Any, low: int, high: int, spans: Any, slots: Any, state: Any) 
     return -1
 
 
-@part
-def whole_at(data: Any, low: int, high: int) -> int:
+@inline_kernel
+def whole_at(data: U8_1, low: int, high: int) -> int:
     """Return a whole number of up to 18 digits, ``NONE`` where there is none."""
     while low < high and data[low] == 32:
         low += 1
@@ -67,11 +69,11 @@ def whole_at(data: Any, low: int, high: int) -> int:
     return -result if negative else result
 
 
-@part
-def valid(data: Any, low: int, high: int, what: int) -> bool:
+@inline_kernel
+def valid(data: U8_1, low: int, high: int, what: int) -> bool:
     """Return whether a value that is not needed can be read."""
     if what == g.DECIMAL:
-        _, _, sure = number(data, low, high)
+        _, _, sure = number(data, np.uint64(low), np.uint64(high))
         return bool(sure != WRONG)
     if what == g.INTEGER:
         return whole_at(data, low, high) != NONE

@@ -8,7 +8,7 @@ import numpy as np
 
 from knifetip.dxf.lines import same
 from knifetip.geometry.columns import I64
-from knifetip.geometry.compiled import part
+from knifetip.kernels import U8_1, inline_kernel
 
 #: Each has the number of its place.
 _WORDS: Final = (
@@ -36,15 +36,15 @@ _BYTES: Final = np.frombuffer(b"".join(_WORDS) + bytes(8), np.uint8)
 ENDS: Final[I64] = np.cumsum([0, *map(len, _WORDS)])
 
 
-@part
-def is_word(data: Any, low: int, high: int, word: int) -> bool:
+@inline_kernel
+def is_word(data: U8_1, low: int, high: int, word: int) -> bool:
     """Return whether a word stands there, and nothing else."""
     size = ENDS[word + 1] - ENDS[word]
     return bool(high - low == size and same(data, low, _BYTES, ENDS[word], size))
 
 
-@part
-def word_at(data: Any, low: int, high: int, first: int, last: int) -> Any:
+@inline_kernel
+def word_at(data: U8_1, low: int, high: int, first: int, last: int) -> Any:
     """Return which of the words from ``first`` to ``last`` stands there, -1 for none."""
     for word in range(first, last + 1):
         if is_word(data, low, high, word):

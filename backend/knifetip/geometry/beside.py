@@ -10,11 +10,10 @@ Source: "Tool radius compensation", equations 3 to 5, P_e = P + σ r n with σ =
 from __future__ import annotations
 
 import math
-from typing import Any, Final
-
-from numba import njit
+from typing import Final
 
 from knifetip.geometry.tolerance import BULGE, POINT
+from knifetip.kernels import F64_1, F64_2, OutF64_2, kernel
 
 # What a kernel says of a path.
 FINE: Final = 0
@@ -39,15 +38,22 @@ COLUMNS: Final = 11
 STILL: Final = 1e-10
 
 
-@njit(cache=True, error_model="numpy")
-def is_closed(start: Any, end: Any, low: int, high: int) -> bool:
+@kernel
+def is_closed(start: F64_2, end: F64_2, low: int, high: int) -> bool:
     """Whether segments low … high - 1 end where they begin."""
     return math.hypot(start[low, 0] - end[high - 1, 0], start[low, 1] - end[high - 1, 1]) < POINT
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def moved(
-    start: Any, end: Any, bulge: Any, low: int, high: int, signed: float, table: Any, at: int
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    low: int,
+    high: int,
+    signed: float,
+    table: OutF64_2,
+    at: int,
 ) -> tuple[int, int]:
     """Fill the table for segments low … high - 1; return a failure and its segment."""
     for i in range(low, high):
@@ -91,8 +97,8 @@ def moved(
     return FINE, low
 
 
-@njit(cache=True, error_model="numpy")
-def part(table: Any, here: int, dx: float, dy: float, bulge: float, x: float, y: float) -> float:
+@kernel
+def part(table: F64_2, here: int, dx: float, dy: float, bulge: float, x: float, y: float) -> float:
     """The bulge of what is kept of a moved arc whose own began in (x, y); 0 if nothing is.
 
     (dx, dy) is the chord of what is kept, from the start that now stands in the table.

@@ -12,12 +12,22 @@ kernel here deletes ``__pycache__`` or runs the modules that call it anew.
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.intersect import TOUCH, crossing
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    I64_1,
+    Bool_1,
+    OutF64_1,
+    OutF64_2,
+    OutI64_1,
+    OutI64_2,
+    kernel,
+)
 
 #: Children of a node in the tree of boxes.
 FAN_BITS: Final = 3
@@ -30,7 +40,7 @@ BLOCK: Final = 4
 STACK: Final = 16 * FAN
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def tree_size(count: int) -> int:
     """How many boxes a tree over so many rows has."""
     total = count
@@ -40,8 +50,8 @@ def tree_size(count: int) -> int:
     return total
 
 
-@njit(cache=True, error_model="numpy")
-def tree(boxes: Any, count: int, level: Any) -> int:
+@kernel
+def tree(boxes: OutF64_2, count: int, level: OutI64_1) -> int:
     """Over the first ``count`` boxes, boxes of eight each; level[h] is where height h begins."""
     level[0] = 0
     height = 0
@@ -69,11 +79,11 @@ def tree(boxes: Any, count: int, level: Any) -> int:
     return height
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def next_near(
-    boxes: Any,
-    level: Any,
-    stack: Any,
+    boxes: F64_2,
+    level: I64_1,
+    stack: OutI64_2,
     depth: int,
     x0: float,
     y0: float,
@@ -109,8 +119,8 @@ def next_near(
     return -1, 0
 
 
-@njit(cache=True, error_model="numpy")
-def _meeting(x0: Any, y0: Any, x1: Any, y1: Any, count: int, step: int) -> int:
+@kernel
+def _meeting(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) -> int:
     """How many of the first ``count`` boxes meet the one ``step`` further on."""
     ahead_x0 = x0[step : step + count]
     ahead_y0 = y0[step : step + count]
@@ -127,7 +137,7 @@ def _meeting(x0: Any, y0: Any, x1: Any, y1: Any, count: int, step: int) -> int:
     return hits
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _apart(
     x0: float,
     y0: float,
@@ -156,7 +166,7 @@ def _apart(
     return low > max(rise, 0.0) + slack or high < min(rise, 0.0) - slack
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def apart(
     x0: float,
     y0: float,
@@ -177,9 +187,16 @@ def apart(
     )
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _meet(
-    start: Any, end: Any, bulge: Any, i: int, j: int, round_corner: bool, pair: Any, found: Any
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    i: int,
+    j: int,
+    round_corner: bool,
+    pair: OutF64_2,
+    found: OutF64_2,
 ) -> bool:
     """Whether segments i and j, whose boxes meet, have a point in common."""
     b, other = bulge[i], bulge[j]
@@ -195,9 +212,17 @@ def _meet(
     return bool(crossing(pair, 0, pair, 1, TOUCH, found) > 0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def boxed(
-    start: Any, end: Any, bulge: Any, low: int, high: int, x0: Any, y0: Any, x1: Any, y1: Any
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    low: int,
+    high: int,
+    x0: OutF64_1,
+    y0: OutF64_1,
+    x1: OutF64_1,
+    y1: OutF64_1,
 ) -> None:
     """Write boxes of segments low … high - 1 that hold them with TOUCH to spare, by columns."""
     for i in range(low, high):
@@ -222,17 +247,17 @@ def boxed(
             y1[at] = cy + radius
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def meets_itself(
-    start: Any,
-    end: Any,
-    bulge: Any,
-    inserted: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    inserted: Bool_1,
     low: int,
     high: int,
-    boxes: Any,
-    pair: Any,
-    found: Any,
+    boxes: OutF64_2,
+    pair: OutF64_2,
+    found: OutF64_2,
 ) -> bool:
     """Whether segments of a closed path have a point in common that are no neighbours.
 
@@ -292,8 +317,8 @@ def meets_itself(
     return False
 
 
-@njit(cache=True, error_model="numpy")
-def any_meet(start: Any, end: Any, bulge: Any, pair: Any, found: Any) -> bool:
+@kernel
+def any_meet(start: F64_2, end: F64_2, bulge: F64_1, pair: OutF64_2, found: OutF64_2) -> bool:
     """Whether two of some segments have a point in common."""
     count = len(bulge)
     boxes = np.empty((4, count))
@@ -303,9 +328,9 @@ def any_meet(start: Any, end: Any, bulge: Any, pair: Any, found: Any) -> bool:
     return bool(first >= 0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def where_met(
-    start: Any, end: Any, bulge: Any, low: int, high: int
+    start: F64_2, end: F64_2, bulge: F64_1, low: int, high: int
 ) -> tuple[int, int, float, float]:
     """Two segments of a closed path that meet and are no neighbours, or -1, and a point of both."""
     boxes = np.empty((4, high - low))
@@ -318,18 +343,18 @@ def where_met(
     return low + one if one >= 0 else -1, low + two, found[0, 0], found[0, 1]
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _meets_in_tree(
-    start: Any,
-    end: Any,
-    bulge: Any,
-    inserted: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    inserted: Bool_1,
     low: int,
     high: int,
     step: int,
-    columns: Any,
-    pair: Any,
-    found: Any,
+    columns: F64_2,
+    pair: OutF64_2,
+    found: OutF64_2,
 ) -> tuple[int, int]:
     """Two segments that meet ``step`` apart, or more, or -1; with 2 the path is closed."""
     count = high - low

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit
@@ -20,6 +19,7 @@ from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.sets import settle, unite
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN
+from knifetip.kernels import F64_2, I64_1, I64_2, OutI64_1, kernel
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -128,8 +128,8 @@ def run_on(points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP)
     return result
 
 
-@njit(cache=True)
-def _clustered(points: Any, cell: Any, order: Any, gap: float) -> Any:
+@kernel
+def _clustered(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
     """Union-find over a grid whose cells, sorted by column and row, are found by bisection."""
     n = len(points)
     parent = np.arange(n)
@@ -156,8 +156,8 @@ def _clustered(points: Any, cell: Any, order: Any, gap: float) -> Any:
     return parent.astype(np.int32)
 
 
-@njit(cache=True)
-def _linked(out: Any, by_node: Any, bounds: Any, any_turn: float, straight: float) -> Any:
+@kernel
+def _linked(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight: float) -> Any:
     """Which half-edge end is joined to which, -1 for open ends.
 
     Two ends run on into each other when their outward directions oppose: the cosine of the turn is
@@ -194,8 +194,8 @@ def _linked(out: Any, by_node: Any, bounds: Any, any_turn: float, straight: floa
     return link
 
 
-@njit(cache=True)
-def _run_on(out: Any, by_node: Any, bounds: Any, straight: float) -> Any:
+@kernel
+def _run_on(out: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
     found = np.zeros(len(out), np.bool_)
     for node in range(len(bounds) - 1):
         for p in range(bounds[node], bounds[node + 1]):
@@ -207,8 +207,8 @@ def _run_on(out: Any, by_node: Any, bounds: Any, straight: float) -> Any:
     return found
 
 
-@njit(cache=True)
-def walked(link: Any) -> Any:
+@kernel
+def walked(link: I64_1) -> Any:
     """Follow links from end to end.
 
     Parameters

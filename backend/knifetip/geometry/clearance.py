@@ -8,22 +8,21 @@ A result does not run through the transition of another corner either.
 from __future__ import annotations
 
 import math
-from typing import Any, Final
-
-from numba import njit
+from typing import Final
 
 from knifetip.geometry.beside import CONVEX, U1X, U1Y, U2X, U2Y
 from knifetip.geometry.boxes import next_near
 from knifetip.geometry.intersect import circle
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.geometry.transition import reach
+from knifetip.kernels import F64_1, F64_2, I64_1, OutI64_2, kernel
 
 #: A piece may come nearer to the contour than the radius by this (mm): rounding, no more.
 NEARER: Final = 1e-9
 
 
-@njit(cache=True, error_model="numpy")
-def distance(rows: Any, i: int, x: float, y: float) -> float:
+@kernel
+def distance(rows: F64_2, i: int, x: float, y: float) -> float:
     """Distance from a point to row i (mm)."""
     x0 = rows[i, 0]
     y0 = rows[i, 1]
@@ -52,9 +51,9 @@ def distance(rows: Any, i: int, x: float, y: float) -> float:
     return math.sqrt(min(px * px + py * py, qx * qx + qy * qy))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _in_transition(
-    kind: int, k: float, table: Any, before: int, here: int, vx: float, vy: float, signed: float
+    kind: int, k: float, table: F64_2, before: int, here: int, vx: float, vy: float, signed: float
 ) -> bool:
     """Whether a point, seen from the vertex, lies inside a transition of type C or D."""
     u1x = table[before, U2X]
@@ -94,22 +93,22 @@ def _in_transition(
     return math.hypot(vx - ox, vy - oy) < small - NEARER
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def clear(
     x: float,
     y: float,
-    origin: Any,
-    boxes: Any,
-    level: Any,
+    origin: F64_2,
+    boxes: F64_2,
+    level: I64_1,
     height: int,
-    stack: Any,
+    stack: OutI64_2,
     signed: float,
     limit: float,
-    table: Any,
-    prior: Any,
-    joint: Any,
-    kinds: Any,
-    k: Any,
+    table: F64_2,
+    prior: I64_1,
+    joint: I64_1,
+    kinds: I64_1,
+    k: F64_1,
     capped: bool,
 ) -> bool:
     """Whether a point is no nearer than ``limit`` to the contour, and in no transition."""
@@ -137,15 +136,15 @@ def clear(
             return False
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def nearest(
     x: float,
     y: float,
-    origin: Any,
-    boxes: Any,
-    level: Any,
+    origin: F64_2,
+    boxes: F64_2,
+    level: I64_1,
     height: int,
-    stack: Any,
+    stack: OutI64_2,
     around: float,
     skip: int,
 ) -> tuple[int, float]:

@@ -9,13 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Final, TypeVar
 
-import numpy as np
 from numba import njit
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
-#: A place without a sign takes no time to count from the end; 1 keeps it so.
-ONE: Final = np.uint64(1)
 _UNCOUNTED: Final[dict[str, Any]] = {"cache": True, "error_model": "numpy", "_nrt": False}
 
 

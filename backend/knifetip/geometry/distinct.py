@@ -11,10 +11,10 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike
 
 from knifetip.geometry.columns import I64
+from knifetip.kernels import I64_1, I64_2, kernel
 
 #: Where the table of kinds begins: most columns have no more.
 _SLOTS: Final = 1024
@@ -41,8 +41,8 @@ def distinct(*columns: ArrayLike) -> tuple[I64, I64]:
     return first, kind
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
-def _kinds(table: Any) -> Any:
+@kernel
+def _kinds(table: I64_2) -> Any:
     rows = len(table)
     first = np.empty(rows, np.int64)
     kind = np.empty(rows, np.int64)
@@ -70,16 +70,16 @@ def _kinds(table: Any) -> Any:
     return first[:found].copy(), kind
 
 
-@njit(cache=True, error_model="numpy")
-def _same(table: Any, row: int, other: int) -> bool:
+@kernel
+def _same(table: I64_2, row: int, other: int) -> bool:
     same = True
     for column in range(table.shape[1]):
         same &= table[row, column] == table[other, column]
     return same
 
 
-@njit(cache=True, error_model="numpy")
-def _slot(table: Any, row: int, slots: Any) -> Any:
+@kernel
+def _slot(table: I64_2, row: int, slots: I64_1) -> Any:
     """Return where a row is looked for first."""
     key = np.uint64(0)
     for column in range(table.shape[1]):

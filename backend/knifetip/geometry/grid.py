@@ -6,11 +6,11 @@ import math
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_1, F64_1A, F64_2, F64_2A, I32_1, I64_2, kernel
 
 
 def touching(points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float) -> Bool:
@@ -43,19 +43,19 @@ def touching(points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float
     return hit
 
 
-@njit(cache=True)
+@kernel
 def _touching(
-    points: Any,
-    own: Any,
-    places: Any,
-    cells: Any,
+    points: F64_2,
+    own: I32_1,
+    places: I64_2,
+    cells: I64_2,
     side: int,
-    start: Any,
-    end: Any,
-    middle: Any,
-    radius: Any,
-    first: Any,
-    sweep: Any,
+    start: F64_2A,
+    end: F64_2A,
+    middle: F64_2,
+    radius: F64_1,
+    first: F64_1,
+    sweep: F64_1,
     gap: float,
 ) -> Any:
     count = np.zeros(side * side + 1, np.int64)
@@ -90,9 +90,15 @@ def _touching(
     return hit
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def _distance(
-    point: Any, start: Any, end: Any, middle: Any, radius: float, first: float, sweep: float
+    point: F64_1,
+    start: F64_1A,
+    end: F64_1A,
+    middle: F64_1,
+    radius: float,
+    first: float,
+    sweep: float,
 ) -> float:
     """Distance from a point to a line or an arc (mm)."""
     if abs(sweep) >= 4.0 * BULGE:

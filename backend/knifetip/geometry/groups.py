@@ -10,17 +10,33 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.beside import COLUMNS, FINE, moved
 from knifetip.geometry.region import fitting, left_over
 from knifetip.geometry.shortened import alone
 from knifetip.geometry.transition import MOST
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    I32_1,
+    U8_1,
+    OutBool_1,
+    OutF64_1,
+    OutF64_2,
+    OutI32_1,
+    kernel,
+)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _room(
-    start: Any, end: Any, bulge: Any, source: Any, inserted: Any, used: int, wanted: int
+    start: OutF64_2,
+    end: OutF64_2,
+    bulge: OutF64_1,
+    source: OutI32_1,
+    inserted: OutBool_1,
+    used: int,
+    wanted: int,
 ) -> tuple[Any, Any, Any, Any, Any]:
     if wanted <= len(bulge):
         return start, end, bulge, source, inserted
@@ -38,24 +54,24 @@ def _room(
     return s, e, b, o, i
 
 
-@njit(cache=True, error_model="numpy")
-def _longer(column: Any) -> Any:
+@kernel
+def _longer(column: I32_1) -> Any:
     result = np.empty(2 * len(column), column.dtype)
     result[: len(column)] = column
     return result
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@kernel
 def all_groups(
-    start: Any,
-    end: Any,
-    bulge: Any,
-    first: Any,
-    member: Any,
-    members: Any,
-    signed: Any,
-    corner: Any,
-    k: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    first: I32_1,
+    member: I32_1,
+    members: I32_1,
+    signed: F64_1,
+    corner: U8_1,
+    k: F64_1,
     refuse: bool,
 ) -> Any:
     """Return start, end, bulge, source, inserted, first, owner, unreached, and a failure.

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_2, OutF64_2, OutF64_3, OutI32_1, kernel
 
 #: Two segments share at most this many points: two arcs of one circle may overlap twice.
 MOST: Final = 4
@@ -62,14 +62,14 @@ def crossings(
     return Crossings(count, found[:, :, :2], found[:, :, 2], found[:, :, 3])
 
 
-@njit(cache=True, error_model="numpy")
-def _pairs(one: Any, two: Any, touch: float, count: Any, found: Any) -> None:
+@kernel
+def _pairs(one: F64_2, two: F64_2, touch: float, count: OutI32_1, found: OutF64_3) -> None:
     for i in range(len(one)):
         count[i] = crossing(one, i, two, i, touch, found[i])
 
 
-@njit(cache=True, error_model="numpy")
-def circle(rows: Any, i: int) -> tuple[float, float, float]:
+@kernel
+def circle(rows: F64_2, i: int) -> tuple[float, float, float]:
     """Centre and radius of the arc in row i of (x0, y0, x1, y1, bulge)."""
     dx = rows[i, 2] - rows[i, 0]
     dy = rows[i, 3] - rows[i, 1]
@@ -82,8 +82,8 @@ def circle(rows: Any, i: int) -> tuple[float, float, float]:
     )
 
 
-@njit(cache=True, error_model="numpy")
-def box(rows: Any, i: int, boxes: Any, at: int) -> None:
+@kernel
+def box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
     """Write a box that holds row i as boxes[at]: x min, y min, x max, y max.
 
     That of an arc is not the least.
@@ -117,8 +117,8 @@ def box(rows: Any, i: int, boxes: Any, at: int) -> None:
     boxes[at, 3] = high_y
 
 
-@njit(cache=True, error_model="numpy")
-def along(rows: Any, i: int, x: float, y: float, touch: float) -> float:
+@kernel
+def along(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
     """How far along row i the point (x, y), which is on its line or circle, is; -1 if outside."""
     x0 = rows[i, 0]
     y0 = rows[i, 1]
@@ -154,8 +154,8 @@ def along(rows: Any, i: int, x: float, y: float, touch: float) -> float:
     return -1.0
 
 
-@njit(cache=True, error_model="numpy")
-def point_on(rows: Any, i: int, share: float) -> tuple[float, float]:
+@kernel
+def point_on(rows: F64_2, i: int, share: float) -> tuple[float, float]:
     """The point at a share of the length of row i."""
     x0 = rows[i, 0]
     y0 = rows[i, 1]
@@ -174,9 +174,17 @@ def point_on(rows: Any, i: int, share: float) -> tuple[float, float]:
     )
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _keep(
-    one: Any, i: int, two: Any, j: int, x: float, y: float, touch: float, found: Any, count: int
+    one: F64_2,
+    i: int,
+    two: F64_2,
+    j: int,
+    x: float,
+    y: float,
+    touch: float,
+    found: OutF64_2,
+    count: int,
 ) -> int:
     for k in range(count):
         if abs(found[k, 0] - x) <= touch and abs(found[k, 1] - y) <= touch:
@@ -194,16 +202,16 @@ def _keep(
     return count + 1
 
 
-@njit(cache=True, error_model="numpy")
-def _shared_ends(one: Any, i: int, two: Any, j: int, touch: float, found: Any) -> int:
+@kernel
+def _shared_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
     count = _keep(one, i, two, j, one[i, 0], one[i, 1], touch, found, 0)
     count = _keep(one, i, two, j, one[i, 2], one[i, 3], touch, found, count)
     count = _keep(one, i, two, j, two[j, 0], two[j, 1], touch, found, count)
     return _keep(one, i, two, j, two[j, 2], two[j, 3], touch, found, count)
 
 
-@njit(cache=True, error_model="numpy")
-def crossing(one: Any, i: int, two: Any, j: int, touch: float, found: Any) -> int:
+@kernel
+def crossing(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
     """Write what row i of ``one`` and row j of ``two`` share into found (4, 4); return how many.
 
     A row of ``found`` is x, y, and the shares of the lengths of the first and of the second.
@@ -236,8 +244,8 @@ def crossing(one: Any, i: int, two: Any, j: int, touch: float, found: Any) -> in
     return _keep(one, i, two, j, x + rise * uy, y - rise * ux, touch, found, count)
 
 
-@njit(cache=True, error_model="numpy")
-def _lines(one: Any, i: int, two: Any, j: int, touch: float, found: Any) -> int:
+@kernel
+def _lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
     ax = one[i, 2] - one[i, 0]
     ay = one[i, 3] - one[i, 1]
     bx = two[j, 2] - two[j, 0]
@@ -277,8 +285,10 @@ def _lines(one: Any, i: int, two: Any, j: int, touch: float, found: Any) -> int:
     return 1
 
 
-@njit(cache=True, error_model="numpy")
-def _line_arc(one: Any, i: int, two: Any, j: int, flat: bool, touch: float, found: Any) -> int:
+@kernel
+def _line_arc(
+    one: F64_2, i: int, two: F64_2, j: int, flat: bool, touch: float, found: OutF64_2
+) -> int:
     if flat:
         x0, y0, dx, dy = one[i, 0], one[i, 1], one[i, 2] - one[i, 0], one[i, 3] - one[i, 1]
         cx, cy, radius = circle(two, j)

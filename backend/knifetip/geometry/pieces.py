@@ -11,34 +11,44 @@ import math
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.boxes import apart, next_near
 from knifetip.geometry.intersect import TOUCH, crossing
 from knifetip.geometry.tolerance import BULGE, POINT
+from knifetip.kernels import (
+    F64_2,
+    I64_1,
+    I64_2,
+    Bool_1,
+    OutBool_1,
+    OutF64_2,
+    OutI64_1,
+    OutI64_2,
+    kernel,
+)
 
 #: Pieces shorter than this are crossings that rounding has pulled apart (mm).
 SPECK: Final = 1e-7
 
 
-@njit(cache=True, error_model="numpy")
-def _meet_at_ends(rows: Any, i: int, j: int) -> bool:
+@kernel
+def _meet_at_ends(rows: F64_2, i: int, j: int) -> bool:
     dx = abs(rows[i, 2] - rows[j, 0])
     dy = abs(rows[i, 3] - rows[j, 1])
     return bool(dx <= TOUCH and dy <= TOUCH)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def cut(
-    rows: Any,
-    follow: Any,
+    rows: F64_2,
+    follow: I64_1,
     count: int,
     real: int,
-    boxes: Any,
-    level: Any,
+    boxes: F64_2,
+    level: I64_1,
     height: int,
-    stack: Any,
-    found: Any,
+    stack: OutI64_2,
+    found: OutF64_2,
 ) -> tuple[Any, Any, int]:
     """The places where rows cross: row numbers, and (share, x, y); and how many.
 
@@ -95,9 +105,9 @@ def cut(
     return which, place, done
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def pieces(
-    rows: Any, real: int, which: Any, place: Any, cuts: int
+    rows: F64_2, real: int, which: I64_1, place: F64_2, cuts: int
 ) -> tuple[Any, Any, Any, Any, int]:
     """The rows between their cuts: (x0, y0, x1, y1, low, high), their row, the first of each row,
     and whether a row has cuts at its very start or end."""
@@ -160,9 +170,16 @@ def pieces(
     return piece, owner, filled, touched, done
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def joined(
-    piece: Any, owner: Any, opening: Any, follow: Any, good: Any, count: int, after: Any, prior: Any
+    piece: F64_2,
+    owner: I64_1,
+    opening: I64_1,
+    follow: I64_1,
+    good: Bool_1,
+    count: int,
+    after: OutI64_1,
+    prior: OutI64_1,
 ) -> None:
     """Which piece comes after which: the next one of the same line or arc, else the nearest."""
     near = 10.0 * SPECK
@@ -220,20 +237,20 @@ def joined(
             prior[chosen] = q
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def strung(
-    rows: Any,
-    info: Any,
-    piece: Any,
-    owner: Any,
-    good: Any,
-    after: Any,
-    prior: Any,
+    rows: F64_2,
+    info: I64_2,
+    piece: F64_2,
+    owner: I64_1,
+    good: Bool_1,
+    after: I64_1,
+    prior: I64_1,
     count: int,
-    line: Any,
-    tag: Any,
-    first: Any,
-    ring: Any,
+    line: OutF64_2,
+    tag: OutI64_2,
+    first: OutI64_1,
+    ring: OutBool_1,
 ) -> int:
     """Follow the pieces into chains: rows, tags, bounds, whether closed; return how many."""
     done = 0
@@ -286,8 +303,8 @@ def strung(
     return chains
 
 
-@njit(cache=True, error_model="numpy")
-def _tidied(rows: Any, line: Any, tag: Any, low: int, high: int, closed: bool) -> int:
+@kernel
+def _tidied(rows: F64_2, line: OutF64_2, tag: OutI64_2, low: int, high: int, closed: bool) -> int:
     """Give the rows their bulges, leave out specks, and let each begin where the last one ends."""
     done = low
     for r in range(low, high):

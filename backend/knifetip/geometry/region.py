@@ -14,7 +14,6 @@ import math
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.beside import (
     COLUMNS,
@@ -38,13 +37,14 @@ from knifetip.geometry.swept import area_under, swept_under
 from knifetip.geometry.tolerance import BULGE
 from knifetip.geometry.transition import MOST, transition
 from knifetip.geometry.whole import as_moved
+from knifetip.kernels import F64_1, F64_2, I32_1, U8_1, OutF64_2, OutI64_1, OutI64_2, kernel
 
 #: Cells along each side of the plane in which the paths of a large group are put in order.
 CELLS: Final = 1 << 15
 
 
-@njit(cache=True, error_model="numpy")
-def _in_order(start: Any, first: Any, member: Any) -> Any:
+@kernel
+def _in_order(start: F64_2, first: I32_1, member: I32_1) -> Any:
     """The members with those that are near each other together, along a Z-shaped curve.
 
     The tree over their rows lives on that.
@@ -75,8 +75,8 @@ def _in_order(start: Any, first: Any, member: Any) -> Any:
     return member[np.argsort(code, kind="mergesort")]
 
 
-@njit(cache=True, error_model="numpy")
-def _tree_over(rows: Any, count: int) -> tuple[Any, Any, int]:
+@kernel
+def _tree_over(rows: F64_2, count: int) -> tuple[Any, Any, int]:
     boxes = np.empty((tree_size(count), 4))
     level = np.empty(24, np.int64)
     for i in range(count):
@@ -84,20 +84,20 @@ def _tree_over(rows: Any, count: int) -> tuple[Any, Any, int]:
     return boxes, level, tree(boxes, count, level)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def fitting(
-    start: Any,
-    end: Any,
-    bulge: Any,
-    first: Any,
-    members: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    first: I32_1,
+    members: I32_1,
     signed: float,
-    corner: Any,
-    k: Any,
+    corner: U8_1,
+    k: F64_1,
     step: int,
     refuse: bool,
-    pair: Any,
-    found: Any,
+    pair: OutF64_2,
+    found: OutF64_2,
 ) -> tuple[Any, Any, Any, int, float, bool, int, int, int, float]:
     """The equidistant of one region with all its contours, cut and joined.
 
@@ -292,24 +292,24 @@ def fitting(
     return line, tag, bounds, chains, unreached, twice, FINE, 0, 0, 0.0
 
 
-@njit(cache=True, error_model="numpy")
-def _radius_of(start: Any, end: Any, bulge: Any, i: int) -> float:
+@kernel
+def _radius_of(start: F64_2, end: F64_2, bulge: F64_1, i: int) -> float:
     b = abs(bulge[i])
     chord = math.hypot(end[i, 0] - start[i, 0], end[i, 1] - start[i, 1])
     size: float = chord * (1.0 + b * b) / (4.0 * b)
     return size
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _other_side(
-    start: Any,
-    end: Any,
-    bulge: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
     low: int,
     high: int,
     signed: float,
-    rows: Any,
-    info: Any,
+    rows: OutF64_2,
+    info: OutI64_2,
     put: int,
 ) -> int:
     """Write how far the other side of an open path and its two ends reach: no path, but it cuts."""
@@ -337,20 +337,20 @@ def _other_side(
     return put
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def left_over(
-    start: Any,
-    end: Any,
-    bulge: Any,
-    first: Any,
-    members: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    first: I32_1,
+    members: I32_1,
     signed: float,
-    line: Any,
-    bounds: Any,
+    line: F64_2,
+    bounds: OutI64_1,
     chains: int,
     estimate: float,
-    pair: Any,
-    found: Any,
+    pair: OutF64_2,
+    found: OutF64_2,
 ) -> float:
     """The area that is not reached, by the equidistant of the equidistant, back at the contour."""
     rows = bounds[chains]
@@ -358,7 +358,7 @@ def left_over(
         line[:rows, :2].copy(),
         line[:rows, 2:4].copy(),
         line[:rows, 4].copy(),
-        bounds,
+        bounds[: chains + 1].astype(np.int32),
         np.arange(chains).astype(np.int32),
         -signed,
         np.zeros(1, np.uint8),

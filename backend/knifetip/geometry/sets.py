@@ -6,13 +6,11 @@ always the least of them.
 
 from __future__ import annotations
 
-from typing import Any
-
-from knifetip.geometry.compiled import whole
+from knifetip.kernels import OutI64_1, kernel
 
 
-@whole
-def root(parent: Any, i: int) -> int:
+@kernel(allocates=False)
+def root(parent: OutI64_1, i: int) -> int:
     """The one that stands for the set that i is in."""
     while parent[i] != i:
         parent[i] = parent[parent[i]]
@@ -20,15 +18,15 @@ def root(parent: Any, i: int) -> int:
     return i
 
 
-@whole
-def unite(parent: Any, i: int, j: int) -> None:
+@kernel(allocates=False)
+def unite(parent: OutI64_1, i: int, j: int) -> None:
     """Make one set of those that i and j are in."""
     one, other = root(parent, i), root(parent, j)
     parent[max(one, other)] = min(one, other)
 
 
-@whole
-def settle(parent: Any) -> None:
+@kernel(allocates=False)
+def settle(parent: OutI64_1) -> None:
     """Write for each thing the one that stands for its set."""
     for i in range(len(parent)):
         # What stands for a set comes before the others.

@@ -10,9 +10,6 @@ neighbours meet, and ``region`` takes over.
 from __future__ import annotations
 
 import math
-from typing import Any
-
-from numba import njit
 
 from knifetip.geometry.beside import (
     CONCAVE,
@@ -41,9 +38,21 @@ from knifetip.geometry.boxes import meets_itself
 from knifetip.geometry.intersect import TOUCH
 from knifetip.geometry.tolerance import POINT
 from knifetip.geometry.transition import MOST, quarter_tangent, transition
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    I32_1,
+    U8_1,
+    OutBool_1,
+    OutF64_1,
+    OutF64_2,
+    OutI32_1,
+    OutI64_1,
+    kernel,
+)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _sliver(x: float, y: float, radius: float) -> float:
     """Twice the area between a chord (x, y) and its arc of less than half a turn."""
     if radius == 0.0:
@@ -61,9 +70,9 @@ def _sliver(x: float, y: float, radius: float) -> float:
     return math.copysign(radius * radius * area, radius)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _holds(
-    table: Any, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
+    table: F64_2, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
 ) -> bool:
     """Whether a moved segment from s to e, whose line or circle has (x, y), has it as well."""
     dx, dy = ex - sx, ey - sy
@@ -76,9 +85,16 @@ def _holds(
     return (side if radius > 0.0 else -side) <= slack
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def met(
-    start: Any, end: Any, last: int, next_: int, table: Any, before: int, here: int, signed: float
+    start: F64_2,
+    end: F64_2,
+    last: int,
+    next_: int,
+    table: F64_2,
+    before: int,
+    here: int,
+    signed: float,
 ) -> tuple[int, float, float, float, float, float]:
     """Where the moved neighbours of a concave corner cross, at least one of them an arc.
 
@@ -152,28 +168,28 @@ def met(
     return hits, x + gx, y + gy, (ax * bx + ay * by) * scale, sine * scale, twice + sine
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def shortened(
-    start: Any,
-    end: Any,
-    bulge: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
     low: int,
     high: int,
     closed: bool,
     signed: float,
-    corner: Any,
-    k: Any,
+    corner: U8_1,
+    k: F64_1,
     step: int,
-    table: Any,
+    table: OutF64_2,
     at: int,
-    joint: Any,
-    out_start: Any,
-    out_end: Any,
-    out_bulge: Any,
-    source: Any,
-    inserted: Any,
+    joint: OutI64_1,
+    out_start: OutF64_2,
+    out_end: OutF64_2,
+    out_bulge: OutF64_1,
+    source: OutI32_1,
+    inserted: OutBool_1,
     put: int,
-    round_: Any,
+    round_: OutF64_2,
 ) -> tuple[int, int, int, float]:
     """Write a path's equidistant, made of what ``beside.moved`` has put into the table.
 
@@ -309,34 +325,34 @@ def shortened(
     return put, FINE, low, max(0.5 * (twice - size * size * angle), 0.0)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def alone(
-    start: Any,
-    end: Any,
-    bulge: Any,
-    first: Any,
-    member: Any,
-    members: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
+    first: I32_1,
+    member: I32_1,
+    members: I32_1,
     group: int,
-    signed: Any,
-    corner: Any,
-    k: Any,
+    signed: F64_1,
+    corner: U8_1,
+    k: F64_1,
     step: int,
-    table: Any,
-    joint: Any,
-    boxes: Any,
-    pair: Any,
-    found: Any,
-    out_start: Any,
-    out_end: Any,
-    out_bulge: Any,
-    source: Any,
-    inserted: Any,
+    table: OutF64_2,
+    joint: OutI64_1,
+    boxes: OutF64_2,
+    pair: OutF64_2,
+    found: OutF64_2,
+    out_start: OutF64_2,
+    out_end: OutF64_2,
+    out_bulge: OutF64_1,
+    source: OutI32_1,
+    inserted: OutBool_1,
     done: int,
-    out_first: Any,
-    owner: Any,
+    out_first: OutI32_1,
+    owner: OutI32_1,
     chains: int,
-    unreached: Any,
+    unreached: OutF64_1,
 ) -> tuple[int, int, int]:
     """Do groups of one closed path each, from ``group`` on, until one needs more than shortening.
 

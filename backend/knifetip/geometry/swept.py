@@ -6,14 +6,12 @@ rows -> twice the area under them
 from __future__ import annotations
 
 import math
-from typing import Any
-
-from numba import njit
 
 from knifetip.geometry.tolerance import BULGE, POINT
+from knifetip.kernels import F64_1, F64_2, I64_2, OutF64_2, kernel
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _cap_area(chord: float, b: float) -> float:
     """The area between a chord and its arc, positive for a left turn."""
     if abs(b) < BULGE:
@@ -24,7 +22,7 @@ def _cap_area(chord: float, b: float) -> float:
     return 0.5 * radius * radius * (4.0 * math.atan(b) - 4.0 * b * (1.0 - b * b) / (whole * whole))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _turn_area(
     x: float, y: float, ax: float, ay: float, bx: float, by: float, signed: float
 ) -> float:
@@ -41,18 +39,18 @@ def _turn_area(
     return math.copysign(signed * signed * (angle - math.sin(angle)), signed)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def swept_under(
-    line: Any,
-    tag: Any,
+    line: F64_2,
+    tag: I64_2,
     low: int,
     high: int,
     ring: bool,
-    start: Any,
+    start: F64_2,
     signed: float,
     from_x: float,
     from_y: float,
-    hops: Any,
+    hops: OutF64_2,
     hop: int,
 ) -> tuple[float, float, float, int]:
     """Twice the area under the edge that a tool leaves beside a chain; where that edge ends.
@@ -110,8 +108,8 @@ def swept_under(
     return twice, x, y, hop
 
 
-@njit(cache=True, error_model="numpy")
-def area_under(start: Any, end: Any, bulge: Any, low: int, high: int) -> float:
+@kernel
+def area_under(start: F64_2, end: F64_2, bulge: F64_1, low: int, high: int) -> float:
     """Twice the area under a path, its closing chord left out."""
     twice = 0.0
     for i in range(low, high):

@@ -18,7 +18,6 @@ from enum import IntEnum
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike
 
 from knifetip.errors import CompensationError
@@ -26,6 +25,7 @@ from knifetip.geometry.azimuth import unit
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import POINT
+from knifetip.kernels import F64_1, F64_2, U8_1, OutF64_2, OutI32_1, kernel
 
 
 class Corner(IntEnum):
@@ -107,9 +107,16 @@ def check(corner: Any, k: F64) -> None:
         raise CompensationError("corner.bad-share", corner=row, k=f"{k[row]:g}", source=[str(row)])
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _all(
-    kind: Any, u1: Any, u2: Any, vertex: Any, signed: Any, k: Any, rows: Any, first: Any
+    kind: U8_1,
+    u1: F64_2,
+    u2: F64_2,
+    vertex: F64_2,
+    signed: F64_1,
+    k: F64_1,
+    rows: OutF64_2,
+    first: OutI32_1,
 ) -> None:
     for i in range(len(kind)):
         at = first[i]
@@ -132,7 +139,7 @@ def _all(
         first[i + 1] = at
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def quarter_tangent(cross: float, dot: float) -> float:
     """tan(φ/4), 0 ≤ φ ≤ π, from sin φ and cos φ."""
     if dot < -0.99:
@@ -143,7 +150,7 @@ def quarter_tangent(cross: float, dot: float) -> float:
     return half / (1.0 + math.sqrt(1.0 + half * half))
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def reach(kind: int, cross: float, dot: float, size: float, k: float) -> tuple[float, float]:
     """The straight part l and the radius r′ of D; l alone (r′ = 0) of C, r′ alone of B.
 
@@ -162,8 +169,8 @@ def reach(kind: int, cross: float, dot: float, size: float, k: float) -> tuple[f
     return straight, size - straight * cos / sin
 
 
-@njit(cache=True, error_model="numpy")
-def _put(rows: Any, at: int, x0: float, y0: float, x1: float, y1: float, bulge: float) -> int:
+@kernel
+def _put(rows: OutF64_2, at: int, x0: float, y0: float, x1: float, y1: float, bulge: float) -> int:
     rows[at, 0] = x0
     rows[at, 1] = y0
     rows[at, 2] = x1
@@ -172,7 +179,7 @@ def _put(rows: Any, at: int, x0: float, y0: float, x1: float, y1: float, bulge: 
     return at + 1
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def transition(
     kind: int,
     x: float,
@@ -183,7 +190,7 @@ def transition(
     u2y: float,
     signed: float,
     k: float,
-    rows: Any,
+    rows: OutF64_2,
     at: int,
 ) -> int:
     """Write the transition at a convex corner into rows (x0, y0, x1, y1, bulge) from ``at`` on.

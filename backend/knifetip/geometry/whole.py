@@ -8,9 +8,6 @@ Neighbours are shortened to where they meet if both keep half their length; all 
 from __future__ import annotations
 
 import math
-from typing import Any
-
-from numba import njit
 
 from knifetip.geometry.beside import (
     CHORD,
@@ -35,11 +32,19 @@ from knifetip.geometry.beside import (
 from knifetip.geometry.shortened import met
 from knifetip.geometry.tolerance import POINT
 from knifetip.geometry.transition import transition
+from knifetip.kernels import F64_1, F64_2, U8_1, OutF64_2, OutI64_1, OutI64_2, kernel
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _meeting(
-    start: Any, end: Any, last: int, next_: int, table: Any, before: int, here: int, signed: float
+    start: F64_2,
+    end: F64_2,
+    last: int,
+    next_: int,
+    table: F64_2,
+    before: int,
+    here: int,
+    signed: float,
 ) -> tuple[float, float]:
     """Where two neighbours at a concave corner are to be shortened to, or NaN."""
     if table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0:
@@ -68,23 +73,23 @@ def _meeting(
     return gx, gy
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def as_moved(
-    start: Any,
-    end: Any,
-    bulge: Any,
+    start: F64_2,
+    end: F64_2,
+    bulge: F64_1,
     low: int,
     high: int,
     closed: bool,
     signed: float,
-    corner: Any,
-    k: Any,
+    corner: U8_1,
+    k: F64_1,
     step: int,
-    table: Any,
+    table: OutF64_2,
     at: int,
-    joint: Any,
-    rows: Any,
-    info: Any,
+    joint: OutI64_1,
+    rows: OutF64_2,
+    info: OutI64_2,
     put: int,
     member: int,
 ) -> int:

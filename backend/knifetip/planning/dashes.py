@@ -12,7 +12,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.azimuth import unit
 from knifetip.geometry.chain import nodes
@@ -20,6 +19,7 @@ from knifetip.geometry.columns import F64, I32, I64
 from knifetip.geometry.grid import touching
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import BULGE, COLLINEAR, GAP, JOIN
+from knifetip.kernels import F64_1, I64_1, Bool_1, kernel
 from knifetip.planning.creases import run_through
 
 #: Dashes are no farther apart than this (mm), nor than so many of their mean lengths.
@@ -134,8 +134,8 @@ def _gathered(group: I64, value: F64, gap: float) -> I64:
     return number
 
 
-@njit(cache=True)
-def _numbered(group: Any, value: Any, gap: float) -> Any:
+@kernel
+def _numbered(group: I64_1, value: F64_1, gap: float) -> Any:
     number = np.zeros(len(value), np.int64)
     least = 0
     for i in range(1, len(value)):
@@ -159,8 +159,8 @@ def distinct(ends: F64, bulge: F64) -> I32:
     return np.sort(order[new]).astype(np.int32)
 
 
-@njit(cache=True)
-def _swept(line: Any, low: Any, high: Any, low_barred: Any, high_barred: Any) -> Any:
+@kernel(checks_division=True)
+def _swept(line: I64_1, low: F64_1, high: F64_1, low_barred: Bool_1, high_barred: Bool_1) -> Any:
     """Walk along each line: where each piece begins anew, and of which run of dashes it is."""
     count = len(line)
     begin = low.copy()

@@ -19,13 +19,13 @@ import math
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.chain import nodes
 from knifetip.geometry.columns import F64
 from knifetip.geometry.grid import touching
 from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
+from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
 from knifetip.planning.near import near
 
 #: The way along a chain is so many times as long as the gap that closes it, at least.
@@ -77,10 +77,11 @@ def links(ends: F64, bulge: F64) -> F64:
     return np.unique(found.reshape(-1, 4), axis=0).reshape(-1, 2, 2)
 
 
-@njit(cache=True)
+@kernel
 def _linked(
-    tips: Any, first: Any, row: Any, share: Any, place: Any, to_end: Any, points: Any, length: Any,
-    node: Any, by_node: Any, begin: Any,
+    tips: I64_1, first: I64_1, row: I64_1, share: F64_1, place: F64_2, to_end: Bool_1,
+    points: F64_2, length: F64_1,
+    node: I64_1, by_node: I64_1, begin: I64_1,
 ) -> Any:  # fmt: skip
     """Return which candidates are links: neighbours among loose ends, the nearest other point."""
     linked = np.zeros(len(row), np.bool_)
@@ -116,8 +117,10 @@ def _linked(
     return linked
 
 
-@njit(cache=True)
-def _between(k: int, gap: float, low: int, high: int, place: Any, to_end: Any, tip: Any) -> bool:
+@kernel
+def _between(
+    k: int, gap: float, low: int, high: int, place: F64_2, to_end: Bool_1, tip: F64_1
+) -> bool:
     """Whether another loose end is nearer to both ends of a gap than they are to each other."""
     for other in range(low, high):
         if (
@@ -130,9 +133,16 @@ def _between(k: int, gap: float, low: int, high: int, place: Any, to_end: Any, t
     return False
 
 
-@njit(cache=True)
+@kernel
 def _apart(
-    edge: int, share: float, gap: float, t: int, seen: Any, way: Any, back: Any, length: Any
+    edge: int,
+    share: float,
+    gap: float,
+    t: int,
+    seen: I64_1,
+    way: F64_1,
+    back: Bool_1,
+    length: F64_1,
 ) -> bool:
     """Whether a place on an edge is not too near to the tip along the chain of both."""
     if seen[edge] != t:

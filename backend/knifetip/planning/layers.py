@@ -18,11 +18,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import CONTOUR_GAP
+from knifetip.kernels import F64_1, I64_1, I64_2, OutI64_1, kernel
 from knifetip.planning.gaps import links
 from knifetip.planning.noding import noded_throughout
 from knifetip.planning.subdivision import subdivide
@@ -70,8 +70,10 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     return result
 
 
-@njit(cache=True)
-def _peeled(face: Any, row: Any, size_of: Any, piece_of: Any, first: Any, count: int) -> Any:
+@kernel
+def _peeled(
+    face: I64_2, row: I64_1, size_of: F64_1, piece_of: I64_1, first: I64_1, count: int
+) -> Any:
     """Return the layer of each of ``count`` pieces of work, and whether all could be put in order.
 
     Parameters
@@ -163,8 +165,8 @@ def _peeled(face: Any, row: Any, size_of: Any, piece_of: Any, first: Any, count:
     return layer, ordered
 
 
-@njit(cache=True)
-def _queued(edge: int, layer: Any, waiting: Any, queue: Any, size: int) -> int:
+@kernel
+def _queued(edge: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: int) -> int:
     """Put an edge into the queue unless it was there, and return how long the queue is."""
     if layer[edge] >= 0 or waiting[edge] < 0:
         return size

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.boxes import STACK, next_near, tree, tree_size
 from knifetip.geometry.columns import F64, I64
+from knifetip.kernels import F64_2, kernel
 
 #: Boxes are put in order along a Z-curve through a grid of so many bits a side.
 _BITS: Final = 16
@@ -55,8 +55,8 @@ def _z_curve(boxes: F64) -> I64:
     return curve
 
 
-@njit(cache=True)
-def _near(boxes: Any, others: Any, gap: float) -> Any:
+@kernel
+def _near(boxes: F64_2, others: F64_2, gap: float) -> Any:
     count = len(others)
     nodes = np.empty((tree_size(count), 4))
     nodes[:count] = others

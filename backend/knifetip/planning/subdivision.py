@@ -17,13 +17,13 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.chain import nodes, outward
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.sets import settle, unite
 from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, I64_2, Bool_1, OutF64_2, OutI64_1, kernel
 
 #: A walk round less than this encloses nothing (mm²).
 _NOTHING: Final = 1e-6
@@ -124,8 +124,8 @@ def _onward(node: I64, ends: F64, bulge: F64) -> I64:
     return result
 
 
-@njit(cache=True)
-def _walked(onward: Any) -> Any:
+@kernel
+def _walked(onward: I64_1) -> Any:
     """Number the cycles of a permutation: the one of each member, and how many there are."""
     cycle = np.full(len(onward), -1, np.int64)
     count = 0
@@ -140,8 +140,8 @@ def _walked(onward: Any) -> Any:
     return cycle, count
 
 
-@njit(cache=True)
-def _components(node: Any) -> Any:
+@kernel
+def _components(node: I64_2) -> Any:
     """Return for edges between nodes, (n, 2), the least edge that each hangs together with."""
     parent = np.arange(len(node))
     seen = np.full(2 * len(node), -1)
@@ -190,8 +190,10 @@ def _nested(
     return holder, depth
 
 
-@njit(cache=True)
-def _held(order: Any, met: Any, above: Any, face: Any, outside: Any, component: Any) -> Any:
+@kernel
+def _held(
+    order: I64_1, met: I64_1, above: I64_1, face: I64_1, outside: Bool_1, component: I64_1
+) -> Any:
     holder = np.full(len(order), -1, np.int64)
     depth = np.zeros(len(order), np.int64)
     for c in order:
@@ -206,8 +208,8 @@ def _held(order: Any, met: Any, above: Any, face: Any, outside: Any, component: 
     return holder, depth
 
 
-@njit(cache=True)
-def _spans(start: Any, end: Any, bulge: Any, centre: Any, radius: Any) -> Any:
+@kernel
+def _spans(start: F64_2, end: F64_2, bulge: F64_1, centre: F64_2, radius: F64_1) -> Any:
     """Return the edges in pieces that run from left to right, and the half-edge above each."""
     spans = np.empty((3 * len(bulge), _SPAN))
     above = np.empty(3 * len(bulge), np.int64)
@@ -239,10 +241,10 @@ def _spans(start: Any, end: Any, bulge: Any, centre: Any, radius: Any) -> Any:
     return spans[:count].copy(), above[:count].copy()
 
 
-@njit(cache=True)
+@kernel
 def _span(
-    spans: Any, above: Any, count: int, edge: int, ax: float, ay: float, bx: float, by: float,
-    cx: float, cy: float, r: float, side: float,
+    spans: OutF64_2, above: OutI64_1, count: int, edge: int,
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, r: float, side: float,
 ) -> int:  # fmt: skip
     """Write one span unless it is upright, and return how many there are."""
     if ax == bx:
@@ -255,8 +257,8 @@ def _span(
     return count + 1
 
 
-@njit(cache=True)
-def _height(span: Any, x: float) -> float:
+@kernel(checks_division=True)
+def _height(span: F64_1, x: float) -> float:
     """Return the height of a span at x (mm)."""
     if x <= span[0]:
         return float(span[1])
@@ -267,8 +269,8 @@ def _height(span: Any, x: float) -> float:
     return float(span[5] + span[7] * math.sqrt(max(span[6] ** 2 - (x - span[4]) ** 2, 0.0)))
 
 
-@njit(cache=True)
-def _slope(span: Any, x: float) -> float:
+@kernel(checks_division=True)
+def _slope(span: F64_1, x: float) -> float:
     if span[7] == 0.0:
         return float((span[3] - span[1]) / (span[2] - span[0]))
     rise = math.sqrt(max(span[6] ** 2 - (x - span[4]) ** 2, 0.0))
@@ -277,8 +279,10 @@ def _slope(span: Any, x: float) -> float:
     return float(-span[7] * (x - span[4]) / rise)
 
 
-@njit(cache=True)
-def _lowest(start: Any, end: Any, component: Any, spans: Any, owner: Any, count: int) -> Any:
+@kernel
+def _lowest(
+    start: F64_2, end: F64_2, component: I64_1, spans: F64_2, owner: I64_1, count: int
+) -> Any:
     """Return the lowest point of each component, (c, 2) mm."""
     probe = np.full((count, 2), math.inf)
     for i in range(len(component)):
@@ -312,8 +316,8 @@ def _laid_out(spans: F64) -> tuple[F64, F64, I64]:
     return low, extent / shape, shape
 
 
-@njit(cache=True)
-def _rows(span: Any, column: int, low: Any, size: Any, shape: Any) -> Any:
+@kernel(checks_division=True)
+def _rows(span: F64_1, column: int, low: F64_1, size: F64_1, shape: I64_1) -> Any:
     """Return the first and last row that a span has in a column."""
     x0 = max(low[0] + column * size[0], span[0])
     x1 = min(low[0] + (column + 1) * size[0], span[2])
@@ -328,13 +332,13 @@ def _rows(span: Any, column: int, low: Any, size: Any, shape: Any) -> Any:
     return min(max(first, 0), shape[1] - 1), min(max(last, 0), shape[1] - 1)
 
 
-@njit(cache=True)
-def _column(x: float, low: Any, size: Any, shape: Any) -> int:
+@kernel(checks_division=True)
+def _column(x: float, low: F64_1, size: F64_1, shape: I64_1) -> int:
     return int(min(max(int((x - low[0]) / size[0]), 0), shape[0] - 1))
 
 
-@njit(cache=True)
-def _cells(spans: Any, low: Any, size: Any, shape: Any) -> Any:
+@kernel
+def _cells(spans: F64_2, low: F64_1, size: F64_1, shape: I64_1) -> Any:
     """Return the spans in each cell: where the cell's begin, and their list."""
     first = np.zeros(shape[0] * shape[1] + 1, np.int64)
     listed = np.empty(0, np.int32)
@@ -359,9 +363,16 @@ def _cells(spans: Any, low: Any, size: Any, shape: Any) -> Any:
     return first, listed
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def _below(
-    probe: Any, spans: Any, owner: Any, low: Any, size: Any, shape: Any, first: Any, listed: Any
+    probe: F64_2,
+    spans: F64_2,
+    owner: I64_1,
+    low: F64_1,
+    size: F64_1,
+    shape: I64_1,
+    first: I64_1,
+    listed: I32_1,
 ) -> Any:
     """Return the span of another component that lies first below each point, -1 for none.
 

@@ -16,11 +16,11 @@ import math
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_1, F64_2, Bool_1, kernel
 from knifetip.languages.registry import find_language
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
@@ -136,9 +136,15 @@ def _headings(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
     return first / length[:, None], last / length[:, None]
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def _travelled(
-    length: Any, velocity: Any, acceleration: Any, first: Any, last: Any, jolt: Any, stops: Any
+    length: F64_1,
+    velocity: F64_1,
+    acceleration: F64_1,
+    first: F64_2,
+    last: F64_2,
+    jolt: F64_1,
+    stops: Bool_1,
 ) -> Any:
     """Return the seconds of each row, (n,): joints, look-ahead backwards, trapezoids forwards.
 

@@ -13,14 +13,26 @@ import math
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
+
+from knifetip.kernels import (
+    F64_2,
+    F64_4A,
+    I32_1,
+    I32_2,
+    U8_1,
+    OutBool_1,
+    OutI32_1,
+    OutI64_1,
+    OutU8_1,
+    kernel,
+)
 
 #: Longest run that is reversed where every link in it must be measured anew.
 _RUN: Final = 50
 
 
-@njit(cache=True, error_model="numpy")
-def _link(a: int, side_a: int, b: int, side_b: int, ends: Any, rates: Any) -> float:
+@kernel
+def _link(a: int, side_a: int, b: int, side_b: int, ends: F64_4A, rates: F64_2) -> float:
     """Return the time from the end of track a to the start of track b (s)."""
     x = abs(ends[side_b, 0, b, 0] - ends[side_a, 1, a, 0])
     y = abs(ends[side_b, 0, b, 1] - ends[side_a, 1, a, 1])
@@ -36,9 +48,9 @@ def _link(a: int, side_a: int, b: int, side_b: int, ends: Any, rates: Any) -> fl
     return slowest
 
 
-@njit(cache=True)
+@kernel
 def _between(
-    i: int, turn_i: int, j: int, turn_j: int, tour: Any, side: Any, ends: Any, rates: Any
+    i: int, turn_i: int, j: int, turn_j: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
     """Return the time from place i to place j of the tour, each turned or not; 0 past its end."""
     if j >= len(tour):
@@ -46,8 +58,10 @@ def _between(
     return _link(tour[i], side[i] ^ turn_i, tour[j], side[j] ^ turn_j, ends, rates)
 
 
-@njit(cache=True)
-def _inside(i: int, j: int, turn: int, tour: Any, side: Any, ends: Any, rates: Any) -> float:
+@kernel
+def _inside(
+    i: int, j: int, turn: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+) -> float:
     """Return what reversing the places i … j adds to the links inside."""
     if turn:
         return 0.0
@@ -58,8 +72,10 @@ def _inside(i: int, j: int, turn: int, tour: Any, side: Any, ends: Any, rates: A
     return more
 
 
-@njit(cache=True)
-def _reverse_gain(i: int, j: int, turn: int, tour: Any, side: Any, ends: Any, rates: Any) -> float:
+@kernel
+def _reverse_gain(
+    i: int, j: int, turn: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+) -> float:
     """Return what reversing the places i … j adds to the whole."""
     if i < 1 or (not turn and j - i > _RUN):
         return 0.0
@@ -74,8 +90,8 @@ def _reverse_gain(i: int, j: int, turn: int, tour: Any, side: Any, ends: Any, ra
     return more + _inside(i, j, turn, tour, side, ends, rates)
 
 
-@njit(cache=True)
-def _freed(s: int, e: int, tour: Any, side: Any, ends: Any, rates: Any) -> float:
+@kernel
+def _freed(s: int, e: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2) -> float:
     """Return what taking the places s … e out saves; 0 where that cannot be."""
     if s < 1 or e >= len(tour):
         return 0.0
@@ -84,8 +100,8 @@ def _freed(s: int, e: int, tour: Any, side: Any, ends: Any, rates: Any) -> float
     return saved - _between(s - 1, 0, e + 1, 0, tour, side, ends, rates)
 
 
-@njit(cache=True)
-def _reverse(i: int, j: int, turn: int, tour: Any, side: Any, where: Any) -> None:
+@kernel
+def _reverse(i: int, j: int, turn: int, tour: OutI32_1, side: OutU8_1, where: OutI64_1) -> None:
     low, high = i, j
     while low < high:
         tour[low], tour[high] = tour[high], tour[low]
@@ -97,25 +113,25 @@ def _reverse(i: int, j: int, turn: int, tour: Any, side: Any, where: Any) -> Non
         where[tour[place]] = place
 
 
-@njit(cache=True)
-def _swap(s: int, m: int, e: int, tour: Any, side: Any, where: Any) -> None:
+@kernel
+def _swap(s: int, m: int, e: int, tour: OutI32_1, side: OutU8_1, where: OutI64_1) -> None:
     """Put the places m … e before the places s … m - 1."""
     _reverse(s, m - 1, 0, tour, side, where)
     _reverse(m, e, 0, tour, side, where)
     _reverse(s, e, 0, tour, side, where)
 
 
-@njit(cache=True)
+@kernel
 def _better(
     track: int,
-    tour: Any,
-    side: Any,
-    where: Any,
-    ends: Any,
-    rates: Any,
+    tour: OutI32_1,
+    side: OutU8_1,
+    where: OutI64_1,
+    ends: F64_4A,
+    rates: F64_2,
     way: int,
-    near: Any,
-    floor: Any,
+    near: I32_2,
+    floor: F64_2,
 ) -> Any:
     """Make the first change for the better around a track.
 
@@ -190,21 +206,21 @@ def _better(
     return 0, -1, 0.0
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def _settle(
-    queue: Any,
-    waiting: Any,
+    queue: OutI32_1,
+    waiting: OutBool_1,
     head: int,
     size: int,
     most: int,
-    tour: Any,
-    side: Any,
-    where: Any,
-    ends: Any,
-    rates: Any,
+    tour: OutI32_1,
+    side: OutU8_1,
+    where: OutI64_1,
+    ends: F64_4A,
+    rates: F64_2,
     way: int,
-    near: Any,
-    floor: Any,
+    near: I32_2,
+    floor: F64_2,
 ) -> Any:
     """Better the tracks in the queue, and those beside a change, until nothing more is found."""
     count = len(queue)
@@ -232,15 +248,15 @@ def _settle(
     return gained, low, high
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def improve(
-    tour: Any,
-    side: Any,
-    ends: Any,
-    rates: Any,
+    tour: OutI32_1,
+    side: OutU8_1,
+    ends: F64_4A,
+    rates: F64_2,
     way: int,
-    near: Any,
-    floor: Any,
+    near: I32_2,
+    floor: F64_2,
     trials: int,
 ) -> None:
     """Shorten the tour in place: 2-opt and Or-opt, then swaps of near segments, mended."""

@@ -9,9 +9,9 @@ import math
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.columns import F64, I32
+from knifetip.kernels import F64_1, F64_2, F64_2A, I64_1, OutF64_1, OutI32_1, OutI64_1, kernel
 
 
 def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
@@ -42,17 +42,17 @@ def walk(start: F64, end: F64, origin: F64, count: int) -> Any:
     return _walked(start, end, origin, low, size, side, listed, first, key, count)
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def _walked(
-    start: Any,
-    end: Any,
-    origin: Any,
-    low: Any,
-    size: Any,
+    start: F64_2A,
+    end: F64_2A,
+    origin: F64_1,
+    low: F64_1,
+    size: F64_1,
     side: int,
-    listed: Any,
-    first: Any,
-    key: Any,
+    listed: OutI64_1,
+    first: I64_1,
+    key: I64_1,
     count: int,
 ) -> Any:
     """Search the grid in growing rings; a found track is struck from its cells."""
@@ -95,8 +95,8 @@ def _walked(
     return order
 
 
-@njit(cache=True)
-def neighbours(start: Any, end: Any, wanted: int) -> Any:
+@kernel(checks_division=True)
+def neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
     """Return the tracks with the ends nearest to either end of each, and how near, (t, wanted)."""
     count = len(start)
     point = np.concatenate((start, end))
@@ -139,8 +139,8 @@ def neighbours(start: Any, end: Any, wanted: int) -> Any:
     return near, far
 
 
-@njit(cache=True)
-def _listed(near: Any, best: Any, found: int, other: int, distance: float) -> int:
+@kernel
+def _listed(near: OutI32_1, best: OutF64_1, found: int, other: int, distance: float) -> int:
     """Put a track into a list of the nearest, once, and return how long the list is."""
     at = found
     for place in range(found):

@@ -16,11 +16,11 @@ from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.errors import CompensationError
 from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.path import Paths
+from knifetip.kernels import F64_1, F64_2, kernel
 from knifetip.model.machine import Machine
 from knifetip.model.tool import TipCircle
 from knifetip.model.toolpath import Motion, Toolpath
@@ -164,9 +164,16 @@ def retracted(toolpath: Toolpath, machine: Machine) -> Toolpath:
     )
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def unwound(
-    start: Any, end: Any, least: Any, most: Any, here: float, low: float, high: float, period: float
+    start: F64_1,
+    end: F64_1,
+    least: F64_1,
+    most: F64_1,
+    here: float,
+    low: float,
+    high: float,
+    period: float,
 ) -> Any:
     """Return what to add to the headings of each run of moves, in order, so that C turns little.
 
@@ -201,8 +208,8 @@ def unwound(
     return shift
 
 
-@njit(cache=True)
-def _off(x: float, y: float, start: Any, end: Any, bulge: Any) -> float:
+@kernel(checks_division=True)
+def _off(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1) -> float:
     """Return how far a point is outside closed chains of lines and arcs (mm), negative inside.
 
     Inside is what an odd number of crossings parts from far away: of the chords, and then once
@@ -242,8 +249,8 @@ def _off(x: float, y: float, start: Any, end: Any, bulge: Any) -> float:
     return -nearest if inside else nearest
 
 
-@njit(cache=True)
-def _outside(point: Any, start: Any, end: Any, bulge: Any) -> Any:
+@kernel
+def _outside(point: F64_2, start: F64_2, end: F64_2, bulge: F64_1) -> Any:
     """Return how far points are outside, (n,) mm, negative inside."""
     off = np.empty(len(point))
     for row in range(len(point)):
@@ -251,9 +258,9 @@ def _outside(point: Any, start: Any, end: Any, bulge: Any) -> Any:
     return off
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def _clear_ways(
-    start: Any, end: Any, radius: float, aside: float, first: Any, last: Any, bulge: Any
+    start: F64_2, end: F64_2, radius: float, aside: float, first: F64_2, last: F64_2, bulge: F64_1
 ) -> Any:
     """Return which ways stay off the board: each goes on by what it is off."""
     clear = np.zeros(len(start), np.bool_)

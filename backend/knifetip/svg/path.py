@@ -16,10 +16,10 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.drawing_builder.paths import ARC, CUBIC, LINE, Table
 from knifetip.geometry.columns import I64
+from knifetip.kernels import U8_1, OutI64_1, kernel
 
 #: What ``_scan`` answers where there are more segments than wanted.
 _TOO_MANY: Final = -1
@@ -43,8 +43,8 @@ def scanned(paths: Sequence[str], most: int) -> Scanned | None:
     return Scanned(kind[:count], numbers[:count], path[:count], wrong)
 
 
-@njit(cache=True, error_model="numpy")
-def _skipped(data: Any, at: int, last: int) -> int:
+@kernel
+def _skipped(data: U8_1, at: int, last: int) -> int:
     """Return the place after blanks and commas."""
     while at < last and (
         data[at] == 32 or data[at] == 44 or data[at] == 10 or data[at] == 13 or data[at] == 9
@@ -53,8 +53,8 @@ def _skipped(data: Any, at: int, last: int) -> int:
     return at
 
 
-@njit(cache=True, error_model="numpy")
-def _number(data: Any, at: int, last: int) -> tuple[float, int]:
+@kernel
+def _number(data: U8_1, at: int, last: int) -> tuple[float, int]:
     """Return a number and the place after it, -1 where there is none."""
     at = _skipped(data, at, last)
     negative = False
@@ -111,8 +111,8 @@ def _number(data: Any, at: int, last: int) -> tuple[float, int]:
     return -value if negative else value, at
 
 
-@njit(cache=True, error_model="numpy")
-def _flag(data: Any, at: int, last: int) -> tuple[int, int]:
+@kernel
+def _flag(data: U8_1, at: int, last: int) -> tuple[int, int]:
     """Return a flag of an arc, one digit that may touch what follows, and the place after it."""
     at = _skipped(data, at, last)
     if at < last and (data[at] == 48 or data[at] == 49):
@@ -120,7 +120,7 @@ def _flag(data: Any, at: int, last: int) -> tuple[int, int]:
     return 0, -1
 
 
-@njit(cache=True, error_model="numpy")
+@kernel
 def _wanted(command: int) -> int:
     """Return how many numbers a command in lower case takes, -1 where it is none."""
     if command == 109 or command == 108 or command == 116:  # m l t
@@ -138,8 +138,8 @@ def _wanted(command: int) -> int:
     return -1
 
 
-@njit(cache=True, error_model="numpy")
-def _scan(data: Any, bounds: Any, most: int) -> Any:
+@kernel
+def _scan(data: U8_1, bounds: OutI64_1, most: int) -> Any:
     paths = len(bounds) - 1
     room = 64
     kind = np.empty(room, np.uint8)

@@ -11,11 +11,11 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.sets import settle, unite
+from knifetip.kernels import OutI64_1, kernel
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, NAMES, factor
 from knifetip.units import weights
@@ -134,8 +134,8 @@ def _family(key: tuple[str, str]) -> str:
     )
 
 
-@njit(cache=True, error_model="numpy")
-def _roots(node: Any, count: int) -> Any:
+@kernel
+def _roots(node: OutI64_1, count: int) -> Any:
     """Return the part of each of ``count`` nodes; edge i joins nodes 2 i and 2 i + 1."""
     root = np.arange(count)
     for edge in range(len(node) // 2):

@@ -17,9 +17,9 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.errors import GeometryError
+from knifetip.kernels import F64_1, I64_1, kernel
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.tool import CreaseWheel
@@ -284,8 +284,8 @@ def chains(edges: Edges, link: I64) -> Chains:
     return Chains(path, begin, flipped, length[:count], first[:count], last[:count])
 
 
-@njit(cache=True)
-def _strung(link: Any, size: Any) -> Any:
+@kernel
+def _strung(link: I64_1, size: F64_1) -> Any:
     count = len(size)
     path = np.full(count, -1, np.int64)
     begin = np.zeros(count)

@@ -19,8 +19,8 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
+from knifetip.kernels import F64_1, F64_2, I64_1, I64_2, Bool_1, kernel
 from knifetip.model.dieline import LineType
 from knifetip.verification.bench import DEPTH, Bench
 from knifetip.verification.columns import F64, I32, I64, Bool
@@ -229,10 +229,10 @@ def _worked(bench: Bench, work: Work, cuts: Edges) -> _Stretches:
     )  # fmt: skip
 
 
-@njit(cache=True)
+@kernel
 def _completed(
-    owner: Any, begin: Any, end: Any, edge: Any, low: Any, high: Any, line: Any, count: int,
-    reach: float,
+    owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
+    line: I64_1, count: int, reach: float,
 ) -> Any:  # fmt: skip
     """Return the line that completes each piece, infinite for none; before all others for links.
 
@@ -267,8 +267,8 @@ def _completed(
     return complete
 
 
-@njit(cache=True)
-def _fresh(edge: Any, low: Any, high: Any) -> Any:
+@kernel
+def _fresh(edge: I64_1, low: F64_1, high: F64_1) -> Any:
     """Return which stretches, by edge and then by line, are new for half of their length."""
     fresh = np.zeros(len(edge), np.bool_)
     begin = 0
@@ -285,8 +285,10 @@ def _fresh(edge: Any, low: Any, high: Any) -> Any:
     return fresh
 
 
-@njit(cache=True)
-def _held_until(edge: Any, low: Any, high: Any, first: Any, begin: Any, end: Any, held: Any) -> Any:
+@kernel
+def _held_until(
+    edge: I64_1, low: F64_1, high: F64_1, first: I64_1, begin: F64_1, end: F64_1, held: F64_1
+) -> Any:
     """Return until which line each stretch is held: by a short piece only if it has no other."""
     until = np.full(len(edge), -1.0)
     for k in range(len(edge)):
@@ -375,8 +377,8 @@ def _links(cuts: Edges) -> F64:
     return lines(both[:, :2], both[:, 2:])
 
 
-@njit(cache=True)
-def _next_to(one: Any, other: Any, points: Any, first: Any) -> Any:
+@kernel
+def _next_to(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> Any:
     """Return of pairs of points, (k,), which have no third one in the lens between them."""
     kept = np.ones(len(one), np.bool_)
     for k in range(len(one)):
@@ -443,8 +445,8 @@ def _nested(curve: F64, cycle: I64, outside: Bool, component: I64) -> tuple[I64,
     return face, int((~outside).sum()) + 1
 
 
-@njit(cache=True)
-def _around(order: Any, beside: Any, outside: Any, of: Any, name: Any) -> Any:
+@kernel
+def _around(order: I64_1, beside: I64_1, outside: Bool_1, of: I64_1, name: I64_1) -> Any:
     """Return the face round each component, from the walk that lies beside it."""
     around = np.zeros(len(order), np.int64)
     for c in order:
@@ -471,9 +473,16 @@ def _left_of(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I64, Bool]:
     return met, rising
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def _looked_left(
-    points: Any, own: Any, curve: Any, owner: Any, corner: Any, size: float, wide: int, tall: int
+    points: F64_2,
+    own: I64_1,
+    curve: F64_2,
+    owner: I64_1,
+    corner: F64_1,
+    size: float,
+    wide: int,
+    tall: int,
 ) -> Any:
     first = np.zeros(wide * tall + 1, np.int64)
     seen = np.full(wide * tall, -1, np.int64)
@@ -520,8 +529,8 @@ def _looked_left(
     return met, rising
 
 
-@njit(cache=True)
-def _met(curve: Any, x: float, y: float) -> Any:
+@kernel(checks_division=True)
+def _met(curve: F64_1, x: float, y: float) -> Any:
     """Return where a curve is met first to the left of a point, and whether it rises there."""
     best, up = -math.inf, False
     if curve[0] == 0.0:
@@ -544,8 +553,8 @@ def _met(curve: Any, x: float, y: float) -> Any:
     return best, up
 
 
-@njit(cache=True)
-def _freed(order: Any, complete: Any, face: Any, count: int) -> Any:
+@kernel
+def _freed(order: I64_1, complete: F64_1, face: I64_2, count: int) -> Any:
     """Return the line after which each face is loose, infinite for those that stay held.
 
     ``order`` has the pieces that are done last first.

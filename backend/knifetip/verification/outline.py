@@ -19,8 +19,8 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
+from knifetip.kernels import F64_1, F64_2, I64_1, kernel
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.intent import JOINED, TOUCHING, Edges, pairs_within
 from knifetip.verification.kinematics import azimuth_at, lines, point_at
@@ -122,8 +122,8 @@ def _swept(edges: Edges) -> F64:
     return result
 
 
-@njit(cache=True)
-def _walked(order: Any, node: Any, swept: Any) -> Any:
+@kernel
+def _walked(order: I64_1, node: I64_1, swept: F64_1) -> Any:
     """Return the cycle of every half-edge, and twice the area of every cycle."""
     count = len(order)
     rank = np.empty(count, np.int64)
@@ -186,8 +186,8 @@ def _boxes(around: F64, first: I64) -> F64:
     return boxes
 
 
-@njit(cache=True)
-def _containing(points: Any, around: Any, first: Any, boxes: Any, own: bool) -> Any:
+@kernel
+def _containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, own: bool) -> Any:
     """Return how many outlines are crossed oddly by the rays from points along +X."""
     depth = np.zeros(len(points), np.int64)
     for i in range(len(points)):
@@ -205,8 +205,8 @@ def _containing(points: Any, around: Any, first: Any, boxes: Any, own: bool) -> 
     return depth
 
 
-@njit(cache=True)
-def _crossed(curve: Any, x: float, y: float) -> int:
+@kernel(checks_division=True)
+def _crossed(curve: F64_1, x: float, y: float) -> int:
     """Return how often a ray along +X crosses a curve; an end counts where the curve is above."""
     if curve[0] == 0.0:
         y0 = curve[2]

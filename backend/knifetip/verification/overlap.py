@@ -12,8 +12,8 @@ import math
 from typing import Any
 
 import numpy as np
-from numba import njit
 
+from knifetip.kernels import F64_1, F64_2, I32_2, OutF64_2, OutI64_1, kernel
 from knifetip.verification.columns import F64
 from knifetip.verification.stretches import Rows, in_order
 
@@ -67,9 +67,9 @@ def laid_out(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
     return corner, size, shape
 
 
-@njit(cache=True)
+@kernel(checks_division=True)
 def cells_of(
-    curve: Any, margin: float, corner: Any, size: float, wide: int, high: int, out: Any
+    curve: F64_1, margin: float, corner: F64_1, size: float, wide: int, high: int, out: OutI64_1
 ) -> Any:
     """Write the cells that a curve's surroundings touch to ``out``, repeats included."""
     count = 0
@@ -112,8 +112,8 @@ def cells_of(
     return out, count
 
 
-@njit(cache=True)
-def _grown(pairs: Any, spans: Any) -> Any:
+@kernel
+def _grown(pairs: I32_2, spans: F64_2) -> Any:
     """Return the arrays with room for twice the rows; loops compile faster than slices."""
     more_pairs = np.empty((2 * len(pairs), 2), np.int32)
     more_spans = np.empty((2 * len(pairs), 5))
@@ -125,14 +125,14 @@ def _grown(pairs: Any, spans: Any) -> Any:
     return more_pairs, more_spans
 
 
-@njit(cache=True)
+@kernel
 def _found(
-    curves: Any,
-    edges: Any,
-    low: Any,
-    high: Any,
+    curves: F64_2,
+    edges: F64_2,
+    low: F64_1,
+    high: F64_1,
     limit: float,
-    corner: Any,
+    corner: F64_1,
     size: float,
     wide: int,
     tall: int,
@@ -190,8 +190,8 @@ def _found(
     return pairs, spans, rows
 
 
-@njit(cache=True)
-def _seen_from(edge: Any, x: float, y: float) -> Any:
+@kernel(checks_division=True)
+def _seen_from(edge: F64_1, x: float, y: float) -> Any:
     """Return the distance along the edge's line or circle (mm), and the signed one off it."""
     dx = x - edge[1]
     dy = y - edge[2]
@@ -204,16 +204,18 @@ def _seen_from(edge: Any, x: float, y: float) -> Any:
     return turned * edge[3], math.hypot(dx, dy) - edge[3]
 
 
-@njit(cache=True)
-def _on(curve: Any, along: float) -> Any:
+@kernel(checks_division=True)
+def _on(curve: F64_1, along: float) -> Any:
     if curve[0] == 0.0:
         return curve[1] + curve[3] * along, curve[2] + curve[4] * along
     angle = curve[4] + curve[0] * along / curve[3]
     return curve[1] + curve[3] * math.cos(angle), curve[2] + curve[3] * math.sin(angle)
 
 
-@njit(cache=True)
-def _shared(curve: Any, edge: Any, low: float, high: float, limit: float, hits: Any) -> int:
+@kernel(checks_division=True)
+def _shared(
+    curve: F64_1, edge: F64_1, low: float, high: float, limit: float, hits: OutF64_2
+) -> int:
     """Write the stretches of one curve along one edge to ``hits``: along, place, distance."""
     near = np.empty((8, 2))
     if curve[0] == 0.0:
@@ -276,8 +278,8 @@ def _shared(curve: Any, edge: Any, low: float, high: float, limit: float, hits: 
     return found
 
 
-@njit(cache=True)
-def _kept(begin: float, end: float, length: float, near: Any, pieces: int) -> int:
+@kernel
+def _kept(begin: float, end: float, length: float, near: OutF64_2, pieces: int) -> int:
     begin = max(begin, 0.0)
     end = min(end, length)
     if begin <= end and pieces < len(near):
@@ -287,8 +289,8 @@ def _kept(begin: float, end: float, length: float, near: Any, pieces: int) -> in
     return pieces
 
 
-@njit(cache=True)
-def _near_line(curve: Any, edge: Any, limit: float, near: Any) -> int:
+@kernel(checks_division=True)
+def _near_line(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
     """Where a line is within the limit of the edge's line or circle."""
     length = curve[5]
     if edge[0] == 0.0:
@@ -313,8 +315,8 @@ def _near_line(curve: Any, edge: Any, limit: float, near: Any) -> int:
     return _kept(foot + inner, foot + outer, length, near, pieces)
 
 
-@njit(cache=True)
-def _near_arc(curve: Any, edge: Any, limit: float, near: Any) -> int:
+@kernel(checks_division=True)
+def _near_arc(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
     """Where an arc is within the limit: where lowest ≤ sin(angle - shift) ≤ highest."""
     radius = curve[3]
     if edge[0] == 0.0:
@@ -351,8 +353,8 @@ def _near_arc(curve: Any, edge: Any, limit: float, near: Any) -> int:
     return _turned(curve, shift + math.pi - high, shift + math.pi - low, near, pieces)
 
 
-@njit(cache=True)
-def _turned(curve: Any, begin: float, end: float, near: Any, pieces: int) -> int:
+@kernel
+def _turned(curve: F64_1, begin: float, end: float, near: OutF64_2, pieces: int) -> int:
     """Keep where the arc runs between two angles, once for every turn that meets it."""
     if curve[0] < 0.0:
         begin, end = -end, -begin

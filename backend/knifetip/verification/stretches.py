@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
+from knifetip.kernels import F64_1, F64_2, I32_1, OutF64_2, kernel
 from knifetip.verification.columns import F64, I32, I64, Bool
 
 #: Numbers that differ by less are one number (mm).
@@ -108,8 +108,8 @@ def gaps(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64, F64]:
     return edge[bare].astype(np.int64), before[bare], low[bare]
 
 
-@njit(cache=True)
-def _best(curve_of: Any, spans: Any, length: Any, until: Any) -> Any:
+@kernel
+def _best(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) -> Any:
     """A stretch counts where no nearer one of its curve has been: rows come nearest first."""
     best = np.zeros(len(curve_of), np.bool_)
     begin = 0
@@ -133,8 +133,8 @@ def _best(curve_of: Any, spans: Any, length: Any, until: Any) -> Any:
     return best
 
 
-@njit(cache=True)
-def added(covered: Any, many: int, left: float, right: float) -> Any:
+@kernel
+def added(covered: OutF64_2, many: int, left: float, right: float) -> Any:
     """Put a stretch into a sorted list of disjoint ones; return their number and what was new."""
     first = 0
     while first < many and covered[first, 1] < left:
@@ -164,8 +164,8 @@ def added(covered: Any, many: int, left: float, right: float) -> Any:
     return many, (right - left) - old
 
 
-@njit(cache=True)
-def _left(curve_of: Any, along: Any, length: Any) -> Any:
+@kernel
+def _left(curve_of: I32_1, along: F64_2, length: F64_1) -> Any:
     which = np.empty(len(curve_of) + len(length), np.int32)
     spans = np.empty((len(which), 2))
     count = 0

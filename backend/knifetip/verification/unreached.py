@@ -16,8 +16,8 @@ from collections.abc import Sequence
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
+from knifetip.kernels import I64_1, kernel
 from knifetip.model.verdict import Unreached
 from knifetip.verification.columns import F64, I64
 from knifetip.verification.intent import JOINED, pairs_within
@@ -107,8 +107,8 @@ def _back(stop: F64, ahead: F64, inward: F64, start: F64, reach: F64) -> I64:
     return result
 
 
-@njit(cache=True)
-def _loops(onward: Any) -> Any:
+@kernel
+def _loops(onward: I64_1) -> Any:
     """Return the pieces of all closed loops in order, and where each loop begins."""
     count = len(onward)
     order = np.empty(count, np.int64)
