@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numba import njit
 
 from knifetip.errors import ProgramUnreadable
+from knifetip.kernels import U8_1, kernel
 from knifetip.verification.columns import F64, I32, U8
 
 #: Longest text that is looked at (bytes).
@@ -86,8 +86,8 @@ def obeyed(text: bytes) -> list[tuple[int, str]]:
     ]
 
 
-@njit(cache=True)
-def _scanned(raw: Any, longest: int, farthest: float) -> Any:
+@kernel(checks_division=True)
+def _scanned(raw: U8_1, longest: int, farthest: float) -> Any:
     """One walk over the bytes; a line with a fault keeps the words that it has."""
     letters = 0
     for byte in raw:
