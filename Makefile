@@ -42,9 +42,9 @@ $(VENV)/.runtime: backend/requirements.lock backend/pyproject.toml | $(BIN)/pyth
 
 $(VENV)/.kernels: $(VENV)/.runtime $(KERNELS)
 	@find backend/knifetip -name "*.nb[ci]" -delete
-	@echo "Compiling what must be fast, this once: about two minutes."
-	@# Two at a time, and then whatever both have left.
-	@$(WARM) offsets & $(WARM) drawings && wait && $(WARM) warm
+	@echo "Compiling what must be fast, this once: about one minute."
+	@# On two cores; what both need is compiled twice.
+	@$(WARM) jobs offsets & other=$$!; $(WARM) drawings && wait $$other
 	@touch $@
 
 $(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.kernels

@@ -54,8 +54,8 @@ def crossings(
     touch : mm
         Within this of each other is touching.
     """
-    one = np.column_stack([start, end, bulge])
-    two = np.column_stack([other_start, other_end, other_bulge])
+    one = np.column_stack([start, end, bulge]).astype(np.float64, copy=False)
+    two = np.column_stack([other_start, other_end, other_bulge]).astype(np.float64, copy=False)
     count = np.zeros(len(one), np.int32)
     found = np.full((len(one), MOST, 4), np.nan)
     _pairs(one, two, touch, count, found)

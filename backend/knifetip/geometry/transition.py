@@ -89,7 +89,8 @@ def transitions(
     signed = size * np.broadcast_to(np.asarray(side, np.float64), count)
     rows = np.empty((MOST * count, 5))
     first = np.zeros(count + 1, np.int32)
-    _all(kind, before, after, vertex, signed, share, rows, first)
+    column = np.ascontiguousarray
+    _all(column(kind), before, after, column(vertex), signed, column(share), rows, first)
     rows = rows[: first[-1]]
     return Paths(rows[:, :2], rows[:, 2:4], rows[:, 4], first)
 
