@@ -133,8 +133,10 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
     for begin, end in ((s.VERTICES, s.MOST_VERTICES), (s.OTHERS, s.MOST_OTHERS)):
         state[:, begin], state[:, end] = point[:-1], point[1:]
     # Pages of these that nothing is written to cost no memory.  Later whole columns are asked for.
-    entity = np.empty((row[-1], f.WIDTH), np.int32, order="F")
-    value = np.empty((row[-1], f.VALUES), order="F")
+    # Two rows at least: with one, or none, an array has its rows contiguous as well for numba.
+    room = max(row[-1], 2)
+    entity = np.empty((room, f.WIDTH), np.int32, order="F")
+    value = np.empty((room, f.VALUES), order="F")
     vertex, others = np.empty((point[-1], 3)), np.empty(point[-1], np.int64)
     block, base = np.empty((points[0] // 4, 5), np.int32), np.empty((points[0] // 4, 2))
     layer = np.empty((MOST_NAMES, 6), np.int32)

@@ -16,7 +16,8 @@ import numpy as np
 from knifetip.geometry import cores
 from knifetip.geometry.beside import FINE
 from knifetip.geometry.columns import F64, I32, U8
-from knifetip.geometry.groups import all_groups
+from knifetip.geometry.contours import Contours, CornerTypes, OffsetGroups
+from knifetip.geometry.groups import offset_groups
 from knifetip.geometry.path import Paths
 
 #: Segments that one core has done before another has begun.
@@ -26,13 +27,14 @@ _WORTH_A_CORE: Final = 10_000
 def on_all_cores(
     paths: Paths, member: I32, members: I32, signed: F64, corner: U8, k: F64, refuse: bool
 ) -> Any:
-    """Return what ``groups.all_groups`` returns."""
+    """Return what ``groups.offset_groups`` returns."""
     runs = _runs(paths.first, member, members, cores.number())
 
+    contours = Contours(paths.start, paths.end, paths.bulge, paths.first)
+    corners = CornerTypes(corner, k, 0 if len(corner) == 1 else 1)
+
     def done(run: I32) -> Any:
-        return all_groups(
-            paths.start, paths.end, paths.bulge, paths.first, member, run, signed, corner, k, refuse
-        )
+        return offset_groups(contours, OffsetGroups(member, run, signed), corners, refuse)
 
     parts = cores.each(done, runs)
     if len(parts) == 1:

@@ -12,8 +12,9 @@ from __future__ import annotations
 import math
 from typing import Final
 
+from knifetip.geometry.contours import Contours
 from knifetip.geometry.tolerance import BULGE, POINT
-from knifetip.kernels import F64_1, F64_2, OutF64_2, kernel
+from knifetip.kernels import F64_2, OutF64_2, kernel
 
 # What a kernel says of a path.
 FINE: Final = 0
@@ -39,23 +40,18 @@ STILL: Final = 1e-10
 
 
 @kernel
-def is_closed(start: F64_2, end: F64_2, low: int, high: int) -> bool:
+def is_closed(contours: Contours, low: int, high: int) -> bool:
     """Whether segments low … high - 1 end where they begin."""
+    start, end = contours.start, contours.end
     return math.hypot(start[low, 0] - end[high - 1, 0], start[low, 1] - end[high - 1, 1]) < POINT
 
 
 @kernel
-def moved(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    low: int,
-    high: int,
-    signed: float,
-    table: OutF64_2,
-    at: int,
+def move_segments(
+    contours: Contours, low: int, high: int, signed: float, table: OutF64_2, at: int
 ) -> tuple[int, int]:
     """Fill the table for segments low … high - 1; return a failure and its segment."""
+    start, end, bulge = contours.start, contours.end, contours.bulge
     for i in range(low, high):
         here = at + i - low
         x0, y0, x1, y1, b = start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i]
@@ -98,7 +94,9 @@ def moved(
 
 
 @kernel
-def part(table: F64_2, here: int, dx: float, dy: float, bulge: float, x: float, y: float) -> float:
+def kept_bulge(
+    table: F64_2, here: int, dx: float, dy: float, bulge: float, x: float, y: float
+) -> float:
     """The bulge of what is kept of a moved arc whose own began in (x, y); 0 if nothing is.
 
     (dx, dy) is the chord of what is kept, from the start that now stands in the table.

@@ -16,12 +16,12 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.geometry.contours import CheckedSegments, Scratch
 from knifetip.geometry.intersect import TOUCH, crossing
 from knifetip.kernels import (
     F64_1,
     F64_2,
     I64_1,
-    Bool_1,
     OutF64_1,
     OutF64_2,
     OutI64_1,
@@ -188,17 +188,9 @@ def apart(
 
 
 @kernel
-def _meet(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    i: int,
-    j: int,
-    round_corner: bool,
-    pair: OutF64_2,
-    found: OutF64_2,
-) -> bool:
+def _meet(segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch: Scratch) -> bool:
     """Whether segments i and j, whose boxes meet, have a point in common."""
+    start, end, bulge, pair = segments.start, segments.end, segments.bulge, scratch.pair
     b, other = bulge[i], bulge[j]
     if round_corner and b == 0.0 and other == 0.0:
         # Two lines on either side of a convex corner run away from each other.
@@ -209,7 +201,7 @@ def _meet(
         return False
     pair[0, 0], pair[0, 1], pair[0, 2], pair[0, 3], pair[0, 4] = x0, y0, x1, y1, b
     pair[1, 0], pair[1, 1], pair[1, 2], pair[1, 3], pair[1, 4] = ox, oy, ex, ey, other
-    return bool(crossing(pair, 0, pair, 1, TOUCH, found) > 0)
+    return bool(crossing(pair, 0, pair, 1, TOUCH, scratch.found) > 0)
 
 
 @kernel
@@ -249,27 +241,20 @@ def boxed(
 
 @kernel
 def meets_itself(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    inserted: Bool_1,
-    low: int,
-    high: int,
-    boxes: OutF64_2,
-    pair: OutF64_2,
-    found: OutF64_2,
+    segments: CheckedSegments, low: int, high: int, boxes: OutF64_2, scratch: Scratch
 ) -> bool:
     """Whether segments of a closed path have a point in common that are no neighbours.
 
     The path has the segments low … high - 1; boxes (4, m) are room for half as many again.
     """
+    start, end, bulge, inserted = segments
     count = high - low
     x0, y0, x1, y1 = boxes[0], boxes[1], boxes[2], boxes[3]
     if count < 4:
         return False
     boxed(start, end, bulge, low, high, x0, y0, x1, y1)
     if count > FEW:
-        first, _ = _meets_in_tree(start, end, bulge, inserted, low, high, 2, boxes, pair, found)
+        first, _ = _meets_in_tree(segments, low, high, 2, boxes, scratch)
         return bool(first >= 0)
     half = count // 2
     near = min(half, 2 * BLOCK - 1)
@@ -287,7 +272,7 @@ def meets_itself(
                 j = at if at < count else at - count
                 middle = low + (i + 1 if i + 1 < count else 0)
                 round_corner = step == 2 and inserted[middle]
-                if _meet(start, end, bulge, low + i, low + j, round_corner, pair, found):
+                if _meet(segments, low + i, low + j, round_corner, scratch):
                     return True
     if near == half:
         return False
@@ -312,19 +297,19 @@ def meets_itself(
                 for j in range(two, min(two + BLOCK, count)):
                     if x0[j] > x1[i] or x0[i] > x1[j] or y0[j] > y1[i] or y0[i] > y1[j]:
                         continue
-                    if _meet(start, end, bulge, low + i, low + j, False, pair, found):
+                    if _meet(segments, low + i, low + j, False, scratch):
                         return True
     return False
 
 
 @kernel
-def any_meet(start: F64_2, end: F64_2, bulge: F64_1, pair: OutF64_2, found: OutF64_2) -> bool:
+def any_meet(start: F64_2, end: F64_2, bulge: F64_1, scratch: Scratch) -> bool:
     """Whether two of some segments have a point in common."""
     count = len(bulge)
     boxes = np.empty((4, count))
     boxed(start, end, bulge, 0, count, boxes[0], boxes[1], boxes[2], boxes[3])
-    inserted = np.zeros(count, np.bool_)
-    first, _ = _meets_in_tree(start, end, bulge, inserted, 0, count, 1, boxes, pair, found)
+    segments = CheckedSegments(start, end, bulge, np.zeros(count, np.bool_))
+    first, _ = _meets_in_tree(segments, 0, count, 1, boxes, scratch)
     return bool(first >= 0)
 
 
@@ -335,26 +320,16 @@ def where_met(
     """Two segments of a closed path that meet and are no neighbours, or -1, and a point of both."""
     boxes = np.empty((4, high - low))
     boxed(start, end, bulge, low, high, boxes[0], boxes[1], boxes[2], boxes[3])
-    inserted = np.zeros(high, np.bool_)
+    segments = CheckedSegments(start, end, bulge, np.zeros(high, np.bool_))
     found = np.empty((4, 4))
-    one, two = _meets_in_tree(
-        start, end, bulge, inserted, low, high, 2, boxes, np.empty((2, 5)), found
-    )
+    scratch = Scratch(np.empty((2, 5)), found)
+    one, two = _meets_in_tree(segments, low, high, 2, boxes, scratch)
     return low + one if one >= 0 else -1, low + two, found[0, 0], found[0, 1]
 
 
 @kernel
 def _meets_in_tree(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    inserted: Bool_1,
-    low: int,
-    high: int,
-    step: int,
-    columns: F64_2,
-    pair: OutF64_2,
-    found: OutF64_2,
+    segments: CheckedSegments, low: int, high: int, step: int, columns: F64_2, scratch: Scratch
 ) -> tuple[int, int]:
     """Two segments that meet ``step`` apart, or more, or -1; with 2 the path is closed."""
     count = high - low
@@ -385,7 +360,7 @@ def _meets_in_tree(
                 break
             if step == 2 and i == 0 and j == count - 1:
                 continue
-            round_corner = step == 2 and j == i + 2 and inserted[low + i + 1]
-            if _meet(start, end, bulge, low + i, low + j, round_corner, pair, found):
+            round_corner = step == 2 and j == i + 2 and segments.inserted[low + i + 1]
+            if _meet(segments, low + i, low + j, round_corner, scratch):
                 return i, j
     return -1, -1

@@ -12,10 +12,11 @@ from typing import Final
 
 from knifetip.geometry.beside import CONVEX, U1X, U1Y, U2X, U2Y
 from knifetip.geometry.boxes import next_near
+from knifetip.geometry.contours import BoxTree, RegionCorners
 from knifetip.geometry.intersect import circle
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.geometry.transition import reach
-from knifetip.kernels import F64_1, F64_2, I64_1, OutI64_2, kernel
+from knifetip.kernels import F64_2, OutI64_2, kernel
 
 #: A piece may come nearer to the contour than the radius by this (mm): rounding, no more.
 NEARER: Final = 1e-9
@@ -98,39 +99,47 @@ def clear(
     x: float,
     y: float,
     origin: F64_2,
-    boxes: F64_2,
-    level: I64_1,
-    height: int,
+    tree: BoxTree,
     stack: OutI64_2,
     signed: float,
     limit: float,
-    table: F64_2,
-    prior: I64_1,
-    joint: I64_1,
-    kinds: I64_1,
-    k: F64_1,
-    capped: bool,
+    corners: RegionCorners,
 ) -> bool:
     """Whether a point is no nearer than ``limit`` to the contour, and in no transition."""
     size = abs(signed)
-    around = size * 1.4142135623731 if capped else limit
-    stack[0, 0] = height
+    around = size * 1.4142135623731 if corners.capped else limit
+    stack[0, 0] = tree.height
     stack[0, 1] = 0
     depth = 1
     while True:
         i, depth = next_near(
-            boxes, level, stack, depth, x - around, y - around, x + around, y + around, -1
+            tree.boxes,
+            tree.level,
+            stack,
+            depth,
+            x - around,
+            y - around,
+            x + around,
+            y + around,
+            -1,
         )
         if i < 0:
             return True
         if distance(origin, i, x, y) < limit:
             return False
         if (
-            capped
-            and joint[i] == CONVEX
-            and kinds[i] > 0
+            corners.capped
+            and corners.moved.joint[i] == CONVEX
+            and corners.kind[i] > 0
             and _in_transition(
-                kinds[i], k[i], table, prior[i], i, x - origin[i, 0], y - origin[i, 1], signed
+                corners.kind[i],
+                corners.share[i],
+                corners.moved.table,
+                corners.before[i],
+                i,
+                x - origin[i, 0],
+                y - origin[i, 1],
+                signed,
             )
         ):
             return False
@@ -141,9 +150,7 @@ def nearest(
     x: float,
     y: float,
     origin: F64_2,
-    boxes: F64_2,
-    level: I64_1,
-    height: int,
+    tree: BoxTree,
     stack: OutI64_2,
     around: float,
     skip: int,
@@ -151,11 +158,13 @@ def nearest(
     """The segment other than ``skip`` that is nearest to a point, and how near, if < ``around``."""
     best = around
     which = skip
-    stack[0, 0] = height
+    stack[0, 0] = tree.height
     stack[0, 1] = 0
     depth = 1
     while True:
-        i, depth = next_near(boxes, level, stack, depth, x - best, y - best, x + best, y + best, -1)
+        i, depth = next_near(
+            tree.boxes, tree.level, stack, depth, x - best, y - best, x + best, y + best, -1
+        )
         if i < 0:
             return which, best
         if i != skip:

@@ -11,105 +11,138 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.geometry.beside import COLUMNS, FINE, moved
-from knifetip.geometry.region import fitting, left_over
-from knifetip.geometry.shortened import alone
-from knifetip.geometry.transition import MOST
-from knifetip.kernels import (
-    F64_1,
-    F64_2,
-    I32_1,
-    U8_1,
-    OutBool_1,
-    OutF64_1,
-    OutF64_2,
-    OutI32_1,
-    kernel,
+from knifetip.geometry.beside import COLUMNS, FINE, move_segments
+from knifetip.geometry.contours import (
+    Contours,
+    CornerTypes,
+    MovedSegments,
+    OffsetChains,
+    OffsetGroups,
+    OffsetSegments,
+    RegionOffset,
+    Scratch,
 )
+from knifetip.geometry.region import offset_region, unreached_area
+from knifetip.geometry.shortened import offset_simple
+from knifetip.geometry.transition import MOST
+from knifetip.kernels import kernel
 
 
 @kernel
-def _room(
-    start: OutF64_2,
-    end: OutF64_2,
-    bulge: OutF64_1,
-    source: OutI32_1,
-    inserted: OutBool_1,
-    used: int,
-    wanted: int,
-) -> tuple[Any, Any, Any, Any, Any]:
-    if wanted <= len(bulge):
-        return start, end, bulge, source, inserted
+def _grown_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegments:
+    """Return the segments with room for ``wanted`` rows, of which ``used`` are kept."""
+    if wanted <= len(out.bulge):
+        return OffsetSegments(out.start, out.end, out.bulge, out.source, out.inserted)
     size = 2 * wanted
-    s = np.empty((size, 2))
-    e = np.empty((size, 2))
-    b = np.empty(size)
-    o = np.empty(size, np.int32)
-    i = np.empty(size, np.bool_)
-    s[:used] = start[:used]
-    e[:used] = end[:used]
-    b[:used] = bulge[:used]
-    o[:used] = source[:used]
-    i[:used] = inserted[:used]
-    return s, e, b, o, i
+    start = np.empty((size, 2))
+    end = np.empty((size, 2))
+    bulge = np.empty(size)
+    source = np.empty(size, np.int32)
+    inserted = np.empty(size, np.bool_)
+    # Row by row: numba takes seconds to compile an assignment of slices.
+    for i in range(used):
+        start[i, 0], start[i, 1] = out.start[i, 0], out.start[i, 1]
+        end[i, 0], end[i, 1] = out.end[i, 0], out.end[i, 1]
+        bulge[i], source[i], inserted[i] = out.bulge[i], out.source[i], out.inserted[i]
+    return OffsetSegments(start, end, bulge, source, inserted)
 
 
 @kernel
-def _longer(column: I32_1) -> Any:
-    result = np.empty(2 * len(column), column.dtype)
-    result[: len(column)] = column
-    return result
+def _grown_chains(chains: OffsetChains, wanted: int) -> OffsetChains:
+    """Return the chains with room for ``wanted``."""
+    size = len(chains.owner)
+    if wanted <= size:
+        return OffsetChains(chains.first, chains.owner, chains.unreached)
+    while size < wanted:
+        size *= 2
+    first = np.empty(size, np.int32)
+    owner = np.empty(size, np.int32)
+    for i in range(len(chains.owner)):
+        first[i], owner[i] = chains.first[i], chains.owner[i]
+    return OffsetChains(first, owner, chains.unreached)
 
 
 @kernel
-def all_groups(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    first: I32_1,
-    member: I32_1,
-    members: I32_1,
-    signed: F64_1,
-    corner: U8_1,
-    k: F64_1,
-    refuse: bool,
+def _copy_path(
+    contours: Contours,
+    path: int,
+    out: OffsetSegments,
+    done: int,
+    chains: OffsetChains,
+    count: int,
+) -> int:
+    """Write a path as it is, for a tool without radius; return the next free row."""
+    chains.first[count] = done
+    chains.owner[count] = path
+    for i in range(contours.first[path], contours.first[path + 1]):
+        out.start[done, 0], out.start[done, 1] = contours.start[i, 0], contours.start[i, 1]
+        out.end[done, 0], out.end[done, 1] = contours.end[i, 0], contours.end[i, 1]
+        out.bulge[done] = contours.bulge[i]
+        out.source[done] = i
+        out.inserted[done] = False
+        done += 1
+    return done
+
+
+@kernel
+def _copy_region(
+    region: RegionOffset, out: OffsetSegments, done: int, chains: OffsetChains, count: int
+) -> int:
+    """Write the chains of a region in the order of their paths; return the next free row."""
+    line, tag, bounds = region.line, region.tag, region.bounds
+    for c in np.argsort(tag[bounds[: region.chains], 2], kind="mergesort"):
+        chains.first[count] = done
+        chains.owner[count] = tag[bounds[c], 2]
+        count += 1
+        for r in range(bounds[c], bounds[c + 1]):
+            out.start[done, 0] = line[r, 0]
+            out.start[done, 1] = line[r, 1]
+            out.end[done, 0] = line[r, 2]
+            out.end[done, 1] = line[r, 3]
+            out.bulge[done] = line[r, 4]
+            out.source[done] = tag[r, 0]
+            out.inserted[done] = tag[r, 1] == 1
+            done += 1
+    return done
+
+
+@kernel
+def offset_groups(
+    contours: Contours, groups: OffsetGroups, corners: CornerTypes, refuse: bool
 ) -> Any:
     """Return start, end, bulge, source, inserted, first, owner, unreached, and a failure.
 
-    ``member`` has the paths in the order of their groups, ``members`` where each group begins;
-    ``corner`` and ``k`` are of one length: that of ``bulge``, or 1 where all are alike.
+    With ``refuse`` the first place where the tool does not fit is a failure; otherwise it is left
+    out.
     """
-    step = 0 if len(corner) == 1 else 1
+    first, member, members, signed = contours.first, groups.member, groups.bounds, groups.signed
     count = len(first) - 1
     most = 0
     for p in range(count):
         most = max(most, first[p + 1] - first[p])
-    table = np.empty((most, COLUMNS))
-    joint = np.empty(most, np.int64)
+    segments = MovedSegments(np.empty((most, COLUMNS)), np.empty(most, np.int64))
     boxes = np.empty((4, 2 * (MOST + 1) * most))
-    pair = np.empty((4, 5))
-    found = np.empty((4, 4))
-    size = 2 * len(bulge) + (MOST + 1) * most + 256
-    out_start = np.empty((size, 2))
-    out_end = np.empty((size, 2))
-    out_bulge = np.empty(size)
-    source = np.empty(size, np.int32)
-    inserted = np.empty(size, np.bool_)
-    out_first = np.empty(count + 16, np.int32)
-    owner = np.empty(count + 16, np.int32)
-    unreached = np.zeros(count)
+    scratch = Scratch(np.empty((4, 5)), np.empty((4, 4)))
+    size = 2 * len(contours.bulge) + (MOST + 1) * most + 256
+    out = OffsetSegments(
+        np.empty((size, 2)),
+        np.empty((size, 2)),
+        np.empty(size),
+        np.empty(size, np.int32),
+        np.empty(size, np.bool_),
+    )
+    result = OffsetChains(
+        np.empty(count + 16, np.int32), np.empty(count + 16, np.int32), np.zeros(count)
+    )
     failure = (FINE, 0, 0, 0.0)
     done = 0
     chains = 0
     group = 0
     while True:
-        while chains + len(members) - group > len(owner):
-            out_first, owner = _longer(out_first), _longer(owner)
-        group, done, chains = alone(
-            start, end, bulge, first, member, members, group, signed, corner, k, step,
-            table, joint, boxes, pair, found, out_start, out_end, out_bulge, source, inserted,
-            done, out_first, owner, chains, unreached,
-        )  # fmt: skip
+        result = _grown_chains(result, chains + len(members) - group)
+        group, done, chains = offset_simple(
+            contours, groups, group, corners, segments, boxes, scratch, out, done, result, chains
+        )
         if group == len(members) - 1:
             break
         paths = member[members[group] : members[group + 1]]
@@ -120,11 +153,9 @@ def all_groups(
         if rows == 0:
             continue
         path = paths[0]
-        if done + (MOST + 1) * rows > len(out_bulge):
+        if done + (MOST + 1) * rows > len(out.bulge):
             # It may only have been this that was in the way: try again.
-            out_start, out_end, out_bulge, source, inserted = _room(
-                out_start, out_end, out_bulge, source, inserted, done, done + (MOST + 1) * rows
-            )
+            out = _grown_segments(out, done, done + (MOST + 1) * rows)
             if len(paths) == 1:
                 group -= 1
                 continue
@@ -133,65 +164,39 @@ def all_groups(
                 a, b = first[path], first[path + 1]
                 if a == b:
                     continue
-                code, row = moved(start, end, bulge, a, b, 0.0, table, 0)
+                code, row = move_segments(contours, a, b, 0.0, segments.table, 0)
                 if code != FINE:
                     failure = (code, row, row, 0.0)
                     break
-                if chains + 2 > len(owner):
-                    out_first, owner = _longer(out_first), _longer(owner)
-                out_first[chains] = done
-                owner[chains] = path
+                result = _grown_chains(result, chains + 2)
+                done = _copy_path(contours, path, out, done, result, chains)
                 chains += 1
-                for i in range(a, b):
-                    out_start[done] = start[i]
-                    out_end[done] = end[i]
-                    out_bulge[done] = bulge[i]
-                    source[done] = i
-                    inserted[done] = False
-                    done += 1
             if failure[0] != FINE:
                 break
             continue
-        line, tag, bounds, more, area, twice, code, row, other, depth = fitting(
-            start, end, bulge, first, paths, signed[path], corner, k, step, refuse, pair, found
-        )
-        if code != FINE:
-            failure = (code, row, other, depth)
+        region = offset_region(contours, paths, signed[path], corners, refuse, scratch)
+        if region.code != FINE:
+            failure = (region.code, region.row, region.other, region.depth)
             break
-        if twice:
-            area = left_over(
-                start, end, bulge, first, paths, signed[path], line, bounds, more, area, pair, found
-            )
-        unreached[path] = max(area, 0.0)
-        if more == 0:
+        area = region.unreached
+        if region.overlaps:
+            area = unreached_area(contours, paths, signed[path], region, scratch)
+        result.unreached[path] = max(area, 0.0)
+        if region.chains == 0:
             continue
-        out_start, out_end, out_bulge, source, inserted = _room(
-            out_start, out_end, out_bulge, source, inserted, done, done + bounds[more]
-        )
-        while chains + more + 1 > len(owner):
-            out_first, owner = _longer(out_first), _longer(owner)
-        for c in np.argsort(tag[bounds[:more], 2], kind="mergesort"):
-            out_first[chains] = done
-            owner[chains] = tag[bounds[c], 2]
-            chains += 1
-            for r in range(bounds[c], bounds[c + 1]):
-                out_start[done, 0] = line[r, 0]
-                out_start[done, 1] = line[r, 1]
-                out_end[done, 0] = line[r, 2]
-                out_end[done, 1] = line[r, 3]
-                out_bulge[done] = line[r, 4]
-                source[done] = tag[r, 0]
-                inserted[done] = tag[r, 1] == 1
-                done += 1
-    out_first[chains] = done
+        out = _grown_segments(out, done, done + region.bounds[region.chains])
+        result = _grown_chains(result, chains + region.chains + 1)
+        done = _copy_region(region, out, done, result, chains)
+        chains += region.chains
+    result.first[chains] = done
     return (
-        out_start[:done],
-        out_end[:done],
-        out_bulge[:done],
-        source[:done],
-        inserted[:done],
-        out_first[: chains + 1],
-        owner[:chains],
-        unreached,
+        out.start[:done],
+        out.end[:done],
+        out.bulge[:done],
+        out.source[:done],
+        out.inserted[:done],
+        result.first[: chains + 1],
+        result.owner[:chains],
+        result.unreached,
         failure,
     )

@@ -13,16 +13,14 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry.boxes import apart, next_near
+from knifetip.geometry.contours import BoxTree, JoinedPieces, RawRows, ResultChains
 from knifetip.geometry.intersect import TOUCH, crossing
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import (
     F64_2,
     I64_1,
-    I64_2,
     Bool_1,
-    OutBool_1,
     OutF64_2,
-    OutI64_1,
     OutI64_2,
     kernel,
 )
@@ -39,14 +37,12 @@ def _meet_at_ends(rows: F64_2, i: int, j: int) -> bool:
 
 
 @kernel
-def cut(
+def find_cuts(
     rows: F64_2,
     follow: I64_1,
     count: int,
     real: int,
-    boxes: F64_2,
-    level: I64_1,
-    height: int,
+    tree: BoxTree,
     stack: OutI64_2,
     found: OutF64_2,
 ) -> tuple[Any, Any, int]:
@@ -59,19 +55,19 @@ def cut(
     place = np.empty((room, 3))
     done = 0
     for i in range(real):
-        stack[0, 0] = height
+        stack[0, 0] = tree.height
         stack[0, 1] = 0
         depth = 1
         while True:
             j, depth = next_near(
-                boxes,
-                level,
+                tree.boxes,
+                tree.level,
                 stack,
                 depth,
-                boxes[i, 0] - TOUCH,
-                boxes[i, 1] - TOUCH,
-                boxes[i, 2] + TOUCH,
-                boxes[i, 3] + TOUCH,
+                tree.boxes[i, 0] - TOUCH,
+                tree.boxes[i, 1] - TOUCH,
+                tree.boxes[i, 2] + TOUCH,
+                tree.boxes[i, 3] + TOUCH,
                 i,
             )
             if j < 0:
@@ -90,10 +86,13 @@ def cut(
             if done + 2 * hits > room:
                 room *= 2
                 more = np.empty(room, np.int64)
-                more[:done] = which[:done]
-                which = more
                 further = np.empty((room, 3))
-                further[:done] = place[:done]
+                for c in range(done):
+                    more[c] = which[c]
+                    further[c, 0] = place[c, 0]
+                    further[c, 1] = place[c, 1]
+                    further[c, 2] = place[c, 2]
+                which = more
                 place = further
             for h in range(hits):
                 for side in range(2 if j < real else 1):
@@ -106,7 +105,7 @@ def cut(
 
 
 @kernel
-def pieces(
+def split_rows(
     rows: F64_2, real: int, which: I64_1, place: F64_2, cuts: int
 ) -> tuple[Any, Any, Any, Any, int]:
     """The rows between their cuts: (x0, y0, x1, y1, low, high), their row, the first of each row,
@@ -171,17 +170,9 @@ def pieces(
 
 
 @kernel
-def joined(
-    piece: F64_2,
-    owner: I64_1,
-    opening: I64_1,
-    follow: I64_1,
-    good: Bool_1,
-    count: int,
-    after: OutI64_1,
-    prior: OutI64_1,
-) -> None:
+def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int) -> None:
     """Which piece comes after which: the next one of the same line or arc, else the nearest."""
+    piece, owner, opening, after, prior = pieces
     near = 10.0 * SPECK
     for q in range(count):
         after[q] = -1
@@ -238,21 +229,13 @@ def joined(
 
 
 @kernel
-def strung(
-    rows: F64_2,
-    info: I64_2,
-    piece: F64_2,
-    owner: I64_1,
-    good: Bool_1,
-    after: I64_1,
-    prior: I64_1,
-    count: int,
-    line: OutF64_2,
-    tag: OutI64_2,
-    first: OutI64_1,
-    ring: OutBool_1,
+def link_chains(
+    raw: RawRows, pieces: JoinedPieces, good: Bool_1, count: int, out: ResultChains
 ) -> int:
     """Follow the pieces into chains: rows, tags, bounds, whether closed; return how many."""
+    rows, info = raw
+    piece, owner, _, after, prior = pieces
+    line, tag, first, ring = out
     done = 0
     chains = 0
     used = np.zeros(count, np.bool_)

@@ -26,18 +26,42 @@ from knifetip.geometry.beside import (
     U2X,
     U2Y,
     is_closed,
-    moved,
+    move_segments,
 )
 from knifetip.geometry.boxes import FAN, STACK, any_meet, tree, tree_size
 from knifetip.geometry.clearance import NEARER, clear, distance, nearest
+from knifetip.geometry.contours import (
+    BoxTree,
+    Contours,
+    CornerTypes,
+    JoinedPieces,
+    MovedSegments,
+    OffsetSegments,
+    RawRows,
+    RegionCorners,
+    RegionOffset,
+    RegionPaths,
+    ResultChains,
+    Scratch,
+)
 from knifetip.geometry.intersect import box, point_on
-from knifetip.geometry.pieces import cut, joined, pieces, strung
-from knifetip.geometry.shortened import shortened
+from knifetip.geometry.pieces import find_cuts, follow_pieces, link_chains, split_rows
+from knifetip.geometry.shortened import trim_path
 from knifetip.geometry.swept import area_under, swept_under
 from knifetip.geometry.tolerance import BULGE
 from knifetip.geometry.transition import MOST, transition
-from knifetip.geometry.whole import as_moved
-from knifetip.kernels import F64_1, F64_2, I32_1, U8_1, OutF64_2, OutI64_1, OutI64_2, kernel
+from knifetip.geometry.whole import raw_offset
+from knifetip.kernels import (
+    F64_2,
+    I32_1,
+    I64_1,
+    Bool_2,
+    OutBool_1,
+    OutF64_2,
+    OutI64_1,
+    OutI64_2,
+    kernel,
+)
 
 #: Cells along each side of the plane in which the paths of a large group are put in order.
 CELLS: Final = 1 << 15
@@ -76,140 +100,177 @@ def _in_order(start: F64_2, first: I32_1, member: I32_1) -> Any:
 
 
 @kernel
-def _tree_over(rows: F64_2, count: int) -> tuple[Any, Any, int]:
+def _tree_over(rows: F64_2, count: int) -> BoxTree:
     boxes = np.empty((tree_size(count), 4))
     level = np.empty(24, np.int64)
     for i in range(count):
         box(rows, i, boxes, i)
-    return boxes, level, tree(boxes, count, level)
+    return BoxTree(boxes, level, tree(boxes, count, level))
 
 
 @kernel
-def fitting(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    first: I32_1,
-    members: I32_1,
-    signed: float,
-    corner: U8_1,
-    k: F64_1,
-    step: int,
-    refuse: bool,
-    pair: OutF64_2,
-    found: OutF64_2,
-) -> tuple[Any, Any, Any, int, float, bool, int, int, int, float]:
-    """The equidistant of one region with all its contours, cut and joined.
+def _failed(code: int, row: int, other: int, depth: float) -> RegionOffset:
+    """Return a region without offset."""
+    line = np.empty((0, 5))
+    tag = np.empty((0, 4), np.int64)
+    return RegionOffset(line, tag, np.zeros(1, np.int64), 0, 0.0, False, code, row, other, depth)
 
-    ``step`` is 0 where all corners are of the type corner[0], else 1; members are path numbers.
 
-    Returns rows (x0, y0, x1, y1, bulge), tags (segment, inserted, path, row), bounds and number of
-    the chains, the area that is not reached and whether it is an estimate, and a failure with two
-    segments and a depth.
-    """
-    size = abs(signed)
-    member = _in_order(start, first, members)
+@kernel
+def _region_paths(contours: Contours, members: I32_1) -> RegionPaths:
+    """Return the paths of a region in an order in which neighbours stand together."""
+    member = _in_order(contours.start, contours.first, members)
     count = len(member)
     begin = np.zeros(count + 1, np.int64)
+    closed = np.zeros(count, np.bool_)
     for m in range(count):
-        begin[m + 1] = begin[m] + first[member[m] + 1] - first[member[m]]
-    total = begin[count]
-    most = 0
-    for m in range(count):
-        most = max(most, begin[m + 1] - begin[m])
-    table = np.empty((total, COLUMNS))
-    joint = np.empty(total, np.int64)
-    origin = np.empty((total, 5))
-    source = np.empty(total, np.int64)
+        a, b = contours.first[member[m]], contours.first[member[m] + 1]
+        begin[m + 1] = begin[m] + b - a
+        closed[m] = a < b and is_closed(contours, a, b)
+    return RegionPaths(member, begin, closed)
+
+
+@kernel
+def _region_segments(
+    contours: Contours, paths: RegionPaths, corners: CornerTypes, source: OutI64_1, origin: OutF64_2
+) -> RegionCorners:
+    """Write the segments of a region as rows, and return their corners, not moved yet."""
+    total = len(source)
+    segments = MovedSegments(np.empty((total, COLUMNS)), np.empty(total, np.int64))
     before = np.empty(total, np.int64)
-    kinds = np.empty(total, np.int64)
+    kind = np.empty(total, np.int64)
     share = np.empty(total)
-    room = 8 * total + 4 * count + 8
-    rows = np.empty((room, 5))
-    info = np.empty((room, 4), np.int64)
-    follow = np.empty(room, np.int64)
-    shut = np.zeros(count, np.bool_)
-    made = (MOST + 1) * most
-    made_start = np.empty((made, 2))
-    made_end = np.empty((made, 2))
-    made_bulge = np.empty(made)
-    made_source = np.empty(made, np.int32)
-    made_inserted = np.empty(made, np.bool_)
-    none = np.empty(0, np.int64)
-    put = 0
     capped = False
-    lost_row = -1
-    under = 0.0
-    for m in range(count):
-        a, b = first[member[m]], first[member[m] + 1]
-        at = begin[m]
-        if a == b:
-            continue
-        code, row = moved(start, end, bulge, a, b, signed, table, at)
-        if code != FINE:
-            return rows, info, none, 0, 0.0, False, code, row, row, 0.0
-        shut[m] = is_closed(start, end, a, b)
+    for m in range(len(paths.member)):
+        a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
+        at = paths.begin[m]
         for i in range(a, b):
             here = at + i - a
-            origin[here, 0] = start[i, 0]
-            origin[here, 1] = start[i, 1]
-            origin[here, 2] = end[i, 0]
-            origin[here, 3] = end[i, 1]
-            origin[here, 4] = bulge[i] if abs(bulge[i]) >= BULGE else 0.0
+            origin[here, 0] = contours.start[i, 0]
+            origin[here, 1] = contours.start[i, 1]
+            origin[here, 2] = contours.end[i, 0]
+            origin[here, 3] = contours.end[i, 1]
+            origin[here, 4] = contours.bulge[i] if abs(contours.bulge[i]) >= BULGE else 0.0
             source[here] = i
             before[here] = here - 1 if i > a else at + b - a - 1
-            kinds[here] = corner[step * i]
-            share[here] = k[step * i]
-            capped |= corner[step * i] > 0
+            kind[here] = corners.kind[corners.step * i]
+            share[here] = corners.share[corners.step * i]
+            capped |= corners.kind[corners.step * i] > 0
+    return RegionCorners(segments, before, kind, share, capped)
+
+
+@kernel
+def _write_trimmed(
+    made: OffsetSegments, count: int, closed: bool, raw: RawRows, put: int, m: int
+) -> int:
+    """Write a trimmed path as raw rows of path ``m``; return the next free row."""
+    for r in range(count):
+        raw.rows[put, 0] = made.start[r, 0]
+        raw.rows[put, 1] = made.start[r, 1]
+        raw.rows[put, 2] = made.end[r, 0]
+        raw.rows[put, 3] = made.end[r, 1]
+        raw.rows[put, 4] = made.bulge[r]
+        raw.info[put, 0] = made.source[r]
+        raw.info[put, 1] = made.inserted[r]
+        raw.info[put, 2] = closed or r < count - 1
+        raw.info[put, 3] = m
+        put += 1
+    return put
+
+
+@kernel
+def _raw_region(
+    contours: Contours,
+    paths: RegionPaths,
+    signed: float,
+    corners: CornerTypes,
+    segments: MovedSegments,
+    raw: RawRows,
+    follow: OutI64_1,
+    rows: OutF64_2,
+) -> tuple[int, int, int, int]:
+    """Write the offset of each path of a region by itself into ``raw``.
+
+    Returns the next free row, a segment that is lost as a whole, or -1, and a failure and its
+    segment.
+    """
+    most = 0
+    for m in range(len(paths.member)):
+        most = max(most, paths.begin[m + 1] - paths.begin[m])
+    room = (MOST + 1) * most
+    made = OffsetSegments(
+        np.empty((room, 2)),
+        np.empty((room, 2)),
+        np.empty(room),
+        np.empty(room, np.int32),
+        np.empty(room, np.bool_),
+    )
+    table = segments.table
+    put = 0
+    lost = -1
+    for m in range(len(paths.member)):
+        a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
+        at = paths.begin[m]
+        if a == b:
+            continue
+        code, row = move_segments(contours, a, b, signed, table, at)
+        if code != FINE:
+            return put, lost, code, row
+        closed = paths.closed[m]
         begun = put
-        many, code, row, _ = shortened(
-            start, end, bulge, a, b, shut[m], signed, corner, k, step, table, at, joint,
-            made_start, made_end, made_bulge, made_source, made_inserted, 0, pair,
-        )  # fmt: skip
+        count, code, row, _ = trim_path(
+            contours, a, b, closed, signed, corners, segments, at, made, 0, rows
+        )
         if code == FINE:
-            for r in range(many):
-                rows[put, 0] = made_start[r, 0]
-                rows[put, 1] = made_start[r, 1]
-                rows[put, 2] = made_end[r, 0]
-                rows[put, 3] = made_end[r, 1]
-                rows[put, 4] = made_bulge[r]
-                info[put, 0] = made_source[r]
-                info[put, 1] = made_inserted[r]
-                info[put, 2] = shut[m] or r < many - 1
-                info[put, 3] = m
-                put += 1
+            put = _write_trimmed(made, count, closed, raw, put, m)
         else:
-            moved(start, end, bulge, a, b, signed, table, at)
-            put = as_moved(
-                start, end, bulge, a, b, shut[m], signed, corner, k, step, table, at, joint,
-                rows, info, put, m,
-            )  # fmt: skip
+            move_segments(contours, a, b, signed, table, at)
+            put = raw_offset(contours, a, b, closed, signed, corners, segments, at, raw, put, m)
             for here in range(at, at + b - a):
                 if math.isnan(table[here, MOVED]):
-                    lost_row = source[here]
+                    lost = a + here - at
         for e in range(begun, put):
-            follow[e] = e + 1 if info[e, 2] else -1
-        if put > begun and info[put - 1, 2]:
+            follow[e] = e + 1 if raw.info[e, 2] else -1
+        if put > begun and raw.info[put - 1, 2]:
             follow[put - 1] = begun
-        under += area_under(start, end, bulge, a, b)
-    real = put
-    for m in range(count):
-        if begin[m] < begin[m + 1] and not shut[m]:
-            a, b = first[member[m]], first[member[m] + 1]
-            put = _other_side(start, end, bulge, a, b, signed, rows, info, put)
-    boxes, level, height = _tree_over(rows, put)
-    stack = np.empty((STACK, 2), np.int64)
-    which, place, cuts = cut(rows, follow, put, real, boxes, level, height, stack, found)
-    piece, owner, opening, touched, many = pieces(rows, real, which, place, cuts)
-    boxes, level, height = _tree_over(origin, total)
+    return put, lost, FINE, 0
+
+
+@kernel
+def _select_pieces(
+    contours: Contours,
+    paths: RegionPaths,
+    raw: RawRows,
+    follow: I64_1,
+    pieces: JoinedPieces,
+    touched: Bool_2,
+    count: int,
+    corners: RegionCorners,
+    source: I64_1,
+    origin: F64_2,
+    signed: float,
+    refuse: bool,
+    lost: int,
+    stack: OutI64_2,
+    good: OutBool_1,
+) -> tuple[int, int, float]:
+    """Note which pieces the tool can take: those no nearer to a contour than the radius.
+
+    Returns the segment where the tool does not fit worst, or -1, the one that it is too near to,
+    and by how much; with ``refuse`` only.
+    """
+    size = abs(signed)
     limit = size - NEARER
-    good = np.empty(many, np.bool_)
+    total = len(source)
+    piece, owner, opening, _, _ = pieces
+    info = raw.info
+    tree = _tree_over(origin, total)
     worst = 0.0
-    worst_row = lost_row
-    worst_other = lost_row
-    if lost_row >= 0:
-        worst = size - abs(_radius_of(start, end, bulge, lost_row))
-    for q in range(many):
+    worst_row = lost
+    worst_other = lost
+    if lost >= 0:
+        worst = size - abs(_radius_of(contours, lost))
+    for q in range(count):
         i = owner[q]
         runs_on = not refuse and q > 0 and q == opening[i] and follow[i - 1] == i
         if runs_on and not touched[i, 0] and not touched[i - 1, 1]:
@@ -217,53 +278,58 @@ def fitting(
             good[q] = good[q - 1]
             continue
         m = info[i, 3]
-        mine = begin[m] + info[i, 0] - first[member[m]]
-        x, y = point_on(rows, i, 0.5 * (piece[q, 4] + piece[q, 5]))
+        mine = paths.begin[m] + info[i, 0] - contours.first[paths.member[m]]
+        x, y = point_on(raw.rows, i, 0.5 * (piece[q, 4] + piece[q, 5]))
         # What is lost is mostly lost to the next segments: ask them first.
-        lost = False
+        near_by = False
         for near in range(max(mine - 2, 0), min(mine + 3, total)):
-            lost |= distance(origin, near, x, y) < limit
-        good[q] = not lost and clear(
-            x, y, origin, boxes, level, height, stack, signed, limit,
-            table, before, joint, kinds, share, capped,
-        )  # fmt: skip
+            near_by |= distance(origin, near, x, y) < limit
+        good[q] = not near_by and clear(x, y, origin, tree, stack, signed, limit, corners)
         if refuse and not good[q]:
-            other, away = nearest(x, y, origin, boxes, level, height, stack, size, mine)
-            ordinary = (other == before[mine] or before[other] == mine) and (
+            other, away = nearest(x, y, origin, tree, stack, size, mine)
+            ordinary = (other == corners.before[mine] or corners.before[other] == mine) and (
                 piece[q, 4] > 0.0 or piece[q, 5] < 1.0
             )
             if not ordinary and size - away > worst:
                 worst = size - away
                 worst_row = info[i, 0]
                 worst_other = source[other]
-    if refuse and worst_row >= 0:
-        return rows, info, none, 0, 0.0, False, NO_ROOM, worst_row, worst_other, worst
-    after = np.empty(many, np.int64)
-    prior = np.empty(many, np.int64)
-    joined(piece, owner, opening, follow, good, many, after, prior)
-    line = np.empty((many + 1, 5))
-    tag = np.empty((many + 1, 4), np.int64)
-    bounds = np.empty(many + 1, np.int64)
-    ring = np.empty(many + 1, np.bool_)
-    chains = strung(rows, info, piece, owner, good, after, prior, many, line, tag, bounds, ring)
-    # What is not reached, and chains that should be closed and are not.
+    return worst_row, worst_other, worst
+
+
+@kernel
+def _swept_area(
+    contours: Contours,
+    paths: RegionPaths,
+    signed: float,
+    out: ResultChains,
+    chains: int,
+    scratch: Scratch,
+) -> tuple[float, bool, int, float]:
+    """Return twice the area that the tool's edge encloses beside the chains of a region.
+
+    Returns besides whether some of it is swept twice, and a chain that should be closed and is not
+    (-1 for none) with its length.
+    """
+    line, tag, bounds, ring = out
+    count = len(paths.member)
     last = np.empty((count, 2))
     for m in range(count):
-        if begin[m] < begin[m + 1]:
-            last[m, 0] = start[first[member[m]], 0]
-            last[m, 1] = start[first[member[m]], 1]
+        if paths.begin[m] < paths.begin[m + 1]:
+            last[m, 0] = contours.start[contours.first[paths.member[m]], 0]
+            last[m, 1] = contours.start[contours.first[paths.member[m]], 1]
     swept = 0.0
     hops = np.empty((bounds[chains] + chains, 5))
     hop = 0
     for c in range(chains):
         m = tag[bounds[c], 2]
-        if not ring[c] and shut[m]:
+        if not ring[c] and paths.closed[m]:
             length = 0.0
             for r in range(bounds[c], bounds[c + 1]):
                 length += math.hypot(line[r, 2] - line[r, 0], line[r, 3] - line[r, 1])
-            return line, tag, bounds, 0, 0.0, False, TORN, tag[bounds[c], 0], 0, length
+            return 0.0, False, c, length
         area, x, y, hop = swept_under(
-            line, tag, bounds[c], bounds[c + 1], ring[c], start, signed,
+            line, tag, bounds[c], bounds[c + 1], ring[c], contours.start, signed,
             last[m, 0], last[m, 1], hops, hop,
         )  # fmt: skip
         swept += area
@@ -271,30 +337,97 @@ def fitting(
             last[m, 0] = x
             last[m, 1] = y
     for m in range(count):
-        if begin[m] < begin[m + 1] and not shut[m]:
-            x = end[first[member[m] + 1] - 1, 0]
-            y = end[first[member[m] + 1] - 1, 1]
+        if paths.begin[m] < paths.begin[m + 1] and not paths.closed[m]:
+            x = contours.end[contours.first[paths.member[m] + 1] - 1, 0]
+            y = contours.end[contours.first[paths.member[m] + 1] - 1, 1]
             swept += last[m, 0] * y - last[m, 1] * x
-    unreached = 0.5 * (under - swept)
-    if signed < 0.0:
-        unreached = -unreached
-    for r in range(bounds[chains]):
-        tag[r, 2] = member[tag[r, 2]]
     # Where these arcs meet, some of the area has been swept twice.
-    twice: bool = (
+    overlaps: bool = (
         chains > 0
         and bool(ring[:chains].all())
         and hop > 1
-        and any_meet(
-            hops[:hop, :2].copy(), hops[:hop, 2:4].copy(), hops[:hop, 4].copy(), pair, found
-        )
+        and any_meet(hops[:hop, :2].copy(), hops[:hop, 2:4].copy(), hops[:hop, 4].copy(), scratch)
     )
-    return line, tag, bounds, chains, unreached, twice, FINE, 0, 0, 0.0
+    return swept, overlaps, -1, 0.0
 
 
 @kernel
-def _radius_of(start: F64_2, end: F64_2, bulge: F64_1, i: int) -> float:
-    b = abs(bulge[i])
+def offset_region(
+    contours: Contours,
+    members: I32_1,
+    signed: float,
+    corners: CornerTypes,
+    refuse: bool,
+    scratch: Scratch,
+) -> RegionOffset:
+    """Return the offset of one region with all its contours, cut and joined.
+
+    Parameters
+    ----------
+    members
+        Numbers of its paths.
+    refuse
+        Fail where the tool does not fit.
+    """
+    paths = _region_paths(contours, members)
+    count = len(paths.member)
+    total = paths.begin[count]
+    origin = np.empty((total, 5))
+    source = np.empty(total, np.int64)
+    region = _region_segments(contours, paths, corners, source, origin)
+    room = 8 * total + 4 * count + 8
+    raw = RawRows(np.empty((room, 5)), np.empty((room, 4), np.int64))
+    follow = np.empty(room, np.int64)
+    put, lost, code, row = _raw_region(
+        contours, paths, signed, corners, region.moved, raw, follow, scratch.pair
+    )
+    if code != FINE:
+        return _failed(code, row, row, 0.0)
+    under = 0.0
+    for m in range(count):
+        a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
+        under += area_under(contours.start, contours.end, contours.bulge, a, b)
+    real = put
+    for m in range(count):
+        if paths.begin[m] < paths.begin[m + 1] and not paths.closed[m]:
+            a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
+            put = _other_side(contours, a, b, signed, raw, put)
+    stack = np.empty((STACK, 2), np.int64)
+    which, place, cuts = find_cuts(
+        raw.rows, follow, put, real, _tree_over(raw.rows, put), stack, scratch.found
+    )
+    piece, owner, opening, touched, many = split_rows(raw.rows, real, which, place, cuts)
+    pieces = JoinedPieces(piece, owner, opening, np.empty(many, np.int64), np.empty(many, np.int64))
+    good = np.empty(many, np.bool_)
+    row, other, depth = _select_pieces(
+        contours, paths, raw, follow, pieces, touched, many, region, source, origin, signed, refuse,
+        lost, stack, good,
+    )  # fmt: skip
+    if refuse and row >= 0:
+        return _failed(NO_ROOM, row, other, depth)
+    follow_pieces(pieces, follow, good, many)
+    out = ResultChains(
+        np.empty((many + 1, 5)),
+        np.empty((many + 1, 4), np.int64),
+        np.empty(many + 1, np.int64),
+        np.empty(many + 1, np.bool_),
+    )
+    chains = link_chains(raw, pieces, good, many, out)
+    swept, overlaps, torn, length = _swept_area(contours, paths, signed, out, chains, scratch)
+    if torn >= 0:
+        return _failed(TORN, out.tag[out.bounds[torn], 0], 0, length)
+    unreached = 0.5 * (under - swept)
+    if signed < 0.0:
+        unreached = -unreached
+    for r in range(out.bounds[chains]):
+        out.tag[r, 2] = paths.member[out.tag[r, 2]]
+    return RegionOffset(out.line, out.tag, out.bounds, chains, unreached, overlaps, FINE, 0, 0, 0.0)
+
+
+@kernel
+def _radius_of(contours: Contours, i: int) -> float:
+    start, end = contours.start, contours.end
+    b = abs(contours.bulge[i])
     chord = math.hypot(end[i, 0] - start[i, 0], end[i, 1] - start[i, 1])
     size: float = chord * (1.0 + b * b) / (4.0 * b)
     return size
@@ -302,79 +435,64 @@ def _radius_of(start: F64_2, end: F64_2, bulge: F64_1, i: int) -> float:
 
 @kernel
 def _other_side(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    low: int,
-    high: int,
-    signed: float,
-    rows: OutF64_2,
-    info: OutI64_2,
-    put: int,
+    contours: Contours, low: int, high: int, signed: float, raw: RawRows, put: int
 ) -> int:
     """Write how far the other side of an open path and its two ends reach: no path, but it cuts."""
     count = high - low
-    back_start = end[low:high][::-1].copy()
-    back_end = start[low:high][::-1].copy()
-    back_bulge = (-bulge[low:high][::-1]).copy()
-    table = np.empty((count, COLUMNS))
-    joint = np.empty(count, np.int64)
-    plain = np.zeros(1, np.uint8)
-    half = np.zeros(1)
-    moved(back_start, back_end, back_bulge, 0, count, signed, table, 0)
-    put = as_moved(
-        back_start, back_end, back_bulge, 0, count, False, signed, plain, half, 0, table, 0, joint,
-        rows, info, put, -1,
-    )  # fmt: skip
+    back = Contours(
+        contours.end[low:high][::-1].copy(),
+        contours.start[low:high][::-1].copy(),
+        (-contours.bulge[low:high][::-1]).copy(),
+        np.zeros(1, np.int32),
+    )
+    segments = MovedSegments(np.empty((count, COLUMNS)), np.empty(count, np.int64))
+    table = segments.table
+    corners = CornerTypes(np.zeros(1, np.uint8), np.zeros(1), 0)
+    move_segments(back, 0, count, signed, table, 0)
+    put = raw_offset(back, 0, count, False, signed, corners, segments, 0, raw, put, -1)
     for e in range(2):
         if e == 0:
-            x, y, ux, uy = back_start[0, 0], back_start[0, 1], -table[0, U1X], -table[0, U1Y]
+            x, y, ux, uy = back.start[0, 0], back.start[0, 1], -table[0, U1X], -table[0, U1Y]
         else:
             last = count - 1
-            x, y = back_end[last, 0], back_end[last, 1]
+            x, y = back.end[last, 0], back.end[last, 1]
             ux, uy = table[last, U2X], table[last, U2Y]
-        put = transition(0, x, y, ux, uy, -ux, -uy, signed, 0.0, rows, put)
+        put = transition(0, x, y, ux, uy, -ux, -uy, signed, 0.0, raw.rows, put)
     return put
 
 
 @kernel
-def left_over(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    first: I32_1,
-    members: I32_1,
-    signed: float,
-    line: F64_2,
-    bounds: OutI64_1,
-    chains: int,
-    estimate: float,
-    pair: OutF64_2,
-    found: OutF64_2,
+def unreached_area(
+    contours: Contours, members: I32_1, signed: float, region: RegionOffset, scratch: Scratch
 ) -> float:
-    """The area that is not reached, by the equidistant of the equidistant, back at the contour."""
-    rows = bounds[chains]
-    edge, _, parts, count, _, _, code, _, _, _ = fitting(
-        line[:rows, :2].copy(),
-        line[:rows, 2:4].copy(),
-        line[:rows, 4].copy(),
-        bounds[: chains + 1].astype(np.int32),
-        np.arange(chains).astype(np.int32),
-        -signed,
-        np.zeros(1, np.uint8),
-        np.zeros(1),
-        0,
-        False,
-        pair,
-        found,
+    """Return the area that the tool does not reach: the offset moved back, beside the contours."""
+    rows = region.bounds[region.chains]
+    back = Contours(
+        region.line[:rows, :2].copy(),
+        region.line[:rows, 2:4].copy(),
+        region.line[:rows, 4].copy(),
+        region.bounds[: region.chains + 1].astype(np.int32),
     )
-    if code != FINE:
-        return estimate
+    corners = CornerTypes(np.zeros(1, np.uint8), np.zeros(1), 0)
+    paths = np.arange(region.chains).astype(np.int32)
+    edge = offset_region(back, paths, -signed, corners, False, scratch)
+    if edge.code != FINE:
+        return region.unreached
     under = 0.0
     for path in members:
-        under += area_under(start, end, bulge, first[path], first[path + 1])
-    size = parts[count]
+        under += area_under(
+            contours.start,
+            contours.end,
+            contours.bulge,
+            contours.first[path],
+            contours.first[path + 1],
+        )
+    size = edge.bounds[edge.chains]
     under -= area_under(
-        edge[:size, :2].copy(), edge[:size, 2:4].copy(), edge[:size, 4].copy(), 0, size
+        edge.line[:size, :2].copy(),
+        edge.line[:size, 2:4].copy(),
+        edge.line[:size, 4].copy(),
+        0,
+        size,
     )
     return 0.5 * math.copysign(under, under * signed)

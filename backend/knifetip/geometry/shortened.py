@@ -31,25 +31,24 @@ from knifetip.geometry.beside import (
     U2X,
     U2Y,
     is_closed,
-    moved,
-    part,
+    kept_bulge,
+    move_segments,
 )
 from knifetip.geometry.boxes import meets_itself
+from knifetip.geometry.contours import (
+    CheckedSegments,
+    Contours,
+    CornerTypes,
+    MovedSegments,
+    OffsetChains,
+    OffsetGroups,
+    OffsetSegments,
+    Scratch,
+)
 from knifetip.geometry.intersect import TOUCH
 from knifetip.geometry.tolerance import POINT
 from knifetip.geometry.transition import MOST, quarter_tangent, transition
-from knifetip.kernels import (
-    F64_1,
-    F64_2,
-    I32_1,
-    U8_1,
-    OutBool_1,
-    OutF64_1,
-    OutF64_2,
-    OutI32_1,
-    OutI64_1,
-    kernel,
-)
+from knifetip.kernels import F64_2, OutF64_2, kernel
 
 
 @kernel
@@ -86,9 +85,8 @@ def _holds(
 
 
 @kernel
-def met(
-    start: F64_2,
-    end: F64_2,
+def concave_crossing(
+    contours: Contours,
     last: int,
     next_: int,
     table: F64_2,
@@ -101,6 +99,7 @@ def met(
     Returns how often, the point, and of what a disc there cannot reach: cosine and sine of the
     angle between its feet, and twice the area without that of the disc.
     """
+    start, end = contours.start, contours.end
     x, y = start[next_, 0], start[next_, 1]
     u1x, u1y = table[before, U2X], table[before, U2Y]
     u2x, u2y = table[here, U1X], table[here, U1Y]
@@ -169,32 +168,29 @@ def met(
 
 
 @kernel
-def shortened(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
+def _turned(re: float, im: float, dot: float, sine: float) -> tuple[float, float, bool]:
+    """Return the product of two turns as complex numbers, and whether the sum came round."""
+    product = re * dot - im * sine
+    up = re * sine + im * dot
+    return product, up, im >= 0.0 > up and min(re, product) < 0.0
+
+
+@kernel
+def _trim_corners(
+    contours: Contours,
     low: int,
     high: int,
     closed: bool,
     signed: float,
-    corner: U8_1,
-    k: F64_1,
-    step: int,
-    table: OutF64_2,
+    segments: MovedSegments,
     at: int,
-    joint: OutI64_1,
-    out_start: OutF64_2,
-    out_end: OutF64_2,
-    out_bulge: OutF64_1,
-    source: OutI32_1,
-    inserted: OutBool_1,
-    put: int,
-    round_: OutF64_2,
-) -> tuple[int, int, int, float]:
-    """Write a path's equidistant, made of what ``beside.moved`` has put into the table.
+) -> tuple[int, int, float, float]:
+    """Shorten neighbours to where they meet at concave corners, and note what each corner is.
 
-    Returns the next free row, a failure, its segment, and the area lost at concave corners.
+    Returns a failure and its segment, twice the area lost at concave corners without that of the
+    disc, and the sum of the angles there.
     """
+    start, table, joint = contours.start, segments.table, segments.joint
     count = high - low
     size = abs(signed)
     twice = 0.0
@@ -204,7 +200,7 @@ def shortened(
         here = at + i
         joint[here] = OPEN
         if math.isnan(table[here, MOVED]):
-            return put, NO_ROOM, low + i, 0.0
+            return NO_ROOM, low + i, 0.0, 0.0
         if i == 0 and not closed:
             continue
         before = here - 1 if i > 0 else at + count - 1
@@ -217,12 +213,12 @@ def shortened(
         if not smooth and (cross * signed < 0.0 or dot < -1.0 + 1e-12):
             joint[here] = CONVEX
             if dot < -1.0 + 1e-12:
-                return put, NO_ROOM, low + i, 0.0
+                return NO_ROOM, low + i, 0.0, 0.0
             continue
         if smooth or (table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0):
             # A smooth joint, but for rounding, meets in one point as two lines do.
             if dot < -1.0 + 1e-9:
-                return put, NO_ROOM, low + i, 0.0
+                return NO_ROOM, low + i, 0.0, 0.0
             share = signed / (1.0 + dot)
             gx = start[low + i, 0] - share * (u1y + u2y)
             gy = start[low + i, 1] + share * (u1x + u2x)
@@ -236,12 +232,12 @@ def shortened(
                 twice += 2.0 * abs(share) * size * sine
         else:
             if math.isnan(table[before, MOVED]):
-                return put, NO_ROOM, last, 0.0
-            hits, gx, gy, dot, sine, more = met(
-                start, end, last, low + i, table, before, here, signed
+                return NO_ROOM, last, 0.0, 0.0
+            hits, gx, gy, dot, sine, more = concave_crossing(
+                contours, last, low + i, table, before, here, signed
             )
             if hits != 1 or sine < 0.0:
-                return put, NO_ROOM, low + i, 0.0
+                return NO_ROOM, low + i, 0.0, 0.0
             joint[here] = CONCAVE
             twice += more
         table[before, EX] = gx
@@ -249,159 +245,191 @@ def shortened(
         table[here, SX] = gx
         table[here, SY] = gy
         if sine > 0.0:
-            was, up = re, im
-            re = was * dot - up * sine
-            im = was * sine + up * dot
-            if up >= 0.0 > im and min(was, re) < 0.0:
-                turns += 1
+            re, im, round_ = _turned(re, im, dot, sine)
+            turns += round_
+    return FINE, low, twice, math.atan2(im, re) + 2.0 * math.pi * turns
+
+
+@kernel
+def _trimmed_bulge(
+    contours: Contours, i: int, segments: MovedSegments, here: int, begins: bool, ends: bool
+) -> float:
+    """Return the bulge of segment i as it is trimmed at its start or end, NaN if none is left."""
+    table = segments.table
+    dx = table[here, EX] - table[here, SX]
+    dy = table[here, EY] - table[here, SY]
+    if table[here, RADIUS] == 0.0:
+        if dx * table[here, U1X] + dy * table[here, U1Y] < POINT:
+            return math.nan
+        return 0.0
+    bent: float = contours.bulge[i]
+    if abs(bent) <= 1.0 and dx * dx + dy * dy < POINT * POINT:
+        return math.nan
+    if begins and ends and abs(bent) > 1.0:
+        # Of more than half a turn the kept part and its opposite look alike.
+        return math.nan
+    if begins or ends:
+        bent = kept_bulge(table, here, dx, dy, bent, contours.start[i, 0], contours.start[i, 1])
+        if bent == 0.0:
+            return math.nan
+    return bent
+
+
+@kernel
+def _write_transition(
+    contours: Contours,
+    i: int,
+    table: F64_2,
+    before: int,
+    here: int,
+    signed: float,
+    corners: CornerTypes,
+    out: OffsetSegments,
+    put: int,
+    rows: OutF64_2,
+) -> int:
+    """Write the transition at the start of segment i; return the next free row."""
+    u1x, u1y = table[before, U2X], table[before, U2Y]
+    u2x, u2y = table[here, U1X], table[here, U1Y]
+    if corners.kind[corners.step * i] == 0:
+        turn = quarter_tangent(u1x * u2y - u1y * u2x, u1x * u2x + u1y * u2y)
+        out.start[put, 0] = table[before, EX]
+        out.start[put, 1] = table[before, EY]
+        out.end[put, 0] = table[here, SX]
+        out.end[put, 1] = table[here, SY]
+        out.bulge[put] = -math.copysign(turn, signed)
+        out.source[put] = i
+        out.inserted[put] = True
+        return put + 1
+    count = transition(
+        corners.kind[corners.step * i],
+        contours.start[i, 0],
+        contours.start[i, 1],
+        u1x,
+        u1y,
+        u2x,
+        u2y,
+        signed,
+        corners.share[corners.step * i],
+        rows,
+        0,
+    )
+    for r in range(count):
+        out.start[put, 0] = rows[r, 0]
+        out.start[put, 1] = rows[r, 1]
+        out.end[put, 0] = rows[r, 2]
+        out.end[put, 1] = rows[r, 3]
+        out.bulge[put] = rows[r, 4]
+        out.source[put] = i
+        out.inserted[put] = True
+        put += 1
+    return put
+
+
+@kernel
+def trim_path(
+    contours: Contours,
+    low: int,
+    high: int,
+    closed: bool,
+    signed: float,
+    corners: CornerTypes,
+    segments: MovedSegments,
+    at: int,
+    out: OffsetSegments,
+    put: int,
+    rows: OutF64_2,
+) -> tuple[int, int, int, float]:
+    """Write a path's offset: its moved segments, neighbours trimmed to where they meet.
+
+    Parameters
+    ----------
+    low, high
+        The path has the segments low … high - 1.
+    segments, at
+        Their moved ones, from row ``at`` on.
+    out, put
+        What is written to, from row ``put`` on.
+    rows
+        Room for one transition.
+
+    Returns
+    -------
+    The next free row, a failure, its segment, and the area lost at concave corners.
+    """
+    code, row, twice, angle = _trim_corners(contours, low, high, closed, signed, segments, at)
+    if code != FINE:
+        return put, code, row, 0.0
+    table, joint = segments.table, segments.joint
+    count = high - low
     for i in range(count):
         here = at + i
         follows = here + 1 if i < count - 1 else at
-        dx = table[here, EX] - table[here, SX]
-        dy = table[here, EY] - table[here, SY]
-        bent = 0.0
-        if table[here, RADIUS] == 0.0:
-            if dx * table[here, U1X] + dy * table[here, U1Y] < POINT:
-                return put, NO_ROOM, low + i, 0.0
-        else:
-            bent = bulge[low + i]
-            if abs(bent) <= 1.0 and dx * dx + dy * dy < POINT * POINT:
-                return put, NO_ROOM, low + i, 0.0
-            begins = joint[here] >= CONCAVE
-            ends = joint[follows] >= CONCAVE and (closed or i < count - 1)
-            if begins and ends and abs(bent) > 1.0:
-                # Of more than half a turn the kept part and its opposite look alike.
-                return put, NO_ROOM, low + i, 0.0
-            if begins or ends:
-                bent = part(table, here, dx, dy, bent, start[low + i, 0], start[low + i, 1])
-                if bent == 0.0:
-                    return put, NO_ROOM, low + i, 0.0
+        begins = joint[here] >= CONCAVE
+        ends = joint[follows] >= CONCAVE and (closed or i < count - 1)
+        bent = _trimmed_bulge(contours, low + i, segments, here, begins, ends)
+        if math.isnan(bent):
+            return put, NO_ROOM, low + i, 0.0
         if joint[here] == CONVEX:
             before = here - 1 if i > 0 else at + count - 1
-            u1x, u1y = table[before, U2X], table[before, U2Y]
-            u2x, u2y = table[here, U1X], table[here, U1Y]
-            if corner[step * (low + i)] == 0:
-                turn = quarter_tangent(u1x * u2y - u1y * u2x, u1x * u2x + u1y * u2y)
-                out_start[put, 0] = table[before, EX]
-                out_start[put, 1] = table[before, EY]
-                out_end[put, 0] = table[here, SX]
-                out_end[put, 1] = table[here, SY]
-                out_bulge[put] = -math.copysign(turn, signed)
-                source[put] = low + i
-                inserted[put] = True
-                put += 1
-            else:
-                more_rows = transition(
-                    corner[step * (low + i)],
-                    start[low + i, 0],
-                    start[low + i, 1],
-                    u1x,
-                    u1y,
-                    u2x,
-                    u2y,
-                    signed,
-                    k[step * (low + i)],
-                    round_,
-                    0,
-                )
-                for r in range(more_rows):
-                    out_start[put, 0] = round_[r, 0]
-                    out_start[put, 1] = round_[r, 1]
-                    out_end[put, 0] = round_[r, 2]
-                    out_end[put, 1] = round_[r, 3]
-                    out_bulge[put] = round_[r, 4]
-                    source[put] = low + i
-                    inserted[put] = True
-                    put += 1
-        out_start[put, 0] = table[here, SX]
-        out_start[put, 1] = table[here, SY]
-        out_end[put, 0] = table[here, EX]
-        out_end[put, 1] = table[here, EY]
-        out_bulge[put] = bent
-        source[put] = low + i
-        inserted[put] = False
+            put = _write_transition(
+                contours, low + i, table, before, here, signed, corners, out, put, rows
+            )
+        out.start[put, 0] = table[here, SX]
+        out.start[put, 1] = table[here, SY]
+        out.end[put, 0] = table[here, EX]
+        out.end[put, 1] = table[here, EY]
+        out.bulge[put] = bent
+        out.source[put] = low + i
+        out.inserted[put] = False
         put += 1
-    angle = math.atan2(im, re) + 2.0 * math.pi * turns
+    size = abs(signed)
     return put, FINE, low, max(0.5 * (twice - size * size * angle), 0.0)
 
 
 @kernel
-def alone(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    first: I32_1,
-    member: I32_1,
-    members: I32_1,
+def offset_simple(
+    contours: Contours,
+    groups: OffsetGroups,
     group: int,
-    signed: F64_1,
-    corner: U8_1,
-    k: F64_1,
-    step: int,
-    table: OutF64_2,
-    joint: OutI64_1,
+    corners: CornerTypes,
+    segments: MovedSegments,
     boxes: OutF64_2,
-    pair: OutF64_2,
-    found: OutF64_2,
-    out_start: OutF64_2,
-    out_end: OutF64_2,
-    out_bulge: OutF64_1,
-    source: OutI32_1,
-    inserted: OutBool_1,
+    scratch: Scratch,
+    out: OffsetSegments,
     done: int,
-    out_first: OutI32_1,
-    owner: OutI32_1,
-    chains: int,
-    unreached: OutF64_1,
+    chains: OffsetChains,
+    count: int,
 ) -> tuple[int, int, int]:
-    """Do groups of one closed path each, from ``group`` on, until one needs more than shortening.
+    """Offset groups of one closed path each, from ``group`` on, until one needs more than trimming.
 
-    Returns that group, and how many rows and paths are done; it stops, too, where rows run out.
+    Returns that group, and how many rows and chains are done; it stops, too, where rows run out.
     """
-    while group < len(members) - 1:
-        path = member[members[group]]
-        low, high = first[path], first[path + 1]
+    bounds, signed = groups.bounds, groups.signed
+    checked = CheckedSegments(out.start, out.end, out.bulge, out.inserted)
+    while group < len(bounds) - 1:
+        path = groups.member[bounds[group]]
+        low, high = contours.first[path], contours.first[path + 1]
         if (
-            members[group + 1] - members[group] > 1
+            bounds[group + 1] - bounds[group] > 1
             or low == high
             or signed[path] == 0.0
-            or done + (MOST + 1) * (high - low) > len(out_bulge)
-            or not is_closed(start, end, low, high)
+            or done + (MOST + 1) * (high - low) > len(out.bulge)
+            or not is_closed(contours, low, high)
         ):
             break
-        code, _ = moved(start, end, bulge, low, high, signed[path], table, 0)
+        code, _ = move_segments(contours, low, high, signed[path], segments.table, 0)
         if code != FINE:
             break
-        put, code, _, lost = shortened(
-            start,
-            end,
-            bulge,
-            low,
-            high,
-            True,
-            signed[path],
-            corner,
-            k,
-            step,
-            table,
-            0,
-            joint,
-            out_start,
-            out_end,
-            out_bulge,
-            source,
-            inserted,
-            done,
-            pair,
+        put, code, _, lost = trim_path(
+            contours, low, high, True, signed[path], corners, segments, 0, out, done, scratch.pair
         )
-        if code != FINE or meets_itself(
-            out_start, out_end, out_bulge, inserted, done, put, boxes, pair, found
-        ):
+        if code != FINE or meets_itself(checked, done, put, boxes, scratch):
             break
-        out_first[chains] = done
-        owner[chains] = path
-        unreached[path] = lost
-        chains += 1
+        chains.first[count] = done
+        chains.owner[count] = path
+        chains.unreached[path] = lost
+        count += 1
         done = put
         group += 1
-    return group, done, chains
+    return group, done, count

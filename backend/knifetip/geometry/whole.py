@@ -27,18 +27,18 @@ from knifetip.geometry.beside import (
     U1Y,
     U2X,
     U2Y,
-    part,
+    kept_bulge,
 )
-from knifetip.geometry.shortened import met
+from knifetip.geometry.contours import Contours, CornerTypes, MovedSegments, RawRows
+from knifetip.geometry.shortened import concave_crossing
 from knifetip.geometry.tolerance import POINT
 from knifetip.geometry.transition import transition
-from knifetip.kernels import F64_1, F64_2, U8_1, OutF64_2, OutI64_1, OutI64_2, kernel
+from knifetip.kernels import F64_2, kernel
 
 
 @kernel
 def _meeting(
-    start: F64_2,
-    end: F64_2,
+    contours: Contours,
     last: int,
     next_: int,
     table: F64_2,
@@ -55,10 +55,11 @@ def _meeting(
             table[before, CHORD], table[here, CHORD]
         ):
             return math.nan, math.nan
+        start = contours.start
         return start[next_, 0] - share * (u1y + u2y), start[next_, 1] + share * (u1x + u2x)
     if math.isnan(table[before, MOVED]) or math.isnan(table[here, MOVED]):
         return math.nan, math.nan
-    hits, gx, gy, _, sine, _ = met(start, end, last, next_, table, before, here, signed)
+    hits, gx, gy, _, sine, _ = concave_crossing(contours, last, next_, table, before, here, signed)
     if hits != 1 or sine < 0.0:
         return math.nan, math.nan
     for at, x, y in (
@@ -74,30 +75,17 @@ def _meeting(
 
 
 @kernel
-def as_moved(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
+def _slide_joints(
+    contours: Contours,
     low: int,
     high: int,
     closed: bool,
     signed: float,
-    corner: U8_1,
-    k: F64_1,
-    step: int,
-    table: OutF64_2,
+    segments: MovedSegments,
     at: int,
-    joint: OutI64_1,
-    rows: OutF64_2,
-    info: OutI64_2,
-    put: int,
-    member: int,
-) -> int:
-    """Write the moved segments and transitions of a path whole into rows and info from ``put`` on.
-
-    info has rows of (input segment, whether inserted, whether the next row continues this one,
-    path).  An arc that is none any more is left out.  Returns the next free row.
-    """
+) -> None:
+    """Note what each corner is, and shorten neighbours where both keep half their length."""
+    start, table, joint = contours.start, segments.table, segments.joint
     count = high - low
     size = abs(signed)
     for i in range(count):
@@ -124,7 +112,7 @@ def as_moved(
             # What lies beyond the crossing of two neighbours is too near to one of them, but in a
             # very flat corner by less than NEARER: it has to go before anyone measures that.
             joint[here] = CONCAVE
-            gx, gy = _meeting(start, end, last, low + i, table, before, here, signed)
+            gx, gy = _meeting(contours, last, low + i, table, before, here, signed)
             if math.isnan(gx):
                 continue
             joint[here] = SLID
@@ -132,6 +120,42 @@ def as_moved(
         table[before, EY] = gy
         table[here, SX] = gx
         table[here, SY] = gy
+
+
+@kernel
+def raw_offset(
+    contours: Contours,
+    low: int,
+    high: int,
+    closed: bool,
+    signed: float,
+    corners: CornerTypes,
+    segments: MovedSegments,
+    at: int,
+    raw: RawRows,
+    put: int,
+    member: int,
+) -> int:
+    """Write the moved segments and transitions of a path whole into ``raw`` from row ``put`` on.
+
+    An arc that is none any more is left out.
+
+    Parameters
+    ----------
+    low, high
+        The path has the segments low … high - 1.
+    segments, at
+        Their moved ones, from row ``at`` on.
+    member
+        The path's number in ``raw``.
+
+    Returns
+    -------
+    The next free row.
+    """
+    _slide_joints(contours, low, high, closed, signed, segments, at)
+    start, bulge, (table, joint), (rows, info) = contours.start, contours.bulge, segments, raw
+    count = high - low
     for i in range(count):
         here = at + i
         none = math.isnan(table[here, MOVED])
@@ -141,7 +165,7 @@ def as_moved(
             before = at + (i - 1 if i > 0 else count - 1)
             begun = put
             put = transition(
-                corner[step * (low + i)],
+                corners.kind[corners.step * (low + i)],
                 start[low + i, 0],
                 start[low + i, 1],
                 table[before, U2X],
@@ -149,7 +173,7 @@ def as_moved(
                 table[here, U1X],
                 table[here, U1Y],
                 signed,
-                k[step * (low + i)],
+                corners.share[corners.step * (low + i)],
                 rows,
                 put,
             )
@@ -171,7 +195,7 @@ def as_moved(
             if joint[here] == SLID or joint[follows] == SLID:
                 dx = table[here, EX] - table[here, SX]
                 dy = table[here, EY] - table[here, SY]
-                kept = part(table, here, dx, dy, bent, start[low + i, 0], start[low + i, 1])
+                kept = kept_bulge(table, here, dx, dy, bent, start[low + i, 0], start[low + i, 1])
                 bent = kept if kept != 0.0 else bent
         rows[put, 4] = bent
         info[put, 0] = low + i

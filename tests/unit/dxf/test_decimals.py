@@ -15,7 +15,7 @@ from knifetip.dxf.decimals import EXACT, UNSURE, WRONG, number
 
 def _read(text: str) -> tuple[float, int, int]:
     data = np.frombuffer(text.encode(), np.uint8)
-    value, after, sure = number(data, 0, len(data))
+    value, after, sure = number(data, np.uint64(0), np.uint64(len(data)))
     return float(value), int(after), int(sure)
 
 
