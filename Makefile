@@ -25,7 +25,7 @@ help:
 # has from another file, has changed: when a file in a room with kernels is newer, all of them are
 # compiled anew.
 ROOMS   := $(sort backend/knifetip/kernels/ \
-	$(dir $(shell grep -rlE "^@(inline_)?kernel|^@njit" backend/knifetip --include=*.py)))
+	$(dir $(shell grep -rlE "^@(inline_)?kernel" backend/knifetip --include=*.py)))
 KERNELS := $(wildcard $(addsuffix *.py,$(ROOMS)))
 
 install: $(VENV)/.kernels

@@ -26,7 +26,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.dxf",
         "knifetip.classification",
         "knifetip.cleaning",
-        "knifetip.intake",
+        "knifetip.drawing_builder",
         "knifetip.svg",
         "knifetip.units",
         "knifetip.geometry.chain",

@@ -23,7 +23,6 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import numba
 import numpy as np
 
 from knifetip import geometry, kernels
@@ -45,13 +44,13 @@ def watched(*packages: str) -> Iterator[None]:
     # Atheris goes by the first part of a name only.  What is imported before, it leaves alone.
     for module in pkgutil.iter_modules(geometry.__path__, "knifetip.geometry."):
         importlib.import_module(module.name)
-    decorators = numba.njit, kernels.kernel, kernels.inline_kernel
-    numba.njit = kernels.kernel = kernels.inline_kernel = _as_python
+    decorators = kernels.kernel, kernels.inline_kernel
+    kernels.kernel = kernels.inline_kernel = _as_python
     try:
         with atheris.instrument_imports(include=list(packages)):
             yield
     finally:
-        numba.njit, kernels.kernel, kernels.inline_kernel = decorators
+        kernels.kernel, kernels.inline_kernel = decorators
 
 
 def _as_python(*function: Any, **_options: Any) -> Any:
