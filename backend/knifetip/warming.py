@@ -24,11 +24,13 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
     # Read, classify and clean a drawing.
     "drawings": (
         "knifetip.dxf",
+        "knifetip.topology",
         "knifetip.classification",
         "knifetip.cleaning",
         "knifetip.drawing_builder",
         "knifetip.svg",
         "knifetip.units",
+        "knifetip.geometry.capacity",
         "knifetip.geometry.chain",
         "knifetip.geometry.distinct",
         "knifetip.geometry.sets",
