@@ -23,7 +23,7 @@ def test_the_kernels_of_a_group_are_compiled_with_progress() -> None:
     assert [each.done for each in progress] == list(range(1, total + 1))
     assert {each.total for each in progress} == {total}
     assert {each.group for each in progress} == {"offsets"}
-    assert "geometry.groups.all_groups" in {each.name for each in progress}
+    assert "geometry.groups.offset_groups" in {each.name for each in progress}
     for each in kernels_of(*warming.GROUPS["offsets"]):
         assert len(each.signatures) == 1, each.py_func
 
