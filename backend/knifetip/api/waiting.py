@@ -21,6 +21,7 @@ from knifetip.jobs.gateway_store import Queue
 from knifetip.jobs.job import Confirmation, State
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
+from knifetip.languages.registry import find_language
 from knifetip.library import load
 
 WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn"]
@@ -94,9 +95,17 @@ def _queued(row: Job, queue: Queue) -> Waiting:
         return Waiting(
             "machine",
             f"No gateway of {title} asks for work.",
-            "Switch on the machine and its gateway.",
+            _how_to_connect(row.machine),
         )
     return Waiting("machine", f"Waiting until {title} takes it.")
+
+
+def _how_to_connect(machine: str) -> str:
+    try:
+        language = find_language(load.machine(machine, files=False).dialect)
+    except LibraryError:
+        return "Switch on the machine and its gateway."
+    return language.no_driver or "Switch on the machine and its gateway."
 
 
 def _title(machine: str) -> str:

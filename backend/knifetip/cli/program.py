@@ -133,6 +133,14 @@ def tell(verdict: Verdict) -> None:
         print_stderr(f"  and {len(verdict.findings) - 20} more")
 
 
+def _placement(text: str) -> tuple[float, float]:
+    """Return the placement of "X,Y" (mm)."""
+    found = re.fullmatch(rf"\s*({_NUMBER})\s*,\s*({_NUMBER})\s*", text, re.ASCII)
+    if found is None:
+        raise typer.BadParameter(f"{text!r} is not X,Y in mm.", param_hint="--placement")
+    return float(found[1]), float(found[2])
+
+
 def register(app: typer.Typer) -> None:
     """Add the commands of this module."""
 
@@ -235,6 +243,14 @@ def register(app: typer.Typer) -> None:
         profile: Profile = "default",
         layer: Layers = None,
         unit: Unit = None,
+        placed: Annotated[
+            str,
+            typer.Option(
+                "--placement",
+                metavar="X,Y",
+                help="Where the program places the drawing (mm), if it does not state it.",
+            ),
+        ] = "",
         json: Json = False,
     ) -> None:
         """Judge whether a program cuts what was drawn."""
@@ -245,7 +261,7 @@ def register(app: typer.Typer) -> None:
             report_questions(asked)
             raise typer.Exit(QUESTIONS)
         text = read_bytes(program)
-        where = placement_of(text, table)
+        where = _placement(placed) if placed else placement_of(text, table)
         if where is None:
             raise ProgramUnreadable("program.no-placement", program=program.name)
         verdict = pipeline.verify(text, drawn.dieline, where, table, sheet)

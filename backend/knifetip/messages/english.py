@@ -724,7 +724,7 @@ HINTS: Final[Mapping[str, str]] = {
     "control bytes.",
     "program.line-too-long": "Check the coordinates: they exceed any real table.",
     "program.line-too-long-to-send": "Compile the job again with shorter notes.",
-    "program.no-placement": "Its header needs a comment like (placement X20.0000 Y20.0000).",
+    "program.no-placement": "Give --placement X,Y, as its report states it.",
     "program.not-bytes": "Give the bytes of the file.",
     "program.not-fetched": "Queue the job again.",
     "program.too-large": "Split the job into several sheets.",

@@ -139,6 +139,20 @@ def test_program_writes_what_verify_accepts(knifetip: Command, folder: Path) -> 
     assert json.loads(judged)["deviation"] < 0.01
 
 
+def test_a_program_without_comments_is_verified_with_the_placement_given(
+    knifetip: Command, folder: Path
+) -> None:
+    drawing, out = folder / "tuck-end-carton.dxf", folder / "p.plt"
+    cutter = ("--machine", "flat-cutter-hpgl", "--board", "fbb-0.4")
+    code, _, err = knifetip("program", drawing, *cutter, "-o", out)
+    assert (code, "accepted" in err) == (0, True)
+    code, _, err = knifetip("verify", out, "--drawing", drawing, *cutter)
+    assert (code, "Give --placement X,Y" in err) == (3, True)
+    for placement, expected in (("20,20", 0), ("20.1, 20", 1), ("20", 2)):
+        options = ("--placement", placement)
+        assert knifetip("verify", out, "--drawing", drawing, *cutter, *options)[0] == expected
+
+
 def test_the_same_input_gives_the_same_bytes(knifetip: Command, folder: Path) -> None:
     for name in ("a.nc", "b.nc"):
         knifetip("program", folder / "tuck-end-carton.dxf", "--machine", "demo-table",
