@@ -89,7 +89,7 @@ class Compiled:
 
 
 def read(data: bytes, unit: str | None = None) -> Drawing:
-    """Return the drawing in the bytes of a DXF, CF2, SVG or PDF file.
+    """Return the drawing in the bytes of a file of any import format.
 
     Parameters
     ----------

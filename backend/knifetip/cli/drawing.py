@@ -14,6 +14,7 @@ from knifetip.cli.rules import named
 from knifetip.cli.terminal import QUESTIONS, read_bytes, report_questions, show, write_bytes
 from knifetip.dxf.samples import samples
 from knifetip.errors import LibraryError
+from knifetip.formats import FORMATS
 from knifetip.geometry.columns import I64
 from knifetip.messages import with_text
 from knifetip.model.dieline import Dieline, LineType
@@ -27,9 +28,8 @@ from knifetip.units.evidence import judge
 _LINES: Final = 40
 _NAMED: Final = 3
 
-DrawingFile = Annotated[
-    Path, typer.Argument(metavar="FILE", help="A drawing: DXF, CF2, SVG or PDF.")
-]
+_NAMES: Final = ", ".join(one.name.upper() for one in FORMATS)
+DrawingFile = Annotated[Path, typer.Argument(metavar="FILE", help=f"A drawing: {_NAMES}.")]
 Unit = Annotated[
     str | None, typer.Option(help="mm, cm, m, in, ft, pt or px, whatever the file says of it.")
 ]

@@ -1,4 +1,4 @@
-"""attributes: the layer, colour and linetype that an entity really has.
+"""attributes: layer, colour and linetype of an entity, with inheritance resolved.
 
     entity, style of the INSERT around it -> Style, with BYLAYER and BYBLOCK resolved
 
@@ -15,14 +15,14 @@ from ezdxf.entities.dxfgfx import DXFGraphic
 from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.encoding import spelled
 
-#: What an entity that is silent says of its linetype.
+#: Linetype of entities that give none.
 BYLAYER: Final = "BYLAYER"
 _BYBLOCK = 0
 _BYLAYER = 256
 
 
 class Layer(NamedTuple):
-    """What a layer gives to those who are BYLAYER, and what is to be said of all on it."""
+    """Attributes that a layer passes on to BYLAYER entities, and notes for all its entities."""
 
     colour: int
     true_colour: int
@@ -30,15 +30,15 @@ class Layer(NamedTuple):
     notes: tuple[str, ...]
 
 
-#: A layer that the table does not have.
+#: Stands for a layer that is not in the layer table.
 _SILENT = Layer(7, -1, "Continuous", ())
-#: What BYBLOCK means outside of any block.
+#: Style for BYBLOCK outside of blocks.
 _SHEET = Style("0", 7, -1, "Continuous")
 
 
 def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, plot: int) -> Layer:
-    """Return a layer from what the table says of it; ``colour`` and ``flags`` as written."""
-    # A negative colour is the format's way to say that the layer is off; 0 says nothing.
+    """Return a layer from its row in the layer table; ``colour`` and ``flags`` as written."""
+    # A negative colour means that the layer is off; 0 has no meaning.
     notes = [
         text
         for text, holds in (
@@ -66,13 +66,13 @@ def layers_of(document: Document) -> dict[str, Layer]:
 
 
 class Styles:
-    """What the entities of one file are drawn with."""
+    """Styles of the entities of one file."""
 
     def __init__(self, layers: dict[str, Layer]) -> None:
         self._layers = layers
 
     def notes(self, layer: str) -> tuple[str, ...]:
-        """Return what is to be said of everything on a layer: that it is off, frozen …"""
+        """Return the notes for all entities on a layer: that it is off, frozen …"""
         return self._layers.get(layer.lower(), _SILENT).notes
 
     def of(self, entity: DXFGraphic, around: Style | None = None) -> Style:
@@ -94,15 +94,15 @@ class Styles:
         linetype: str,
         around: Style | None = None,
     ) -> Style:
-        """Return the style of an entity from what it says of itself.
+        """Return the style of an entity from its own attributes.
 
         Parameters
         ----------
         name, written, true, linetype
-            Layer, colour index, true colour and linetype; 256, None and BYLAYER where it is silent.
+            Layer, colour index, true colour and linetype; 256, None and BYLAYER where not given.
         around
-            Style of the INSERT that it is placed by: what it takes for BYBLOCK, and for layer
-            where it lies on layer 0.
+            Style of the INSERT that places the entity: used for BYBLOCK, and as the layer of
+            entities on layer 0.
         """
         block = around or _SHEET
         if around is not None and name == "0":
@@ -128,5 +128,5 @@ def _index(colour: int) -> int:
 
 
 def _rgb(value: int | None) -> int:
-    # The upper byte holds how the colour was chosen in some files.
+    # In some files the upper byte holds the method by which the colour was chosen.
     return -1 if value is None else int(value) & 0xFFFFFF

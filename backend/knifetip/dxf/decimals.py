@@ -1,11 +1,11 @@
-"""decimals: numbers out of bytes, in compiled code, to the last bit as ``float`` reads them.
+"""decimals: decimal numbers from bytes, correctly rounded as by ``float``.
 
-    bytes, position -> value, position after it, how sure
+    bytes, position -> value, position after it, certainty
 
 A decimal of up to 19 digits is w · 10^q with w < 2^64.  Where w < 2^53 and |q| ≤ 22 both factors
 are exact, and one multiplication or division rounds once.  Otherwise w is multiplied by a 128-bit
-approximation of 10^q, which decides the rounding unless the product lies on the edge between two
-doubles: those are left to ``float``, and numbers of more digits whose first 19 do not decide.
+approximation of 10^q, which decides the rounding unless the product is too near the middle of two
+doubles.  Those are left to ``float``, as are longer numbers whose first 19 digits do not decide.
 
 Eight digits of a fraction are read at once, as one word of 64 bits.
 
@@ -19,11 +19,11 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf.lines import ONE, eight_at
+from knifetip.dxf.byte_scan import ONE, eight_at
 from knifetip.geometry.columns import F64
 from knifetip.kernels import U8_1, U64, inline_kernel, kernel
 
-#: What ``number`` says of what it found.
+#: Certainty of the result of ``number``.
 EXACT: Final = 0
 UNSURE: Final = 1
 WRONG: Final = 2
@@ -31,7 +31,7 @@ WRONG: Final = 2
 _EIGHT: Final = np.uint64(8)
 _NOT: Final = np.uint64(1 << 40)
 
-#: As many digits as a word of 64 bits holds.
+#: Digits that a word of 64 bits can hold.
 _DIGITS: Final = 19
 #: Powers of ten that a double holds exactly.
 _EXACT_POWERS: Final[F64] = np.array([10.0**power for power in range(23)])
@@ -109,13 +109,13 @@ def _rounded(w: U64, q: int) -> tuple[float, int]:
         exponent += 1
     if exponent < -1021 or exponent > 1022:
         return 0.0, UNSURE
-    # Of 53 bits before the point, and a power of two: the product is exact.
+    # 53 bits times a power of two: the product is exact.
     return float(np.int64(mantissa)) * 2.0**-52 * _TWOS[exponent + 1022], EXACT
 
 
 @inline_kernel
 def _eight(data: U8_1, at: U64) -> Any:
-    """Return the number of the eight digits that stand there, ``_NOT`` where these are none."""
+    """Return the number that eight digits form, ``_NOT`` if they are not all digits."""
     word = eight_at(data, at)
     upper, zeros = np.uint64(0xF0F0F0F0F0F0F0F0), np.uint64(0x3030303030303030)
     # A digit is 3 in its upper half, also when 6 is added.
@@ -132,13 +132,13 @@ def _eight(data: U8_1, at: U64) -> Any:
 
 @kernel(allocates=False)
 def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
-    """Return the decimal number that stands alone on a line.
+    """Return the decimal number on a line.
 
     Parameters
     ----------
     data : (m,) uint8
     first
-        Where the line begins; it may begin and end with blanks.
+        Position of the line, which may begin and end with blanks.
     last
         Nothing is read from here on.
 
@@ -147,10 +147,10 @@ def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
     value
         0 unless it is ``EXACT``.
     after
-        Where the line's end is, LF or CR; only where it is not ``WRONG``.
+        Position of the line's end, LF or CR; undefined for ``WRONG``.
     sure
-        ``EXACT``; ``UNSURE`` where the line is a number that ``float`` must read; ``WRONG`` where
-        it is none, or is infinite, or is written in any other way.
+        ``EXACT``; ``UNSURE`` for a number that ``float`` must read; ``WRONG`` for all other
+        lines, and for infinite numbers.
     """
     at, end = first, last
     while at < end and (data[at] == 32 or data[at] == 9):
@@ -219,7 +219,7 @@ def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
     if w == 0:
         return 0.0 * sign, at, EXACT
     if more:
-        # The number lies between w and w + 1: where both round to one double, so does it.
+        # The number is between w and w + 1: if both round to one double, so does the number.
         value, sure = _rounded(w, q)
         other, also = _rounded(w + np.uint64(1), q)
         if sure != EXACT or also != EXACT or value != other:

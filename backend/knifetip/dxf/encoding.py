@@ -1,4 +1,4 @@
-"""encoding: what the bytes of a file's texts mean.
+"""encoding: the character encoding of a DXF.
 
 bytes, header variables -> name of an encoding          text with escapes -> text
 """

@@ -1,9 +1,9 @@
-"""standing: where an entity stands of which no line is made.
+"""location_boxes: bounding boxes of entities that produce no geometry.
 
     group codes and numbers of an entity -> box around its points, in its own coordinates
 
-The points are those that say where an entity is: the vertices of a hatch or a solid, the corner of
-a picture.  Directions, scales and seeds are none, though they are written as points are.
+The boxes contain the points at which an entity is located: the vertices of a hatch or a solid, the
+corner of an image.  Directions, scales and seed points do not count, though DXF writes them alike.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ from typing import Any, Final
 
 import numpy as np
 
+from knifetip.dxf.byte_scan import NO_CODE, ONE, code_at, end_of_line
 from knifetip.dxf.decimals import EXACT, number
-from knifetip.dxf.lines import NO_CODE, ONE, code_at, end_of_line
 from knifetip.dxf.shapes import moved
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.kernels import F64_1, I64_1, I64_2, U8_1, OutF64_1, OutF64_2, OutI64_1, kernel
 
-# What a rule says: which group codes from 10 on are points, as bits; behind which code they begin
-# and before which they end, -1 for the whole entity; whether its x counts to the left under −Z.
+# Columns of a rule: bits for the group codes, from 10 on, that are points; codes after which and
+# before which they count, -1 for the whole entity; whether an extrusion of −Z mirrors x.
 _BITS, _SINCE, _UNTIL, _OWN_PLANE = range(4)
 _Rule = tuple[int, int, int, int]
 
@@ -38,12 +38,12 @@ _RULES: Final[dict[str, _Rule]] = {
     "MLINE": _rule(11),
     "DIMENSION": _rule(10, 11, 13, 14),
     "OLE2FRAME": _rule(10, 11),
-    # Its place is that of its vertices, which follow as entities of their own.
+    # Its location is that of its vertices, which follow as separate entities.
     "POLYLINE": _rule(10, since=0, own_plane=True),
-    # Before its paths stands its height, behind them stand seeds.
+    # Its height precedes its paths, and seed points follow them.
     "HATCH": _rule(10, since=91, until=75, own_plane=True),
     "MPOLYGON": _rule(10, since=91, until=75, own_plane=True),
-    # Elsewhere in it, 10 is a scale.
+    # In other places, group code 10 is a scale.
     "MULTILEADER": _rule(10, since=300, until=301),
     "MLEADER": _rule(10, since=300, until=301),
     **dict.fromkeys(
@@ -52,12 +52,12 @@ _RULES: Final[dict[str, _Rule]] = {
     ),
 }
 _OTHERS: Final = _rule(10)
-#: What follows is embedded, and says again where the entity is, or something else is.
+#: Start of an embedded object, which repeats points or has others.
 _EMBEDDED: Final = 101
 _EXTRUSION_Z: Final = 230
 
 
-def around_each(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) -> F64:
+def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) -> F64:
     """Return the boxes around entities, (k, 4), NaN for those without a point.
 
     Parameters
@@ -65,7 +65,7 @@ def around_each(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) -> F64
     kind : (k,)
         Indices into ``kinds``.
     spans : (k, 2)
-        From which to before which byte each is written, with the vertices that follow it.
+        Span of bytes of each entity, with the vertices that follow it.
     """
     rules = np.array([_RULES.get(one, _OTHERS) for one in kinds], np.int64).reshape(-1, 4)
     box, sure = _boxes(np.frombuffer(data, np.uint8), spans, rules[kind])
@@ -86,9 +86,9 @@ def around(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
 
 
 def through(box: F64, linear: F64, shift: F64) -> F64:
-    """Return the box around a box, (4,), wherever linear maps (k, 2, 2) and shifts (k, 2) place it.
+    """Return the box, (4,), around a box that linear maps (k, 2, 2) and shifts (k, 2) place.
 
-    With k boxes, (k, 4), each goes through its own map, and k come back.
+    For k boxes, (k, 4), each is placed by its own map, and the result is (k, 4).
     """
     middle, half = (box[..., :2] + box[..., 2:]) / 2.0, (box[..., 2:] - box[..., :2]) / 2.0
     at, reach = moved(linear, shift, middle), moved(np.abs(linear), np.zeros(2), half)
@@ -111,7 +111,7 @@ def _number(code: int, value: Any) -> float:
 def _around(
     codes: I64_1, numbers: F64_1, count: int, rules: I64_2, row: int, box: OutF64_2
 ) -> None:
-    """Write the box around the points of one entity, if it has any."""
+    """Write the box around the points of one entity, if there are any."""
     bits, since, until = rules[row, _BITS], rules[row, _SINCE], rules[row, _UNTIL]
     low_x = low_y = np.inf
     high_x = high_y = -np.inf
@@ -145,7 +145,7 @@ def _around(
 
 @kernel
 def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
-    """Return the boxes (k, 4), and for which of them every number could be read, (k,)."""
+    """Return the boxes (k, 4), and whether all numbers of each could be read, (k,)."""
     box, sure = np.full((len(spans), 4), np.nan), np.ones(len(spans), np.bool_)
     longest = 0
     for row in range(len(spans)):
@@ -160,11 +160,11 @@ def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
 
 @kernel(allocates=False)
 def _tags(data: U8_1, low: int, high: int, codes: OutI64_1, numbers: OutF64_1) -> tuple[int, bool]:
-    """Write the tags of an entity; return how many, and whether every number could be read."""
+    """Write the tags of an entity; return their number, and whether all numbers could be read."""
     at: Any = np.uint64(low)
     size: Any = np.uint64(high)
     sure = True
-    # The first tag says of what kind it is.
+    # The first tag is the kind of the entity.
     count = -1
     while at < size:
         code, at = code_at(data, at, size)

@@ -3,8 +3,8 @@
     centre, radius, angles -> one or two rows      vertices, bulges -> the rows between them
     block coordinates      -> the sheet's, through an INSERT
 
-Both readers of the room draw with these, so that what they draw is the same to the last bit; that
-is also why they are compiled code: a library may round a column in another way than a number.
+Both readers use these kernels, so that their results are equal bit by bit.  NumPy may round a
+column otherwise than a single number, so that it cannot be used here.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ _DEGREE: Final = math.pi / 180.0
 
 @kernel
 def swept(first: float, last: float) -> float:
-    """Return how far an arc turns (degrees), 0 … 360: 360 for ends a whole turn apart."""
+    """Return the sweep of an arc (degrees), 0 … 360: 360 for ends a whole turn apart."""
     sweep = (last - first) % 360.0
     return 360.0 if sweep == 0.0 and last != first else sweep
 
 
 @kernel
 def round_count(sweep: float) -> int:
-    """Return how many rows an arc takes: none turns by more than half a turn."""
+    """Return the number of rows of an arc: each row turns by at most half a turn."""
     return 1 if sweep <= 180.0 + 1e-9 else 2
 
 
@@ -66,7 +66,7 @@ def round_rows(
 
 @kernel
 def chain_count(vertex: F64_2, low: int, high: int, closed: bool) -> int:
-    """Return how many rows a polyline takes: an arc of more than half a turn takes two."""
+    """Return the number of rows of a polyline: an arc of more than half a turn has two."""
     rows = 0
     for i in range(low, high if closed else high - 1):
         rows += 2 if abs(vertex[i, 2]) > 1.0 else 1
@@ -101,7 +101,7 @@ def chain_rows(
 
 @kernel
 def mirror_rows(ends: OutF64_3, bulge: OutF64_1, low: int, high: int) -> None:
-    """Turn rows over, as an extrusion of -Z does: x counts to the left."""
+    """Mirror rows in x, as an extrusion of -Z does."""
     for i in range(low, high):
         ends[i, 0, 0] = -ends[i, 0, 0]
         ends[i, 1, 0] = -ends[i, 1, 0]
@@ -115,14 +115,14 @@ def turning(rotation: float) -> tuple[float, float]:
 
 
 def moved(linear: F64, shift: F64, points: F64) -> F64:
-    """Return points through placements: each p at ``linear @ p + shift``.
+    """Return transformed points: ``linear @ p + shift`` for each p.
 
     Parameters
     ----------
     linear : (..., 2, 2)
     shift : (..., 2)
     points : (..., 2)
-        Written out, because the product of matrices is rounded as the processor pleases.
+        Written out, because rounding of matrix products depends on the processor.
     """
     x, y = points[..., 0], points[..., 1]
     result: F64 = np.stack(

@@ -1,8 +1,8 @@
-"""units: what the header of a DXF says of its unit.
+"""units: the unit in the header of a DXF.
 
     header variables -> the unit that is stated, and hints of the others
 
-Nothing is judged here: whether it is true is for the room ``units``.
+The room ``units`` decides whether it is plausible.
 """
 
 from __future__ import annotations
@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
+from knifetip.drawing_builder.assemble import KnownUnit
 from knifetip.messages import Message
-from knifetip.model.unit import Hint
+from knifetip.model.unit import Hint, factor
 
 #: $INSUNITS of the units that are read.
 _CODES: Final = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
 
-#: $INSUNITS of units in which nobody draws cartons.
+#: $INSUNITS of units that are not read.
 _OTHERS: Final = {
     3: "miles",
     7: "kilometres",
@@ -43,12 +44,12 @@ _OTHERS: Final = {
 #: $LUNITS that write lengths as feet and inches.
 _INCHES: Final = {"3": "feet and decimal inches", "4": "feet and fractions of inches"}
 
-#: What dimensions are multiplied by to be shown.
+#: Factors by which programs multiply dimensions for display.
 _SHOWN: Final = ((25.4, "25.4"), (1.0 / 25.4, "0.03937"), (10.0, "10"), (1000.0, "1000"))
 
 
 def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
-    """Return the unit that header variables state, empty if they do not, and the evidence."""
+    """Return the unit that the header states, "" if none, and the evidence."""
     written = variables.get("$INSUNITS")
     if written is None:
         return "", Message("unit.header-missing")
@@ -66,7 +67,7 @@ def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
 
 
 def hints(variables: Mapping[str, str]) -> tuple[Hint, ...]:
-    """Return what other header variables have to do with the unit."""
+    """Return the hints of other header variables at the unit."""
     found = []
     measurement = variables.get("$MEASUREMENT", "")
     if measurement in ("0", "1"):
@@ -81,7 +82,16 @@ def hints(variables: Mapping[str, str]) -> tuple[Hint, ...]:
             times = float(variables.get(name, "1"))
         except ValueError:
             continue
-        for factor, said in _SHOWN:
-            if abs(times - factor) < 1e-3 * factor:
+        for ratio, said in _SHOWN:
+            if abs(times - ratio) < 1e-3 * ratio:
                 found.append(Hint(f"shown × {said}", f"{name} = {times:g}"))
     return tuple(found)
+
+
+def known_unit(unit: str, variables: Mapping[str, str]) -> KnownUnit:
+    """Return the unit that the caller gives, else that of the file."""
+    written, evidence = stated(variables)
+    if unit:
+        return KnownUnit(factor(unit), unit, Message("unit.given"), written, hints(variables))
+    scale = factor(written) if written else 0.0
+    return KnownUnit(scale, written, evidence, written, hints(variables))

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from knifetip.dxf import samples
-from knifetip.dxf.write import Layer
+from knifetip.dxf.samples.write import Layer
 from knifetip.geometry.path import Paths
 from tests.support.cartons.plan import Plan
 

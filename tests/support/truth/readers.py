@@ -17,7 +17,7 @@ _RECORDS = ("layers", "linetypes", "unit", "evidence", "stated")
 
 def ours(data: bytes) -> bool:
     """Whether our own reader accepts a file."""
-    wrapped = patch.object(reading, "by_ezdxf", wraps=reading.by_ezdxf)
+    wrapped = patch.object(reading, "read_with_ezdxf", wraps=reading.read_with_ezdxf)
     with wrapped as judge, suppress(KnifetipError):
         reading.read(data)
     return not judge.called
@@ -26,8 +26,8 @@ def ours(data: bytes) -> bool:
 def read_by_both(data: bytes) -> tuple[Drawing | KnifetipError, Drawing | KnifetipError]:
     """Read by way of our own reader where it accepts the file, and by ezdxf alone."""
     found: list[Drawing | KnifetipError] = []
-    for quickly in (reading.quickly, lambda *_: None):
-        with patch.object(reading, "quickly", quickly):
+    for read_fast in (reading.read_fast, lambda *_: None):
+        with patch.object(reading, "read_fast", read_fast):
             try:
                 found.append(reading.read(data))
             except KnifetipError as refused:

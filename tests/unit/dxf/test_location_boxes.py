@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from knifetip.dxf.location_boxes import around, around_each
+from knifetip.dxf.location_boxes import around, boxes_of_entities
 from knifetip.dxf.read import read
 from knifetip.model.drawing import Drawing
 from tests.support.truth.readers import difference, ours, read_by_both
@@ -138,5 +138,5 @@ def test_the_sheet_knows_no_place_on_paper() -> None:
 def test_numbers_of_many_digits_are_read_as_python_reads_them() -> None:
     x = "0.1000000000000000055511151231257827"
     data = f"0\nPOINT\n8\n0\n10\n{x}\n20\n5\n".encode()
-    found = around_each(data, ["POINT"], np.array([0]), np.array([[0, len(data)]]))
+    found = boxes_of_entities(data, ["POINT"], np.array([0]), np.array([[0, len(data)]]))
     assert found.tolist() == [[0.1, 5.0, 0.1, 5.0]]

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from ezdxf.lldxf.const import DXFError
 
-from knifetip.dxf.entities import REASONS
-from knifetip.dxf.rewrite import lines_only, with_markers
+from knifetip.dxf.ezdxf_reader.entities import REASONS
+from knifetip.dxf.ezdxf_reader.rewrite import lines_only, with_markers
 from knifetip.model.drawing import Drawing
 from tests.support.truth.readers import difference, read_by_both, reading
 

@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from knifetip.dxf import fields as f
+from knifetip.dxf.fast_reader import fields as f
 from knifetip.errors import KnifetipError
 from knifetip.model.drawing import Drawing
 from tests.support.truth.readers import difference, reading
 from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line
 from tests.support.writers.random_dxf import drawings
 
-scan = import_module("knifetip.dxf.scan")
+scan = import_module("knifetip.dxf.fast_reader.scan")
 
 _CHAIN = entity("POLYLINE", (66, 1), (70, 1)) + "".join(
     entity("VERTEX", (10, x), (20, x * x), (42, 0.25 * x)) for x in range(3)

@@ -10,7 +10,7 @@ import shapely
 
 from knifetip.classification.classify import classify, questions
 from knifetip.dxf.read import read
-from knifetip.dxf.samples import (
+from knifetip.dxf.samples.cartons import (
     CREASE,
     CUT,
     V_GROOVE,
@@ -19,7 +19,7 @@ from knifetip.dxf.samples import (
     samples,
     tuck_end_carton,
 )
-from knifetip.dxf.write import Layer
+from knifetip.dxf.samples.write import Layer
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths

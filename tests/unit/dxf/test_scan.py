@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
-from knifetip.dxf import fields as f
-from knifetip.dxf.scan import Scan, scan
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader.scan import Scan, scan
 from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from ezdxf import path as vector_path
 
-from knifetip.dxf.write import Layer, drawn
+from knifetip.dxf.samples.write import Layer, drawn
 from knifetip.errors import GeometryError
 from knifetip.geometry.path import Paths, chained
 

@@ -1,6 +1,6 @@
-"""expand: a document of ezdxf, walked through entity by entity.
+"""expand: the entities of an ezdxf document, with blocks expanded.
 
-document, census -> ReportWriter: ledger rows in file order, and what is drawn with its placements
+document, prescan -> ReportWriter with rows in file order, shapes with their placements
 """
 
 from __future__ import annotations
@@ -15,26 +15,28 @@ from ezdxf.entities.dxfentity import DXFEntity
 
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.dxf.attributes import Styles, layers_of
-from knifetip.dxf.census import Census, Counted
-from knifetip.dxf.single import ByEzdxf
-from knifetip.dxf.walk import Block, Entry, Placed, Walk, idle
+from knifetip.dxf.ezdxf_reader.block_expansion import Block, BlockExpansion, Entry, Placed, idle
+from knifetip.dxf.ezdxf_reader.ezdxf_entity import EzdxfEntity
+from knifetip.dxf.ezdxf_reader.prescan import Prescan, PrescannedEntity
 from knifetip.formats.limits import Limits
 
-#: An entity as counted, its name in the ledger, and as ezdxf read it, if it did.
-_Pair = tuple[Counted, str, DXFEntity | None]
+#: A prescanned entity, its handle in the report, and the ezdxf entity, if there is one.
+_Pair = tuple[PrescannedEntity, str, DXFEntity | None]
 
 
-def expand(document: Document, census: Census, limits: Limits) -> tuple[ReportWriter, list[Placed]]:
-    """Return the ledger's rows and the placed shapes of a document.
+def expand(
+    document: Document, prescan: Prescan, limits: Limits
+) -> tuple[ReportWriter, list[Placed]]:
+    """Return the report rows and the placed shapes of a document.
 
     Raises
     ------
     DrawingTooLarge
-        INSERTs are nested deeper, or stand for more entities, than the limits allow.
+        INSERTs are nested deeper, or expand to more entities, than the limits allow.
     """
-    on_sheet = _matched(census.entities, list(document.modelspace()), paper=False)
+    on_sheet = _matched(prescan.entities, list(document.modelspace()), paper=False)
     blocks: dict[str, Block] = {}
-    for key, block in census.blocks.items():
+    for key, block in prescan.blocks.items():
         layout = document.blocks.get(block.name) if block.name else None
         if layout is None or layout.block is None:
             continue
@@ -48,10 +50,10 @@ def expand(document: Document, census: Census, limits: Limits) -> tuple[ReportWr
             _references(pairs),
             partial(_entries, pairs),
         )
-    walk = Walk(blocks, _references(on_sheet), Styles(layers_of(document)), limits)
+    walk = BlockExpansion(blocks, _references(on_sheet), Styles(layers_of(document)), limits)
     for entry in _entries(on_sheet):
         walk.sheet_entity(entry)
-    for key, block in census.blocks.items():
+    for key, block in prescan.blocks.items():
         if key not in walk.used and block.entities:
             why = idle(block.name, len(block.entities))
             walk.sheet.row(block.handle or block.name, "BLOCK", block.layer, why)
@@ -59,9 +61,9 @@ def expand(document: Document, census: Census, limits: Limits) -> tuple[ReportWr
 
 
 def _references(pairs: Iterable[_Pair]) -> list[tuple[str, int]]:
-    """Return the blocks that INSERTs refer to, each with how often it repeats them."""
+    """Return the blocks that INSERTs place, and how often each is repeated."""
     return [
-        ByEzdxf(entity).repeats()
+        EzdxfEntity(entity).repeats()
         for counted, _, entity in pairs
         if counted.kind == "INSERT" and entity is not None
     ]
@@ -69,18 +71,20 @@ def _references(pairs: Iterable[_Pair]) -> list[tuple[str, int]]:
 
 def _entries(pairs: Iterable[_Pair]) -> list[Entry]:
     return [
-        Entry(counted, handle, None if entity is None else ByEzdxf(entity))
+        Entry(counted, handle, None if entity is None else EzdxfEntity(entity))
         for counted, handle, entity in pairs
     ]
 
 
-def _matched(counted: list[Counted], entities: list[DXFEntity], *, paper: bool) -> list[_Pair]:
-    """Pair what the file has with what ezdxf read: by handle, else in order of their kind.
+def _matched(
+    counted: list[PrescannedEntity], entities: list[DXFEntity], *, paper: bool
+) -> list[_Pair]:
+    """Pair prescanned entities with those of ezdxf: by handle, else by order within a kind.
 
     Parameters
     ----------
     paper
-        What is marked as of paper space is among the entities.
+        Whether entities in paper space are among them.
     """
     by_handle: dict[tuple[str, str], deque[DXFEntity]] = defaultdict(deque)
     for entity in entities:
@@ -100,9 +104,9 @@ def _matched(counted: list[Counted], entities: list[DXFEntity], *, paper: bool) 
         if partner is None and (paper or not one.paper) and (same := by_kind.get(one.kind)):
             partner = same.popleft()
         pairs.append((one, one.handle or f"#{number + 1}", partner))
-    # What ezdxf found where the count saw nothing is not lost either.
+    # Entities that only ezdxf found are added.
     for entity in (entity for left in by_kind.values() for entity in left):
         dxf = entity.dxf
-        extra = Counted(entity.dxftype(), "", str(dxf.get("layer", "0")), paper=False)
+        extra = PrescannedEntity(entity.dxftype(), "", str(dxf.get("layer", "0")), paper=False)
         pairs.append((extra, str(dxf.get("handle", "")) or f"#{len(pairs) + 1}", entity))
     return pairs

@@ -1,8 +1,8 @@
-"""single: one entity as ezdxf reads it.
+"""ezdxf_entity: one entity, read with ezdxf.
 
-    DXFEntity -> what it says of style, shape and place      bytes of an entity -> DXFEntity
+    DXFEntity -> style, shape and placement      bytes of an entity -> DXFEntity
 
-The reader by way of ezdxf asks this of every entity, our own only of those that are not plain.
+The ezdxf reader uses it for all entities, the fast reader for those that it does not support.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from ezdxf.lldxf.tags import group_tags
 
 from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.attributes import Styles
-from knifetip.dxf.entities import Drawn, drawn, mirrored
-from knifetip.dxf.rewrite import UNMARKED, with_markers
-from knifetip.dxf.walk import Reference
+from knifetip.dxf.ezdxf_reader.block_expansion import Reference
+from knifetip.dxf.ezdxf_reader.entities import Drawn, drawn, mirrored
+from knifetip.dxf.ezdxf_reader.rewrite import UNMARKED, with_markers
 
 
-class ByEzdxf:
-    """An entity that ezdxf has read: a ``walk.Found``."""
+class EzdxfEntity:
+    """An ezdxf entity as ``block_expansion.Found``."""
 
     def __init__(self, entity: Any) -> None:
         self._entity = entity
@@ -77,8 +77,8 @@ def _clipped(insert: Any) -> bool:
     return bool(insert.has_extension_dict) and "ACAD_FILTER" in insert.get_extension_dict()
 
 
-class Singles:
-    """Reads entities one by one, as if they stood in a document of this version."""
+class EntityReader:
+    """Reads single entities as if they were in a document of a given version."""
 
     def __init__(self, version: str, encoding: str) -> None:
         self._document = Document()
@@ -87,16 +87,16 @@ class Singles:
         self._every = version <= UNMARKED
         self._encoding = encoding
 
-    def read(self, data: bytes) -> ByEzdxf:
+    def read(self, data: bytes) -> EzdxfEntity:
         """Return the entity that begins the bytes, with the vertices that follow it.
 
         Raises
         ------
         Exception
-            Whatever ezdxf raises at damage, and where it would repair this entity when it recovers
-            the file: whether it must, nobody knows who has read no more than one.
+            Any exception of ezdxf for a damaged entity, and for one that ezdxf would only accept
+            when it recovers a whole file.
         """
-        # A point may be followed by its z: ezdxf looks beyond it, and wants something to be there.
+        # ezdxf looks for a z behind each point, so that something must follow.
         ended = io.BytesIO(with_markers(data + b"0\nEOF\n", every=self._every))
         stream = io.TextIOWrapper(ended, encoding=self._encoding, errors="replace")
         linked = entity_linker()
@@ -109,4 +109,4 @@ class Singles:
         entity = entities[0]
         if isinstance(entity, Ellipse) and not is_valid_ratio(entity.dxf.ratio):
             raise DXFValueError(f"an ellipse of ratio {entity.dxf.ratio:g}")
-        return ByEzdxf(entity)
+        return EzdxfEntity(entity)

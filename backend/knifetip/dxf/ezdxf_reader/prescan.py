@@ -1,9 +1,9 @@
-"""census: what a file holds, counted from its bytes before anybody interprets them.
+"""prescan: the entities of a file, counted in its bytes before ezdxf reads it.
 
-    bytes -> Census: header variables, every entity of ENTITIES and of each block, in file order
+    bytes -> Prescan: header variables, every entity of ENTITIES and of each block, in file order
 
-The frame of the ledger.  ezdxf skips, repairs and adds entities, and fills in header variables
-that the file does not have; here stands what the file itself says.
+The import report is based on it.  ezdxf skips, repairs and adds entities, and adds header variables
+that the file does not have; a prescan contains what is in the file.
 """
 
 from __future__ import annotations
@@ -15,69 +15,69 @@ from typing import Any, Final
 
 from ezdxf.lldxf.tagger import binary_tags_loader
 
+from knifetip.dxf.annotations import WORDS, of_tags
 from knifetip.dxf.encoding import encoding_of, spelled
-from knifetip.dxf.inscriptions import WORDS, of_tags
 from knifetip.dxf.location_boxes import around
 from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Inscription
 
 #: The first bytes of a binary DXF.
 BINARY: Final = b"AutoCAD Binary DXF\r\n\x1a\x00"
-#: Rows of a table of their own, which belong to the POLYLINE or INSERT before them.
+#: Entities that belong to the POLYLINE or INSERT before them.
 _PARTS: Final = frozenset({"VERTEX", "SEQEND"})
 
 
 @dataclass(frozen=True, slots=True)
-class Counted:
+class PrescannedEntity:
     """One entity as the file has it."""
 
     kind: str  #: LINE, ARC, INSERT …
     handle: str  #: empty where the file gives none
     layer: str
-    paper: bool  #: it stands in paper space
+    paper: bool  #: whether it is in paper space
     words: Inscription | None = None
-    box: F64 | None = None  #: (4,) around its points, in its own coordinates, as ``standing`` says
+    box: F64 | None = None  #: (4,) around its points, see ``location_boxes``
 
 
 @dataclass(slots=True)
-class CountedBlock:
+class PrescannedBlock:
     """A block definition and what is in it."""
 
     name: str
     handle: str
     layer: str
-    entities: list[Counted] = field(default_factory=list)
+    entities: list[PrescannedEntity] = field(default_factory=list)
 
 
 @dataclass(slots=True)
-class Census:
+class Prescan:
     """Header variables, entities and blocks of a file."""
 
     sections: set[str] = field(default_factory=set)  #: names of the sections that it has
     variables: dict[str, str] = field(default_factory=dict)  #: $NAME -> its first value
-    entities: list[Counted] = field(default_factory=list)
-    blocks: dict[str, CountedBlock] = field(default_factory=dict)  #: by name in lower case
+    entities: list[PrescannedEntity] = field(default_factory=list)
+    blocks: dict[str, PrescannedBlock] = field(default_factory=dict)  #: by name in lower case
     encoding: str = "cp1252"
     markers: bool = False  #: entities have subclass markers, which R12 does not know
     unmarked: bool = False  #: an entity has none
-    open_section: str = ""  #: the section that the file stops in, empty if all are closed
+    open_section: str = ""  #: the section in which the file ends, "" if all are closed
     ended: bool = False  #: the file has its end mark, EOF
-    broken: int = 0  #: the line at which the file stops being a DXF, 0 if it does not
+    broken: int = 0  #: the first line that is no DXF, 0 if there is none
 
     @property
     def size(self) -> int:
-        """How many entities there are, those of blocks included."""
+        """Number of entities, with those of blocks."""
         return len(self.entities) + sum(len(block.entities) for block in self.blocks.values())
 
     @property
     def inscriptions(self) -> tuple[Inscription, ...]:
-        """The words that stand on the sheet."""
+        """The texts in model space."""
         return tuple(one.words for one in self.entities if one.words and not one.paper)
 
 
-def census(data: bytes) -> Census:
-    """Count what is in a DXF, ASCII or binary; never raises, whatever the bytes."""
-    result = Census()
+def prescan(data: bytes) -> Prescan:
+    """Return the prescan of a DXF, ASCII or binary; never raises."""
+    result = Prescan()
     codes, values = _binary_tags(data) if data.startswith(BINARY) else _ascii_tags(data, result)
     starts = [row for row, code in enumerate(codes) if code == 0]
     _header(codes, values, starts, result)
@@ -89,7 +89,7 @@ def census(data: bytes) -> Census:
         return spelled(str(value).strip())
 
     section = ""
-    block: CountedBlock | None = None
+    block: PrescannedBlock | None = None
     for number, row in enumerate(starts):
         after = starts[number + 1] if number + 1 < len(starts) else len(codes)
         kind = text(values[row]).upper()
@@ -127,12 +127,12 @@ def census(data: bytes) -> Census:
             last = _behind(kind, number, starts, values)
             span = slice(row + 1, starts[last] if last < len(starts) else len(codes))
             box = around(kind, codes[span], values[span])
-            counted = Counted(kind, handle, layer, paper, words, box)
+            counted = PrescannedEntity(kind, handle, layer, paper, words, box)
             if section == "ENTITIES":
                 result.entities.append(counted)
             elif kind == "BLOCK":
-                # Of two blocks of one name the last one counts, as it does for ezdxf.
-                block = CountedBlock(name, handle, layer)
+                # The last of several blocks with one name counts, as in ezdxf.
+                block = PrescannedBlock(name, handle, layer)
                 result.blocks[name.lower()] = block
             elif kind == "ENDBLK":
                 block = None
@@ -144,7 +144,7 @@ def census(data: bytes) -> Census:
 
 
 def _behind(kind: str, number: int, starts: list[int], values: Sequence[Any]) -> int:
-    """Return which entity comes next, behind the vertices of a POLYLINE."""
+    """Return the index of the next entity after the vertices of a POLYLINE."""
     number += 1
     if kind == "POLYLINE":
         while number < len(starts) and _plain(values[starts[number]]) == "VERTEX":
@@ -152,8 +152,8 @@ def _behind(kind: str, number: int, starts: list[int], values: Sequence[Any]) ->
     return number
 
 
-def _unpack_layouts(found: Census) -> None:
-    """Count what the file keeps in the blocks of its layouts with the entities of the sheet."""
+def _unpack_layouts(found: Prescan) -> None:
+    """Move entities in the blocks of layouts to those of model space."""
     for name in [
         name for name in found.blocks if name.startswith(("*model_space", "*paper_space"))
     ]:
@@ -162,7 +162,7 @@ def _unpack_layouts(found: Census) -> None:
             found.entities.append(replace(counted, paper=paper or counted.paper))
 
 
-def _ascii_tags(data: bytes, found: Census) -> tuple[list[int], list[bytes]]:
+def _ascii_tags(data: bytes, found: Prescan) -> tuple[list[int], list[bytes]]:
     lines = data.split(b"\n") if b"\n" in data else data.split(b"\r")
     values = lines[1::2]
     written = lines[0::2][: len(values)]
@@ -186,7 +186,7 @@ def _ascii_tags(data: bytes, found: Census) -> tuple[list[int], list[bytes]]:
 def _binary_tags(data: bytes) -> tuple[list[int], list[Any]]:
     codes: list[int] = []
     values: list[Any] = []
-    # What comes before the damage is counted; reading the file reports the damage itself.
+    # Entities before the damage are counted; the reader reports the damage.
     with suppress(Exception):
         for tag in binary_tags_loader(data, errors="replace"):
             codes.append(tag.code)
@@ -194,8 +194,8 @@ def _binary_tags(data: bytes) -> tuple[list[int], list[Any]]:
     return codes, values
 
 
-def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], found: Census) -> None:
-    """Collect the header variables; of a variable that is said twice, what is said first."""
+def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], found: Prescan) -> None:
+    """Collect the header variables; the first value of a repeated variable counts."""
     for number, row in enumerate(starts):
         after = starts[number + 1] if number + 1 < len(starts) else len(codes)
         if row + 1 >= after or codes[row + 1] != 2 or _plain(values[row]) != "SECTION":
@@ -208,7 +208,7 @@ def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], foun
 
 
 def header_of(section: bytes) -> dict[str, str]:
-    """Return the variables of a section HEADER, from its text; of one said twice, the first."""
+    """Return the variables in the text of section HEADER; the first value of each counts."""
     lines = section.split(b"\n")
     found: dict[str, str] = {}
     for row in range(0, len(lines) - 3, 2):

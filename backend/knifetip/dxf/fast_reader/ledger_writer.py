@@ -1,6 +1,6 @@
-"""written: the ledger of a plain drawing, in columns, and the words on its sheet.
+"""ledger_writer: report rows and texts of a file that the fast reader reads, in columns.
 
-rows of a Scan, INSERTs, what was walked through -> ReportRows
+rows of a Scan, INSERTs, expanded entities -> ReportRows
 texts and dimensions -> inscriptions
 """
 
@@ -13,12 +13,12 @@ from typing import NamedTuple
 import numpy as np
 
 from knifetip.drawing_builder.report import ReportRows, ReportWriter, SharedOutcome
-from knifetip.dxf import fields as f
-from knifetip.dxf.handles import paths_of
-from knifetip.dxf.inscriptions import inscription, is_coded, of_lines, uncoded
-from knifetip.dxf.location_boxes import around_each, through
-from knifetip.dxf.tables import Tables
-from knifetip.dxf.walk import IN_PAPER_SPACE, not_read, places
+from knifetip.dxf.annotations import inscription, is_coded, of_lines, uncoded
+from knifetip.dxf.ezdxf_reader.block_expansion import IN_PAPER_SPACE, not_read, places
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader.handle_set import paths_of
+from knifetip.dxf.fast_reader.tables import Tables
+from knifetip.dxf.location_boxes import boxes_of_entities, through
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
@@ -27,17 +27,17 @@ from knifetip.model.words import Repeated
 
 
 class Variant(NamedTuple):
-    """A block as INSERTs of one style place it: what all of those have in common."""
+    """A block with the outcomes and styles that it has under INSERTs of one style."""
 
     layers: list[str]  #: of its entities
-    said: dict[
+    outcomes: dict[
         int, tuple[str, tuple[str, ...]]
     ]  #: by the number of the entity, as in ``SharedOutcome``
     first: int  #: where the styles of its segments begin
 
 
 class Inserts(NamedTuple):
-    """k INSERTs on the sheet that are drawn in columns."""
+    """k INSERTs in model space that are placed in columns."""
 
     spot: I64  #: (k,) which of the entities of the sheet
     block: I64  #: (k,)
@@ -47,7 +47,7 @@ class Inserts(NamedTuple):
 
 
 class Order(NamedTuple):
-    """Where n entities of the sheet stand in a ledger of m rows."""
+    """Report rows of n entities in model space, of m rows in all."""
 
     rows: I64  #: (n,) of the Scan
     ledger: I64  #: (n,)
@@ -56,7 +56,7 @@ class Order(NamedTuple):
 
 
 def left_out(tables: Tables, row: int) -> str:
-    """Return why a plain entity is left out, empty for what is drawn."""
+    """Return the reason for leaving out an entity, "" for one that is drawn."""
     line = tables.found.entity[row].tolist()
     if line[f.PAPER]:
         return IN_PAPER_SPACE
@@ -68,8 +68,8 @@ def left_out(tables: Tables, row: int) -> str:
     return ""
 
 
-def written(tables: Tables, order: Order, inserts: Inserts, walk: ReportWriter) -> ReportRows:
-    """Return the ledger of a sheet, of what its INSERTs place, and of what was walked through."""
+def report_rows(tables: Tables, order: Order, inserts: Inserts, walk: ReportWriter) -> ReportRows:
+    """Return the report rows of entities in model space, in blocks, and of expanded entities."""
     entity, span = tables.found.entity, tables.span
     numbers = {name: number for number, name in enumerate(tables.names)}
     silent = numbers.setdefault("0", len(numbers))
@@ -78,11 +78,11 @@ def written(tables: Tables, order: Order, inserts: Inserts, walk: ReportWriter) 
         .reshape(-1, 2)[inserts.block]
         .T
     )
-    # Of what the INSERTs place: its row, its entity, and its INSERT.
+    # For entities in blocks: row, entity and INSERT.
     step = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
     under = np.repeat(order.ledger[inserts.spot] + 1, size) + step
     inserted = np.repeat(low, size) + step
-    # What was walked through has the row of its entity, and rows of its own behind it.
+    # An expanded entity has its own row, followed by the rows of its block.
     total = 1 + int(max(column.max(initial=-1) for column in (order.ledger, under, order.walked)))
     own, insert = np.empty(total, np.int64), np.full(total, -1, np.int64)
     own[order.ledger], own[under] = order.rows, inserted
@@ -96,7 +96,7 @@ def written(tables: Tables, order: Order, inserts: Inserts, walk: ReportWriter) 
     layer[under] = np.array(list(chain.from_iterable(layers)), np.int32)[
         np.repeat(begin, size) + step
     ]
-    # These come last: an entity that was walked through has its row from there.
+    # Last, because these rows replace those of the entity.
     own[order.walked] = len(entity) + np.arange(len(order.walked))
     for column, words in ((kind, walk.kind), (layer, walk.layer)):
         column[order.walked] = [numbers.setdefault(word, len(numbers)) for word in words]
@@ -130,18 +130,18 @@ def written(tables: Tables, order: Order, inserts: Inserts, walk: ReportWriter) 
 def _of_sheet(
     tables: Tables, order: Order, inserts: Inserts, spots: I64
 ) -> Iterator[SharedOutcome]:
-    """Say what is said of the entities of the sheet itself.
+    """Yield the outcomes of entities in model space.
 
     Parameters
     ----------
     spots
-        Those that are left out.
+        Indices of entities that are left out.
     """
     entity, rows = tables.found.entity, order.rows
     paper, sort, word, count = (
         entity[rows[spots], column] for column in (f.PAPER, f.KIND, f.WORD, f.COUNT)
     )
-    # How many bytes a text has is no reason.
+    # The length of a text does not matter.
     first, kind = distinct(paper, sort, word, np.where(sort == f.OTHER, 0, count))
     for spot, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
         yield SharedOutcome(order.ledger[spots[same]], left_out(tables, int(rows[spots[spot]])))
@@ -156,41 +156,43 @@ def _of_sheet(
     layer = entity[rows[inserts.spot], f.LAYER]
     first, kind = distinct(layer, inserts.block)
     for one, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
-        said = places(tables.block_name(int(inserts.block[one])))
+        note = places(tables.block_name(int(inserts.block[one])))
         notes = of_layer.get(int(layer[one]) + 1, ())
-        yield SharedOutcome(order.ledger[inserts.spot[same]], "", (said, *notes))
+        yield SharedOutcome(order.ledger[inserts.spot[same]], "", (note, *notes))
 
 
 def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
-    """Say what is said of the entities that INSERTs place."""
+    """Yield the outcomes of entities in blocks."""
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
         first = order.ledger[inserts.spot[same]] + 1
-        for number, (dropped, notes) in variant.said.items():
+        for number, (dropped, notes) in variant.outcomes.items():
             yield SharedOutcome(first + number, dropped, notes)
 
 
 def boxes(tables: Tables, rows: I64) -> F64:
-    """Return the boxes around entities in their own coordinates, (n, 4), as ``standing`` says."""
+    """Return the location boxes of entities in their own coordinates, (n, 4)."""
     entity = tables.found.entity
     words, kind = np.unique(entity[rows, f.WORD], return_inverse=True)
     kinds = [tables.words[word] for word in words.tolist()]
     spans = np.column_stack([entity[rows, f.START], entity[rows, f.END]]).astype(np.int64)
-    return around_each(tables.found.data, kinds, kind, spans)
+    return boxes_of_entities(tables.found.data, kinds, kind, spans)
 
 
 def _on_sheet(tables: Tables, order: Order, spots: I64) -> Iterator[LocationBoxes]:
-    """Say where those entities of the sheet stand that are left out."""
+    """Yield the location boxes of entities in model space that are left out."""
     spots = spots[tables.found.entity[order.rows[spots], f.PAPER] == 0]
     if len(spots):
         yield LocationBoxes(order.ledger[spots].astype(np.int32), boxes(tables, order.rows[spots]))
 
 
 def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[LocationBoxes]:
-    """Say where that stands which INSERTs place and is left out."""
+    """Yield the location boxes of entities in blocks that are left out."""
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
-        numbers = np.array([number for number, (why, _) in variant.said.items() if why], np.int64)
+        numbers = np.array(
+            [number for number, (why, _) in variant.outcomes.items() if why], np.int64
+        )
         rows = tables.span.get(int(inserts.block[same[0]]), (0, 0))[0] + numbers
         on_model = tables.found.entity[rows, f.PAPER] == 0
         numbers, rows = numbers[on_model], rows[on_model]
@@ -212,10 +214,10 @@ def _grouped(kind: I64, kinds: int) -> list[I64]:
 
 
 def inscriptions(tables: Tables, rows: I64) -> tuple[Inscription, ...]:
-    """Return the words on the sheet: those of the texts and dimensions among its entities."""
+    """Return the texts in model space, those of dimensions included."""
     entity, data = tables.found.entity, tables.found.data
     rows = rows[entity[rows, f.PAPER] == 0]
-    # By columns: a list to each row would be as much work again.
+    # By columns: building a list per row would take as long again.
     words, layers, first, count = (
         entity[rows, column].tolist() for column in (f.WORD, f.LAYER, f.FIRST, f.COUNT)
     )

@@ -4,7 +4,7 @@
 
 A tuck-end carton in folding boxboard, a tray with rolled-over ends in corrugated board and a
 grooved blank for a rigid box in greyboard.  They close when they are folded: every allowance for
-the caliper stands here beside the reason for it.
+the caliper is given here with its reason.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from knifetip.dxf.write import Layer, drawn
+from knifetip.dxf.samples.write import Layer, drawn
 from knifetip.geometry.azimuth import left, unit
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths, chained
@@ -285,7 +285,7 @@ def _notch(radius: float, depth: float, lead: float) -> F64:
 
 
 def _placed(corners: F64, at: tuple[float, float], along: tuple[float, float]) -> F64:
-    """Return corners, given as u along an edge and v to its left, where they belong."""
+    """Return corners, given as u along an edge and v to its left, in sheet coordinates."""
     u = np.array(along)
     xy = at + corners[:, :1] * u + corners[:, 1:2] * left(u)
     return np.hstack([xy, corners[:, 2:]])
@@ -336,7 +336,7 @@ def _apart(paths: Paths) -> Paths:
 
 
 def _moved(paths: Paths, by: F64) -> Paths:
-    """Return the paths elsewhere, in whole nanometres: no 251.00000000000003 in the file."""
+    """Return the shifted paths, rounded to nanometres: no 251.00000000000003 in the file."""
     start, end = (paths.start + by).round(6), (paths.end + by).round(6)
     # Adding 0 makes a zero of minus zero.
     return Paths(start + 0.0, end + 0.0, paths.bulge.round(12), paths.first)

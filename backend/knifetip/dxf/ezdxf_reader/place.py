@@ -1,10 +1,10 @@
-"""place: shapes through their placements, as columns of lines and arcs.
+"""place: placed shapes as columns of lines and arcs.
 
     ReportWriter, scale -> Columns: ends, bulge and the attributes of each segment, in file order
 
-Turned, mirrored and evenly scaled, a line stays a line and an arc an arc.  Scaled unevenly, an arc
-becomes a piece of an ellipse.  Ellipses and splines are fitted here, once for all placements that
-differ only by a shift.
+A placement that rotates, mirrors or scales evenly keeps lines and arcs.  Uneven scaling makes an
+arc elliptical.  Ellipses and splines are approximated by arcs, once for all placements that differ
+only by a translation.
 
 The tolerance of the fit is ``tolerance.CURVE`` mm.  While the unit is unknown it is a share of the
 drawing's diagonal, that of its ends and curves: 1 / 250,000 of it, which is 0.01 mm or less in
@@ -21,9 +21,9 @@ import numpy as np
 
 from knifetip.drawing_builder.columns import Columns, Style
 from knifetip.drawing_builder.report import ReportWriter
-from knifetip.dxf.entities import Lines, Shape
+from knifetip.dxf.ezdxf_reader.block_expansion import ON_SHEET, Placed
+from knifetip.dxf.ezdxf_reader.entities import Lines, Shape
 from knifetip.dxf.shapes import moved
-from knifetip.dxf.walk import ON_SHEET, Placed
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry import arc
@@ -49,12 +49,12 @@ def columns(
     scale
         Millimetres to a file unit, 0 while it is unknown.
     others : (m, 2, 2), optional
-        Ends of segments that are placed already, file units.
+        Ends of segments that are placed already (file units).
 
     Returns
     -------
     Columns
-        Their ``style`` is the number of the placed shape.
+        Its ``style`` is the index of the placed shape.
 
     Raises
     ------
@@ -117,7 +117,7 @@ def columns(
 
 
 def styled(found: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
-    """Return columns with the styles that they have, in the order in which they have them."""
+    """Return columns with indices into the distinct styles, and these in order of first use."""
     first, number = distinct(found.style)
     used = [styles[style] for style in found.style[first].tolist()]
     return replace(found, style=number.astype(np.int32)), used
@@ -150,7 +150,7 @@ def _relative(boxes: list[tuple[F64, F64]]) -> float:
 
 
 def _reach(placed: Placed) -> tuple[F64, F64]:
-    """Return the lower and upper corner of a box around a placed shape, not always the smallest."""
+    """Return the corners of a box that contains a placed shape."""
     shape = placed.shape
     if isinstance(shape, Lines) and not shape.bulge.any():
         low, high = shape.ends.min(axis=(0, 1)), shape.ends.max(axis=(0, 1))
@@ -171,7 +171,7 @@ def _reach(placed: Placed) -> tuple[F64, F64]:
 
 
 def _moved(placed: Placed) -> tuple[F64, F64] | None:
-    """Return ends (n, 2, 2) and bulge (n,) of all placements, None where these must be fitted."""
+    """Return ends (n, 2, 2) and bulge (n,) of all placements; None if curves must be fitted."""
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     if not isinstance(shape, Lines):
         return None
@@ -190,7 +190,7 @@ def _moved(placed: Placed) -> tuple[F64, F64] | None:
 
 
 def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64]:
-    """Return ends (n, 2, 2) and bulge (n,) of all placements of a shape that must be fitted."""
+    """Return ends (n, 2, 2) and bulge (n,) of all placements, with curves fitted."""
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     ends_of: list[F64] = []
     bulge_of: list[F64] = []
@@ -204,7 +204,7 @@ def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64]:
 
 
 def _fitted(shape: Shape, linear: F64, tolerance: float) -> Segments:
-    """Return one shape through a linear map as lines and arcs."""
+    """Return one shape, transformed by a linear map, as lines and arcs."""
     if isinstance(shape, Ellipse):
         return Ellipse(
             linear @ shape.centre, linear @ shape.u, linear @ shape.v, shape.first, shape.last
@@ -223,7 +223,7 @@ def _fitted(shape: Shape, linear: F64, tolerance: float) -> Segments:
         v = np.array([-u[1], u[0]]) * np.sign(bulge)
         turn = 4.0 * float(np.arctan(abs(bulge)))
         fit = Ellipse(linear @ centre, linear @ u, linear @ v, 0.0, turn).fitted(tolerance)
-        # The next segment begins where this one was drawn to end, to the bit.
+        # Exact ends, so that the next segment begins where this one ends.
         fit[0][0], fit[1][-1] = linear @ start, linear @ end
         pieces.append(fit)
     start, end, bulges = (np.concatenate(column) for column in zip(*pieces, strict=True))

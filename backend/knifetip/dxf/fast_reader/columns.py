@@ -1,8 +1,8 @@
-"""drawing: the entities of a Scan drawn in columns, and blocks placed by INSERTs.
+"""columns: segments of the entities of a Scan, and of blocks that INSERTs place.
 
-    rows of a Scan -> segments of each entity -> segments on the sheet, in file order
+    rows of a Scan -> segments of each entity -> segments in model space, in file order
 
-Compiled; the arithmetic is that of ``shapes`` and ``walk``.
+Compiled; the arithmetic is that of ``shapes`` and ``block_expansion``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from knifetip.dxf import fields as f
+from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.shapes import (
     chain_count,
     chain_rows,
@@ -41,7 +41,7 @@ from knifetip.kernels import (
 
 @kernel
 def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
-    """Return the rows that each entity takes, 0 for what is not drawn; what is wrong is odd."""
+    """Return the number of segments of each entity, 0 without geometry; mark wrong ones as odd."""
     count = np.zeros(len(entity), np.int64)
     for row in range(len(entity)):
         kind = entity[row, f.KIND]
@@ -69,7 +69,7 @@ def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
 def draw(
     entity: I32_2A, value: F64_2A, vertex: F64_2, first: OutI64_1, ends: OutF64_3, bulge: OutF64_1
 ) -> None:
-    """Write the rows of every entity, in its own coordinates."""
+    """Write the segments of every entity, in its own coordinates."""
     for row in range(len(entity)):
         at = first[row]
         if first[row + 1] == at:
@@ -97,7 +97,7 @@ def draw(
 
 @kernel
 def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
-    """Return which entities have an end beyond ``reach`` from an axis, (e,)."""
+    """Return which entities have an end with a coordinate beyond ``reach``, (e,)."""
     result = np.zeros(len(first) - 1, np.bool_)
     for row in range(len(result)):
         for i in range(first[row], first[row + 1]):
@@ -109,9 +109,9 @@ def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
 
 @kernel
 def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
-    """Return which of some entities have segments, (d,), and a number of what each is drawn with.
+    """Return the entities that have segments, (d,), and a key for the style of each.
 
-    One number for layer, linetype, colour and true colour: there are fewer than 2^15 names, and
+    The key combines layer, linetype, colour and true colour: there are fewer than 2^15 names, and
     colours take 9 and 25 bits.
     """
     drawn = np.empty(len(rows), np.int64)
@@ -128,19 +128,19 @@ def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
 
 
 @kernel
-def inserts(said: F64_2, base: F64_2, move: OutF64_3) -> None:
-    """Write linear map and shift of INSERTs, (k, 2, 3).
+def inserts(given: F64_2, base: F64_2, move: OutF64_3) -> None:
+    """Write linear map and translation of INSERTs, (k, 2, 3).
 
     Parameters
     ----------
-    said : (k, 5)
+    given : (k, 5)
         x, y, scale in x and in y, rotation in degrees.
     base : (k, 2)
         Base points of their blocks.
     """
-    for k in range(len(said)):
-        x, y = said[k, 0], said[k, 1]
-        scale_x, scale_y, rotation = said[k, 2], said[k, 3], said[k, 4]
+    for k in range(len(given)):
+        x, y = given[k, 0], given[k, 1]
+        scale_x, scale_y, rotation = given[k, 2], given[k, 3], given[k, 4]
         cos, sin = turning(rotation)
         move[k, 0, 0], move[k, 0, 1] = cos * scale_x, -sin * scale_y
         move[k, 1, 0], move[k, 1, 1] = sin * scale_x, cos * scale_y
@@ -198,7 +198,7 @@ def place(
         row = rows[number]
         at = first_out[number]
         for i in range(first[row], first[row] + shown[number]):
-            # Number by number: a view of a row takes longer than what is in it.
+            # Element by element: creating a view of a row takes longer.
             for end in range(2):
                 out_ends[at, end, 0], out_ends[at, end, 1] = ends[i, end, 0], ends[i, end, 1]
             out_bulge[at] = bulge[i]

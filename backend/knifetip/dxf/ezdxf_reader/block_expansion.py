@@ -1,11 +1,11 @@
-"""walk: entities and, through the INSERTs, those of the blocks, where they stand.
+"""block_expansion: the entities of the drawing, with blocks expanded where INSERTs place them.
 
-    blocks, entities of the sheet -> ledger rows in file order, and shapes with their placements
+    blocks, entities of model space -> report rows in file order, shapes with their placements
 
-Both readers of the room walk here: what an entity is, they ask their own ``Found``.  Nothing is
-expanded before it is counted: a few lines of nested arrays can stand for more lines than there are
-atoms.  An entity that an INSERT repeats (rows and columns) has one ledger row and as many
-placements.
+Both readers expand blocks here; each gives its entities as ``Found``.  The size is counted before
+anything is expanded, because a few nested arrays can produce an astronomical number of lines.  An
+entity that an INSERT repeats in rows and columns has one report row and one placement per
+repetition.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ import numpy as np
 from knifetip.drawing_builder.columns import Style
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.dxf.attributes import Styles
-from knifetip.dxf.census import Counted
-from knifetip.dxf.entities import READ, REASONS, Drawn, Shape, Undrawable, flat
+from knifetip.dxf.ezdxf_reader.entities import READ, REASONS, Drawn, Shape, Undrawable, flat
+from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
 from knifetip.dxf.location_boxes import through
 from knifetip.dxf.shapes import moved, turning
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64, frozen
 
-#: The linear part of what no INSERT moves: most of a drawing, and nothing to be done.
+#: Linear map of entities outside of blocks: the identity.
 ON_SHEET: Final[F64] = frozen(np.eye(2)[None], np.float64, 1, 2, 2)
 
-#: Why an entity is left out that the plotter sees and the knife does not.
+#: Reason for entities in paper space.
 IN_PAPER_SPACE: Final = "it stands in paper space"
 
 
@@ -47,7 +47,7 @@ class Placed(NamedTuple):
 
 
 class Reference(NamedTuple):
-    """What an INSERT says of the place of its block."""
+    """Placement of a block by an INSERT."""
 
     block: str
     mirror: bool
@@ -60,23 +60,23 @@ class Reference(NamedTuple):
 
 
 class Found(Protocol):
-    """An entity as one of the readers has it."""
+    """An entity as one of the readers provides it."""
 
     @property
     def hidden(self) -> bool:
-        """It is marked as invisible."""
+        """Whether it is marked as invisible."""
         ...
 
     def style(self, styles: Styles, around: Style | None) -> Style:
-        """Return what it is drawn with."""
+        """Return its style."""
         ...
 
     def drawn(self) -> Drawn:
-        """Return its shape; raises Undrawable, or whatever damage raises."""
+        """Return its shape; raises Undrawable, or any exception where it is damaged."""
         ...
 
     def reference(self) -> Reference:
-        """Return what it places, if it is an INSERT; raises Undrawable."""
+        """Return its placement of a block, if it is an INSERT; raises Undrawable."""
         ...
 
     def repeats(self) -> tuple[str, int]:
@@ -85,16 +85,16 @@ class Found(Protocol):
 
 
 class Entry(NamedTuple):
-    """An entity as counted, and as read, if it was."""
+    """An entity as prescanned, and as read, if it was."""
 
-    counted: Counted
+    counted: PrescannedEntity
     handle: str
     found: Found | None
 
 
 @dataclass(eq=False)
 class Block:
-    """A block, whose entities are made when an INSERT needs them."""
+    """A block, whose entities are created when an INSERT first places it."""
 
     name: str
     base: F64  #: (2,)
@@ -109,17 +109,17 @@ class Block:
 
 
 def not_read(kind: str) -> str:
-    """Return why entities of a kind are left out that is no line."""
+    """Return the reason for leaving out entities of a kind that has no geometry to cut."""
     return REASONS.get(kind, f"{kind} is not a kind of line that is read")
 
 
 def places(name: str) -> str:
-    """Return what an INSERT does."""
+    """Return the note for an INSERT."""
     return f"places the block {name}"
 
 
 def idle(name: str, number: int) -> str:
-    """Return why a block of so many entities is left out."""
+    """Return the reason for leaving out a block that no INSERT places."""
     why = (
         "it pictures a dimension or a hatch"
         if name.startswith("*")
@@ -128,20 +128,20 @@ def idle(name: str, number: int) -> str:
     return f"the block {name} of {number} entit{'y' if number == 1 else 'ies'}: {why}"
 
 
-class Walk:
-    """The walk through one file.
+class BlockExpansion:
+    """Expands the blocks of one file.
 
     Parameters
     ----------
     blocks
         By name in lower case.
     on_sheet
-        Blocks in lower case that the sheet places, and how often.
+        Blocks (in lower case) that INSERTs in model space place, and how often.
 
     Raises
     ------
     DrawingTooLarge
-        INSERTs are nested deeper, or stand for more entities, than the limits allow.
+        INSERTs are nested deeper, or expand to more entities, than the limits allow.
     """
 
     def __init__(
@@ -161,7 +161,7 @@ class Walk:
         self._endless = self._count(on_sheet)
 
     def _count(self, references: Iterable[tuple[str, int]]) -> frozenset[str]:
-        """Count what the INSERTs stand for; return the blocks that contain themselves."""
+        """Count the expanded entities; return the blocks that contain themselves."""
         inside = {name: block.inside for name, block in self._blocks.items()}
         children = {
             name: {child for child, _ in found if child in inside} for name, found in inside.items()
@@ -170,7 +170,7 @@ class Walk:
         for name, below in children.items():
             for child in below:
                 parents[child].add(name)
-        # What is left after all ends are plucked, from below and from above, goes in circles.
+        # Blocks that remain after all leaves are removed, from both ends, are in cycles.
         _, rest = _plucked(children, parents)
         _, circles = _plucked(
             {name: parents[name] & rest for name in rest},
@@ -198,7 +198,7 @@ class Walk:
             )
         total = sum(times * max(size[child], 1) for child, times in on_sheet)
         if total > self._limits.expanded:
-            # A number of a thousand digits helps nobody.
+            # Very long numbers are shortened in the message.
             many = f"{total:,}" if total < 10**15 else f"more than {10**15:,}"
             raise DrawingTooLarge(
                 "dxf.blocks-expand-too-far", count=many, limit=self._limits.expanded
@@ -206,7 +206,7 @@ class Walk:
         return endless
 
     def sheet_entity(self, entry: Entry) -> None:
-        """Walk through an entity of the sheet."""
+        """Expand an entity of model space."""
         self._entry(entry, "", (ON_SHEET, np.zeros((1, 2))), None)
 
     def _entry(self, entry: Entry, path: str, here: tuple[F64, F64], around: Style | None) -> None:
@@ -239,7 +239,7 @@ class Walk:
             self._left(counted, handle, here, text)
             return
         except (ArithmeticError, ValueError, TypeError, LookupError, AttributeError) as reason:
-            # ezdxf's own readers stumble over damaged entities in all of these ways.
+            # Damaged entities raise any of these in ezdxf.
             self._left(counted, handle, here, f"it is damaged: {reason}")
             return
         notes = [*self._styles.notes(style.layer), *what.notes]
@@ -248,8 +248,10 @@ class Walk:
         row = self.sheet.row(handle, counted.kind, style.layer, "", notes)
         self.placed.append(Placed(row, what.shape, *here, style))
 
-    def _left(self, counted: Counted, handle: str, here: tuple[F64, F64], why: str) -> None:
-        """Enter into the ledger what gives no line, and where it stands."""
+    def _left(
+        self, counted: PrescannedEntity, handle: str, here: tuple[F64, F64], why: str
+    ) -> None:
+        """Add a report row for an entity without geometry, with its location box."""
         row = self.sheet.row(handle, counted.kind, counted.layer, why)
         if counted.box is not None:
             box = counted.box
@@ -307,13 +309,13 @@ class Walk:
 
 
 def _product(outer: F64, inner: F64) -> F64:
-    """Return the linear maps (k, 2, 2) that do the inner one first."""
+    """Return the products (k, 2, 2) of outer and inner linear maps."""
     columns = moved(outer[:, None], np.zeros(2), inner.T[None])
     return columns.transpose(0, 2, 1)
 
 
 def _plucked(below: dict[str, set[str]], above: dict[str, set[str]]) -> tuple[list[str], set[str]]:
-    """Return the names in an order in which each comes after all below it, and those without."""
+    """Return the block names in topological order, and the names in cycles."""
     waiting = {name: len(found) for name, found in below.items()}
     ready = [name for name, number in waiting.items() if number == 0]
     for name in ready:

@@ -1,6 +1,6 @@
-"""lines: the two lines of a tag, several bytes at a time.
+"""byte_scan: scanning of the lines of a tag, eight bytes at a time.
 
-bytes, position -> group code, and where the value begins; where a line ends; whether two are equal
+bytes, position -> group code, position of the value; end of a line; equality of texts
 """
 
 from __future__ import annotations
@@ -14,21 +14,21 @@ from knifetip.kernels import U8_1, U64, inline_kernel
 
 #: A place without a sign takes no time to count from the end; 1 keeps it so.
 ONE: Final = np.uint64(1)
-#: What ``code_at`` says where no group code stands.
+#: Returned by ``code_at`` where there is no group code.
 NO_CODE: Final = -1
 _THREE: Final = np.uint64(3)
 _EIGHT: Final = np.uint64(8)
-#: A digit by its sign, 0 for a blank, more than any group code for all else.
+#: Value of a digit by its character; 0 for a blank, a large number for all others.
 _DIGIT: Final[I64] = np.full(256, 1 << 20)
 _DIGIT[48:58] = range(10)
 _DIGIT[32] = 0
-#: The first so many bytes of a word.
+#: Masks for the first n bytes of a word.
 _FIRST: Final = np.array([(1 << 8 * count) - 1 for count in range(8)], np.uint64)
 
 
 @inline_kernel
 def code_at(data: U8_1, at: U64, size: U64) -> Any:
-    """Return the group code that stands alone on a line, and where the next line begins."""
+    """Return the group code on a line, and the position of the next line."""
     if at + _THREE < size and data[at + _THREE] == 10:
         first, second, third = data[at], data[at + ONE], data[at + ONE + ONE]
         code = _DIGIT[first] * 100 + _DIGIT[second] * 10 + _DIGIT[third]
@@ -54,7 +54,7 @@ def code_at(data: U8_1, at: U64, size: U64) -> Any:
 
 @inline_kernel
 def eight_at(data: U8_1, at: U64) -> Any:
-    """Return eight bytes as one word, the first of them lowest."""
+    """Return eight bytes as one little-endian word."""
     word = np.uint64(0)
     for place in range(8):
         word |= np.uint64(data[at + np.uint64(place)]) << np.uint64(8 * place)
@@ -63,10 +63,10 @@ def eight_at(data: U8_1, at: U64) -> Any:
 
 @inline_kernel
 def end_of_line(data: U8_1, at: U64, size: U64) -> Any:
-    """Return where the next CR or LF is, ``size`` where there is none."""
+    """Return the position of the next CR or LF, ``size`` if there is none."""
     while at + _EIGHT <= size:
         word = eight_at(data, at)
-        # The lowest byte of these that is not 0 is the first sign below 16.
+        # The lowest byte that is not 0 marks the first character below 16.
         low = (word - np.uint64(0x1010101010101010)) & ~word & np.uint64(0x8080808080808080)
         if low == 0:
             at += _EIGHT
@@ -83,7 +83,7 @@ def end_of_line(data: U8_1, at: U64, size: U64) -> Any:
 
 @inline_kernel
 def same(data: U8_1, low: int, other: U8_1, first: int, count: int) -> bool:
-    """Return whether ``count`` bytes from ``low`` are those of another text from ``first``."""
+    """Return whether ``count`` bytes from ``low`` equal those of another text from ``first``."""
     here, there = np.uint64(low), np.uint64(first)
     left = np.uint64(count)
     if here + left + _EIGHT <= np.uint64(len(data)) and there + left + _EIGHT <= np.uint64(
@@ -105,7 +105,7 @@ def same(data: U8_1, low: int, other: U8_1, first: int, count: int) -> bool:
 
 @inline_kernel
 def hashed(data: U8_1, low: int, high: int) -> Any:
-    """Return a number that few other texts have."""
+    """Return the hash of a text."""
     at, end = np.uint64(low), np.uint64(high)
     key = end - at
     while at < end:

@@ -1,8 +1,8 @@
-"""tables: what the numbers of a Scan stand for: names, layers, handles and blocks.
+"""tables: names, layers, handles and blocks of a Scan.
 
     Scan -> Tables
 
-Everything in words is done here, once for each name and not for each entity.
+Text is processed here, once per name and not per entity.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from ezdxf.entities.dxfgfx import DXFGraphic
 from ezdxf.entities.factory import ENTITY_CLASSES
 
 from knifetip.drawing_builder.columns import Style
-from knifetip.dxf import fields as f
 from knifetip.dxf.attributes import BYLAYER, Layer, Styles, layer_of
-from knifetip.dxf.census import header_of
 from knifetip.dxf.encoding import encoding_of, spelled
-from knifetip.dxf.handles import handles_of
-from knifetip.dxf.scan import Scan
+from knifetip.dxf.ezdxf_reader.prescan import header_of
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader.handle_set import handles_of
+from knifetip.dxf.fast_reader.scan import Scan
 
-#: Signs that the format does not allow in names; what ezdxf makes of them is its own affair.
+#: Characters that DXF does not allow in names; ezdxf reads such files.
 _NOT_IN_NAMES: Final = frozenset('<>/\\":;?*=`|,\ufffd')
-#: What may stand among entities; what ezdxf does not know is the latter.
+#: Records among entities that ezdxf accepts.
 _GRAPHIC: Final = (DXFGraphic, DXFTagStorage)
 _VERSIONS: Final = (
     *("", "AC1002", "AC1003", "AC1004", "AC1006", "AC1009", "AC1012", "AC1014"),
@@ -32,17 +32,17 @@ _VERSIONS: Final = (
 )
 
 
-class NotPlainError(Exception):
-    """The file is ezdxf's.  Never leaves the room."""
+class Unsupported(Exception):
+    """Raised when the fast reader cannot read the file; ``read`` falls back to ezdxf."""
 
 
 class Tables:
-    """The words of one file.
+    """Names, layers, handles and blocks of one file.
 
     Raises
     ------
-    NotPlainError
-        A name, a handle or the version is unusual.
+    Unsupported
+        A name, a handle or the version is not supported.
     """
 
     def __init__(self, found: Scan) -> None:
@@ -51,7 +51,7 @@ class Tables:
         self.variables = header_of(found.data[low:high])
         version = self.variables.get("$ACADVER", "")
         if version not in _VERSIONS:
-            raise NotPlainError
+            raise Unsupported
         self.version = version or "AC1009"
         self.encoding = encoding_of(found.data, self.variables)
         self.names = [name.decode(self.encoding, "replace") for name in found.names]
@@ -60,7 +60,7 @@ class Tables:
         self.styles = Styles(self._layers())
         handles = handles_of(found.data, found.entity, len(found.block), found.others)
         if handles is None:
-            raise NotPlainError
+            raise Unsupported
         self.handles = handles
         # First row and number of rows of each block; -1 is the sheet.
         blocks, first, size = np.unique(
@@ -73,16 +73,16 @@ class Tables:
         self.blocks = self._blocks()
 
     def layer(self, row: int) -> str:
-        """Return the layer of an entity as it is written."""
+        """Return the name of an entity's layer, as written."""
         number = self.found.entity[row, f.LAYER]
         return self.names[number] if number >= 0 else "0"
 
     def block_name(self, block: int) -> str:
-        """Return the name of a block as it is written."""
+        """Return the name of a block, as written."""
         return self.names[int(self.found.block[block, f.NAME])]
 
     def style(self, row: int, around: Style | None = None) -> Style:
-        """Return what an entity is drawn with."""
+        """Return the style of an entity."""
         line = self.found.entity[row].tolist()
         true, linetype = line[f.TRUE_COLOUR], line[f.LINETYPE]
         return self.styles.style(
@@ -94,16 +94,16 @@ class Tables:
         )
 
     def _words(self) -> dict[int, str]:
-        """Return the kinds of entities as they are written, by the numbers of their names."""
+        """Return the kinds of entities, as written, by the indices of their names."""
         column = self.found.entity[:, f.WORD]
         words = {
             number: self.names[number] for number in np.flatnonzero(np.bincount(column)).tolist()
         }
         for word in words.values():
-            # Of what cannot stand on a sheet, or in a block, ezdxf refuses the whole.
+            # ezdxf refuses a file with records that are no entities in these places.
             cls = ENTITY_CLASSES.get(word, DXFTagStorage)
             if word != word.upper() or not word.isascii() or not issubclass(cls, _GRAPHIC):
-                raise NotPlainError
+                raise Unsupported
         return words
 
     def _check_names(self) -> None:
@@ -118,14 +118,14 @@ class Tables:
             for number in np.flatnonzero(np.bincount(column + 1)[1:]).tolist():
                 name = self.names[number]
                 if not name or not _NOT_IN_NAMES.isdisjoint(name) or spelled(name) != name:
-                    raise NotPlainError
+                    raise Unsupported
 
     def _layers(self) -> dict[str, Layer]:
         table: dict[str, Layer] = {}
         for row in self.found.layer.tolist():
             name = self.names[row[f.LAYER_NAME]].lower() if row[f.LAYER_NAME] >= 0 else ""
             if not name or name in table:
-                raise NotPlainError
+                raise Unsupported
             linetype, true = row[f.LAYER_LINETYPE], row[f.LAYER_TRUE]
             table[name] = layer_of(
                 row[f.LAYER_COLOUR],
@@ -140,12 +140,12 @@ class Tables:
         """Return the rows of the blocks by their names in lower case."""
         blocks: dict[str, int] = {}
         if self.found.block[:, f.EXTERNAL].any():
-            raise NotPlainError
+            raise Unsupported
         for number, name in enumerate(self.found.block[:, f.NAME].tolist()):
             key = self.names[name].lower() if name >= 0 else ""
             if not key or key in blocks or "\\" in key or "\ufffd" in key:
-                raise NotPlainError
+                raise Unsupported
             blocks[key] = number
             if key.startswith(("*model_space", "*paper_space")) and number in self.span:
-                raise NotPlainError
+                raise Unsupported
         return blocks

@@ -1,11 +1,10 @@
-"""tagging: the compiled pass of ``scan``, tag by tag from the first byte to the end mark.
+"""tagging: the compiled kernel of ``scan``, tag by tag from the first byte to EOF.
 
     bytes -> tables of entities, values, vertices, blocks and layers, as rows of numbers
 
-A tag is a line with a group code and a line with its value.  What the pass has seen so far is its
-``State``; each kind of tag is dealt with by a function of its own.  Where a file is not plain, the
-pass refuses it as a whole.  Where only one entity is not plain, it marks that entity as ``ODD`` and
-goes on.
+A tag is a line with a group code and a line with its value.  ``state`` has the state of the scan;
+each kind of tag has a function of its own.  A file with an unsupported structure is refused.  A
+single unsupported entity is marked as ``ODD``, and the scan goes on.
 """
 
 from __future__ import annotations
@@ -14,18 +13,18 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.dxf import fields as f
-from knifetip.dxf import groups as g
-from knifetip.dxf import state as s
-from knifetip.dxf import words as w
-from knifetip.dxf.content import take_decimal, take_tag
+from knifetip.dxf.byte_scan import ONE, code_at, end_of_line
 from knifetip.dxf.decimals import WRONG, number
-from knifetip.dxf.handles import take_handle
-from knifetip.dxf.lines import ONE, code_at, end_of_line
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader import group_codes as g
+from knifetip.dxf.fast_reader import keywords as w
+from knifetip.dxf.fast_reader import state as s
+from knifetip.dxf.fast_reader.content import take_decimal, take_tag
+from knifetip.dxf.fast_reader.group_values import name_at, valid, whole_at
+from knifetip.dxf.fast_reader.handle_set import take_handle
+from knifetip.dxf.fast_reader.keywords import is_word, word_at
+from knifetip.dxf.fast_reader.structure import begin, context, pause
 from knifetip.dxf.scan_tables import ScanTables
-from knifetip.dxf.structure import begin, context, pause
-from knifetip.dxf.values import name_at, valid, whole_at
-from knifetip.dxf.words import is_word, word_at
 from knifetip.kernels import (
     I32_2F,
     I64_1,
@@ -41,7 +40,7 @@ from knifetip.kernels import (
 
 @inline_kernel
 def _of_header(code: int, before: int, data: U8_1, low: int, high: int) -> bool:
-    """Return whether a tag stands where it may in the header: a name, and one value."""
+    """Return whether a tag of the header is valid: a name, then one value."""
     if code == 9:
         return before != 9 and high > low and data[low] == 36
     return before == 9 or (code == 20 and before == 10) or (code == 30 and before == 20)
@@ -58,7 +57,7 @@ def _of_layer(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Take a tag of the layer table."""
+    """Store a tag of the layer table."""
     row = state[s.LAYERS] - 1
     if code == 2 or code == 6:
         name = name_at(data, low, high, spans, slots, state)
@@ -75,7 +74,7 @@ def _of_layer(
         if code == 62:
             column = f.LAYER_COLOUR
             if whole == 0 or abs(whole) > 255:
-                # Nothing that the table may say: 7, which is what silence means too.
+                # Not allowed in the table; 7 is the default.
                 whole = 7 if whole >= 0 else -7
         elif code == 290:
             column = f.LAYER_PLOT
@@ -100,7 +99,7 @@ def _of_block(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Take a tag of the head of a block."""
+    """Store a tag of the header of a block."""
     row = state[s.INSIDE]
     if code == 5:
         block[row, f.BLOCK_HANDLE], block[row, f.BLOCK_HANDLE_SIZE] = low, high - low
@@ -119,7 +118,7 @@ def _of_block(
 
 @inline_kernel
 def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: OutI64_1) -> int:
-    """Take a tag around {…}, or of what other programs have added: it is skipped."""
+    """Skip a tag of a group {…} or of extension data."""
     if code == 102:
         opens = high > low and data[low] == 123
         if state[s.GROUP] == 2 or opens == (state[s.GROUP] == 1):
@@ -132,7 +131,7 @@ def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: Ou
             and entity[state[s.ROW], f.KIND] == f.INSERT
             and is_word(data, low, high, w.XDICTIONARY)
         ):
-            # Behind it may be what clips the block.
+            # It may be followed by a clipping boundary.
             return s.REFUSED
         state[s.GROUP] = 1 if opens else 0
     elif code >= 1000:
@@ -140,7 +139,7 @@ def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: Ou
             return s.REFUSED
         size = w.ENDS[w.OF_COLUMNS + 1] - w.ENDS[w.OF_COLUMNS]
         if state[s.IS_MTEXT] != 0 and is_word(data, low, min(high, low + size), w.OF_COLUMNS):
-            # ezdxf makes one of a text in columns and its frame.
+            # ezdxf merges a text in columns with its frame.
             return s.REFUSED
         state[s.GROUP] = 2
     elif state[s.GROUP] == 2:
@@ -150,9 +149,9 @@ def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: Ou
 
 @inline_kernel
 def _is_handle(code: int, state: I64_1) -> bool:
-    """Return whether a tag is the handle of something that is no entity."""
+    """Return whether a tag is the handle of an object that is no entity."""
     named = 105 if state[s.MODE] == s.IN_STYLE else 5
-    # Behind a subclass marker it is another's.
+    # After a subclass marker the code has another meaning.
     if code != named or state[s.GROUP] != 0 or state[s.OPEN_MARKS] > 0:
         return False
     return bool(w.TABLES <= state[s.SECTION] <= w.OBJECTS)
@@ -160,15 +159,15 @@ def _is_handle(code: int, state: I64_1) -> bool:
 
 @kernel(allocates=False)
 def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: OutI64_1) -> bool:
-    """Fill the tables; return whether the file is plain to its end mark, or to where a run ends.
+    """Fill the tables; return whether the file is supported up to EOF or the end of the run.
 
     Parameters
     ----------
     data : (m,) uint8
     begins, ends
-        The bytes to pass over: from a group code on, to one or to the end.
+        Span of bytes to scan, from one group code to another or to the end.
     state : (``STATES``,) int64
-        Where the pass begins; of use afterwards are the numbers from ``ENTITIES`` on.
+        Initial state; on return, the counts from ``ENTITIES`` on.
     """
     entity, block, layer = tables.entity, tables.block, tables.layer
     spans, slots, others = tables.spans, tables.slots, tables.others
@@ -178,10 +177,10 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
     last = -1
     while at < size:
         if at >= stop:
-            # A run that does not end between two tags is none.
+            # A run must end between two tags.
             here: Any = np.int64(at)
             return bool(at == stop and pause(here, last, entity, state))
-        # The group code, alone on its line.
+        # The line of the group code.
         start: Any = np.int64(at)
         code, at = code_at(data, at, size)
         if code < 0 or code > g.LAST_CODE:
@@ -237,7 +236,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
             and state[s.MODE] != s.IN_LAYER
             and state[s.MODE] != s.IN_SECTION
         ) or state[s.SECTION] > w.ENTITIES:
-            # What nobody asks for, and what is in other sections.
+            # Unused tags, and tags in other sections.
             continue
         elif code == 102 or code >= 1000 or state[s.GROUP] != 0:
             verdict = _group(code, data, low, high, entity, state)
@@ -250,7 +249,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
                 if code != 2:
                     return False
                 section = word_at(data, low, high, w.HEADER, w.ACDSDATA)
-                # Of two sections of one name ezdxf reads the last, of unknown ones none.
+                # ezdxf reads the last of two sections with one name, and no unknown ones.
                 if section < 0 or state[s.SECTIONS] & (1 << section):
                     return False
                 state[s.SECTIONS] |= 1 << section
@@ -264,7 +263,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
                 if code == 2 and state[s.TABLE] == 0:
                     state[s.NAMED] = 1
                     state[s.TABLE] = word_at(data, low, high, w.VPORT, w.BLOCK_RECORD)
-                    # One that ezdxf does not know of.
+                    # A record that ezdxf does not accept.
                     verdict = s.ON if state[s.TABLE] > 0 else s.REFUSED
             elif mode == s.IN_ROW or mode == s.IN_STYLE:
                 state[s.NAMED] |= code == 2

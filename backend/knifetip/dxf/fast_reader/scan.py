@@ -1,11 +1,11 @@
-"""scan: the text of a plain DXF in one compiled pass, as columns of what is written there.
+"""scan: columns of all entities of a DXF, in one compiled pass over its bytes.
 
     bytes -> Scan: rows of entities, blocks and layers, vertices, and names by number
 
-Plain is what every program writes that draws dielines: lines, arcs, circles, polylines and INSERTs,
-each tag once and in its place, flat on the sheet.  Nothing is repaired or guessed here.  Where the
-file as a whole is not plain, there is no Scan, and ``read`` leaves it to ezdxf; entities that are
-not plain are marked as such, and ``single`` leaves them to ezdxf one by one.
+Supported are lines, arcs, circles, polylines and INSERTs in the XY plane, with each tag once and in
+its usual place; nothing is repaired or guessed.  For a file with an unsupported structure ``scan``
+returns None, and ``read`` uses the ezdxf reader.  Unsupported entities in a supported file are
+marked as odd and read with ezdxf one by one (``ezdxf_entity``).
 """
 
 from __future__ import annotations
@@ -17,52 +17,52 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.dxf import fields as f
-from knifetip.dxf import groups as g
-from knifetip.dxf import state as s
-from knifetip.dxf import words as w
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader import group_codes as g
+from knifetip.dxf.fast_reader import keywords as w
+from knifetip.dxf.fast_reader import state as s
+from knifetip.dxf.fast_reader.group_values import MOST_NAMES
+from knifetip.dxf.fast_reader.tagging import scan_tags
 from knifetip.dxf.scan_tables import ScanTables
-from knifetip.dxf.tagging import scan_tags
-from knifetip.dxf.values import MOST_NAMES
 from knifetip.geometry.columns import F64, I32, I64
 from knifetip.geometry.cores import each, number
 from knifetip.kernels import I32_1, OutF64_2F, OutI32_2F, kernel
 
-#: Numbers of more digits than the pass can read are read afterwards, so many of them.
+#: Most numbers that are left to ``float``.
 _MOST_LEFT: Final = 100_000
-#: No entity, and no vertex, is shorter than this (bytes), on average.
+#: Least average size of an entity or a vertex (bytes).
 _SHORTEST: Final = 16
-#: How much of a file is looked at for how long its entities are (bytes).
+#: Size of the sample for the average size of entities (bytes).
 _SAMPLE: Final = 1 << 16
-#: A run that is worth a core is so long (bytes).
+#: Least size of a run (bytes).
 _RUN: Final = 1 << 21
-#: What may stand on a sheet, behind its group code, which no value before it can be taken for.
+#: Beginnings of entities, with their group code, which no value can be mistaken for.
 _ENTITY: Final = re.compile(rb"(?<=\n) *0\r?\n(?:LINE|ARC|CIRCLE|LWPOLYLINE|POLYLINE|INSERT)\r?\n")
-#: The group of the layer, which every entity has.
+#: The group code of the layer, which every entity has.
 _LAYER: Final = re.compile(rb"\n *8\r?\n")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Scan:
-    """What is written in a plain DXF, in the order of the file."""
+    """The entities of a DXF, in file order."""
 
     data: bytes
-    entity: I32  #: (e, 21) columns ``KIND`` … ``ODD``, each in one piece
-    value: F64  #: (e, 11) columns ``X`` … ``SPACE_Y``, file units and degrees; NaN where silent
+    entity: I32  #: (e, 21) columns ``KIND`` … ``ODD``, each contiguous
+    value: F64  #: (e, 11) columns ``X`` … ``SPACE_Y``, file units and degrees; NaN if not given
     vertex: F64  #: (v, 3) x, y, bulge
     block: I32  #: (b, 5)
     base: F64  #: (b, 2) base points
     layer: I32  #: (l, 6)
-    others: I64  #: handles of all that is no entity, by value
-    names: tuple[bytes, ...]  #: what the numbers of names stand for
-    header: tuple[int, int]  #: the bytes of section HEADER, (0, 0) without one
+    others: I64  #: handles of other objects, by value
+    names: tuple[bytes, ...]  #: names by index
+    header: tuple[int, int]  #: span of section HEADER, (0, 0) without one
     markers: bool  #: entities have subclass markers
 
 
 def scan(data: bytes) -> Scan | None:
-    """Return what is written in a plain text DXF, None where it is not plain.
+    """Return the entities of an ASCII DXF; None if the file is not supported.
 
-    Large files are passed over in runs, one to a core.
+    Large files are split into runs, one per core.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def scan(data: bytes) -> Scan | None:
         whole = _whole(data, _passed(data, [0, *cuts, len(data)], expected))
         if whole is not None:
             return whole
-    # One run, and where it has more entities than expected, another.
+    # One run, and a second one if there are more entities than estimated.
     found = _passed(data, [0, len(data)], expected)
     if not found.plain and found.state[0, s.ENTITIES] == expected < most:
         found = _passed(data, [0, len(data)], most)
@@ -83,14 +83,14 @@ def scan(data: bytes) -> Scan | None:
 
 
 def _expected(data: bytes) -> int:
-    """Return how many entities a file hardly has more of, by a sample from its middle."""
+    """Return a likely upper bound of the number of entities, by a sample from the middle."""
     sample = data[len(data) // 2 :][:_SAMPLE]
     found = len(_LAYER.findall(sample)) + 8
     return 4096 + found * len(data) * 5 // (4 * len(sample) or 1)
 
 
 def _cuts(data: bytes) -> list[int]:
-    """Return the bytes where runs of a large file begin, each before an entity of the sheet."""
+    """Return the positions at which a large file is split, each before an entity."""
     cores = min(number(), len(data) // _RUN)
     first = data.find(b"ENTITIES")
     if cores < 2 or first < 0:
@@ -102,7 +102,7 @@ def _cuts(data: bytes) -> list[int]:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Passed:
-    """What k runs over a file have found, in tables that they share."""
+    """Results of k runs, in shared tables."""
 
     plain: bool  #: all of them are
     state: I64  #: (k, STATES) at the end of each
@@ -119,7 +119,7 @@ class _Passed:
 
 
 def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
-    """Pass over the runs of a file between some bytes, for at most so many entities in all."""
+    """Scan the runs between positions, for at most that many entities in all."""
     runs = list(pairwise(bounds))
     rows = [entities * (end - begin) // max(len(data), 1) for begin, end in runs]
     points = [(end - begin) // _SHORTEST + 64 for begin, end in runs]
@@ -132,7 +132,7 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
     state[:, s.ENTITIES], state[:, s.MOST_ENTITIES] = row[:-1], row[1:]
     for begin, end in ((s.VERTICES, s.MOST_VERTICES), (s.OTHERS, s.MOST_OTHERS)):
         state[:, begin], state[:, end] = point[:-1], point[1:]
-    # Pages of these that nothing is written to cost no memory.  Later whole columns are asked for.
+    # Untouched pages cost no memory; columns are contiguous because they are read whole.
     # Two rows at least: with one, or none, an array has its rows contiguous as well for numba.
     room = max(row[-1], 2)
     entity = np.empty((room, f.WIDTH), np.int32, order="F")
@@ -145,7 +145,7 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
     text = np.frombuffer(data, np.uint8)
 
     def passed(run: int) -> bool:
-        # Only the first has a place for blocks and layers.
+        # Only the first run has blocks and layers.
         size = None if run == 0 else 0
         slots = np.full(1 << 16, -1, np.int32)
         tables = ScanTables(
@@ -175,7 +175,7 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
 
 
 def _whole(data: bytes, found: _Passed) -> Scan | None:
-    """Return what runs have found as one, None where they are not plain together."""
+    """Merge the results of runs; None if one of them is not supported."""
     sections = found.state[:, s.SECTIONS].copy()
     sections[1:] &= ~(1 << w.ENTITIES)
     if not found.plain or (np.cumsum(sections) != np.bitwise_or.accumulate(sections)).any():
@@ -189,7 +189,7 @@ def _whole(data: bytes, found: _Passed) -> Scan | None:
         numbers = [number_of.setdefault(name, len(number_of)) for name in names]
         more = int(state[s.ENTITIES]) - row
         if row:
-            # Behind what the runs before have found.
+            # After the results of the runs before.
             known = np.array([*numbers, -1], np.int32)
             _move_up(found.entity, found.value, row, rows, more, known, point - points)
         corners, named = int(state[s.VERTICES]) - point, int(state[s.OTHERS]) - other
@@ -217,7 +217,7 @@ def _whole(data: bytes, found: _Passed) -> Scan | None:
 def _move_up(
     entity: OutI32_2F, value: OutF64_2F, row: int, to: int, count: int, numbers: I32_1, gap: int
 ) -> None:
-    """Move rows of a run to where those before it end, its names and vertices counted anew."""
+    """Append the rows of a run to those before it, with names and vertices renumbered."""
     for column in range(f.WIDTH):
         named = column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)
         for i in range(count):
@@ -232,7 +232,7 @@ def _move_up(
 
 
 def _finish(data: bytes, tables: tuple[F64, F64, F64], left: I64) -> bool:
-    """Read the numbers that the pass left over; return whether all are finite."""
+    """Read the numbers that the scan left to ``float``; return whether all are finite."""
     for which, row, column, start, end in left.tolist():
         read = float(data[start:end])
         if not np.isfinite(read):

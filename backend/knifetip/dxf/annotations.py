@@ -1,10 +1,9 @@
-"""inscriptions: the words on the sheet, as the file has them.
+"""annotations: the texts of a drawing, as the file has them.
 
     group codes and values of a TEXT, MTEXT, ATTRIB or DIMENSION -> Inscription in file units
 
-Both readers of the room take them from the bytes, not from ezdxf: what a program wrote of its
-drawing is evidence, and nothing of it may be repaired.  Words in blocks are left out, also where
-an INSERT places them.
+Both readers take them from the bytes and not from ezdxf, because texts are evidence for the unit
+and must not be repaired.  Texts in blocks are left out, even if an INSERT places the block.
 """
 
 from __future__ import annotations
@@ -21,17 +20,17 @@ from knifetip.dxf.encoding import spelled
 from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Inscription
 
-#: Kinds of entities whose words have codes of fonts and colours in them.
+#: Kinds of entities whose texts may contain formatting codes.
 _CODED: Final = frozenset({"MTEXT", "DIMENSION"})
-#: Kinds of entities that are words, or have some.
+#: Kinds of entities that contain text.
 WORDS: Final = frozenset({"TEXT", "MTEXT", "ATTRIB", "DIMENSION"})
-#: Group codes of the lengths that are read of them; of each the first counts.
+#: Group codes of the lengths that are read; the first of each code counts.
 LENGTHS: Final = (10, 20, 11, 21, 40, 42)
 
 #: The lower bits of a dimension's type, and those that measure an angle.
 _TYPES: Final = 7
 _ANGULAR: Final = frozenset({2, 5})
-#: Nobody reads more than this on a carton (letters, codes included).
+#: Longest text that is read (characters, with formatting codes).
 _LONGEST: Final = 2000
 
 _SIGNS: Final = {"d": "°", "c": "⌀", "p": "±", "%": "%"}
@@ -46,21 +45,21 @@ _CODE: Final = re.compile(
 def inscription(
     kind: str, layer: str, text: str, lengths: Iterable[float], type_: int
 ) -> Inscription:
-    """Return the words of an entity.
+    """Return the text of an entity.
 
     Parameters
     ----------
     text
         As written, with its codes.
     lengths
-        Those of ``LENGTHS``, NaN where the file is silent.
+        Values of the group codes ``LENGTHS``, NaN where the file has none.
     type_
         Group 70.
     """
     x, y, x_text, y_text, height, measure = lengths
     written = text[:_LONGEST]
     if kind == "DIMENSION":
-        # Group 40 is the length of a leader, and 11 is where the words stand.
+        # Group 40 is the length of a leader, and 11 is the position of the text.
         height = 0.0
         x, y = (x, y) if math.isnan(x_text) else (x_text, y_text)
         if type_ & _TYPES in _ANGULAR:
@@ -74,7 +73,7 @@ def inscription(
         written = _SIGN.sub(lambda found: _SIGNS.get(found[1].lower(), ""), written)
     if "\\" in written:
         written = spelled(written)
-    # What the file is silent of is not a number, and that is not itself.
+    # Missing values are NaN, which is not equal to itself.
     return Inscription(
         written.strip(),
         x if x == x else 0.0,
@@ -87,19 +86,19 @@ def inscription(
 
 
 def is_coded(kind: str, text: str) -> bool:
-    """Return whether words are more, or less, than what is written."""
+    """Return whether a text contains formatting codes."""
     return kind in _CODED or "\\" in text or "%%" in text or len(text) > _LONGEST
 
 
 def uncoded(
     kinds: Sequence[str], layers: Sequence[str], texts: Sequence[str], lengths: F64
 ) -> list[Inscription]:
-    """Return the words of n texts as ``inscription`` does, of those that are not ``is_coded``.
+    """Return n texts without formatting codes, as ``inscription`` does for each.
 
     Parameters
     ----------
     lengths : (n, 6)
-        Those of ``LENGTHS``, NaN where the file is silent.
+        Values of the group codes ``LENGTHS``, NaN where the file has none.
     """
     x, y, height = np.where(np.isnan(lengths), 0.0, lengths)[:, [0, 1, 4]].T.tolist()
     texts = [text.strip() for text in texts]
@@ -108,7 +107,7 @@ def uncoded(
 
 
 def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str) -> Inscription:
-    """Return the words of an entity from its group codes and values."""
+    """Return the text of an entity from its group codes and values."""
     text: list[str] = []
     numbers = dict.fromkeys(LENGTHS, math.nan)
     type_ = 0
@@ -116,7 +115,7 @@ def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: st
     in_group = False
     for code, value in tags:
         if code == 101:
-            # Text in columns repeats its own from here on.
+            # From here on, text in columns repeats itself.
             break
         if code == 102:
             in_group = _text(value, encoding).startswith("{")
@@ -134,7 +133,7 @@ def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: st
 
 
 def of_lines(kind: str, layer: str, data: bytes, encoding: str) -> Inscription:
-    """Return the words of an entity from its lines."""
+    """Return the text of an entity from its lines in the file."""
     lines = data.split(b"\n")
     codes = map(int, lines[0:-1:2])
     return of_tags(kind, layer, zip(codes, lines[1::2], strict=True), encoding)

@@ -1,7 +1,7 @@
-"""handles: the names of entities in the ledger, spelled in columns.
+"""handle_set: handles of entities, checked and formatted in columns.
 
-bytes of the file -> handles in capitals, ``#17`` for the 17th entity that has none
-handles of INSERTs and of what they place -> ``INSERT/CHILD``
+bytes of the file -> handles in upper case, ``#17`` for the 17th entity without one
+handles of INSERTs and of entities in their blocks -> ``INSERT/CHILD``
 """
 
 from __future__ import annotations
@@ -10,29 +10,29 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf import fields as f
-from knifetip.dxf import state as s
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader import state as s
 from knifetip.geometry.columns import I32, I64
 from knifetip.kernels import I32_1, I64_1, U8_1, OutI64_1, OutU8_1, inline_kernel, kernel
 from knifetip.model.words import Spelled
 
-#: Handles of more digits are no handles.
+#: Most digits of a handle.
 _DIGITS: Final = 15
-#: Programs count handles up: up to so many numbers for each there is, each has a place of its own.
+#: Handles are numbered consecutively: a bitmap is used up to this many numbers per handle.
 _DENSE: Final = 4
 #: A number sign, and as many digits as the number of an entity may have.
 _NUMBER: Final = 12
 
 
 def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | None:
-    """Return the handle of each entity; None where one is odd, or is there twice.
+    """Return the handle of each entity; None if one is invalid or a duplicate.
 
     Parameters
     ----------
     entity
-        Of a Scan of so many ``blocks``.
+        Rows of a Scan with that number of ``blocks``.
     others
-        Values of the handles of all that is no entity.
+        Values of the handles of other objects.
     """
     start, size, block = entity[:, f.HANDLE], entity[:, f.HANDLE_SIZE], entity[:, f.BLOCK]
     text = np.empty(int(size.sum()) + _NUMBER * int((size == 0).sum()), np.uint8)
@@ -48,7 +48,7 @@ def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | 
 
 
 def _twice(number: I64) -> bool:
-    """Return whether one of some positive numbers is there twice."""
+    """Return whether positive numbers contain a duplicate."""
     if number.max(initial=0) <= _DENSE * len(number):
         return bool(np.bincount(number).max(initial=0) > 1)
     number = np.sort(number)
@@ -56,18 +56,18 @@ def _twice(number: I64) -> bool:
 
 
 def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spelled:
-    """Return the handles of a ledger.
+    """Return the handles of all report rows.
 
     Parameters
     ----------
     handles
-        Those of the entities.
+        Of the entities.
     placed
-        Those of what was walked through, paths and all.
+        Of expanded entities, with the handles of their INSERTs.
     own : (m,)
-        Of each row its entity; from the number of entities on, which of ``placed`` it is.
+        Entity of each row; from the number of entities on, an index into ``placed``.
     insert : (m,)
-        Of each row the INSERT that places it, -1 for what is on the sheet, or was walked through.
+        INSERT that places each row, -1 for model space and for ``placed``.
     """
     last = np.array([len(word.encode()) for word in placed], np.int64)
     text = np.frombuffer(handles.text + "".join(placed).encode(), np.uint8)
@@ -80,7 +80,7 @@ def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spel
 
 @inline_kernel
 def value_at(data: U8_1, low: int, high: int) -> Any:
-    """Return the value of a handle, 0 where there is none that ezdxf would take."""
+    """Return the value of a handle, 0 if ezdxf would not accept it."""
     if high - low > _DIGITS:
         return 0
     value = 0
@@ -97,7 +97,7 @@ def value_at(data: U8_1, low: int, high: int) -> Any:
 
 @inline_kernel
 def take_handle(data: U8_1, low: int, high: int, others: OutI64_1, state: OutI64_1) -> int:
-    """Keep the handle of what is no entity."""
+    """Store the handle of an object that is no entity."""
     value, row = value_at(data, low, high), state[s.OTHERS]
     if value == 0 or row == state[s.MOST_OTHERS]:
         return s.REFUSED
@@ -117,7 +117,7 @@ def _spell(
     end: OutI64_1,
     number: OutI64_1,
 ) -> bool:
-    """Write handles, and their values; return whether all are such."""
+    """Write handles and their values; return whether all are valid."""
     at = 0
     for row in range(len(start)):
         count[block[row]] += 1
@@ -144,7 +144,7 @@ def _spell(
 
 @kernel(allocates=False)
 def _measure(end: I64_1, own: I64_1, insert: I64_1, out_end: OutI64_1) -> int:
-    """Write where each path ends; return the size of all."""
+    """Write the end position of each path; return the total size."""
     at = 0
     for row in range(len(own)):
         if insert[row] >= 0:

@@ -1,4 +1,4 @@
-"""structure: what group 0 begins and ends: sections, blocks, layers, entities, vertices."""
+"""structure: handling of group code 0: sections, blocks, layers, entities, vertices."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.dxf import fields as f
-from knifetip.dxf import groups as g
-from knifetip.dxf import state as s
-from knifetip.dxf import words as w
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader import group_codes as g
+from knifetip.dxf.fast_reader import keywords as w
+from knifetip.dxf.fast_reader import state as s
+from knifetip.dxf.fast_reader.group_values import name_at
+from knifetip.dxf.fast_reader.keywords import is_word, word_at
 from knifetip.dxf.scan_tables import ScanTables
-from knifetip.dxf.values import name_at
-from knifetip.dxf.words import is_word, word_at
 from knifetip.kernels import (
     I64_1,
     U8_1,
@@ -25,7 +25,7 @@ from knifetip.kernels import (
 
 @inline_kernel
 def context(state: I64_1) -> Any:
-    """Return which row of ``groups.ACTION`` says what is done with a tag."""
+    """Return the row of ``group_codes.ACTION`` for the current state."""
     mode, kind = state[s.MODE], state[s.OPEN_KIND]
     if state[s.GROUP] != 0 or mode < s.IN_ENTITY:
         return g.ELSEWHERE
@@ -36,7 +36,7 @@ def context(state: I64_1) -> Any:
 
 @inline_kernel
 def mark_odd(entity: OutI32_2F, state: OutI64_1) -> None:
-    """Mark the open entity as one that is not plain."""
+    """Mark the open entity as unsupported."""
     entity[state[s.ROW], f.ODD] = 1
     state[s.OPEN_KIND] = f.OTHER
     state[s.CONTEXT] = context(state)
@@ -44,7 +44,7 @@ def mark_odd(entity: OutI32_2F, state: OutI64_1) -> None:
 
 @inline_kernel
 def _close(start: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """End the open entity: it is complete, or it is odd."""
+    """Close the open entity; mark it as odd if it is incomplete."""
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     if row < 0:
         return
@@ -98,7 +98,7 @@ def begin(
         if section < 0 or section == w.HEADER:
             return s.REFUSED
         if mode == s.IN_OBJECTS and not is_word(data, low, high, w.DICTIONARY):
-            # The first of them is the root of all others.
+            # The first object is the root dictionary.
             return s.REFUSED
         if section == w.TABLES:
             return _of_tables(data, low, high, tables.layer, state)
@@ -185,7 +185,7 @@ def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: Ou
     entity[row, f.COLOUR] = 256
     entity[row, f.COLUMNS] = entity[row, f.ROWS] = 1
     entity[row, f.START] = start
-    # Curves are left to ezdxf, one by one.
+    # Curves are read with ezdxf, one by one.
     entity[row, f.ODD] = 1 if word in (w.ELLIPSE, w.SPLINE) else 0
     for column in range(f.VALUES):
         if g.HAS[state[s.OPEN_KIND], column]:
@@ -199,7 +199,7 @@ def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: Ou
 
 @inline_kernel
 def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
-    """End a run of the sheet's entities before one that stands for itself; return whether it is.
+    """End a run before an independent entity; return whether the run may end here.
 
     Parameters
     ----------
@@ -214,7 +214,7 @@ def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
 
 @inline_kernel
 def _of_tables(data: U8_1, low: int, high: int, layer: OutI32_2, state: OutI64_1) -> int:
-    """Open or close a table, or begin a row of the one that is open."""
+    """Open or close a table, or start a row of the open one."""
     is_table = is_word(data, low, high, w.TABLE)
     if is_table == (state[s.TABLE] >= 0):
         return s.REFUSED
@@ -249,7 +249,7 @@ def _frame(low: int, word: int, state: OutI64_1) -> int:
     if state[s.INSIDE] >= 0 or state[s.TABLE] >= 0:
         return s.REFUSED
     if word == w.EOF:
-        # A file without entities has nothing that must be read quickly.
+        # A file without entities has nothing that must be read fast.
         whole = state[s.SECTION] < 0 and state[s.SECTIONS] & (1 << w.ENTITIES) != 0
         return s.DONE if whole and state[s.ENTITIES] > 0 else s.REFUSED
     if word == w.SECTION and state[s.SECTION] < 0:

@@ -1,4 +1,4 @@
-"""words: the words of the format by number, and how they are found in bytes."""
+"""keywords: the keywords of DXF, numbered, and their lookup in bytes."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf.lines import same
+from knifetip.dxf.byte_scan import same
 from knifetip.geometry.columns import I64
 from knifetip.kernels import U8_1, inline_kernel
 
-#: Each has the number of its place.
+#: A keyword's number is its index.
 _WORDS: Final = (
     b"SECTION", b"ENDSEC", b"EOF", b"HEADER", b"TABLES", b"BLOCKS", b"ENTITIES", b"OBJECTS",
     b"CLASSES", b"THUMBNAILIMAGE", b"ACDSDATA", b"BLOCK", b"ENDBLK", b"TABLE", b"ENDTAB",
@@ -31,21 +31,21 @@ _WORDS: Final = (
     GROUP_END, DICTIONARY,
 ) = range(len(_WORDS))  # fmt: skip
 COUNT: Final = len(_WORDS)
-# Behind the last there is room to read more than it has.
+# Padding, since eight bytes are read at a time.
 _BYTES: Final = np.frombuffer(b"".join(_WORDS) + bytes(8), np.uint8)
 ENDS: Final[I64] = np.cumsum([0, *map(len, _WORDS)])
 
 
 @inline_kernel
 def is_word(data: U8_1, low: int, high: int, word: int) -> bool:
-    """Return whether a word stands there, and nothing else."""
+    """Return whether a line consists of a keyword."""
     size = ENDS[word + 1] - ENDS[word]
     return bool(high - low == size and same(data, low, _BYTES, ENDS[word], size))
 
 
 @inline_kernel
 def word_at(data: U8_1, low: int, high: int, first: int, last: int) -> Any:
-    """Return which of the words from ``first`` to ``last`` stands there, -1 for none."""
+    """Return which of the keywords from ``first`` to ``last`` a line is, -1 for none."""
     for word in range(first, last + 1):
         if is_word(data, low, high, word):
             return word

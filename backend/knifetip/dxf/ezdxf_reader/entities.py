@@ -1,10 +1,10 @@
-"""entities: one function per kind of entity, from what the file says to plane shapes.
+"""entities: plane shapes of ezdxf entities, one function per kind of entity.
 
     LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE -> Lines     ELLIPSE -> Ellipse     SPLINE -> Spline
 
-Shapes are in the coordinates of the sheet, or of the block that holds the entity, in file units.
+Shapes are in the coordinates of model space, or of the block of the entity, in file units.
 An extrusion of −Z mirrors what is drawn in the entity's own plane (ARC, CIRCLE, polylines): its x
-counts to the left.  What lies flat above or below the XY plane is laid down onto it and says so.
+counts to the left.  Shapes parallel to the XY plane are projected onto it, with a note.
 """
 
 from __future__ import annotations
@@ -43,20 +43,20 @@ Shape: TypeAlias = Lines | Ellipse | Spline
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Drawn:
-    """The shape of an entity, and what its reader had to do to it."""
+    """The shape of an entity, and notes on what was changed."""
 
     shape: Shape
     notes: list[str] = field(default_factory=list)
 
 
 class Undrawable(Exception):
-    """An entity that gives no line; the message is the ledger's reason.  Never leaves the room."""
+    """Raised for an entity without geometry; the message is the reason in the import report."""
 
 
-#: Heights that differ by less than this are one height (file units).
+#: Heights that differ by less than this are equal (file units).
 _FLAT: Final = 1e-6
 
-#: Kinds that are not lines, and the reason that the ledger gives.
+#: Kinds without geometry to cut, and the reason in the import report.
 _TEXT: Final = "text is not cut"
 _NOTE: Final = "dimensions and notes are not cut"
 _AREA: Final = "a filled area has no line of its own"
@@ -120,13 +120,13 @@ def drawn(entity: DXFGraphic) -> Drawn:
     Raises
     ------
     Undrawable
-        It gives no line; the message says why.
+        It has no geometry to cut; the message is the reason.
     """
     return READ[entity.dxftype()](entity)
 
 
 def flat(heights: Iterable[float]) -> list[str]:
-    """Return the note for a shape at these heights, none on the ground.
+    """Return the notes for a shape at these heights: none where all are 0.
 
     Raises
     ------
@@ -178,7 +178,7 @@ def _line(entity: DXFGraphic) -> Drawn:
 
 
 def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool) -> Lines:
-    """Return an arc in rows of at most half a turn; angles in degrees."""
+    """Return an arc as segments of at most half a turn; angles in degrees."""
     if not radius > 0.0:
         raise Undrawable(f"its radius is {radius:g}")
     rows = round_count(sweep)
@@ -211,7 +211,7 @@ def _circle(entity: DXFGraphic) -> Drawn:
 
 
 def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
-    """Return the segments between vertices (n, 2); arcs of more than half a turn as two rows."""
+    """Return the segments between vertices (n, 2); arcs of more than half a turn as two."""
     if len(xy) < 2:
         raise Undrawable(f"it has {len(xy)} vertices: no line between them")
     vertex = np.column_stack([xy, bulge])
@@ -229,7 +229,7 @@ def _lwpolyline(entity: Any) -> Drawn:
     return Drawn(_chain(points[:, :2], points[:, 4], entity.closed, mirrored(entity)), notes)
 
 
-#: Flag of a vertex that only pulls on the curve: a spline's control frame.
+#: Flag of a vertex of a spline's control polygon, which is not on the curve.
 _FRAME: Final = 16
 
 
@@ -245,7 +245,7 @@ def _polyline(entity: Any) -> Drawn:
     if entity.is_3d_polyline:
         notes = flat(p.z for p in places)
         return Drawn(_chain(xy, np.zeros(len(xy)), entity.is_closed, mirror=False), notes)
-    # A 2D polyline has one height, that of its head; its vertices repeat it, or do not.
+    # A 2D polyline has the height of its header; its vertices may or may not repeat it.
     notes = flat((float(entity.dxf.elevation.z) if entity.dxf.hasattr("elevation") else 0.0,))
     return Drawn(_chain(xy, bulge, entity.is_closed, mirrored(entity)), notes)
 
@@ -275,7 +275,7 @@ def _ellipse(entity: DXFGraphic) -> Drawn:
     return Drawn(Ellipse(np.array([centre.x, centre.y]), u, v, first, first + sweep), notes)
 
 
-#: A curve through points solves equations for all of them at once: time and memory of its square.
+#: Most fit points of a spline: interpolation takes quadratic time and memory.
 _MOST_FIT_POINTS: Final = 1000
 
 
@@ -297,7 +297,7 @@ def _spline(entity: Any) -> Drawn:
     )
 
 
-#: Kinds that are read, each with its reader.
+#: Kinds with geometry, and the function that reads each.
 READ: Final[dict[str, Callable[[Any], Drawn]]] = {
     "LINE": _line,
     "ARC": _arc,

@@ -1,4 +1,4 @@
-"""write: lines and arcs on layers, as a DXF file that a CAD program would have written.
+"""write: lines and arcs on layers, as a DXF file like those of CAD programs.
 
     layers with Paths -> bytes: R2010, millimetres, LINE, ARC and LWPOLYLINE with bulges
 
@@ -86,7 +86,7 @@ def _written(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
         box = extents(np.concatenate(ends), np.concatenate(bulge)).round(9) + 0.0
         low, high = box[:2].tolist(), box[2:].tolist()
         model.reset_extents((*low, 0.0), (*high, 0.0))
-        # ezdxf takes a corner at the origin for none, and then leaves these as they are.
+        # ezdxf would recompute the extents if a corner were at the origin.
         document.header["$EXTMIN"] = (*low, 0.0)
         document.header["$EXTMAX"] = (*high, 0.0)
         document.set_modelspace_vport(
@@ -130,7 +130,7 @@ def _put(model: Modelspace, layer: str, paths: Paths) -> None:
 
 @contextmanager
 def _undated() -> Iterator[None]:
-    """Let ezdxf write fixed dates and identifiers for as long as this lasts."""
+    """Make ezdxf write fixed dates and identifiers within this context."""
     before = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True
     try:

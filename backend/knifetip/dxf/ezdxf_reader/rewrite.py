@@ -1,7 +1,7 @@
-"""rewrite: a DXF written so that ezdxf finds in it what it says.
+"""rewrite: a DXF rewritten so that ezdxf reads all of it.
 
-    lines of a DXF -> the same lines, each LWPOLYLINE and SPLINE with its markers
-    lines of a DXF -> the same lines without the entities of which no line is made
+    lines of a DXF -> the same lines, with subclass markers for LWPOLYLINE and SPLINE
+    lines of a DXF -> the same lines without entities that have no geometry to cut
     tags of a binary DXF -> lines
 
 ezdxf looks for the geometry of LWPOLYLINE and SPLINE behind their subclass markers only, and in a
@@ -17,20 +17,20 @@ from typing import Final, NamedTuple
 
 from ezdxf.lldxf.types import DXFTag
 
-from knifetip.dxf.entities import READ
+from knifetip.dxf.ezdxf_reader.entities import READ
 
-#: The last version that knows no markers.
+#: The last version without subclass markers.
 UNMARKED: Final = "AC1009"
 
 _MARKERS: Final = {b"LWPOLYLINE": b"AcDbPolyline", b"SPLINE": b"AcDbSpline"}
-#: Groups that every entity may have; they are not repeated behind the marker.
+#: Group codes of all entities; they are not repeated after the marker.
 _COMMON: Final = frozenset(
     {5, 6, 8, 48, 60, 62, 67, 330, 347, 348, 360, 370, 380, 390, 410, 420, 430, 440, 999}
 )
-#: From this code on stands what other programs have added.
+#: From this group code on, data is extension data of other programs.
 _ADDED: Final = 1000
 
-#: What stays where entities stand: what lines are made of, and what holds it together.
+#: Records that are kept: entities with geometry, and the structure of the file.
 _KEPT: Final = frozenset(
     [
         *(kind.encode() for kind in READ),
@@ -40,11 +40,11 @@ _KEPT: Final = frozenset(
 
 
 class _Records(NamedTuple):
-    """The lines of a DXF, parted at each group 0."""
+    """The lines of a DXF, split at each group code 0."""
 
     lines: list[bytes]
-    codes: list[int]  #: of each tag, which has two lines
-    spans: list[tuple[int, int]]  #: of tags, from one group 0 to the next
+    codes: list[int]  #: group code of each tag (two lines)
+    spans: list[tuple[int, int]]  #: of tags, from one group code 0 to the next
 
     def name(self, tag: int) -> bytes:
         return self.lines[2 * tag + 1].strip()
@@ -53,18 +53,18 @@ class _Records(NamedTuple):
         return [line for tag in tags for line in self.lines[2 * tag : 2 * tag + 2]]
 
     def joined(self, made: list[bytes]) -> bytes:
-        """Return the lines that were made of the spans, with what stands around them."""
+        """Return all lines, with the spans replaced by their new lines."""
         first = self.lines[: 2 * self.spans[0][0]]
         return b"\n".join([*first, *made, *self.lines[2 * len(self.codes) :]])
 
 
 def with_markers(data: bytes, *, every: bool = False) -> bytes:
-    """Return the lines with markers; the same where none are missing, or the lines are no tags.
+    """Return the lines with subclass markers; unchanged if none are missing or there are no tags.
 
     Parameters
     ----------
     every
-        Also those that have markers: what stands behind these stands before them too.
+        Also for entities that have markers: repeat before them what follows them.
     """
     records = _records(data)
     if records is None:
@@ -84,9 +84,9 @@ def with_markers(data: bytes, *, every: bool = False) -> bytes:
 
 
 def lines_only(data: bytes) -> bytes:
-    """Return the lines of a DXF without the entities of which no line is made.
+    """Return the lines of a DXF without entities that have no geometry to cut.
 
-    The census has counted them, and the ledger says of each why it is left out.
+    The prescan has counted them, and the import report contains the reason for each.
     """
     records = _records(data)
     if records is None:
@@ -103,17 +103,17 @@ def lines_only(data: bytes) -> bytes:
 
 
 def as_text(tags: Iterable[DXFTag], encoding: str) -> bytes:
-    """Return the tags of a binary DXF as the lines of a text."""
+    """Return the tags of a binary DXF as lines of an ASCII DXF."""
     lines: list[str] = []
     for tag in tags:
         value = tag.value
-        said = value.hex().upper() if isinstance(value, bytes) else str(value)
-        lines += (str(tag.code), " ".join(said.splitlines()))
+        text = value.hex().upper() if isinstance(value, bytes) else str(value)
+        lines += (str(tag.code), " ".join(text.splitlines()))
     return "\n".join([*lines, ""]).encode(encoding, "replace")
 
 
 def _records(data: bytes) -> _Records | None:
-    """Part the lines; None where they are no tags, or begin nothing."""
+    """Split the lines into records; None if they are not tags, or not in a record."""
     lines = data.split(b"\n")
     try:
         codes = list(map(int, lines[: len(lines) // 2 * 2 : 2]))
@@ -126,7 +126,7 @@ def _records(data: bytes) -> _Records | None:
 
 
 def _parted(records: _Records, tag: int, after: int) -> tuple[list[int], list[int], range]:
-    """Return the tags of an entity without markers, those of its own kind, and what is added."""
+    """Return the common tags of an entity, those of its kind, and extension data."""
     codes = records.codes
     end = next((n for n in range(tag, after) if codes[n] >= _ADDED), after)
     head = [n for n in range(tag, end) if codes[n] != 100]

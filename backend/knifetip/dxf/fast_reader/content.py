@@ -1,16 +1,16 @@
-"""content: what the tags of an entity say, and whether it is plain."""
+"""content: storage of the tags of an entity, and detection of unsupported ones."""
 
 from __future__ import annotations
 
-from knifetip.dxf import fields as f
-from knifetip.dxf import groups as g
-from knifetip.dxf import state as s
-from knifetip.dxf import words as w
 from knifetip.dxf.decimals import EXACT, UNSURE
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader import group_codes as g
+from knifetip.dxf.fast_reader import keywords as w
+from knifetip.dxf.fast_reader import state as s
+from knifetip.dxf.fast_reader.group_values import name_at, whole_at
+from knifetip.dxf.fast_reader.keywords import is_word
+from knifetip.dxf.fast_reader.structure import mark_odd
 from knifetip.dxf.scan_tables import ScanTables
-from knifetip.dxf.structure import mark_odd
-from knifetip.dxf.values import name_at, whole_at
-from knifetip.dxf.words import is_word
 from knifetip.kernels import (
     U8_1,
     OutI32_1,
@@ -32,7 +32,7 @@ def take_decimal(
     tables: ScanTables,
     state: OutI64_1,
 ) -> int:
-    """Keep a decimal, or mark its entity as odd."""
+    """Store a decimal, or mark its entity as odd."""
     entity, value, vertex, left = tables.entity, tables.value, tables.vertex, tables.left
     mode, kind, row = state[s.MODE], state[s.OPEN_KIND], state[s.ROW]
     table, line, column = 0, row, 0
@@ -58,7 +58,7 @@ def take_decimal(
             entity[row, f.MIRROR] = 1 if read < 0.0 else 0
         return s.ON
     else:
-        # Groups stand behind the markers of the subclass that they belong to, x before y.
+        # Group codes follow the marker of their subclass, x before y.
         marks = state[s.OPEN_MARKS]
         behind = 3 if mode == s.IN_VERTEX or (kind == f.ARC and code >= 50) else 2
         if (
@@ -116,7 +116,7 @@ def take_tag(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Take a tag of an entity that is no decimal."""
+    """Store a tag of an entity that is no decimal."""
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     plain = kind != f.OTHER and kind != g.OF_WORDS
     if code == 100:
@@ -162,7 +162,7 @@ def take_tag(
 
 @inline_kernel
 def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """Take a subclass marker."""
+    """Store a subclass marker."""
     kind = state[s.OPEN_KIND]
     state[s.OPEN_MARKS] += 1
     marks = state[s.OPEN_MARKS]
@@ -185,10 +185,10 @@ def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI
 def _of_words(
     code: int, data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1
 ) -> None:
-    """Take a tag of a text or a dimension."""
+    """Store a tag of a text or a dimension."""
     row, seen = state[s.ROW], state[s.SEEN]
     if code == 101:
-        # Text in columns repeats its own from here on.
+        # From here on, text in columns repeats itself.
         state[s.OPEN_KIND] = f.OTHER
         state[s.CONTEXT] = g.UNREAD
     elif code == 3 and state[s.IS_MTEXT] != 0:
@@ -212,7 +212,7 @@ def _of_plain(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Take a tag of a line, an INSERT …: attributes, flags and references."""
+    """Store a tag of a line, an INSERT …: attributes, flags and references."""
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     column, bit = -1, 0
     if code == 6 or (code == 2 and kind == f.INSERT):

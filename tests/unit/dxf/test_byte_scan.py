@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.dxf.lines import NO_CODE, code_at, end_of_line, hashed, same
+from knifetip.dxf.byte_scan import NO_CODE, code_at, end_of_line, hashed, same
 
 #: What stands in files, and what could be taken for it.
 _SIGNS = st.sampled_from([*b" 0123456789", 10, 13, 9, 15, 16, 65, 0, 127, 128, 138, 141, 255])

@@ -1,6 +1,6 @@
-"""groups: what each group code means, and what each kind of entity needs.
+"""group_codes: the meaning of each group code, and the codes that each kind of entity needs.
 
-Tables by group code or kind, and the bits of what was seen of an entity.
+Tables by group code or kind, and bits for the codes that an entity has had.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from typing import Final
 import numpy as np
 from ezdxf.lldxf.types import BINARY_DATA, POINT_CODES, TYPE_TABLE
 
-from knifetip.dxf import fields as f
-from knifetip.dxf import words as w
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader import keywords as w
 
-#: Heights up to this are on the ground (file units), as for ``entities``.
+#: Heights up to this count as 0 (file units), as in ``entities``.
 FLAT: Final = 1e-6
-#: Which kind a word is; VERTEX and the rest are dealt with apart.
+#: Kind of an entity by its word; VERTEX and others are handled separately.
 KIND_OF: Final = np.zeros(w.COUNT, np.int64)
 KIND_OF[[w.LINE, w.ARC, w.CIRCLE, w.LWPOLYLINE, w.POLYLINE, w.INSERT]] = range(1, 7)
 #: The second and the third subclass marker of each kind; the first is AcDbEntity.
@@ -24,7 +24,7 @@ SECOND: Final = np.array(
 )
 THIRD: Final = np.array([-1, -1, w.DB_ARC, -1, -1, -1, -1])
 
-#: What the value behind a group code is.
+#: Type of the value of a group code.
 TEXT_VALUE, DECIMAL, INTEGER, HEX = range(4)
 LAST_CODE: Final = 1071
 TYPE: Final = np.array(
@@ -33,20 +33,20 @@ TYPE: Final = np.array(
         for code in range(LAST_CODE + 1)
     ]
 )
-#: Codes of an x, right behind which its y stands.
+#: Codes of an x, which its y must follow.
 IS_POINT: Final = np.isin(np.arange(LAST_CODE + 1), list(POINT_CODES))
 
-#: Codes of an entity that mean something; the others are skipped.
+#: Codes that are read; the others are skipped.
 MEANS: Final = np.zeros(LAST_CODE + 1, np.bool_)
 MEANS[[1, 2, 3, 5, 6, 8, 60, 62, 66, 67, 70, 71, 100, 101, 410, 420]] = True
-#: Groups by their meaning, for codes up to 255: the column of the value, or -1.
+#: Column of the value for each code up to 255, or -1.
 COLUMN_OF: Final = np.full(256, -1)
 for _code, _column in (
     (10, f.X), (20, f.Y), (11, f.X2), (21, f.Y2), (40, f.RADIUS), (50, f.ANGLE), (51, f.ANGLE2),
     (41, f.SCALE_X), (42, f.SCALE_Y), (44, f.SPACE_X), (45, f.SPACE_Y),
 ):  # fmt: skip
     COLUMN_OF[_code] = _column
-#: Which values each kind has, words last; other numbers are skipped.
+#: Values of each kind, texts last; other numbers are skipped.
 OF_WORDS: Final = 7
 HAS: Final = np.zeros((8, f.VALUES), np.bool_)
 for _kind, _columns in (
@@ -58,11 +58,11 @@ for _kind, _columns in (
 ):
     HAS[_kind, list(_columns)] = True
 
-# What the tags belong to: one of the kinds, words, or one of these.
+# Context of a tag: one of the kinds, a text, or one of these.
 VERTEX: Final = 8
 UNREAD: Final = 9
 ELSEWHERE: Final = 10
-# What is done with a tag: whatever its place asks for, nothing, its number is read, it is taken.
+# Action for a tag: by context, skip, read its number, store it.
 BY_PLACE, SKIPPED, NUMBER, TAKEN = range(4)
 ACTION: Final = np.zeros((ELSEWHERE + 1, LAST_CODE + 1), np.uint8)
 _OF_TEXT: Final = (TYPE == TEXT_VALUE) & (np.arange(LAST_CODE + 1) < 1000)
@@ -78,15 +78,15 @@ ACTION[f.LWPOLYLINE, [10, 20, 42, 38]] = NUMBER
 ACTION[VERTEX, [10, 20, 30, 42, 210, 220, 230]] = NUMBER
 ACTION[VERTEX, 5] = BY_PLACE
 
-# What has been seen of an entity, as bits.
+# Bits for the tags that an entity has had.
 B_HANDLE, B_LAYER, B_LINETYPE, B_COLOUR, B_TRUE, B_FLAGS, B_NAME = range(7)
-B_VALUE: Final = 7  # and as many more as there are values
+B_VALUE: Final = 7  # and one more bit for each value
 B_COLUMNS: Final = B_VALUE + f.VALUES
 B_ROWS: Final = B_COLUMNS + 1
 B_PAPER: Final = B_ROWS + 1
 POINT: Final = 3 << B_VALUE
 
-#: What each kind cannot do without.
+#: Required tags of each kind.
 NEEDED: Final = np.array(
     [
         0,

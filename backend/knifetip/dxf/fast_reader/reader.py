@@ -1,12 +1,11 @@
-"""plain: what a plain DXF draws, from its bytes, in columns from end to end.
+"""reader: a DXF that uses only supported features, read in columns.
 
-    bytes -> Scan -> entities drawn, INSERTs placed -> ReportRows, Columns, Styles and inscriptions
+    bytes -> Scan -> segments, INSERTs placed -> ReportRows, Columns, Styles and annotations
 
-The same as by way of ezdxf (``expand`` and ``place``), to the bit and to the word, for most files
-and in a hundredth of the time.  What stands on the sheet, and blocks that an INSERT only shifts,
-turns and scales, are drawn in columns.  The rest is walked through one by one: curves that are
-fitted, blocks that are nested, repeated or unevenly scaled, and all that is odd.  A file that is
-unusual as a whole is ezdxf's.
+The result equals that of the ezdxf reader bit by bit, in about a hundredth of the time.  Entities
+in model space, and blocks that INSERTs move, rotate and scale evenly, are processed in columns.
+All others are expanded one by one: curves that must be fitted, blocks that are nested, repeated or
+unevenly scaled, and odd entities.  A file with unsupported features raises ``Unsupported``.
 """
 
 from __future__ import annotations
@@ -18,12 +17,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from knifetip.drawing_builder.assemble import assemble
 from knifetip.drawing_builder.columns import Columns, Style
 from knifetip.drawing_builder.report import ReportRows, ReportWriter
-from knifetip.dxf import fields as f
+from knifetip.dxf.annotations import WORDS
 from knifetip.dxf.attributes import Styles
-from knifetip.dxf.census import Counted
-from knifetip.dxf.drawing import (
+from knifetip.dxf.ezdxf_reader.block_expansion import Block, BlockExpansion, Entry, Reference, idle
+from knifetip.dxf.ezdxf_reader.entities import Drawn, Lines, Undrawable
+from knifetip.dxf.ezdxf_reader.ezdxf_entity import EntityReader, EzdxfEntity
+from knifetip.dxf.ezdxf_reader.place import columns, refuse_after, refuse_beyond, styled
+from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
+from knifetip.dxf.fast_reader import fields as f
+from knifetip.dxf.fast_reader.columns import (
     EntitySegments,
     PlacedBlocks,
     SheetRows,
@@ -35,27 +40,31 @@ from knifetip.dxf.drawing import (
     place,
     style_keys,
 )
-from knifetip.dxf.entities import Drawn, Lines, Undrawable
-from knifetip.dxf.inscriptions import WORDS
-from knifetip.dxf.place import columns, refuse_after, refuse_beyond, styled
-from knifetip.dxf.scan import Scan, scan
-from knifetip.dxf.single import ByEzdxf, Singles
-from knifetip.dxf.tables import NotPlainError, Tables
-from knifetip.dxf.walk import Block, Entry, Reference, Walk, idle
-from knifetip.dxf.written import Inserts, Order, Variant, boxes, inscriptions, left_out, written
+from knifetip.dxf.fast_reader.ledger_writer import (
+    Inserts,
+    Order,
+    Variant,
+    boxes,
+    inscriptions,
+    left_out,
+    report_rows,
+)
+from knifetip.dxf.fast_reader.scan import Scan, scan
+from knifetip.dxf.fast_reader.tables import Tables, Unsupported
+from knifetip.dxf.units import known_unit
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Drawing, Inscription
 
-#: What an entity says of its style.
+#: Columns of an entity's style.
 _STYLE = [f.LAYER, f.LINETYPE, f.COLOUR, f.TRUE_COLOUR]
 
 
-class Plain(NamedTuple):
-    """What a plain DXF holds."""
+class FastReading(NamedTuple):
+    """Report rows, segments and texts of a DXF."""
 
     sheet: ReportRows
     columns: Columns  #: file units
@@ -64,11 +73,11 @@ class Plain(NamedTuple):
 
 
 class _AsWritten:
-    """A plain entity as it is written: a ``walk.Found``."""
+    """An entity of a Scan as ``block_expansion.Found``."""
 
     hidden = False
 
-    def __init__(self, reader: PlainReader, row: int) -> None:
+    def __init__(self, reader: FastReader, row: int) -> None:
         self._reader = reader
         self._row = row
 
@@ -91,7 +100,7 @@ class _AsWritten:
 
 
 def _drawn(found: Scan) -> tuple[I64, I64, F64, F64]:
-    """Return how many segments each entity has, where they begin, their ends and bulges."""
+    """Return number and first row of the segments of each entity, and their ends and bulges."""
     count: I64 = counts(found.entity, found.value, found.vertex)
     first: I64 = np.concatenate([[0], np.cumsum(count)])
     ends, bulge = np.empty((first[-1], 2, 2)), np.empty(first[-1])
@@ -99,23 +108,23 @@ def _drawn(found: Scan) -> tuple[I64, I64, F64, F64]:
     return count, first, ends, bulge
 
 
-class PlainReader:
-    """One plain file on its way from what is written to what is drawn.
+class FastReader:
+    """Reads one DXF.
 
     Raises
     ------
-    NotPlainError
-        The file is ezdxf's.
+    Unsupported
+        The file uses features that only the ezdxf reader supports.
     """
 
     def __init__(self, data: bytes, limits: Limits) -> None:
         found = scan(data)
         if found is None or len(found.entity) > limits.entities:
-            raise NotPlainError
+            raise Unsupported
         self.found = found
         self.limits = limits
         self.entity = found.entity
-        # Each entity in its own coordinates: those of the sheet, or of its block.
+        # In the coordinates of model space, or of the entity's block.
         self.count: I64
         self.first: I64
         self.ends: F64
@@ -135,9 +144,9 @@ class PlainReader:
         self._numbers: dict[Style, int] = {}
         self._variant_styles: list[I32] = []
 
-    def _read_odd(self) -> dict[int, ByEzdxf]:
-        """Return what ezdxf reads of the entities that are not plain, by their rows."""
-        singles = Singles(self.tables.version, self.tables.encoding)
+    def _read_odd(self) -> dict[int, EzdxfEntity]:
+        """Return the odd entities, read with ezdxf, by their rows."""
+        singles = EntityReader(self.tables.version, self.tables.encoding)
         until = time.monotonic() + self.limits.seconds
         odd = {}
         for row in np.flatnonzero(self.entity[:, f.ODD]).tolist():
@@ -148,11 +157,11 @@ class PlainReader:
             try:
                 odd[row] = singles.read(self.found.data[low:high])
             except Exception as damage:
-                raise NotPlainError from damage
+                raise Unsupported from damage
         return odd
 
     def _simple_blocks(self) -> dict[int, bool]:
-        """Return of each block that can be drawn in columns whether it has arcs."""
+        """Return for each block that can be placed in columns whether it has arcs."""
         entity = self.entity
         special = (entity[:, f.KIND] == f.INSERT) | (entity[:, f.ODD] != 0)
         special &= entity[:, f.PAPER] == 0
@@ -165,7 +174,7 @@ class PlainReader:
         return simple
 
     def _all_blocks(self) -> dict[str, Block]:
-        """Return the blocks to walk through."""
+        """Return the blocks to expand."""
         blocks = {}
         inserts = np.flatnonzero(self.entity[:, f.KIND] == f.INSERT)
         for key, number in self.tables.blocks.items():
@@ -181,25 +190,26 @@ class PlainReader:
             )
         return blocks
 
-    def _found(self, row: int) -> ByEzdxf | _AsWritten:
+    def _found(self, row: int) -> EzdxfEntity | _AsWritten:
         return self._odd.get(row) or _AsWritten(self, row)
 
     def _entries(self, rows: Iterable[int]) -> list[Entry]:
         return list(map(self._entry, rows))
 
     def _entry(self, row: int) -> Entry:
-        """Return an entity to walk through."""
+        """Return an entity to expand."""
         line = self.entity[row]
         kind, handle = self.tables.words[int(line[f.WORD])], self.tables.handles[row]
         box = None if line[f.PAPER] else boxes(self.tables, np.array([row]))[0]
-        counted = Counted(kind, handle, self.tables.layer(row), bool(line[f.PAPER]), box=box)
+        layer, paper = self.tables.layer(row), bool(line[f.PAPER])
+        counted = PrescannedEntity(kind, handle, layer, paper, box=box)
         return Entry(counted, handle, self._found(row))
 
     def reference(self, row: int) -> Reference:
-        """Return what a plain INSERT places."""
+        """Return the placement of a block by an INSERT."""
         line, value = self.entity[row].tolist(), self.found.value[row].tolist()
 
-        def said(column: int, silent: float) -> float:
+        def given(column: int, silent: float) -> float:
             number: float = value[column]
             return silent if np.isnan(number) else number
 
@@ -207,15 +217,15 @@ class PlainReader:
             self.tables.names[line[f.REFERENCE]],
             line[f.MIRROR] != 0,
             (value[f.X], value[f.Y], 0.0),
-            (said(f.SCALE_X, 1.0), said(f.SCALE_Y, 1.0)),
-            said(f.ANGLE, 0.0),
+            (given(f.SCALE_X, 1.0), given(f.SCALE_Y, 1.0)),
+            given(f.ANGLE, 0.0),
             (max(line[f.COLUMNS], 1), max(line[f.ROWS], 1)),
-            (said(f.SPACE_X, 0.0), said(f.SPACE_Y, 0.0)),
+            (given(f.SPACE_X, 0.0), given(f.SPACE_Y, 0.0)),
             clipped=False,
         )
 
-    def read(self, scale: float) -> Plain:
-        """Return the ledger and the columns, in the order of the file.
+    def read(self, scale: float) -> FastReading:
+        """Return report rows and columns, in file order.
 
         Parameters
         ----------
@@ -226,14 +236,14 @@ class PlainReader:
         ------
         DrawingTooLarge
             A limit is exceeded.
-        NotPlainError
-            Something that an INSERT places is too far away.
+        Unsupported
+            An entity that an INSERT places is out of range.
         """
         rows = np.flatnonzero(self.entity[:, f.BLOCK] < 0)
         reach = REACH / (scale or 1.0)
         alone = self._alone(rows, reach)
-        spot, block, said = self._inserts(rows, alone)
-        walk = Walk(
+        spot, block, given = self._inserts(rows, alone)
+        walk = BlockExpansion(
             self._all_blocks(),
             self._references(rows, alone, block),
             self.tables.styles,
@@ -247,7 +257,7 @@ class PlainReader:
         segments = shown.copy()
         low = self._low[block]
         segments[spot] = self.first[low + self._size[block]] - self.first[low]
-        # What is walked through: where each begins in the ledger of the walk.
+        # First report row of each expanded entity.
         walked = np.flatnonzero(alone)
         begin = np.zeros(len(walked), np.int64)
         for number, one in enumerate(walked.tolist()):
@@ -261,8 +271,8 @@ class PlainReader:
         there = np.arange(len(walk.sheet.handle)) + np.repeat(
             ledger[walked] - begin, children[walked] + 1
         )
-        move = np.empty((len(said), 2, 3))
-        inserts(said, self.found.base[block], move)
+        move = np.empty((len(given), 2, 3))
+        inserts(given, self.found.base[block], move)
         placed = Inserts(spot, block, *self._variants(rows[spot], block), move)
         texts = rows[self._is_word[self.entity[rows, f.WORD]]]
         styles = self._entity_styles(rows)
@@ -271,10 +281,10 @@ class PlainReader:
             lambda: self._placed(sheet, styles, int(segments.sum()), placed),
             lambda: inscriptions(self.tables, texts),
         )
-        # An arc reaches no farther beyond its ends than half their distance.
+        # An arc lies within half a chord length of its chord.
         farthest = np.maximum(done.ends.max(initial=0.0), -done.ends.min(initial=0.0))
         if not 3.0 * float(farthest) <= reach:
-            raise NotPlainError
+            raise Unsupported
         if len(walked):
             done = self._with_walked(done, walk, before[walked], begin, there, scale)
         self._name_idle_blocks(walk.sheet, {*walk.used, *map(self._key, np.unique(block).tolist())})
@@ -282,27 +292,27 @@ class PlainReader:
         idle_ = np.arange(last, last + len(walk.sheet.handle) - len(there))
         order = Order(rows, ledger, shown > 0, np.concatenate([there, idle_]))
         done, known = styled(done, list(self._numbers))
-        return Plain(written(self.tables, order, placed, walk.sheet), done, known, words)
+        return FastReading(report_rows(self.tables, order, placed, walk.sheet), done, known, words)
 
     def _alone(self, rows: I64, reach: float) -> Bool:
-        """Return what on the sheet is walked through for its own sake: odd, or far away."""
+        """Return the entities in model space to expand: odd ones, and those out of range."""
         alone: Bool = (self.entity[:, f.ODD] != 0) & ~self._is_word[self.entity[:, f.WORD]]
         alone &= self.entity[:, f.PAPER] == 0
         alone |= distant(self.ends, self.first, reach / 3.0)
         return alone[rows]
 
     def _inserts(self, rows: I64, alone: Bool) -> tuple[I64, I64, F64]:
-        """Return the INSERTs on the sheet that are drawn in columns.
+        """Return the INSERTs in model space that are placed in columns.
 
         The others are added to ``alone``.
 
         Returns
         -------
         spot : (k,)
-            Which of ``rows`` they are.
+            Indices into ``rows``.
         block : (k,)
             Rows of their blocks.
-        said : (k, 5)
+        given : (k, 5)
             x, y, scale in x and in y, rotation in degrees.
         """
         inserts = (self.entity[:, f.KIND] == f.INSERT) & (self.entity[:, f.PAPER] == 0)
@@ -311,18 +321,18 @@ class PlainReader:
         mirror, wide, high, reference = (
             self.entity[at, column] for column in (f.MIRROR, f.COLUMNS, f.ROWS, f.REFERENCE)
         )
-        says = (f.X, f.Y, f.SCALE_X, f.SCALE_Y, f.ANGLE)
-        said = np.column_stack([self.found.value[at, column] for column in says])
+        wanted = (f.X, f.Y, f.SCALE_X, f.SCALE_Y, f.ANGLE)
+        given = np.column_stack([self.found.value[at, column] for column in wanted])
         for column, silent in ((2, 1.0), (3, 1.0), (4, 0.0)):
-            said[np.isnan(said[:, column]), column] = silent
-        # Of each name the row of its block, of each block whether it is simple, and without arcs.
+            given[np.isnan(given[:, column]), column] = silent
+        # Row of the block of each name; whether each block is simple, and has no arcs.
         known = [self.tables.blocks.get(name.lower(), -1) for name in self.tables.names]
         block = np.array([*known, -1], np.int64)[reference]
         simple = np.zeros(len(self.found.block) + 1, np.bool_)
         straight = simple.copy()
         for number, arcs in self._simple.items():
             simple[number], straight[number] = True, not arcs
-        scale = said[:, 2:4]
+        scale = given[:, 2:4]
         columnar = (
             ~alone[spot]
             & simple[block]
@@ -332,10 +342,10 @@ class PlainReader:
             & (straight[block] | (np.abs(scale[:, 0]) == np.abs(scale[:, 1])))
         )
         alone[spot[~columnar]] = True
-        return spot[columnar], block[columnar], said[columnar]
+        return spot[columnar], block[columnar], given[columnar]
 
     def _references(self, rows: I64, alone: Bool, block: I64) -> list[tuple[str, int]]:
-        """Return the blocks that the sheet places, and how often."""
+        """Return the blocks that INSERTs in model space place, and how often."""
         numbers, times = np.unique(block, return_counts=True)
         found = list(zip(map(self._key, numbers.tolist()), times.tolist(), strict=True))
         others = rows[alone]
@@ -343,14 +353,14 @@ class PlainReader:
         return found + [self._found(row).repeats() for row in others.tolist()]
 
     def _placed(self, sheet: SheetRows, styles: I32, total: int, placed: Inserts) -> Columns:
-        """Return the segments of all that is drawn in columns.
+        """Return the segments of all entities that are processed in columns.
 
         Parameters
         ----------
         sheet
-            Of each entity its row, its row in the ledger, the segments before it, and its own.
+            For each entity: row, report row, number of segments before it, and of its own.
         styles : (e,)
-            The number of the style of each entity that is drawn on the sheet.
+            Style index of each entity with segments in model space.
         total
             Segments of the drawing.
         """
@@ -360,7 +370,7 @@ class PlainReader:
             np.empty(total, np.int32),
             np.empty(total, np.int32),
         )
-        # Of each INSERT the block's first entity and segment, and where the styles begin.
+        # For each INSERT: first entity and segment of its block, and first style.
         low = self._low[placed.block]
         begin = np.array([one.first for one in placed.variants], np.int64)[placed.variant]
         place(
@@ -378,16 +388,16 @@ class PlainReader:
         return done
 
     def _with_walked(
-        self, done: Columns, walk: Walk, before: I64, begin: I64, there: I64, scale: float
+        self, done: Columns, walk: BlockExpansion, before: I64, begin: I64, there: I64, scale: float
     ) -> Columns:
-        """Return the columns with what was walked through, where it stands in the file.
+        """Return the columns with the segments of expanded entities, in file order.
 
         Parameters
         ----------
         before, begin
-            Of each entity the segments before it, and its row in the ledger of the walk.
+            For each entity: number of segments before it, and its row among the expanded ones.
         there
-            Of each row of that ledger its row in the drawing's.
+            Report row of each of those rows.
         """
         more = columns(walk.sheet, walk.placed, scale, self.limits, done.ends)
         where = before[np.searchsorted(begin, more.row, side="right") - 1]
@@ -403,7 +413,7 @@ class PlainReader:
         )
 
     def _entity_styles(self, rows: I64) -> I32:
-        """Return the number of the style of each entity that is drawn on the sheet, (e,)."""
+        """Return the style index of each entity with segments in model space, (e,)."""
         drawn, key = style_keys(self.entity, rows, self.count)
         first, kind = distinct(key)
         numbers = [
@@ -415,7 +425,7 @@ class PlainReader:
         return styles
 
     def _variants(self, rows: I64, block: I64) -> tuple[I64, list[Variant]]:
-        """Return of each INSERT what its block is when it is placed by such an INSERT."""
+        """Return the variant of its block for each INSERT."""
         first, kind = distinct(*(self.entity[rows, column] for column in _STYLE), block)
         return kind, [
             self._variant(int(block[one]), self.tables.style(int(rows[one]))) for one in first
@@ -424,19 +434,19 @@ class PlainReader:
     def _variant(self, block: int, around: Style) -> Variant:
         low, size = self.tables.span.get(block, (0, 0))
         layers: list[str] = []
-        said: dict[int, tuple[str, tuple[str, ...]]] = {}
+        given: dict[int, tuple[str, tuple[str, ...]]] = {}
         styles = np.zeros(size, np.int32)
         for number, row in enumerate(range(low, low + size)):
             if why := left_out(self.tables, row):
-                said[number] = why, ()
+                given[number] = why, ()
                 layers.append(self.tables.layer(row))
                 continue
             style = self.tables.style(row, around)
             styles[number] = self._numbers.setdefault(style, len(self._numbers))
             layers.append(style.layer)
             if notes := self.tables.styles.notes(style.layer):
-                said[number] = "", notes
-        variant = Variant(layers, said, sum(map(len, self._variant_styles)))
+                given[number] = "", notes
+        variant = Variant(layers, given, sum(map(len, self._variant_styles)))
         self._variant_styles.append(np.repeat(styles, self.count[low : low + size]))
         return variant
 
@@ -444,7 +454,7 @@ class PlainReader:
         return self.tables.block_name(block).lower()
 
     def _name_idle_blocks(self, sheet: ReportWriter, used: set[str]) -> None:
-        """Say of the blocks that nothing places that they hold lines and draw none."""
+        """Add report rows for blocks that no INSERT places."""
         for key, number in self.tables.blocks.items():
             if key in used or number not in self.tables.span:
                 continue
@@ -454,3 +464,16 @@ class PlainReader:
             layer = self.tables.names[line[f.BLOCK_LAYER]] if line[f.BLOCK_LAYER] >= 0 else "0"
             handle = self.found.data[low : low + size].decode("ascii", "replace").strip().upper()
             sheet.row(handle or name, "BLOCK", layer, idle(name, self.tables.span[number][1]))
+
+
+def read_fast(data: bytes, unit: str, limits: Limits) -> Drawing | None:
+    """Return the drawing in a DXF; None if the file uses unsupported features."""
+    try:
+        reader = FastReader(data, limits)
+        known = known_unit(unit, reader.tables.variables)
+        found = reader.read(known.scale)
+    except Unsupported:
+        return None
+    # The scan takes more memory than the drawing: free it before the drawing is assembled.
+    del reader
+    return assemble(found.sheet, found.columns, found.styles, found.inscriptions, known)

@@ -1,6 +1,6 @@
-"""values: names and whole numbers out of bytes, in compiled code.
+"""group_values: names and integers from bytes.
 
-bytes of a value -> the number of a name, a whole number, or whether it can be read at all
+bytes of a value -> index of a name, integer, or whether the value is valid
 """
 
 from __future__ import annotations
@@ -9,18 +9,18 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf import groups as g
-from knifetip.dxf import state as s
+from knifetip.dxf.byte_scan import hashed, same
 from knifetip.dxf.decimals import WRONG, number
-from knifetip.dxf.lines import hashed, same
+from knifetip.dxf.fast_reader import group_codes as g
+from knifetip.dxf.fast_reader import state as s
 from knifetip.kernels import U8_1, OutI32_1, OutI64_1, OutI64_2, inline_kernel
 
-#: More names than this are no layers; so many of them have place in the hash table.
+#: Most names in a file, and size of the hash table.
 MOST_NAMES: Final = 20_000
 _SLOTS: Final = 1 << 16
-#: Names that share a slot beyond this are meant to.
+#: Most probes: a longer run of collisions is an attack.
 _MOST_STEPS: Final = 64
-#: What ``whole_at`` says of what is no whole number.
+#: Returned by ``whole_at`` for a value that is no integer.
 NONE: Final = -(1 << 62)
 
 
@@ -28,7 +28,7 @@ NONE: Final = -(1 << 62)
 def name_at(
     data: U8_1, low: int, high: int, spans: OutI64_2, slots: OutI32_1, state: OutI64_1
 ) -> Any:
-    """Return the number of a name, -1 where it is not plain or there are too many."""
+    """Return the index of a name, -1 if it is unsupported or there are too many names."""
     if high > low and (data[low] <= 32 or data[high - 1] <= 32):
         return -1
     slot = np.int64(hashed(data, low, high) & np.uint64(_SLOTS - 1))
@@ -51,7 +51,7 @@ def name_at(
 
 @inline_kernel
 def whole_at(data: U8_1, low: int, high: int) -> int:
-    """Return a whole number of up to 18 digits, ``NONE`` where there is none."""
+    """Return an integer of up to 18 digits, ``NONE`` if there is none."""
     while low < high and data[low] == 32:
         low += 1
     while low < high and data[high - 1] == 32:
@@ -71,7 +71,7 @@ def whole_at(data: U8_1, low: int, high: int) -> int:
 
 @inline_kernel
 def valid(data: U8_1, low: int, high: int, what: int) -> bool:
-    """Return whether a value that is not needed can be read."""
+    """Return whether a skipped value is valid."""
     if what == g.DECIMAL:
         _, _, sure = number(data, np.uint64(low), np.uint64(high))
         return bool(sure != WRONG)

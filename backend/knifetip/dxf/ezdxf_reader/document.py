@@ -1,0 +1,89 @@
+"""document: an ezdxf document of the bytes of a DXF, repaired where that is necessary.
+
+    bytes, Prescan -> ezdxf document
+
+Several ways of reading are tried: as the file is, recovered by ezdxf, with subclass markers added,
+and at last with nothing but its complete tags.
+"""
+
+from __future__ import annotations
+
+import io
+import logging
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+
+from ezdxf import recover
+from ezdxf.document import Drawing as Document
+from ezdxf.lldxf.tagger import binary_tags_loader
+
+from knifetip.dxf.ezdxf_reader.place import refuse_after
+from knifetip.dxf.ezdxf_reader.prescan import BINARY, Prescan
+from knifetip.dxf.ezdxf_reader.rewrite import UNMARKED, as_text, lines_only, with_markers
+from knifetip.errors import NotADrawing
+from knifetip.formats.limits import Limits
+
+# ezdxf logs every tag that it repairs; the import report has what matters to the user.
+logging.getLogger("ezdxf").addHandler(logging.NullHandler())
+
+
+def load_document(data: bytes, counted: Prescan, limits: Limits) -> Document:
+    """Return the ezdxf document of a DXF: as it is, else repaired, else only lines and arcs."""
+    reasons: list[str] = []
+    until = time.monotonic() + limits.seconds
+    for attempt in _attempts(data, counted):
+        refuse_after(until, limits)
+        try:
+            return attempt()
+        except Exception as error:
+            reasons.append(describe_error(error))
+    raise NotADrawing("reading.damaged", reason=reasons[-1], format="DXF")
+
+
+def _attempts(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
+    """Yield functions that read the bytes, those that change least first."""
+    if data.startswith(BINARY):
+        yield lambda: Document.load(binary_tags_loader(data, errors="replace"))
+        with suppress(Exception):
+            tags = binary_tags_loader(data, errors="replace")
+            yield from _of_lines(as_text(tags, counted.encoding), counted)
+    else:
+        yield from _of_text(data, counted)
+        yield from _of_lines(data, counted)
+
+
+def _of_lines(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
+    lines = lines_only(data)
+    yield from _of_text(lines, counted)
+    yield lambda: _recovered(with_markers(lines, every=True))
+
+
+def _of_text(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
+    if counted.markers and counted.variables.get("$ACADVER", "") <= UNMARKED:
+        data = with_markers(data, every=True)
+    yield lambda: _plain(data, counted.encoding)
+    yield lambda: _recovered(data)
+    if counted.unmarked:
+        yield lambda: _plain(with_markers(data), counted.encoding)
+        yield lambda: _recovered(with_markers(data))
+    if counted.markers and "$ACADVER" not in counted.variables:
+        # Without a version ezdxf reads the file as R12, which has no subclass markers.
+        head = b"0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n0\nENDSEC\n"
+        yield lambda: _recovered(head + data)
+
+
+def _plain(data: bytes, encoding: str) -> Document:
+    with io.TextIOWrapper(io.BytesIO(data), encoding=encoding, errors="replace") as stream:
+        return Document.read(stream)
+
+
+def _recovered(data: bytes) -> Document:
+    document, _ = recover.read(io.BytesIO(data), errors="replace")
+    return document
+
+
+def describe_error(error: Exception) -> str:
+    """Return the message of an exception of ezdxf in one line."""
+    text = str(error).removeprefix("DXFStructureError: ").strip().rstrip(".")
+    return (text or type(error).__name__)[:200]

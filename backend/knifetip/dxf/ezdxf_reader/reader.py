@@ -1,0 +1,60 @@
+"""reader: any DXF, read with ezdxf.
+
+    bytes, unit -> Drawing
+
+Entities that ezdxf leaves out are in the import report all the same, since they are counted before
+ezdxf reads the file (``prescan``).
+"""
+
+from __future__ import annotations
+
+from knifetip.drawing_builder.assemble import assemble
+from knifetip.dxf.ezdxf_reader.document import load_document
+from knifetip.dxf.ezdxf_reader.expand import expand
+from knifetip.dxf.ezdxf_reader.place import columns, styled
+from knifetip.dxf.ezdxf_reader.prescan import Prescan, prescan
+from knifetip.dxf.units import known_unit
+from knifetip.errors import DrawingTooLarge, NotADrawing
+from knifetip.formats import format_of
+from knifetip.formats.limits import Limits
+from knifetip.model.drawing import Drawing
+
+
+def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
+    """Return the drawing in a DXF, read with ezdxf.
+
+    Raises
+    ------
+    NotADrawing, DrawingTooLarge
+    """
+    if (kind := format_of(data)).name != "dxf":
+        raise NotADrawing("dxf.other-kind", kind=kind.title)
+    if len(data) > limits.slow_bytes:
+        raise DrawingTooLarge(
+            "dxf.too-large-unusual", size=len(data) / 2**20, limit=limits.slow_bytes / 2**20
+        )
+    counted = prescan(data)
+    _check(data, counted, limits)
+    known = known_unit(unit, counted.variables)
+    sheet, shapes = expand(load_document(data, counted, limits), counted, limits)
+    found = columns(sheet, shapes, known.scale, limits)
+    found, styles = styled(found, [shape.style for shape in shapes])
+    return assemble(sheet, found, styles, counted.inscriptions, known)
+
+
+def _check(data: bytes, counted: Prescan, limits: Limits) -> None:
+    """Raise for a file that is no DXF, has too many entities, or is cut short."""
+    if not counted.sections:
+        if counted.broken:
+            line = data.split(b"\n")[counted.broken - 1][:40].decode("ascii", "replace").strip()
+            raise NotADrawing("dxf.not-a-group-code", line=counted.broken, text=line)
+        raise NotADrawing("dxf.no-section")
+    if counted.size > limits.entities:
+        raise DrawingTooLarge(
+            "reading.too-many-entities", count=counted.size, limit=limits.entities
+        )
+    unfinished = not counted.ended and "ENTITIES" not in counted.sections
+    if counted.open_section in ("ENTITIES", "BLOCKS") or unfinished:
+        where = f"at line {counted.broken}" if counted.broken else "without its end mark (EOF)"
+        section = counted.open_section or "file"
+        raise NotADrawing("dxf.cut-short", where=where, section=section, count=counted.size)
