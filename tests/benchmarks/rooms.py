@@ -25,6 +25,7 @@ from knifetip.verification.verify import verify
 from tests.benchmarks.offset import offset_arcs, offset_lines, offset_million, offset_one
 from tests.benchmarks.reading import classify_nested, classify_sheet, read_sheet
 from tests.benchmarks.turning import order_shortest
+from tests.support.shapes import BY_HAND
 
 Bench: TypeAlias = tuple[str, int, Callable[[], object], dict[str, Callable[[], object]], int]
 
@@ -63,7 +64,7 @@ def _edges(kind: LineType, count: int) -> Dieline:
         rows.astype(np.int32),
         np.zeros(count, np.int32),
         np.ones(count),
-        ("bench",),
+        (BY_HAND,),
     )
 
 
@@ -144,7 +145,7 @@ def _cleaned(noise: float, lapped: bool) -> Callable[[], object]:
     ends = ends + np.random.default_rng(1).uniform(-noise, noise, ends.shape)
     rows = np.arange(len(ends), dtype=np.int32)
     zeros = np.zeros(len(ends))
-    line = Dieline(ends, zeros, kind, rows, np.zeros_like(rows), zeros + 1.0, ("bench",))
+    line = Dieline(ends, zeros, kind, rows, np.zeros_like(rows), zeros + 1.0, (BY_HAND,))
     return lambda: clean(line)
 
 

@@ -20,7 +20,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.operation import End, Operation
 from tests.support.programs.engines import DEMO, ENGINES, Engine
-from tests.support.shapes import dieline, edges, with_dimensions
+from tests.support.shapes import BY_HAND, dieline, edges, with_dimensions
 
 V, PASSES, CREASE, DOUBLE = (
     ENGINES[name] for name in ("V-groove", "V-groove in passes", "crease", "double crease")
@@ -84,7 +84,7 @@ def drawn(
         np.arange(len(line) + len(more), dtype=np.int32),
         np.zeros(len(line) + len(more), np.int32),
         np.ones(len(line) + len(more)),
-        ("by hand",),
+        (BY_HAND,),
     )
     return replace(engine, line=both)
 

@@ -16,7 +16,7 @@ from knifetip.geometry.tolerance import GAP, SAME
 from knifetip.model.cleaned import Cleaned, Why
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Fate
-from tests.support.shapes import rotation
+from tests.support.shapes import BY_HAND, rotation
 
 WORK = [LineType.CUT, LineType.CREASE, LineType.V_GROOVE, LineType.PERFORATION, LineType.HALF_CUT]
 UNDER = {LineType.CUT: LineType.CREASE, LineType.V_GROOVE: LineType.CREASE}
@@ -25,7 +25,7 @@ UNDER = {LineType.CUT: LineType.CREASE, LineType.V_GROOVE: LineType.CREASE}
 def drawn(ends: F64, bulge: F64, kind: U8) -> Dieline:
     n = len(bulge)
     rows = np.arange(n, dtype=np.int32)
-    return Dieline(ends, bulge, kind, rows, np.zeros_like(rows), np.ones(n), ("drawn",))
+    return Dieline(ends, bulge, kind, rows, np.zeros_like(rows), np.ones(n), (BY_HAND,))
 
 
 def worked(line: Dieline) -> Dieline:

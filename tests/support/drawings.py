@@ -9,6 +9,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
+from knifetip.messages.message import Message
 from knifetip.model.drawing import Drawing, Inscription, Ledger
 
 #: Layer, AutoCAD colour index and linetype of an edge.
@@ -79,7 +80,7 @@ def drawing(
         tuple(linetypes),
         ledger,
         header.unit,
-        "given" if header.unit else "",
+        Message("unit.given" if header.unit else "unit.header-missing"),
         header.stated,
         header.texts,
     )

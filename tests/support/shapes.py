@@ -11,11 +11,15 @@ from numpy.typing import ArrayLike
 
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
+from knifetip.messages.message import Message
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Axis, Machine, Station
 from knifetip.model.tool import CreaseWheel, Knife, Tool, VCutter
 from knifetip.model.toolpath import Motion, Toolpath
+
+#: Why an edge of a dieline written by hand has its line type.
+BY_HAND = Message("classification.override")
 
 KNIFE = Knife(
     blade_angle=45.0,
@@ -87,7 +91,7 @@ def dieline(*groups: tuple[LineType, F64], bulge: dict[int, float] | None = None
     for row, value in (bulge or {}).items():
         bent[row] = value
     rows = np.arange(len(ends), dtype=np.int32)
-    return Dieline(ends, bent, kinds, rows, np.zeros_like(rows), np.ones(len(ends)), ("by hand",))
+    return Dieline(ends, bent, kinds, rows, np.zeros_like(rows), np.ones(len(ends)), (BY_HAND,))
 
 
 def paths(start: ArrayLike, end: ArrayLike, bulge: ArrayLike, first: ArrayLike) -> Paths:

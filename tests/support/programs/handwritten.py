@@ -20,6 +20,7 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Axis, Machine, Station
 from knifetip.model.tool import CreaseWheel, Knife, VCutter
+from tests.support.shapes import BY_HAND
 
 PLACEMENT = (20.0, 20.0)
 
@@ -75,7 +76,7 @@ def dieline(*edges: tuple[LineType, float, float, float, float, float]) -> Dieli
         source=np.arange(rows, dtype=np.int32),
         rule=np.zeros(rows, np.int32),
         confidence=np.ones(rows),
-        rules=("by hand",),
+        rules=(BY_HAND,),
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -52,7 +53,7 @@ def queued(store: Store, **more: object) -> Job:
         edges=b"",
         ledger=b"",
     )
-    fields = {"machine": "demo-table", "board": "e-flute", **more}
+    fields: dict[str, Any] = {"machine": "demo-table", "board": "e-flute", **more}
     row = store.jobs.add(drawing, interpretation=Interpretation("mm"), release=True, **fields)
     job = store.compiles.begin("worker")
     assert job is not None

@@ -18,6 +18,7 @@ from knifetip.model.cleaned import Cleaned, Why
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.verification.tidied import tidied
+from tests.support.shapes import BY_HAND
 
 pytestmark = pytest.mark.corpus
 
@@ -34,7 +35,7 @@ def all_work(drawing: Drawing) -> Dieline:
         rows.astype(np.int32),
         np.zeros(len(rows), np.int32),
         zeros + 1.0,
-        ("all",),
+        (BY_HAND,),
     )
 
 

@@ -5,7 +5,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 import pytest
 import sqlalchemy as sa
@@ -99,7 +99,11 @@ def drawing(store: Store, **more: str) -> Drawing:
 
 
 def ordered(store: Store, **more: object) -> Job:
-    fields = {"machine": "table", "board": "e-flute", "interpretation": Interpretation("mm")}
+    fields: dict[str, Any] = {
+        "machine": "table",
+        "board": "e-flute",
+        "interpretation": Interpretation("mm"),
+    }
     return store.jobs.add(drawing(store), **{**fields, **more})
 
 
@@ -355,10 +359,10 @@ def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(stor
     store.gateways.finish(job.id, job.epoch, "interrupted", "a belt tore")
     again = store.jobs.requeue(job.id)
     assert (again.state, again.line, again.reason) == ("queued", 0, "")
-    job = store.gateways.claim("table", "gateway", manual=False)
-    assert job is not None
-    store.gateways.finish(job.id, job.epoch, "interrupted", "")
-    assert store.jobs.scrap(job.id).state == "scrapped"
+    second = store.gateways.claim("table", "gateway", manual=False)
+    assert second is not None
+    store.gateways.finish(second.id, second.epoch, "interrupted", "")
+    assert store.jobs.scrap(second.id).state == "scrapped"
     assert store.gateways.jobs_on_tables() == {}
 
 

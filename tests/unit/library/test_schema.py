@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from typing import cast
 
+import click
 import pytest
 from click.testing import CliRunner
 
@@ -14,7 +16,7 @@ from knifetip.model.tool import KINDS
 
 @pytest.mark.parametrize("file", FILES)
 def test_the_command_prints_the_schema_of_each_file(file: str) -> None:
-    shown = CliRunner().invoke(app, ["schema", file])
+    shown = CliRunner().invoke(cast(click.Command, app), ["schema", file])
     assert json.loads(shown.stdout) == json_schema(file)
     assert json_schema(file)["additionalProperties"] is False
 
