@@ -149,7 +149,7 @@ def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store)
     assert found.reason.endswith("table clear, board e-flute (1.6 mm).")
 
 
-def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(store: Store):
+def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(store: Store) -> None:
     row = queued(store, machine="flat-cutter-hpgl")
     waiting = waiting_of(store, [row])[0]
     assert waiting.reason == "No gateway of Flat cutter 1300 × 900 (HPGL) asks for work."

@@ -118,7 +118,7 @@ def test_rules_that_shape_does_not_contradict_keep_their_words_and_confidence() 
 def test_a_rule_for_a_block_or_a_true_colour_decides() -> None:
     sheet = drawn((BLANK, plain()), (FOLDS, plain(colour=1)))
     fields = {
-        "title": "",
+        "title": "Ours",
         "rule": [
             {"type": "crease", "colour": "#ff0000"},
             {"type": "cut", "block": "CARTON*"},
