@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from knifetip.dxf import samples
+from knifetip.dxf.samples import cartons as samples
 from knifetip.dxf.samples.write import Layer
 from knifetip.geometry.path import Paths
 from tests.support.cartons.plan import Plan
