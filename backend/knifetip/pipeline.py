@@ -49,9 +49,9 @@ from knifetip.post.emit import process
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
 from knifetip.sequencing.turning import retracted
-from knifetip.units.evidence import judge
-from knifetip.units.question import question as unit_question
-from knifetip.units.weighing import in_likeliest_unit
+from knifetip.units.evidence import find_unit
+from knifetip.units.likeliest_unit import choose_unit
+from knifetip.units.question import unit_question
 from knifetip.verification import verify as verification
 from knifetip.verification.tidied import tidied
 
@@ -108,7 +108,7 @@ def read(data: bytes, unit: str | None = None) -> Drawing:
     drawing = read_file(data, unit or "")
     if unit:
         return drawing
-    return in_likeliest_unit(drawing, lambda likeliest: read_file(data, likeliest))
+    return choose_unit(drawing, lambda likeliest: read_file(data, likeliest))
 
 
 def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) -> Dieline:
@@ -139,7 +139,7 @@ def rules_of(interpretation: Interpretation) -> LineRules:
 
 def questions(drawing: Drawing, dieline: Dieline, machine: Machine | None = None) -> list[Question]:
     """Return what the user must decide before the drawing can be compiled (for a machine)."""
-    unit = None if drawing.unit else unit_question(drawing, judge(drawing))
+    unit = None if drawing.unit else unit_question(drawing, find_unit(drawing))
     asked = ([unit] if unit else []) + classification.questions(drawing, dieline)
     return asked if machine is None else asked + tool_questions(dieline, machine)
 

@@ -22,7 +22,7 @@ from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
-from knifetip.units.evidence import judge
+from knifetip.units.evidence import find_unit
 
 #: What the commands print of a long list, and how many of those alike are named.
 _LINES: Final = 40
@@ -88,7 +88,7 @@ def load_drawing(file: Path, unit: str | None, profile: str, layers: list[str] |
 def described(name: str, drawing: Drawing) -> dict[str, Any]:
     """Return a drawing's unit, size and layers as plain data."""
     low_x, low_y, high_x, high_y = (float(value) for value in drawing.bounds)
-    found = judge(drawing)
+    found = find_unit(drawing)
     return {
         "name": name,
         "unit": drawing.unit or None,

@@ -24,7 +24,7 @@ from knifetip.geometry.tolerance import POINT
 from knifetip.kernels import F64_1, F64_3, I64_1, Bool_1, OutI64_1, OutU64_1, kernel
 from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger, LocationBoxes
-from knifetip.model.unit import Hint
+from knifetip.model.unit import UnitHint
 from knifetip.model.words import Repeated
 
 
@@ -35,7 +35,7 @@ class KnownUnit(NamedTuple):
     unit: str  #: empty while it is unknown
     evidence: Message
     stated: str  #: the unit that the header states, empty if none
-    hints: tuple[Hint, ...] = ()  #: other statements of the header about it
+    hints: tuple[UnitHint, ...] = ()  #: other statements of the header about it
 
 
 _KEPT: Final = "kept"

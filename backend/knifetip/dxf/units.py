@@ -12,7 +12,7 @@ from typing import Final
 
 from knifetip.drawing_builder.assemble import KnownUnit
 from knifetip.messages import Message
-from knifetip.model.unit import Hint, factor
+from knifetip.model.unit import UnitHint, factor
 
 #: $INSUNITS of the units that are read.
 _CODES: Final = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
@@ -66,16 +66,16 @@ def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
     return "", Message("unit.header-undefined", value=code)
 
 
-def hints(variables: Mapping[str, str]) -> tuple[Hint, ...]:
+def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
     """Return the hints of other header variables at the unit."""
     found = []
     measurement = variables.get("$MEASUREMENT", "")
     if measurement in ("0", "1"):
-        says = "metric" if measurement == "1" else "imperial"
-        found.append(Hint(says, f"$MEASUREMENT = {measurement}"))
+        kind = "metric" if measurement == "1" else "imperial"
+        found.append(UnitHint(kind, f"$MEASUREMENT = {measurement}"))
     notation = _INCHES.get(variables.get("$LUNITS", ""))
     if notation:
-        found.append(Hint("inches", f"$LUNITS = {variables['$LUNITS']}: {notation}"))
+        found.append(UnitHint("inches", f"$LUNITS = {variables['$LUNITS']}: {notation}"))
     shown = ["$DIMLFAC"] + ["$DIMALTF"] * (variables.get("$DIMALT", "") == "1")
     for name in shown:
         try:
@@ -84,7 +84,7 @@ def hints(variables: Mapping[str, str]) -> tuple[Hint, ...]:
             continue
         for ratio, said in _SHOWN:
             if abs(times - ratio) < 1e-3 * ratio:
-                found.append(Hint(f"shown × {said}", f"{name} = {times:g}"))
+                found.append(UnitHint(f"shown × {said}", f"{name} = {times:g}"))
     return tuple(found)
 
 

@@ -160,9 +160,9 @@ def theme(reason: str) -> str:
 
 def unit_of(drawing: Drawing) -> dict[str, Any]:
     """Return what speaks for each unit of a drawing, the strongest first, as plain data."""
-    from knifetip.units.evidence import judge
+    from knifetip.units.evidence import find_unit
 
-    found = judge(drawing)
+    found = find_unit(drawing)
     return {
         "stated": drawing.stated,
         "ranking": list(found.ranking),

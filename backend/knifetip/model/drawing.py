@@ -12,7 +12,7 @@ import numpy as np
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, U8, frozen
 from knifetip.messages import Message
-from knifetip.model.unit import Hint
+from knifetip.model.unit import UnitHint
 
 
 class Fate(IntEnum):
@@ -113,7 +113,7 @@ class Drawing:
     evidence: Message  #: how the unit is known: "$INSUNITS = 4", "given", or why it is not
     stated: str = ""  #: the unit that the file's header states, whatever was decided
     inscriptions: tuple[Inscription, ...] = ()  #: those of the sheet itself, in file order
-    hints: tuple[Hint, ...] = ()  #: what else the header says that has to do with the unit
+    hints: tuple[UnitHint, ...] = ()  #: what else the header says that has to do with the unit
 
     def __post_init__(self) -> None:
         put = object.__setattr__

@@ -1,4 +1,4 @@
-"""Units of length, and what speaks for a drawing being in one of them."""
+"""Units of length, and the evidence that a drawing is in one of them."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Final
 
 from knifetip.errors import NoSuchUnit
 
-#: Millimetres to one unit: the five that headers state, then points and pixels, which programs
-#: that draw pages write without saying so.
+#: Millimetres in one unit: the five that headers state, then points and pixels, which programs for
+#: page layout write without stating it.
 MILLIMETRES: Final[Mapping[str, float]] = {
     "mm": 1.0,
     "cm": 10.0,
@@ -19,9 +19,9 @@ MILLIMETRES: Final[Mapping[str, float]] = {
     "pt": 25.4 / 72.0,
     "px": 25.4 / 96.0,
 }
-#: Units that people draw in; points and pixels are what a file turns out to be in.
+#: Units that cartons are designed in; points and pixels come from conversion only.
 DRAWN_IN: Final = ("mm", "cm", "m", "in", "ft")
-#: Their names in a sentence.
+#: Names of the units in a sentence.
 NAMES: Final[Mapping[str, str]] = {
     "mm": "mm",
     "cm": "cm",
@@ -34,7 +34,7 @@ NAMES: Final[Mapping[str, str]] = {
 
 
 def factor(unit: str) -> float:
-    """Return the millimetres to one unit; 1 for the empty unit, that of the file.
+    """Return the millimetres in one unit; 1 for the empty unit, that of the file.
 
     Raises
     ------
@@ -50,32 +50,34 @@ def factor(unit: str) -> float:
 
 
 @dataclass(frozen=True, slots=True)
-class Hint:
-    """What a file says that has to do with its unit, besides stating it."""
+class UnitHint:
+    """A setting of a file that depends on its unit but does not state it."""
 
-    #: "metric", "imperial", "inches", "pixels", "points", or "shown × 25.4": what dimensions are
-    #: shown in
-    says: str
-    text: str  #: as the file has it: "$MEASUREMENT = 1"
+    #: "metric", "imperial", "inches", "pixels", "points", or "shown × 25.4": the factor between
+    #: lengths and the values that dimensions show
+    kind: str
+    text: str  #: as it is in the file: "$MEASUREMENT = 1"
 
 
 @dataclass(frozen=True, slots=True)
 class UnitEvidence:
-    """One thing that speaks for a unit."""
+    """One piece of evidence for a unit."""
 
     unit: str
-    text: str  #: what it is, with its measure
-    weight: float  #: natural logarithm of how much likelier it is in this unit than in the worst
+    text: str  #: the observation, with its measure
+    weight: (
+        float  #: log-likelihood of the observation in this unit, relative to the least likely unit
+    )
     kind: str  #: "header", "size", "features", "paper", "grid" or "words"
 
 
 @dataclass(frozen=True, slots=True)
 class UnitFinding:
-    """What all evidence together says."""
+    """The unit that all evidence together supports."""
 
-    unit: str  #: empty where it must be asked
+    unit: str  #: empty if the user must choose
     conclusive: bool
     evidence: tuple[UnitEvidence, ...]  #: the heaviest first
     ranking: tuple[str, ...]  #: all units, the likeliest first
-    margin: float  #: by how much the first leads the second (natural logarithm)
-    warnings: tuple[str, ...] = ()  #: what somebody should look at, whatever the unit
+    margin: float  #: weight of the first in the ranking minus that of the second
+    warnings: tuple[str, ...] = ()  #: possible faults that the user should check

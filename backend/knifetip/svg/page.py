@@ -15,7 +15,7 @@ from typing import Final
 
 from knifetip.geometry.affine import Matrix
 from knifetip.messages import Message
-from knifetip.model.unit import MILLIMETRES, Hint
+from knifetip.model.unit import MILLIMETRES, UnitHint
 from knifetip.svg.document import Node
 from knifetip.svg.lengths import length
 from knifetip.svg.transform import numbers
@@ -43,7 +43,7 @@ class Page:
     unit: str  #: empty while it is unknown
     evidence: Message
     stated: str  #: the unit that the file states
-    hints: tuple[Hint, ...] = ()  #: what else it says of the unit
+    hints: tuple[UnitHint, ...] = ()  #: what else it says of the unit
 
 
 def page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
@@ -68,9 +68,9 @@ def page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
             if unit
             else Message("unit.in-file", statement=_unknown(root, illustrator))
         )
-        hints = [Hint("pixels", "a size without a unit, as pages in pixels or points have it")]
+        hints = [UnitHint("pixels", "a size without a unit, as pages in pixels or points have it")]
         if illustrator:
-            hints.append(Hint("points", "the name of Illustrator, which counts in points"))
+            hints.append(UnitHint("points", "the name of Illustrator, which counts in points"))
         upright = (1.0, 0.0, 0.0, -1.0, 0.0, top)
         return Page(upright, given, unit, source, "", tuple(hints))
     stated, _, millimetres = _PHYSICAL[physical[1]]

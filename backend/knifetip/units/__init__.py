@@ -1,1 +1,1 @@
-"""units: which unit a drawing is in, from all that it says, and the drawing in that unit."""
+"""units: find the unit of a drawing from several kinds of evidence, and rescale it to mm."""

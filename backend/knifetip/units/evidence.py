@@ -1,11 +1,11 @@
-"""evidence: what all that a drawing says and shows tells of its unit.
+"""evidence: find the unit of a drawing from all evidence together.
 
-    Drawing -> UnitFinding: the unit, or that it must be asked, and the evidence for each
+    Drawing -> UnitFinding: the unit, or none if the user must choose, and the evidence
 
-The header is one witness among several.  Each kind of evidence gives every unit a weight, the
-logarithm of a likelihood counted from the unit that it speaks for least; they are added up.  What
-the header states stands if it leads; another unit is decided only where it leads by far, and
-everything else is asked, with the likeliest unit first.
+The header is one kind of evidence among several.  Each kind gives every unit a weight: the
+natural logarithm of its likelihood relative to the least likely unit.  The weights are added.
+The unit that the header states is kept if it leads.  Another unit is chosen only if it leads by
+a large margin.  Otherwise the user is asked, with the likeliest unit first.
 """
 
 from __future__ import annotations
@@ -19,97 +19,103 @@ from knifetip.model.unit import MILLIMETRES, NAMES, UnitEvidence, UnitFinding
 from knifetip.units import weights
 from knifetip.units.lengths import (
     Lengths,
-    by_features,
-    by_grid,
-    by_paper,
-    by_size,
-    lengths,
-    measure,
+    drawing_lengths,
+    feature_evidence,
+    format_mm,
+    grid_evidence,
+    paper_evidence,
+    size_evidence,
 )
-from knifetip.units.mixed import by_parts
-from knifetip.units.words import by_words
+from knifetip.units.mixed_scales import mixed_scale_warnings
+from knifetip.units.text_evidence import text_evidence
 
 
-def judge(drawing: Drawing) -> UnitFinding:
-    """Return what unit a drawing is in, as far as it can be known.
+def find_unit(drawing: Drawing) -> UnitFinding:
+    """Return the unit of a drawing, if the evidence is sufficient, and the evidence.
 
-    Numbers are taken as the file has them, so evidence and unit are the same whatever unit the
-    drawing was read in; the warnings are about that unit, where it has one.
+    The evidence is computed from the coordinates in the file, so it does not depend on the unit
+    that the drawing was read in.  The warnings refer to that unit, if there is one.
     """
-    evidence = _by_header(drawing) + _by_hints(drawing)
+    evidence = _header_evidence(drawing) + _hint_evidence(drawing)
     warnings: tuple[str, ...] = ()
     with np.errstate(all="ignore"):
-        found = lengths(drawing)
-        shown = found.longer > 0.0 and math.isfinite(found.longer)
-        told: tuple[UnitEvidence, ...] = ()
-        if shown:
-            words = by_words(drawing, found)
-            told = words.evidence
+        found = drawing_lengths(drawing)
+        has_size = found.longer > 0.0 and math.isfinite(found.longer)
+        from_texts: tuple[UnitEvidence, ...] = ()
+        if has_size:
+            texts = text_evidence(drawing, found)
+            from_texts = texts.evidence
             evidence += [
-                *by_size(found),
-                *by_features(found),
-                *by_paper(found),
-                *by_grid(found),
-                *told,
+                *size_evidence(found),
+                *feature_evidence(found),
+                *paper_evidence(found),
+                *grid_evidence(found),
+                *from_texts,
             ]
-            warnings = (*words.warnings, *by_parts(drawing))
+            warnings = (*texts.warnings, *mixed_scale_warnings(drawing))
     total = dict.fromkeys(MILLIMETRES, 0.0)
     for one in evidence:
         total[one.unit] += one.weight
     ranking = sorted(total, key=lambda unit: -total[unit])
     margin = total[ranking[0]] - total[ranking[1]]
-    if not shown:
+    if not has_size:
         unit = drawing.stated
-    elif len(drawing) < weights.THIN_EDGES and drawing.stated and not told:
+    elif len(drawing) < weights.THIN_EDGES and drawing.stated and not from_texts:
         low, high = weights.THIN_SIZE
         fits = low <= found.longer * MILLIMETRES[drawing.stated] <= high
         unit = drawing.stated if fits else ""
     else:
-        # On a page without a physical size round numbers may be pixels: only words decide.
-        sized = all(hint.says != "pixels" for hint in drawing.hints)
-        certain = sized or any(one.unit == ranking[0] for one in told)
+        # Round numbers on a page without a physical size may be pixels: only texts are conclusive.
+        sized = all(hint.kind != "pixels" for hint in drawing.hints)
+        certain = sized or any(one.unit == ranking[0] for one in from_texts)
         doubtful = bool(warnings) or not certain
-        unit = _decided(drawing.stated, ranking[0], margin, doubtful=doubtful)
-    if shown:
+        unit = _choose_unit(drawing.stated, ranking[0], margin, doubtful=doubtful)
+    if has_size:
         lead = 0.0 if not drawing.unit else total[ranking[0]] - total[drawing.unit]
         warnings = (*_contradictions(drawing, found, ranking[0], lead), *warnings)
     return UnitFinding(
         unit,
         bool(unit),
-        tuple(sorted((one for one in evidence if one.weight > 0.05), key=_heaviest)),
+        tuple(sorted((one for one in evidence if one.weight > 0.05), key=_by_weight)),
         tuple(ranking),
         margin,
         warnings,
     )
 
 
-def _heaviest(one: UnitEvidence) -> float:
+def _by_weight(one: UnitEvidence) -> float:
     return -one.weight
 
 
-def _decided(stated: str, best: str, margin: float, *, doubtful: bool) -> str:
-    """Return the unit that the evidence decides on, empty where it does not.
+def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> str:
+    """Return the unit that the evidence supports, empty if it is not conclusive.
 
-    Where parts of a sheet are drawn at different scales only the header's own word is believed.
+    Parameters
+    ----------
+    doubtful
+        Parts of the sheet have different scales, or there is no physical size.  Then only the
+        unit that the header states can be returned.
     """
     if stated and best == stated:
-        return stated if margin >= weights.STANDS else ""
-    far = weights.OVERRULES if stated else weights.DECIDES
+        return stated if margin >= weights.STATED_MARGIN else ""
+    far = weights.OVERRULE_MARGIN if stated else weights.DECISION_MARGIN
     return best if margin >= far and not doubtful else ""
 
 
 def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) -> list[str]:
-    """Say it where the unit that the drawing is read in is not the header's, or not the likeliest.
+    """Return warnings if the drawing's unit is neither the stated nor the likeliest one.
 
     Parameters
     ----------
+    best
+        The likeliest unit.
     lead
-        By how much the likeliest unit leads the drawing's.
+        Total weight of the likeliest unit minus that of the drawing's unit.
     """
 
     def size(unit: str) -> str:
         scale = MILLIMETRES[unit]
-        return f"{measure(found.width * scale)} × {measure(found.height * scale)} mm"
+        return f"{format_mm(found.width * scale)} × {format_mm(found.height * scale)} mm"
 
     warnings = []
     unit = drawing.unit
@@ -118,15 +124,16 @@ def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) ->
             f"The header states {NAMES[drawing.stated]}, which would make the drawing "
             f"{size(drawing.stated)}; it is read in {NAMES[unit]}: {size(unit)}."
         )
-    if unit and best not in (unit, drawing.stated) and lead >= weights.STANDS:
+    if unit and best not in (unit, drawing.stated) and lead >= weights.STATED_MARGIN:
         warnings.append(
-            f"What is drawn speaks for {NAMES[best]}: {size(best)}; it is read in {NAMES[unit]}: "
+            f"The evidence supports {NAMES[best]}: {size(best)}; it is read in {NAMES[unit]}: "
             f"{size(unit)}."
         )
     return warnings
 
 
-def _by_header(drawing: Drawing) -> list[UnitEvidence]:
+def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
+    """Return the weight of each unit under the header's statement, or under no statement."""
     share = weights.STATED[drawing.stated]
     least = min(share.values())
     text = (
@@ -143,10 +150,11 @@ def _by_header(drawing: Drawing) -> list[UnitEvidence]:
     ]
 
 
-def _by_hints(drawing: Drawing) -> list[UnitEvidence]:
+def _hint_evidence(drawing: Drawing) -> list[UnitEvidence]:
+    """Return the weights of the header's other variables that depend on the unit."""
     evidence = []
     for hint in drawing.hints:
-        favoured, weight = weights.HINTS[hint.says]
+        favoured, weight = weights.HINTS[hint.kind]
         evidence += [
             UnitEvidence(unit, f"the header has {hint.text}", weight, "header") for unit in favoured
         ]

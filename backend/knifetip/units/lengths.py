@@ -1,17 +1,17 @@
-"""lengths: what the lengths of a drawing, mere numbers so far, tell of their unit.
+"""lengths: evidence for the unit from the lengths of a drawing's edges.
 
     Drawing -> Lengths in file units -> a weight for each unit: size, small features, grid
 
-The grid is the strong one.  Somebody who draws in millimetres makes panels of whole or half
-millimetres, somebody who draws in inches makes them of sixteenths.  If x is a length in file units
-and f the millimetres to one, x is a good number only with the right f:
+The grid is the strongest evidence.  Designers who draw in millimetres choose panels of whole or
+half millimetres; those who draw in inches choose sixteenths.  If x is a length in file units and f
+the number of millimetres in one file unit, f x is a round number only with the right f:
 
     p(x | unit) ∝ w₀ + (1 - w₀) Σ wᵢ gᵢ / (2 f ε)     over the grids gᵢ (mm) that f x lies on
 
-where ε is how exactly the file gives lengths (file units) and the weights w say how often a length
-is a multiple of gᵢ, w₀ of none.  A grid that is finer than what the file resolves is no grid.
-The lengths' product is summed over the metric and the imperial table, each with its share among
-drawings of that unit, and over how many lengths of a drawing are off all grids.
+where ε is the precision of lengths in the file (file units), wᵢ the share of lengths that are
+multiples of gᵢ, and w₀ the share that are multiples of no grid.  A grid finer than the precision
+is not used.  The product over all lengths is averaged over the metric and the imperial table, each
+with its share among drawings in that unit, and over the possible values of w₀.
 """
 
 from __future__ import annotations
@@ -28,26 +28,27 @@ from knifetip.model.drawing import Drawing, extents
 from knifetip.model.unit import MILLIMETRES, NAMES, UnitEvidence, factor
 from knifetip.units import weights
 
-#: Lengths that are looked at: those that make up most of the drawing.
+#: Most lengths that are used: those that make up the greatest part of the drawing.
 _MOST: Final = 48
-#: How exact a length is taken to be at best, as a share of the drawing's size.
+#: Best precision of a length, as a share of the drawing's size.
 _EXACT: Final = 1e-5
-#: Edges of a length that occurs so often, or is such a share of the drawing, are no chords.
+#: A length that occurs this often, or makes up this share of the drawing, is not that of chords
+#: of a curve.
 _REPEATED: Final = 4
 _SUBSTANTIAL: Final = 0.005
-#: A bulge under this is a line.
+#: An edge with a smaller bulge is a line.
 _STRAIGHT: Final = 1e-9
-#: Grids of which the evidence tells.
-_TOLD: Final = (
+#: Grids that evidence names.
+_NAMED_GRIDS: Final = (
     (10.0, "10 mm"),
     (1.0, "1 mm"),
     (0.5, "0.5 mm"),
     (25.4, "1 in"),
     (25.4 / 16.0, "1/16 in"),
 )
-#: Coordinates that are looked at for their decimals.
+#: Number of coordinates whose decimals are counted.
 _SAMPLE: Final = 4096
-#: Sheets of paper: shorter side, longer side (mm), name.
+#: Paper sizes: shorter side, longer side (mm), name.
 _PAPER: Final = (
     (841.0, 1189.0, "A0"),
     (594.0, 841.0, "A1"),
@@ -62,32 +63,33 @@ _PAPER: Final = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Lengths:
-    """The straight lengths of a drawing, each once, in file units."""
+    """The different lengths of a drawing's straight edges, in file units."""
 
-    value: F64  #: (k,) those that make up most of it, at most 48
-    total: F64  #: (k,) how much of the drawing is of this length
-    shortest: float  #: length that edges have which are no chords of a curve
-    straight: int  #: edges that are straight
-    width: float
+    value: F64  #: (k,) lengths, ascending, at most 48
+    total: F64  #: (k,) total length of the edges that have this length
+    shortest: float  #: least length of edges that are not chords of a curve
+    straight: int  #: number of straight edges
+    width: float  #: of the bounding box
     height: float
-    exact: tuple[float, ...]  #: how exactly lengths may be given: as they are, and as rounded
+    #: possible precisions: of the coordinates as they are, and of their last decimal place
+    exact: tuple[float, ...]
 
     @property
     def longer(self) -> float:
-        """The longer side."""
+        """The longer side of the bounding box."""
         return max(self.width, self.height)
 
 
-def lengths(drawing: Drawing) -> Lengths:
+def drawing_lengths(drawing: Drawing) -> Lengths:
     """Return the lengths of a drawing in file units."""
-    return of_edges(drawing.ends / factor(drawing.unit), drawing.bulge)
+    return edge_lengths(drawing.ends / factor(drawing.unit), drawing.bulge)
 
 
-def of_edges(ends: F64, bulge: F64) -> Lengths:
-    """Return the lengths of edges in file units."""
+def edge_lengths(ends: F64, bulge: F64) -> Lengths:
+    """Return the lengths of n edges, (n, 2, 2) and (n,), in the unit of the coordinates."""
     straight = np.abs(bulge) < _STRAIGHT
     chosen = ends if straight.all() else ends[straight]
-    low_x, low_y, high_x, high_y = _box(ends, bulge, straight)
+    low_x, low_y, high_x, high_y = _bounding_box(ends, bulge, straight)
     width, height = high_x - low_x, high_y - low_y
     size = max(width, height)
     across = chosen[:, 1] - chosen[:, 0]
@@ -116,10 +118,11 @@ def of_edges(ends: F64, bulge: F64) -> Lengths:
     return Lengths(value[order], total[order], shortest, len(run), width, height, exact)
 
 
-def _box(ends: F64, bulge: F64, straight: Bool) -> tuple[float, float, float, float]:
+def _bounding_box(ends: F64, bulge: F64, straight: Bool) -> tuple[float, float, float, float]:
+    """Return min x, min y, max x, max y."""
     if not len(ends):
         return 0.0, 0.0, 0.0, 0.0
-    # Column by column, which is ten times as fast as along the rows.
+    # A reduction of each column is ten times as fast as one along the rows.
     x, y = ends[:, :, 0], ends[:, :, 1]
     box = float(x.min()), float(y.min()), float(x.max()), float(y.max())
     if straight.all():
@@ -134,7 +137,7 @@ def _box(ends: F64, bulge: F64, straight: Bool) -> tuple[float, float, float, fl
 
 
 def _quantum(ends: F64) -> float:
-    """Return the last decimal place that coordinates have, 0 where they have all places."""
+    """Return the value of the last decimal place of coordinates, 0 if they are not rounded."""
     flat = ends.reshape(-1)
     sample = np.abs(flat[:: max(1, len(flat) // _SAMPLE)])
     for places in range(7):
@@ -144,71 +147,78 @@ def _quantum(ends: F64) -> float:
     return 0.0
 
 
-def balanced(weight: Mapping[str, float]) -> dict[str, float]:
-    """Return weights counted from the least, none farther from the greatest than allowed."""
+def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
+    """Return weights relative to the least one, limited to ``weights.HEAVIEST``."""
     most = max(weight.values())
     cut = {unit: max(value, most - weights.HEAVIEST) for unit, value in weight.items()}
     least = min(cut.values())
     return {unit: value - least for unit, value in cut.items()}
 
 
-def evidence(kind: str, weight: Mapping[str, float], text: Mapping[str, str]) -> list[UnitEvidence]:
-    """Return one kind of evidence for all units."""
-    return [UnitEvidence(unit, text[unit], value, kind) for unit, value in balanced(weight).items()]
+def evidence_of_units(
+    kind: str, weight: Mapping[str, float], text: Mapping[str, str]
+) -> list[UnitEvidence]:
+    """Return one kind of evidence for each unit."""
+    return [
+        UnitEvidence(unit, text[unit], value, kind)
+        for unit, value in relative_weights(weight).items()
+    ]
 
 
-def by_size(found: Lengths) -> list[UnitEvidence]:
-    """Return what the overall size tells: a carton is neither 5 mm nor 50 m large."""
+def size_evidence(found: Lengths) -> list[UnitEvidence]:
+    """Return evidence from the overall size: a carton measures neither 5 mm nor 50 m."""
     weight = {
-        unit: _line(weights.SIZE, found.longer * scale) for unit, scale in MILLIMETRES.items()
-    }
-    text = {
-        unit: f"in {NAMES[unit]} the drawing is {measure(found.width * scale)} × "
-        f"{measure(found.height * scale)} mm, "
-        f"{'as cartons are' if weight[unit] >= weights.USUAL else 'which few cartons are'}"
+        unit: _interpolate(weights.SIZE, found.longer * scale)
         for unit, scale in MILLIMETRES.items()
     }
-    return evidence("size", weight, text)
+    text = {
+        unit: f"in {NAMES[unit]} the drawing is {format_mm(found.width * scale)} × "
+        f"{format_mm(found.height * scale)} mm, "
+        f"{'a usual size of cartons' if usual else 'an unusual size of cartons'}"
+        for unit, scale in MILLIMETRES.items()
+        for usual in [weight[unit] >= weights.USUAL]
+    }
+    return evidence_of_units("size", weight, text)
 
 
-def by_features(found: Lengths) -> list[UnitEvidence]:
-    """Return what the shortest edges tell: slots and flaps follow the caliper of boards."""
+def feature_evidence(found: Lengths) -> list[UnitEvidence]:
+    """Return evidence from the shortest edges: slots and flaps depend on the board's caliper."""
     if found.straight < weights.FEATURE_EDGES or not np.isfinite(found.shortest):
         return []
     least = found.shortest
-    return evidence(
+    return evidence_of_units(
         "features",
-        {unit: _line(weights.FEATURE, least * scale) for unit, scale in MILLIMETRES.items()},
+        {unit: _interpolate(weights.FEATURE, least * scale) for unit, scale in MILLIMETRES.items()},
         {
-            unit: f"in {NAMES[unit]} its shortest edges are {measure(least * scale)} mm"
+            unit: f"in {NAMES[unit]} its shortest edges are {format_mm(least * scale)} mm"
             for unit, scale in MILLIMETRES.items()
         },
     )
 
 
-def by_paper(found: Lengths) -> list[UnitEvidence]:
-    """Return whether the drawing is as large as a sheet of paper: it has a frame, or is a page."""
+def paper_evidence(found: Lengths) -> list[UnitEvidence]:
+    """Return evidence for units in which the drawing has a paper size: a frame or a page."""
     short, long = sorted((found.width, found.height))
-    told = []
+    found_in = []
     for unit, scale in MILLIMETRES.items():
         for width, height, name in _PAPER:
             if abs(short * scale - width) < 0.6 and abs(long * scale - height) < 0.6:
                 text = f"in {NAMES[unit]} the drawing is exactly as large as a sheet of {name}"
-                told.append(UnitEvidence(unit, text, weights.PAPER, "paper"))
+                found_in.append(UnitEvidence(unit, text, weights.PAPER, "paper"))
                 break
-    return told
+    return found_in
 
 
-def by_grid(found: Lengths) -> list[UnitEvidence]:
-    """Return what good numbers tell: which unit makes the lengths multiples of something."""
+def grid_evidence(found: Lengths) -> list[UnitEvidence]:
+    """Return evidence from round numbers: in the right unit lengths are multiples of a grid."""
     if not len(found.value):
         return []
-    text = {unit: _on_grid(found, unit) for unit in MILLIMETRES}
-    return evidence("grid", grid_likelihood(found), text)
+    text = {unit: _grid_text(found, unit) for unit in MILLIMETRES}
+    return evidence_of_units("grid", grid_likelihood(found), text)
 
 
 def grid_likelihood(found: Lengths) -> dict[str, float]:
-    """Return the logarithm of how likely the lengths are in each unit."""
+    """Return the log-likelihood of the lengths in each unit."""
     result = {}
     for unit, scale in MILLIMETRES.items():
         metric = weights.DESIGNED_METRIC[unit]
@@ -219,18 +229,26 @@ def grid_likelihood(found: Lengths) -> dict[str, float]:
             )
         )
     for family in weights.FAMILIES:
-        least = max(result[unit] for unit in family) - weights.KIN
+        least = max(result[unit] for unit in family) - weights.FAMILY_ADVANTAGE
         result.update({unit: max(result[unit], least) for unit in family})
     return result
 
 
 def table_likelihood(found: Lengths, scale: float, table: Mapping[float, float]) -> float:
-    """Return the logarithm of how likely the lengths are, ``scale`` mm to one, by one table."""
+    """Return the log-likelihood of the lengths by one table of grids.
+
+    Parameters
+    ----------
+    scale
+        Millimetres in one file unit.
+    table
+        Share of lengths that are multiples of each grid (mm).
+    """
     share = min(1.0, weights.INDEPENDENT / len(found.value))
-    return max(share * _summed(found.value, exact, table, scale) for exact in found.exact)
+    return max(share * _log_likelihood(found.value, exact, table, scale) for exact in found.exact)
 
 
-def _summed(value: F64, exact: float, table: Mapping[float, float], scale: float) -> float:
+def _log_likelihood(value: F64, exact: float, table: Mapping[float, float], scale: float) -> float:
     grid = np.array(list(table)) / scale
     weight = np.array(list(table.values()))
     near = np.round(value[:, None] / grid)
@@ -242,31 +260,32 @@ def _summed(value: F64, exact: float, table: Mapping[float, float], scale: float
     return float(np.logaddexp.reduce(likely) - np.log(len(off)))
 
 
-def _on_grid(found: Lengths, unit: str) -> str:
-    """Say how much lies on the grid that fits best in this unit."""
+def _grid_text(found: Lengths, unit: str) -> str:
+    """Return a text with the grid that fits best in this unit, and how many lengths fit it."""
     scale = MILLIMETRES[unit]
-    told = []
-    for grid, name in _TOLD:
+    fits = []
+    for grid, name in _NAMED_GRIDS:
         if grid < 8.0 * found.exact[-1] * scale:
             continue
         near = np.round(found.value * scale / grid)
         on = (np.abs(found.value * scale - near * grid) <= found.exact[-1] * scale) & (near > 0)
-        told.append((float(found.total[on].sum()), int(on.sum()), name))
-    if not told:
-        return f"in {NAMES[unit]} lengths are given too coarsely to be multiples of anything"
-    part, count, name = max(told)
+        fits.append((float(found.total[on].sum()), int(on.sum()), name))
+    if not fits:
+        return f"in {NAMES[unit]} the lengths are not precise enough to compare with a grid"
+    part, count, name = max(fits)
     percent = 100.0 * part / float(found.total.sum())
     return (
-        f"in {NAMES[unit]} {count} of {len(found.value)} lengths, {percent:.0f} % of the line, "
+        f"in {NAMES[unit]} {count} of {len(found.value)} lengths, {percent:.0f} % of their total, "
         f"are multiples of {name}"
     )
 
 
-def _line(points: tuple[tuple[float, float], ...], size: float) -> float:
+def _interpolate(points: tuple[tuple[float, float], ...], size: float) -> float:
+    """Return the weight of a size (mm), linear in log size between points of a table."""
     at, weight = zip(*points, strict=True)
     return float(np.interp(np.log(max(size, 1e-12)), np.log(at), weight))
 
 
-def measure(size: float) -> str:
-    """Return a length with as many places as are of use."""
+def format_mm(size: float) -> str:
+    """Return a length (mm) as text, with three or four significant digits."""
     return f"{size:.0f}" if abs(size) >= 1000.0 else f"{size:.1f}" if size >= 1 else f"{size:.3g}"

@@ -1,6 +1,6 @@
-"""question: what must be asked about the unit of a drawing.
+"""question: build the question about the unit of a drawing.
 
-Drawing, UnitFinding -> Question: the size in each unit, the likeliest first, and why
+Drawing, UnitFinding -> Question: the size in each unit, the likeliest first, and the evidence
 """
 
 from __future__ import annotations
@@ -12,26 +12,26 @@ from knifetip.model.drawing import Drawing
 from knifetip.model.question import Question
 from knifetip.model.unit import DRAWN_IN, MILLIMETRES, UnitFinding
 
-#: Points and pixels are offered where only so many units are likelier.
+#: Points and pixels are offered only among the likeliest units, this many.
 _OFFERED: Final = 2
-#: Evidence of less weight is not shown.
-_WORTH: Final = 1.0
-#: The most evidence that a question shows.
+#: Evidence with less weight is not shown.
+_LEAST_WEIGHT: Final = 1.0
+#: Largest number of pieces of evidence in a question.
 _SHOWN: Final = 2
 
 
-def question(drawing: Drawing, finding: UnitFinding) -> Question | None:
-    """Return the question about the unit, None where it is known."""
+def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
+    """Return the question about the unit, None if the unit is known."""
     if drawing.unit:
         return None
     low_x, low_y, high_x, high_y = drawing.bounds
     width, height = float(high_x - low_x), float(high_y - low_y)
-    # A page without a physical size is in one of the two as often as not.
-    page = any(hint.says == "pixels" for hint in drawing.hints)
+    # Pages without a physical size are often in points or pixels.
+    page = any(hint.kind == "pixels" for hint in drawing.hints)
     choices = [
         unit
-        for place, unit in enumerate(finding.ranking)
-        if unit in DRAWN_IN or place < _OFFERED or page
+        for rank, unit in enumerate(finding.ranking)
+        if unit in DRAWN_IN or rank < _OFFERED or page
     ]
     sizes = [
         Message(
@@ -45,7 +45,7 @@ def question(drawing: Drawing, finding: UnitFinding) -> Question | None:
     heaviest = [
         from_json(one.text)
         for one in finding.evidence
-        if one.unit == choices[0] and one.weight >= _WORTH and one.kind in ("grid", "words")
+        if one.unit == choices[0] and one.weight >= _LEAST_WEIGHT and one.kind in ("grid", "words")
     ][:_SHOWN]
     evidence = Message("question.unit-evidence", unit=choices[0], evidence=heaviest)
     message = Message(
@@ -58,7 +58,7 @@ def question(drawing: Drawing, finding: UnitFinding) -> Question | None:
 
 
 def _reason(drawing: Drawing, finding: UnitFinding) -> Message:
-    """Return why the unit is not known."""
+    """Return the reason why the unit is not known."""
     if drawing.stated == finding.ranking[0]:
         return Message("question.unit-doubtful", stated=drawing.stated, other=finding.ranking[1])
     if drawing.stated:

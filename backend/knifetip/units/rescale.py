@@ -1,6 +1,6 @@
-"""rescale: a drawing in another unit.
+"""rescale: change the unit of a drawing.
 
-Drawing, unit -> Drawing whose numbers are taken to be in that unit, in mm
+Drawing, unit -> Drawing in mm whose file coordinates are in that unit
 """
 
 from __future__ import annotations
@@ -12,22 +12,22 @@ from knifetip.model.drawing import Drawing, LocationBoxes
 from knifetip.model.unit import factor
 
 
-def rescaled(drawing: Drawing, unit: str) -> Drawing:
-    """Return a drawing whose file units are these: the first time, or corrected.
+def rescale(drawing: Drawing, unit: str) -> Drawing:
+    """Return the drawing with its file coordinates interpreted in another unit.
 
-    Bulges, layers and the ledger's rows stay as they are.  Ellipses and splines were fitted when
-    the drawing was read and are scaled with all the rest: from mm to a larger unit their deviation
-    grows too, and reading the bytes again with ``unit`` fits them anew.
+    Bulges, layers and the rows of the import report do not change.  Ellipses and splines were
+    fitted when the drawing was read, so a larger unit scales their deviation too; read the file
+    again with ``unit`` to fit them within the tolerance.
 
     Parameters
     ----------
     unit
-        One of ``model.unit.MILLIMETRES``; "" takes the unit away, back to file units.
+        A key of ``model.unit.MILLIMETRES``; "" removes the unit: coordinates are those of the file.
 
     Raises
     ------
     NoSuchUnit
-        There is no such unit.
+        No unit has this name.
     """
     old, new = factor(drawing.unit), factor(unit)
     rows, box = drawing.ledger.location_boxes
@@ -38,10 +38,10 @@ def rescaled(drawing: Drawing, unit: str) -> Drawing:
     )
     return replace(
         drawing,
-        # Divided first: what is in mm loses no bit on the way to file units and back.
+        # Dividing first keeps coordinates in mm exact on the way to file units and back.
         ends=drawing.ends / old * new,
         ledger=ledger,
-        inscriptions=tuple(words.scaled(old, new) for words in drawing.inscriptions),
+        inscriptions=tuple(text.scaled(old, new) for text in drawing.inscriptions),
         unit=unit,
         evidence=Message("unit.given" if unit else "unit.not-given"),
     )

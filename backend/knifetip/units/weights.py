@@ -1,9 +1,9 @@
-"""weights: what evidence for a unit weighs, all in one place, with the reason for each.
+"""weights: the weight of each kind of evidence for a unit, with the reason for it.
 
-Weights are natural logarithms of likelihoods, so they add up: 2.3 is ten to one, 4.6 a hundred to
-one.  They are judgements, set so that thousands of generated cartons in every unit, under right,
-missing and lying headers, are never read wrong (tests/unit/units/test_generated.py); where they do
-not decide, somebody is asked.
+Weights are natural logarithms of likelihood ratios, so they are added: 2.3 is ten to one, 4.6 a
+hundred to one.  They are estimates.  They were set so that none of thousands of generated cartons,
+in every unit and with right, missing and wrong headers, is read in a wrong unit
+(tests/unit/units/test_generated.py).  If they are not conclusive, the user is asked.
 """
 
 from __future__ import annotations
@@ -11,27 +11,27 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-#: How often a drawing of a carton is in each unit, by what its header states ("" for nothing).
+#: Share of carton drawings in each unit, by the unit that the header states ("" for none).
 STATED: Final[Mapping[str, Mapping[str, float]]] = {
-    # Cartons are drawn in mm but where inches are at home; points and pixels come of conversion.
+    # Most countries draw cartons in mm, some in inches; points and pixels come from conversion.
     "": {"mm": 0.80, "cm": 0.04, "m": 0.01, "in": 0.10, "ft": 0.002, "pt": 0.024, "px": 0.024},
-    # Said on purpose or by a metric template: nearly always right.
+    # Chosen by the user or by a metric template: nearly always right.
     "mm": {"mm": 0.94, "cm": 0.008, "m": 0.002, "in": 0.013, "ft": 1e-3, "pt": 0.018, "px": 0.018},
-    # No program's default, but a unit that people pick for a document and not for its numbers.
+    # Not the default of a program, but often a setting of the document that its numbers ignore.
     "cm": {"mm": 0.18, "cm": 0.58, "m": 0.01, "in": 0.19, "ft": 0.005, "pt": 0.018, "px": 0.017},
-    # The default of several libraries that write DXF: more often left standing than meant.
+    # The default of several libraries that write DXF: more often unchanged than chosen.
     "m": {"mm": 0.50, "cm": 0.06, "m": 0.34, "in": 0.06, "ft": 0.01, "pt": 0.015, "px": 0.015},
-    # The default of the commonest CAD's template: often left standing on millimetres.
+    # The default template of the most common CAD program: often unchanged over millimetres.
     "in": {"mm": 0.20, "cm": 0.02, "m": 0.003, "in": 0.74, "ft": 0.017, "pt": 0.01, "px": 0.01},
-    # Nobody draws cartons in feet: the header is as likely as not an accident.
+    # Cartons are not drawn in feet: the header is often an accident.
     "ft": {"mm": 0.25, "cm": 0.02, "m": 0.01, "in": 0.30, "ft": 0.40, "pt": 0.01, "px": 0.01},
-    # Only an SVG or a PDF states points, for a page whose coordinates it has scaled to them.
+    # Only SVG and PDF state points, for pages whose coordinates are scaled to points.
     "pt": {"mm": 0.10, "cm": 0.005, "m": 1e-3, "in": 0.03, "ft": 1e-3, "pt": 0.85, "px": 0.013},
 }
 
-#: Longer side of a drawing (mm) and the weight of that; straight lines between, on log size.
-#: A flat carton is seldom under 100 mm, which is what tells a small one in mm from one in cm;
-#: from there to a large sheet all is the same, and displays thin out.
+#: Longer side of a drawing (mm) and its weight, interpolated linearly in log size.  A flat carton
+#: is seldom smaller than 100 mm, which separates small drawings in mm from those in cm.  Sizes up
+#: to a large sheet are equally likely; displays are larger, and rarer.
 SIZE: Final = (
     (1.0, -16.0),
     (10.0, -10.0),
@@ -48,12 +48,12 @@ SIZE: Final = (
     (6000.0, -6.0),
     (30000.0, -14.0),
 )
-#: What is said of a size with at least this weight: as cartons are.
+#: A size with at least this weight is reported as usual for cartons.
 USUAL: Final = -2.0
 
-#: Shortest length that a drawing of many edges has (mm) and the weight of that: slots, tapers and
-#: creases beside each other follow the caliper of boards, 0.3 to 8 mm.  Trays may have nothing
-#: small, and curves that came as chords something smaller.
+#: Shortest length in a drawing with many edges (mm) and its weight.  Slots, tapers and double
+#: creases depend on the caliper of the board, 0.3 to 8 mm.  Trays may have no small features, and
+#: curves that were exported as chords have smaller ones.
 FEATURE: Final = (
     (0.003, -4.0),
     (0.1, -3.5),
@@ -65,14 +65,14 @@ FEATURE: Final = (
     (60.0, -1.7),
     (200.0, -3.5),
 )
-#: A drawing of fewer straight edges may do without small features.
+#: A drawing with fewer straight edges may have no small features.
 FEATURE_EDGES: Final = 8
-#: A drawing of fewer edges is a sample or a coupon and no carton, so its size and its numbers say
-#: little: what the header states stands if that makes it no smaller and no larger than this (mm).
+#: A drawing with fewer edges is a sample or a coupon, not a carton, so its size and lengths are
+#: weak evidence: the stated unit is kept if it makes the longer side lie between these (mm).
 THIN_EDGES: Final = 8
 THIN_SIZE: Final = (2.0, 6000.0)
 
-#: How often a length of a metric design is a multiple of so many mm, and of no coarser grid.
+#: Share of lengths in a metric design that are multiples of a grid (mm) but of no coarser one.
 METRIC: Final[Mapping[float, float]] = {
     100.0: 0.01,
     50.0: 0.02,
@@ -84,7 +84,7 @@ METRIC: Final[Mapping[float, float]] = {
     0.1: 0.10,
     0.05: 0.02,
 }
-#: The same of a design in inches: halves down to 64ths, and decimals.
+#: The same for a design in inches: halves to 64ths, and decimals.
 IMPERIAL: Final[Mapping[float, float]] = {
     25.4 * 4.0: 0.01,
     25.4: 0.11,
@@ -97,10 +97,10 @@ IMPERIAL: Final[Mapping[float, float]] = {
     2.54: 0.03,
     1.27: 0.03,
 }
-#: How many of a drawing's lengths are on none of the grids, diagonals and what was calculated:
-#: few, some or most, each as likely.
+#: Share of lengths that are multiples of no grid, such as diagonals and calculated lengths: few,
+#: some or most, each equally likely.
 OFF_GRID: Final = (0.1, 0.4, 0.75)
-#: How often a drawing in this unit is a metric design.
+#: Share of the drawings in this unit that are metric designs.
 DESIGNED_METRIC: Final[Mapping[str, float]] = {
     "mm": 0.92,
     "cm": 0.98,
@@ -110,49 +110,50 @@ DESIGNED_METRIC: Final[Mapping[str, float]] = {
     "pt": 0.80,
     "px": 0.80,
 }
-#: Grids of these units are multiples of each other, so good numbers in one are good in the rest,
-#: and that they are better there weighs no more than ``KIN``: whole centimetres are no proof.
+#: The grids of these units are multiples of each other, so round numbers in one are round in all.
+#: The unit in which they are roundest leads by at most ``FAMILY_ADVANTAGE``: whole centimetres do
+#: not prove that a drawing is in centimetres.
 FAMILIES: Final = (("mm", "cm", "m"), ("in", "ft"))
-KIN: Final = 1.2
-#: Panels repeat and follow from each other, so more lengths than this say nothing new.
+FAMILY_ADVANTAGE: Final = 1.2
+#: Lengths of panels depend on each other, so the weight does not grow beyond this many lengths.
 INDEPENDENT: Final = 8
-#: No kind of evidence weighs more than this: each rests on assumptions that a drawing may break.
+#: Largest weight of one kind of evidence: each has assumptions that a drawing may violate.
 HEAVIEST: Final = 15.0
 
-#: The unit of a number that is written without one.
+#: Probability of each unit for a number that is written without one.
 BARE: Final[Mapping[str, float]] = {"mm": 0.80, "cm": 0.06, "in": 0.135, "m": 0.004, "ft": 0.001}
-#: How often a number on the sheet is one of its lengths.
-MEANT: Final = 0.5
-#: How often a dimension that somebody overwrote still gives its length.
+#: Probability that a number on the sheet is the length of an edge.
+IS_A_LENGTH: Final = 0.5
+#: Probability that the overwritten text of a dimension is still its length.
 OVERWRITTEN: Final = 0.9
-#: Numbers that are counted, at most: they often repeat each other.
+#: Largest count of numbers in the weight: they often depend on each other.
 NUMBERS: Final = 6
 
-#: A sheet that says "all dimensions in mm".
+#: A text such as "all dimensions in mm".
 STATEMENT: Final = 2.5
-#: The drawing is as large as a sheet of paper in this unit (A0 … A5, letter … tabloid): a frame.
+#: In this unit the drawing has the size of a paper sheet (A0 … A5, letter … tabloid).
 PAPER: Final = 2.5
-#: Hints of the header (``model.unit.Hint``): which units they favour, and how much.
+#: Hints of the header (``model.unit.UnitHint``): the units that they support, and the weight.
 HINTS: Final[Mapping[str, tuple[tuple[str, ...], float]]] = {
-    # Set by the template, seldom by hand: found wrong in one of ten.
+    # Set by the template, seldom by the user: wrong in one file of ten.
     "metric": (("mm", "cm", "m"), 0.7),
     "imperial": (("in", "ft"), 0.7),
-    # Feet-and-inches notation is only right where a unit is an inch.
+    # Notation in feet and inches requires that one unit is one inch.
     "inches": (("in",), 2.5),
-    # Dimensions that are multiplied by 25.4, or shown a second time so: millimetres of inches.
+    # Dimensions, or their second values, are multiplied by 25.4: inches shown as millimetres.
     "shown × 25.4": (("in",), 2.5),
     "shown × 0.03937": (("mm",), 2.5),
     "shown × 10": (("cm",), 2.0),
     "shown × 1000": (("m",), 2.5),
-    # An SVG without a physical size: as often a page in points or pixels as a carton in mm.
+    # An SVG without a physical size is as often a page in points or pixels as a carton in mm.
     "pixels": (("pt", "px"), 3.5),
-    # Illustrator has a point to a coordinate.
+    # Illustrator writes coordinates in points.
     "points": (("pt",), 3.0),
 }
 
-#: The header's unit stands if it leads by this: a hundred to one.
-STANDS: Final = 4.6
-#: A unit that no header states is decided where it leads by this: 3,000 to one.
-DECIDES: Final = 8.0
-#: A unit against the header's word is decided where it leads by this: 8,000 to one.
-OVERRULES: Final = 9.0
+#: The unit that the header states is kept if it leads by this: a hundred to one.
+STATED_MARGIN: Final = 4.6
+#: If the header states no unit, the likeliest is chosen if it leads by this: 3,000 to one.
+DECISION_MARGIN: Final = 8.0
+#: Another unit than the stated one is chosen if it leads by this: 8,000 to one.
+OVERRULE_MARGIN: Final = 9.0

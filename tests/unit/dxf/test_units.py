@@ -74,4 +74,4 @@ def test_unknown_unit_is_refused_with_the_known_ones() -> None:
     ],
 )
 def test_other_variables_are_hints(variables: dict[str, str], says: list[str]) -> None:
-    assert [hint.says for hint in hints(variables)] == says
+    assert [hint.kind for hint in hints(variables)] == says

@@ -19,7 +19,7 @@ from knifetip.geometry.columns import F64
 from knifetip.library import load
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.svg.read import read
-from knifetip.units.evidence import judge
+from knifetip.units.evidence import find_unit
 from tests.support.writers.svg_text import SVG, carton, svg
 
 
@@ -220,8 +220,8 @@ def test_a_page_without_a_size_is_asked_and_pixels_and_points_are_among_the_answ
 
 def test_what_illustrator_wrote_is_likelier_in_points_than_in_pixels() -> None:
     data = svg('<rect width="587" height="217"/>', size="", box="0 0 650 280")
-    plain = judge(read(data)).ranking
-    signed = judge(read(b"<!-- Adobe Illustrator -->" + data)).ranking
+    plain = find_unit(read(data)).ranking
+    signed = find_unit(read(b"<!-- Adobe Illustrator -->" + data)).ranking
     assert signed.index("pt") < signed.index("px")
     assert signed.index("pt") <= plain.index("pt")
 

@@ -1,4 +1,4 @@
-"""Drawings by other hands: the right unit, or a question; never a wrong one in silence."""
+"""Units of drawings from other programs: right, or asked for; never wrong without a warning."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import pytest
 from knifetip import pipeline
 from knifetip.errors import KnifetipError
 from knifetip.model.drawing import Drawing
-from knifetip.units.evidence import judge
+from knifetip.units.evidence import find_unit
 
 pytestmark = pytest.mark.corpus
 
-#: Drawings whose unit is known: from the sizes in their names or in their words, or from their
-#: makers.  "" in the third place: it is asked for.
+#: File, true unit (from sizes in names or texts, or from the author), and the unit that is chosen
+#: ("" if the user is asked).
 KNOWN = [
     ("Obrary__Parametric-Papercraft/Interchange-Files/cube.dxf", "mm", "mm"),
     ("Obrary__Parametric-Papercraft/Interchange-Files/long.dxf", "mm", "mm"),
@@ -25,9 +25,9 @@ KNOWN = [
     ("generated__kyholdings__diecut_generator/mailer_200x150x60_t3.dxf", "mm", "mm"),
     ("generated__kyholdings__diecut_generator/mailer_120x80x40_all_layers.dxf", "mm", "mm"),
     ("Jayanthan-Amalanathan__laser-cutting-and-engraving/box.dxf", "mm", "mm"),
-    # Hardly a straight line in it, and as 190 mm it could as well be 1.9 m under a lying header.
+    # It has few straight lines, and may measure 190 mm, or 1.9 m with a wrong header.
     ("suhail-jr__Manual-pnP/cut.dxf", "mm", ""),
-    # Through pstoedit: lengths are rounded to thousandths, and nothing states a unit.
+    # Written by pstoedit: lengths are rounded to thousandths, and no unit is stated.
     ("generated__eridur-de__mightyscape-inkpacking/box_rwlf.dxf", "mm", ""),
     ("generated__florianfesti__boxes/PaperBox_100x40x140.dxf", "mm", ""),
     ("generated__florianfesti__boxes/FlexBox.dxf", "mm", ""),
@@ -39,7 +39,7 @@ def test_known_drawing_is_read_in_its_unit_or_asks_with_it_first(
     corpus: Path, name: str, truth: str, decided: str
 ) -> None:
     drawing = pipeline.read((corpus / name).read_bytes())
-    finding = judge(drawing)
+    finding = find_unit(drawing)
     assert drawing.unit == decided
     assert decided in (truth, "")
     assert finding.ranking[0] == truth
@@ -53,8 +53,8 @@ def read(path: Path) -> Drawing | None:
     return drawing if len(drawing) else None
 
 
-def test_no_drawing_is_absurd_in_silence(corpus: Path) -> None:
-    asked, against, stood = [], [], []
+def test_absurd_sizes_are_asked_or_warned_of(corpus: Path) -> None:
+    asked, overruled, kept = [], [], []
     for path in sorted(corpus.rglob("*.dxf")):
         drawing = read(path)
         if drawing is None:
@@ -64,18 +64,18 @@ def test_no_drawing_is_absurd_in_silence(corpus: Path) -> None:
             continue
         low_x, low_y, high_x, high_y = drawing.bounds
         longer = max(high_x - low_x, high_y - low_y)
-        finding = judge(drawing)
+        finding = find_unit(drawing)
         if drawing.stated and drawing.stated != drawing.unit:
-            against.append(path.name)
+            overruled.append(path.name)
             assert finding.warnings[0].startswith("The header states ")
             assert 2.0 <= longer <= 6000.0
         else:
-            stood.append(path.name)
-            # What needs no words is of the size of cartons, or has few edges and a header.
+            kept.append(path.name)
+            # A drawing without a warning has the size of a carton, or few edges and a header.
             assert 2.0 <= longer <= 6000.0, path.name
-    # Most are no cartons: metre headers of a library, letters, floor plans.
-    assert len(stood) >= 25
-    assert len(asked) + len(against) + len(stood) >= 65
+    # Most files are not cartons: metre headers of a library, letters, floor plans.
+    assert len(kept) >= 25
+    assert len(asked) + len(overruled) + len(kept) >= 65
 
 
 def test_metre_headers_of_a_library_do_not_make_cartons_of_hundred_metres(corpus: Path) -> None:

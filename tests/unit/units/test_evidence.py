@@ -1,4 +1,4 @@
-"""What speaks for a unit, one kind of evidence at a time."""
+"""Evidence for a unit, one kind at a time."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import pytest
 
 from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Inscription
-from knifetip.model.unit import MILLIMETRES, Hint, UnitFinding
+from knifetip.model.unit import MILLIMETRES, UnitFinding, UnitHint
 from knifetip.units import weights
-from knifetip.units.evidence import judge
+from knifetip.units.evidence import find_unit
 from tests.support.cartons.known_size import INCH, Carton, drawing_of, drawn, slotted, tuck_end
 
 #: 0201, 300 × 200 × 150 mm, B flute; and 12 × 8 × 6 in of the same style.
@@ -23,7 +23,7 @@ IMPERIAL = Carton(
 )  # fmt: skip
 
 
-def said(text: str, measure: float = math.nan) -> Inscription:
+def text_of(text: str, measure: float = math.nan) -> Inscription:
     return Inscription(
         text, 0.0, 0.0, 3.0, measure, "TEXT" if math.isnan(measure) else "DIMENSION", ""
     )
@@ -33,70 +33,70 @@ def weight(finding: UnitFinding, unit: str, kind: str) -> float:
     return sum(one.weight for one in finding.evidence if (one.unit, one.kind) == (unit, kind))
 
 
-def test_shares_of_a_header_are_of_all_drawings() -> None:
+def test_shares_under_each_header_add_up_to_one() -> None:
     for share in weights.STATED.values():
         assert set(share) == set(MILLIMETRES)
         assert sum(share.values()) == pytest.approx(1.0, abs=0.005)
 
 
 @pytest.mark.parametrize("table", [weights.METRIC, weights.IMPERIAL])
-def test_share_of_a_table_is_below_one(table: dict[float, float]) -> None:
+def test_shares_of_a_table_add_up_to_at_most_one(table: dict[float, float]) -> None:
     assert 0.5 < sum(table.values()) <= 1.0
 
 
-def test_true_header_stands() -> None:
+def test_true_header_is_kept() -> None:
     for unit in ("mm", "m", "in"):
-        finding = judge(drawn(METRIC, unit, unit))
+        finding = find_unit(drawn(METRIC, unit, unit))
         assert (finding.unit, finding.conclusive, finding.warnings) == (unit, True, ())
 
 
 def test_carton_in_mm_without_a_header_is_in_mm() -> None:
-    assert judge(drawn(METRIC, "mm", "")).unit == "mm"
+    assert find_unit(drawn(METRIC, "mm", "")).unit == "mm"
 
 
-def test_metre_header_on_millimetres_is_found_out() -> None:
+def test_metre_header_on_millimetres_is_overruled() -> None:
     drawing = drawn(METRIC, "mm", "m")
-    finding = judge(drawing)
+    finding = find_unit(drawing)
     assert finding.unit == "mm"
     assert finding.ranking[0] == "mm"
     assert weight(finding, "mm", "size") - weight(finding, "m", "size") > 10.0
 
 
-def test_inch_header_on_millimetres_is_found_out() -> None:
-    assert judge(drawn(METRIC, "mm", "in")).unit == "mm"
+def test_inch_header_on_millimetres_is_overruled() -> None:
+    assert find_unit(drawn(METRIC, "mm", "in")).unit == "mm"
 
 
-def test_unmarked_inches_are_found_by_their_sixteenths() -> None:
-    finding = judge(drawn(IMPERIAL, "in", "", places=4))
+def test_unstated_inches_are_found_by_sixteenths() -> None:
+    finding = find_unit(drawn(IMPERIAL, "in", "", places=4))
     assert finding.unit == "in"
     assert weight(finding, "in", "grid") - weight(finding, "mm", "grid") > 4.0
 
 
-def test_millimetre_carton_written_in_inches_is_found_by_its_millimetres() -> None:
-    finding = judge(drawn(METRIC, "in", "", places=4))
+def test_metric_carton_written_in_inches_is_found_by_whole_millimetres() -> None:
+    finding = find_unit(drawn(METRIC, "in", "", places=4))
     assert finding.ranking[0] == "in"
     assert finding.unit == "in"
 
 
 def test_points_and_pixels_are_found() -> None:
-    assert judge(drawn(METRIC, "pt", "", places=3)).ranking[0] == "pt"
-    assert judge(drawn(METRIC, "px", "mm", places=3)).ranking[0] == "px"
-    assert judge(drawn(METRIC, "px", "mm", places=3)).unit != "mm"
+    assert find_unit(drawn(METRIC, "pt", "", places=3)).ranking[0] == "pt"
+    assert find_unit(drawn(METRIC, "px", "mm", places=3)).ranking[0] == "px"
+    assert find_unit(drawn(METRIC, "px", "mm", places=3)).unit != "mm"
 
 
-def test_carton_drawn_in_centimetres_under_a_mm_header_is_not_taken_for_a_matchbox() -> None:
+def test_carton_in_centimetres_under_a_mm_header_is_not_read_as_a_tiny_one() -> None:
     tray = np.array(tuck_end(60, 30, 90, 0.5, 1.0)).reshape(-1, 2, 2) / 10.0
-    finding = judge(drawing_of(tray, "mm"))
+    finding = find_unit(drawing_of(tray, "mm"))
     assert finding.unit != "mm"
 
 
-def test_finding_is_the_same_in_whatever_unit_the_drawing_was_read() -> None:
-    from knifetip.units.rescale import rescaled
+def test_finding_does_not_depend_on_the_unit_the_drawing_was_read_in() -> None:
+    from knifetip.units.rescale import rescale
 
     drawing = drawn(METRIC, "mm", "m", words="dimensions")
-    first = judge(drawing)
+    first = find_unit(drawing)
     for unit in MILLIMETRES:
-        again = judge(rescaled(drawing, unit))
+        again = find_unit(rescale(drawing, unit))
         assert (again.unit, again.ranking) == (first.unit, first.ranking)
         assert again.margin == pytest.approx(first.margin, abs=1e-6)
 
@@ -104,7 +104,7 @@ def test_finding_is_the_same_in_whatever_unit_the_drawing_was_read() -> None:
 @pytest.mark.parametrize(
     ("unit", "words"),
     [
-        # 300 mm and so on, which are 11.811 file units.
+        # 300 mm is 11.811 file units.
         ("in", "dimensions"),
         ("in", "texts mm"),
         ("in", "title"),
@@ -115,119 +115,124 @@ def test_finding_is_the_same_in_whatever_unit_the_drawing_was_read() -> None:
         ("pt", "dimensions"),
     ],
 )
-def test_words_tell_the_unit(unit: str, words: str) -> None:
-    finding = judge(drawn(METRIC, unit, "", words=words))
+def test_texts_are_evidence_for_the_unit(unit: str, words: str) -> None:
+    finding = find_unit(drawn(METRIC, unit, "", words=words))
     assert finding.unit == unit
     rest = max(weight(finding, other, "words") for other in MILLIMETRES if other != unit)
     assert weight(finding, unit, "words") > rest + 2.0
 
 
-def test_dimension_that_gives_its_measure_a_unit_is_believed() -> None:
+def test_dimension_with_a_unit_is_evidence_for_it() -> None:
     plain = drawing_of(np.array(METRIC.lines).reshape(-1, 2, 2) / 10.0, "")
-    told = drawing_of(plain.ends, "", (said("<> cm", 30.0), said("<> cm", 20.0)))
-    assert weight(judge(told), "cm", "words") > 4.0
-    assert judge(told).unit == "cm"
+    dimensioned = drawing_of(plain.ends, "", (text_of("<> cm", 30.0), text_of("<> cm", 20.0)))
+    assert weight(find_unit(dimensioned), "cm", "words") > 4.0
+    assert find_unit(dimensioned).unit == "cm"
 
 
 def test_decimal_comma_and_fractions_are_lengths() -> None:
-    metric = drawing_of(drawn(METRIC, "in", "").ends, "", (said("300,0"), said("200,0")))
-    assert weight(judge(metric), "in", "words") > weight(judge(metric), "mm", "words") + 3.0
-    fraction = drawing_of(drawn(IMPERIAL, "mm", "").ends, "", (said('12"'), said("8 in")))
-    assert weight(judge(fraction), "mm", "words") > weight(judge(fraction), "in", "words") + 3.0
+    metric = drawing_of(drawn(METRIC, "in", "").ends, "", (text_of("300,0"), text_of("200,0")))
+    assert weight(find_unit(metric), "in", "words") > weight(find_unit(metric), "mm", "words") + 3.0
+    fraction = drawing_of(drawn(IMPERIAL, "mm", "").ends, "", (text_of('12"'), text_of("8 in")))
+    assert (
+        weight(find_unit(fraction), "mm", "words")
+        > weight(find_unit(fraction), "in", "words") + 3.0
+    )
 
 
-def test_numbers_that_are_no_lengths_say_nothing() -> None:
-    words = tuple(said(text) for text in ("7777", "Rev. 7", "2024-05-12", "FEFCO 0201"))
-    finding = judge(drawing_of(drawn(METRIC, "mm", "").ends, "", words))
-    # 7 may be a length by chance, and weighs like that.
+def test_numbers_that_are_not_lengths_are_no_evidence() -> None:
+    words = tuple(text_of(text) for text in ("7777", "Rev. 7", "2024-05-12", "FEFCO 0201"))
+    finding = find_unit(drawing_of(drawn(METRIC, "mm", "").ends, "", words))
+    # 7 may be a length by chance, with little weight.
     assert all(one.weight < 2.0 for one in finding.evidence if one.kind == "words")
     assert finding.ranking[0] == "mm"
 
 
-def test_sheet_that_says_its_unit_is_heard() -> None:
-    finding = judge(drawing_of(drawn(METRIC, "mm", "").ends, "", (said("All dimensions in cm"),)))
+def test_stated_unit_on_the_sheet_is_evidence() -> None:
+    finding = find_unit(
+        drawing_of(drawn(METRIC, "mm", "").ends, "", (text_of("All dimensions in cm"),))
+    )
     assert weight(finding, "cm", "words") == weights.STATEMENT
 
 
-def test_hints_of_the_header_weigh_little() -> None:
+def test_hints_of_the_header_have_little_weight() -> None:
     from dataclasses import replace
 
     drawing = drawn(METRIC, "mm", "mm")
-    hinted = replace(drawing, hints=(Hint("imperial", "$MEASUREMENT = 0"),))
-    assert judge(hinted).unit == "mm"
-    assert weight(judge(hinted), "in", "header") - weight(
-        judge(drawing), "in", "header"
+    hinted = replace(drawing, hints=(UnitHint("imperial", "$MEASUREMENT = 0"),))
+    assert find_unit(hinted).unit == "mm"
+    assert weight(find_unit(hinted), "in", "header") - weight(
+        find_unit(drawing), "in", "header"
     ) == pytest.approx(0.7)
 
 
-def test_frame_of_a_sheet_of_paper_is_known() -> None:
+def test_frame_with_a_paper_size_is_recognised() -> None:
     frame = [(0, 0, 420, 0), (420, 0, 420, 297), (420, 297, 0, 297), (0, 297, 0, 0)]
-    finding = judge(drawing_of(np.array(frame, float).reshape(-1, 2, 2), ""))
+    finding = find_unit(drawing_of(np.array(frame, float).reshape(-1, 2, 2), ""))
     assert weight(finding, "mm", "paper") == weights.PAPER
-    points = judge(drawing_of(np.array(frame, float).reshape(-1, 2, 2) * 72 / 25.4, ""))
+    points = find_unit(drawing_of(np.array(frame, float).reshape(-1, 2, 2) * 72 / 25.4, ""))
     assert weight(points, "pt", "paper") == weights.PAPER
 
 
-def test_detail_at_a_larger_scale_is_told() -> None:
+def test_detail_at_a_larger_scale_is_a_warning() -> None:
     ends = np.array(METRIC.lines).reshape(-1, 2, 2)
     both = np.concatenate([ends, ends * 0.1 + [3000.0, 0.0]])
-    finding = judge(drawing_of(both, "mm"))
+    finding = find_unit(drawing_of(both, "mm"))
     assert finding.unit == "mm"
     assert "once 10 times larger" in finding.warnings[0]
-    # Without a header nobody decides on a sheet of two scales.
-    assert judge(drawing_of(both, "")).unit == ""
+    # Without a header no unit is chosen for a sheet with two scales.
+    assert find_unit(drawing_of(both, "")).unit == ""
 
 
-def test_block_inserted_with_the_wrong_unit_is_told() -> None:
+def test_block_inserted_with_the_wrong_unit_is_a_warning() -> None:
     ends = np.array(METRIC.lines).reshape(-1, 2, 2)
     other = np.array(slotted(210, 145, 60, 1.5, 1.0)).reshape(-1, 2, 2)
     both = np.concatenate([ends, other / INCH + [3000.0, 0.0]])
-    finding = judge(drawing_of(both, ""))
+    finding = find_unit(drawing_of(both, ""))
     assert finding.unit == ""
     assert finding.warnings == (
-        "Parts of the drawing do not agree: one is drawn in millimetres, another in millimetres "
-        "written as inches.",
+        "Parts of the drawing have different units: one is drawn in millimetres, another in "
+        "millimetres written as inches.",
     )
 
 
-def test_two_cartons_of_one_scale_are_no_mixture() -> None:
+def test_two_cartons_of_one_scale_give_no_warning() -> None:
     ends = np.array(METRIC.lines).reshape(-1, 2, 2)
     other = np.array(slotted(210, 145, 60, 1.5, 1.0)).reshape(-1, 2, 2)
     for more in (ends, other, ends[:, ::-1]):
         both = np.concatenate([ends, more + np.array([1500.0, 0.0])])
-        assert judge(drawing_of(both, "mm")).warnings == ()
+        assert find_unit(drawing_of(both, "mm")).warnings == ()
 
 
-def test_dimensions_of_two_scales_are_told() -> None:
-    words = [said(str(size), size) for size in (300.0, 200.0, 150.0)]
-    words += [said(str(size * 5), size) for size in (40.0, 37.0)]
-    finding = judge(drawing_of(drawn(METRIC, "mm", "").ends, "mm", tuple(words)))
+def test_dimensions_of_two_scales_are_a_warning() -> None:
+    words = [text_of(str(size), size) for size in (300.0, 200.0, 150.0)]
+    words += [text_of(str(size * 5), size) for size in (40.0, 37.0)]
+    finding = find_unit(drawing_of(drawn(METRIC, "mm", "").ends, "mm", tuple(words)))
     assert "2 of them are drawn 5 times smaller than 3 others" in finding.warnings[0]
 
 
 def test_decision_against_the_header_is_a_warning() -> None:
-    from knifetip.units.rescale import rescaled
+    from knifetip.units.rescale import rescale
 
-    warnings = judge(rescaled(drawn(METRIC, "mm", "m"), "mm")).warnings
+    warnings = find_unit(rescale(drawn(METRIC, "mm", "m"), "mm")).warnings
     assert warnings[0].startswith("The header states metres, which would make the drawing ")
     assert "it is read in mm: " in warnings[0]
 
 
-def test_unit_given_against_what_is_drawn_is_a_warning() -> None:
-    from knifetip.units.rescale import rescaled
+def test_given_unit_against_the_evidence_is_a_warning() -> None:
+    from knifetip.units.rescale import rescale
 
-    warnings = judge(rescaled(drawn(METRIC, "mm", "mm"), "in")).warnings
+    warnings = find_unit(rescale(drawn(METRIC, "mm", "mm"), "in")).warnings
     assert [text[:24] for text in warnings] == ["The header states mm, wh"]
-    silent = judge(rescaled(drawn(METRIC, "mm", ""), "in")).warnings
-    assert [text[:29] for text in silent] == ["What is drawn speaks for mm: "]
+    silent = find_unit(rescale(drawn(METRIC, "mm", ""), "in")).warnings
+    assert [text[:25] for text in silent] == ["The evidence supports mm:"]
 
 
-def test_thin_drawings_are_left_to_their_header() -> None:
+def test_drawings_with_few_edges_keep_their_stated_unit() -> None:
     square = np.array([(0, 0, 30, 0), (30, 0, 30, 30), (30, 30, 0, 30), (0, 30, 0, 0)], float)
-    assert judge(drawing_of(square.reshape(-1, 2, 2), "mm")).unit == "mm"
-    assert judge(drawing_of(square.reshape(-1, 2, 2), "")).unit == ""
-    # But nobody cuts a square of 30 m.
-    assert judge(drawing_of(square.reshape(-1, 2, 2), "m")).unit == ""
+    assert find_unit(drawing_of(square.reshape(-1, 2, 2), "mm")).unit == "mm"
+    assert find_unit(drawing_of(square.reshape(-1, 2, 2), "")).unit == ""
+    # But not if the square measures 30 m.
+    assert find_unit(drawing_of(square.reshape(-1, 2, 2), "m")).unit == ""
 
 
 @pytest.mark.parametrize(
@@ -240,12 +245,14 @@ def test_thin_drawings_are_left_to_their_header() -> None:
         np.random.default_rng(1).normal(0.0, 1e9, (200, 2, 2)),
     ],
 )
-def test_absurd_drawings_are_judged_without_a_fault(ends: F64) -> None:
-    assert judge(drawing_of(ends, "")).unit == ""
-    judge(drawing_of(ends, "m", (said("300 mm", 0.0), said("1" * 900), said("5", 1e308))))
+def test_absurd_drawings_raise_no_error(ends: F64) -> None:
+    assert find_unit(drawing_of(ends, "")).unit == ""
+    find_unit(
+        drawing_of(ends, "m", (text_of("300 mm", 0.0), text_of("1" * 900), text_of("5", 1e308)))
+    )
 
 
-def test_hundred_thousand_edges_take_little_time() -> None:
+def test_hundred_thousand_edges_take_under_300_ms() -> None:
     import time
 
     chance = random.Random(1)
@@ -253,11 +260,11 @@ def test_hundred_thousand_edges_take_little_time() -> None:
         [np.array(METRIC.lines).reshape(-1, 2, 2) + chance.random() * 9000 for _ in range(2600)]
     )[:100_000]
     drawing = drawing_of(ends, "mm")
-    judge(drawing)
+    find_unit(drawing)
     seconds = []
     for _ in range(5):
         began = time.process_time()
-        judge(drawing)
+        find_unit(drawing)
         seconds.append(time.process_time() - began)
-    # 15 ms on the machine at hand; the bound is loose for those with other work to do.
+    # 15 ms on the reference machine; the bound allows for other load.
     assert min(seconds) < 0.3

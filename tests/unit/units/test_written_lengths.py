@@ -1,4 +1,4 @@
-"""The lengths that words mention."""
+"""Lengths, units and scales in texts."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.units.numbers import mentions, scales, statement
+from knifetip.units.written_lengths import stated_unit, written_lengths, written_scales
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "expected"),
     [
         ("350", [(350.0, "")]),
         ("350 mm", [(350.0, "mm")]),
@@ -28,17 +28,17 @@ from knifetip.units.numbers import mentions, scales, statement
         ("Tel. 0711 / 123-456", []),
         ("45° R5 Ø20 10%", []),
         ("M 1:10", []),
-        # Twelve hundred, or one and a fifth.
+        # 1200 or 1.2.
         ("1,200", []),
         ("99999999 0 A4", []),
     ],
 )
-def test_lengths_are_read_with_their_units(text: str, said: list[tuple[float, str]]) -> None:
-    assert [(one.value, one.unit) for one in mentions(text)] == said
+def test_lengths_are_read_with_their_units(text: str, expected: list[tuple[float, str]]) -> None:
+    assert [(one.value, one.unit) for one in written_lengths(text)] == expected
 
 
-def test_half_of_the_last_place_is_told() -> None:
-    assert [one.half for one in mentions("350; 13.78")] == [0.5, 0.005]
+def test_half_of_the_last_decimal_place_is_returned() -> None:
+    assert [one.half for one in written_lengths("350; 13.78")] == [0.5, 0.005]
 
 
 @pytest.mark.parametrize(
@@ -53,16 +53,16 @@ def test_half_of_the_last_place_is_told() -> None:
         ("a unit of minimalism", ""),
     ],
 )
-def test_sheet_may_say_its_unit(text: str, unit: str) -> None:
-    assert statement(text) == unit
+def test_stated_unit_is_found(text: str, unit: str) -> None:
+    assert stated_unit(text) == unit
 
 
 def test_scales_are_read() -> None:
-    assert scales("Detail A, 1:10 (sheet 2:1), 16:9") == [(1, 10), (2, 1)]
+    assert written_scales("Detail A, 1:10 (sheet 2:1), 16:9") == [(1, 10), (2, 1)]
 
 
 @given(st.text(max_size=200))
-def test_any_text_is_read(text: str) -> None:
-    assert all(0.0 < one.value <= 20000.0 for one in mentions(text))
-    statement(text)
-    scales(text)
+def test_any_text_is_parsed(text: str) -> None:
+    assert all(0.0 < one.value <= 20000.0 for one in written_lengths(text))
+    stated_unit(text)
+    written_scales(text)

@@ -1,8 +1,8 @@
-"""numbers: the lengths that words on a sheet mention.
+"""written_lengths: parse lengths, units and scales in texts on a sheet.
 
     "300 x 200 x 150 mm", '13 3/4"', "L=300", "13,78 in" -> values, each with its unit if it has one
 
-Dates, angles, scales, telephone numbers and parts of names are left alone.
+Dates, angles, scales, telephone numbers and parts of names are skipped.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass
 from typing import Final
 
-#: Nobody writes a carton's length larger than this, in whatever unit.
+#: Larger numbers are not lengths of a carton, in any unit.
 _LARGEST: Final = 20000.0
 
 _UNIT_OF: Final = {
@@ -47,7 +47,7 @@ _UNIT_OF: Final = {
     "′": "ft",
 }
 _UNIT: Final = "|".join(re.escape(word) for word in sorted(_UNIT_OF, key=len, reverse=True))
-_VULGAR: Final = {
+_FRACTION_SIGNS: Final = {
     "½": " 1/2",
     "¼": " 1/4",
     "¾": " 3/4",
@@ -56,7 +56,7 @@ _VULGAR: Final = {
     "⅝": " 5/8",
     "⅞": " 7/8",
 }
-#: 1200, 12.5, 12,5, 13 3/4, 13-3/4, 3/4; not inside a word, a date or another number.
+#: 1200, 12.5, 12,5, 13 3/4, 13-3/4, 3/4, but not within a word, a date or another number.
 _NUMBER: Final = re.compile(
     r"(?<![\w.,:/\-Ø⌀°])(?<!\d )"
     r"(?:(?P<whole>\d{1,5})(?:-|\s+)(?P<up>\d{1,2})/(?P<down>2|4|8|16|32|64)(?!\d)"
@@ -66,7 +66,7 @@ _NUMBER: Final = re.compile(
     r"(?![\d°%:/])(?![.,\-]\d)(?![^\W\d_])",
     re.IGNORECASE,
 )
-#: 300x200x150: the signs between are taken for gaps.
+#: The signs in 300x200x150, which separate numbers.
 _TIMES: Final = re.compile(r"(?<=[\d\"'″m])\s*[x×*X]\s*(?=[\d.,]*\d)")
 _LABEL: Final = re.compile(r"\b[A-Za-z]{1,9}\s*[=:]\s*(?=\d)")
 _SCALE: Final = re.compile(r"\b(\d{1,4})\s?:\s?(\d{1,4})\b")
@@ -80,67 +80,67 @@ _STATEMENT: Final = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class Mention:
-    """A length that words mention."""
+class WrittenLength:
+    """A length in a text."""
 
-    text: str  #: as it is written
+    text: str  #: as written
     value: float
-    unit: str  #: empty where none is written
-    half: float  #: half of the last place that is written
+    unit: str  #: empty if none is written
+    half: float  #: half of the last written decimal place
 
 
-def mentions(text: str) -> list[Mention]:
-    """Return the lengths that a text mentions, in order."""
-    for sign, spelled in _VULGAR.items():
-        text = text.replace(sign, spelled)
+def written_lengths(text: str) -> list[WrittenLength]:
+    """Return the lengths in a text, in order."""
+    for sign, fraction in _FRACTION_SIGNS.items():
+        text = text.replace(sign, fraction)
     text = _SCALE.sub(" ", text)
     rows = _TIMES.sub("|", _LABEL.sub(" ", text))
-    found: list[Mention] = []
+    found: list[WrittenLength] = []
     joined: list[bool] = []
     for part in rows.split("|"):
         first = True
         for match in _NUMBER.finditer(part):
-            one = _mention(match)
+            one = _parse(match)
             if one is not None:
                 found.append(one)
                 joined.append(first and len(found) > 1)
             first = False
-    # 300 x 200 x 150 mm: the unit at the end is that of all.
+    # 300 x 200 x 150 mm: the unit at the end applies to all numbers.
     for row in range(len(found) - 1, 0, -1):
         if joined[row] and found[row].unit and not found[row - 1].unit:
             before = found[row - 1]
-            found[row - 1] = Mention(before.text, before.value, found[row].unit, before.half)
+            found[row - 1] = WrittenLength(before.text, before.value, found[row].unit, before.half)
     return found
 
 
-def _mention(match: re.Match[str]) -> Mention | None:
+def _parse(match: re.Match[str]) -> WrittenLength | None:
     unit = _UNIT_OF[match["unit"].strip().lower()] if match["unit"] else ""
     if match["decimal"] is not None:
         written = match["decimal"].replace(",", ".")
         places = len(written.partition(".")[2])
         if match["decimal"].count(",") and places == 3:
-            # 1,200 is either twelve hundred or one and a fifth.
+            # 1,200 may be 1200 or 1.2.
             return None
         value, half = float(written), 0.5 * 10.0**-places
     else:
-        # Fractions are of inches.
+        # Fractions without a unit are inches.
         unit = unit or "in"
         up, down = match["up"] or match["alone"], match["down"] or match["under"]
         value = float(match["whole"] or 0) + float(up) / float(down)
         half = 0.5 / 64.0
     if not 0.0 < value <= _LARGEST:
         return None
-    return Mention(match[0].strip(), value, unit, half)
+    return WrittenLength(match[0].strip(), value, unit, half)
 
 
-def statement(text: str) -> str:
-    """Return the unit in which a text says that all is given, empty if it does not."""
+def stated_unit(text: str) -> str:
+    """Return the unit in a text such as "all dimensions in mm", empty if there is none."""
     match = _STATEMENT.search(text)
     return _UNIT_OF.get(match["unit"].lower().removesuffix(" "), "in") if match else ""
 
 
-def scales(text: str) -> list[tuple[int, int]]:
-    """Return the scales, such as 1:10, that a text mentions."""
+def written_scales(text: str) -> list[tuple[int, int]]:
+    """Return the scales in a text, such as 1:10."""
     return [
         (int(one), int(other))
         for one, other in _SCALE.findall(text)

@@ -1,9 +1,9 @@
-"""mixed: parts of one sheet that are drawn at different scales.
+"""mixed_scales: find parts of one sheet that are drawn at different scales.
 
     Drawing -> warnings
 
-Two signs: the same shape twice, one larger than the other, and two parts whose lengths are good
-numbers in different units, as where a block was inserted 25.4 times too large.
+There are two signs: the same shape at two sizes, and two parts whose lengths are round numbers in
+different units, as after a block was inserted 25.4 times too large.
 """
 
 from __future__ import annotations
@@ -19,31 +19,31 @@ from knifetip.kernels import OutI64_1, kernel
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, NAMES, factor
 from knifetip.units import weights
-from knifetip.units.lengths import Lengths, of_edges, table_likelihood
+from knifetip.units.lengths import Lengths, edge_lengths, table_likelihood
 
-#: Parts that are looked at, the largest; each has so many edges and different lengths, and is so
-#: large a share of the drawing.
+#: Number of the largest parts that are compared, and the least number of edges, the least number of
+#: different lengths and the least share of the drawing's size of each.
 _PARTS: Final = 8
 _EDGES: Final = 6
 _DIFFERENT: Final = 4
 _SHARE: Final = 0.005
-#: Ends that are nearer than this share of the drawing's size are one point.
+#: Ends nearer to each other than this share of the drawing's size are one point.
 _JOINED: Final = 1e-5
-#: Lengths of similar parts keep their ratio to this.
+#: Relative tolerance of the ratio between lengths of similar parts.
 _ALIKE: Final = 2e-4
-#: Scales of similar parts: a drawing and its detail, or a unit taken for another.
+#: Ratios between similar parts that are reported: details, and units that were mistaken.
 _SCALES: Final = (1.5, 2.0, 2.5, 4.0, 5.0, 10.0, 20.0, 25.4, 50.0, 100.0)
 
 
-def by_parts(drawing: Drawing) -> list[str]:
-    """Return what parts of different scales there are, in words."""
+def mixed_scale_warnings(drawing: Drawing) -> list[str]:
+    """Return a warning for each sign of parts with different scales."""
     ends, bulge = drawing.ends / factor(drawing.unit), drawing.bulge
-    parts = _parts(ends)
-    return _similar(parts, ends, bulge) + _foreign(parts, ends, bulge)
+    parts = _largest_parts(ends)
+    return _similar_parts(parts, ends, bulge) + _parts_in_other_units(parts, ends, bulge)
 
 
-def _parts(ends: F64) -> list[I64]:
-    """Return the rows of the largest parts that hang together."""
+def _largest_parts(ends: F64) -> list[I64]:
+    """Return the rows of the edges of each of the largest connected parts."""
     if len(ends) < 2 * _EDGES:
         return []
     flat = ends.reshape(-1, 2)
@@ -52,9 +52,9 @@ def _parts(ends: F64) -> list[I64]:
     step = _JOINED * size
     if not step > 0.0 or not np.isfinite(step):
         return []
-    # Not through zero and whole numbers, which is where points are.
+    # The offset keeps round coordinates away from the borders between cells.
     _, node = distinct(np.round((flat - low) / step + 0.37).astype(np.int64))
-    root = _roots(node, int(node.max()) + 1)[node[::2]]
+    root = _component_roots(node, int(node.max()) + 1)[node[::2]]
     edges = np.bincount(root)
     largest = np.argsort(-edges, kind="stable")[:_PARTS]
     if len(ends) - edges[largest[0]] < _EDGES:
@@ -70,7 +70,8 @@ def _parts(ends: F64) -> list[I64]:
     return parts
 
 
-def _similar(parts: list[I64], ends: F64, bulge: F64) -> list[str]:
+def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[str]:
+    """Return a warning if two parts have the same shape at different sizes."""
     shapes = []
     for rows in parts:
         across = ends[rows, 1] - ends[rows, 0]
@@ -88,34 +89,34 @@ def _similar(parts: list[I64], ends: F64, bulge: F64) -> list[str]:
             ):
                 return [
                     f"The same part is drawn twice, once {times:.3g} times larger than the other: "
-                    "one of them is a detail, or came in with a wrong unit."
+                    "one of them is a detail, or was inserted with a wrong unit."
                 ]
     return []
 
 
-def _foreign(parts: list[I64], ends: F64, bulge: F64) -> list[str]:
-    """Say it where two parts are good numbers in different units."""
-    told: list[tuple[dict[tuple[str, str], float], Lengths]] = []
+def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[str]:
+    """Return a warning if the lengths of two parts are round numbers in different units."""
+    candidates: list[tuple[dict[tuple[str, str], float], Lengths]] = []
     for rows in parts:
-        found = of_edges(ends[rows], bulge[rows])
+        found = edge_lengths(ends[rows], bulge[rows])
         if len(found.value) >= _DIFFERENT:
-            told.append((_families(found), found))
-    for number, (one, _) in enumerate(told):
-        for other, _ in told[number + 1 :]:
+            candidates.append((_likelihoods(found), found))
+    for number, (one, _) in enumerate(candidates):
+        for other, _ in candidates[number + 1 :]:
             here, there = max(one, key=one.__getitem__), max(other, key=other.__getitem__)
-            clear = min(one[here] - one[there], other[there] - other[here])
-            if here != there and clear >= weights.DECIDES:
+            lead = min(one[here] - one[there], other[there] - other[here])
+            if here != there and lead >= weights.DECISION_MARGIN:
                 return [
-                    f"Parts of the drawing do not agree: one is drawn in {_family(here)}, another "
-                    f"in {_family(there)}."
+                    f"Parts of the drawing have different units: one is drawn in "
+                    f"{_unit_text(here)}, another in {_unit_text(there)}."
                 ]
     return []
 
 
-def _families(found: Lengths) -> dict[tuple[str, str], float]:
-    """Return the logarithm of how likely a part's lengths are in each unit and system.
+def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
+    """Return the log-likelihood of a part's lengths in each unit and system of measures.
 
-    mm, cm and m share their grids, and so do inches and feet: only one of each stands here.
+    mm, cm and m share their grids, and so do inches and feet: one unit of each group is enough.
     """
     return {
         (unit, system): table_likelihood(found, MILLIMETRES[unit], table)
@@ -124,7 +125,7 @@ def _families(found: Lengths) -> dict[tuple[str, str], float]:
     }
 
 
-def _family(key: tuple[str, str]) -> str:
+def _unit_text(key: tuple[str, str]) -> str:
     unit, system = key
     size = {"metric": "millimetres", "imperial": "fractions of inches"}[system]
     return (
@@ -135,8 +136,8 @@ def _family(key: tuple[str, str]) -> str:
 
 
 @kernel
-def _roots(node: OutI64_1, count: int) -> Any:
-    """Return the part of each of ``count`` nodes; edge i joins nodes 2 i and 2 i + 1."""
+def _component_roots(node: OutI64_1, count: int) -> Any:
+    """Return the root of each of ``count`` nodes; edge i joins nodes 2 i and 2 i + 1."""
     root = np.arange(count)
     for edge in range(len(node) // 2):
         unite(root, node[2 * edge], node[2 * edge + 1])

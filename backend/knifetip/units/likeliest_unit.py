@@ -1,0 +1,48 @@
+"""likeliest_unit: choose the unit of a drawing for which the user has given none.
+
+Drawing -> Drawing in its likeliest unit, or in file units if the user must choose
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from knifetip.messages import Message
+from knifetip.model.drawing import Drawing
+from knifetip.model.unit import UnitFinding
+from knifetip.units.evidence import find_unit
+from knifetip.units.rescale import rescale
+
+
+def choose_unit(drawing: Drawing, read_in: Callable[[str], Drawing]) -> Drawing:
+    """Return the drawing in the unit that the evidence supports.
+
+    The unit that the file states is kept unless another one is far likelier.  If the evidence is
+    not conclusive, the drawing is returned in file units, with ``unit`` empty.
+
+    Parameters
+    ----------
+    drawing
+        The drawing, read without a unit from the user.
+    read_in
+        Function that reads the same file again in a given unit.  Curves are fitted within a
+        tolerance in mm, so scaling the drawing is not enough.
+    """
+    found = find_unit(drawing)
+    if found.unit == drawing.unit:
+        return drawing
+    if drawing.unit and drawing.evidence.code != "unit.header":
+        # Only the unit of a DXF header is doubted: it often comes from the template.
+        return drawing
+    better = read_in(found.unit) if found.unit else rescale(drawing, "")
+    return replace(better, evidence=_unit_evidence(found, drawing))
+
+
+def _unit_evidence(found: UnitFinding, drawing: Drawing) -> Message:
+    """Return why the stated unit was not kept."""
+    best = found.ranking[0]
+    if best == drawing.stated:
+        return Message("unit.inconclusive", stated=drawing.evidence, unit=best)
+    reason = next(one.text for one in found.evidence if one.unit == best)
+    return Message("unit.overruled", stated=drawing.evidence, unit=best, reason=reason)

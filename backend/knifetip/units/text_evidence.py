@@ -1,0 +1,229 @@
+"""text_evidence: evidence for the unit from texts and dimensions on the sheet.
+
+    Drawing, Lengths -> a weight for each unit, and warnings about scales
+
+A number that is the length of an edge relates the unit of the number to the unit of the file: with
+"350" beside an edge of 13.78, the file is in inches and the text in millimetres.  Some numbers
+match a length by chance, so each number is also compared at scales that no pair of units has.  A
+match counts only by how much more frequent it is than these chance matches.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, Bool
+from knifetip.model.drawing import Drawing, Inscription
+from knifetip.model.unit import DRAWN_IN, MILLIMETRES, NAMES, UnitEvidence, factor
+from knifetip.units import weights
+from knifetip.units.lengths import Lengths, evidence_of_units
+from knifetip.units.written_lengths import (
+    WrittenLength,
+    stated_unit,
+    written_lengths,
+    written_scales,
+)
+
+#: Largest number of texts and of written lengths that are used.
+_TEXTS: Final = 1000
+_NUMBERS: Final = 60
+#: A number matches a length that differs by less than this share.
+_TOLERANCE: Final = 3e-4
+#: Scales at which a number matches a length by chance only.
+_CHANCE_SCALES: Final = np.exp(np.linspace(-3.7, 3.7, 89)) * 1.0137
+#: File units per written number, by the unit of the file and the unit of the number.
+_RATIO_OF: Final = {
+    (unit, written): MILLIMETRES[written] / MILLIMETRES[unit]
+    for unit in MILLIMETRES
+    for written in DRAWN_IN
+}
+_RATIOS: Final[F64] = np.array(sorted({round(ratio, 9) for ratio in _RATIO_OF.values()}))
+#: The index in ``_RATIOS`` of each pair of units.
+_COLUMN: Final = {
+    pair: int(np.argmin(np.abs(_RATIOS - ratio))) for pair, ratio in _RATIO_OF.items()
+}
+#: Dimensions whose log scales differ by more than this have different scales.
+_OTHER_SCALE: Final = 0.02
+#: "<>" in the text of a dimension: the measured length, here followed by a unit.
+_MEASURED: Final = re.compile(r"<>\s*(?P<unit>mm|cm|m|in(?:ch(?:es)?)?|\"|ft|')(?!\w)", re.I)
+_UNIT_OF_SIGN: Final = {'"': "in", "inch": "in", "inches": "in", "'": "ft"}
+
+
+@dataclass(frozen=True, slots=True)
+class TextEvidence:
+    """Evidence and warnings from the texts of a drawing."""
+
+    evidence: tuple[UnitEvidence, ...]
+    warnings: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Number:
+    """A number in a text, and the measure of its dimension."""
+
+    written: WrittenLength
+    measure: float  #: of the dimension that has this text, in file units; NaN for other texts
+
+
+def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
+    """Return evidence for the unit from the texts of a drawing."""
+    scale = factor(drawing.unit)
+    numbers: dict[tuple[float, str, float], _Number] = {}
+    statements: dict[str, str] = {}
+    mentioned: dict[tuple[int, int], None] = {}
+    for text in drawing.inscriptions[:_TEXTS]:
+        if unit := stated_unit(text.text):
+            statements.setdefault(unit, text.text)
+        mentioned.update(dict.fromkeys(written_scales(text.text)))
+        for number in _numbers(text, scale):
+            key = (number.written.value, number.written.unit, round(number.measure, 6))
+            if math.isnan(number.measure):
+                key = (*key[:2], 0.0)
+            if len(numbers) < _NUMBERS:
+                numbers.setdefault(key, number)
+    evidence = [
+        UnitEvidence(unit, f"a text reads {_quoted(line)}", weights.STATEMENT, "words")
+        for unit, line in statements.items()
+    ]
+    if numbers:
+        evidence += _number_evidence(list(numbers.values()), found, list(statements))
+    warnings = _dimension_scale_warnings(list(numbers.values()))
+    other = [f"{one}:{two}" for one, two in mentioned if one != two]
+    if other:
+        warnings.append(f"The sheet mentions the scale {', '.join(other[:3])}.")
+    return TextEvidence(tuple(evidence), tuple(warnings))
+
+
+def _numbers(text: Inscription, scale: float) -> Iterable[_Number]:
+    """Yield the numbers in a text; ``scale`` is mm per file unit."""
+    measure = text.measure / scale
+    if measured := _MEASURED.search(text.text):
+        unit = measured["unit"].lower()
+        if measure > 0.0:
+            yield _Number(
+                WrittenLength(measured[0], measure, _UNIT_OF_SIGN.get(unit, unit), 1e-3 * measure),
+                measure,
+            )
+        return
+    for written in written_lengths(text.text):
+        yield _Number(written, measure if measure > 0.0 else math.nan)
+
+
+def _number_evidence(
+    numbers: Sequence[_Number], found: Lengths, stated: Sequence[str]
+) -> list[UnitEvidence]:
+    """Return evidence from numbers that are lengths of the drawing.
+
+    Parameters
+    ----------
+    stated
+        Units that texts state for all dimensions.
+    """
+    gain, hits = _match(numbers, found)
+    matched = np.any(hits, axis=1)
+    if not matched.any():
+        return []
+    gain, hits = gain[matched], hits[matched]
+    written = [number.written for number, kept in zip(numbers, matched, strict=True) if kept]
+    gain *= min(1.0, weights.NUMBERS / len(written))
+    bare = np.array([not one.unit for one in written])
+    share_of = dict(weights.BARE)
+    if stated:
+        # A stated unit is that of the numbers without one.
+        share_of = {unit: 0.97 if unit in stated else 0.01 for unit in share_of}
+    weight, text = {}, {}
+    for unit in MILLIMETRES:
+        with_unit = sum(
+            float(gain[row, _COLUMN[unit, one.unit]]) for row, one in enumerate(written) if one.unit
+        )
+        parts = {
+            assumed: math.log(share) + float(gain[bare, _COLUMN[unit, assumed]].sum())
+            for assumed, share in share_of.items()
+        }
+        likely = max(parts, key=parts.__getitem__)
+        weight[unit] = with_unit
+        if bare.any():
+            weight[unit] += float(np.logaddexp.reduce(list(parts.values())))
+        matches = [
+            f"{one.text}{'' if one.unit else f' ({NAMES[likely]})'}"
+            for row, one in enumerate(written)
+            if hits[row, _COLUMN[unit, one.unit or likely]]
+        ]
+        listed = ", ".join(matches[:4]) + (" …" if matches[4:] else "")
+        text[unit] = (
+            f"in {NAMES[unit]} {len(matches)} of {len(written)} numbers on the sheet are lengths "
+            f"of the drawing{f': {listed}' if listed else ''}"
+        )
+    return evidence_of_units("words", weight, text)
+
+
+def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
+    """Compare n numbers with the lengths of the drawing at each ratio of units.
+
+    Returns
+    -------
+    gain : (n, ratios)
+        Log of the likelihood of the result relative to that of a chance match.
+    hits : (n, ratios)
+        Whether the number matches a length.
+    """
+    sides = np.append(found.value, [found.width, found.height])
+    gain = np.zeros((len(numbers), len(_RATIOS)))
+    hits = np.zeros((len(numbers), len(_RATIOS)), bool)
+    for row, number in enumerate(numbers):
+        own = np.array([number.measure])
+        against, meant = (
+            (sides, weights.IS_A_LENGTH) if math.isnan(own[0]) else (own, weights.OVERWRITTEN)
+        )
+        chance = float(_matches(number.written, _CHANCE_SCALES, against, found.exact[0]).mean())
+        # One length matches at one of the 89 scales, whatever scales are chosen.
+        chance = min(max(chance, 0.012), meant)
+        hits[row] = _matches(number.written, _RATIOS, against, found.exact[0])
+        gain[row] = np.where(
+            hits[row], math.log(meant / chance), math.log((1.0 - meant) / (1.0 - chance))
+        )
+    return gain, hits
+
+
+def _matches(written: WrittenLength, ratios: F64, against: F64, exact: float) -> Bool:
+    """Return at which ratios a number equals a length, within the precision of both."""
+    value = written.value * ratios
+    near = np.maximum(np.maximum(exact, written.half * ratios), _TOLERANCE * value)
+    # Numbers with few digits match many lengths: half a millimetre in five is not a match.
+    near = np.minimum(near, 0.01 * value)
+    matched: Bool = np.any(np.abs(against[:, None] - value) <= near, axis=0)
+    return matched
+
+
+def _dimension_scale_warnings(numbers: Sequence[_Number]) -> list[str]:
+    """Return a warning if dimensions imply more than one drawing scale."""
+    ratio = np.array(
+        [
+            number.written.value * MILLIMETRES[number.written.unit or "mm"] / number.measure
+            for number in numbers
+            if not math.isnan(number.measure) and number.written.value >= 1.0
+        ]
+    )
+    if len(ratio) < 4:
+        return []
+    ratio = np.sort(ratio)
+    parts = np.split(ratio, np.flatnonzero(np.diff(np.log(ratio)) > _OTHER_SCALE) + 1)
+    groups = sorted((part for part in parts if len(part) >= 2), key=len, reverse=True)
+    if len(groups) < 2:
+        return []
+    times = float(np.median(groups[1]) / np.median(groups[0]))
+    larger = f"{times:.3g} times smaller" if times > 1.0 else f"{1.0 / times:.3g} times larger"
+    return [
+        f"Dimensions have different scales: {len(groups[1])} of them are drawn {larger} than "
+        f"{len(groups[0])} others."
+    ]
+
+
+def _quoted(text: str) -> str:
+    return f"“{text[:60].strip()}{'…' if len(text) > 60 else ''}”"
