@@ -39,14 +39,14 @@ COLUMNS: Final = 11
 STILL: Final = 1e-10
 
 
-@kernel
+@kernel(allocates=False)
 def is_closed(contours: Contours, low: int, high: int) -> bool:
     """Whether segments low … high - 1 end where they begin."""
     start, end = contours.start, contours.end
     return math.hypot(start[low, 0] - end[high - 1, 0], start[low, 1] - end[high - 1, 1]) < POINT
 
 
-@kernel
+@kernel(allocates=False)
 def move_segments(
     contours: Contours, low: int, high: int, signed: float, table: OutF64_2, at: int
 ) -> tuple[int, int]:
@@ -93,7 +93,7 @@ def move_segments(
     return FINE, low
 
 
-@kernel
+@kernel(allocates=False)
 def kept_bulge(
     table: F64_2, here: int, dx: float, dy: float, bulge: float, x: float, y: float
 ) -> float:

@@ -40,7 +40,7 @@ BLOCK: Final = 4
 STACK: Final = 16 * FAN
 
 
-@kernel
+@kernel(allocates=False)
 def tree_size(count: int) -> int:
     """How many boxes a tree over so many rows has."""
     total = count
@@ -50,7 +50,7 @@ def tree_size(count: int) -> int:
     return total
 
 
-@kernel
+@kernel(allocates=False)
 def tree(boxes: OutF64_2, count: int, level: OutI64_1) -> int:
     """Over the first ``count`` boxes, boxes of eight each; level[h] is where height h begins."""
     level[0] = 0
@@ -79,7 +79,7 @@ def tree(boxes: OutF64_2, count: int, level: OutI64_1) -> int:
     return height
 
 
-@kernel
+@kernel(allocates=False)
 def next_near(
     boxes: F64_2,
     level: I64_1,
@@ -119,7 +119,7 @@ def next_near(
     return -1, 0
 
 
-@kernel
+@kernel(allocates=False)
 def _meeting(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) -> int:
     """How many of the first ``count`` boxes meet the one ``step`` further on."""
     ahead_x0 = x0[step : step + count]
@@ -137,7 +137,7 @@ def _meeting(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) 
     return hits
 
 
-@kernel
+@kernel(allocates=False)
 def _apart(
     x0: float,
     y0: float,
@@ -166,7 +166,7 @@ def _apart(
     return low > max(rise, 0.0) + slack or high < min(rise, 0.0) - slack
 
 
-@kernel
+@kernel(allocates=False)
 def apart(
     x0: float,
     y0: float,
@@ -187,7 +187,7 @@ def apart(
     )
 
 
-@kernel
+@kernel(allocates=False)
 def _meet(segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch: Scratch) -> bool:
     """Whether segments i and j, whose boxes meet, have a point in common."""
     start, end, bulge, pair = segments.start, segments.end, segments.bulge, scratch.pair
@@ -204,7 +204,7 @@ def _meet(segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch
     return bool(crossing(pair, 0, pair, 1, TOUCH, scratch.found) > 0)
 
 
-@kernel
+@kernel(allocates=False)
 def boxed(
     start: F64_2,
     end: F64_2,
@@ -239,7 +239,7 @@ def boxed(
             y1[at] = cy + radius
 
 
-@kernel
+@kernel(allocates=False)
 def meets_itself(
     segments: CheckedSegments, low: int, high: int, boxes: OutF64_2, scratch: Scratch
 ) -> bool:

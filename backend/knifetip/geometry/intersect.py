@@ -62,13 +62,13 @@ def crossings(
     return Crossings(count, found[:, :, :2], found[:, :, 2], found[:, :, 3])
 
 
-@kernel
+@kernel(allocates=False)
 def _pairs(one: F64_2, two: F64_2, touch: float, count: OutI32_1, found: OutF64_3) -> None:
     for i in range(len(one)):
         count[i] = crossing(one, i, two, i, touch, found[i])
 
 
-@kernel
+@kernel(allocates=False)
 def circle(rows: F64_2, i: int) -> tuple[float, float, float]:
     """Centre and radius of the arc in row i of (x0, y0, x1, y1, bulge)."""
     dx = rows[i, 2] - rows[i, 0]
@@ -82,7 +82,7 @@ def circle(rows: F64_2, i: int) -> tuple[float, float, float]:
     )
 
 
-@kernel
+@kernel(allocates=False)
 def box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
     """Write a box that holds row i as boxes[at]: x min, y min, x max, y max.
 
@@ -117,7 +117,7 @@ def box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
     boxes[at, 3] = high_y
 
 
-@kernel
+@kernel(allocates=False)
 def along(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
     """How far along row i the point (x, y), which is on its line or circle, is; -1 if outside."""
     x0 = rows[i, 0]
@@ -154,7 +154,7 @@ def along(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
     return -1.0
 
 
-@kernel
+@kernel(allocates=False)
 def point_on(rows: F64_2, i: int, share: float) -> tuple[float, float]:
     """The point at a share of the length of row i."""
     x0 = rows[i, 0]
@@ -174,7 +174,7 @@ def point_on(rows: F64_2, i: int, share: float) -> tuple[float, float]:
     )
 
 
-@kernel
+@kernel(allocates=False)
 def _keep(
     one: F64_2,
     i: int,
@@ -202,7 +202,7 @@ def _keep(
     return count + 1
 
 
-@kernel
+@kernel(allocates=False)
 def _shared_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
     count = _keep(one, i, two, j, one[i, 0], one[i, 1], touch, found, 0)
     count = _keep(one, i, two, j, one[i, 2], one[i, 3], touch, found, count)
@@ -210,7 +210,7 @@ def _shared_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: Ou
     return _keep(one, i, two, j, two[j, 2], two[j, 3], touch, found, count)
 
 
-@kernel
+@kernel(allocates=False)
 def crossing(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
     """Write what row i of ``one`` and row j of ``two`` share into found (4, 4); return how many.
 
@@ -244,7 +244,7 @@ def crossing(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64
     return _keep(one, i, two, j, x + rise * uy, y - rise * ux, touch, found, count)
 
 
-@kernel
+@kernel(allocates=False)
 def _lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
     ax = one[i, 2] - one[i, 0]
     ay = one[i, 3] - one[i, 1]
@@ -285,7 +285,7 @@ def _lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2
     return 1
 
 
-@kernel
+@kernel(allocates=False)
 def _line_arc(
     one: F64_2, i: int, two: F64_2, j: int, flat: bool, touch: float, found: OutF64_2
 ) -> int:

@@ -51,7 +51,7 @@ from knifetip.geometry.transition import MOST, quarter_tangent, transition
 from knifetip.kernels import F64_2, OutF64_2, kernel
 
 
-@kernel
+@kernel(allocates=False)
 def _sliver(x: float, y: float, radius: float) -> float:
     """Twice the area between a chord (x, y) and its arc of less than half a turn."""
     if radius == 0.0:
@@ -69,7 +69,7 @@ def _sliver(x: float, y: float, radius: float) -> float:
     return math.copysign(radius * radius * area, radius)
 
 
-@kernel
+@kernel(allocates=False)
 def _holds(
     table: F64_2, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
 ) -> bool:
@@ -84,7 +84,7 @@ def _holds(
     return (side if radius > 0.0 else -side) <= slack
 
 
-@kernel
+@kernel(allocates=False)
 def concave_crossing(
     contours: Contours,
     last: int,
@@ -167,7 +167,7 @@ def concave_crossing(
     return hits, x + gx, y + gy, (ax * bx + ay * by) * scale, sine * scale, twice + sine
 
 
-@kernel
+@kernel(allocates=False)
 def _turned(re: float, im: float, dot: float, sine: float) -> tuple[float, float, bool]:
     """Return the product of two turns as complex numbers, and whether the sum came round."""
     product = re * dot - im * sine
@@ -175,7 +175,7 @@ def _turned(re: float, im: float, dot: float, sine: float) -> tuple[float, float
     return product, up, im >= 0.0 > up and min(re, product) < 0.0
 
 
-@kernel
+@kernel(allocates=False)
 def _trim_corners(
     contours: Contours,
     low: int,
@@ -250,7 +250,7 @@ def _trim_corners(
     return FINE, low, twice, math.atan2(im, re) + 2.0 * math.pi * turns
 
 
-@kernel
+@kernel(allocates=False)
 def _trimmed_bulge(
     contours: Contours, i: int, segments: MovedSegments, here: int, begins: bool, ends: bool
 ) -> float:
@@ -275,7 +275,7 @@ def _trimmed_bulge(
     return bent
 
 
-@kernel
+@kernel(allocates=False)
 def _write_transition(
     contours: Contours,
     i: int,
@@ -326,7 +326,7 @@ def _write_transition(
     return put
 
 
-@kernel
+@kernel(allocates=False)
 def trim_path(
     contours: Contours,
     low: int,
@@ -387,7 +387,7 @@ def trim_path(
     return put, FINE, low, max(0.5 * (twice - size * size * angle), 0.0)
 
 
-@kernel
+@kernel(allocates=False)
 def offset_simple(
     contours: Contours,
     groups: OffsetGroups,

@@ -108,7 +108,7 @@ def check(corner: Any, k: F64) -> None:
         raise CompensationError("corner.bad-share", corner=row, k=f"{k[row]:g}", source=[str(row)])
 
 
-@kernel
+@kernel(allocates=False)
 def _all(
     kind: U8_1,
     u1: F64_2,
@@ -140,7 +140,7 @@ def _all(
         first[i + 1] = at
 
 
-@kernel
+@kernel(allocates=False)
 def quarter_tangent(cross: float, dot: float) -> float:
     """tan(φ/4), 0 ≤ φ ≤ π, from sin φ and cos φ."""
     if dot < -0.99:
@@ -151,7 +151,7 @@ def quarter_tangent(cross: float, dot: float) -> float:
     return half / (1.0 + math.sqrt(1.0 + half * half))
 
 
-@kernel
+@kernel(allocates=False)
 def reach(kind: int, cross: float, dot: float, size: float, k: float) -> tuple[float, float]:
     """The straight part l and the radius r′ of D; l alone (r′ = 0) of C, r′ alone of B.
 
@@ -170,7 +170,7 @@ def reach(kind: int, cross: float, dot: float, size: float, k: float) -> tuple[f
     return straight, size - straight * cos / sin
 
 
-@kernel
+@kernel(allocates=False)
 def _put(rows: OutF64_2, at: int, x0: float, y0: float, x1: float, y1: float, bulge: float) -> int:
     rows[at, 0] = x0
     rows[at, 1] = y0
@@ -180,7 +180,7 @@ def _put(rows: OutF64_2, at: int, x0: float, y0: float, x1: float, y1: float, bu
     return at + 1
 
 
-@kernel
+@kernel(allocates=False)
 def transition(
     kind: int,
     x: float,

@@ -116,18 +116,19 @@ def kernel(
     Parameters
     ----------
     allocates
-        False for a function that makes no array and keeps none, in itself or what it calls: it is
-        compiled without counting of references, which takes longer than what such a kernel does
-        at every turn, and by instructions that wait for the other cores.
+        False for a function that makes no array and keeps none; what it calls may.  It is compiled
+        without counting of references, which takes longer than what such a kernel does, and by
+        instructions that wait for the other cores: most of all where groups are passed.
     checks_division
         Raise ``ZeroDivisionError`` where Python does; otherwise division by 0 gives inf, nan or 0.
     """
     options: dict[str, Any] = {
         "nogil": True,
         "error_model": "python" if checks_division else "numpy",
+        # Said in either case: numba lets a kernel inherit what it does not say from the kernel
+        # whose compilation it is a part of.
+        "_nrt": allocates,
     }
-    if not allocates:
-        options["_nrt"] = False
     if function is not None:
         return _compiled(function, **options)
     return lambda decorated: _compiled(decorated, **options)
@@ -138,4 +139,4 @@ def inline_kernel(function: _Function) -> _Function:
 
     It makes no array and keeps none (``allocates=False``).
     """
-    return _compiled(function, error_model="numpy", forceinline=True, _nrt=False)
+    return _compiled(function, nogil=True, error_model="numpy", forceinline=True, _nrt=False)

@@ -177,6 +177,18 @@ def test_division_by_zero_is_an_error_only_where_that_is_wanted() -> None:
         _checked_half(1.0, 0.0)
 
 
+def test_a_kernel_that_allocates_may_be_called_by_one_that_does_not() -> None:
+    @kernel
+    def room(count: int) -> int:
+        return len(np.empty(count))
+
+    @kernel(allocates=False)
+    def calling(count: int) -> int:
+        return room(count) + 1
+
+    assert calling(3) == 4
+
+
 def test_every_kernel_of_the_package_declares_one_signature() -> None:
     found = list(kernels_of("knifetip"))
     for each in found:
