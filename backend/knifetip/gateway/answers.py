@@ -1,8 +1,8 @@
-"""answers: what grbl 1.1 and grblHAL say, in words.
+"""answers: meaning of the responses of grbl 1.1 and grblHAL.
 
 b"<Run|MPos:1.000,2.000,0.000,90.000|Bf:14,110|FS:500,0>" -> Report      9 -> "it is locked …"
 
-Numbers and fields as in grbl's published interface; the words are ours.
+Codes and fields as in grbl's published interface; the texts are our own.
 """
 
 from __future__ import annotations
@@ -86,18 +86,18 @@ ALARMS = {
 
 
 def error_text(code: int) -> str:
-    """Return what ``error:code`` means."""
+    """Return the meaning of ``error:code``."""
     return ERRORS.get(code, "an error that has no name here")
 
 
 def alarm_text(code: int) -> str:
-    """Return what ``ALARM:code`` means."""
+    """Return the meaning of ``ALARM:code``."""
     return ALARMS.get(code, "an alarm that has no name here")
 
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """The fields of a status report, as far as they were sent."""
+    """The fields of a status report; None for fields that were not sent."""
 
     state: State
     still: bool
@@ -111,14 +111,14 @@ class Report:
 
 
 def rotary_axis(letters: str) -> int:
-    """Return the index of the axis that turns the tool, given ``[AXS:n:letters]``'s letters."""
+    """Return the index of the axis that rotates the tool; ``letters`` as in ``[AXS:n:letters]``."""
     return next((letters.index(axis) for axis in "CA" if axis in letters), 3)
 
 
 def report(line: str, rotary: int = 3) -> Report | None:
-    """Parse a status report; None where the line is damaged.
+    """Parse a status report; return None if the line is damaged.
 
-    ``rotary`` is the index of the axis that turns the tool (see ``rotary_axis``).
+    ``rotary`` is the index of the axis that rotates the tool (see ``rotary_axis``).
     """
     if not (line.startswith("<") and line.endswith(">")):
         return None
@@ -151,7 +151,7 @@ def report(line: str, rotary: int = 3) -> Report | None:
 
 
 def _pose(value: str, rotary: int) -> Pose:
-    """Return X, Y, Z and the rotary axis; those that the controller does not have are 0."""
+    """Return X, Y, Z and the rotary axis; axes that the controller does not have are 0."""
     axes = [float(part) for part in value.split(",")]
     if not all(map(math.isfinite, axes)):
         raise ValueError(value)

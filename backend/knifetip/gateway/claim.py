@@ -1,25 +1,25 @@
-"""claim: take jobs from the server, run them on the machine, and report what happened.
+"""claim: claim jobs from the server, run them on the machine, and report the result.
 
     POST {api}/api/gateway/claim      -> a job with epoch, lease, program and its SHA-256
     POST {api}/api/gateway/heartbeat  -> wait, start, continue, hold, resume or cancel
     POST {api}/api/gateway/finish     <- done, interrupted, cancelled or returned
 
-The gateway dials out and nobody dials in.  What it decides by itself:
+The gateway only makes outgoing connections.  What it decides by itself:
 
-- It asks for work only while the controller is there and idle: a table that is switched off
-  takes no job.
-- A claim that must be confirmed sends nothing to the machine before the server has answered a
-  heartbeat with ``start``.  While it waits the controller must stay idle; otherwise the claim is
-  given back, and the operator confirms anew.
-- While the server cannot be reached the machine goes on until the lease has run out, then
-  holds.  It never goes on by itself: the operator resumes, or the server says that the job is
-  no longer ours (409) and the machine is stopped and raised.
-- ``resume`` counts only as the answer to a heartbeat that said ``held``, so that a late one
-  cannot start the next copy.
-- How a job ended is recorded in the journal and reported until the server has answered, after a
-  restart too: ``done`` only if the journal has every copy executed to its last line.
-- A controller that still runs a job of ours, after a restart or a lost connection, is stopped and
-  brought into its safe state before anything else.
+- It claims jobs only while the controller is connected and idle: a table that is switched off gets
+  no job.
+- For a job that must be confirmed nothing is sent to the machine before the server has answered a
+  heartbeat with ``start``.  Meanwhile the controller must stay idle; otherwise the lease is
+  returned, and the operator must confirm again.
+- If the server cannot be reached, the machine continues until the lease expires, then holds.  It
+  does not continue by itself: the operator resumes, or the server answers that the job was
+  reassigned (409), and the machine is stopped and brought into its safe state.
+- ``resume`` is only valid as the answer to a heartbeat with ``held``, so that a late one cannot
+  start the next copy.
+- The result of a job is recorded in the journal and reported until the server has answered, also
+  after a restart: ``done`` only if the journal contains every copy up to its last line.
+- A controller that still runs a job of this gateway after a restart or a lost connection is first
+  stopped and brought into its safe state.
 """
 
 from __future__ import annotations
@@ -43,20 +43,20 @@ from knifetip.gateway.motion import Limits, Pose
 from knifetip.gateway.stream import Progress, stream
 from knifetip.model.machine import Machine
 
-#: Longest pause between two attempts to reach somebody (s).
-PATIENCE = 5.0
-#: First pause, doubled from there (s).
-HASTE = 0.25
+#: Longest pause between two attempts to connect (s).
+LONGEST_PAUSE = 5.0
+#: First pause between attempts, doubled each time (s).
+FIRST_PAUSE = 0.25
 
-#: Opens a controller; True stops a machine that moves, since its program is ours.
+#: Opens a controller; True stops a moving machine, whose program is then ours.
 Connect = Callable[[SafeState, bool], Awaitable[Controller]]
 
 _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
-class _Claim:
-    """A job for this gateway alone, as the server words it."""
+class Lease:
+    """A claimed job, as the server describes it."""
 
     job: str
     epoch: int
@@ -67,7 +67,7 @@ class _Claim:
     confirm: bool  #: the operator must confirm before anything is sent to the machine
 
     @classmethod
-    def of(cls, answer: Mapping[str, Any]) -> _Claim:
+    def of(cls, answer: Mapping[str, Any]) -> Lease:
         return cls(
             str(answer["job"]),
             int(answer["epoch"]),
@@ -80,33 +80,35 @@ class _Claim:
 
 
 class _Stale(Exception):
-    """The job is no longer ours."""
+    """The server has reassigned or withdrawn the job."""
 
 
 class _Cancelled(Exception):
-    """The operator gave the job up."""
+    """The operator cancelled the job."""
 
 
 class _Returned(Exception):
-    """The claim is given back: the machine cannot be started, and nothing was sent to it."""
+    """The lease is returned: the machine cannot start, and nothing was sent to it."""
 
 
-class _Run:
-    """What the heartbeats say of a job, and what they bring back."""
+class JobRun:
+    """State of a job for heartbeats, and the requests that they return."""
 
-    def __init__(self, claim: _Claim, now: float) -> None:
+    def __init__(self, claim: Lease, now: float) -> None:
         self.claim = claim
         self.line = 0
         self.copies_done = 0
-        self.begun = False  #: a copy is under way, of which ``line`` lines are executed
-        self.waiting = claim.confirm  #: for the operator's confirmation; nothing is sent yet
+        self.begun = False  #: a copy is running, of which ``line`` lines are executed
+        self.waiting = (
+            claim.confirm
+        )  #: for the operator's confirmation; nothing is sent to the machine yet
         self.held = False
         self.position: Pose | None = None
         self.seconds_left: float | None = None
-        self.wish = ""  #: hold, resume or nothing
+        self.requested = ""  #: hold, resume or ""
         self.cancelled = False
         self.stale = False
-        self.until = now + claim.lease  #: the lease's end, on our clock
+        self.until = now + claim.lease  #: end of the lease on the local clock
         self.heard = asyncio.Event()
 
     def heartbeat(self) -> dict[str, object]:
@@ -121,18 +123,18 @@ class _Run:
             "seconds_left": self.seconds_left,
         }
 
-    def answered(self, command: str, held: bool) -> None:
-        """Take the answer to a heartbeat that said ``held`` or not."""
+    def apply_answer(self, command: str, held: bool) -> None:
+        """Apply the answer to a heartbeat that was sent with ``held``."""
         if command == "cancel":
             self.cancelled = True
         elif command == "start":
             self.waiting = False
         elif command == "hold" or (command == "resume" and held):
-            self.wish = command
+            self.requested = command
         self.heard.set()
 
-    def obey(self) -> None:
-        """Leave the job where that is what the server wants."""
+    def raise_if_withdrawn(self) -> None:
+        """Raise if the server cancelled the job or reassigned it."""
         if self.stale:
             raise _Stale
         if self.cancelled:
@@ -140,30 +142,30 @@ class _Run:
 
 
 @dataclass(frozen=True, slots=True)
-class _Ended:
-    """How a job ended, as it is reported."""
+class JobEnd:
+    """The result of a job, as reported to the server."""
 
     job: str
     epoch: int
     outcome: str
     why: str
-    line: int  #: executed lines of the copy that was under way; 0 between two copies
-    copies_done: int  #: under this claim
+    line: int  #: executed lines of the running copy; 0 between two copies
+    copies_done: int  #: under this lease
 
     @classmethod
-    def of(cls, run: _Run, outcome: str, why: str) -> _Ended:
+    def of(cls, run: JobRun, outcome: str, why: str) -> JobEnd:
         line = run.line if run.begun or outcome == "done" else 0
         return cls(run.claim.job, run.claim.epoch, outcome, why, line, run.copies_done)
 
 
-def _withdrawn(run: _Run) -> str:
+def _withdrawal_reason(run: JobRun) -> str:
     if run.waiting:
         return "The server took the job back before its start; nothing was sent to the machine."
     return "The server took the job back; the machine was stopped."
 
 
-class _Gateway:
-    """One machine's way to the server."""
+class _GatewayLoop:
+    """Claims and runs the jobs of one machine."""
 
     def __init__(
         self,
@@ -185,27 +187,27 @@ class _Gateway:
         self._wait = wait
         self._beat = beat
         self._controller: Controller | None = None
-        self._abandoned = False  # the machine may still be carrying out a job of ours
+        self._abandoned = False  # the machine may still be running a job of this gateway
         self._complaint = ""
 
-    # -- the round ------------------------------------------------------------------------------
+    # -- the loop ------------------------------------------------------------------------------
 
     async def run(self, jobs: int | None) -> None:
-        """Take jobs one after another; for ever, or so many."""
+        """Run jobs one after another, without end or ``jobs`` of them."""
         try:
-            await asyncio.gather(self._last_time(), self._recover())
+            await asyncio.gather(self._report_unfinished(), self._recover())
             while jobs is None or jobs > 0:
-                await self._ready()
+                await self._wait_until_idle()
                 claim = await self._claim()
                 if claim is not None:
-                    await self._carry_out(claim)
+                    await self._run_job(claim)
                     if jobs is not None:
                         jobs -= 1
         finally:
-            await self._let_go()
+            await self._disconnect()
 
-    async def _last_time(self) -> None:
-        """Report the job that this gateway was switched off in, until the server has answered."""
+    async def _report_unfinished(self) -> None:
+        """Report a job during which the gateway was switched off, until the server answers."""
         if (left := self._journal.unfinished()) is None:
             return
         outcome, why = left.outcome, left.why
@@ -213,72 +215,72 @@ class _Gateway:
             outcome, why = "done", "The gateway was switched off before it could report."
         elif not outcome:
             outcome, why = "interrupted", "The gateway was switched off."
-        ended = _Ended(left.job, left.epoch, outcome, why, left.line, left.copies_done)
+        ended = JobEnd(left.job, left.epoch, outcome, why, left.line, left.copies_done)
         await self._finish(ended)
 
     async def _recover(self) -> None:
-        """Stop a machine that may still be carrying out a job that this gateway was killed in."""
+        """Stop a machine that may still run a job during which the gateway was killed."""
         if self._journal.unfinished() is None:
             return
         self._abandoned = True
         try:
-            await self._at_hand()
+            await self._connected_controller()
         except (ControllerError, OSError) as error:
             self._complaint = str(error)
             _log.warning("%s", error)
 
-    async def _ready(self) -> None:
-        """Wait until the controller is there and idle."""
-        pause = HASTE
+    async def _wait_until_idle(self) -> None:
+        """Wait until the controller is connected and idle."""
+        pause = FIRST_PAUSE
         while True:
             try:
-                controller = await self._at_hand()
+                controller = await self._connected_controller()
                 status = await controller.status()
                 if status.state is State.IDLE:
                     self._complaint = ""
                     return
-                complaint = f"{controller.name} is not idle: it says {status.state.value}."
+                complaint = f"{controller.name} is not idle: it reports {status.state.value}."
             except (ControllerError, OSError) as error:
                 complaint = str(error)
             if complaint != self._complaint:
                 self._complaint = complaint
                 _log.warning("%s", complaint)
             await asyncio.sleep(pause)
-            pause = min(2.0 * pause, PATIENCE)
+            pause = min(2.0 * pause, LONGEST_PAUSE)
 
-    async def _at_hand(self) -> Controller:
-        """Return a controller without a fault, connecting anew where there is none."""
+    async def _connected_controller(self) -> Controller:
+        """Return a controller without a fault; connect if there is none."""
         if self._controller is not None and self._controller.fault is not None:
-            await self._let_go()
+            await self._disconnect()
         if self._controller is None:
             safe = SafeState.of(self._machine)
             self._controller = await self._connect(safe, self._abandoned)
             self._abandoned = False
         return self._controller
 
-    async def _let_go(self) -> None:
+    async def _disconnect(self) -> None:
         controller, self._controller = self._controller, None
         if controller is not None:
             await controller.close()
 
     # -- one job --------------------------------------------------------------------------------
 
-    async def _carry_out(self, claim: _Claim) -> None:
-        run = _Run(claim, self._now())
-        beating = asyncio.create_task(self._heartbeats(run), name="heartbeats")
+    async def _run_job(self, claim: Lease) -> None:
+        run = JobRun(claim, self._now())
+        heartbeats = asyncio.create_task(self._heartbeats(run), name="heartbeats")
         outcome, why = "interrupted", ""
         try:
             try:
-                await self._confirmed(run)
-                await self._copies(run)
+                await self._wait_for_confirmation(run)
+                await self._run_copies(run)
                 outcome = "done"
             except _Returned as reason:
                 outcome, why = "returned", str(reason)
             except _Cancelled:
                 outcome, why = "cancelled", f"Cancelled by the operator at line {run.line}."
             except _Stale:
-                # The server may still take this report: as evidence of where the machine stopped.
-                why = _withdrawn(run)
+                # The server may still record this report, as evidence of where the machine stopped.
+                why = _withdrawal_reason(run)
                 _log.warning("Job %s: %s", claim.job, why)
             except (KnifetipError, OSError) as error:
                 why = str(error)
@@ -288,44 +290,44 @@ class _Gateway:
                 else:
                     why = "The gateway was switched off; the machine was stopped."
                 with suppress(asyncio.CancelledError):
-                    await self._finish(_Ended.of(run, outcome, why), tries=1)
+                    await self._finish(JobEnd.of(run, outcome, why), tries=1)
                 raise
         finally:
-            beating.cancel()
-            await asyncio.gather(beating, return_exceptions=True)
-        await self._finish(_Ended.of(run, outcome, why))
+            heartbeats.cancel()
+            await asyncio.gather(heartbeats, return_exceptions=True)
+        await self._finish(JobEnd.of(run, outcome, why))
 
-    async def _confirmed(self, run: _Run) -> None:
+    async def _wait_for_confirmation(self, run: JobRun) -> None:
         """Wait until the operator has confirmed the job; the controller must stay idle."""
         while run.waiting:
             run.heard.clear()
             await run.heard.wait()
-            run.obey()
+            run.raise_if_withdrawn()
             try:
-                controller = await self._at_hand()
+                controller = await self._connected_controller()
                 state = (await controller.status()).state
             except (ControllerError, OSError) as error:
                 raise _Returned(str(error)) from error
             if state is not State.IDLE:
                 raise _Returned(f"{controller.name} is not idle: it reports {state.value}.")
 
-    async def _copies(self, run: _Run) -> None:
+    async def _run_copies(self, run: JobRun) -> None:
         claim = run.claim
         text = await self._program(claim)
         lines = text.count(b"\n")
         self._journal.begin(claim.job, claim.epoch, claim.sha256, lines, claim.copies)
         for copy in range(claim.copies):
             if copy:
-                await self._new_sheet(run)
+                await self._wait_for_sheet(run)
             run.line, run.begun = 0, True
-            await self._one_copy(run, text, copy)
+            await self._run_copy(run, text, copy)
             self._journal.copy(claim.job, copy + 1)
             run.copies_done, run.line, run.seconds_left = copy + 1, lines, 0.0
             run.begun = False
 
-    async def _one_copy(self, run: _Run, text: bytes, copy: int) -> None:
-        controller = await self._at_hand()
-        going = stream(
+    async def _run_copy(self, run: JobRun, text: bytes, copy: int) -> None:
+        controller = await self._connected_controller()
+        updates = stream(
             text,
             controller,
             limits=Limits.of(self._machine),
@@ -333,49 +335,51 @@ class _Gateway:
             interval=min(self._beat / 2.0, 0.1),
         )
         try:
-            async with aclosing(going) as course:
-                async for progress in course:
-                    self._note(run, progress, copy)
+            async with aclosing(updates) as progress_updates:
+                async for progress in progress_updates:
+                    self._record(run, progress, copy)
                     if progress.executed < progress.lines:
                         # After the last line there is nothing left to stop or to hold.
-                        run.obey()
-                        await self._wishes(run, progress, controller)
+                        run.raise_if_withdrawn()
+                        await self._apply_requests(run, progress, controller)
         finally:
             self._abandoned = controller.fault is not None
 
-    def _note(self, run: _Run, progress: Progress, copy: int) -> None:
+    def _record(self, run: JobRun, progress: Progress, copy: int) -> None:
         run.line = progress.executed
         run.held = progress.state is State.HOLD
         run.seconds_left = progress.seconds_left
         run.position = self._head(progress)
         self._journal.line(run.claim.job, copy, progress.executed, progress.acknowledged)
 
-    async def _wishes(self, run: _Run, progress: Progress, controller: Controller) -> None:
-        """Hold or resume; a wish is spent when the machine does what was wished."""
+    async def _apply_requests(
+        self, run: JobRun, progress: Progress, controller: Controller
+    ) -> None:
+        """Hold or resume as requested; a request is cleared when the machine has carried it out."""
         if self._now() > run.until and progress.state is State.RUN:
             await controller.hold()
-        elif run.wish == "hold":
+        elif run.requested == "hold":
             if progress.state is State.RUN:
                 await controller.hold()
             elif progress.state is State.HOLD:
-                run.wish = ""
-        elif run.wish == "resume":
+                run.requested = ""
+        elif run.requested == "resume":
             if progress.state is State.HOLD:
                 await controller.resume()
             else:
-                run.wish = ""
+                run.requested = ""
 
-    async def _new_sheet(self, run: _Run) -> None:
-        """Wait, as held, until the operator has put a new sheet on the table."""
-        run.held, run.wish = True, ""
-        while run.wish != "resume":
+    async def _wait_for_sheet(self, run: JobRun) -> None:
+        """Wait in the held state until the operator has loaded a new sheet."""
+        run.held, run.requested = True, ""
+        while run.requested != "resume":
             run.heard.clear()
             await run.heard.wait()
-            run.obey()
-        run.held, run.wish = False, ""
+            run.raise_if_withdrawn()
+        run.held, run.requested = False, ""
 
     def _head(self, progress: Progress) -> Pose:
-        """Return the head's pose on the sheet: without the datum of the station in use."""
+        """Return the pose of the head on the sheet, without the datum of the station in use."""
         x, y, z, c = progress.position
         for station in self._machine.stations:
             if progress.output >= 0 and station.output == progress.output:
@@ -390,7 +394,7 @@ class _Gateway:
     def _url(self, path: str) -> str:
         return urljoin(self._api, path)
 
-    async def _claim(self) -> _Claim | None:
+    async def _claim(self) -> Lease | None:
         """Ask for work; None when there is none, or nobody to ask."""
         body = {"gateway": self._name, "machine": self._machine.name, "wait": self._wait}
         try:
@@ -400,17 +404,17 @@ class _Gateway:
             if answer.status_code == 204:
                 return None
             if answer.status_code == 200:
-                return _Claim.of(answer.json())
+                return Lease.of(answer.json())
             reason = f"{answer.status_code} {answer.text[:200]}"
         except (httpx.HTTPError, ValueError, KeyError, TypeError) as error:
             reason = repr(error)
         if reason != self._complaint:
             self._complaint = reason
             _log.warning("No work to be had from %s: %s", self._api, reason)
-        await asyncio.sleep(min(PATIENCE, max(self._wait, HASTE)))
+        await asyncio.sleep(min(LONGEST_PAUSE, max(self._wait, FIRST_PAUSE)))
         return None
 
-    async def _program(self, claim: _Claim) -> bytes:
+    async def _program(self, claim: Lease) -> bytes:
         """Fetch the program, and make sure that it is the one that was verified."""
         reason = ""
         for attempt in range(3):
@@ -419,7 +423,7 @@ class _Gateway:
                 answer.raise_for_status()
             except httpx.HTTPError as error:
                 reason = repr(error)
-                await asyncio.sleep(HASTE * 2.0**attempt)
+                await asyncio.sleep(FIRST_PAUSE * 2.0**attempt)
                 continue
             digest = hashlib.sha256(answer.content).hexdigest()
             if digest != claim.sha256:
@@ -432,8 +436,8 @@ class _Gateway:
             return answer.content
         raise ProgramError("program.not-fetched", job=claim.job, reason=reason)
 
-    async def _heartbeats(self, run: _Run) -> None:
-        """Say where the machine is, and take what the operator wants, until ended."""
+    async def _heartbeats(self, run: JobRun) -> None:
+        """Report the machine's position and receive the operator's requests, until the job ends."""
         patience = max(min(run.claim.lease / 3.0, 2.0), self._beat)
         while not run.stale:
             body, asked = run.heartbeat(), self._now()
@@ -446,17 +450,17 @@ class _Gateway:
                     run.heard.set()
                     return
                 answer.raise_for_status()
-                said = answer.json()
-                run.until = asked + float(said["lease"])
-                run.answered(str(said["command"]), bool(body["held"]))
+                response = answer.json()
+                run.until = asked + float(response["lease"])
+                run.apply_answer(str(response["command"]), bool(body["held"]))
             await asyncio.sleep(self._beat)
 
-    async def _finish(self, ended: _Ended, tries: int | None = None) -> None:
-        """Report how a job ended until the server has answered (or so many times)."""
+    async def _finish(self, ended: JobEnd, tries: int | None = None) -> None:
+        """Report the result of a job until the server answers, or ``tries`` times."""
         job, epoch, outcome, why = ended.job, ended.epoch, ended.outcome, ended.why
         self._journal.outcome(job, outcome, why)
         body = asdict(ended)
-        pause = HASTE
+        pause = FIRST_PAUSE
         while True:
             try:
                 answer = await self._client.post(
@@ -471,7 +475,7 @@ class _Gateway:
             if tries is not None and (tries := tries - 1) <= 0:
                 return
             await asyncio.sleep(pause)
-            pause = min(2.0 * pause, PATIENCE)
+            pause = min(2.0 * pause, LONGEST_PAUSE)
         self._journal.end(job, epoch, outcome, why)
 
 
@@ -488,38 +492,38 @@ async def work(
     beat: float = 0.25,
     jobs: int | None = None,
 ) -> None:
-    """Be the gateway of a machine until cancelled.
+    """Run the gateway of a machine until cancelled.
 
-    Cancelling it stops the machine, raises the tool and tells the server.
+    Cancellation stops the machine, raises the tool and reports to the server.
 
     Parameters
     ----------
     api
         Of the server, for example ``http://127.0.0.1:8080``.
     gateway
-        The name under which this gateway is seen.
+        Name of this gateway.
     connect
         Returns an open controller in its safe state, for example ``lambda safe, stop_motion:
         dial("127.0.0.1:2323", safe, stop_motion=stop_motion)`` with the ``dial`` of the machine's
         language; called again after every failure.
     client
-        Used and left open where it is given.
+        HTTP client to use; it is not closed.
     headers
         For every request, for example an API key; ``X-Knifetip: gateway`` is always sent.
     journal
-        File of what was acknowledged and executed.
+        File in which progress is recorded.
     wait
-        Seconds that the server may keep a claim waiting.
+        Longest time that the server may delay the answer to a claim (s).
     beat
-        Seconds between two heartbeats.
+        Time between two heartbeats (s).
     jobs
-        Return after so many jobs.
+        Number of jobs after which to return.
     """
     own = httpx.AsyncClient() if client is None else client
     own.headers.update({"X-Knifetip": "gateway", **(headers or {})})
     try:
         record = Journal(journal)
-        await _Gateway(own, api, machine, gateway, connect, record, wait, beat).run(jobs)
+        await _GatewayLoop(own, api, machine, gateway, connect, record, wait, beat).run(jobs)
     finally:
         if client is None:
             await own.aclose()

@@ -1,7 +1,6 @@
-"""controller: what every controller can do, and what it says of itself.
+"""controller: the interface of a controller: lines go in, answers and status reports come out.
 
-A program's lines go in; acknowledgements, states and positions come out.  A controller language
-that can be streamed has a ``Driver``.
+A controller language whose programs can be streamed has a ``Driver``.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ from knifetip.model.machine import Machine
 
 
 class State(StrEnum):
-    """What the controller is doing."""
+    """State of the controller."""
 
     IDLE = "idle"
     RUN = "run"
@@ -27,27 +26,27 @@ class State(StrEnum):
     CHECK = "check"
     DOOR = "door"
     ALARM = "alarm"
-    BUSY = "busy"  #: something that has no name here
+    BUSY = "busy"  #: any other state
 
 
 @dataclass(frozen=True, slots=True)
 class Status:
-    """What the controller reported, and how many lines it had answered by then."""
+    """A status report, with the number of lines answered when it arrived."""
 
     state: State
-    position: Pose  #: in the numbers of the program (work coordinates)
+    position: Pose  #: in work coordinates, as in the program
     acknowledged: int  #: lines of programs answered since the controller was opened
     still: bool  #: no axis moves
-    number: int = 0  #: N word of the line that is executed, 0 where it is not reported
-    free: int | None = None  #: blocks free in the planner, where it is reported
+    number: int = 0  #: N word of the line being executed, 0 if not reported
+    free: int | None = None  #: free blocks of the planner, None if not reported
     feed: float = 0.0  #: mm/min
     sent: int = 0  #: lines of programs sent since the controller was opened
-    located: bool = True  #: the work offset is known, so that the position can be relied on
+    located: bool = True  #: the work offset is known, so the position is reliable
 
 
 @dataclass(frozen=True, slots=True)
 class SafeState:
-    """The state in which a machine harms nothing: tool raised, spindle off, stations raised."""
+    """The safe state of a machine: tool raised, spindle off, all outputs off."""
 
     outputs: tuple[int, ...]  #: digital outputs that must be off
     lift: float  #: least Z (program coordinates, mm)
@@ -66,11 +65,11 @@ class Observer(Protocol):
 
     @property
     def doubtful(self) -> bool:
-        """Whether the last report contradicts the program: another one is wanted at once."""
+        """Whether the last report contradicts the program, so that another is needed soon."""
         ...
 
     def observe(self, status: Status) -> ControllerError | None:
-        """Take in a report; an error that is returned becomes the controller's fault."""
+        """Process a report; a returned error becomes the controller's fault."""
         ...
 
 
@@ -85,31 +84,31 @@ class Controller(Protocol):
 
     @property
     def name(self) -> str:
-        """Where it is, in words for the operator."""
+        """Address of the controller, for messages."""
         ...
 
     @property
     def fault(self) -> ControllerError | None:
-        """The failure that stands in the way."""
+        """The failure that every call raises, or None."""
         ...
 
     @property
     def acknowledged(self) -> int:
-        """Lines of programs that it has answered since it was opened."""
+        """Number of program lines answered since ``open``."""
         ...
 
     @property
     def sent(self) -> int:
-        """Lines of programs sent since it was opened."""
+        """Number of program lines sent since ``open``."""
         ...
 
     @property
     def capacity(self) -> int | None:
-        """Blocks that its planner holds, where it says so."""
+        """Blocks that its planner holds, None if unknown."""
         ...
 
     async def open(self) -> None:
-        """Take it over and bring the machine into its safe state.
+        """Take the controller over and bring the machine into its safe state.
 
         Raises
         ------
@@ -119,11 +118,11 @@ class Controller(Protocol):
         ...
 
     async def check(self, lines: Iterable[bytes]) -> None:
-        """Have it read a whole program without moving; raise where it would refuse a line."""
+        """Let the controller parse a whole program without motion; raise if it refuses a line."""
         ...
 
     async def send(self, line: bytes, number: int) -> None:
-        """Send one line (its number counts from 1); return when there was room for it."""
+        """Send a line (numbers start at 1); return when the receive buffer had room for it."""
         ...
 
     async def drain(self) -> None:
@@ -141,31 +140,31 @@ class Controller(Protocol):
         ...
 
     async def status(self) -> Status:
-        """Ask how it is and return the answer."""
+        """Request a status report and return it."""
         ...
 
     async def hold(self) -> None:
-        """Decelerate and stand, ready to go on."""
+        """Decelerate to a stop from which ``resume`` can continue."""
         ...
 
     async def resume(self) -> None:
-        """Go on after a hold."""
+        """Continue after a hold."""
         ...
 
     async def stop(self) -> Status:
         """Discard the rest of the program and bring the machine into its safe state.
 
-        Works after every failure and clears it; a lost connection is made anew.
+        Works after every failure and clears it; reconnects if the connection is lost.
 
         Raises
         ------
         ControllerError
-            The machine could not be reached, or does not allow it.
+            The machine could not be reached, or is locked.
         """
         ...
 
     async def close(self) -> None:
-        """Give the connection up; the machine is left as it is."""
+        """Close the connection; the machine is not changed."""
         ...
 
 

@@ -1,13 +1,12 @@
-"""corridor: is the machine on the path of the lines that were sent to it?
+"""corridor: check that the machine is on the path of the program.
 
-bytes of the program + every status report -> an error where the position lies off the path
+program + every status report -> an error if the position is off the path
 
-A digit that was changed on the way to the controller is answered ``ok`` like any other line; only
-the position shows it.  Compared are X, Y and Z with the moves that the controller can be
-executing: those sent, and of those answered as many as its planner holds.  At rest the position
-must be the end of the last line sent.
+A line with a digit changed in transmission is answered ``ok``; only the position reveals it.  X, Y
+and Z are compared with the moves that the controller can be executing: those that were sent, and of
+those answered as many as its planner holds.  At rest the position must be the end of the last line.
 
-The turn of the tool is not compared: a rotary axis may be reported modulo 360 degrees.
+The rotary axis is not compared, because it may be reported modulo 360 degrees.
 """
 
 from __future__ import annotations
@@ -22,14 +21,14 @@ from knifetip.gateway.executed import lines_of
 from knifetip.gateway.interpreter import Interpreter, Refused, bare
 from knifetip.gateway.motion import Move, Pose
 
-#: A position farther than this from every move is off the path (mm).  Reports are rounded to
-#: 0.001 mm and grbl's chords of an arc deviate by 0.01 mm at most.
+#: Largest distance of a position from the path (mm).  Reports are rounded to 0.001 mm, and grbl's
+#: chords of an arc deviate by at most 0.01 mm.
 OFF = 0.5
-#: Reports in a row that must be off: a single one may have been damaged on the way.
+#: Consecutive reports that must be off: a single one may be damaged.
 REPORTS = 3
-#: Moves that a planner holds where the controller does not report it.
+#: Moves that a planner holds if the controller does not report it.
 PLANNER = 128
-#: Answers that may be counted too many before it is noticed.
+#: Surplus answers that may be counted before they are detected.
 MARGIN = 4
 
 _MACHINE_COORDINATES = re.compile(rb"G53(?!\d)")
@@ -57,8 +56,8 @@ class Corridor:
         self._moves: deque[tuple[int, Move]] = deque()
         self._moves.append((0, Move(start.position, start.position)))
         self._read = 0
-        self._near = 0  # row of the move that the last position was on
-        self._off = 0  # reports in a row
+        self._near = 0  # row of the last matching move
+        self._off = 0  # consecutive reports off the path
         self._blind = not start.located  # or a line cannot be interpreted here
 
     @property
@@ -67,7 +66,7 @@ class Corridor:
         return self._off > 0
 
     def observe(self, status: Status) -> ControllerError | None:
-        """Compare a report with the path; return an error after ``REPORTS`` that are off it."""
+        """Compare a report with the path; return an error if ``REPORTS`` in a row are off it."""
         self._take(status.sent - self._base)
         self._forget(status.acknowledged - self._base)
         if self._blind or not status.located or status.state not in _STATES:
@@ -77,7 +76,7 @@ class Corridor:
             self._off = 0
             return None
         self._off += 1
-        return _astray(status.position, distance, line) if self._off >= REPORTS else None
+        return _off_path(status.position, distance, line) if self._off >= REPORTS else None
 
     def check_rest(self, status: Status) -> None:
         """Compare the position of a machine at rest with the end of the last line sent.
@@ -85,7 +84,7 @@ class Corridor:
         Raises
         ------
         ControllerError
-            It is elsewhere.
+            The position is another one.
         """
         self._take(status.sent - self._base)
         if self._blind or not status.located:
@@ -93,10 +92,10 @@ class Corridor:
         line, _ = self._moves[-1]
         distance = math.dist(status.position[:3], self._interpreter.position[:3])
         if distance > OFF:
-            raise _astray(status.position, distance, line)
+            raise _off_path(status.position, distance, line)
 
     def _take(self, sent: int) -> None:
-        """Read on to the last line sent."""
+        """Interpret the lines up to the last one sent."""
         while self._read < sent and (line := next(self._lines, None)) is not None:
             self._read += 1
             try:
@@ -109,17 +108,17 @@ class Corridor:
                 self._moves.append((self._read, move))
 
     def _forget(self, answered: int) -> None:
-        """Drop moves that must be done: more were answered after them than the planner holds."""
+        """Remove moves that must be done, since the planner cannot hold them any more."""
         while len(self._moves) > self._held and self._moves[self._held][0] <= answered:
             self._moves.popleft()
             self._near = max(self._near - 1, 0)
 
     def _nearest(self, position: Pose) -> tuple[float, int]:
-        """Return distance and line of a move near the position, or of the nearest there is."""
+        """Return distance and line of a move within ``OFF`` of the position, or of the nearest."""
         least, line = math.inf, 0
         count = len(self._moves)
         for step in range(count):
-            # On from where it was: there it is found at once, nearly always.
+            # Start at the last match, where it is nearly always found.
             row = (self._near + step) % count
             number, move = self._moves[row]
             distance = distance_to(move, position)
@@ -147,6 +146,6 @@ def distance_to(move: Move, position: Pose) -> float:
     return math.dist((x, y, z), move.at(fraction)[:3])
 
 
-def _astray(position: Pose, distance: float, line: int) -> ControllerError:
+def _off_path(position: Pose, distance: float, line: int) -> ControllerError:
     x, y, z, _ = position
     return ControllerError("controller.off-path", x=x, y=y, z=z, distance=distance, line=line)

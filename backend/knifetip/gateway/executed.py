@@ -1,17 +1,16 @@
-"""executed: which line of a program the machine is executing, not which one was sent.
+"""executed: find the line that the machine is executing, from its reports.
 
-bytes of the program + what the controller reports -> lines executed, seconds still to go
+program + status reports -> number of executed lines, remaining seconds
 
-The program that was previewed is, byte for byte, the one that runs, so no N words are added.
-Three things that a controller says are put together, each safe on its own:
+N words are not added, because the program must run exactly as it was verified.  Three facts are
+combined, each of which is reliable by itself:
 
-- a line that waits for all motion (G4, M3, M5, M30) and has been answered: all before it is done;
-- ``Bf``: of the moves answered, no more can be undone than the planner holds blocks;
-- the position: the first move after those that passes through it is the one being executed.
+- a line that waits for all motion (G4, M3, M5, M30) was answered: all lines before it are done;
+- ``Bf``: no more answered moves can be pending than the planner has blocks in use;
+- the position: the first pending move that passes through it is being executed.
 
-Where a program has N words and the controller reports ``Ln``, that names the line at once.
-The search only ever goes forward, over the few lines between executed and answered, so memory
-does not grow with the program.
+If a program has N words and the controller reports ``Ln``, that is the line.  The search only moves
+forward over the lines between executed and answered, so memory does not grow with the program.
 """
 
 from __future__ import annotations
@@ -25,16 +24,16 @@ from knifetip.gateway.interpreter import NOTHING as NO_BLOCK
 from knifetip.gateway.interpreter import Block, Interpreter, Refused
 from knifetip.gateway.motion import NOTHING, Limits, Pose
 
-#: A reported position this near to a move is on it (mm and degrees): steps, chords, rounding.
+#: Largest distance of a reported position from its move (mm and degrees): steps, chords, rounding.
 NEAR = 0.05
-#: A later move is preferred only where it is nearer by more than the rounding (mm and degrees).
+#: A later move is preferred only if it is nearer by more than this (mm and degrees).
 CLEARLY = 0.002
-#: Blocks that a planner may already have given up while the steps are still being made.
+#: Blocks that the planner has released although their steps are still being executed.
 AHEAD = 1
 
 
 def lines_of(text: bytes) -> Iterator[bytes]:
-    """Return the lines one by one, without newlines and without a copy of them all."""
+    """Yield the lines without newlines, without copying the whole program."""
     at = 0
     while at < len(text):
         end = text.find(b"\n", at)
@@ -51,7 +50,7 @@ class _Line:
 
 
 def blocks_of(text: bytes, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> Iterator[Block]:
-    """Return what each line does; nothing for one that only the controller can judge."""
+    """Yield the block of each line; an empty block for lines that cannot be interpreted here."""
     interpreter = Interpreter(start)
     for line in lines_of(text):
         try:
@@ -61,17 +60,19 @@ def blocks_of(text: bytes, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> Iterator[Block
 
 
 def seconds_of(block: Block, limits: Limits) -> float:
-    """Return how long a block nominally takes."""
+    """Return the nominal duration of a block (s)."""
     return (block.dwell or 0.0) + (block.move.seconds(limits) if block.move else 0.0)
 
 
 class Executed:
-    """Follows the machine along a program."""
+    """Tracks the execution of a program."""
 
     def __init__(self, text: bytes, limits: Limits, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> None:
         self._blocks = blocks_of(text, start)
         self._limits = limits
-        self._window: deque[_Line] = deque()  # from the first line not executed to the answered
+        self._window: deque[_Line] = (
+            deque()
+        )  # from the first line not executed to the last answered
         self._moves = 0  # moves in the window
         self._read = 0  # lines that have entered the window
         self._fraction = 0.0  # of the line being executed
@@ -80,7 +81,7 @@ class Executed:
         self.output = -1  #: digital output last switched on by an executed line
 
     def update(self, status: Status, acknowledged: int, capacity: int | None) -> int:
-        """Take in a report; return the number of lines executed.
+        """Process a report; return the number of executed lines.
 
         Parameters
         ----------
@@ -89,7 +90,7 @@ class Executed:
         acknowledged
             Lines of this program that had been answered by then.
         capacity
-            Blocks that the planner holds when it is full, if known.
+            Number of blocks of the planner, if known.
         """
         self._take(acknowledged)
         if capacity is not None and status.free is not None:
@@ -101,19 +102,19 @@ class Executed:
         return self.lines
 
     def finish(self, acknowledged: int) -> int:
-        """Say that the machine is at rest with nothing left of what it has answered."""
+        """Mark all answered lines as executed: the machine is at rest."""
         self._take(acknowledged)
         self._drop(len(self._window))
         return self.lines
 
     @property
     def seconds_done(self) -> float:
-        """Nominal seconds of everything executed, the part of the current line included."""
+        """Nominal seconds of all executed lines and of the executed part of the current one."""
         part = self._window[0].seconds * self._fraction if self._window else 0.0
         return self.seconds + part
 
     def _find(self, status: Status) -> tuple[int, float]:
-        """Return the row of the window that is being executed, and how much of it is done."""
+        """Return the row of the window being executed, and the fraction of it that is done."""
         nearest, found = NEAR, (0, 0.0)
         for row, line in enumerate(self._window):
             if status.number > 0 and line.block.number == status.number:
@@ -124,12 +125,12 @@ class Executed:
             if distance < nearest:
                 nearest, found = distance - CLEARLY, (row, fraction)
             elif nearest < NEAR:
-                # Only the move that follows can be nearer for being the true one: at their joint.
+                # Only the next move can be nearer because it is the true one: at their joint.
                 break
         return found
 
     def _take(self, acknowledged: int) -> None:
-        """Read on to the last line answered; a line that waits for motion settles all before."""
+        """Read up to the last answered line; one that waits for motion completes those before."""
         while self._read < acknowledged and (block := next(self._blocks, None)) is not None:
             self._window.append(_Line(block, seconds_of(block, self._limits)))
             self._moves += _moves(block)
@@ -138,12 +139,12 @@ class Executed:
                 self._drop(len(self._window))
 
     def _release(self, held: int) -> None:
-        """Drop lines until no more moves remain than the planner can still hold."""
+        """Remove lines until no more moves remain than the planner can hold."""
         while self._moves > held:
             self._drop(1)
 
     def _skip(self) -> None:
-        """Lines that move nothing are done as soon as they are the first."""
+        """Remove leading lines without motion: they are done."""
         while self._window and not _moves(self._window[0].block):
             self._drop(1)
 

@@ -1,20 +1,18 @@
-"""grbl: a controller that speaks grbl 1.1, grblHAL included.
+"""grbl: driver for controllers with the protocol of grbl 1.1, such as grblHAL.
 
 Lines of a program and realtime bytes go out over a Transport; ``ok``, ``error``, ``ALARM``,
 status reports and the welcome banner come back.
 
-Characters in flight are counted against the receive buffer, so the planner is never starved and
-the buffer never overflows.  What cannot be undone is refused early: the program is read once in
-check mode before the first byte moves anything.  Every failure ends in one of five errors, none
-in waiting for ever: ``ControllerRejected``, ``ControllerAlarm``, ``ControllerReset`` (a banner that
-nobody asked for), ``ControllerSilent`` (no answer, or an ``ok`` that was lost) and
-``ControllerError`` (the connection is lost, or an ``ok`` too many).  After each of them ``stop``
+Bytes in flight are counted against the receive buffer, so that the planner never runs empty and the
+buffer never overflows.  The program is parsed in check mode before anything moves.  Every failure
+ends in one of five errors, none in an endless wait: ``ControllerRejected``, ``ControllerAlarm``,
+``ControllerReset`` (an unexpected banner), ``ControllerSilent`` (no answer, or a lost ``ok``) and
+``ControllerError`` (a lost connection, or a surplus ``ok``).  After each of them ``stop``
 brings the machine into its safe state (``recovery``).
 
-A doubled ``ok`` makes the count of free bytes wrong.  It is noticed when an answer comes with no
-line in flight, when the controller reports more bytes in its buffer than are unanswered, and in
-``settle`` at the latest; until then room for the longest line is kept free, so that the buffer
-does not overflow.
+A doubled ``ok`` makes the count of free bytes wrong.  It is detected by an answer with no line in
+flight, by a report of more bytes in the buffer than are unanswered, at the latest in ``settle``.
+Until then room for the longest line is kept free, so that the buffer does not overflow.
 """
 
 from __future__ import annotations
@@ -41,15 +39,15 @@ from knifetip.gateway.motion import Pose
 from knifetip.gateway.transport import Transport, connect
 from knifetip.messages import Message
 
-#: grbl's receive buffer (bytes) where ``$I`` does not say another.
+#: Size of the receive buffer (bytes) if ``$I`` does not report it.
 WINDOW = 128
 #: An answer longer than this is noise (bytes).
 NOISE = 8192
-#: Least seconds between two ``?`` that are sent because a line was answered.
+#: Shortest time between two ``?`` sent after answers (s).
 GLANCE = 0.02
-#: Seconds between two looks at a machine that should come to rest.
+#: Time between two status requests while the machine comes to rest (s).
 REST = 0.01
-#: Reports in a row that must contradict the count of bytes before it counts as wrong.
+#: Consecutive reports that must contradict the byte count before it is considered wrong.
 TWICE = 2
 
 _REALTIME = re.compile(rb"[^\x20-\x7e\t\r]|[?!~]")
@@ -61,30 +59,32 @@ _DWELL = re.compile(rb"G0?4(?!\d)[^P]*P\s*(\d+\.?\d*)", re.IGNORECASE)
 
 @dataclass(slots=True)
 class _Sent:
-    """A line on its way: its bytes in the controller's buffer until it is answered."""
+    """A line that is not answered yet; its bytes may be in the controller's buffer."""
 
     size: int
     text: bytes
-    number: int  #: in the program, from 1; 0 for a command of our own
-    answer: asyncio.Future[tuple[int, list[str]]] | None = None  #: error code, lines before it
+    number: int  #: in the program, from 1; 0 for a command of the driver
+    answer: asyncio.Future[tuple[int, list[str]]] | None = (
+        None  #: error code, and the lines received before the answer
+    )
 
 
 class Grbl:
-    """One grbl at the end of a transport.
+    """A controller connected through a transport.
 
     Parameters
     ----------
     transport
         Open.
     safe
-        What ``open`` and ``stop`` bring the machine into; None only holds and resets.
+        Safe state for ``open`` and ``stop``; None only holds and resets.
     reconnect
-        Opens the transport anew; None where a lost connection stays lost.
+        Opens a new transport after a lost connection; None to give up.
     silence
         Seconds without any answer, or with an answer due and nothing moving, after which the
         controller counts as silent.
     poll
-        Most seconds between two ``?``.
+        Longest time between two ``?`` (s).
     """
 
     def __init__(
@@ -106,18 +106,18 @@ class Grbl:
         self._flight: deque[_Sent] = deque()
         self._used = 0
         self._longest = 0  # line since all answers were accounted for
-        self._most_room = 0  # bytes free in the receive buffer when it was emptiest
+        self._most_room = 0  # most bytes ever free in the receive buffer
         self._contradictions = 0
         self._info: list[str] = []
         self._news = asyncio.Event()
         self._wake = asyncio.Event()  # the watch
-        self._glance = False  # a line was answered: ask soon
-        self._doubt = False  # a report contradicts what is known: ask at once
+        self._glance = False  # a line was answered: request a report soon
+        self._doubt = False  # a report contradicts the state: request another at once
         self._reports = 0
         self._status: Status | None = None
         self._offset: Pose | None = None
         self._heard = 0.0  # when the last report came
-        self._moved = 0.0  # when something last happened that excuses an answer due
+        self._moved = 0.0  # time of the last event that explains a missing answer
         self._banners = 0
         self._banner_due = False
         self._checking = False
@@ -133,18 +133,18 @@ class Grbl:
         self.acknowledged = 0
         self.sent = 0
         self.capacity: int | None = None
-        self.last_alarm = 0  #: code of the alarm it is in, as far as it was heard
+        self.last_alarm = 0  #: code of the present alarm, 0 if none was received
 
     # -- opening and closing ------------------------------------------------------------------
 
     async def open(self, *, unlock: bool = False, stop_motion: bool = False) -> None:
-        """Take the controller over: at rest, unlocked, buffers empty, in the safe state.
+        """Take the controller over: at rest, unlocked, buffers empty, machine in its safe state.
 
-        It is reset, which at rest loses nothing; then Z is raised and all outputs are switched
-        off, since a reset leaves them as they are.  A machine that moves or holds is left alone,
-        unless its program is known to be ours (``stop_motion``): then it is stopped.  A machine
-        that is locked is left alone.  With ``unlock`` the operator vouches for the position, and
-        the alarm is taken back without homing (``$X``).
+        The controller is reset, which is harmless at rest; then Z is raised and all outputs are
+        switched off, because a reset does not change them.  A moving or held machine is not
+        touched unless its program is known to be ours (``stop_motion``).  A locked machine is not
+        touched; with ``unlock`` the operator confirms the position, and the alarm is cleared
+        without homing (``$X``).
 
         Raises
         ------
@@ -183,7 +183,7 @@ class Grbl:
         await recovery.secure(self, self._safe, self._silence)
 
     async def _require_laser_mode(self) -> None:
-        """Refuse a machine with a beam whose controller leaves it on at a hold.
+        """Refuse a machine with a beam whose controller does not switch it off at a hold.
 
         Only in laser mode does grbl switch the spindle output off at every hold, of the gateway or
         of its own button, and for every rapid.
@@ -192,7 +192,7 @@ class Grbl:
             raise self._fail(ControllerError("controller.not-in-laser-mode", name=self.name))
 
     async def close(self) -> None:
-        """Close the transport; what the controller has in its buffer it still does."""
+        """Close the transport; the controller still executes its buffer."""
         self._closed = True
         await self._hang_up()
         self._fail(ControllerError("controller.closed", name=self.name))
@@ -200,16 +200,16 @@ class Grbl:
     # -- lines ----------------------------------------------------------------------------------
 
     async def check(self, lines: Iterable[bytes]) -> None:
-        """Have the controller read a program without moving (``$C``).
+        """Let the controller parse a program without motion (``$C``).
 
-        Lines that switch outputs are left out: nothing says that check mode spares them.
+        Lines that switch outputs are omitted: check mode may execute them.
 
         Raises
         ------
         ControllerRejected
-            The first line that it would refuse, with the reason; nothing has moved.
+            The controller refuses a line; nothing has moved.
         ControllerAlarm
-            A move would leave the travel; nothing has moved, but the controller is locked.
+            A move exceeds the travel; nothing has moved, but the controller is locked.
         """
         await self.command(b"$C")
         self._checking = True
@@ -236,7 +236,7 @@ class Grbl:
         Raises
         ------
         ProgramError
-            It holds bytes that grbl takes for realtime commands, or would never fit.
+            The line contains realtime commands, or is longer than the buffer.
         ControllerError
             Any failure so far.
         """
@@ -261,12 +261,12 @@ class Grbl:
     async def settle(self) -> Status:
         """Wait until the machine is at rest and every answer is accounted for.
 
-        A doubled ``ok`` lets the last line count as answered too early: ``$G`` answers with a
-        line of its own before its ``ok``, so an ``ok`` without it belongs to another line.
+        After a doubled ``ok`` the last line seems answered too early.  ``$G`` sends a line before
+        its ``ok``, so an ``ok`` without that line belongs to another command.
         """
         await self.drain()
         idle = 0
-        # Once is not enough: a planner may have taken a move and not yet begun it.
+        # Twice: the planner may have accepted a move without having started it.
         while idle < 2:
             status = await self.status()
             idle = idle + 1 if status.state is State.IDLE else 0
@@ -278,7 +278,7 @@ class Grbl:
         return status
 
     async def status(self) -> Status:
-        """Ask with ``?`` and return the answer."""
+        """Request a status report (``?``) and return it."""
         self._raise()
         try:
             return await self._ask(self._silence)
@@ -298,12 +298,12 @@ class Grbl:
     async def stop(self) -> Status:
         """Discard the rest of the program and bring the machine into its safe state.
 
-        Whatever failed before is cleared by this; a lost connection is made anew.
+        Clears earlier failures; reconnects if the connection is lost.
 
         Returns
         -------
         Status
-            Where the machine came to rest, or was lifted to.
+            After the machine came to rest, or was lifted.
 
         Raises
         ------
@@ -316,7 +316,7 @@ class Grbl:
             status = await recovery.make_safe(self, self._safe, self._silence)
             done = True
         except ControllerError as unsafe:
-            self.fault = None  # what is in the way now matters more than what failed first
+            self.fault = None  # the present fault matters more than the first one
             raise self._fail(unsafe) from None
         finally:
             self._recovering = False
@@ -327,7 +327,7 @@ class Grbl:
     # -- what recovery needs ----------------------------------------------------------------------
 
     async def reach(self) -> None:
-        """Clear the fault; connect anew where the connection is lost."""
+        """Clear the fault; reconnect if the connection is lost."""
         if self._closed:
             raise ControllerError("controller.closed", name=self.name)
         if not self._connected:
@@ -349,7 +349,7 @@ class Grbl:
         await self._transport.write(byte)
 
     async def report(self) -> Status:
-        """Ask for a status report and return it; silence is no fault here."""
+        """Request a status report and return it; silence is not a fault here."""
         self._raise()
         return await self._ask(self._silence)
 
@@ -362,7 +362,7 @@ class Grbl:
         self._heard = self._moved = self._now()
 
     async def command(self, text: bytes) -> list[str]:
-        """Send a line of our own; return what came before its ``ok``."""
+        """Send a command of the driver; return the lines received before its ``ok``."""
         await self.drain()
         self._info.clear()
         answer: asyncio.Future[tuple[int, list[str]]]
@@ -393,7 +393,7 @@ class Grbl:
         ]
 
     async def _hang_up(self) -> None:
-        """End the tasks of this connection and close it."""
+        """Stop the tasks of this connection and close it."""
         for task in self._tasks:
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)
@@ -401,11 +401,11 @@ class Grbl:
         await self._transport.close()
 
     def _clear_flight(self) -> None:
-        """Forget the lines that a reset discards, and what was counted of them."""
+        """Discard the lines in flight and their byte counts, as a reset does."""
         for sent in self._flight:
             if sent.answer and not sent.answer.done():
                 sent.answer.set_exception(ControllerError("controller.was-reset", name=self.name))
-                sent.answer.exception()  # nobody may be waiting for it any more
+                sent.answer.exception()  # the waiting task may be gone
         self._flight.clear()
         self._used = self._longest = self._contradictions = 0
 
@@ -413,13 +413,13 @@ class Grbl:
         return asyncio.get_running_loop().time()
 
     def _fail(self, error: ControllerError) -> ControllerError:
-        """Note the first failure, wake everybody who waits, and return it."""
+        """Record the first failure, wake all waiting tasks, and return it."""
         if self.fault is None:
             self.fault = error
         for sent in self._flight:
             if sent.answer and not sent.answer.done():
                 sent.answer.set_exception(self.fault)
-                sent.answer.exception()  # nobody may be waiting for it any more
+                sent.answer.exception()  # the waiting task may be gone
         self._news.set()
         return self.fault
 
@@ -428,7 +428,7 @@ class Grbl:
             raise self.fault
 
     async def _until(self, true: Callable[[], bool], what: str = "") -> None:
-        """Wait for something; the watch bounds the waiting unless ``what`` names it."""
+        """Wait for a condition; the watch limits the time unless ``what`` names it."""
         try:
             async with asyncio.timeout(self._silence if what else None):
                 while not true():
@@ -455,7 +455,7 @@ class Grbl:
         await self._transport.write(sent.text + b"\n")
 
     def _fits(self, sent: _Sent) -> bool:
-        """Whether the buffer has room for a line, even if one answer too many was counted."""
+        """Return whether the buffer has room for a line, even after one doubled answer."""
         return not self._flight or self._used + sent.size + self._longest <= self._window
 
     async def _ask(self, patience: float) -> Status:
@@ -485,7 +485,7 @@ class Grbl:
         return Message("controller.due", line=first.number, text=_shown(first.text))
 
     async def _watch(self) -> None:
-        """Ask regularly, and notice silence and lost answers."""
+        """Request reports regularly, and detect silence and lost answers."""
         with suppress(ControllerError):
             while True:
                 before = self._now()
@@ -495,7 +495,7 @@ class Grbl:
                     continue
                 now = self._now()
                 if now - before > self._poll + self._silence / 2.0:
-                    # This process was busy: it did not listen, so it cannot call anybody silent.
+                    # This process was busy and did not listen: no silence can be concluded.
                     self._heard = self._moved = now
                 if now - self._heard > self._silence:
                     self._fail(self._silent())
@@ -515,7 +515,7 @@ class Grbl:
                     )
 
     async def _pause(self) -> None:
-        """Wait for the next ``?``: less than a poll where a line was answered, or in doubt."""
+        """Wait until the next ``?``: shorter after an answer, or after a doubtful report."""
         start = self._now()
         while not self._doubt:
             due = start + (min(GLANCE, self._poll) if self._glance else self._poll)
@@ -557,7 +557,7 @@ class Grbl:
         if not self._flight:
             if not (self._banner_due or self._recovering):
                 self._fail(self._one_too_many())
-            return  # else an answer from before the reset
+            return  # otherwise an answer from before the reset
         sent = self._flight.popleft()
         self._used -= sent.size
         self._moved = self._now()
@@ -567,7 +567,7 @@ class Grbl:
             return
         if not self._checking:
             self.acknowledged += 1
-            # The machine is about to begin another move: a good moment to see where it is.
+            # The machine starts another move: request its position.
             self._glance = True
             self._wake.set()
         if code:

@@ -1,9 +1,9 @@
-"""journal: what this gateway did, line by line, in a file beside the table.
+"""journal: a file in which the gateway records what it did.
 
-events -> JSON lines, appended and flushed; the last job that has no end, read back after a crash
+events -> JSON lines, appended and flushed; after a crash: the last job without an end
 
-The server has its own record.  This one survives a server that cannot be reached, and a gateway
-that was switched off while the machine was cutting or before its report had arrived.
+The journal covers what the server cannot know: what happened while the server was unreachable, or
+when the gateway was switched off during a job or before its report arrived.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-#: A journal longer than this (bytes) is set aside as ``.1`` when the next job begins.
+#: A longer journal (bytes) is renamed to ``.1`` when the next job starts.
 LONG = 8_000_000
 
 
 @dataclass(slots=True)
 class Unfinished:
-    """A job that was begun and whose end the server has not acknowledged."""
+    """A job that was started and whose end the server has not acknowledged."""
 
     job: str
     epoch: int
@@ -29,12 +29,12 @@ class Unfinished:
     copies: int = 1
     copies_done: int = 0  #: executed to their last line
     line: int = 0  #: executed lines of the copy that was under way
-    outcome: str = ""  #: how it ended, where it ended before the report was lost
+    outcome: str = ""  #: how it ended; empty if it did not end
     why: str = ""
 
 
 class Journal:
-    """An append-only file of events; with no path, nothing is kept."""
+    """An append-only file of events; without a path nothing is stored."""
 
     def __init__(self, path: Path | None) -> None:
         self._path = path
@@ -59,7 +59,7 @@ class Journal:
         )
 
     def line(self, job: str, copy: int, executed: int, acknowledged: int) -> None:
-        """Record how far the machine has come."""
+        """Record the progress of the machine."""
         now = (job, copy, executed, acknowledged)
         if now != self._last:
             self._last = now
@@ -89,16 +89,16 @@ class Journal:
         )
 
     def unfinished(self) -> Unfinished | None:
-        """Return the last job that was begun, if it has no end."""
+        """Return the last job if it has no end."""
         if self._path is None or not self._path.exists():
             return None
         found: Unfinished | None = None
         with self._path.open("rb") as file:
             for raw in file:
                 try:
-                    found = _followed(found, json.loads(raw))
+                    found = _apply(found, json.loads(raw))
                 except (ValueError, KeyError, TypeError):
-                    continue  # the power went in the middle of a line
+                    continue  # the line is incomplete after a power failure
         return found
 
     def _append(self, row: dict[str, object], *, safe: bool = False) -> None:
@@ -112,14 +112,14 @@ class Journal:
 
 
 def _end_last_line(path: Path) -> None:
-    """End a line that the power cut short, so that the next one can be read."""
+    """Terminate an incomplete last line, so that the next one can be read."""
     with path.open("r+b") as file:
         if file.seek(0, os.SEEK_END) and file.seek(-1, os.SEEK_END) >= 0 and file.read(1) != b"\n":
             file.write(b"\n")
 
 
-def _followed(found: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
-    """Return what is unfinished after one more row of the journal."""
+def _apply(found: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
+    """Return the unfinished job after one more row of the journal."""
     event = row["event"]
     if event == "begin":
         return Unfinished(

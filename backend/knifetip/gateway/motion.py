@@ -65,13 +65,13 @@ class Move:
         self.start = start
         self.end = end
         self.centre = centre
-        self.sweep = sweep  #: radians, counter-clockwise positive; 0 for a line
+        self.sweep = sweep  #: radians, positive counter-clockwise; 0 for a line
         self.rate = rate  #: per minute along the length; infinite for a rapid
-        self.minutes = minutes  #: time asked for by G93, else 0
+        self.minutes = minutes  #: duration given by G93, 0 otherwise
         dx, dy, dz, dc = (b - a for a, b in zip(start, end, strict=True))
         if centre is not None:
             around = abs(sweep) * math.hypot(start[0] - centre[0], start[1] - centre[1])
-            #: the most that each axis covers per unit of length, times the length
+            #: greatest distance of each axis per unit of length, times the length
             self.travel = (around, around, abs(dz), abs(dc))
             self.length = math.sqrt(around * around + dz * dz + dc * dc)
         else:
@@ -96,7 +96,7 @@ class Move:
         return x, y, z + fraction * (end[2] - z), c + fraction * (end[3] - c)
 
     def heading(self, fraction: float) -> Pose:
-        """Return how fast each axis changes per unit of length, at a fraction of it."""
+        """Return the derivative of each axis with respect to the length, at a fraction of it."""
         inverse = 1.0 / self.length
         start, end = self.start, self.end
         dz, dc = (end[2] - start[2]) * inverse, (end[3] - start[3]) * inverse
@@ -109,7 +109,7 @@ class Move:
         return -pace * (rx * sin + ry * cos), pace * (rx * cos - ry * sin), dz, dc
 
     def nearest(self, pose: Pose) -> tuple[float, float]:
-        """Return how far a pose lies off the move (mm and degrees alike), and at what fraction."""
+        """Return the distance of a pose from the move (mm, degrees), and the nearest fraction."""
         start, end = self.start, self.end
         if self.centre is None:
             along = [b - a for a, b in zip(start, end, strict=True)]
@@ -125,13 +125,13 @@ class Move:
             turned = (angle if self.sweep > 0 else -angle) % math.tau
             size = abs(self.sweep)
             if turned > size:
-                # Off the arc: fold to the nearer end, across the gap.
+                # Beyond the arc: take the nearer end.
                 turned = size if turned - size < math.tau - turned else 0.0
             fraction = turned / size
         return math.dist(pose, self.at(fraction)), fraction
 
     def bounds(self) -> tuple[Pose, Pose]:
-        """Return the least and greatest of each axis along the move, an arc's belly included."""
+        """Return the least and greatest value of each axis along the move."""
         pairs = list(zip(self.start, self.end, strict=True))
         low, high = [min(pair) for pair in pairs], [max(pair) for pair in pairs]
         if self.centre is not None:
@@ -148,10 +148,10 @@ class Move:
         return (low[0], low[1], low[2], low[3]), (high[0], high[1], high[2], high[3])
 
     def pace(self, limits: Limits) -> tuple[float, float]:
-        """Return the greatest velocity and acceleration along the length that the axes allow.
+        """Return the greatest velocity and acceleration along the move that the axes allow.
 
-        The velocity is the programmed one where that is less; on an arc it also keeps the
-        centripetal acceleration within what X and Y can give.
+        The velocity is at most the programmed one; on an arc it also keeps the centripetal
+        acceleration within that of X and Y.
         """
         velocity = self.length / (self.minutes * 60.0) if self.minutes else self.rate / 60.0
         acceleration = math.inf
@@ -168,7 +168,7 @@ class Move:
         return velocity, acceleration
 
     def seconds(self, limits: Limits) -> float:
-        """Return how long the move takes, a rapid from rest to rest, a feed without stops."""
+        """Return the duration of the move: a rapid from rest to rest, a feed without stops."""
         if self.length <= NOTHING:
             return 0.0
         velocity, acceleration = self.pace(limits)
@@ -179,7 +179,7 @@ class Move:
 
 
 class _Block:
-    """A move in the queue, with the speeds that are planned for it."""
+    """A queued move with its planned speeds."""
 
     __slots__ = ("acceleration", "entry", "joint", "move", "tag", "velocity")
 
@@ -188,15 +188,15 @@ class _Block:
         self.tag = tag
         self.velocity = velocity
         self.acceleration = acceleration
-        self.joint = 0.0  #: the most that the corner before it allows
-        self.entry = 0.0  #: planned, so that everything after it can still stop
+        self.joint = 0.0  #: greatest speed at the joint before it
+        self.entry = 0.0  #: planned speed at its start
 
 
 class Planner:
-    """A queue of moves with look-ahead, and the point that travels along them.
+    """A queue of moves with look-ahead, and a point that moves along them.
 
-    Velocity is a trapezoid along each move; at a joint no axis jumps by more than it gains in
-    ``JOLT``; the last move in the queue always ends at rest.
+    Velocity is trapezoidal along each move; at a joint no axis changes its velocity by more than it
+    can accelerate in ``JOLT``; the last queued move ends at rest.
     """
 
     def __init__(self, limits: Limits, capacity: int, position: Pose) -> None:
@@ -214,36 +214,36 @@ class Planner:
 
     @property
     def full(self) -> bool:
-        """Whether the next move must wait."""
+        """Whether the queue is full."""
         return len(self._queue) >= self.capacity
 
     @property
     def halted(self) -> bool:
-        """Whether a hold has come to rest."""
+        """Whether the point is at rest in a hold."""
         return self.holding and self.speed == 0.0
 
     @property
     def moving(self) -> bool:
-        """Whether time changes anything."""
+        """Whether the point moves."""
         return bool(self._queue) and not self.halted
 
     @property
     def current(self) -> Move | None:
-        """The move that is being travelled."""
+        """The current move."""
         return self._queue[0].move if self._queue else None
 
     @property
     def tag(self) -> int:
-        """The tag of the move that is being travelled, 0 when there is none."""
+        """Tag of the current move, 0 for none."""
         return self._queue[0].tag if self._queue else 0
 
     @property
     def fraction(self) -> float:
-        """How much of the current move has been travelled."""
+        """Fraction of the current move that is done."""
         return self._along / self._queue[0].move.length if self._queue else 0.0
 
     def append(self, move: Move, tag: int = 0) -> None:
-        """Queue a move; one that moves nothing is dropped, as the real planners do."""
+        """Queue a move; a move without length is dropped, as in real planners."""
         if move.length <= NOTHING:
             return
         block = _Block(move, tag, *move.pace(self.limits))
@@ -264,16 +264,16 @@ class Planner:
             queued.entry = leaving = entry
 
     def clear(self) -> None:
-        """Forget all moves and stand still here."""
+        """Discard all moves and stop at the present position."""
         self._queue.clear()
         self._along = self.speed = 0.0
         self.holding = False
 
     def advance(self, seconds: float) -> float:
-        """Travel for some time, to the end of the current move at most; return the time used.
+        """Advance in time, at most to the end of the current move; return the time used.
 
-        The planned motion depends only on place and speed, so that many short steps and one
-        long step meet at the same pose.
+        The planned motion depends only on position and speed, so that many short steps and one
+        long step reach the same pose.
         """
         if not self.moving:
             return 0.0
@@ -298,10 +298,10 @@ class Planner:
         return used
 
     def _travel(self, block: _Block, rest: float, left: float) -> tuple[float, float, float]:
-        """Follow the trapezoid: time used, length gone, speed after it."""
+        """Advance along the trapezoid; return time used, length covered and new speed."""
         hard, first = block.acceleration, self.speed
         last = self._queue[1].entry if len(self._queue) > 1 else 0.0
-        # After a hold the planned speed may be out of reach; it is never needed.
+        # After a hold the planned speed may be unreachable; it is not needed.
         last = min(last, math.sqrt(first * first + 2.0 * hard * rest))
         peak = math.sqrt(max((2.0 * hard * rest + first * first + last * last) / 2.0, 0.0))
         peak = max(min(peak, block.velocity), first, last)
@@ -321,11 +321,11 @@ class Planner:
 
 
 def _brake(rest: float, speed: float, hard: float, left: float) -> tuple[float, float, float]:
-    """Slow down as hard as allowed: time used, length gone, speed after it."""
+    """Decelerate at the limit; return time used, length covered and new speed."""
     if speed * speed / (2.0 * hard) <= rest:
         stop = speed / hard
         if left >= stop:
-            # Stopping exactly at the end must not leave a move that is never finished.
+            # A stop exactly at the end must complete the move.
             return stop, min(speed * stop / 2.0, rest * (1.0 - 1e-12)), 0.0
         return left, speed * left - hard * left * left / 2.0, speed - hard * left
     after = math.sqrt(max(speed * speed - 2.0 * hard * rest, 0.0))

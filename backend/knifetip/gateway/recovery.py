@@ -2,7 +2,7 @@
 
 hold -> wait for rest -> reset -> unlock (where allowed) -> lift Z -> spindle off -> outputs off
 
-Why in this order, and when an alarm is unlocked: docs/decisions/0019.
+The reasons for this order, and for clearing alarms, are in docs/decisions/0019.
 """
 
 from __future__ import annotations
@@ -18,25 +18,25 @@ from knifetip.messages import Message
 
 #: Speed of the lift (mm/min).
 LIFT_FEED = 6000.0
-#: Seconds that the lift may take beyond the limit of silence.
+#: Time allowed for the lift, in addition to the limit of silence (s).
 LIFT_SECONDS = 10.0
-#: Alarms after which the machine is unlocked to lift and release it: soft limit, and reset while
-#: moving.  Every other alarm has a cause at the machine that a person must see to first.
+#: Alarms that are cleared to lift the tool and release the outputs: soft limit, and reset while
+#: moving.  All others have a cause at the machine that a person must inspect first.
 UNLOCKABLE = frozenset({2, 3})
 #: Pause between two attempts to reach the controller (s).
 PAUSE = 0.25
-#: Seconds between two looks at a machine that should come to rest.
+#: Time between two status requests while the machine comes to rest (s).
 LOOK = 0.01
 #: Z may be this much below the lift (mm): rounding of reports.
 LEVEL = 1e-3
 
 
 class Recoverable(Protocol):
-    """What recovery needs of a controller that speaks grbl."""
+    """The methods of a grbl controller that recovery uses."""
 
     @property
     def name(self) -> str:
-        """Where it is, for messages."""
+        """Address, for messages."""
         ...
 
     @property
@@ -45,7 +45,7 @@ class Recoverable(Protocol):
         ...
 
     async def reach(self) -> None:
-        """Return with the connection up and no fault; connect anew where it is lost."""
+        """Clear the fault; reconnect if the connection is lost."""
         ...
 
     async def realtime(self, byte: bytes) -> None:
@@ -53,7 +53,7 @@ class Recoverable(Protocol):
         ...
 
     async def report(self) -> Status:
-        """Ask for a status report and return it."""
+        """Request a status report and return it."""
         ...
 
     async def reset(self) -> None:
@@ -61,22 +61,22 @@ class Recoverable(Protocol):
         ...
 
     async def command(self, text: bytes) -> list[str]:
-        """Send a line and return what came before its ``ok``."""
+        """Send a line; return the lines received before its ``ok``."""
         ...
 
 
 async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
-    """Stop whatever runs, discard it, and bring the machine into its safe state.
+    """Stop and discard the running program, and bring the machine into its safe state.
 
-    Tried again for ``6 * silence`` seconds where the controller does not answer, or the
-    connection is lost.
+    Retries for ``6 * silence`` seconds if the controller does not answer or the connection is
+    lost.
 
     Raises
     ------
     ControllerAlarm
-        An alarm locks the machine that a person must clear.
+        An alarm locks the machine; a person must clear it.
     ControllerRejected
-        It refuses to release an output; everything else was done.
+        It refuses to release an output; all other steps were done.
     ControllerError
         It could not be reached.
     """
@@ -87,7 +87,7 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
             await machine.reach()
             await _hold(machine, silence)
             await machine.reset()
-            # A report that was under way may be from before the reset: the second one is not.
+            # The first report may be from before the reset; the second one is not.
             await machine.report()
             status = await machine.report()
             if status.state is State.ALARM:
@@ -104,7 +104,7 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
 async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
     """Lift Z, stop the spindle and switch off every output of a machine at rest.
 
-    Z first: a tool that is in the board leaves it along the axis.
+    Z is first, so that a tool in the board leaves it along its axis.
 
     Raises
     ------
@@ -138,19 +138,19 @@ async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -
 
 
 async def _hold(machine: Recoverable, silence: float) -> None:
-    """Feed hold, and wait until no axis moves; without reports, for as long as silence lasts."""
+    """Feed hold, and wait until no axis moves, or for ``silence`` seconds without reports."""
     await machine.realtime(b"!")
     still = 0
     with suppress(TimeoutError, ControllerSilent):
         async with asyncio.timeout(silence):
-            # Twice: one report may have been under way, or be false.
+            # Two reports: one may be old or false.
             while still < 2:
                 still = still + 1 if (await machine.report()).still else 0
                 await asyncio.sleep(LOOK)
 
 
 async def _unlock(machine: Recoverable) -> None:
-    """Take the alarm back where it may be; see ``UNLOCKABLE``."""
+    """Clear the alarm if it is one of ``UNLOCKABLE``."""
     locked = _locked(machine)
     if machine.last_alarm not in UNLOCKABLE:
         raise locked
@@ -169,7 +169,7 @@ def _locked(machine: Recoverable) -> ControllerAlarm:
 
 
 async def _idle(machine: Recoverable, seconds: float) -> Status:
-    """Wait for the end of the lift."""
+    """Wait until the lift has ended."""
     idle = 0
     try:
         async with asyncio.timeout(seconds):

@@ -9,12 +9,12 @@ import asyncio
 from collections.abc import Callable
 from contextlib import suppress
 
-from knifetip.gateway.table import BANNER, Faults, Table, to_nobody
+from knifetip.gateway.table import BANNER, Faults, Table, discard_answer
 from knifetip.model.machine import Machine
 
 
 class Server:
-    """A table behind a TCP port; one sender at a time."""
+    """A simulated table on a TCP port, for one client at a time."""
 
     def __init__(self, table: Table) -> None:
         self.table = table
@@ -27,17 +27,17 @@ class Server:
 
     @property
     def address(self) -> str:
-        """``host:port``, as ``transport.connect`` takes it."""
+        """``host:port``, for ``transport.connect``."""
         return f"{self.host}:{self.port}"
 
     async def start(self, host: str, port: int) -> None:
-        """Listen, and let time run."""
+        """Accept connections and start the simulation clock."""
         self._server = await asyncio.start_server(self._called, host, port)
         self.host, self.port = self._server.sockets[0].getsockname()[:2]
         self._running = asyncio.create_task(self.table.run(), name="simulated table")
 
     async def close(self) -> None:
-        """Hang up and stop the table where it is."""
+        """Close the connection and stop the table at its position."""
         tasks = [*self._calls]
         if self._running is not None:
             tasks.append(self._running)
@@ -71,18 +71,18 @@ class Server:
                 with suppress(OSError):
                     await writer.drain()
         except (asyncio.CancelledError, OSError):
-            pass  # the port closes, or the sender is gone: the machine does what it has
+            pass  # the port closes or the client is gone: the machine executes its buffer
         finally:
             if self._writer is writer:
                 self._writer = None
-                self.table.answer = to_nobody
+                self.table.answer = discard_answer
             self._calls.discard(task)
             writer.close()
             with suppress(OSError, asyncio.CancelledError):
                 await writer.wait_closed()
 
     def _hang_up(self, writer: asyncio.StreamWriter) -> None:
-        self.table.answer = to_nobody
+        self.table.answer = discard_answer
         writer.close()
 
 
@@ -96,14 +96,14 @@ async def serve(
     window: int = 128,
     sample: float = 0.0,
 ) -> Server:
-    """Put a simulated table behind a TCP port; 0 takes a free one.
+    """Start a simulated table on a TCP port; 0 takes a free one.
 
     Parameters
     ----------
     speed
-        Seconds of the machine to one of the clock.
+        Simulated seconds per second of the clock.
     sample
-        Simulated seconds between two samples of the trace; 0 keeps none.
+        Simulated seconds between two samples of the trace; 0 for no trace.
     """
     server = Server(Table(machine, speed=speed, faults=faults, window=window, sample=sample))
     await server.start(host, port)
@@ -118,7 +118,7 @@ def run(
     speed: float = 1.0,
     ready: Callable[[Server], None] | None = None,
 ) -> None:
-    """Serve a simulated table until interrupted; ``ready`` is told when it listens."""
+    """Serve a simulated table until interrupted; calls ``ready`` when it listens."""
 
     async def serving() -> None:
         async with await serve(machine, host, port, speed=speed) as server:

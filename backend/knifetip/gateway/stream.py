@@ -1,16 +1,13 @@
-"""stream: a program to a controller, and how far the machine has come.
+"""stream: send a program to a controller, and report the progress of the machine.
 
     stream(program: Program | bytes, controller: Controller) -> AsyncIterator[Progress]
 
-The consumer holds and resumes on the controller itself.  Closing the iterator before its end is
-the cancel: the machine is stopped and brought into its safe state.  So an exception in the
-consumer, or the end of the process's event loop, stops the machine too; use
-``contextlib.aclosing``.
+Hold and resume are calls on the controller.  Closing the iterator early cancels: the machine is
+stopped and brought into its safe state, also after an exception in the consumer or at the end of
+the event loop; use ``contextlib.aclosing``.
 
-The bytes go out unaltered, one thing is added between them: a line that switches an output waits
-until the machine is at rest.
-
-Memory does not grow with the length of the program beyond its bytes.
+The bytes are sent unaltered.  A line that switches an output is sent when the machine is at rest.
+Memory does not grow with the length of the program, except for its bytes.
 """
 
 from __future__ import annotations
@@ -30,11 +27,11 @@ from knifetip.gateway.motion import Limits, Pose
 from knifetip.messages import Message
 from knifetip.model.program import Program
 
-#: Lines read ahead of giving other work its turn.
+#: Lines processed before other tasks get their turn.
 TURN = 500
-#: Nominal seconds after which the real pace is believed.
+#: Nominal seconds after which the measured pace is used.
 PACE = 1.0
-#: What is taken for the axes where nobody says: 1 m/s, 5 m/s², two turns a second.
+#: Default limits of the axes: 1 m/s, 5 m/s², two turns per second.
 TYPICAL = Limits(
     (1000.0, 1000.0, 200.0, 720.0),
     (5000.0, 5000.0, 2000.0, 7200.0),
@@ -47,15 +44,15 @@ _log = logging.getLogger(__name__)
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Where the machine is in a program."""
+    """Progress of the machine in a program."""
 
-    executed: int  #: lines done; the machine is at the next one
+    executed: int  #: executed lines; the machine is at the next one
     acknowledged: int  #: lines answered by the controller
     lines: int  #: of the program
-    position: Pose  #: X, Y, Z, C in the program's numbers
+    position: Pose  #: X, Y, Z, C in work coordinates
     state: State
-    output: int  #: digital output last switched on (the station in use), -1 before any
-    seconds_left: float | None  #: at the pace so far, holds not counted
+    output: int  #: digital output last switched on (the station in use), -1 for none
+    seconds_left: float | None  #: at the pace so far, without holds
 
 
 async def stream(
@@ -66,23 +63,23 @@ async def stream(
     check: bool = True,
     interval: float = 0.1,
 ) -> AsyncGenerator[Progress, None]:
-    """Run a program, and say every ``interval`` seconds how far the machine is.
+    """Run a program; yield the progress every ``interval`` seconds.
 
     Parameters
     ----------
     program
-        The bytes, which go out unaltered.
+        Sent unaltered.
     controller
         Open and idle.
     limits
-        Of the machine, for the time that is left.
+        Of the axes, to estimate the remaining time.
     check
-        Have the controller read the whole program first, without moving.
+        Let the controller parse the whole program first, without motion.
 
     Yields
     ------
     Progress
-        The last one has executed every line.
+        In the last one every line is executed.
 
     Raises
     ------
@@ -153,7 +150,7 @@ async def _safe(controller: Controller) -> Status:
 async def _stop(
     controller: Controller, error: ControllerError, following: Executed, base: Status, lines: int
 ) -> ControllerError:
-    """Bring the machine into its safe state; return the error with what came of the program."""
+    """Bring the machine into its safe state; return the error with the number of executed lines."""
     progress = _executed(following.lines, controller.sent - base.sent, lines)
     try:
         status = await _safe(controller)
@@ -170,7 +167,7 @@ async def _stop(
 
 
 def _executed(executed: int, sent: int, lines: int) -> Message:
-    """Return how much of the program was executed, and how much may have been."""
+    """Return how many lines were executed, and how many more may have been."""
     rest = sent - executed
     if sent == 0:
         return Message("run.nothing-sent")
@@ -180,7 +177,7 @@ def _executed(executed: int, sent: int, lines: int) -> Message:
 
 
 async def _measure(text: bytes, limits: Limits, start: Pose) -> tuple[int, float]:
-    """Return the number of lines and their nominal seconds, letting other work go on."""
+    """Return the number of lines and their nominal duration, without blocking other tasks."""
     lines, total = 0, 0.0
     for block in blocks_of(text, start):
         lines += 1
@@ -195,14 +192,14 @@ async def _feed(text: bytes, controller: Controller, corridor: Corridor, check: 
         await controller.check(lines_of(text))
     for number, line in enumerate(lines_of(text), 1):
         if switches(line):
-            # grblHAL lowers or raises a station when it reads M64 or M65, whatever still moves.
+            # grblHAL switches an output when it reads M64 or M65, even while axes move.
             corridor.check_rest(await controller.settle())
         await controller.send(line, number)
     corridor.check_rest(await controller.settle())
 
 
 async def _give_up(task: asyncio.Task[None]) -> None:
-    """End the feeding and discard its error: the caller has it already."""
+    """Cancel the sending task and discard its error, which the caller has already."""
     task.cancel()
     await asyncio.gather(task, return_exceptions=True)
 
@@ -222,7 +219,7 @@ def _progress(
 
 
 class _Clock:
-    """Turns nominal seconds into the seconds that this machine takes."""
+    """Converts nominal seconds into seconds of this machine."""
 
     def __init__(self, total: float) -> None:
         self._total = total
@@ -230,7 +227,7 @@ class _Clock:
         self._last: float | None = None
 
     def left(self, done: float, status: Status) -> float:
-        """Return the seconds still to go after ``done`` nominal ones."""
+        """Return the remaining seconds after ``done`` nominal ones."""
         now = asyncio.get_running_loop().time()
         if self._last is not None and status.state is State.RUN:
             self._running += now - self._last

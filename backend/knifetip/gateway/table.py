@@ -1,12 +1,12 @@
-"""table: a sample-maker in memory that speaks grbl 1.1 / grblHAL.
+"""table: a simulated sample-maker with the protocol of grbl 1.1 and grblHAL.
 
     bytes -> Table -> answers, and the table moves
 
-It has the things that a sender must get right: a receive buffer of 128 bytes that really
-overflows, a planner of 15 blocks, an ``ok`` only when a line has left the buffer for the planner,
-soft limits, check mode, holds that decelerate in the middle of an arc, M64 and M65 that act when
-they are read, and alarms that lock.  Time is simulated: ``speed`` seconds of the machine to one
-on the clock, counted only while something moves or dwells.
+It models what a sender must handle: a receive buffer of 128 bytes that overflows, a planner of 15
+blocks, an ``ok`` only when a line leaves the buffer for the planner, soft limits, check mode, holds
+that decelerate within an arc, M64 and M65 that act when they are read, and alarms that lock.
+Time is simulated, ``speed`` times as fast as the clock, and only advances while something moves or
+dwells.
 """
 
 from __future__ import annotations
@@ -23,55 +23,59 @@ from knifetip.gateway.interpreter import NOTHING, Block, Interpreter, Refused, b
 from knifetip.gateway.motion import Limits, Move, Planner, Pose
 from knifetip.model.machine import Machine
 
-#: Seconds of the real clock between two steps while the machine moves.
+#: Real time between two steps while the machine moves (s).
 TICK = 0.002
-#: Real seconds that one step may compute, so that a great speed never starves the port.
+#: Longest real time of one step, so that a high speed does not block the port (s).
 STINT = 0.01
-#: Real seconds for which the machine may catch up after the process was busy.
+#: Real time that the machine may catch up after the process was busy (s).
 LAG = 0.1
-#: An end stop is met this far past the travel (mm or degrees).
+#: Distance of the end stops beyond the travel (mm or degrees).
 PAST = 1e-4
-#: Blocks in the planner, as ``$I`` and ``Bf`` say.
+#: Blocks of the planner, as ``$I`` and ``Bf`` report.
 BLOCKS = 15
 #: Samples that a trace keeps at most.
 SAMPLES = 500_000
 BANNER = "GrblHAL 1.1f ['$' or '$HELP' for help]"
 
 
-def to_nobody(line: str) -> None:
-    """Where answers go while no sender is connected."""
+def discard_answer(line: str) -> None:
+    """Discard an answer: no client is connected."""
 
 
 @dataclass(frozen=True, slots=True)
 class Faults:
-    """What goes wrong, counted over lines of programs outside check mode, from 1."""
+    """Injected faults; program lines outside check mode are counted from 1."""
 
-    drop_ok: frozenset[int] = frozenset()  #: these lines are carried out but not answered
-    errors: Mapping[int, int] = field(default_factory=dict)  #: these are refused, with this code
-    disconnect: int = 0  #: at this line the connection breaks
-    reset_in_arc: int = 0  #: half way along this arc (from 1) the controller resets
+    drop_ok: frozenset[int] = frozenset()  #: lines that are executed but not answered
+    errors: Mapping[int, int] = field(
+        default_factory=dict
+    )  #: lines that are refused, with the error code
+    disconnect: int = 0  #: line at which the connection breaks
+    reset_in_arc: int = (
+        0  #: number of the arc (from 1) in the middle of which the controller resets
+    )
 
 
 @dataclass(frozen=True, slots=True)
 class Switched:
-    """A digital output that was switched."""
+    """One switching of a digital output."""
 
     time: float
     output: int
     on: bool
     position: Pose
-    moving: bool  #: an axis was moving at that moment
+    moving: bool  #: whether an axis was moving
 
 
 @dataclass(slots=True)
 class Trace:
-    """Where the head was: a sample every ``interval`` simulated seconds while it moves."""
+    """Positions of the head, sampled every ``interval`` simulated seconds while it moves."""
 
     interval: float
     _values: array[float] = field(default_factory=lambda: array("d"))
 
     def add(self, time: float, position: Pose) -> None:
-        """Keep a sample, as long as there is room for it."""
+        """Add a sample if there is room."""
         if len(self._values) < 5 * SAMPLES:
             self._values.extend((time, *position))
 
@@ -81,9 +85,9 @@ class Trace:
 
 
 class Table:
-    """The controller and its machine, without the network.
+    """The controller and its machine, without a network.
 
-    ``receive`` takes the bytes that arrive; what it answers goes to ``answer``.
+    ``receive`` processes incoming bytes; ``answer`` is called with each line sent back.
     """
 
     def __init__(
@@ -107,7 +111,7 @@ class Table:
         self.switched: deque[Switched] = deque(maxlen=10_000)
         self.oscillating = False
         self.lost = 0  #: bytes that overflowed the buffer
-        self.answer: Callable[[str], None] = to_nobody
+        self.answer: Callable[[str], None] = discard_answer
         self.hang_up: Callable[[], None] = lambda: None
         self.awake = asyncio.Event()
         self._limits = Limits.of(machine)
@@ -128,12 +132,12 @@ class Table:
 
     @property
     def position(self) -> Pose:
-        """Where the joints are."""
+        """Positions of the joints."""
         return self._planner.position
 
     @property
     def state(self) -> str:
-        """What a status report calls it."""
+        """State as in a status report."""
         if self._state != "Idle":
             return self._state
         if self._check:
@@ -144,13 +148,13 @@ class Table:
 
     @property
     def busy(self) -> bool:
-        """Whether time changes anything."""
+        """Whether something moves or dwells."""
         return self._planner.moving or (self._dwell > 0.0 and not self._planner.holding)
 
     # -- what it hears --------------------------------------------------------------------------
 
     def receive(self, data: bytes) -> None:
-        """Take bytes from the wire: realtime ones act, the rest waits in the buffer."""
+        """Process incoming bytes: realtime commands act at once, the rest is buffered."""
         for byte in data:
             if byte == 0x18:
                 self._reset()
@@ -176,7 +180,7 @@ class Table:
             self._planner.holding = True
 
     def _stand(self) -> None:
-        """Forget all motion and stand here."""
+        """Discard all motion and stop at the present position."""
         self._planner.clear()
         self._interpreter.reset(self._planner.position)
         self._waiting = None
@@ -222,7 +226,7 @@ class Table:
     # -- what it reads --------------------------------------------------------------------------
 
     def _read(self) -> None:
-        """Carry out lines from the buffer until one must wait, and answer them."""
+        """Execute and answer lines from the buffer until one must wait."""
         while True:
             if self._waiting is not None and not self._settled(*self._waiting):
                 return
@@ -264,12 +268,12 @@ class Table:
         self._waiting = (block, order)
 
     def _settled(self, block: Block, order: int) -> bool:
-        """Carry out what can be carried out of the line that was read; answer it when done."""
+        """Execute a block as far as possible; answer it when done."""
         if block.waits:
             if len(self._planner) or self._dwell > 0.0:
                 return False
             if block.dwell:
-                # Once counted down, it is the same line with a dwell of nothing.
+                # After the dwell the same line is processed with a dwell of 0.
                 self._dwell = block.dwell
                 self._waiting = (replace(block, dwell=0.0), order)
                 return False
@@ -305,7 +309,7 @@ class Table:
         )
 
     def _alarm(self, code: int) -> None:
-        """A critical alarm: nothing is heard until a reset."""
+        """Raise a critical alarm: everything is ignored until a reset."""
         self._stand()
         self._buffer.clear()
         self._state = "Alarm"
@@ -363,7 +367,7 @@ class Table:
         return rows
 
     def _jog(self, text: bytes) -> int:
-        """Start a jog; return grbl's error, 0 for none."""
+        """Start a jog; return the error code, 0 for none."""
         jog = Interpreter(self._interpreter.position)
         try:
             move = jog.read(b"G1" + text.replace(b"G53", b"")).move
@@ -382,7 +386,7 @@ class Table:
     # -- how it moves ---------------------------------------------------------------------------
 
     def elapse(self, seconds: float) -> None:
-        """Let simulated time pass: move, dwell, and read on as room appears."""
+        """Advance simulated time: move, dwell, and read lines as room appears."""
         left = seconds
         while left > 0.0:
             self._read()
@@ -401,7 +405,7 @@ class Table:
         self._read()
 
     def _move(self, seconds: float) -> float:
-        """Travel along the current move; return the time used."""
+        """Move along the current block; return the time used."""
         move = self._planner.current
         doomed = (
             move is not None
@@ -417,7 +421,7 @@ class Table:
         return used
 
     async def run(self) -> None:
-        """Let simulated time follow the clock, for ever."""
+        """Advance simulated time with the clock until cancelled."""
         loop = asyncio.get_running_loop()
         last = loop.time()
         while True:
@@ -425,7 +429,7 @@ class Table:
                 self._owed = 0.0
                 self.awake.clear()
                 await self.awake.wait()
-                # Time in which nothing could move is not caught up with.
+                # Time in which nothing could move is skipped.
                 last = loop.time() - TICK
                 continue
             now = loop.time()
@@ -435,8 +439,8 @@ class Table:
             await asyncio.sleep(TICK if self.busy else 0.0)
 
     def _spend(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
-        """Use up the simulated time that is owed, or the real time that one step may take."""
-        part = max(self._owed / 16.0, 1e-4)  # looks at the clock now and then
+        """Advance by the pending simulated time, within the real time of one step."""
+        part = max(self._owed / 16.0, 1e-4)  # checks the clock from time to time
         while self._owed > 0.0 and self.busy and loop.time() < deadline:
             step = min(part, self._owed)
             before = self.time

@@ -1,9 +1,9 @@
-"""transport: bytes to and from a controller, whatever the cable.
+"""transport: byte connections to controllers.
 
 "tcp://192.168.1.20:23" or "192.168.1.20:23" -> Transport
 
-A transport knows nothing of lines or answers.  Serial ports and pseudo-terminals are further
-classes with the same four methods, chosen in ``connect`` by the scheme of the address.
+A transport does not interpret the bytes.  Other kinds of connection are classes with the same four
+methods, selected in ``connect`` by the scheme of the address.
 """
 
 from __future__ import annotations
@@ -15,20 +15,20 @@ from urllib.parse import urlsplit
 
 from knifetip.errors import ControllerError
 
-#: The most that one ``read`` brings; a controller's answers are short.
+#: Most bytes that one ``read`` returns.
 CHUNK = 4096
 
 
 class Transport(Protocol):
-    """An open way to a controller."""
+    """An open connection to a controller."""
 
     @property
     def address(self) -> str:
-        """Where it leads, as the operator wrote it."""
+        """Address, as the operator entered it."""
         ...
 
     async def read(self) -> bytes:
-        """Wait for bytes and return them; empty when the other side has gone."""
+        """Wait for bytes and return them; empty if the other side has closed."""
         ...
 
     async def write(self, data: bytes) -> None:
@@ -36,7 +36,7 @@ class Transport(Protocol):
         ...
 
     async def close(self) -> None:
-        """Give the way up; closing twice is harmless."""
+        """Close the connection; closing twice is harmless."""
         ...
 
 
@@ -52,12 +52,12 @@ class Tcp:
 
     @classmethod
     async def open(cls, host: str, port: int, *, timeout: float = 5.0) -> Tcp:
-        """Connect, or say why not.
+        """Connect to a host and port.
 
         Raises
         ------
         ControllerError
-            Nobody answers there within ``timeout`` seconds.
+            No answer within ``timeout`` seconds.
         """
         address = f"{host}:{port}"
         try:
@@ -70,7 +70,7 @@ class Tcp:
         return cls(address, reader, writer)
 
     async def read(self) -> bytes:
-        """Wait for bytes; empty when the other side has gone."""
+        """Wait for bytes and return them; empty if the other side has closed."""
         try:
             return await self._reader.read(CHUNK)
         except OSError:
@@ -100,12 +100,12 @@ class Tcp:
 
 
 async def connect(address: str) -> Transport:
-    """Open the way that an address names.
+    """Connect to an address.
 
     Raises
     ------
     ControllerError
-        The address cannot be read, or nobody answers there.
+        The address is invalid, or there is no answer.
     """
     parts = urlsplit(address if "//" in address else f"//{address}", scheme="tcp")
     try:
