@@ -28,7 +28,8 @@ def catalogue() -> str:
     return (
         f"{HEADER}\n"
         f"export const TEXTS = {_literal(entries)} as const satisfies Catalogue;\n\n"
-        f"export const UNITS: Readonly<Record<string, string>> = {_literal(english.UNITS)};\n"
+        f"export const UNITS: Readonly<Record<string, string>> = {_literal(english.UNITS)};\n\n"
+        f"export const TOOLS: Readonly<Record<string, string>> = {_literal(english.TOOLS)};\n"
     )
 
 

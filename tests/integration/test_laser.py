@@ -122,12 +122,12 @@ FAULTS: dict[str, tuple[Callable[[str], str], str]] = {
     "on along a rapid": (lambda text: text.replace("M5\nG0 X", "G0 X", 1), "on along a rapid"),
     "on from the job before": (lambda text: text.replace("M5\nG0 Z", "G0 Z", 1), "may still be on"),
     "on at the end": (
-        lambda text: text.replace("M5\nG49", "M3 S800\nG49"), "while something oscillates"
+        lambda text: text.replace("M5\nG49", "M3 S800\nG49"), "while a tool oscillates"
     ),
     "no power": (lambda text: text.replace("M3 S800", "M3", 1), "another speed"),
     "less power": (lambda text: text.replace("M3 S800", "M3 S700", 1), "another speed"),
     "no pierce": (lambda text: text.replace("M3 S800\nG4 P0.2\n", "M3 S800\n", 1), "has settled"),
-    "short pierce": (lambda text: text.replace("G4 P0.2\n", "G4 P0.1\n", 1), "another time"),
+    "short pierce": (lambda text: text.replace("G4 P0.2\n", "G4 P0.1\n", 1), "not last as long"),
     "never on": (lambda text: text.replace("M3 S800\nG4 P0.2\n", ""), "not cut"),
     "once off": (lambda text: text.replace("M3 S800\nG4 P0.2\n", "", 1), "not cut"),
     "no air": (lambda text: text.replace("M64 P5\n", ""), "output 5 is off"),

@@ -35,6 +35,7 @@ from knifetip.cli.terminal import (
 )
 from knifetip.errors import PlanError, ProgramUnreadable
 from knifetip.library import load
+from knifetip.messages import with_text
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
 from knifetip.model.verdict import Unreached, Verdict
@@ -91,7 +92,7 @@ def judged(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
     return {
         **verdict_summary(verdict),
         "areas": unreached(verdict.areas),
-        "findings": findings_of(verdict, handles),
+        "findings": [with_text(finding) for finding in findings_of(verdict, handles)],
         "edges": [
             {"handle": handle, **{name: float(column[row]) for name, column in columns.items()}}
             for row, handle in enumerate(handles)

@@ -13,7 +13,7 @@ import json
 import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -31,6 +31,7 @@ from knifetip.jobs.readings import (
 )
 from knifetip.jobs.report import reported, said, unit_of
 from knifetip.library import load
+from knifetip.messages import Message, render
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
@@ -47,6 +48,9 @@ from knifetip.presentation.verdict import (
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
+
+#: Findings that the reason of a refused job lists.
+_SHOWN: Final = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -251,9 +255,14 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
     text = made.program.text
     reason = ""
     if not verdict.accepted:
-        told = " ".join(str(finding["text"]) for finding in findings[:3])
-        more = f" And {len(findings) - 3} more." if len(findings) > 3 else ""
-        reason = f"The program does not cut what was drawn: {told}{more}"
+        shown, more = verdict.findings[:_SHOWN], len(findings) - _SHOWN
+        reason = render(
+            Message(
+                "job.program-refused",
+                findings=[finding.located for finding in shown],
+                more=Message("finding.more", count=more) if more > 0 else None,
+            )
+        )
     return CompileResult(
         accepted=bool(verdict.accepted),
         reason=reason,

@@ -20,6 +20,14 @@ UNITS: Final[Mapping[str, str]] = {
     "px": "pixels",
 }
 
+#: Tools, as findings name them.
+TOOLS: Final[Mapping[str, str]] = {
+    "cutter": "cutter",
+    "knife": "knife",
+    "v-cutter": "V-cutter",
+    "wheel": "wheel",
+}
+
 TEXTS: Final[Mapping[str, str]] = {
     "stored.text": "{text}",
     "advice.compiling": "Wait until it is ready.",
@@ -233,6 +241,10 @@ TEXTS: Final[Mapping[str, str]] = {
     "field.missing": "{path} is missing",
     "field.misspelt": "{path} is not a field; did you mean {near}?",
     "field.unknown": "{path} is not a field",
+    "finding.at-edge": "Edge {edge}: {fault}",
+    "finding.at-edge-and-line": "Edge {edge}, line {line}: {fault}",
+    "finding.at-line": "Line {line}: {fault}",
+    "finding.more": " And {count} more.",
     "groove.along-edge": "The V-groove at edge {edge} meets the board's edge at {angle:.1f}°, "
     "almost along it, so its flanks would not leave the board.",
     "groove.curved": "{count:# V-groove edge is an arc|# V-groove edges are arcs}, the first of "
@@ -253,16 +265,45 @@ TEXTS: Final[Mapping[str, str]] = {
     "only {caliper:.2f} mm thick.",
     "groove.too-short": "The V-groove at edge {edge} is {length:.2f} mm long, and the blade is "
     "{blade:.2f} mm wide.",
+    "hpgl.bad-byte": "The byte {byte} has no meaning here.",
     "hpgl.bad-feed": "{place} has a feed of {feed:g} mm/min, and {device} has whole cm/s from "
     "{slowest} to {fastest}.",
+    "hpgl.bad-number": "A sign has no number, or a number has too many digits.",
     "hpgl.depth-change": "{place} changes its depth while it works.",
+    "hpgl.ends-down": "The program ends with the tool down.",
+    "hpgl.ends-with-pen": "The program ends without putting the tool away (SP0).",
+    "hpgl.force-out-of-range": "The force (FS) is not between {low} and {high}.",
+    "hpgl.initialised-again": "The device is initialised again (IN) after the start.",
+    "hpgl.lone-letter": "A letter does not belong to an instruction of two letters.",
+    "hpgl.loose-number": "A number belongs to no instruction.",
+    "hpgl.moves-before-pa": "The line moves before absolute coordinates are stated (PA).",
+    "hpgl.needs-no-number": "The instruction takes no number.",
+    "hpgl.needs-one-number": "The instruction needs exactly one number.",
     "hpgl.never-down": "The toolpath never goes down.",
     "hpgl.no-approach": "{place} begins the work of its station, and no rapid leads there.",
     "hpgl.no-device": "{machine} has no HPGL device.",
+    "hpgl.no-force-setting": "The device has no force setting (FS).",
+    "hpgl.no-instruction": "The program has no instruction.",
     "hpgl.no-pen": "{machine} has no pen for {work} with station {station}.",
+    "hpgl.no-pen-selected": "The line lowers the tool, and no pen is selected.",
+    "hpgl.no-speed": "The line works, and no speed has been set (VS).",
+    "hpgl.no-speed-setting": "The device has no speed setting (VS).",
+    "hpgl.no-terminator": "The program ends without a semicolon.",
+    "hpgl.not-initialised": "The first instruction is not IN.",
+    "hpgl.outside-area": "The line leaves the area of the device.",
+    "hpgl.plunge-without-move": "The line lowers the tool and moves nowhere, so its heading is "
+    "not known.",
     "hpgl.press": "{place} presses the tool in one place, where HPGL cannot turn it.",
+    "hpgl.selects-while-down": "The line selects a pen while the tool is down.",
     "hpgl.slanted-plunge": "{place} goes down or up along a slope.",
+    "hpgl.speed-out-of-range": "The speed (VS) is not between {low} and {high}.",
     "hpgl.swivel": "{place} turns the head about the tip.",
+    "hpgl.turn-in-board": "The tool turns by {degrees:.2f}° in the board; at most {most:.2f}° "
+    "is allowed.",
+    "hpgl.unknown-instruction": "The instruction {name} is not supported.",
+    "hpgl.unknown-pen": "The device has no such pen.",
+    "hpgl.wrong-force": "The line lowers pen {pen} with another force than its own (FS{force}).",
+    "hpgl.x-without-y": "An X has no Y.",
     "input.not-finite": "{what} has a coordinate that is not a number.",
     "job.being-cancelled": "Job {job} is being cancelled.",
     "job.cancelled-before-request": "Job {job} is being cancelled, so it cannot {request}.",
@@ -276,6 +317,7 @@ TEXTS: Final[Mapping[str, str]] = {
     "job.not-taken": "Job {job} is queued, and its machine {machine} has not taken it yet.",
     "job.nothing-to-confirm": "Job {job} is running.",
     "job.other-board": "Job {job} is for the board {board}, not {given}.",
+    "job.program-refused": "The program does not cut what was drawn: {findings: }{more}",
     "job.stale-epoch": "This gateway no longer owns job {job}, which is {state} (epoch {epoch}; "
     "it is in epoch {current} now).",
     "job.unknown": "There is no job {job}.",
@@ -417,6 +459,59 @@ TEXTS: Final[Mapping[str, str]] = {
     "request.wrong-host": "This server does not answer requests for the host {host!r}.",
     "request.wrong-key": "The key is wrong.",
     "request.wrong-method": "{method} is not supported at {path}.",
+    "rs274.after-end": "The line comes after the end of the program.",
+    "rs274.axis-without-motion": "The line has axis words and no G0, G1, G2 or G3.",
+    "rs274.bad-arc": "The ends of the arc differ in radius by more than {limit:g} mm.",
+    "rs274.bad-character": "The character {character!r} has no meaning here.",
+    "rs274.bad-feed": "The feed (F) is not greater than 0.",
+    "rs274.bad-line-number": "The line number (N) is not a whole number of 0 or more.",
+    "rs274.centre-without-arc": "The line has the centre of an arc (I, J) and no G2 or G3.",
+    "rs274.change-without-station": "The line changes the station (M6), and none has been "
+    "called (T).",
+    "rs274.control-byte": "The byte {byte} acts on the controller at once, even in a comment.",
+    "rs274.ends-lowered": "The program ends with a station lowered.",
+    "rs274.ends-oscillating": "The program ends while a tool oscillates or turns.",
+    "rs274.ends-output-on": "The program ends with an output on.",
+    "rs274.ends-with-offset": "The program ends with the offset of a station in force.",
+    "rs274.g64-unsupported": "G64 is rejected by controllers without a tool table.",
+    "rs274.incomplete-arc": "The arc lacks X, Y, I or J.",
+    "rs274.letter-without-number": "The letter {letter} has no number.",
+    "rs274.line-too-long": "The line is longer than {limit} characters, more than a controller "
+    "reads.",
+    "rs274.missing-p": "The line lacks its P word.",
+    "rs274.mode-g17": "the XY plane (G17)",
+    "rs274.mode-g21": "millimetres (G21)",
+    "rs274.mode-g40": "no radius compensation (G40)",
+    "rs274.mode-g49": "no tool length (G49)",
+    "rs274.mode-g54": "the coordinate system (G54)",
+    "rs274.mode-g90": "absolute distances (G90)",
+    "rs274.mode-g91-1": "arc centres from the start (G91.1)",
+    "rs274.mode-g94": "the feed mode (G94)",
+    "rs274.motion-without-axis": "The line has a motion word and no axis word.",
+    "rs274.moves-and-switches": "The line moves and switches something at once.",
+    "rs274.moves-unstated": "The line moves before the program states {mode}.",
+    "rs274.nested-comment": "A comment opens inside another comment.",
+    "rs274.no-end": "The program ends without M2 or M30.",
+    "rs274.no-feed": "The line feeds, and no F has been stated since the feed mode was set.",
+    "rs274.not-settled": "The line moves before what was switched has settled.",
+    "rs274.number-too-large": "A number is beyond 1,000,000.",
+    "rs274.offset-without-station": "The line applies the offset of a station (G43), and none "
+    "has been called (T).",
+    "rs274.open-comment": "A comment is not closed.",
+    "rs274.repeated-word": "Two words of the line set the same thing.",
+    "rs274.speed-without-m3": "The line has a speed (S) and no M3.",
+    "rs274.stray-p": "The P word belongs to no other word of the line, or to two.",
+    "rs274.stray-q": "The Q word belongs to no other word of the line.",
+    "rs274.timed-without-f": "The move is timed (G93) and has no F.",
+    "rs274.too-many-digits": "A number has more than 15 digits.",
+    "rs274.unbounded-rounding": "The line works while nothing limits how far corners are rounded.",
+    "rs274.unknown-letter": "The letter {letter} is not supported.",
+    "rs274.unknown-output": "{machine} has no such output.",
+    "rs274.unknown-station": "{machine} has no such station (T).",
+    "rs274.unknown-word": "{word} is not supported.",
+    "rs274.wrong-dwell": "The dwell (G4) does not last as long as the machine needs ({settle:g} "
+    "s).",
+    "rs274.wrong-speed": "M3 has another speed (S) than the tool's.",
     "run.executed": "{executed} of {lines} lines were executed.",
     "run.in-buffer": "{executed} of {lines} lines were executed, and up to {rest} more, which "
     "were in the controller's buffer, may have been.",
@@ -494,6 +589,120 @@ TEXTS: Final[Mapping[str, str]] = {
     "unit.overruled": "{stated}; the drawing supports {unit:unit}: {reason}",
     "unit.unsupported": "{unit!r} is not a supported unit of length.",
     "verify.bad-tolerance": "A tolerance of {tolerance} mm is not a length.",
+    "verify.beam-on-rapid": "The beam is on along a rapid of {length:.3f} mm.",
+    "verify.beam-refocused": "The beam is on while its focus moves by {height:.3f} mm.",
+    "verify.beside-line": "The {tool:tool} is {distance:.3f} mm off the line.",
+    "verify.beyond-rotation": "Joint {joint} turns to {position:.3f}°; its travel is {low:g} to "
+    "{high:g}°.",
+    "verify.beyond-travel": "Joint {joint} goes to {position:.3f} mm; its travel is {low:g} to "
+    "{high:g} mm.",
+    "verify.bridge-near-corner": "The bridge at {place:.3f} mm along the contour is "
+    "{distance:.3f} mm too near a sharp corner.",
+    "verify.bridge-spacing": "From the bridge at {place:.3f} mm along the contour it is "
+    "{distance:.3f} mm to the next; the board allows {most:g} mm.",
+    "verify.bridge-spare": "The bridge at {place:.3f} mm along the contour is not needed: "
+    "without it the next two are {distance:.3f} mm apart.",
+    "verify.bridge-width": "The bridge at {place:.3f} mm along the contour is {width:.3f} mm "
+    "wide in the top face; the board needs {planned:g} mm.",
+    "verify.centre-off-path": "The cutter's centre is {distance:.4f} mm off its path, and the "
+    "controller may round {rounding:.4f} mm more; the tolerance is {tolerance:g} mm.",
+    "verify.cleaning-beyond": "Cleaning: the edge is worked where nothing was drawn.",
+    "verify.cleaning-dropped": "Cleaning dropped {length:.3f} mm of the edge.",
+    "verify.cleaning-incomplete": "Cleaning: the stretches of the edge do not add up to its "
+    "length.",
+    "verify.cleaning-invented": "Cleaning: no part of the edge was drawn.",
+    "verify.cleaning-moved": "Cleaning moved the edge by {distance:.4f} mm.",
+    "verify.cleaning-type": "Cleaning: the edge is {drawn} and is worked as {worked}.",
+    "verify.comes-out-anywhere": "The knife comes out neither where an edge ends nor where it "
+    "went in.",
+    "verify.comes-out-past": "The knife comes out {distance:.3f} mm past where it should.",
+    "verify.comes-out-short": "The knife comes out {distance:.3f} mm short of where it should.",
+    "verify.crease-too-short": "The crease is too short for the wheel.",
+    "verify.cuts-part": "The cutter takes {depth:.3f} mm off the part.",
+    "verify.cutter-at-rest": "The cutter works while it does not turn.",
+    "verify.flank-inside": "A flank comes out {distance:.4f} mm inside its place on the top "
+    "face; the tolerance is {tolerance:g} mm.",
+    "verify.flank-outside": "A flank comes out {distance:.4f} mm outside its place on the top "
+    "face; the tolerance is {tolerance:g} mm.",
+    "verify.flank-through-cut": "A flank goes {depth:.3f} mm through the cut at edge {edge}, "
+    "which lies {distance:.3f} mm beside the groove, {place:.1f} mm from its start.",
+    "verify.goes-in-anywhere": "The knife goes in where no edge begins.",
+    "verify.groove-arc": "The groove is an arc, which a tilted blade cannot follow.",
+    "verify.groove-past-ends": "The blade runs {length:.2f} mm past the ends of the groove; the "
+    "board allows {most:.2f} mm.",
+    "verify.groove-shallower": "The V-cutter goes {depth:.3f} mm deep after an earlier pass of "
+    "{before:.3f} mm.",
+    "verify.inside-part": "The cutter works at X{x:.3f} Y{y:.3f} of the sheet, inside a part.",
+    "verify.knife-at-rest": "The oscillating knife cuts while its oscillation is off.",
+    "verify.laser-off": "The laser cuts while it is off.",
+    "verify.loose-piece": "The edge is worked at X{x:.3f} Y{y:.3f} of the sheet, on a piece "
+    "that line {line} has already cut loose.",
+    "verify.lowers-second": "The line lowers station {station} while station {other} may be "
+    "lowered.",
+    "verify.moves-before-stated": "The program moves before it states {thing}.",
+    "verify.moves-with-beam": "The program moves before it states the spindle (M5), so a beam "
+    "may still be on.",
+    "verify.never-stated": "The program ends without stating {thing}.",
+    "verify.no-station": "The line feeds, and no station has been chosen.",
+    "verify.not-worked": "{length:.3f} mm of the edge are not {work}{where}.",
+    "verify.off-line": "The {tool:tool} is {distance:.4f} mm off the line, and the controller "
+    "may round {rounding:.4f} mm more; the tolerance is {tolerance:g} mm.",
+    "verify.oscillation-on": "Station {station} works while the oscillation is on.",
+    "verify.other-placement": "The program states the placement X{x:.4f} Y{y:.4f}; the job has "
+    "X{job_x:.4f} Y{job_y:.4f}.",
+    "verify.output": "output {output} (M65 P{output})",
+    "verify.output-off": "Station {station} works while its output {output} is off.",
+    "verify.pass-too-deep": "The {tool:tool} goes {depth:.3f} mm deep along {length:.3f} mm "
+    "that no earlier pass has prepared; at most {step:g} mm at once is allowed.",
+    "verify.past-end": "The {tool:tool} runs {length:.3f} mm past the end of the edge.",
+    "verify.past-open-cut": "The cutter goes {length:.3f} mm past the end of an open cut.",
+    "verify.past-stop": "The {tool:tool} works {length:.3f} mm past where it should stop.",
+    "verify.perforation-cut": "A perforation has a cut of {length:.3f} mm; {planned:.3f} mm is "
+    "planned.",
+    "verify.perforation-gap": "The perforation has a gap of {length:.3f} mm, {place:.3f} mm "
+    "from its start; the board needs gaps of {planned:g} mm.",
+    "verify.rapid-in-board": "A rapid takes station {station} {depth:.3f} mm below the top of "
+    "the board.",
+    "verify.slanted": "Station {station} goes {distance:.3f} mm sideways off its own line while "
+    "it plunges or lifts in the board.",
+    "verify.spindle": "the spindle (M5)",
+    "verify.stray": "The {tool:tool} works {length:.3f} mm at X{x:.3f} Y{y:.3f} of the sheet, "
+    "where no edge asks for it.",
+    "verify.stray-along": "The {tool:tool} works {length:.3f} mm along edge {edge}, which is "
+    "{type} and does not ask for it.",
+    "verify.stray-plunge": "The {tool:tool} goes down at X{x:.3f} Y{y:.3f} of the sheet, where "
+    "no edge asks for it.",
+    "verify.stray-plunge-along": "The {tool:tool} goes down on edge {edge}, which is {type} and "
+    "does not ask for it.",
+    "verify.switches-at-unknown-height": "The line switches at a height that no line before it "
+    "states.",
+    "verify.switches-low": "The line switches at joint Z {height:.3f} mm.",
+    "verify.too-few-bridges": "{bridges:# bridge holds|# bridges hold} the part; the board "
+    "needs at least {fewest}.",
+    "verify.turn-at-feed": "C turns by {degrees:.4f}° at a feed in mm/min.",
+    "verify.turn-in-board": "C turns by {degrees:.3f}° in the board; at most {most:.2f}° is "
+    "allowed.",
+    "verify.turn-off-path": "C turns by {degrees:.3f}° in the board while the path turns by "
+    "{path:.3f}°.",
+    "verify.two-lowered": "Station {station} works while station {other} is lowered too (output "
+    "{output}).",
+    "verify.unclassified": "The edge has no line type, so its work is not known.",
+    "verify.unknown-position": "The line moves from or to a position that no line before it "
+    "states.",
+    "verify.where-from-start": ", beginning {place:.3f} mm from its start",
+    "verify.where-past-end": ", where the tool must run out past its end",
+    "verify.where-past-start": ", where the tool must run out past its start",
+    "verify.work-creased": "creased",
+    "verify.work-cut": "cut",
+    "verify.work-grooved": "grooved",
+    "verify.work-grooved-from-end": "grooved from its end",
+    "verify.work-grooved-from-start": "grooved from its start",
+    "verify.wrong-depth": "The {tool:tool} goes {depth:.3f} mm below the top of the board; "
+    "{planned:.3f} mm is planned.",
+    "verify.wrong-feed": "Station {station} has a feed of {feed:g} mm/min instead of {planned:g}.",
+    "verify.wrong-heading": "The {tool:tool} is turned {degrees:.3f}° off the line, so that it "
+    "swings {swing:.3f} mm.",
+    "verify.wrong-time": "Station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
     "worker.died": "The worker process ended unexpectedly (exit code {code}), as happens when "
     "memory runs out.",
     "worker.memory": "The drawing needs more than the {limit} GB of memory that one drawing may "
@@ -621,6 +830,9 @@ HINTS: Final[Mapping[str, str]] = {
     "error.at-edge": "{error:hint}",
     "error.at-edges": "{error:hint}",
     "error.in-file": "{error:hint}",
+    "finding.at-edge": "{fault:hint}",
+    "finding.at-edge-and-line": "{fault:hint}",
+    "finding.at-line": "{fault:hint}",
     "groove.along-edge": "End it before the edge, or meet the edge at 5° or more.",
     "groove.curved": "Draw straight lines, or give them another line type.",
     "groove.overcut": "Choose a narrower blade, or allow a longer overcut for this board.",
@@ -632,6 +844,7 @@ HINTS: Final[Mapping[str, str]] = {
     "larger error.",
     "groove.too-deep": "Choose a shallower groove or a thicker board.",
     "groove.too-short": "Draw the groove longer, or choose a narrower blade.",
+    "hpgl.bad-byte": "Remove it.",
     "hpgl.bad-feed": "Give the tool a feed that is a multiple of {step:g} mm/min.",
     "hpgl.depth-change": "Work in one pass.",
     "hpgl.never-down": "Give at least one edge a line type that the machine makes.",
@@ -639,8 +852,10 @@ HINTS: Final[Mapping[str, str]] = {
     "hpgl.no-device": "Describe it under [controller] of its TOML.",
     "hpgl.no-pen": "Add a [[controller.pen]] to its TOML.",
     "hpgl.press": 'Choose a board with short_crease = "refuse", or another machine.',
+    "hpgl.selects-while-down": "Lift it first (PU).",
     "hpgl.slanted-plunge": "Choose a tool that goes straight down.",
     "hpgl.swivel": "Give the knife no trail: the device compensates it.",
+    "hpgl.turn-in-board": "Lift it before the corner.",
     "input.not-finite": "Draw it again.",
     "job.being-cancelled": "Wait until the machine has stopped.",
     "job.cancelled-before-request": "Wait until the machine has stopped.",
@@ -763,6 +978,15 @@ HINTS: Final[Mapping[str, str]] = {
     "request.wrong-host": "Use its address, or start it with --allow-host and this name.",
     "request.wrong-key": "Send Authorization: Bearer KEY.",
     "request.wrong-method": "See /api/openapi.json for the supported methods.",
+    "rs274.bad-character": "Remove it.",
+    "rs274.control-byte": "Remove it.",
+    "rs274.ends-with-offset": "Cancel it (G49) before the end.",
+    "rs274.g64-unsupported": "Remove it.",
+    "rs274.moves-and-switches": "Write them on two lines.",
+    "rs274.nested-comment": "Close the first one before it.",
+    "rs274.not-settled": "Dwell (G4) before it.",
+    "rs274.open-comment": "End it with ) on the same line.",
+    "rs274.unbounded-rounding": "State the limit with G64 P before it.",
     "segment.not-finite": "Draw it again.",
     "server.address-in-use": "Stop the program that uses the port, or choose another with --port.",
     "server.busy": "Send it again in {seconds} s.",
@@ -811,6 +1035,14 @@ HINTS: Final[Mapping[str, str]] = {
     "machine.",
     "unit.unsupported": "Choose one of {known:, }.",
     "verify.bad-tolerance": "Give a number greater than 0, usually 0.01 mm.",
+    "verify.loose-piece": "Cut the contour around the piece afterwards.",
+    "verify.lowers-second": "Release station {other} first (M65 P{output}).",
+    "verify.moves-before-stated": "Until it is stated, lift only, straight up to joint Z "
+    "{height:.3f} mm or higher.",
+    "verify.switches-at-unknown-height": "Lift to {needed:.3f} mm first.",
+    "verify.switches-low": "Lift to {needed:.3f} mm first.",
+    "verify.turn-at-feed": "State how long the move takes (G93).",
+    "verify.unclassified": "Give it a line type.",
     "worker.died": "Send a smaller drawing, or split this one.",
     "worker.memory": "Send a smaller drawing, or split this one.",
     "worker.timeout": "Send a smaller drawing, or split this one.",

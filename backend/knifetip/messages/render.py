@@ -9,6 +9,7 @@ Templates are those of ``str.format``, with these formats beside Python's own:
 ``{size:MB}``      bytes as mebibytes
 ``{size:mm}``      a length with as many places as are of use
 ``{unit:unit}``    the name of a unit of length
+``{tool:tool}``    the name of a tool
 =================  ==================================================================
 
 A message among the arguments is rendered in its place, or with ``{error:hint}`` its hint; one that
@@ -75,5 +76,6 @@ _NAMED: Final[Mapping[str, Callable[[Any], str]]] = {
     "MB": lambda size: f"{size / 2**20:.1f}",
     "mm": _length,
     "unit": lambda unit: english.UNITS.get(unit, unit),
+    "tool": lambda tool: english.TOOLS.get(tool, tool),
 }
 _FORMATTER: Final = _Formatter()

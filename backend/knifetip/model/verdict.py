@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, frozen
+from knifetip.messages import Message, render
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,10 +16,28 @@ class Finding:
 
     #: deviation, overcut, uncut, stray, depth, heading, order, feed, travel or program
     kind: str
-    text: str  #: in the user's words
+    message: Message  #: what is wrong, without its place
     measure: float  #: mm, or degrees for a heading
     edge: int = -1  #: row in Dieline, -1 where it is about none
     line: int = -1  #: 1-based line of the program, -1 where it is about none
+
+    @property
+    def located(self) -> Message:
+        """What is wrong, with its edge and line."""
+        if self.edge >= 0 and self.line >= 0:
+            return Message(
+                "finding.at-edge-and-line", edge=self.edge, line=self.line, fault=self.message
+            )
+        if self.edge >= 0:
+            return Message("finding.at-edge", edge=self.edge, fault=self.message)
+        if self.line >= 0:
+            return Message("finding.at-line", line=self.line, fault=self.message)
+        return self.message
+
+    @property
+    def text(self) -> str:
+        """What is wrong and where, in English."""
+        return render(self.located)
 
 
 def _none() -> F64:

@@ -64,7 +64,7 @@ def verdict_summary(verdict: Verdict) -> dict[str, Any]:
 
 
 def findings_of(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, Any]]:
-    """Return the findings of a verdict.
+    """Return the findings of a verdict: each a message, with kind, measure and place.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def findings_of(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, Any]
     return [
         {
             "kind": finding.kind,
-            "text": finding.text.encode("utf-8", "replace").decode("utf-8").replace("\0", ""),
+            **finding.message.as_json(),
             "measure": finite(finding.measure),
             "edge": finding.edge,
             "handle": handles[finding.edge] if 0 <= finding.edge < len(handles) else "",

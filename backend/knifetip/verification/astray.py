@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.verification.bench import CATCH
 from knifetip.verification.columns import F64, I32, I64, Bool
@@ -71,34 +72,41 @@ def _astray(trial: Trial, which: I32, spans: F64, first: I64, total: F64, bad: I
         curve, all_edges.curve, np.zeros(len(all_edges)), all_edges.curve[:, 5], TOUCHING
     )
     clear = trial.bench.board.end_clearance if trial.trade == Trade.CREASE else 0.0
+    tool = trial.trade.tool
     for k, group in enumerate(bad):
         line, length = int(trial.line[which[first[group]]]), float(total[group])
         span = spans[first[group]]
         if (edge := _along(on, k, span)) >= 0:
             trial.overcut(np.array([edge]), np.array([max(length - clear, 0.0)]))
-            text = f"{trial.trade.tool} works {length:.3f} mm past where it should stop."
-            trial.finding("overcut", edge, text, length, line=line)
+            message = Message("verify.past-stop", tool=tool, length=length)
+            trial.finding("overcut", edge, message, length, line=line)
             continue
         edge, measure = _beside(near, k, span)
         if edge >= 0:
             row = trial.edges.row[edge]
             trial.figures.deviation[row] = max(trial.figures.deviation[row], measure)
-            text = f"{trial.trade.tool} is {measure:.3f} mm off the line."
-            trial.finding("deviation", edge, text, measure, line=line)
+            message = Message("verify.beside-line", tool=tool, distance=measure)
+            trial.finding("deviation", edge, message, measure, line=line)
             continue
         if (edge := _touched(on, k, span)) >= 0:
             trial.overcut(np.array([edge]), np.array([length]))
-            text = f"{trial.trade.tool} runs {length:.3f} mm past its end."
-            trial.finding("overcut", edge, text, length, line=line)
+            message = Message("verify.past-end", tool=tool, length=length)
+            trial.finding("overcut", edge, message, length, line=line)
             continue
         x, y = point_at(curve[k : k + 1], span[:1])[0]
-        where = f"at X{x:.3f} Y{y:.3f} of the sheet"
         if (wrong := _along(other, k, span)) >= 0:
-            kind = LineType(int(all_edges.line_type[wrong])).word
-            where = f"along edge {int(all_edges.row[wrong])}, which is {kind}"
-        what = f"works {length:.3f} mm" if length > 0.0 else "goes down"
-        text = f"{trial.trade.tool} {what} {where}, where no edge asks for it."
-        trial.finding("stray", -1, text, length, line=line)
+            row, kind = all_edges.row[wrong], LineType(int(all_edges.line_type[wrong])).word
+            if length > 0.0:
+                message = Message(
+                    "verify.stray-along", tool=tool, length=length, edge=row, type=kind
+                )
+            else:
+                message = Message("verify.stray-plunge-along", tool=tool, edge=row, type=kind)
+        elif length > 0.0:
+            message = Message("verify.stray", tool=tool, length=length, x=x, y=y)
+        else:
+            message = Message("verify.stray-plunge", tool=tool, x=x, y=y)
+        trial.finding("stray", -1, message, length, line=line)
 
 
 def _stretches(rows: Rows, curve: int, span: F64) -> tuple[slice, F64, Bool]:

@@ -15,6 +15,7 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.findings import MOST
@@ -116,8 +117,8 @@ def _arrived(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
 
 def judged(
     found: Bridges, paths: Chains, edges: Edges, held: Bool, board: Board, slack: float
-) -> Iterator[tuple[str, int, str, float]]:
-    """Yield what is wrong with bridges: the kind of finding, the edge, words, the measure (mm).
+) -> Iterator[tuple[str, int, Message, float]]:
+    """Yield what is wrong with bridges: kind of finding, edge, message, measure (mm).
 
     Parameters
     ----------
@@ -137,33 +138,34 @@ def judged(
     bad = (np.abs(wide) > slack) | (short > slack) | spare
     bad |= found.apart > board.bridge_spacing + slack
     for k in np.flatnonzero(bad)[:MOST]:
-        at, e = f"bridge at {found.middle[k]:.3f} mm round the contour", int(edge[k])
+        place, e = found.middle[k], int(edge[k])
         if abs(wide[k]) > slack:
-            text = (
-                f"the {at} is {found.width[k]:.3f} mm wide in the top face; the board wants "
-                f"{board.bridge_width:g} mm."
+            message = Message(
+                "verify.bridge-width",
+                place=place,
+                width=found.width[k],
+                planned=board.bridge_width,
             )
-            yield "uncut" if wide[k] > 0.0 else "overcut", e, text, float(abs(wide[k]))
+            yield "uncut" if wide[k] > 0.0 else "overcut", e, message, float(abs(wide[k]))
         if short[k] > slack:
-            text = f"the {at} is {short[k]:.3f} mm too near a sharp corner."
-            yield "deviation", e, text, float(short[k])
+            message = Message("verify.bridge-near-corner", place=place, distance=short[k])
+            yield "deviation", e, message, float(short[k])
         past = float(found.apart[k] - board.bridge_spacing)
         if past > slack:
-            text = (
-                f"from the {at} it is {found.apart[k]:.3f} mm to the next; the board wants at most "
-                f"{board.bridge_spacing:g} mm."
+            message = Message(
+                "verify.bridge-spacing",
+                place=place,
+                distance=found.apart[k],
+                most=board.bridge_spacing,
             )
-            yield "overcut", e, text, past
+            yield "overcut", e, message, past
         if spare[k]:
-            text = (
-                f"the {at} is one too many: without it there are {found.gap_without[k]:.3f} mm "
-                "from one to the next."
-            )
-            yield "uncut", e, text, float(found.width[k])
+            message = Message("verify.bridge-spare", place=place, distance=found.gap_without[k])
+            yield "uncut", e, message, float(found.width[k])
     for path in np.flatnonzero(held & (many < FEWEST))[:MOST]:
         e = int(np.flatnonzero(paths.path == path)[0])
-        text = f"{many[path]} bridges hold the part; the board wants {FEWEST} at least."
-        yield "overcut", e, text, 0.0
+        message = Message("verify.too-few-bridges", bridges=many[path], fewest=FEWEST)
+        yield "overcut", e, message, 0.0
 
 
 def _near_corner(found: Bridges, paths: Chains, edges: Edges) -> tuple[I64, F64]:

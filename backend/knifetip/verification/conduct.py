@@ -9,6 +9,7 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, Bool
@@ -62,20 +63,20 @@ def travel(moves: Moves, machine: Machine, found: Findings) -> Bool:
         below = np.nan_to_num(axis.low - low[:, column])
         above = np.nan_to_num(high[:, column] - axis.high)
         past = np.maximum(below, above)
-        unit = "°" if name == "C" else " mm"
         good &= past <= TRAVEL
         good &= ~(moves.start[:, column] < axis.low - TRAVEL)
         good &= ~(moves.start[:, column] > axis.high + TRAVEL)
         goes = round_ | (moves.start[:, column] != moves.end[:, column])
         for row in np.flatnonzero((past > TRAVEL) & goes)[:MOST]:
             reached = low[row, column] if below[row] > above[row] else high[row, column]
-            found.add(
-                "travel",
-                f"Line {moves.line[row]}: joint {name} goes to {reached:.3f}{unit}, and its travel "
-                f"is {axis.low:g} to {axis.high:g}.",
-                past[row],
-                line=moves.line[row],
+            message = Message(
+                "verify.beyond-rotation" if name == "C" else "verify.beyond-travel",
+                joint=name,
+                position=reached,
+                low=axis.low,
+                high=axis.high,
             )
+            found.add("travel", message, past[row], line=moves.line[row])
     return good
 
 
@@ -102,26 +103,24 @@ def feeds(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
     plain = ~moves.inverse
     off = np.where(plain, np.abs(moves.feed - own) > FEED * own, off)
     for row in np.flatnonzero(feeding & off)[:MOST]:
+        number = _number(moves, machine, row)
         if moves.inverse[row]:
-            text = f"takes {60.0 * minutes[row]:.4f} s instead of {60.0 * least[row]:.4f} s."
+            message = Message(
+                "verify.wrong-time",
+                station=number,
+                seconds=60.0 * minutes[row],
+                planned=60.0 * least[row],
+            )
         else:
-            text = f"has a feed of {moves.feed[row]:g} mm/min instead of {own[row]:g}."
+            message = Message(
+                "verify.wrong-feed", station=number, feed=moves.feed[row], planned=own[row]
+            )
         measure = abs(moves.feed[row] - own[row]) if plain[row] else minutes[row] * 60.0
-        found.add(
-            "feed",
-            f"Line {moves.line[row]}: {_name(moves, machine, row)} {text}",
-            measure,
-            line=moves.line[row],
-        )
+        found.add("feed", message, measure, line=moves.line[row])
     mixed = feeding & plain & (degrees > 0.0) & ((moves.sweep == 0.0) | (not moves.tabled))
     for row in np.flatnonzero(mixed)[:MOST]:
-        found.add(
-            "feed",
-            f"Line {moves.line[row]}: C turns by {degrees[row]:.4f}° at a feed in mm/min; "
-            "say how long it takes (G93).",
-            degrees[row],
-            line=moves.line[row],
-        )
+        message = Message("verify.turn-at-feed", degrees=degrees[row])
+        found.add("feed", message, degrees[row], line=moves.line[row])
 
 
 def _standing(moves: Moves, tip: Tips, machine: Machine) -> Bool:
@@ -132,13 +131,13 @@ def _standing(moves: Moves, tip: Tips, machine: Machine) -> Bool:
     return result
 
 
-def _name(moves: Moves, machine: Machine, row: int) -> str:
-    return f"station {machine.stations[moves.station[row]].number}"
+def _number(moves: Moves, machine: Machine, row: int) -> int:
+    return int(machine.stations[moves.station[row]].number)
 
 
 def outputs(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
     """Note work by a station that is not lowered, beside another one that is, or at rest."""
-    wrong: list[tuple[Bool, str]] = []
+    wrong: list[tuple[Bool, Message]] = []
     extra = extra_outputs(machine)
     for index, station in enumerate(machine.stations):
         mine = tip.inside & (moves.station == index)
@@ -146,7 +145,7 @@ def outputs(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
             wrong.append(
                 (
                     mine & ~moves.piston[:, index],
-                    f"station {station.number} works while its output {station.output} is off.",
+                    Message("verify.output-off", station=station.number, output=station.output),
                 )
             )
         for other, rival in enumerate(machine.stations):
@@ -154,32 +153,31 @@ def outputs(moves: Moves, tip: Tips, machine: Machine, found: Findings) -> None:
                 wrong.append(
                     (
                         mine & moves.piston[:, other],
-                        f"station {station.number} works while station {rival.number} is lowered "
-                        f"too (output {rival.output}).",
+                        Message(
+                            "verify.two-lowered",
+                            station=station.number,
+                            other=rival.number,
+                            output=rival.output,
+                        ),
                     )
                 )
         tool = expected(station.tool)
         for output in tool.outputs:
             on = moves.extra[:, extra.index(output)]
-            wrong.append(
-                (mine & ~on, f"station {station.number} works while output {output} is off.")
-            )
+            off = Message("verify.output-off", station=station.number, output=output)
+            wrong.append((mine & ~on, off))
         if tool.turns:
-            wrong.append((mine & ~moves.oscillating, tool.at_rest))
+            wrong.append((mine & ~moves.oscillating, Message(tool.at_rest)))
         else:
-            wrong.append(
-                (
-                    mine & moves.oscillating,
-                    f"station {station.number} works while the oscillation is on.",
-                )
-            )
-    nobody = (moves.station < 0) & (moves.code > 0)
-    wrong.append((nobody, "feeds, and no station has been chosen."))
-    for where, text in wrong:
-        # What lasts is told once, where it begins.
+            running = Message("verify.oscillation-on", station=station.number)
+            wrong.append((mine & moves.oscillating, running))
+    unchosen = (moves.station < 0) & (moves.code > 0)
+    wrong.append((unchosen, Message("verify.no-station")))
+    for where, message in wrong:
+        # A state that lasts is one finding, where it begins.
         begins = where & ~np.concatenate([[False], where[:-1]])
         for row in np.flatnonzero(begins)[:MOST]:
-            found.add("program", f"Line {moves.line[row]}: {text}", 0.0, line=moves.line[row])
+            found.add("program", message, 0.0, line=moves.line[row])
 
 
 def in_the_board(
@@ -190,23 +188,15 @@ def in_the_board(
     beam = beams(moves, machine)
     _burning(moves, tip, beam, found)
     for row in np.flatnonzero(tip.inside & ~beam & (moves.code == 0))[:MOST]:
-        found.add(
-            "stray",
-            f"Line {moves.line[row]}: a rapid takes {_name(moves, machine, row)} "
-            f"{board.caliper - lowest[row]:.3f} mm below the top of the board.",
-            board.caliper - lowest[row],
-            line=moves.line[row],
-        )
+        depth = board.caliper - lowest[row]
+        number = _number(moves, machine, row)
+        message = Message("verify.rapid-in-board", station=number, depth=depth)
+        found.add("stray", message, depth, line=moves.line[row])
     unknown = np.isnan(moves.end).any(axis=1) | np.isnan(moves.start).any(axis=1)
     still = (moves.end == moves.start) | (np.isnan(moves.end) & np.isnan(moves.start))
     sideways = np.isnan(moves.start[:, 2]) & ~still[:, [0, 1, 3]].all(axis=1)
     for row in np.flatnonzero((unknown & (moves.code > 0)) | sideways)[:MOST]:
-        found.add(
-            "program",
-            f"Line {moves.line[row]}: moves from or to a place that no line before it states.",
-            0.0,
-            line=moves.line[row],
-        )
+        found.add("program", Message("verify.unknown-position"), 0.0, line=moves.line[row])
 
     stay = tip.inside & (moves.code > 0) & ~unknown
     drop = tip.end[:, 2] - tip.start[:, 2]
@@ -219,13 +209,9 @@ def in_the_board(
     wanted = right * (drop * slope[moves.station])[:, None]
     astray = np.hypot(*((tip.end - tip.start)[:, :2] - wanted).T) * share
     for row in np.flatnonzero(slanted & ((astray > tolerance) | (moves.sweep != 0.0)))[:MOST]:
-        found.add(
-            "deviation",
-            f"Line {moves.line[row]}: {_name(moves, machine, row)} goes {astray[row]:.3f} mm "
-            "sideways off its own line while it plunges or lifts in the board.",
-            astray[row],
-            line=moves.line[row],
-        )
+        number = _number(moves, machine, row)
+        message = Message("verify.slanted", station=number, distance=astray[row])
+        found.add("deviation", message, astray[row], line=moves.line[row])
     _turns(moves, tip, machine, stay, slanted, found)
 
 
@@ -235,11 +221,11 @@ def _burning(moves: Moves, tip: Tips, beam: Bool, found: Findings) -> None:
     way = np.hypot(*(tip.end - tip.start)[:, :2].T)
     drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
     for row in np.flatnonzero(on & (moves.code == 0))[:MOST]:
-        text = f"Line {moves.line[row]}: the beam is on along a rapid of {way[row]:.3f} mm."
-        found.add("stray", text, way[row], line=moves.line[row])
+        message = Message("verify.beam-on-rapid", length=way[row])
+        found.add("stray", message, way[row], line=moves.line[row])
     for row in np.flatnonzero(on & (moves.code > 0) & (drop > LEVEL))[:MOST]:
-        text = f"Line {moves.line[row]}: the beam is on while its focus moves {drop[row]:.3f} mm."
-        found.add("depth", text, drop[row], line=moves.line[row])
+        message = Message("verify.beam-refocused", height=drop[row])
+        found.add("depth", message, drop[row], line=moves.line[row])
 
 
 def _turns(
@@ -272,13 +258,10 @@ def _turns(
     limit = np.minimum(limit, most[moves.station] + EXACT)
     for row in np.flatnonzero(stay & (off > limit))[:MOST]:
         if in_place[row]:
-            text = f"C turns by {off[row]:.3f}° in the board, where {limit[row]:.2f}° is the most."
+            message = Message("verify.turn-in-board", degrees=off[row], most=limit[row])
         else:
-            text = (
-                f"C turns by {turn[row]:.3f}° in the board while the path turns by "
-                f"{path[row]:.3f}°."
-            )
-        found.add("heading", f"Line {moves.line[row]}: {text}", off[row], line=moves.line[row])
+            message = Message("verify.turn-off-path", degrees=turn[row], path=path[row])
+        found.add("heading", message, off[row], line=moves.line[row])
 
 
 def seconds(moves: Moves, machine: Machine) -> float:

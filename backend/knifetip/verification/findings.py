@@ -1,13 +1,14 @@
-"""Findings: what the judge objects to, in the user's words, at most a thousand of them."""
+"""Findings: what the judge objects to, at most a thousand of them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from typing import Final
 
+from knifetip.messages import Message
 from knifetip.model.verdict import Finding
 
-#: A program with more is wrong from end to end: nobody reads on.
+#: A program with more is wrong from end to end.
 MOST: Final = 1000
 
 
@@ -17,15 +18,17 @@ class Findings:
     def __init__(self) -> None:
         self._kept: list[Finding] = []
 
-    def add(self, kind: str, text: str, measure: float, *, edge: int = -1, line: int = -1) -> None:
+    def add(
+        self, kind: str, message: Message, measure: float, *, edge: int = -1, line: int = -1
+    ) -> None:
         """Keep a finding, unless there are a thousand already."""
         if not self.full:
-            self._kept.append(Finding(kind, text, float(measure), int(edge), int(line)))
+            self._kept.append(Finding(kind, message, float(measure), int(edge), int(line)))
 
-    def program(self, faults: Iterable[tuple[int, str]]) -> None:
-        """Keep what is wrong with lines of the text: (line, words)."""
-        for line, text in faults:
-            self.add("program", f"Line {line}: {text}", 0.0, line=line)
+    def program(self, faults: Iterable[tuple[int, Message]]) -> None:
+        """Keep faults of lines of the program: (1-based line, what is wrong)."""
+        for line, message in faults:
+            self.add("program", message, 0.0, line=line)
 
     @property
     def full(self) -> bool:

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import VCutter
 from knifetip.verification.astray import judge_astray
@@ -34,7 +35,7 @@ class Grooving(Trial):
         leaves = self.bench.board.groove_curve
         curved = self.edges.curve[:, 0] != 0.0
         for edge in np.flatnonzero(curved)[:MOST] if leaves <= 0.0 else ():
-            self.finding("deviation", edge, "is an arc, which no leaning blade can follow.", 0.0)
+            self.finding("deviation", edge, Message("verify.groove-arc"), 0.0)
         drawn = self.edges
         boundary = self._run_out(blade) if blade else np.zeros((len(self.edges), 2), np.bool_)
         rows = self.matched()
@@ -72,8 +73,7 @@ class Grooving(Trial):
             self.finding(
                 "overcut",
                 edge,
-                f"the blade runs {past[edge]:.2f} mm past its ends, and the board allows "
-                f"{limit:.2f} mm.",
+                Message("verify.groove-past-ends", length=past[edge], most=limit),
                 past[edge],
             )
 
@@ -121,8 +121,7 @@ class Grooving(Trial):
             self.finding(
                 "depth",
                 int(rows.edge[row]),
-                f"the V-cutter goes {deep[row]:.3f} mm deep after it has been "
-                f"{deep[order[k]]:.3f} mm deep.",
+                Message("verify.groove-shallower", depth=deep[row], before=deep[order[k]]),
                 float(deep[order[k]] - deep[row]),
                 int(rows.curve[row]),
             )
@@ -141,8 +140,13 @@ class Grooving(Trial):
             self.finding(
                 "depth",
                 -1,
-                f"the V-cutter goes {deep[row]:.3f} mm deep on {size[k]:.3f} mm that no pass "
-                f"before has made ready; the board allows {step:g} mm at once.",
+                Message(
+                    "verify.pass-too-deep",
+                    tool=self.trade.tool,
+                    depth=deep[row],
+                    length=size[k],
+                    step=step,
+                ),
                 float(deep[row] - step),
                 row,
             )
@@ -172,12 +176,14 @@ class Grooving(Trial):
         np.minimum.at(web, row, self.bench.board.caliper - deep)
         self.figures.web[np.isfinite(web)] = web[np.isfinite(web)]
         for k in np.flatnonzero(np.abs(error) > limit[edge] + 1e-9)[:MOST]:
-            hand = "outside" if error[k] > 0.0 else "inside"
             self.finding(
                 "deviation",
                 int(edge[k]),
-                f"a flank comes out {abs(error[k]):.4f} mm {hand} "
-                f"its place on the top face; the tolerance is {limit[edge[k]]:g} mm.",
+                Message(
+                    "verify.flank-outside" if error[k] > 0.0 else "verify.flank-inside",
+                    distance=abs(error[k]),
+                    tolerance=limit[edge[k]],
+                ),
                 float(abs(error[k])),
                 int(work[k]),
             )
@@ -194,8 +200,12 @@ class Grooving(Trial):
             self.finding(
                 "overcut",
                 int(torn.groove[k]),
-                f"a flank goes {through[k]:.3f} mm through the cut at edge "
-                f"{int(cuts.row[torn.cut[k]])}, which lies {torn.nearest[k]:.3f} mm beside the "
-                f"groove, {torn.place[k]:.1f} mm from its start.",
+                Message(
+                    "verify.flank-through-cut",
+                    depth=through[k],
+                    edge=cuts.row[torn.cut[k]],
+                    distance=torn.nearest[k],
+                    place=torn.place[k],
+                ),
                 float(through[k]),
             )

@@ -16,12 +16,14 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import Final
 
 import numpy as np
 
 from knifetip.errors import ProgramUnreadable
 from knifetip.languages.hpgl.plotter import Device, Pen, Plotter, Work
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
@@ -39,7 +41,7 @@ _IN, _PA, _PU, _PD, _SP, _VS, _FS = range(7)
 _COMMENT: Final = re.compile(rb'CO\s*"[^"\n]*"')
 _PLACEMENT: Final = re.compile(rb'CO"placement X(-?\d+\.\d+) Y(-?\d+\.\d+)"')
 
-_Faults = list[tuple[int, str]]
+_Faults = list[tuple[int, Message]]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -77,7 +79,7 @@ class HpglReader:
         return (float(found[1]), float(found[2])) if found else None
 
     def read(self, text: bytes, machine: Machine, board: Board) -> tuple[Moves, _Faults]:
-        """Return the moves, and what is wrong: (line, words)."""
+        """Return the moves, and what is wrong: (line, message)."""
         plotter = machine.controller
         if not isinstance(plotter, Plotter):
             raise ProgramUnreadable("hpgl.no-device", machine=machine.title)
@@ -88,14 +90,14 @@ class HpglReader:
         track = _track(given, faults)
         _check_state(given, track, plotter, faults)
         moves = _moves(track, plotter, machine, board, faults)
-        return moves, sorted(faults)
+        return moves, sorted(faults, key=itemgetter(0))
 
 
 READER: Final = HpglReader()
 
 
-def _note(faults: _Faults, lines: I64, text: str) -> None:
-    faults.extend((int(line), text) for line in lines[:_KEPT])
+def _note(faults: _Faults, lines: I64, message: Message) -> None:
+    faults.extend((int(line), message) for line in lines[:_KEPT])
 
 
 def _instructions(text: bytes, device: Device, faults: _Faults) -> _Instructions:
@@ -110,14 +112,15 @@ def _instructions(text: bytes, device: Device, faults: _Faults) -> _Instructions
     stop = (raw == 59) | (raw == 10) | (raw == 13)
     other = ~(letter | digit | sign | stop | np.isin(raw, (32, 44)))
     for at in np.flatnonzero(other)[:_KEPT]:
-        faults.append((int(line_of[at]), f"has the byte {int(raw[at]):#04x}, which means nothing."))
+        byte = f"{int(raw[at]):#04x}"
+        faults.append((int(line_of[at]), Message("hpgl.bad-byte", byte=byte)))
 
     at = np.flatnonzero(letter)
     if len(at) % 2 or (at[1::2] != at[0::2] + 1).any():
         lone = at[: len(at) // 2 * 2].reshape(-1, 2)
         wrong = np.flatnonzero(lone[:, 1] != lone[:, 0] + 1)
         place = int(lone[wrong[0], 0]) if len(wrong) else int(at[-1])
-        faults.append((int(line_of[place]), "has a letter that is no instruction of two."))
+        faults.append((int(line_of[place]), Message("hpgl.lone-letter")))
         at = at[: 2 * int(wrong[0])] if len(wrong) else at[:-1]
     begin = at[0::2]
     pair = raw[begin].astype(np.int64) * 256 + raw[begin + 1]
@@ -127,19 +130,19 @@ def _instructions(text: bytes, device: Device, faults: _Faults) -> _Instructions
         code[pair == known] = index
     for k in np.flatnonzero(code < 0)[:_KEPT]:
         name = bytes(raw[begin[k] : begin[k] + 2]).decode("ascii")
-        faults.append((int(line_of[begin[k]]), f"{name} does not belong here."))
+        faults.append((int(line_of[begin[k]]), Message("hpgl.unknown-instruction", name=name)))
 
     head = sign | digit
     head[1:] &= sign[1:] | ~(sign | digit)[:-1]
     value, head_at, bad = _numbers(raw, digit, head)
-    _note(faults, line_of[bad], "has a sign without a number, or a number of too many digits.")
+    _note(faults, line_of[bad], Message("hpgl.bad-number"))
     owner = np.searchsorted(begin, head_at, side="right") - 1
     # What follows a terminator belongs to no instruction.
     stops = np.concatenate([[0], np.cumsum(stop)])
     loose = owner < 0
     if len(begin):
         loose |= stops[head_at] > stops[begin[np.maximum(owner, 0)]]
-    _note(faults, line_of[head_at[loose]], "has a number that belongs to no instruction.")
+    _note(faults, line_of[head_at[loose]], Message("hpgl.loose-number"))
     value, owner = value[~loose], owner[~loose]
     keep = code >= 0
     mine = keep[owner] if len(owner) else np.zeros(0, np.bool_)
@@ -187,10 +190,10 @@ def _track(given: _Instructions, faults: _Faults) -> _Track:
     single[has] = given.number[given.first[:-1][has]]
     point = np.isin(code, (_PA, _PU, _PD))
     odd = point & (count % 2 == 1)
-    _note(faults, given.line[odd], "has an X without a Y.")
+    _note(faults, given.line[odd], Message("hpgl.x-without-y"))
     selects = np.isin(code, (_SP, _VS, _FS))
-    _note(faults, given.line[selects & (count != 1)], "needs one number.")
-    _note(faults, given.line[(code == _IN) & has], "has a number, and needs none.")
+    _note(faults, given.line[selects & (count != 1)], Message("hpgl.needs-one-number"))
+    _note(faults, given.line[(code == _IN) & has], Message("hpgl.needs-no-number"))
 
     lifts = np.isin(code, (_IN, _PU))
     down = _latest((code == _PD).astype(np.int64), lifts | (code == _PD), 0) > 0
@@ -231,40 +234,43 @@ def _check_state(given: _Instructions, track: _Track, plotter: Plotter, faults: 
     """Note what is not stated before the first move, selected wrongly, or left on at the end."""
     code, device = given.code, plotter.device
     if len(code) == 0:
-        faults.append((1, "has no instruction."))
+        faults.append((1, Message("hpgl.no-instruction")))
         return
     if code[0] != _IN:
-        faults.append((int(given.line[0]), "is the first instruction, and is not IN."))
-    _note(faults, given.line[1:][code[1:] == _IN], "initialises the device in the middle (IN).")
+        faults.append((int(given.line[0]), Message("hpgl.not-initialised")))
+    _note(faults, given.line[1:][code[1:] == _IN], Message("hpgl.initialised-again"))
     first = np.flatnonzero(np.isin(code, (_PU, _PD)) & (np.diff(given.first) > 0))
     if len(first) and not (code[: first[0]] == _PA).any():
-        faults.append((int(given.line[first[0]]), "moves before absolute coordinates (PA)."))
+        faults.append((int(given.line[first[0]]), Message("hpgl.moves-before-pa")))
     down = _latest((code == _PD).astype(np.int64), np.isin(code, (_IN, _PU, _PD)), 0) > 0
-    _note(faults, given.line[(code == _SP) & down], "selects a pen while the tool is down.")
+    _note(faults, given.line[(code == _SP) & down], Message("hpgl.selects-while-down"))
     number = np.zeros(len(code), np.int64)
     has = np.diff(given.first) > 0
     number[has] = given.number[given.first[:-1][has]]
     known = [0, *(pen.number for pen in plotter.pens)]
-    _note(faults, given.line[(code == _SP) & ~np.isin(number, known)], "selects an unknown pen.")
-    for mnemonic, limits, what in ((_VS, device.speed, "speed"), (_FS, device.force, "force")):
+    _note(faults, given.line[(code == _SP) & ~np.isin(number, known)], Message("hpgl.unknown-pen"))
+    for mnemonic, limits, absent, beyond in (
+        (_VS, device.speed, "hpgl.no-speed-setting", "hpgl.speed-out-of-range"),
+        (_FS, device.force, "hpgl.no-force-setting", "hpgl.force-out-of-range"),
+    ):
         rows = code == mnemonic
         if limits is None:
-            _note(faults, given.line[rows], f"sets a {what}, which the device does not have.")
+            _note(faults, given.line[rows], Message(absent))
         else:
             off = rows & ((number < limits[0]) | (number > limits[1]))
-            _note(faults, given.line[off], f"sets a {what} beyond {limits[0]} to {limits[1]}.")
+            _note(faults, given.line[off], Message(beyond, low=limits[0], high=limits[1]))
     last = int(given.line[-1])
     if not given.ended:
-        faults.append((last, "ends the program without a semicolon."))
+        faults.append((last, Message("hpgl.no-terminator")))
     if down[-1]:
-        faults.append((last, "ends the program with the tool down."))
+        faults.append((last, Message("hpgl.ends-down")))
     chosen = np.flatnonzero(code == _SP)
     if len(chosen) == 0 or number[chosen[-1]] != 0:
-        faults.append((last, "ends the program without putting the tool away (SP0)."))
+        faults.append((last, Message("hpgl.ends-with-pen")))
     x0, y0, x1, y1 = device.area
     outside = (track.x < x0) | (track.x > x1) | (track.y < y0) | (track.y > y1)
     outside &= track.known
-    _note(faults, track.line[outside[1:] & ~track.upright], "leaves the area of the device.")
+    _note(faults, track.line[outside[1:] & ~track.upright], Message("hpgl.outside-area"))
 
 
 def _moves(
@@ -287,14 +293,14 @@ def _moves(
         plunge[mine], feed[mine] = tool.plunge, tool.feed
         if device.force is not None:
             off = mine & track.down & track.upright & (track.force != pen.force)
-            text = f"lowers pen {pen.number} with another force than its own (FS{pen.force})."
-            _note(faults, track.line[off], text)
+            message = Message("hpgl.wrong-force", pen=pen.number, force=pen.force)
+            _note(faults, track.line[off], message)
     if device.speed is not None:
         feed = np.where(track.speed > 0, track.speed * 600.0, np.nan)
         unset = working & (track.speed <= 0)
-        _note(faults, track.line[unset][:1], "works, and no speed has been set (VS).")
+        _note(faults, track.line[unset][:1], Message("hpgl.no-speed"))
     unselected = track.down & track.upright & (station < 0)
-    _note(faults, track.line[unselected], "lowers the tool, and no pen is selected.")
+    _note(faults, track.line[unselected], Message("hpgl.no-pen-selected"))
 
     xy = np.column_stack([track.x, track.y]) / device.units + device.zero
     xy[~track.known] = np.nan
@@ -381,10 +387,9 @@ def _check_corners(
         faults.append(
             (
                 int(track.line[row + 1]),
-                f"turns the tool by {turn[row]:.2f}° in the board, where {limit[row]:.2f}° is the "
-                "most; lift it before.",
+                Message("hpgl.turn-in-board", degrees=turn[row], most=limit[row]),
             )
         )
     lowers, lifts = track.upright & track.down, track.upright & ~track.down
     still = lowers & np.append(lifts, False)[1:]
-    _note(faults, track.line[still], "lowers the tool and moves nowhere: its heading is unknown.")
+    _note(faults, track.line[still], Message("hpgl.plunge-without-move"))

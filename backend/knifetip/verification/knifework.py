@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Knife
 from knifetip.verification.astray import judge_astray
@@ -157,8 +158,8 @@ class Knifework(Trial):
         np.add.at(self.figures.setback, whole.row[edge], np.minimum(found.bare, lead + found.width))
         wide = found.width - board.bridge_width
         np.add.at(self.figures.uncut, whole.row[edge], np.where(wide > self.slack, wide, 0.0))
-        for kind, at, text, measure in judged(found, paths, whole, rounds, board, self.slack):
-            self.finding(kind, int(solid[at]), text, measure)
+        for kind, at, message, measure in judged(found, paths, whole, rounds, board, self.slack):
+            self.finding(kind, int(solid[at]), message, measure)
 
     def _unled(self, blade: Knife) -> None:
         """Leave out how the knife comes from the waste to an outer cut, and goes back into it."""
@@ -223,8 +224,7 @@ class Knifework(Trial):
             self.finding(
                 "uncut",
                 int(edge[row]),
-                f"a gap of {gaps[row]:.3f} mm, {begin[row]:.3f} mm from its start; the board "
-                f"wants gaps of {gap:g} mm.",
+                Message("verify.perforation-gap", length=gaps[row], place=begin[row], planned=gap),
                 gaps[row],
                 line=int(line[row]),
             )
@@ -239,8 +239,7 @@ class Knifework(Trial):
             self.finding(
                 "uncut",
                 -1,
-                f"a cut of {size[track]:.3f} mm in a perforation, where {cut - lead:.3f} mm is "
-                "planned.",
+                Message("verify.perforation-cut", length=size[track], planned=cut - lead),
                 float(abs(size[track] - (cut - lead))),
                 int(first[track]),
             )

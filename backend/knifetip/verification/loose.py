@@ -21,6 +21,7 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.kernels import F64_1, F64_2, I64_1, I64_2, Bool_1, kernel
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.verification.bench import DEPTH, Bench
 from knifetip.verification.columns import F64, I32, I64, Bool
@@ -134,7 +135,7 @@ def _judge_cuts(bench: Bench, cuts: Edges, net: _Net, done: _Stretches, free: F6
         place = point_at(
             cuts.curve[edge : edge + 1], np.array([0.5 * (done.low[k] + done.high[k])])
         )
-        _found(bench, "Cut", int(cuts.row[edge]), place[0], int(done.line[k]), int(until[k]))
+        _found(bench, int(cuts.row[edge]), place[0], int(done.line[k]), int(until[k]))
 
 
 def _judge_others(
@@ -167,16 +168,14 @@ def _judge_others(
     late = np.flatnonzero(work.line[way] > until)
     late = late[np.unique(way[late], return_index=True)[1]]
     for k in late[:MOST]:
-        word = Trade(int(work.trade[way[k]])).word
         row = int(edges.row[near.edge[long[k]]])
-        _found(bench, word, row, place[k], int(work.line[way[k]]), int(until[k]))
+        _found(bench, row, place[k], int(work.line[way[k]]), int(until[k]))
 
 
-def _found(bench: Bench, what: str, edge: int, place: F64, line: int, closed: int) -> None:
+def _found(bench: Bench, edge: int, place: F64, line: int, closed: int) -> None:
     bench.found.add(
         "order",
-        f"{what}, edge {edge}: worked at X{place[0]:.3f} Y{place[1]:.3f} of the sheet, on a piece "
-        f"that line {closed} has cut loose. Cut the contour round it after it. Line {line}.",
+        Message("verify.loose-piece", x=place[0], y=place[1], line=closed),
         0.0,
         edge=edge,
         line=line,

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
@@ -64,8 +65,8 @@ class Reader(Protocol):
 
     def read(
         self, text: bytes, machine: Machine, board: Board
-    ) -> tuple[Moves, list[tuple[int, str]]]:
-        """Return the moves, and what is wrong: (1-based line, words), ascending.
+    ) -> tuple[Moves, list[tuple[int, Message]]]:
+        """Return the moves, and what is wrong: (1-based line, message), ascending.
 
         Nothing is assumed about who wrote the bytes.
 

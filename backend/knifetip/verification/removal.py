@@ -20,6 +20,7 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.machine import Station
 from knifetip.verification import disc
 from knifetip.verification.bench import CATCH, DEPTH, Bench
@@ -98,8 +99,7 @@ class _Removal:
             self._finding(
                 "depth",
                 -1,
-                f"the cutter goes {deep[row]:.3f} mm below the top of the board, where "
-                f"{planned:.3f} mm is planned.",
+                Message("verify.wrong-depth", tool="cutter", depth=deep[row], planned=planned),
                 float(wrong[row]),
                 row,
             )
@@ -123,18 +123,23 @@ class _Removal:
             self._finding(
                 "depth",
                 -1,
-                f"the cutter goes {deep[row]:.3f} mm deep on {size[k]:.3f} mm that no pass before "
-                f"has made ready; it takes {self.tool.step:g} mm at once.",
+                Message(
+                    "verify.pass-too-deep",
+                    tool="cutter",
+                    depth=deep[row],
+                    length=size[k],
+                    step=self.tool.step,
+                ),
                 float(deep[row] - self.tool.step),
                 row,
             )
 
-    def _finding(self, kind: str, edge: int, text: str, measure: float, row: int = -1) -> None:
+    def _finding(
+        self, kind: str, edge: int, message: Message, measure: float, row: int = -1
+    ) -> None:
         where = int(self.edges.row[edge]) if edge >= 0 else -1
         line = int(self.ways.line[row]) if row >= 0 else -1
-        place = f"Cutter, edge {where}: " if where >= 0 else "Cutter: "
-        told = f" Line {line}." if line >= 0 else ""
-        self.bench.found.add(kind, place + text + told, measure, edge=where, line=line)
+        self.bench.found.add(kind, message, measure, edge=where, line=line)
 
     # -- the edges -------------------------------------------------------------------------------
 
@@ -161,9 +166,12 @@ class _Removal:
         for row in np.flatnonzero(runs & along & (figure > self.tolerance + 1e-9))[:MOST]:
             self.bench.found.add(
                 "deviation",
-                f"Cutter, edge {self.edges.row[edge[row]]}: the centre is {rows.distance[row]:.4f} "
-                f"mm off its way and the controller may round {rounds[rows.curve[row]]:.4f} mm "
-                f"more; the tolerance is {self.tolerance:g} mm. Line {ways.line[rows.curve[row]]}.",
+                Message(
+                    "verify.centre-off-path",
+                    distance=rows.distance[row],
+                    rounding=rounds[rows.curve[row]],
+                    tolerance=self.tolerance,
+                ),
                 float(figure[row]) if np.isfinite(figure[row]) else float(rows.distance[row]),
                 edge=int(self.edges.row[edge[row]]),
                 line=int(ways.line[rows.curve[row]]),
@@ -203,8 +211,12 @@ class _Removal:
             self._finding(
                 "uncut",
                 int(left_edge[k]),
-                f"{missed[k]:.3f} mm of it are not cut, beginning {left_begin[k]:.3f} mm from its "
-                "start.",
+                Message(
+                    "verify.not-worked",
+                    length=missed[k],
+                    work=Message("verify.work-cut"),
+                    where=Message("verify.where-from-start", place=left_begin[k]),
+                ),
                 float(missed[k]),
             )
 
@@ -234,8 +246,10 @@ class _Removal:
         middle = paths.begin[edge] + np.where(paths.flipped[edge], self.size[edge] - place, place)
         np.add.at(self.bench.figures.setback, self.edges.row[edge], bare)
         found = strung(path, middle, width, bare, bare, paths.length)
-        for kind, at, text, measure in judged(found, paths, self.edges, rounds, board, self.slack):
-            self._finding(kind, at, text, measure)
+        for kind, at, message, measure in judged(
+            found, paths, self.edges, rounds, board, self.slack
+        ):
+            self._finding(kind, at, message, measure)
         return is_bridge
 
     def _blocked(self, pieces: Equidistants) -> tuple[I64, F64, F64]:
@@ -338,7 +352,7 @@ class _Removal:
             self._finding(
                 "overcut",
                 -1,
-                f"the cutter goes {size[k]:.3f} mm past an open cut.",
+                Message("verify.past-open-cut", length=size[k]),
                 float(size[k]),
                 int(rows[which[k]]),
             )
@@ -360,7 +374,7 @@ class _Removal:
             self._finding(
                 "overcut",
                 int(edge[k]),
-                f"the cutter takes {into[k]:.3f} mm off the part.",
+                Message("verify.cuts-part", depth=into[k]),
                 float(into[k]),
                 int(way[k]),
             )
@@ -378,7 +392,7 @@ class _Removal:
             self._finding(
                 "stray",
                 -1,
-                f"the cutter works at X{x:.3f} Y{y:.3f} of the sheet, inside a part.",
+                Message("verify.inside-part", x=x, y=y),
                 float(ways.curve[row, 5]),
                 int(row),
             )
@@ -405,7 +419,7 @@ class _Removal:
             self._finding(
                 "stray",
                 -1,
-                f"the cutter works at X{x:.3f} Y{y:.3f} of the sheet, where no edge asks for it.",
+                Message("verify.stray", tool="cutter", length=end[k] - begin[k], x=x, y=y),
                 float(end[k] - begin[k]),
                 int(which[k]),
             )

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
 from knifetip.verification.astray import judge_astray
@@ -40,7 +41,7 @@ class Rolling(Trial):
         asked = creases(self.edges, self.bench.board, wheel, around, parts)
         self.low, self.high, self.depth = asked.low, asked.high, asked.depth
         for edge in np.flatnonzero(asked.refused)[:MOST]:
-            self.finding("uncut", edge, "is too short for the wheel.", self.size[edge])
+            self.finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])
         rows = self.matched()
         self.placed(rows)
         judge_astray(self, rows, self.curve[:, 5])

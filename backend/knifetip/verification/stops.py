@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.verification.bench import CATCH, PRINTED
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.findings import MOST
@@ -97,7 +98,7 @@ def judge_stops(
             trial.finding(
                 "uncut",
                 -1,
-                "the knife comes out where no edge ends, and not where it went in.",
+                Message("verify.comes-out-anywhere"),
                 float(gap[k]),
                 work,
             )
@@ -108,8 +109,9 @@ def judge_stops(
         trial.finding(
             "overcut" if past else "uncut",
             edge,
-            f"the knife comes out {measure:.3f} mm {'past' if past else 'short of'} where it "
-            "should.",
+            Message(
+                "verify.comes-out-past" if past else "verify.comes-out-short", distance=measure
+            ),
             measure,
             work,
         )
@@ -120,7 +122,7 @@ def judge_stops(
         trial.finding(
             "overcut",
             int(solid[planned[k] // 2]),
-            "the knife goes in where no edge begins.",
+            Message("verify.goes-in-anywhere"),
             0.0,
             int(first[opens[k]]),
         )

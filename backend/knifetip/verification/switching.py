@@ -15,6 +15,7 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, Bool
@@ -41,14 +42,14 @@ def _check_stated(moves: Moves, machine: Machine, highest: float, found: Finding
     """Note the first move before each output and the spindle is stated, other than a lift."""
     lift = _upright(moves) & (moves.code == 0) & (moves.end[:, 2] >= highest - PRINT)
     things = {
-        index: f"output {station.output} (M65 P{station.output})"
+        index: Message("verify.output", output=station.output)
         for index, station in enumerate(machine.stations)
         if station.output >= 0
     }
     spindle = moves.stated.shape[1] - 1
     for index, output in enumerate(extra_outputs(machine), len(machine.stations)):
-        things[index] = f"output {output} (M65 P{output})"
-    things[spindle] = "the spindle (M5)"
+        things[index] = Message("verify.output", output=output)
+    things[spindle] = Message("verify.spindle")
     burns = has_beam(machine)
     for index, thing in things.items():
         early = ~moves.stated[:, index]
@@ -57,15 +58,13 @@ def _check_stated(moves: Moves, machine: Machine, highest: float, found: Finding
             early &= ~lift
         if early.any():
             line = int(moves.line[np.argmax(early)])
-            until = f"straight up, to joint Z {highest:.3f} mm or higher."
-            text = f"moves before the state of {thing} is stated; "
             if burns and index == spindle:
-                text += "a beam may still be on."
+                message = Message("verify.moves-with-beam")
             else:
-                text += f"until then a program may only lift {until}"
-            found.program([(line, text)])
+                message = Message("verify.moves-before-stated", thing=thing, height=highest)
+            found.program([(line, message)])
         elif not moves.switches.at_end[index]:
-            found.add("program", f"The program ends without stating {thing}.", 0.0)
+            found.add("program", Message("verify.never-stated", thing=thing), 0.0)
 
 
 def _upright(moves: Moves) -> Bool:
@@ -96,12 +95,11 @@ def _check_heights(
     first = low.copy()
     first[1:] &= ~(low[:-1] & (switches.move[1:] == switches.move[:-1]))
     for row in np.flatnonzero(first)[:MOST]:
-        where = f"at joint Z {height[row]:.3f} mm"
         if np.isnan(height[row]):
-            where = "at a height that no line before it states"
-        line = int(switches.line[row])
-        text = f"switches {where}; lift to {needed[row]:.3f} mm before that."
-        found.program([(line, text)])
+            message = Message("verify.switches-at-unknown-height", needed=needed[row])
+        else:
+            message = Message("verify.switches-low", height=height[row], needed=needed[row])
+        found.program([(int(switches.line[row]), message)])
 
 
 def _check_lowered_alone(moves: Moves, machine: Machine, found: Findings) -> None:
@@ -114,8 +112,7 @@ def _check_lowered_alone(moves: Moves, machine: Machine, found: Findings) -> Non
         other = machine.stations[int(np.argmax(beside[row]))]
         number = machine.stations[switches.lowers[row]].number
         line = int(switches.line[row])
-        text = (
-            f"lowers station {number} while station {other.number} may be lowered; "
-            f"release it first (M65 P{other.output})."
+        message = Message(
+            "verify.lowers-second", station=number, other=other.number, output=other.output
         )
-        found.program([(line, text)])
+        found.program([(line, message)])

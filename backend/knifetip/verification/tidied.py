@@ -16,6 +16,7 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.verdict import Finding
@@ -62,19 +63,19 @@ def tidied(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     length = _lengths(drawn.ends, drawn.bulge)
     worked = ~np.isin(drawn.line_type, _NO_WORK)
 
-    def tell(edge: int, measure: float, text: str) -> None:
+    def tell(edge: int, measure: float, message: Message) -> None:
         if len(found) < _MOST:
-            found.append(Finding("uncut", f"Cleaning, edge {edge}: {text}", measure, edge))
+            found.append(Finding("uncut", message, measure, edge))
 
     # All of every edge that is to be worked is accounted for.
     told = np.bincount(parts.row, (parts.end - parts.begin) * length[parts.row], len(drawn))
     for edge in np.flatnonzero(np.abs(np.where(worked, length, 0.0) - told) > _HAIR).tolist():
-        tell(edge, float(length[edge] - told[edge]), "its stretches do not add up to it.")
+        tell(edge, float(length[edge] - told[edge]), Message("verify.cleaning-incomplete"))
     lost = parts.cleaned < 0
     gone = np.bincount(parts.row[lost], ((parts.end - parts.begin) * length[parts.row])[lost],
                        len(drawn))  # fmt: skip
     for edge in np.flatnonzero(gone > GAP + _HAIR).tolist():
-        tell(edge, float(gone[edge]), f"{gone[edge]:.3f} mm of it were dropped.")
+        tell(edge, float(gone[edge]), Message("verify.cleaning-dropped", length=gone[edge]))
     there = np.flatnonzero(~lost)
     row, target = parts.row[there].astype(np.int64), parts.cleaned[there].astype(np.int64)
     first, second = after.line_type[target], drawn.line_type[row]
@@ -84,13 +85,14 @@ def tidied(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     right = (first == second) | (parts.given[there] & table[first, second])
     for at in np.flatnonzero(~right):
         what, was = LineType(first[at]).word, LineType(second[at]).word
-        tell(int(row[at]), float(length[row[at]]), f"it is {was}, and is worked as {what}.")
+        message = Message("verify.cleaning-type", drawn=was, worked=what)
+        tell(int(row[at]), float(length[row[at]]), message)
     limit = np.where(cleaned.moved[row] > 0.0, GAP, SAME) + np.where(
         cleaned.moved[after.source[target]] > 0.0, GAP, 0.0
     )
     far, along = _measured(drawn, after, row, target, parts.begin[there], parts.end[there])
     for at in np.flatnonzero(far > limit + _HAIR):
-        tell(int(row[at]), float(far[at]), f"it was moved by {far[at]:.4f} mm.")
+        tell(int(row[at]), float(far[at]), Message("verify.cleaning-moved", distance=far[at]))
     own = ~parts.given[there]
     _invented(after, target[own], along[own], tell)
     return found
@@ -156,7 +158,7 @@ def _measured(
 
 
 def _invented(
-    after: Dieline, target: I64, along: F64, tell: Callable[[int, float, str], None]
+    after: Dieline, target: I64, along: F64, tell: Callable[[int, float, Message], None]
 ) -> None:
     """Tell of cleaned edges that reach farther than what was drawn and a gap."""
     length = _lengths(after.ends, after.bulge)
@@ -173,6 +175,6 @@ def _invented(
     beyond = np.where(last, (1.0 - (reach - edge) * 2.0) * length[edge], 0.0)
     for at in np.flatnonzero(np.maximum(open_, beyond) > 2.0 * GAP + _HAIR):
         shown = int(after.source[edge[at]])
-        tell(shown, float(max(open_[at], beyond[at])), "it is worked where nothing was drawn.")
+        tell(shown, float(max(open_[at], beyond[at])), Message("verify.cleaning-beyond"))
     for row in np.setdiff1d(worked, edge):
-        tell(int(after.source[row]), float(length[row]), "nothing of it was drawn.")
+        tell(int(after.source[row]), float(length[row]), Message("verify.cleaning-invented"))

@@ -35,14 +35,9 @@ class Trade(IntEnum):
     MILL = 4  #: a cutter that removes a disc, through the board
 
     @property
-    def word(self) -> str:
-        """How a finding begins."""
-        return ("Cut", "Half-cut", "Crease", "V-groove", "Cutter")[self]
-
-    @property
     def tool(self) -> str:
-        """What a finding calls the tool."""
-        return ("the knife", "the knife", "the wheel", "the V-cutter", "the cutter")[self]
+        """The tool's name in messages, a key of ``english.TOOLS``."""
+        return ("knife", "knife", "wheel", "v-cutter", "cutter")[self]
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +72,7 @@ class Expected:
     follows: bool = True  #: C turns as the path does
     speed: float = 1.0  #: S word of M3
     turns: bool = False  #: M3 must be in force while it works; otherwise it must not
-    at_rest: str = ""  #: what is wrong where it is not in force
+    at_rest: str = ""  #: code of the message where it is not in force
     wait: float = 0.0  #: seconds after it is switched, if longer than the machine's own
     disc: Disc | None = None
     beam: Beam | None = None
@@ -96,7 +91,7 @@ def _knife(tool: Knife) -> Expected:
         trails=tool.trail > 0.0,
         swivel=tool.swivel + EXACT,
         turns=tool.oscillating,
-        at_rest="the oscillating knife cuts at rest.",
+        at_rest="verify.knife-at-rest",
     )
 
 
@@ -121,7 +116,7 @@ def _cutter(tool: Cutter) -> Expected:
         follows=False,
         speed=tool.speed,
         turns=tool.speed > 0.0,
-        at_rest="the cutter works and does not turn.",
+        at_rest="verify.cutter-at-rest",
         wait=tool.spin_up,
         disc=Disc(tool.radius, tool.step, tool.lead or _SET_UP * tool.radius),
     )
@@ -135,7 +130,7 @@ def _laser(tool: Laser) -> Expected:
         follows=False,
         speed=tool.power,
         turns=True,
-        at_rest="the laser cuts while it is off.",
+        at_rest="verify.laser-off",
         disc=Disc(radius, 0.0, tool.lead or _SET_UP * radius),
         beam=Beam(tool.focus, tool.pierce),
         outputs=(tool.air,) if tool.air >= 0 else (),

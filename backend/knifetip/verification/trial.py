@@ -16,6 +16,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.tool import CreaseWheel, Knife, VCutter
 from knifetip.verification.bench import DEPTH, PLACE, PRINTED, Bench
 from knifetip.verification.columns import F64, I32, I64, Bool
@@ -76,14 +77,18 @@ class Trial(ABC):
         return next((held.tool for held in stations if isinstance(held.tool, kind)), None)
 
     def finding(
-        self, kind: str, edge: int, text: str, measure: float, work: int = -1, line: int = -1
+        self,
+        kind: str,
+        edge: int,
+        message: Message,
+        measure: float,
+        work: int = -1,
+        line: int = -1,
     ) -> None:
         """Note something about an edge of this trade, ``edge`` -1 for none."""
         row = int(self.edges.row[edge]) if edge >= 0 else -1
         line = int(self.line[work]) if work >= 0 else line
-        place = f"{self.trade.word}, edge {row}: " if row >= 0 else f"{self.trade.word}: "
-        where = f" Line {line}." if line >= 0 else ""
-        self.found.add(kind, place + text + where, measure, edge=row, line=line)
+        self.found.add(kind, message, measure, edge=row, line=line)
 
     def overcut(self, edges: I64, measure: F64) -> None:
         rows = self.edges.row[edges]
@@ -111,9 +116,13 @@ class Trial(ABC):
             self.finding(
                 "deviation",
                 edge[row],
-                f"{self.trade.tool} is {rows.distance[best[row]]:.4f} mm off the line and the "
-                f"controller may round {self.blend[work[row]]:.4f} mm more; the tolerance is "
-                f"{limit[edge[row]]:g} mm.",
+                Message(
+                    "verify.off-line",
+                    tool=self.trade.tool,
+                    distance=rows.distance[best[row]],
+                    rounding=self.blend[work[row]],
+                    tolerance=limit[edge[row]],
+                ),
                 shown[row],
                 work[row],
             )
@@ -133,8 +142,12 @@ class Trial(ABC):
             self.finding(
                 "depth",
                 edge[row],
-                f"{self.trade.tool} goes {deep[row]:.3f} mm below the top of the board, where "
-                f"{self.depth[edge[row]]:.3f} mm is planned.",
+                Message(
+                    "verify.wrong-depth",
+                    tool=self.trade.tool,
+                    depth=deep[row],
+                    planned=self.depth[edge[row]],
+                ),
                 wrong[row],
                 work[row],
             )
@@ -195,8 +208,12 @@ class Trial(ABC):
             self.finding(
                 "heading",
                 int(edge[row]),
-                f"{self.trade.tool} is turned {off[row]:.3f}° off the line, so that it swings "
-                f"{swing[row]:.3f} mm.",
+                Message(
+                    "verify.wrong-heading",
+                    tool=self.trade.tool,
+                    degrees=off[row],
+                    swing=swing[row],
+                ),
                 off[row],
                 work[row],
             )
@@ -218,23 +235,31 @@ class Trial(ABC):
         bare |= (self.high - self.low < 1e-9)[edge] & (line < 0)
         missed = np.where(wide > 0.0, wide, size[edge])
         np.add.at(self.figures.uncut, self.edges.row[edge[bare]], missed[bare])
-        done = {Trade.CREASE: "creased", Trade.GROOVE: "grooved"}.get(self.trade, "cut")
+        done = self._done(forward)
         for row in np.flatnonzero(bare)[:MOST]:
             e = int(edge[row])
-            way = "" if forward is None else f" from its {'start' if forward else 'end'}"
             place = begin[row] - self.before[e]
-            where = f", beginning {place:.3f} mm from its start."
+            where = Message("verify.where-from-start", place=place)
             if place < -self.slack:
-                where = ", where it must run out past its start."
+                where = Message("verify.where-past-start")
             elif self.spare[e, 1] > 0.0 and begin[row] > self.low[e] + self.slack:
                 drawn = self.size[e] - self.spare[e, 1]
-                where = (
-                    where
-                    if drawn - begin[row] > missed[row] + self.slack
-                    else (", where it must run out past its end.")
-                )
-            text = f"{missed[row]:.3f} mm of it are not {done}{way}{where}"
-            self.finding("uncut", e, text, missed[row], line=int(line[row]))
+                if drawn - begin[row] <= missed[row] + self.slack:
+                    where = Message("verify.where-past-end")
+            message = Message("verify.not-worked", length=missed[row], work=done, where=where)
+            self.finding("uncut", e, message, missed[row], line=int(line[row]))
+
+    def _done(self, forward: bool | None) -> Message:
+        """Return the word for what this work does to an edge, from one of its ends or either."""
+        if self.trade == Trade.CREASE:
+            return Message("verify.work-creased")
+        if self.trade != Trade.GROOVE:
+            return Message("verify.work-cut")
+        if forward is None:
+            return Message("verify.work-grooved")
+        return Message(
+            "verify.work-grooved-from-start" if forward else "verify.work-grooved-from-end"
+        )
 
     def gaps(self, rows: Rows, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
         """Return the gaps: length, edge, where they begin, and the line before them.

@@ -16,6 +16,7 @@ import numpy as np
 
 from knifetip.errors import ProgramError
 from knifetip.languages.registry import find_language
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
@@ -158,8 +159,13 @@ def _stated(text: bytes, placement: tuple[float, float], machine: Machine, found
     if off > 1e-3:
         found.add(
             "program",
-            f"The program says that it is placed at X{stated[0]:.4f} Y{stated[1]:.4f}, and the "
-            f"job has it at X{placement[0]:.4f} Y{placement[1]:.4f}.",
+            Message(
+                "verify.other-placement",
+                x=stated[0],
+                y=stated[1],
+                job_x=placement[0],
+                job_y=placement[1],
+            ),
             off,
         )
 
@@ -167,4 +173,4 @@ def _stated(text: bytes, placement: tuple[float, float], machine: Machine, found
 def _unclassified(dieline: Dieline, found: Findings) -> None:
     rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
     for row in rows[:MOST]:
-        found.add("uncut", f"Edge {row} has no line type, so nobody knows its work.", 0.0, edge=row)
+        found.add("uncut", Message("verify.unclassified"), 0.0, edge=row)

@@ -1338,20 +1338,45 @@ export interface components {
         };
         /**
          * FindingOut
-         * @description One thing that the judge found.
+         * @description One fault that the verifier found, with its place.
          */
         FindingOut: {
+            code: components["schemas"]["MessageCode"];
+            /**
+             * Arguments
+             * @description As the union Message has them for the code
+             */
+            arguments: {
+                [key: string]: unknown;
+            };
+            /**
+             * Text
+             * @description In English
+             */
+            text: string;
+            /**
+             * Hint
+             * @description What to do about it, in English; empty where nothing is to do
+             */
+            hint: string;
             /** Kind */
             kind: string;
-            /** Text */
-            text: string;
-            /** Measure */
+            /**
+             * Measure
+             * @description mm, or degrees for a heading
+             */
             measure: number;
-            /** Edge */
+            /**
+             * Edge
+             * @description Row of the drawing, -1 where it is about none
+             */
             edge: number;
             /** Handle */
             handle: string;
-            /** Line */
+            /**
+             * Line
+             * @description 1-based line of the program, -1 where it is about none
+             */
             line: number;
         };
         /**
@@ -2552,7 +2577,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "stored.text" | "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-confirmation" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.stale" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.invalid" | "field.missing" | "field.misspelt" | "field.unknown" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-feed" | "hpgl.depth-change" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-pen" | "hpgl.press" | "hpgl.slanted-plunge" | "hpgl.swivel" | "input.not-finite" | "job.being-cancelled" | "job.cancelled-before-request" | "job.compile-crashed" | "job.gateway-silent" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-to-confirm" | "job.other-board" | "job.stale-epoch" | "job.unknown" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.given" | "unit.header" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.in-file" | "unit.inconclusive" | "unit.not-given" | "unit.overruled" | "unit.unsupported" | "verify.bad-tolerance" | "worker.died" | "worker.memory" | "worker.timeout";
+        MessageCode: "stored.text" | "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-confirmation" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.stale" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.invalid" | "field.missing" | "field.misspelt" | "field.unknown" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.selects-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.swivel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "input.not-finite" | "job.being-cancelled" | "job.cancelled-before-request" | "job.compile-crashed" | "job.gateway-silent" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-to-confirm" | "job.other-board" | "job.program-refused" | "job.stale-epoch" | "job.unknown" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rs274.after-end" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.given" | "unit.header" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.in-file" | "unit.inconclusive" | "unit.not-given" | "unit.overruled" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.crease-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.moves-before-stated" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.not-worked" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.output" | "verify.output-off" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.rapid-in-board" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-position" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "worker.died" | "worker.memory" | "worker.timeout";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -3622,6 +3647,34 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "finding.at-edge";
+            arguments: {
+                edge: number;
+                fault: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "finding.at-edge-and-line";
+            arguments: {
+                edge: number;
+                line: number;
+                fault: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "finding.at-line";
+            arguments: {
+                line: number;
+                fault: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "finding.more";
+            arguments: {
+                count: number;
+            };
+        } | {
+            /** @constant */
             code: "groove.along-edge";
             arguments: {
                 edge: number;
@@ -3697,6 +3750,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "hpgl.bad-byte";
+            arguments: {
+                byte: string;
+            };
+        } | {
+            /** @constant */
             code: "hpgl.bad-feed";
             arguments: {
                 place: components["schemas"]["Message"];
@@ -3708,10 +3767,53 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "hpgl.bad-number";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "hpgl.depth-change";
             arguments: {
                 place: components["schemas"]["Message"];
             };
+        } | {
+            /** @constant */
+            code: "hpgl.ends-down";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.ends-with-pen";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.force-out-of-range";
+            arguments: {
+                low: number;
+                high: number;
+            };
+        } | {
+            /** @constant */
+            code: "hpgl.initialised-again";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.lone-letter";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.loose-number";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.moves-before-pa";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.needs-no-number";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.needs-one-number";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "hpgl.never-down";
@@ -3730,6 +3832,14 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "hpgl.no-force-setting";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.no-instruction";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "hpgl.no-pen";
             arguments: {
                 machine: string;
@@ -3738,10 +3848,42 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "hpgl.no-pen-selected";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.no-speed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.no-speed-setting";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.no-terminator";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.not-initialised";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.outside-area";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.plunge-without-move";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "hpgl.press";
             arguments: {
                 place: components["schemas"]["Message"];
             };
+        } | {
+            /** @constant */
+            code: "hpgl.selects-while-down";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "hpgl.slanted-plunge";
@@ -3750,10 +3892,45 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "hpgl.speed-out-of-range";
+            arguments: {
+                low: number;
+                high: number;
+            };
+        } | {
+            /** @constant */
             code: "hpgl.swivel";
             arguments: {
                 place: components["schemas"]["Message"];
             };
+        } | {
+            /** @constant */
+            code: "hpgl.turn-in-board";
+            arguments: {
+                degrees: number;
+                most: number;
+            };
+        } | {
+            /** @constant */
+            code: "hpgl.unknown-instruction";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "hpgl.unknown-pen";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "hpgl.wrong-force";
+            arguments: {
+                pen: number;
+                force: number;
+            };
+        } | {
+            /** @constant */
+            code: "hpgl.x-without-y";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "input.not-finite";
@@ -3837,6 +4014,13 @@ export interface components {
                 job: string;
                 board: string;
                 given: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.program-refused";
+            arguments: {
+                findings: components["schemas"]["Message"][];
+                more: components["schemas"]["Message"] | null;
             };
         } | {
             /** @constant */
@@ -4579,6 +4763,224 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "rs274.after-end";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.axis-without-motion";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.bad-arc";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.bad-character";
+            arguments: {
+                character: string;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.bad-feed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.bad-line-number";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.centre-without-arc";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.change-without-station";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.control-byte";
+            arguments: {
+                byte: string;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.ends-lowered";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.ends-oscillating";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.ends-output-on";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.ends-with-offset";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.g64-unsupported";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.incomplete-arc";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.letter-without-number";
+            arguments: {
+                letter: string;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.line-too-long";
+            arguments: {
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.missing-p";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.mode-g17";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.mode-g21";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.mode-g40";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.mode-g49";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.mode-g54";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.mode-g90";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.mode-g91-1";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.mode-g94";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.motion-without-axis";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.moves-and-switches";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.moves-unstated";
+            arguments: {
+                mode: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "rs274.nested-comment";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.no-end";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.no-feed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.not-settled";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.number-too-large";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.offset-without-station";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.open-comment";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.repeated-word";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.speed-without-m3";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.stray-p";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.stray-q";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.timed-without-f";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.too-many-digits";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.unbounded-rounding";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.unknown-letter";
+            arguments: {
+                letter: string;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.unknown-output";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.unknown-station";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.unknown-word";
+            arguments: {
+                word: string;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.wrong-dwell";
+            arguments: {
+                settle: number;
+            };
+        } | {
+            /** @constant */
+            code: "rs274.wrong-speed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "run.executed";
             arguments: {
                 executed: number;
@@ -4997,6 +5399,502 @@ export interface components {
             code: "verify.bad-tolerance";
             arguments: {
                 tolerance: string;
+            };
+        } | {
+            /** @constant */
+            code: "verify.beam-on-rapid";
+            arguments: {
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.beam-refocused";
+            arguments: {
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.beside-line";
+            arguments: {
+                tool: string;
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.beyond-rotation";
+            arguments: {
+                joint: string;
+                position: number;
+                low: number;
+                high: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.beyond-travel";
+            arguments: {
+                joint: string;
+                position: number;
+                low: number;
+                high: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.bridge-near-corner";
+            arguments: {
+                place: number;
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.bridge-spacing";
+            arguments: {
+                place: number;
+                distance: number;
+                most: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.bridge-spare";
+            arguments: {
+                place: number;
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.bridge-width";
+            arguments: {
+                place: number;
+                width: number;
+                planned: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.centre-off-path";
+            arguments: {
+                distance: number;
+                rounding: number;
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.cleaning-beyond";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.cleaning-dropped";
+            arguments: {
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.cleaning-incomplete";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.cleaning-invented";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.cleaning-moved";
+            arguments: {
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.cleaning-type";
+            arguments: {
+                drawn: string;
+                worked: string;
+            };
+        } | {
+            /** @constant */
+            code: "verify.comes-out-anywhere";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.comes-out-past";
+            arguments: {
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.comes-out-short";
+            arguments: {
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.crease-too-short";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.cuts-part";
+            arguments: {
+                depth: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.cutter-at-rest";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.flank-inside";
+            arguments: {
+                distance: number;
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.flank-outside";
+            arguments: {
+                distance: number;
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.flank-through-cut";
+            arguments: {
+                depth: number;
+                edge: number;
+                distance: number;
+                place: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.goes-in-anywhere";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.groove-arc";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.groove-past-ends";
+            arguments: {
+                length: number;
+                most: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.groove-shallower";
+            arguments: {
+                depth: number;
+                before: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.inside-part";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.knife-at-rest";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.laser-off";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.loose-piece";
+            arguments: {
+                x: number;
+                y: number;
+                line: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.lowers-second";
+            arguments: {
+                station: number;
+                other: number;
+                output: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.moves-before-stated";
+            arguments: {
+                thing: components["schemas"]["Message"];
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.moves-with-beam";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.never-stated";
+            arguments: {
+                thing: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "verify.no-station";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.not-worked";
+            arguments: {
+                length: number;
+                work: components["schemas"]["Message"];
+                where: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "verify.off-line";
+            arguments: {
+                tool: string;
+                distance: number;
+                rounding: number;
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.oscillation-on";
+            arguments: {
+                station: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.other-placement";
+            arguments: {
+                x: number;
+                y: number;
+                job_x: number;
+                job_y: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.output";
+            arguments: {
+                output: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.output-off";
+            arguments: {
+                station: number;
+                output: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.pass-too-deep";
+            arguments: {
+                tool: string;
+                depth: number;
+                length: number;
+                step: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.past-end";
+            arguments: {
+                tool: string;
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.past-open-cut";
+            arguments: {
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.past-stop";
+            arguments: {
+                tool: string;
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.perforation-cut";
+            arguments: {
+                length: number;
+                planned: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.perforation-gap";
+            arguments: {
+                length: number;
+                place: number;
+                planned: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.rapid-in-board";
+            arguments: {
+                station: number;
+                depth: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.slanted";
+            arguments: {
+                station: number;
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.spindle";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.stray";
+            arguments: {
+                tool: string;
+                length: number;
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.stray-along";
+            arguments: {
+                tool: string;
+                length: number;
+                edge: number;
+                type: string;
+            };
+        } | {
+            /** @constant */
+            code: "verify.stray-plunge";
+            arguments: {
+                tool: string;
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.stray-plunge-along";
+            arguments: {
+                tool: string;
+                edge: number;
+                type: string;
+            };
+        } | {
+            /** @constant */
+            code: "verify.switches-at-unknown-height";
+            arguments: {
+                needed: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.switches-low";
+            arguments: {
+                height: number;
+                needed: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.too-few-bridges";
+            arguments: {
+                bridges: number;
+                fewest: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.turn-at-feed";
+            arguments: {
+                degrees: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.turn-in-board";
+            arguments: {
+                degrees: number;
+                most: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.turn-off-path";
+            arguments: {
+                degrees: number;
+                path: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.two-lowered";
+            arguments: {
+                station: number;
+                other: number;
+                output: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.unclassified";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.unknown-position";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.where-from-start";
+            arguments: {
+                place: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.where-past-end";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.where-past-start";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.work-creased";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.work-cut";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.work-grooved";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.work-grooved-from-end";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.work-grooved-from-start";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.wrong-depth";
+            arguments: {
+                tool: string;
+                depth: number;
+                planned: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.wrong-feed";
+            arguments: {
+                station: number;
+                feed: number;
+                planned: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.wrong-heading";
+            arguments: {
+                tool: string;
+                degrees: number;
+                swing: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.wrong-time";
+            arguments: {
+                station: number;
+                seconds: number;
+                planned: number;
             };
         } | {
             /** @constant */

@@ -695,6 +695,22 @@ export const TEXTS = {
     "text": "{path} is not a field",
     "hint": ""
   },
+  "finding.at-edge": {
+    "text": "Edge {edge}: {fault}",
+    "hint": "{fault:hint}"
+  },
+  "finding.at-edge-and-line": {
+    "text": "Edge {edge}, line {line}: {fault}",
+    "hint": "{fault:hint}"
+  },
+  "finding.at-line": {
+    "text": "Line {line}: {fault}",
+    "hint": "{fault:hint}"
+  },
+  "finding.more": {
+    "text": " And {count} more.",
+    "hint": ""
+  },
   "groove.along-edge": {
     "text": "The V-groove at edge {edge} meets the board's edge at {angle:.1f}°, almost along it, so its flanks would not leave the board.",
     "hint": "End it before the edge, or meet the edge at 5° or more."
@@ -731,13 +747,57 @@ export const TEXTS = {
     "text": "The V-groove at edge {edge} is {length:.2f} mm long, and the blade is {blade:.2f} mm wide.",
     "hint": "Draw the groove longer, or choose a narrower blade."
   },
+  "hpgl.bad-byte": {
+    "text": "The byte {byte} has no meaning here.",
+    "hint": "Remove it."
+  },
   "hpgl.bad-feed": {
     "text": "{place} has a feed of {feed:g} mm/min, and {device} has whole cm/s from {slowest} to {fastest}.",
     "hint": "Give the tool a feed that is a multiple of {step:g} mm/min."
   },
+  "hpgl.bad-number": {
+    "text": "A sign has no number, or a number has too many digits.",
+    "hint": ""
+  },
   "hpgl.depth-change": {
     "text": "{place} changes its depth while it works.",
     "hint": "Work in one pass."
+  },
+  "hpgl.ends-down": {
+    "text": "The program ends with the tool down.",
+    "hint": ""
+  },
+  "hpgl.ends-with-pen": {
+    "text": "The program ends without putting the tool away (SP0).",
+    "hint": ""
+  },
+  "hpgl.force-out-of-range": {
+    "text": "The force (FS) is not between {low} and {high}.",
+    "hint": ""
+  },
+  "hpgl.initialised-again": {
+    "text": "The device is initialised again (IN) after the start.",
+    "hint": ""
+  },
+  "hpgl.lone-letter": {
+    "text": "A letter does not belong to an instruction of two letters.",
+    "hint": ""
+  },
+  "hpgl.loose-number": {
+    "text": "A number belongs to no instruction.",
+    "hint": ""
+  },
+  "hpgl.moves-before-pa": {
+    "text": "The line moves before absolute coordinates are stated (PA).",
+    "hint": ""
+  },
+  "hpgl.needs-no-number": {
+    "text": "The instruction takes no number.",
+    "hint": ""
+  },
+  "hpgl.needs-one-number": {
+    "text": "The instruction needs exactly one number.",
+    "hint": ""
   },
   "hpgl.never-down": {
     "text": "The toolpath never goes down.",
@@ -751,21 +811,85 @@ export const TEXTS = {
     "text": "{machine} has no HPGL device.",
     "hint": "Describe it under [controller] of its TOML."
   },
+  "hpgl.no-force-setting": {
+    "text": "The device has no force setting (FS).",
+    "hint": ""
+  },
+  "hpgl.no-instruction": {
+    "text": "The program has no instruction.",
+    "hint": ""
+  },
   "hpgl.no-pen": {
     "text": "{machine} has no pen for {work} with station {station}.",
     "hint": "Add a [[controller.pen]] to its TOML."
+  },
+  "hpgl.no-pen-selected": {
+    "text": "The line lowers the tool, and no pen is selected.",
+    "hint": ""
+  },
+  "hpgl.no-speed": {
+    "text": "The line works, and no speed has been set (VS).",
+    "hint": ""
+  },
+  "hpgl.no-speed-setting": {
+    "text": "The device has no speed setting (VS).",
+    "hint": ""
+  },
+  "hpgl.no-terminator": {
+    "text": "The program ends without a semicolon.",
+    "hint": ""
+  },
+  "hpgl.not-initialised": {
+    "text": "The first instruction is not IN.",
+    "hint": ""
+  },
+  "hpgl.outside-area": {
+    "text": "The line leaves the area of the device.",
+    "hint": ""
+  },
+  "hpgl.plunge-without-move": {
+    "text": "The line lowers the tool and moves nowhere, so its heading is not known.",
+    "hint": ""
   },
   "hpgl.press": {
     "text": "{place} presses the tool in one place, where HPGL cannot turn it.",
     "hint": "Choose a board with short_crease = \"refuse\", or another machine."
   },
+  "hpgl.selects-while-down": {
+    "text": "The line selects a pen while the tool is down.",
+    "hint": "Lift it first (PU)."
+  },
   "hpgl.slanted-plunge": {
     "text": "{place} goes down or up along a slope.",
     "hint": "Choose a tool that goes straight down."
   },
+  "hpgl.speed-out-of-range": {
+    "text": "The speed (VS) is not between {low} and {high}.",
+    "hint": ""
+  },
   "hpgl.swivel": {
     "text": "{place} turns the head about the tip.",
     "hint": "Give the knife no trail: the device compensates it."
+  },
+  "hpgl.turn-in-board": {
+    "text": "The tool turns by {degrees:.2f}° in the board; at most {most:.2f}° is allowed.",
+    "hint": "Lift it before the corner."
+  },
+  "hpgl.unknown-instruction": {
+    "text": "The instruction {name} is not supported.",
+    "hint": ""
+  },
+  "hpgl.unknown-pen": {
+    "text": "The device has no such pen.",
+    "hint": ""
+  },
+  "hpgl.wrong-force": {
+    "text": "The line lowers pen {pen} with another force than its own (FS{force}).",
+    "hint": ""
+  },
+  "hpgl.x-without-y": {
+    "text": "An X has no Y.",
+    "hint": ""
   },
   "input.not-finite": {
     "text": "{what} has a coordinate that is not a number.",
@@ -818,6 +942,10 @@ export const TEXTS = {
   "job.other-board": {
     "text": "Job {job} is for the board {board}, not {given}.",
     "hint": "Put {board} on the table."
+  },
+  "job.program-refused": {
+    "text": "The program does not cut what was drawn: {findings: }{more}",
+    "hint": ""
   },
   "job.stale-epoch": {
     "text": "This gateway no longer owns job {job}, which is {state} (epoch {epoch}; it is in epoch {current} now).",
@@ -1085,7 +1213,7 @@ export const TEXTS = {
   },
   "program.no-placement": {
     "text": "{program} does not state where on the sheet it places the drawing.",
-    "hint": "Its header needs a comment like (placement X20.0000 Y20.0000)."
+    "hint": "Give --placement X,Y, as its report states it."
   },
   "program.not-bytes": {
     "text": "The program is a {type}, not bytes.",
@@ -1270,6 +1398,202 @@ export const TEXTS = {
   "request.wrong-method": {
     "text": "{method} is not supported at {path}.",
     "hint": "See /api/openapi.json for the supported methods."
+  },
+  "rs274.after-end": {
+    "text": "The line comes after the end of the program.",
+    "hint": ""
+  },
+  "rs274.axis-without-motion": {
+    "text": "The line has axis words and no G0, G1, G2 or G3.",
+    "hint": ""
+  },
+  "rs274.bad-arc": {
+    "text": "The ends of the arc differ in radius by more than {limit:g} mm.",
+    "hint": ""
+  },
+  "rs274.bad-character": {
+    "text": "The character {character!r} has no meaning here.",
+    "hint": "Remove it."
+  },
+  "rs274.bad-feed": {
+    "text": "The feed (F) is not greater than 0.",
+    "hint": ""
+  },
+  "rs274.bad-line-number": {
+    "text": "The line number (N) is not a whole number of 0 or more.",
+    "hint": ""
+  },
+  "rs274.centre-without-arc": {
+    "text": "The line has the centre of an arc (I, J) and no G2 or G3.",
+    "hint": ""
+  },
+  "rs274.change-without-station": {
+    "text": "The line changes the station (M6), and none has been called (T).",
+    "hint": ""
+  },
+  "rs274.control-byte": {
+    "text": "The byte {byte} acts on the controller at once, even in a comment.",
+    "hint": "Remove it."
+  },
+  "rs274.ends-lowered": {
+    "text": "The program ends with a station lowered.",
+    "hint": ""
+  },
+  "rs274.ends-oscillating": {
+    "text": "The program ends while a tool oscillates or turns.",
+    "hint": ""
+  },
+  "rs274.ends-output-on": {
+    "text": "The program ends with an output on.",
+    "hint": ""
+  },
+  "rs274.ends-with-offset": {
+    "text": "The program ends with the offset of a station in force.",
+    "hint": "Cancel it (G49) before the end."
+  },
+  "rs274.g64-unsupported": {
+    "text": "G64 is rejected by controllers without a tool table.",
+    "hint": "Remove it."
+  },
+  "rs274.incomplete-arc": {
+    "text": "The arc lacks X, Y, I or J.",
+    "hint": ""
+  },
+  "rs274.letter-without-number": {
+    "text": "The letter {letter} has no number.",
+    "hint": ""
+  },
+  "rs274.line-too-long": {
+    "text": "The line is longer than {limit} characters, more than a controller reads.",
+    "hint": ""
+  },
+  "rs274.missing-p": {
+    "text": "The line lacks its P word.",
+    "hint": ""
+  },
+  "rs274.mode-g17": {
+    "text": "the XY plane (G17)",
+    "hint": ""
+  },
+  "rs274.mode-g21": {
+    "text": "millimetres (G21)",
+    "hint": ""
+  },
+  "rs274.mode-g40": {
+    "text": "no radius compensation (G40)",
+    "hint": ""
+  },
+  "rs274.mode-g49": {
+    "text": "no tool length (G49)",
+    "hint": ""
+  },
+  "rs274.mode-g54": {
+    "text": "the coordinate system (G54)",
+    "hint": ""
+  },
+  "rs274.mode-g90": {
+    "text": "absolute distances (G90)",
+    "hint": ""
+  },
+  "rs274.mode-g91-1": {
+    "text": "arc centres from the start (G91.1)",
+    "hint": ""
+  },
+  "rs274.mode-g94": {
+    "text": "the feed mode (G94)",
+    "hint": ""
+  },
+  "rs274.motion-without-axis": {
+    "text": "The line has a motion word and no axis word.",
+    "hint": ""
+  },
+  "rs274.moves-and-switches": {
+    "text": "The line moves and switches something at once.",
+    "hint": "Write them on two lines."
+  },
+  "rs274.moves-unstated": {
+    "text": "The line moves before the program states {mode}.",
+    "hint": ""
+  },
+  "rs274.nested-comment": {
+    "text": "A comment opens inside another comment.",
+    "hint": "Close the first one before it."
+  },
+  "rs274.no-end": {
+    "text": "The program ends without M2 or M30.",
+    "hint": ""
+  },
+  "rs274.no-feed": {
+    "text": "The line feeds, and no F has been stated since the feed mode was set.",
+    "hint": ""
+  },
+  "rs274.not-settled": {
+    "text": "The line moves before what was switched has settled.",
+    "hint": "Dwell (G4) before it."
+  },
+  "rs274.number-too-large": {
+    "text": "A number is beyond 1,000,000.",
+    "hint": ""
+  },
+  "rs274.offset-without-station": {
+    "text": "The line applies the offset of a station (G43), and none has been called (T).",
+    "hint": ""
+  },
+  "rs274.open-comment": {
+    "text": "A comment is not closed.",
+    "hint": "End it with ) on the same line."
+  },
+  "rs274.repeated-word": {
+    "text": "Two words of the line set the same thing.",
+    "hint": ""
+  },
+  "rs274.speed-without-m3": {
+    "text": "The line has a speed (S) and no M3.",
+    "hint": ""
+  },
+  "rs274.stray-p": {
+    "text": "The P word belongs to no other word of the line, or to two.",
+    "hint": ""
+  },
+  "rs274.stray-q": {
+    "text": "The Q word belongs to no other word of the line.",
+    "hint": ""
+  },
+  "rs274.timed-without-f": {
+    "text": "The move is timed (G93) and has no F.",
+    "hint": ""
+  },
+  "rs274.too-many-digits": {
+    "text": "A number has more than 15 digits.",
+    "hint": ""
+  },
+  "rs274.unbounded-rounding": {
+    "text": "The line works while nothing limits how far corners are rounded.",
+    "hint": "State the limit with G64 P before it."
+  },
+  "rs274.unknown-letter": {
+    "text": "The letter {letter} is not supported.",
+    "hint": ""
+  },
+  "rs274.unknown-output": {
+    "text": "{machine} has no such output.",
+    "hint": ""
+  },
+  "rs274.unknown-station": {
+    "text": "{machine} has no such station (T).",
+    "hint": ""
+  },
+  "rs274.unknown-word": {
+    "text": "{word} is not supported.",
+    "hint": ""
+  },
+  "rs274.wrong-dwell": {
+    "text": "The dwell (G4) does not last as long as the machine needs ({settle:g} s).",
+    "hint": ""
+  },
+  "rs274.wrong-speed": {
+    "text": "M3 has another speed (S) than the tool's.",
+    "hint": ""
   },
   "run.executed": {
     "text": "{executed} of {lines} lines were executed.",
@@ -1531,6 +1855,318 @@ export const TEXTS = {
     "text": "A tolerance of {tolerance} mm is not a length.",
     "hint": "Give a number greater than 0, usually 0.01 mm."
   },
+  "verify.beam-on-rapid": {
+    "text": "The beam is on along a rapid of {length:.3f} mm.",
+    "hint": ""
+  },
+  "verify.beam-refocused": {
+    "text": "The beam is on while its focus moves by {height:.3f} mm.",
+    "hint": ""
+  },
+  "verify.beside-line": {
+    "text": "The {tool:tool} is {distance:.3f} mm off the line.",
+    "hint": ""
+  },
+  "verify.beyond-rotation": {
+    "text": "Joint {joint} turns to {position:.3f}°; its travel is {low:g} to {high:g}°.",
+    "hint": ""
+  },
+  "verify.beyond-travel": {
+    "text": "Joint {joint} goes to {position:.3f} mm; its travel is {low:g} to {high:g} mm.",
+    "hint": ""
+  },
+  "verify.bridge-near-corner": {
+    "text": "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm too near a sharp corner.",
+    "hint": ""
+  },
+  "verify.bridge-spacing": {
+    "text": "From the bridge at {place:.3f} mm along the contour it is {distance:.3f} mm to the next; the board allows {most:g} mm.",
+    "hint": ""
+  },
+  "verify.bridge-spare": {
+    "text": "The bridge at {place:.3f} mm along the contour is not needed: without it the next two are {distance:.3f} mm apart.",
+    "hint": ""
+  },
+  "verify.bridge-width": {
+    "text": "The bridge at {place:.3f} mm along the contour is {width:.3f} mm wide in the top face; the board needs {planned:g} mm.",
+    "hint": ""
+  },
+  "verify.centre-off-path": {
+    "text": "The cutter's centre is {distance:.4f} mm off its path, and the controller may round {rounding:.4f} mm more; the tolerance is {tolerance:g} mm.",
+    "hint": ""
+  },
+  "verify.cleaning-beyond": {
+    "text": "Cleaning: the edge is worked where nothing was drawn.",
+    "hint": ""
+  },
+  "verify.cleaning-dropped": {
+    "text": "Cleaning dropped {length:.3f} mm of the edge.",
+    "hint": ""
+  },
+  "verify.cleaning-incomplete": {
+    "text": "Cleaning: the stretches of the edge do not add up to its length.",
+    "hint": ""
+  },
+  "verify.cleaning-invented": {
+    "text": "Cleaning: no part of the edge was drawn.",
+    "hint": ""
+  },
+  "verify.cleaning-moved": {
+    "text": "Cleaning moved the edge by {distance:.4f} mm.",
+    "hint": ""
+  },
+  "verify.cleaning-type": {
+    "text": "Cleaning: the edge is {drawn} and is worked as {worked}.",
+    "hint": ""
+  },
+  "verify.comes-out-anywhere": {
+    "text": "The knife comes out neither where an edge ends nor where it went in.",
+    "hint": ""
+  },
+  "verify.comes-out-past": {
+    "text": "The knife comes out {distance:.3f} mm past where it should.",
+    "hint": ""
+  },
+  "verify.comes-out-short": {
+    "text": "The knife comes out {distance:.3f} mm short of where it should.",
+    "hint": ""
+  },
+  "verify.crease-too-short": {
+    "text": "The crease is too short for the wheel.",
+    "hint": ""
+  },
+  "verify.cuts-part": {
+    "text": "The cutter takes {depth:.3f} mm off the part.",
+    "hint": ""
+  },
+  "verify.cutter-at-rest": {
+    "text": "The cutter works while it does not turn.",
+    "hint": ""
+  },
+  "verify.flank-inside": {
+    "text": "A flank comes out {distance:.4f} mm inside its place on the top face; the tolerance is {tolerance:g} mm.",
+    "hint": ""
+  },
+  "verify.flank-outside": {
+    "text": "A flank comes out {distance:.4f} mm outside its place on the top face; the tolerance is {tolerance:g} mm.",
+    "hint": ""
+  },
+  "verify.flank-through-cut": {
+    "text": "A flank goes {depth:.3f} mm through the cut at edge {edge}, which lies {distance:.3f} mm beside the groove, {place:.1f} mm from its start.",
+    "hint": ""
+  },
+  "verify.goes-in-anywhere": {
+    "text": "The knife goes in where no edge begins.",
+    "hint": ""
+  },
+  "verify.groove-arc": {
+    "text": "The groove is an arc, which a tilted blade cannot follow.",
+    "hint": ""
+  },
+  "verify.groove-past-ends": {
+    "text": "The blade runs {length:.2f} mm past the ends of the groove; the board allows {most:.2f} mm.",
+    "hint": ""
+  },
+  "verify.groove-shallower": {
+    "text": "The V-cutter goes {depth:.3f} mm deep after an earlier pass of {before:.3f} mm.",
+    "hint": ""
+  },
+  "verify.inside-part": {
+    "text": "The cutter works at X{x:.3f} Y{y:.3f} of the sheet, inside a part.",
+    "hint": ""
+  },
+  "verify.knife-at-rest": {
+    "text": "The oscillating knife cuts while its oscillation is off.",
+    "hint": ""
+  },
+  "verify.laser-off": {
+    "text": "The laser cuts while it is off.",
+    "hint": ""
+  },
+  "verify.loose-piece": {
+    "text": "The edge is worked at X{x:.3f} Y{y:.3f} of the sheet, on a piece that line {line} has already cut loose.",
+    "hint": "Cut the contour around the piece afterwards."
+  },
+  "verify.lowers-second": {
+    "text": "The line lowers station {station} while station {other} may be lowered.",
+    "hint": "Release station {other} first (M65 P{output})."
+  },
+  "verify.moves-before-stated": {
+    "text": "The program moves before it states {thing}.",
+    "hint": "Until it is stated, lift only, straight up to joint Z {height:.3f} mm or higher."
+  },
+  "verify.moves-with-beam": {
+    "text": "The program moves before it states the spindle (M5), so a beam may still be on.",
+    "hint": ""
+  },
+  "verify.never-stated": {
+    "text": "The program ends without stating {thing}.",
+    "hint": ""
+  },
+  "verify.no-station": {
+    "text": "The line feeds, and no station has been chosen.",
+    "hint": ""
+  },
+  "verify.not-worked": {
+    "text": "{length:.3f} mm of the edge are not {work}{where}.",
+    "hint": ""
+  },
+  "verify.off-line": {
+    "text": "The {tool:tool} is {distance:.4f} mm off the line, and the controller may round {rounding:.4f} mm more; the tolerance is {tolerance:g} mm.",
+    "hint": ""
+  },
+  "verify.oscillation-on": {
+    "text": "Station {station} works while the oscillation is on.",
+    "hint": ""
+  },
+  "verify.other-placement": {
+    "text": "The program states the placement X{x:.4f} Y{y:.4f}; the job has X{job_x:.4f} Y{job_y:.4f}.",
+    "hint": ""
+  },
+  "verify.output": {
+    "text": "output {output} (M65 P{output})",
+    "hint": ""
+  },
+  "verify.output-off": {
+    "text": "Station {station} works while its output {output} is off.",
+    "hint": ""
+  },
+  "verify.pass-too-deep": {
+    "text": "The {tool:tool} goes {depth:.3f} mm deep along {length:.3f} mm that no earlier pass has prepared; at most {step:g} mm at once is allowed.",
+    "hint": ""
+  },
+  "verify.past-end": {
+    "text": "The {tool:tool} runs {length:.3f} mm past the end of the edge.",
+    "hint": ""
+  },
+  "verify.past-open-cut": {
+    "text": "The cutter goes {length:.3f} mm past the end of an open cut.",
+    "hint": ""
+  },
+  "verify.past-stop": {
+    "text": "The {tool:tool} works {length:.3f} mm past where it should stop.",
+    "hint": ""
+  },
+  "verify.perforation-cut": {
+    "text": "A perforation has a cut of {length:.3f} mm; {planned:.3f} mm is planned.",
+    "hint": ""
+  },
+  "verify.perforation-gap": {
+    "text": "The perforation has a gap of {length:.3f} mm, {place:.3f} mm from its start; the board needs gaps of {planned:g} mm.",
+    "hint": ""
+  },
+  "verify.rapid-in-board": {
+    "text": "A rapid takes station {station} {depth:.3f} mm below the top of the board.",
+    "hint": ""
+  },
+  "verify.slanted": {
+    "text": "Station {station} goes {distance:.3f} mm sideways off its own line while it plunges or lifts in the board.",
+    "hint": ""
+  },
+  "verify.spindle": {
+    "text": "the spindle (M5)",
+    "hint": ""
+  },
+  "verify.stray": {
+    "text": "The {tool:tool} works {length:.3f} mm at X{x:.3f} Y{y:.3f} of the sheet, where no edge asks for it.",
+    "hint": ""
+  },
+  "verify.stray-along": {
+    "text": "The {tool:tool} works {length:.3f} mm along edge {edge}, which is {type} and does not ask for it.",
+    "hint": ""
+  },
+  "verify.stray-plunge": {
+    "text": "The {tool:tool} goes down at X{x:.3f} Y{y:.3f} of the sheet, where no edge asks for it.",
+    "hint": ""
+  },
+  "verify.stray-plunge-along": {
+    "text": "The {tool:tool} goes down on edge {edge}, which is {type} and does not ask for it.",
+    "hint": ""
+  },
+  "verify.switches-at-unknown-height": {
+    "text": "The line switches at a height that no line before it states.",
+    "hint": "Lift to {needed:.3f} mm first."
+  },
+  "verify.switches-low": {
+    "text": "The line switches at joint Z {height:.3f} mm.",
+    "hint": "Lift to {needed:.3f} mm first."
+  },
+  "verify.too-few-bridges": {
+    "text": "{bridges:# bridge holds|# bridges hold} the part; the board needs at least {fewest}.",
+    "hint": ""
+  },
+  "verify.turn-at-feed": {
+    "text": "C turns by {degrees:.4f}° at a feed in mm/min.",
+    "hint": "State how long the move takes (G93)."
+  },
+  "verify.turn-in-board": {
+    "text": "C turns by {degrees:.3f}° in the board; at most {most:.2f}° is allowed.",
+    "hint": ""
+  },
+  "verify.turn-off-path": {
+    "text": "C turns by {degrees:.3f}° in the board while the path turns by {path:.3f}°.",
+    "hint": ""
+  },
+  "verify.two-lowered": {
+    "text": "Station {station} works while station {other} is lowered too (output {output}).",
+    "hint": ""
+  },
+  "verify.unclassified": {
+    "text": "The edge has no line type, so its work is not known.",
+    "hint": "Give it a line type."
+  },
+  "verify.unknown-position": {
+    "text": "The line moves from or to a position that no line before it states.",
+    "hint": ""
+  },
+  "verify.where-from-start": {
+    "text": ", beginning {place:.3f} mm from its start",
+    "hint": ""
+  },
+  "verify.where-past-end": {
+    "text": ", where the tool must run out past its end",
+    "hint": ""
+  },
+  "verify.where-past-start": {
+    "text": ", where the tool must run out past its start",
+    "hint": ""
+  },
+  "verify.work-creased": {
+    "text": "creased",
+    "hint": ""
+  },
+  "verify.work-cut": {
+    "text": "cut",
+    "hint": ""
+  },
+  "verify.work-grooved": {
+    "text": "grooved",
+    "hint": ""
+  },
+  "verify.work-grooved-from-end": {
+    "text": "grooved from its end",
+    "hint": ""
+  },
+  "verify.work-grooved-from-start": {
+    "text": "grooved from its start",
+    "hint": ""
+  },
+  "verify.wrong-depth": {
+    "text": "The {tool:tool} goes {depth:.3f} mm below the top of the board; {planned:.3f} mm is planned.",
+    "hint": ""
+  },
+  "verify.wrong-feed": {
+    "text": "Station {station} has a feed of {feed:g} mm/min instead of {planned:g}.",
+    "hint": ""
+  },
+  "verify.wrong-heading": {
+    "text": "The {tool:tool} is turned {degrees:.3f}° off the line, so that it swings {swing:.3f} mm.",
+    "hint": ""
+  },
+  "verify.wrong-time": {
+    "text": "Station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
+    "hint": ""
+  },
   "worker.died": {
     "text": "The worker process ended unexpectedly (exit code {code}), as happens when memory runs out.",
     "hint": "Send a smaller drawing, or split this one."
@@ -1554,4 +2190,11 @@ export const UNITS: Readonly<Record<string, string>> = {
   "ft": "feet",
   "pt": "points",
   "px": "pixels"
+};
+
+export const TOOLS: Readonly<Record<string, string>> = {
+  "cutter": "cutter",
+  "knife": "knife",
+  "v-cutter": "V-cutter",
+  "wheel": "wheel"
 };

@@ -8,12 +8,12 @@
  *     {n:# edge|# edges}        the first form for 1, else the second; # is the number
  *     {x:,.1f}  {x:.3f}  {x:g}  decimals, with or without separators; significant digits
  *     {size:mm}  {size:MB}      a length with useful decimals; bytes as mebibytes
- *     {unit:unit}               name of a unit of length
+ *     {unit:unit}  {tool:tool}  name of a unit of length; of a tool
  */
 
 import { ServiceError } from "../api/client";
 import type { Message } from "./catalogue";
-import { TEXTS, UNITS } from "./en.gen";
+import { TEXTS, TOOLS, UNITS } from "./en.gen";
 
 /** A message as the server sends it; `text` and `hint` are its own English. */
 export interface ServerMessage {
@@ -69,6 +69,7 @@ function formatValue(value: unknown, format: string): string {
   if (isMessage(value)) return format === "hint" ? renderHint(value) : renderText(value);
   if (Array.isArray(value)) return joinItems(value, format);
   if (format === "unit") return UNITS[String(value)] ?? String(value);
+  if (format === "tool") return TOOLS[String(value)] ?? String(value);
   if (typeof value !== "number") return String(value);
   return formatNumber(value, format);
 }

@@ -8,6 +8,7 @@ import {
 } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Finding, Job, VerdictSummary } from "../api/client";
+import { renderText } from "../messages/render";
 import {
   formatArea,
   formatDeviation,
@@ -164,7 +165,19 @@ function Row({ finding }: { finding: Finding }) {
       data-testid="finding"
     >
       <IconMapPin size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
-      <span>{finding.text}</span>
+      <span>
+        {place(finding)}
+        {renderText(finding)}
+      </span>
     </button>
   );
+}
+
+/** Edge and line of a finding, to put in front of its text. */
+function place(finding: Finding): string {
+  const parts = [
+    ...(finding.edge >= 0 ? [`Edge ${finding.edge}`] : []),
+    ...(finding.line >= 0 ? [`line ${finding.line}`] : []),
+  ].join(", ");
+  return parts && `${parts.charAt(0).toUpperCase()}${parts.slice(1)}: `;
 }

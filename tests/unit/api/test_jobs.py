@@ -218,7 +218,7 @@ def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.
     assert answer.status_code == 422
     assert answer.headers["content-type"] == "application/problem+json"
     assert "has no rotating cutter" in answer.json()["detail"]
-    assert answer.json()["hint"] == "Leave the corners out, or choose a machine that mills."
+    assert answer.json()["hint"] == "Leave the corner types out, or choose a machine that mills."
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,13 @@ import pytest
 
 from knifetip.cleaning.clean import clean
 from knifetip.cleaning.map_back import map_to_drawn
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.verdict import Finding, Samples, Verdict
 from tests.support.shapes import dieline, edges
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
+FAULT = Message("verify.unclassified")
 
 #: One cut of 100 mm in two pieces, the second drawn backwards and twice; a crease that a cut of
 #: 10 mm parts in two, 50 and 40 mm long, the second of which is row 5 when it is cleaned.
@@ -33,7 +35,7 @@ def verdict(count: int) -> Verdict:
         overcut=np.zeros(count),
         uncut=np.where(rows == 0, 10.0, np.where(rows == 5, 4.0, 0.0)),
         setback=np.zeros(count),
-        findings=(Finding("uncut", "", 4.0, edge=5), Finding("feed", "", 1.0)),
+        findings=(Finding("uncut", FAULT, 4.0, edge=5), Finding("feed", FAULT, 1.0)),
         seconds=1.0,
         samples=Samples(
             np.array([0, 0, 0, 3, 5], np.int32),
@@ -68,7 +70,7 @@ def test_samples_go_to_the_place_where_they_are_on_the_drawn_edge() -> None:
 
 def test_a_verdict_on_a_clean_drawing_is_the_same() -> None:
     line = dieline((CUT, edges(((0, 0), (100, 0)), ((100, 0), (100, 100)))))
-    given = replace(verdict(2), findings=(Finding("uncut", "", 4.0, edge=1),))
+    given = replace(verdict(2), findings=(Finding("uncut", FAULT, 4.0, edge=1),))
     told = map_to_drawn(given, clean(line), line)
     np.testing.assert_array_equal(told.deviation, given.deviation)
     assert told.uncut.sum() == pytest.approx(given.uncut.sum())

@@ -5,7 +5,8 @@ from typing import cast
 
 import numpy as np
 
-from knifetip.model.verdict import Verdict
+from knifetip.messages import Message
+from knifetip.model.verdict import Finding, Verdict
 from knifetip.presentation.verdict import findings_of, verdict_summary
 
 
@@ -22,7 +23,9 @@ def refused() -> Verdict:
             setback=np.array([1.0, 1.0]),
             areas=type("Areas", (), {"area": areas.area, "__len__": lambda _self: 2})(),
             seconds=4.0,
-            findings=(SimpleNamespace(kind="uncut", text="a\0b", measure=np.nan, edge=1, line=7),),
+            findings=(
+                Finding("uncut", Message("stored.text", text="a\0b", hint=""), np.nan, 1, 7),
+            ),
         ),
     )
 
@@ -36,4 +39,5 @@ def test_a_summary_has_the_greatest_measures_and_the_sums_under_names_of_their_o
 
 def test_findings_have_the_handles_of_their_edges_and_finite_measures() -> None:
     (found,) = findings_of(refused(), ["A", "B"])
-    assert (found["handle"], found["text"], found["measure"]) == ("B", "ab", 1e9)
+    assert (found["handle"], found["measure"]) == ("B", 1e9)
+    assert (found["code"], found["arguments"]["text"]) == ("stored.text", "ab")

@@ -124,11 +124,11 @@ def test_a_wheel_does_not_turn_in_one_place() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("M64 P1\n", "M64 P2\n", "station 2 works while its output 1 is off"),
-        ("\nM65 P1\nT3", "\nM64 P1\nT3", "station 3 works while station 2 is lowered too"),
-        ("\nM65 P2\nT1", "\nM64 P2\nT1", "station 1 works while station 3 is lowered too"),
-        ("M3 S1\n", "M5\n", "the oscillating knife cuts at rest"),
-        ("M64 P1\n", "M64 P1\nM3 S1\n", "station 2 works while the oscillation is on"),
+        ("M64 P1\n", "M64 P2\n", "Station 2 works while its output 1 is off"),
+        ("\nM65 P1\nT3", "\nM64 P1\nT3", "Station 3 works while station 2 is lowered too"),
+        ("\nM65 P2\nT1", "\nM64 P2\nT1", "Station 1 works while station 3 is lowered too"),
+        ("M3 S1\n", "M5\n", "oscillating knife cuts while"),
+        ("M64 P1\n", "M64 P1\nM3 S1\n", "Station 2 works while the oscillation is on"),
     ],
 )
 def test_outputs_must_be_those_of_the_station_at_work(old: str, new: str, said: str) -> None:
@@ -149,7 +149,7 @@ def test_outputs_must_be_those_of_the_station_at_work(old: str, new: str, said: 
 def test_a_joint_past_its_travel_is_found(line: str, axis: str, past: float) -> None:
     found = of_nothing(knife_program(line))
     assert [finding.kind for finding in found] == ["travel"]
-    assert f"joint {axis}" in found[0].text
+    assert f"Joint {axis}" in found[0].text
     assert found[0].measure == pytest.approx(past)
 
 
@@ -261,7 +261,7 @@ def test_a_knife_turns_the_short_way_round_in_the_board_whatever_its_swivel_angl
         return headings(text, machine)
 
     assert swivelled(-90.0) == []
-    assert "270.000° in the board, where 180.01° is the most" in swivelled(270.0)[0].text
+    assert "270.000° in the board; at most 180.01°" in swivelled(270.0)[0].text
 
 
 def test_a_short_line_is_no_place_to_turn_either_unless_it_stands_for_a_tiny_arc() -> None:
@@ -285,4 +285,4 @@ def test_a_first_move_sideways_from_an_unknown_height_is_found() -> None:
     for first in ("G0 X5 Y5 Z20", "G0 C90 Z20", "G0 Y5"):
         text = changed(GRBLHAL, "G0 Z20.0000\nM65 P0\nM65 P1", f"{first}\nM65 P0\nM65 P1")
         found = [finding for finding in findings(text) if finding.line == 3]
-        assert any("a place that no line before it states" in finding.text for finding in found)
+        assert any("a position that no line before it states" in finding.text for finding in found)

@@ -46,8 +46,8 @@ def test_a_crease_that_stops_early_is_short_by_as_much() -> None:
     finding = told("uncut", FOLD, found("G1 Y65.6000 F30000", "G1 Y64.7600 F30000"))
     assert finding.measure == pytest.approx(0.84)
     assert finding.text == (
-        "Crease, edge 10: 0.840 mm of it are not creased, beginning 34.760 mm from its start. "
-        "Line 18."
+        "Edge 10, line 18: 0.840 mm of the edge are not creased, beginning 34.760 mm from its "
+        "start."
     )
 
 
@@ -77,7 +77,7 @@ def test_a_line_beside_its_edge_is_a_deviation() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0300").encode()
     finding = told("deviation", SLIT, list(judged(text).findings))
     assert finding.measure == pytest.approx(0.03)
-    assert "edge 8: the knife is 0.030 mm off the line" in finding.text
+    assert "The knife is 0.030 mm off the line" in finding.text
 
 
 def test_what_the_controller_rounds_is_added_to_what_is_measured() -> None:

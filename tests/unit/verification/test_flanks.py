@@ -124,5 +124,5 @@ def test_the_verdict_names_both_edges_and_the_measure() -> None:
     assert finding.edge == 0
     assert finding.measure == pytest.approx(0.8)
     assert finding.text.startswith(
-        "V-groove, edge 0: a flank goes 0.800 mm through the cut at edge 1, which lies 0.500 mm"
+        "Edge 0: A flank goes 0.800 mm through the cut at edge 1, which lies 0.500 mm"
     )

@@ -22,7 +22,7 @@ GOOD = (
 
 def moves_of(text: str) -> tuple[Moves, list[str]]:
     moves, faults = READER.read(text.encode("latin-1"), MACHINE, BOARD)
-    return moves, [f"{line}: {fault}" for line, fault in faults]
+    return moves, [f"{line}: {fault.code}" for line, fault in faults]
 
 
 def test_a_good_program_has_no_faults() -> None:
@@ -63,34 +63,34 @@ def test_a_centred_device_has_its_own_zero() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "fault"),
     [
-        ("IN;\n", "", "1: is the first instruction, and is not IN."),
-        ("PU;\nSP0;", "IN;PU;SP0;", "14: initialises the device in the middle (IN)."),
-        ("PA;\n", "", "6: moves before absolute coordinates (PA)."),
-        ("PA;", "PR;", "2: PR does not belong here."),
-        ("SP1;", "SP4;", "4: selects an unknown pen."),
-        ("SP1;\n", "", "7: lowers the tool, and no pen is selected."),
-        ("PU;\nSP0;", "SP0;", "14: selects a pen while the tool is down."),
-        ("SP0;\n", "", "14: ends the program without putting the tool away (SP0)."),
-        ("SP0;", "SP0", "15: ends the program without a semicolon."),
-        ("VS40;\n", "", "8: works, and no speed has been set (VS)."),
-        ("VS40;", "VS90;", "6: sets a speed beyond 1 to 80."),
-        ("FS30;", "FS31;", "8: lowers pen 1 with another force than its own (FS30)."),
-        ("FS30;\n", "", "7: lowers pen 1 with another force than its own (FS30)."),
-        ("PD4800,800;", "PD4800;", "9: has an X without a Y."),
-        ("PD4800,800;", "PD;4800,800;", "9: has a number that belongs to no instruction."),
-        ("PD4800,800;", "PD\n4800,800;", "10: has a number that belongs to no instruction."),
-        ("PD4800,800;", "PD4800.5,800;", "9: has the byte 0x2e, which means nothing."),
-        ("PD4800,800;", "PD4800,-;", "9: has a sign without a number, or a number of too many"),
-        ("PD4800,800;", "PD4800,8000000000;", "9: has a sign without a number, or a number of"),
-        ("PD4800,800;", "PD60000,800;", "9: leaves the area of the device."),
-        ("PD4800,800;", "PD-1,800;", "9: leaves the area of the device."),
-        ("PD4800,800;", "AA0,0,90;", "9: AA does not belong here."),
-        ("PD4800,800;", "P D4800,800;", "9: has a letter that is no instruction of two."),
-        ("PD4800,800;", "\x1b.K", "9: has the byte 0x1b, which means nothing."),
-        ("PD4800,800;", "pd4800,800;", "9: has the byte 0x70, which means nothing."),
-        ("PD4800,800;\n", "", "8: lowers the tool and moves nowhere: its heading is unknown."),
-        ("PD4800,800;", "PD4800,800,4800,4800;", "9: turns the tool by 90.00° in the board"),
-        ("SP1;", 'SP1;CO"note";', "4: CO does not belong here."),
+        ("IN;\n", "", "1: hpgl.not-initialised"),
+        ("PU;\nSP0;", "IN;PU;SP0;", "14: hpgl.initialised-again"),
+        ("PA;\n", "", "6: hpgl.moves-before-pa"),
+        ("PA;", "PR;", "2: hpgl.unknown-instruction"),
+        ("SP1;", "SP4;", "4: hpgl.unknown-pen"),
+        ("SP1;\n", "", "7: hpgl.no-pen-selected"),
+        ("PU;\nSP0;", "SP0;", "14: hpgl.selects-while-down"),
+        ("SP0;\n", "", "14: hpgl.ends-with-pen"),
+        ("SP0;", "SP0", "15: hpgl.no-terminator"),
+        ("VS40;\n", "", "8: hpgl.no-speed"),
+        ("VS40;", "VS90;", "6: hpgl.speed-out-of-range"),
+        ("FS30;", "FS31;", "8: hpgl.wrong-force"),
+        ("FS30;\n", "", "7: hpgl.wrong-force"),
+        ("PD4800,800;", "PD4800;", "9: hpgl.x-without-y"),
+        ("PD4800,800;", "PD;4800,800;", "9: hpgl.loose-number"),
+        ("PD4800,800;", "PD\n4800,800;", "10: hpgl.loose-number"),
+        ("PD4800,800;", "PD4800.5,800;", "9: hpgl.bad-byte"),
+        ("PD4800,800;", "PD4800,-;", "9: hpgl.bad-number"),
+        ("PD4800,800;", "PD4800,8000000000;", "9: hpgl.bad-number"),
+        ("PD4800,800;", "PD60000,800;", "9: hpgl.outside-area"),
+        ("PD4800,800;", "PD-1,800;", "9: hpgl.outside-area"),
+        ("PD4800,800;", "AA0,0,90;", "9: hpgl.unknown-instruction"),
+        ("PD4800,800;", "P D4800,800;", "9: hpgl.lone-letter"),
+        ("PD4800,800;", "\x1b.K", "9: hpgl.bad-byte"),
+        ("PD4800,800;", "pd4800,800;", "9: hpgl.bad-byte"),
+        ("PD4800,800;\n", "", "8: hpgl.plunge-without-move"),
+        ("PD4800,800;", "PD4800,800,4800,4800;", "9: hpgl.turn-in-board"),
+        ("SP1;", 'SP1;CO"note";', "4: hpgl.unknown-instruction"),
     ],
 )  # fmt: skip
 def test_a_broken_program_has_a_fault(old: str, new: str, fault: str) -> None:
@@ -102,7 +102,7 @@ def test_a_broken_program_has_a_fault(old: str, new: str, fault: str) -> None:
 
 
 def test_a_program_that_ends_at_work_has_a_fault() -> None:
-    assert "3: ends the program with the tool down." in moves_of("IN;PA;\nSP1;\nPD10,10;\n")[1]
+    assert "3: hpgl.ends-down" in moves_of("IN;PA;\nSP1;\nPD10,10;\n")[1]
 
 
 @pytest.mark.parametrize(

@@ -128,7 +128,7 @@ def test_pairs_are_those_that_all_distances_find() -> None:
 
 
 def test_a_thousand_edges_out_of_one_point_are_counted_before_they_are_paired() -> None:
-    with pytest.raises(GeometryError, match="pairs of ends"):
+    with pytest.raises(GeometryError, match="pairs of line ends"):
         pairs_within(np.zeros((5000, 2)), np.zeros((5000, 2)), 0.05)
 
 

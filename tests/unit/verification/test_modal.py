@@ -3,6 +3,7 @@ import math
 import numpy as np
 import pytest
 
+from knifetip.messages import Message
 from knifetip.verification.moves import Moves
 from knifetip.verification.rs274.modal import interpret
 from knifetip.verification.rs274.parse import parse
@@ -11,12 +12,12 @@ from tests.support.programs.handwritten import LINUXCNC, MACHINE, changed
 HEADER = "G21 G90 G91.1 G17 G40 G49 G94 G54\n"
 
 
-def moves_of(text: str) -> tuple[Moves, list[tuple[int, str]]]:
+def moves_of(text: str) -> tuple[Moves, list[tuple[int, Message]]]:
     return interpret(parse(text.encode()), MACHINE)
 
 
 def faults_of(text: str) -> list[str]:
-    return [f"{line}: {fault}" for line, fault in moves_of(text)[1]]
+    return [f"{line}: {fault.code}" for line, fault in moves_of(text)[1]]
 
 
 def test_a_joint_is_the_number_plus_the_datum_of_the_station_in_force() -> None:
@@ -54,75 +55,73 @@ def test_the_sweep_of_an_arc_has_the_sign_of_its_turn() -> None:
 def test_a_feed_is_forgotten_when_the_feed_mode_changes() -> None:
     start = HEADER + "G0 X0 Y0 Z20 C0\nG1 X1 F600\nG93 G1 X2 F10\n"
     assert moves_of(start + "G94 G1 X3 F600\nM2\n")[1] == []
-    assert faults_of(start + "G94 G1 X3\nM2\n") == [
-        "5: feeds, and no F has been said since the feed mode was set."
-    ]
+    assert faults_of(start + "G94 G1 X3\nM2\n") == ["5: rs274.no-feed"]
     assert faults_of(start + "G1 X3\nM2\n") == [
-        "5: is timed (G93) and has no F.",
+        "5: rs274.timed-without-f",
     ]
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "code"),
     [
-        ("G20", "G20 does not belong here."),
-        ("G91", "G91 does not belong here."),
-        ("G18", "G18 does not belong here."),
-        ("G41", "G41 does not belong here."),
-        ("G0.5 X1", "G0.5 does not belong here."),
-        ("M7", "M7 does not belong here."),
-        ("G0 X1 R2", "the letter R does not belong here."),
-        ("G0 X1 X2", "says the same thing twice."),
-        ("G0 G1 X1 F5", "says the same thing twice."),
-        ("G54 G54", "says the same thing twice."),
-        ("X1", "has axis words and no G0, G1, G2 or G3."),
-        ("G1 F100", "says how to move and not where to."),
-        ("G1 X1 I2 F5", "has the centre of an arc, and is none."),
-        ("G2 X1 I2 F5", "is an arc without X, Y, I or J."),
-        ("G3 X11 Y0 I-5 J0 F5", "is an arc whose ends differ in radius by more than 0.002 mm."),
-        ("G0 X1 M5", "moves, and switches something else on the same line."),
-        ("P5", "has a P that belongs to nothing, or to two words."),
-        ("G4", "lacks its P."),
-        ("G4 P0.2", "waits for another time than the machine's 0.15 s."),
-        ("Q5", "has a Q that belongs to nothing."),
-        ("G1 X1 F0", "has a feed that does not move."),
-        ("M64 P7", "switches an output that hand-table lacks."),
-        ("M3 S0", "switches what turns or oscillates on with another speed (S) than the tool's."),
-        ("T9", "calls a station that hand-table lacks."),
-        ("M6", "changes the station and none is named."),
-        ("G43", "takes the offset of a station, and none is called."),
-        ("G64 P0.005", "says G64, which controllers without a tool table reject."),
-        ("N-1", "has a line number that is none."),
+        ("G20", "rs274.unknown-word"),
+        ("G91", "rs274.unknown-word"),
+        ("G18", "rs274.unknown-word"),
+        ("G41", "rs274.unknown-word"),
+        ("G0.5 X1", "rs274.unknown-word"),
+        ("M7", "rs274.unknown-word"),
+        ("G0 X1 R2", "rs274.unknown-letter"),
+        ("G0 X1 X2", "rs274.repeated-word"),
+        ("G0 G1 X1 F5", "rs274.repeated-word"),
+        ("G54 G54", "rs274.repeated-word"),
+        ("X1", "rs274.axis-without-motion"),
+        ("G1 F100", "rs274.motion-without-axis"),
+        ("G1 X1 I2 F5", "rs274.centre-without-arc"),
+        ("G2 X1 I2 F5", "rs274.incomplete-arc"),
+        ("G3 X11 Y0 I-5 J0 F5", "rs274.bad-arc"),
+        ("G0 X1 M5", "rs274.moves-and-switches"),
+        ("P5", "rs274.stray-p"),
+        ("G4", "rs274.missing-p"),
+        ("G4 P0.2", "rs274.wrong-dwell"),
+        ("Q5", "rs274.stray-q"),
+        ("G1 X1 F0", "rs274.bad-feed"),
+        ("M64 P7", "rs274.unknown-output"),
+        ("M3 S0", "rs274.wrong-speed"),
+        ("T9", "rs274.unknown-station"),
+        ("M6", "rs274.change-without-station"),
+        ("G43", "rs274.offset-without-station"),
+        ("G64 P0.005", "rs274.g64-unsupported"),
+        ("N-1", "rs274.bad-line-number"),
     ],
 )
-def test_a_line_that_says_something_else_is_a_fault(line: str, said: str) -> None:
+def test_a_line_that_says_something_else_is_a_fault(line: str, code: str) -> None:
     faults = faults_of(HEADER + f"G0 X10 Y0 Z20 C0\n{line}\nG0 X0\nM2\n")
-    assert f"3: {said}" in faults, faults
+    assert f"3: {code}" in faults, faults
 
 
 @pytest.mark.parametrize(
-    ("word", "said"),
+    ("word", "mode"),
     [
-        ("G21 ", "millimetres (G21)"),
-        ("G90 ", "absolute distances (G90)"),
-        ("G91.1 ", "arc centres from the start (G91.1)"),
-        ("G17 ", "the XY plane (G17)"),
-        ("G40 ", "no radius compensation (G40)"),
-        ("G49 ", "no tool length (G49)"),
-        ("G94 ", "the feed mode (G94)"),
-        (" G54", "the coordinate system (G54)"),
+        ("G21 ", "rs274.mode-g21"),
+        ("G90 ", "rs274.mode-g90"),
+        ("G91.1 ", "rs274.mode-g91-1"),
+        ("G17 ", "rs274.mode-g17"),
+        ("G40 ", "rs274.mode-g40"),
+        ("G49 ", "rs274.mode-g49"),
+        ("G94 ", "rs274.mode-g94"),
+        (" G54", "rs274.mode-g54"),
     ],
 )
 def test_what_the_controller_may_remember_must_be_stated_before_the_first_move(
-    word: str, said: str
+    word: str, mode: str
 ) -> None:
-    faults = faults_of(HEADER.replace(word, "") + "G0 X0 Y0 Z20 C0\nM2\n")
-    assert faults == [f"2: moves before {said} is stated."]
+    _, faults = moves_of(HEADER.replace(word, "") + "G0 X0 Y0 Z20 C0\nM2\n")
+    assert faults == [(2, Message("rs274.moves-unstated", mode=Message(mode)))]
 
 
 def test_a_piston_needs_its_time_before_anything_moves() -> None:
     text = LINUXCNC.decode().replace("M64 P1\nG4 P0.15\n", "M64 P1\n")
-    assert any("moves before what was switched has settled" in fault for fault in faults_of(text))
+    assert any("rs274.not-settled" in fault for fault in faults_of(text))
 
 
 def test_the_end_leaves_nothing_switched_on() -> None:
@@ -130,10 +129,10 @@ def test_the_end_leaves_nothing_switched_on() -> None:
     end = "M65 P0\nM5\nG49\nM2\n"
     assert faults_of(text) == []
     for gone, said in (
-        ("M65 P0\n", "with a station lowered."),
-        ("M5\n", "while something oscillates or turns."),
-        ("G49\n", "with the offset of a station in force."),
-        ("M2\n", "does not end (M2)."),
+        ("M65 P0\n", "rs274.ends-lowered"),
+        ("M5\n", "rs274.ends-oscillating"),
+        ("G49\n", "rs274.ends-with-offset"),
+        ("M2\n", "rs274.no-end"),
     ):
         faults = faults_of(text.replace(end, end.replace(gone, "")))
         assert len(faults) == 1
@@ -142,16 +141,16 @@ def test_the_end_leaves_nothing_switched_on() -> None:
 
 def test_nothing_moves_after_the_end() -> None:
     moves, faults = moves_of(LINUXCNC.decode() + "G0 X500\n")
-    assert (73, "stands after the end of the program.") in faults
+    assert (73, Message("rs274.after-end")) in faults
     assert moves.end[-1, 0] == 70.3527
 
 
 def test_a_tool_table_without_a_bound_for_rounded_corners_is_a_fault() -> None:
     text = LINUXCNC.decode().replace("G64 P0.0050 Q0.0050\n", "")
-    assert any("nothing (G64 P) bounds" in fault for fault in faults_of(text))
+    assert any("rs274.unbounded-rounding" in fault for fault in faults_of(text))
     zero = changed(LINUXCNC, "G64 P0.0050 Q0.0050", "G64 P0.0000 Q0.0050").decode()
-    assert any("nothing (G64 P) bounds" in fault for fault in faults_of(zero))
+    assert any("rs274.unbounded-rounding" in fault for fault in faults_of(zero))
 
 
 def test_no_lines_are_no_program() -> None:
-    assert faults_of("") == ["1: is the last, and does not end (M2)."]
+    assert faults_of("") == ["1: rs274.no-end"]

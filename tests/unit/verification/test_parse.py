@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from knifetip.errors import ProgramUnreadable
+from knifetip.messages import render
 from knifetip.verification.rs274.modal import interpret
 from knifetip.verification.rs274.parse import LARGEST, obeyed, parse, placement_of
 from tests.support.programs.handwritten import MACHINE
@@ -51,14 +52,14 @@ def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all() -> None
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (b"G1 X#1\n", "the character '#'"),
-        (b"%\n", "the character '%'"),
-        (b"G1 X1e5\n", "the letter E"),
-        (b"(a (b)\n", "comment inside a comment"),
-        (b"G0 (X1\nY1\n", "does not close it"),
-        (b"G1 X\n", "the letter X without a number"),
-        (b"G1 X-\n", "the letter X without a number"),
-        (b"G1 X1.2.3\n", "the character '.'"),
+        (b"G1 X#1\n", "The character '#'"),
+        (b"%\n", "The character '%'"),
+        (b"G1 X1e5\n", "The letter E"),
+        (b"(a (b)\n", "inside another comment"),
+        (b"G0 (X1\nY1\n", "not closed"),
+        (b"G1 X\n", "The letter X has no number"),
+        (b"G1 X-\n", "The letter X has no number"),
+        (b"G1 X1.2.3\n", "The character '.'"),
         (b"X1234567890123456\n", "more than 15 digits"),
         (b"X1000001\n", "beyond 1,000,000"),
         (b"(" + b"a" * 260 + b")\n", "longer than 255"),
@@ -67,7 +68,7 @@ def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all() -> None
 )
 def test_what_is_wrong_with_a_line_is_said_with_its_number(text: bytes, said: str) -> None:
     _, faults = interpret(parse(b"\n" + text), MACHINE)
-    assert any(line == 2 and said in fault for line, fault in faults), faults
+    assert any(line == 2 and said in render(fault) for line, fault in faults), faults
 
 
 def test_any_bytes_are_read_without_an_error() -> None:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from knifetip.messages import hint
 from knifetip.model.machine import Machine
 from knifetip.verification.verify import verify
 from tests.support.programs.handwritten import (
@@ -25,7 +26,8 @@ BOTH = pytest.mark.parametrize("program", [LINUXCNC, GRBLHAL], ids=["linuxcnc", 
 
 def said(text: bytes, machine: Machine = MACHINE, *, drawn: bool = True) -> list[str]:
     line = DIELINE if drawn else dieline()
-    return [finding.text for finding in verify(text, line, PLACEMENT, machine, BOARD).findings]
+    findings = verify(text, line, PLACEMENT, machine, BOARD).findings
+    return [f"{finding.text} {hint(finding.message)}".strip() for finding in findings]
 
 
 def with_head(program: bytes, head: str) -> bytes:
@@ -36,11 +38,14 @@ def with_head(program: bytes, head: str) -> bytes:
 @pytest.mark.parametrize(
     ("gone", "what"),
     [
-        ("M65 P0\n", "moves before the state of output 0 (M65 P0) is stated"),
-        ("M65 P1\n", "moves before the state of output 1 (M65 P1) is stated"),
-        ("M65 P2\n", "lowers station 2 while station 3 may be lowered; release it first (M65 P2)"),
-        ("M5\n", "moves before the state of the spindle (M5) is stated"),
-        ("G0 Z20.0000\n", "switches at a height that no line before it states; lift to 20.000 mm"),
+        ("M65 P0\n", "moves before it states output 0 (M65 P0)"),
+        ("M65 P1\n", "moves before it states output 1 (M65 P1)"),
+        (
+            "M65 P2\n",
+            "lowers station 2 while station 3 may be lowered. Release station 3 first (M65 P2)",
+        ),
+        ("M5\n", "moves before it states the spindle (M5)"),
+        ("G0 Z20.0000\n", "switches at a height that no line before it states. Lift to 20.000 mm"),
     ],
 )
 def test_each_line_of_the_head_is_needed(program: bytes, gone: str, what: str) -> None:
@@ -58,12 +63,12 @@ def test_each_line_of_the_head_is_needed(program: bytes, gone: str, what: str) -
     ("head", "what"),
     [
         # Lower than the travel height, and down again before the stations are released.
-        (HEAD.replace("Z20.0000", "Z19.9000"), "lift to 20.000 mm"),
-        (HEAD.replace("Z20.0000\n", "Z20.0000\nG0 Z3.0000\n"), "moves before the state of output"),
+        (HEAD.replace("Z20.0000", "Z19.9000"), "Lift to 20.000 mm"),
+        (HEAD.replace("Z20.0000\n", "Z20.0000\nG0 Z3.0000\n"), "moves before it states output"),
         # Sideways or turned while a tool may be in the board.
-        (HEAD.replace("Z20.0000", "X5.0000 Z20.0000"), "moves before the state of output 0"),
-        (HEAD.replace("Z20.0000", "Z20.0000 C90.0000"), "moves before the state of output 0"),
-        (HEAD.replace("G0 Z20.0000", "G0 X5.0000\nG0 Z20.0000"), "moves before the state of"),
+        (HEAD.replace("Z20.0000", "X5.0000 Z20.0000"), "moves before it states output 0"),
+        (HEAD.replace("Z20.0000", "Z20.0000 C90.0000"), "moves before it states output 0"),
+        (HEAD.replace("G0 Z20.0000", "G0 X5.0000\nG0 Z20.0000"), "moves before it states"),
         # Released in the board, and lifted afterwards.
         (HEAD.split("\n", 1)[1] + "G0 Z20.0000\n", "switches at a height that no line before it"),
         (HEAD.replace("M65 P2\n", "M64 P2\n"), "lowers station 3 while"),
@@ -82,8 +87,8 @@ def test_the_first_lift_clears_the_longest_station() -> None:
     long = replace(MACHINE, stations=(replace(MACHINE.stations[0], z=6.0), *MACHINE.stations[1:]))
     lift = "G21 G90 G91.1 G17 G40 G49 G94 G54\n" + HEAD + "G49\nM2\n"
     low = said(lift.encode(), long, drawn=False)
-    assert "may only lift straight up, to joint Z 26.000 mm or higher" in low[0]
-    assert "Line 3: switches at joint Z 20.000 mm; lift to 26.000 mm before that." in low
+    assert "lift only, straight up to joint Z 26.000 mm or higher" in low[0]
+    assert "Line 3: The line switches at joint Z 20.000 mm. Lift to 26.000 mm first." in low
     assert said(lift.replace("Z20.0000", "Z26.0000").encode(), long, drawn=False) == []
 
 
@@ -103,7 +108,7 @@ def test_the_lift_before_the_last_release_is_needed(program: bytes) -> None:
     at = text.rindex("G0 Z20.0000\n")
     lines = said((text[:at] + text[at + 12 :]).encode())
     assert lines == [lines[0]]
-    assert "switches at joint Z 4.000 mm; lift to 20.000 mm before that." in lines[0]
+    assert "switches at joint Z 4.000 mm. Lift to 20.000 mm first." in lines[0]
 
 
 @BOTH

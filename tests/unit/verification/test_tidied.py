@@ -52,21 +52,25 @@ def test_a_line_that_became_an_arc_is_found() -> None:
     made = clean(LINE)
     bulge = made.dieline.bulge.copy()
     bulge[1] = 0.001
-    assert "moved by 0.0500 mm" in told(bent(made, bulge=bulge))
+    assert "moved the edge by 0.0500 mm" in told(bent(made, bulge=bulge))
 
 
 def test_an_edge_that_is_ignored_is_found() -> None:
     made = clean(LINE)
     kinds = made.dieline.line_type.copy()
     kinds[2] = LineType.IGNORED
-    assert "edge 2: it is cut, and is worked as ignored" in told(bent(made, line_type=kinds))
+    assert "Edge 2: Cleaning: the edge is cut and is worked as ignored" in told(
+        bent(made, line_type=kinds)
+    )
 
 
 def test_a_cut_that_became_a_crease_is_found() -> None:
     made = clean(LINE)
     kinds = made.dieline.line_type.copy()
     kinds[1] = CREASE
-    assert "edge 1: it is cut, and is worked as crease" in told(bent(made, line_type=kinds))
+    assert "Edge 1: Cleaning: the edge is cut and is worked as crease" in told(
+        bent(made, line_type=kinds)
+    )
 
 
 def test_an_edge_that_nobody_drew_is_found() -> None:
@@ -81,21 +85,23 @@ def test_an_edge_that_nobody_drew_is_found() -> None:
         rule=np.append(line.rule, 0),
         confidence=np.append(line.confidence, 1.0),
     )
-    assert told(replace(made, dieline=more)) == "Cleaning, edge 3: nothing of it was drawn."
+    assert told(replace(made, dieline=more)) == "Edge 3: Cleaning: no part of the edge was drawn."
 
 
 def test_an_edge_drawn_out_is_found() -> None:
     made = clean(LINE)
     ends = made.dieline.ends.copy()
     ends[1, 1] = (100, 103)
-    assert "edge 1: it is worked where nothing was drawn" in told(bent(made, ends=ends))
+    assert "Edge 1: Cleaning: the edge is worked where nothing was drawn" in told(
+        bent(made, ends=ends)
+    )
 
 
 def test_an_edge_cut_short_is_found() -> None:
     made = clean(LINE)
     ends = made.dieline.ends.copy()
     ends[1, 1] = (100, 99.9)
-    assert "edge 1: it was moved by 0.1000 mm" in told(bent(made, ends=ends))
+    assert "Edge 1: Cleaning moved the edge by 0.1000 mm" in told(bent(made, ends=ends))
 
 
 def test_a_stretch_that_is_not_told_of_is_found() -> None:
@@ -105,7 +111,9 @@ def test_a_stretch_that_is_not_told_of_is_found() -> None:
     short = Stretches(
         parts.row[keep], parts.begin[keep], parts.end[keep], parts.cleaned[keep], parts.given[keep]
     )
-    assert "edge 6: its stretches do not add up to it" in told(replace(made, stretches=short))
+    assert "Edge 6: Cleaning: the stretches of the edge do not add up" in told(
+        replace(made, stretches=short)
+    )
 
 
 def test_an_edge_that_was_dropped_is_found() -> None:
@@ -115,4 +123,4 @@ def test_an_edge_that_was_dropped_is_found() -> None:
     kinds[1] = LineType.IGNORED
     gone = replace(parts, cleaned=np.where(parts.row == 1, -1, parts.cleaned))
     lost = replace(bent(made, line_type=kinds), stretches=gone)
-    assert "edge 1: 100.000 mm of it were dropped" in told(lost)
+    assert "Edge 1: Cleaning dropped 100.000 mm" in told(lost)

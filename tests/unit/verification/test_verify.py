@@ -91,7 +91,7 @@ def test_a_tool_table_brings_its_own_datum() -> None:
 def test_another_placement_is_refused_with_both_told() -> None:
     verdict = verify(LINUXCNC, DIELINE, (20.0, 21.0), MACHINE, BOARD)
     assert not verdict.accepted
-    assert any("X20.0000 Y20.0000, and the job has it at X20.0000 Y21.0000" in finding.text
+    assert any("X20.0000 Y20.0000; the job has X20.0000 Y21.0000" in finding.text
                for finding in verdict.findings)  # fmt: skip
 
 
@@ -130,7 +130,7 @@ def test_what_cannot_be_judged_raises_an_error_that_says_why() -> None:
         verify(LINUXCNC, dieline((CUT, 0, 0, 1, 0, 0), (CUT, 0, 0, np.inf, 0, 0)), PLACEMENT,
                MACHINE, BOARD)  # fmt: skip
     for tolerance in (0.0, -1.0, float("nan"), float("inf")):
-        with pytest.raises(ProgramError, match="is no length"):
+        with pytest.raises(ProgramError, match="is not a length"):
             verify(LINUXCNC, DIELINE, PLACEMENT, MACHINE, BOARD, tolerance=tolerance)
 
 

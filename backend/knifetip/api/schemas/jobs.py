@@ -8,6 +8,7 @@ from pydantic import BaseModel, Field, computed_field
 
 from knifetip.api.schemas.common import Name, QuestionOut, Strict
 from knifetip.api.schemas.drawings import Override
+from knifetip.api.schemas.messages import MessageOut
 from knifetip.model.stage import Stage
 
 JobState = Literal[
@@ -177,15 +178,14 @@ class JobEvent(BaseModel):
     why: str
 
 
-class FindingOut(BaseModel):
-    """One thing that the judge found."""
+class FindingOut(MessageOut):
+    """One fault that the verifier found, with its place."""
 
     kind: str
-    text: str
-    measure: float
-    edge: int
+    measure: float = Field(description="mm, or degrees for a heading")
+    edge: int = Field(description="Row of the drawing, -1 where it is about none")
     handle: str
-    line: int
+    line: int = Field(description="1-based line of the program, -1 where it is about none")
 
 
 class UnreachedOut(BaseModel):

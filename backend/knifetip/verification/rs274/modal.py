@@ -11,11 +11,14 @@ of execution); grbl's own rules where they are stricter.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from operator import itemgetter
 from typing import Final
 
 import numpy as np
 
 from knifetip.errors import ProgramUnreadable
+from knifetip.messages import Message
 from knifetip.model.machine import Machine
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
 from knifetip.verification.moves import Moves, Switches
@@ -61,40 +64,40 @@ _M: Final = {
     64: _OUTPUT,
     65: _OUTPUT,
 }
-#: What must have been said before anything moves.
-_STATED: Final = {
-    _UNITS: "millimetres (G21)",
-    _DISTANCE: "absolute distances (G90)",
-    _CENTRES: "arc centres from the start (G91.1)",
-    _PLANE: "the XY plane (G17)",
-    _RADIUS: "no radius compensation (G40)",
-    _LENGTH: "no tool length (G49)",
-    _FEED: "the feed mode (G94)",
-    _SYSTEM: "the coordinate system (G54)",
+#: What the program must state before anything moves.
+_STATED: Final[Mapping[int, Message]] = {
+    _UNITS: Message("rs274.mode-g21"),
+    _DISTANCE: Message("rs274.mode-g90"),
+    _CENTRES: Message("rs274.mode-g91-1"),
+    _PLANE: Message("rs274.mode-g17"),
+    _RADIUS: Message("rs274.mode-g40"),
+    _LENGTH: Message("rs274.mode-g49"),
+    _FEED: Message("rs274.mode-g94"),
+    _SYSTEM: Message("rs274.mode-g54"),
 }
 _LETTERS: Final = "CFIJNPQSTXYZ"
 _AXES: Final = "XYZC"
 
 
-def interpret(words: Words, machine: Machine) -> tuple[Moves, list[tuple[int, str]]]:
-    """Return the moves, and what is wrong: (line, words).
+def interpret(words: Words, machine: Machine) -> tuple[Moves, list[tuple[int, Message]]]:
+    """Return the moves, and what is wrong: (line, message).
 
     Raises
     ------
     ProgramUnreadable
         More than two million lines.
     """
-    faults: list[tuple[int, str]] = list(words.faults)
+    faults: list[tuple[int, Message]] = list(words.faults)
     blocks = _Blocks(words, faults)
     state = _State(blocks, machine)
     _check_blocks(blocks, state, machine)
-    return _moves(blocks, state), sorted(faults)
+    return _moves(blocks, state), sorted(faults, key=itemgetter(0))
 
 
 class _Blocks:
     """The words of each line in columns, one row to a line that has any."""
 
-    def __init__(self, words: Words, faults: list[tuple[int, str]]) -> None:
+    def __init__(self, words: Words, faults: list[tuple[int, Message]]) -> None:
         self.faults = faults
         new = np.ones(len(words.line), np.bool_)
         new[1:] = words.line[1:] != words.line[:-1]
@@ -116,7 +119,8 @@ class _Blocks:
             group = table[np.clip(codes, 0, 999)]
             group[(codes < 0) | (codes > 999) | (np.abs(codes - scaled) > 1e-9)] = -1
             for row in rows[group < 0][:1000]:
-                self._fault(block[row], f"{letter}{words.value[row]:g} does not belong here.")
+                word = f"{letter}{words.value[row]:g}"
+                self._fault(block[row], Message("rs274.unknown-word", word=word))
             known_rows = rows[group >= 0]
             # The first of two words of a group counts; the second is a fault below.
             groups[group[group >= 0][::-1], block[known_rows][::-1]] = codes[group >= 0][::-1]
@@ -126,11 +130,12 @@ class _Blocks:
             column[block[rows][::-1]] = words.value[rows][::-1]
             kind[rows] = 200 + ord(letter)
         for row in np.flatnonzero(kind == 0)[:1000]:
-            self._fault(block[row], f"the letter {chr(words.letter[row])} does not belong here.")
+            letter = chr(words.letter[row])
+            self._fault(block[row], Message("rs274.unknown-letter", letter=letter))
         said = np.flatnonzero(kind >= 100)
         key = np.sort(block[said] * 1000 + kind[said])
         for twice in np.unique(key[1:][key[1:] == key[:-1]] // 1000)[:1000]:
-            self._fault(twice, "says the same thing twice.")
+            self._fault(twice, Message("rs274.repeated-word"))
         self.group = groups
         self.number = numbers
         if len(said):
@@ -138,13 +143,13 @@ class _Blocks:
         else:
             self.axes = np.zeros((count, 4), np.bool_)
 
-    def _fault(self, block: int, text: str) -> None:
-        self.faults.append((int(self.line[block]), text))
+    def _fault(self, block: int, message: Message) -> None:
+        self.faults.append((int(self.line[block]), message))
 
-    def fault(self, where: Bool, text: str) -> None:
+    def fault(self, where: Bool, message: Message) -> None:
         """Note for up to a thousand of these blocks what is wrong with them."""
         for block in np.flatnonzero(where)[:1000]:
-            self._fault(block, text)
+            self._fault(block, message)
 
     def has(self, letter: str) -> Bool:
         """Return which blocks have this letter."""
@@ -260,28 +265,28 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
     moving = says(_MOTION)
     any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
     curved = says(_MOTION, 20) | says(_MOTION, 30)
-    fault(any_axis & ~moving, "has axis words and no G0, G1, G2 or G3.")
-    fault(moving & ~any_axis, "says how to move and not where to.")
+    fault(any_axis & ~moving, Message("rs274.axis-without-motion"))
+    fault(moving & ~any_axis, Message("rs274.motion-without-axis"))
     fault(
         curved & ~(blocks.axes[:, 0] & blocks.axes[:, 1] & has("I") & has("J")),
-        "is an arc without X, Y, I or J.",
+        Message("rs274.incomplete-arc"),
     )
-    fault((has("I") | has("J")) & ~curved, "has the centre of an arc, and is none.")
+    fault((has("I") | has("J")) & ~curved, Message("rs274.centre-without-arc"))
     other = has("T") | has("S") | has("P") | has("Q")
     for group in (_DWELL, _LENGTH, _SYSTEM, _PATH, _END, _SPINDLE, _CHANGE, _OUTPUT):
         other |= says(group)
     for group in (_PLANE, _UNITS, _DISTANCE, _CENTRES, _RADIUS):
         other |= says(group)
-    fault(moving & other, "moves, and switches something else on the same line.")
+    fault(moving & other, Message("rs274.moves-and-switches"))
 
     timed, switched, bounded = says(_DWELL), says(_OUTPUT), says(_PATH)
     used = timed | switched | bounded
     twice = (timed & switched) | (timed & bounded) | (switched & bounded)
-    fault((has("P") & ~used) | twice, "has a P that belongs to nothing, or to two words.")
-    fault(used & ~has("P"), "lacks its P.")
-    fault(has("Q") & ~says(_PATH), "has a Q that belongs to nothing.")
+    fault((has("P") & ~used) | twice, Message("rs274.stray-p"))
+    fault(used & ~has("P"), Message("rs274.missing-p"))
+    fault(has("Q") & ~says(_PATH), Message("rs274.stray-q"))
     if not state.tabled:
-        fault(bounded, "says G64, which controllers without a tool table reject.")
+        fault(bounded, Message("rs274.g64-unsupported"))
     # A dwell of nothing only ends a blend; any other is for what was switched.
     # A spindle has its own speed, and its own time to come to it; an oscillation is at S1.
     tools = [expected(held.tool) for held in machine.stations]
@@ -295,69 +300,70 @@ def _check_blocks(blocks: _Blocks, state: _State, machine: Machine) -> None:
         switched_beam, np.where(state.oscillating, pierce[state.station], 0.0), settle
     )
     waits = (number["P"] == 0.0) | (np.abs(number["P"] - settle) <= PRINT)
-    fault(timed & ~waits, f"waits for another time than the machine's {machine.settle:g} s.")
-    fault(has("F") & ~(number["F"] > 0.0), "has a feed that does not move.")
+    fault(timed & ~waits, Message("rs274.wrong-dwell", settle=machine.settle))
+    fault(has("F") & ~(number["F"] > 0.0), Message("rs274.bad-feed"))
     outputs = [station.output for station in machine.stations if station.output >= 0]
     outputs += extra_outputs(machine)
     fault(
         says(_OUTPUT) & ~np.isin(number["P"], outputs),
-        f"switches an output that {machine.name} lacks.",
+        Message("rs274.unknown-output", machine=machine.name),
     )
-    fault(has("S") & ~says(_SPINDLE, 3), "has a speed without M3.")
+    fault(has("S") & ~says(_SPINDLE, 3), Message("rs274.speed-without-m3"))
     fault(
         says(_SPINDLE, 3) & (state.speed != np.rint(turns[state.station])),
-        "switches what turns or oscillates on with another speed (S) than the tool's.",
+        Message("rs274.wrong-speed"),
     )
     known = [station.number for station in machine.stations]
-    fault(has("T") & ~np.isin(number["T"], known), f"calls a station that {machine.name} lacks.")
-    fault(says(_CHANGE) & np.isnan(state.chosen), "changes the station and none is named.")
+    fault(
+        has("T") & ~np.isin(number["T"], known),
+        Message("rs274.unknown-station", machine=machine.name),
+    )
+    fault(says(_CHANGE) & np.isnan(state.chosen), Message("rs274.change-without-station"))
     fault(
         says(_LENGTH, 430) & np.isnan(state.loaded),
-        "takes the offset of a station, and none is called.",
+        Message("rs274.offset-without-station"),
     )
     fault(
         has("N") & ((number["N"] < 0.0) | (number["N"] != np.rint(number["N"]))),
-        "has a line number that is none.",
+        Message("rs274.bad-line-number"),
     )
 
     first_move = int(np.argmax(moving)) if moving.any() else blocks.count
-    for group, words in _STATED.items():
+    for group, mode in _STATED.items():
         stated = says(group)
         stated[first_move + 1 :] = False
         if first_move < blocks.count and not stated.any():
-            fault(np.arange(blocks.count) == first_move, f"moves before {words} is stated.")
+            fault(np.arange(blocks.count) == first_move, Message("rs274.moves-unstated", mode=mode))
     if state.tabled:
         unbound = np.isinf(state.blend) & moving & ~says(_MOTION, 0)
         if unbound.any():
             fault(
                 np.arange(blocks.count) == int(np.argmax(unbound)),
-                "works while nothing (G64 P) bounds how far corners are rounded.",
+                Message("rs274.unbounded-rounding"),
             )
     feeding = moving & ~says(_MOTION, 0)
-    fault(feeding & state.inverse & ~has("F"), "is timed (G93) and has no F.")
+    fault(feeding & state.inverse & ~has("F"), Message("rs274.timed-without-f"))
     fault(
         feeding & ~state.inverse & np.isnan(state.feed),
-        "feeds, and no F has been said since the feed mode was set.",
+        Message("rs274.no-feed"),
     )
     unready: Bool = moving & (state.waited < settle - 1e-9)
     # One finding to a switching, not one to every move after it.
     unready[1:] &= ~(moving[:-1] & (state.waited[:-1] < settle[:-1] - 1e-9))
-    fault(unready, "moves before what was switched has settled.")
+    fault(unready, Message("rs274.not-settled"))
 
     ends = says(_END)
     if not ends.any():
-        blocks.faults.append(
-            (int(blocks.line[-1]) if blocks.count else 1, "is the last, and does not end (M2).")
-        )
+        blocks.faults.append((int(blocks.line[-1]) if blocks.count else 1, Message("rs274.no-end")))
         return
     end = int(np.argmax(ends))
     after = np.arange(blocks.count) > end
-    fault(after, "stands after the end of the program.")
+    fault(after, Message("rs274.after-end"))
     here = np.arange(blocks.count) == end
-    fault(here & state.oscillating, "ends the program while something oscillates or turns.")
-    fault(here & state.extra.any(axis=1), "ends the program with an output on.")
-    fault(here & state.on.any(axis=1), "ends the program with a station lowered.")
-    fault(here & (state.offset_of >= 0), "ends the program with the offset of a station in force.")
+    fault(here & state.oscillating, Message("rs274.ends-oscillating"))
+    fault(here & state.extra.any(axis=1), Message("rs274.ends-output-on"))
+    fault(here & state.on.any(axis=1), Message("rs274.ends-lowered"))
+    fault(here & (state.offset_of >= 0), Message("rs274.ends-with-offset"))
 
 
 def _switches(blocks: _Blocks, state: _State, moving: I64) -> Switches:
@@ -417,7 +423,7 @@ def _arcs(blocks: _Blocks, rows: I64, code: U8, start: F64, end: F64) -> tuple[F
     good = curved & (np.abs(radius - other) <= ARC) & (radius > PRINT)
     wrong = np.zeros(blocks.count, np.bool_)
     wrong[rows[curved & ~good]] = True
-    blocks.fault(wrong, f"is an arc whose ends differ in radius by more than {ARC} mm.")
+    blocks.fault(wrong, Message("rs274.bad-arc", limit=ARC))
     with np.errstate(invalid="ignore"):
         angle = np.arctan2(back[:, 1], back[:, 0]) - np.arctan2(out[:, 1], out[:, 0])
     ahead = np.where(code == 3, angle, -angle) % (2.0 * np.pi)

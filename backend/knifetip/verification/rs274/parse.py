@@ -8,6 +8,7 @@ Nothing is assumed about who wrote the bytes.  A text that is no program gives f
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -15,6 +16,7 @@ import numpy as np
 
 from knifetip.errors import ProgramUnreadable
 from knifetip.kernels import U8_1, kernel
+from knifetip.messages import Message
 from knifetip.verification.columns import F64, I32, U8
 
 #: Longest text that is looked at (bytes).
@@ -24,14 +26,15 @@ LINE: Final = 255
 #: A number beyond this is a mistake, on any table.
 FARTHEST: Final = 1e6
 
-_FAULTS: Final = {
-    1: "has the character {0!r}, which means nothing here.",
-    2: "opens a comment inside a comment.",
-    3: "opens a comment and does not close it.",
-    4: "has the letter {0} without a number.",
-    5: "has a number of more than 15 digits.",
-    6: f"is longer than {LINE} characters, more than a controller reads.",
-    7: "has a number beyond 1,000,000.",
+#: By the code that the scanner reports; each takes the byte at fault.
+_FAULTS: Final[Mapping[int, Callable[[int], Message]]] = {
+    1: lambda byte: Message("rs274.bad-character", character=chr(byte)),
+    2: lambda _: Message("rs274.nested-comment"),
+    3: lambda _: Message("rs274.open-comment"),
+    4: lambda byte: Message("rs274.letter-without-number", letter=chr(byte)),
+    5: lambda _: Message("rs274.too-many-digits"),
+    6: lambda _: Message("rs274.line-too-long", limit=LINE),
+    7: lambda _: Message("rs274.number-too-large"),
 }
 _KEPT: Final = 1000
 _PLACEMENT: Final = re.compile(rb"\(placement X(-?\d+\.\d+) Y(-?\d+\.\d+)\)")
@@ -44,7 +47,7 @@ class Words:
     line: I32  #: (n,) 1-based, ascending
     letter: U8  #: (n,) code of the capital letter
     value: F64  #: (n,)
-    faults: tuple[tuple[int, str], ...]  #: (line, what is wrong with it)
+    faults: tuple[tuple[int, Message], ...]  #: (line, what is wrong with it)
     lines: int  #: in the text
 
 
@@ -68,20 +71,18 @@ def parse(text: bytes) -> Words:
         raise ProgramUnreadable("program.too-large", bytes=len(text), limit=LARGEST)
     raw = np.frombuffer(text, np.uint8)
     line, letter, value, faults, lines = _scanned(raw, LINE, FARTHEST)
-    told = [
-        (int(row), _FAULTS[int(code)].format(chr(int(byte)))) for row, code, byte in faults[:_KEPT]
-    ]
-    return Words(line, letter, value, tuple(told), int(lines))
+    messages = [(int(row), _FAULTS[int(code)](int(byte))) for row, code, byte in faults[:_KEPT]]
+    return Words(line, letter, value, tuple(messages), int(lines))
 
 
-def obeyed(text: bytes) -> list[tuple[int, str]]:
+def obeyed(text: bytes) -> list[tuple[int, Message]]:
     """Return the lines with a byte that grbl obeys wherever it stands, comments included."""
     raw = np.frombuffer(text, np.uint8)
     acts = np.isin(raw, np.frombuffer(b"!~?\x18", np.uint8)) | (raw >= 0x80)
     places = np.flatnonzero(acts)[:_KEPT]
     line = 1 + np.searchsorted(np.flatnonzero(raw == 10), places)
     return [
-        (int(row), f"has the byte {int(byte):#04x}, which the controller obeys at once.")
+        (int(row), Message("rs274.control-byte", byte=f"{int(byte):#04x}"))
         for row, byte in zip(line, raw[places], strict=True)
     ]
 

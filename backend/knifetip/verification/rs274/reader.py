@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from operator import itemgetter
 from typing import Final
 
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.moves import Moves
@@ -20,12 +22,12 @@ class Rs274Reader:
 
     def read(
         self, text: bytes, machine: Machine, board: Board
-    ) -> tuple[Moves, list[tuple[int, str]]]:
+    ) -> tuple[Moves, list[tuple[int, Message]]]:
         """Return the moves, and what is wrong: (line, words)."""
         del board  # every axis is programmed
         moves, faults = interpret(parse(text), machine)
         if not moves.tabled:
-            faults = sorted(faults + obeyed(text))
+            faults = sorted(faults + obeyed(text), key=itemgetter(0))
         return moves, faults
 
 
