@@ -25,7 +25,7 @@ from knifetip.geometry.tolerance import CONTOUR_GAP
 from knifetip.kernels import F64_1, I64_1, I64_2, OutI64_1, kernel
 from knifetip.planning.gaps import links
 from knifetip.planning.noding import noded_throughout
-from knifetip.planning.subdivision import subdivide
+from knifetip.topology.subdivision import subdivide
 
 
 def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
@@ -56,7 +56,7 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     face = found.merged[found.face] + 1
     sides = face.ravel()
     by_face = np.argsort(sides, kind="stable")
-    first = np.searchsorted(sides[by_face], np.arange(len(found.outside) + 2))
+    first = np.searchsorted(sides[by_face], np.arange(len(found.outer) + 2))
     size = arc.length(pieces[:, 0], pieces[:, 1], bent)
     alone = np.arange(count)
     work = np.unique(np.where(contour < 0, alone, count + contour), return_inverse=True)[1].ravel()

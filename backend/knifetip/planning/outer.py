@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from knifetip.geometry.columns import F64, I8, I64, Bool
-from knifetip.planning.subdivision import subdivide
+from knifetip.topology.subdivision import subdivide
 
 
 def outer(ends: F64, bulge: F64) -> Bool:
@@ -61,7 +61,7 @@ def faces(ends: F64, bulge: F64) -> Faces:
     found = subdivide(ends, bulge)
     face = found.face
     # A tree of slits encloses nothing: on both its sides is what lies round it.
-    empty = found.outside[face]
+    empty = found.outer[face]
     closing: Bool = empty[:, 0] != empty[:, 1]
     part = found.depth[found.component] % 2 == 0
     return Faces(

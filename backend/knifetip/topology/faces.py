@@ -42,11 +42,33 @@ def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, touch: float) -> Face
     lines = (graph.vertex, graph.start, graph.end, graph.bulge, graph.same)
     beside, (left, right, area) = both(
         lambda: find_left_neighbours(graph, ends, bulge, touch),
-        lambda: _trace(*lines, *_half_edges_by_vertex(*lines)),
+        lambda: trace_sides(*lines),
     )
     outside, component_of_face = _owned(len(graph.leftmost), graph.component, left, right, area)
     within = enclosing_faces(beside, left, right, outside, component_of_face)
     return Faces(left, right, area, component_of_face, outside, within)
+
+
+def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, same: I32) -> tuple[I32, I32, F64]:
+    """Return the faces left and right of p pieces between vertices, and the area of each face.
+
+    Parameters
+    ----------
+    vertex : (q, 2)
+        Positions.
+    start, end, bulge : (p,)
+        Vertices and bulge of each piece.
+    same : (p,)
+        First piece that coincides with each piece; only that one divides the plane.
+
+    Returns
+    -------
+    left, right, area : (p,), (p,) and (f,)
+        The area is signed: outer faces have none or a negative one.
+    """
+    lines = (vertex, start, end, bulge, same)
+    left, right, area = _trace(*lines, *_half_edges_by_vertex(*lines))
+    return left, right, area
 
 
 @kernel(allocates=False)

@@ -103,7 +103,7 @@ def build_graph(ends: F64, bulge: F64, touch: float, reach: float) -> PlanarGrap
     point = vertices.point[: vertices.known]
     same, (part, leftmost) = both(
         lambda: first_coincident(start, end, bent, point, touch),
-        lambda: _components(point, start, end),
+        lambda: connected_components(point, start, end),
     )
     line = start, end, bent, edge, share, first, node
     return PlanarGraph(grid, point, *line, same, part, leftmost, dashed)
@@ -128,7 +128,7 @@ def _merge(ends: F64, bulge: F64, touch: float) -> tuple[VertexTable, I32, I32]:
 
 
 @kernel
-def _components(place: F64_2, start: I32_1, end: I32_1) -> Any:
+def connected_components(place: F64_2, start: I32_1, end: I32_1) -> Any:
     """Return the component of each piece, and the leftmost vertex of each component."""
     pieces, places = len(start), len(place)
     parent = np.arange(places)

@@ -1,0 +1,74 @@
+"""subdivision: the faces into which edges divide the plane, and the nesting of components.
+
+    edges that meet only at their ends -> Subdivision
+
+In contrast to ``planar_graph`` no edge is split and no gap is closed here: whoever calls has split
+the edges where they meet.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.geometry.chain import nodes
+from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.geometry.tolerance import JOIN
+from knifetip.topology.containment import enclosing_by_rays
+from knifetip.topology.faces import trace_sides
+from knifetip.topology.planar_graph import connected_components
+from knifetip.topology.vertices import first_coincident
+
+#: A face with a smaller signed area is the outer face of its component (mm²).
+_LEAST_AREA: Final = 0.5e-6
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Subdivision:
+    """n edges in c components, and f faces."""
+
+    face: I64  #: (n, 2) faces on the left and on the right of each edge
+    outer: Bool  #: (f,) the face is the outer face of its component
+    component: I64  #: (n,) component of each edge
+    enclosing: I64  #: (c,) bounded face around each component, -1 for none
+    depth: I64  #: (c,) number of components around each component
+
+    @property
+    def merged(self) -> I64:
+        """(f,) For each outer face the bounded face it belongs to, -1 for none; else the face."""
+        component_of_face = np.zeros(len(self.outer), np.int64)
+        component_of_face[self.face] = self.component[:, None]
+        result: I64 = np.where(
+            self.outer, self.enclosing[component_of_face], np.arange(len(self.outer))
+        )
+        return result
+
+
+def subdivide(ends: F64, bulge: F64) -> Subdivision:
+    """Return the faces between edges.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        Edges in any order and direction.  Coincident edges divide the plane as one does.  Faces
+        beside edges that meet elsewhere than at their ends are wrong.
+    """
+    if len(ends) == 0:
+        none = np.zeros(0, np.int64)
+        return Subdivision(none.reshape(0, 2), np.zeros(0, np.bool_), none, none, none)
+    points = ends.reshape(-1, 2)
+    vertex = nodes(points)
+    position = np.empty((int(vertex.max()) + 1, 2))
+    position[vertex[::-1]] = points[::-1]
+    first, last = vertex[::2].copy(), vertex[1::2].copy()
+    same = first_coincident(first, last, bulge, position, JOIN)
+    left, right, area = trace_sides(position, first, last, bulge, same)
+    component, _ = connected_components(position, first, last)
+    face = np.stack([left, right], axis=1)
+    outer: Bool = area < _LEAST_AREA
+    enclosing, depth = enclosing_by_rays(
+        position[first], position[last], bulge, face, outer, component
+    )
+    return Subdivision(face.astype(np.int64), outer, component.astype(np.int64), enclosing, depth)
