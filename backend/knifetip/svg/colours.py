@@ -1,4 +1,4 @@
-"""colours: a paint as CSS writes it, as a true colour.
+"""colours: parse a CSS paint into a true colour.
 
 "#e02020", "rgb(224, 32, 32)", "crimson" -> 0xE02020
 """
@@ -14,8 +14,8 @@ from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
 
 
 @lru_cache(maxsize=4096)
-def paint(text: str, current: int | None = 0) -> int | None:
-    """Return the colour of a paint: 0xRRGGBB, ``UNKNOWN_COLOUR``, or None where nothing is painted.
+def parse_paint(text: str, current: int | None = 0) -> int | None:
+    """Return the colour of a paint: 0xRRGGBB, ``UNKNOWN_COLOUR``, or None for no paint.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ def paint(text: str, current: int | None = 0) -> int | None:
     Raises
     ------
     ValueError
-        The text is no paint; the property keeps its inherited value.
+        The text is not a paint.  The property then keeps its inherited value.
     """
     tokens = [
         token
@@ -33,7 +33,7 @@ def paint(text: str, current: int | None = 0) -> int | None:
         if token.type != "whitespace"
     ]
     if tokens and (tokens[0].type == "url" or getattr(tokens[0], "lower_name", "") == "url"):
-        # A reference to a pattern or gradient may be followed by a colour to use without it.
+        # A reference to a pattern or gradient may be followed by a fallback colour.
         tokens = tokens[1:]
         if not tokens:
             return UNKNOWN_COLOUR
@@ -55,7 +55,7 @@ def paint(text: str, current: int | None = 0) -> int | None:
     try:
         shares = colour.to("srgb").coordinates
     except NotImplementedError:
-        # A colour space that only displays use.
+        # A colour space that tinycss2 cannot convert.
         return UNKNOWN_COLOUR
     red, green, blue = (int(255.0 * min(max(share, 0.0), 1.0) + 0.5) for share in shares)
     return red << 16 | green << 8 | blue

@@ -1,11 +1,11 @@
-"""document: the bytes of an SVG as a tree, with nothing fetched and no bomb set off.
+"""document: parse an SVG into a tree, without fetching other files or expanding bombs.
 
     bytes (XML, or gzip of XML) -> Node: tag, attributes, children, text
 
-Expat reads; this module decides what it may do.  A DOCTYPE is allowed, since most SVG files had
-one, but what it names is never fetched.  The entities that Illustrator writes into it are short
-plain text and are read; an entity that names another entity or a file is refused before anything
-is expanded, and so is one that would swell the file.
+The parser is Expat; this module restricts it.  A DOCTYPE is allowed, since older SVG files have
+one, but the files that it names are never fetched.  Entities that contain short plain text, as
+Illustrator writes them, are expanded.  Entities that refer to other entities or files, or that
+would make the file too large, are refused before anything is expanded.
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ from knifetip.formats.limits import Limits
 
 SVG: Final = "http://www.w3.org/2000/svg"
 _GZIP: Final = b"\x1f\x8b"
-#: Elements inside elements; a drawing program stays below 50.
-_DEEPEST: Final = 256
-#: Characters that the entities of a file may stand for, all references counted.
-_SWOLLEN: Final = 1 << 20
-#: Elements whose text is wanted.
-_WORDS: Final = frozenset(("style", "text", "tspan", "textPath", "a"))
+#: Deepest nesting of elements; drawing programs stay below 50.
+_MAX_DEPTH: Final = 256
+#: Largest number of characters that an entity may expand to, over all references.
+_EXPANSION: Final = 1 << 20
+#: Elements whose text is kept.
+_WITH_TEXT: Final = frozenset(("style", "text", "tspan", "textPath", "a"))
 
 
 class Node:
-    """An element, or a run of text between elements (``tag`` empty)."""
+    """An element, or a piece of text between elements (``tag`` is empty)."""
 
     __slots__ = ("attributes", "children", "tag", "text")
 
@@ -39,7 +39,7 @@ class Node:
         self.children: list[Node] = []
         self.text = text
 
-    # What selectors of style sheets ask of an element, as xml.etree has it.
+    # The interface of xml.etree elements that cssselect2 needs.
 
     def __iter__(self) -> Iterator[Node]:
         return (child for child in self.children if child.tag)
@@ -52,43 +52,43 @@ class Node:
         return self.attributes
 
 
-def document(data: bytes, limits: Limits) -> Node:
+def parse_document(data: bytes, limits: Limits) -> Node:
     """Return the root of an SVG.
 
-    Tags of SVG come without their prefix, attributes as they are written; elements of other
-    vocabularies (what an editor notes for itself) are left out with all that is in them.
+    Tags have no namespace prefix; attributes are as written.  Elements of other namespaces, such
+    as the private data of editors, are omitted with their content.
 
     Raises
     ------
     NotADrawing
-        It is no SVG, is cut short or damaged, or its DOCTYPE has entities of the dangerous kind.
+        The file is not an SVG, is truncated or damaged, or its DOCTYPE has dangerous entities.
     DrawingTooLarge
-        It has more elements, deeper ones, or more bytes when unpacked, than the limits allow.
+        The number or depth of elements, or the unpacked size, exceeds the limits.
     """
     if data.startswith(_GZIP):
-        data = _unpacked(data, limits)
-    reading = _Reading(data, limits)
+        data = _unpack(data, limits)
+    builder = _TreeBuilder(data, limits)
     parser = expat.ParserCreate()
     parser.buffer_text = True
-    parser.StartElementHandler = reading.start
-    parser.EndElementHandler = reading.end
-    parser.CharacterDataHandler = reading.words
-    parser.EntityDeclHandler = reading.entity
+    parser.StartElementHandler = builder.start
+    parser.EndElementHandler = builder.end
+    parser.CharacterDataHandler = builder.text
+    parser.EntityDeclHandler = builder.entity
     try:
         parser.Parse(data, True)
     except expat.ExpatError as error:
         what = expat.ErrorString(error.code) or "damaged"
-        if error.code in _UNFINISHED:
-            raise NotADrawing("svg.cut-short", line=error.lineno, count=reading.count) from None
+        if error.code in _TRUNCATED:
+            raise NotADrawing("svg.cut-short", line=error.lineno, count=builder.count) from None
         raise NotADrawing(
             "svg.damaged-at", line=error.lineno, column=error.offset, reason=what
         ) from None
-    if reading.root is None:
+    if builder.root is None:
         raise NotADrawing("svg.empty")
-    return reading.root
+    return builder.root
 
 
-_UNFINISHED: Final = frozenset(
+_TRUNCATED: Final = frozenset(
     expat.errors.codes[text]
     for text in (
         expat.errors.XML_ERROR_NO_ELEMENTS,
@@ -99,8 +99,8 @@ _UNFINISHED: Final = frozenset(
 )
 
 
-def _unpacked(data: bytes, limits: Limits) -> bytes:
-    """Return what gzip packed, never more than the limit in memory."""
+def _unpack(data: bytes, limits: Limits) -> bytes:
+    """Return the content of gzip data, without unpacking more than the limit."""
     stream = zlib.decompressobj(31)
     try:
         plain = stream.decompress(data, limits.bytes + 1)
@@ -113,8 +113,8 @@ def _unpacked(data: bytes, limits: Limits) -> bytes:
     return plain
 
 
-class _Reading:
-    """The handlers of one file, and the tree as far as it is."""
+class _TreeBuilder:
+    """The handlers that Expat calls for one file, and the tree that they build."""
 
     def __init__(self, data: bytes, limits: Limits) -> None:
         self.root: Node | None = None
@@ -122,15 +122,15 @@ class _Reading:
         self._references = data.count(b"&") + data.count(b"%")
         self._limits = limits
         self._open: list[Node] = []
-        self._deep = 0
-        self._foreign = 0  # how deep in elements of another vocabulary
+        self._depth = 0
+        self._foreign = 0  # depth within an element of another namespace
         self._prefixes = {""}
 
     def start(self, name: str, attributes: dict[str, str]) -> None:
-        self._deep += 1
+        self._depth += 1
         self.count += 1
-        if self._deep > _DEEPEST:
-            raise DrawingTooLarge("svg.nested-too-deep", limit=_DEEPEST)
+        if self._depth > _MAX_DEPTH:
+            raise DrawingTooLarge("svg.nested-too-deep", limit=_MAX_DEPTH)
         if self.count > self._limits.entities:
             raise DrawingTooLarge(
                 "reading.too-many-elements", limit=self._limits.entities, format="SVG"
@@ -157,14 +157,14 @@ class _Reading:
         self._open.append(node)
 
     def end(self, _name: str) -> None:
-        self._deep -= 1
+        self._depth -= 1
         if self._foreign:
             self._foreign -= 1
         else:
             self._open.pop()
 
-    def words(self, text: str) -> None:
-        if not self._foreign and self._open and self._open[-1].tag in _WORDS:
+    def text(self, text: str) -> None:
+        if not self._foreign and self._open and self._open[-1].tag in _WITH_TEXT:
             self._open[-1].children.append(Node("", {}, text))
 
     def entity(
@@ -181,5 +181,5 @@ class _Reading:
             raise NotADrawing("svg.external-entity", name=name[:40])
         if is_parameter or "&" in value or "%" in value or "<" in value:
             raise NotADrawing("svg.markup-entity", name=name[:40])
-        if len(value) * self._references > _SWOLLEN:
+        if len(value) * self._references > _EXPANSION:
             raise NotADrawing("svg.long-entity", name=name[:40], length=len(value))

@@ -1,8 +1,8 @@
-"""expand: every element that is drawn, with what ``use`` repeats, where it stands.
+"""expand: list all drawn elements of a document, with the copies that ``use`` makes.
 
-    root, page -> ReportWriter: a ledger row each; Drawn: path data, matrix and style of each line
+    root, page -> ReportWriter: a row for each; DrawnPaths: path data, matrix and style of each line
 
-What ``use`` stands for is counted before it is followed: ten lines can stand for a billion.
+Copies are counted before they are made: ten nested ``use`` elements can make a billion.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ from knifetip.geometry.affine import Matrix, chained
 from knifetip.model.drawing import Inscription
 from knifetip.svg import layers, shapes
 from knifetip.svg.document import Node
-from knifetip.svg.lengths import pixels
-from knifetip.svg.page import Page, fitted, view
-from knifetip.svg.style import SILENT, Cascade, Look, StyleSheet
-from knifetip.svg.transform import matrix
+from knifetip.svg.lengths import to_pixels
+from knifetip.svg.page import Page, view_box, view_box_matrix
+from knifetip.svg.style import INITIAL, Appearance, Cascade, StyleSheet
+from knifetip.svg.transform import parse_transform
 
-#: Elements that only hold others.
+#: Elements that only contain others.
 _GROUPS: Final = frozenset(("svg", "g", "a", "switch"))
-#: Elements that are drawn where something refers to them, or never.
-_UNSEEN: Final = frozenset(
+#: Elements that are drawn only by reference, or never.
+_NOT_DRAWN: Final = frozenset(
     (
         "defs",
         "symbol",
@@ -62,72 +62,74 @@ _UNSEEN: Final = frozenset(
     )
 )
 _TEXT: Final = "text is not cut"
-_PICTURE: Final = "a picture is not cut"
+_PICTURE: Final = "pictures are not cut"
 _REASONS: Final = {
     "text": _TEXT,
     "flowRoot": _TEXT,
     "image": _PICTURE,
     "video": _PICTURE,
-    "foreignObject": "what is inside is no SVG",
-    "script": "a script is not run",
+    "foreignObject": "its content is not SVG",
+    "script": "scripts are not run",
 }
 _HIDDEN: Final = "it is hidden"
-#: Rules of a style sheet; more are an attack.
+#: Largest number of rules in a style style_sheet.
 _RULES: Final = 2000
 
 
-class Unseen(NamedTuple):
-    """What gives no line, and would be here."""
+class OmittedShape(NamedTuple):
+    """The shape of an element that gives no line, to report its location."""
 
-    row: int  #: of the ledger
+    row: int  #: of the import report
     data: str  #: path data
     matrix: Matrix
 
 
 @dataclass(slots=True)
-class Drawn:
-    """n lines as elements, in the order of the file."""
+class DrawnPaths:
+    """The paths of n elements, in the order of the file."""
 
     data: list[str] = field(default_factory=list)  #: path data
     matrix: list[Matrix] = field(default_factory=list)  #: from its coordinates to file units
-    row: list[int] = field(default_factory=list)  #: of the ledger
-    style: list[int] = field(default_factory=list)  #: which of ``styles``
+    row: list[int] = field(default_factory=list)  #: of the import report
+    style: list[int] = field(default_factory=list)  #: index in ``styles``
     styles: list[Style] = field(default_factory=list)
-    unseen: list[Unseen] = field(default_factory=list)
+    omitted: list[OmittedShape] = field(default_factory=list)
     inscriptions: list[Inscription] = field(default_factory=list)  #: in file units
 
 
-class _Here(NamedTuple):
-    """What an element has from those around it."""
+class _Context(NamedTuple):
+    """The properties that an element inherits from the elements that contain it."""
 
-    look: Look
+    appearance: Appearance
     matrix: Matrix
     layer: layers.Layer
-    path: str  #: handles of the ``use`` elements around, each with a slash behind it
-    inside: tuple[Node, ...]  #: elements with an id around it: what it may not repeat
-    uses: int  #: how many ``use`` elements are around it
-    left_out: str  #: why nothing inside is drawn, empty if it is
+    path: str  #: handles of the containing ``use`` elements, each followed by a slash
+    inside: tuple[Node, ...]  #: containing elements with an id, which it must not copy
+    uses: int  #: number of containing ``use`` elements
+    left_out: str  #: why the content is not drawn, empty if it is
     window: shapes.Window
 
 
-def expand(root: Node, page: Page, limits: Limits) -> tuple[ReportWriter, Drawn]:
-    """Return the ledger's rows and the lines of a document.
+def expand(root: Node, page: Page, limits: Limits) -> tuple[ReportWriter, DrawnPaths]:
+    """Return the report and the paths of a document.
 
     Raises
     ------
     DrawingTooLarge
-        ``use`` elements are nested deeper, or stand for more, than the limits allow.
+        The depth of ``use`` elements, or the number of their copies, exceeds the limits.
     """
-    walk = _Walk(root, page, limits)
-    walk.all()
-    walk.areas()
-    return walk.sheet, walk.drawn
+    expansion = _Expansion(root, page, limits)
+    expansion.visit_all()
+    expansion.drop_fills()
+    return expansion.report, expansion.drawn
 
 
-class _Walk:
+class _Expansion:
+    """Visits the elements of one document and collects their paths."""
+
     def __init__(self, root: Node, page: Page, limits: Limits) -> None:
-        self.sheet = ReportWriter()
-        self.drawn = Drawn()
+        self.report = ReportWriter()
+        self.drawn = DrawnPaths()
         self._root = root
         self._limits = limits
         self._until = time.monotonic() + limits.seconds
@@ -135,30 +137,34 @@ class _Walk:
         self._handles: set[str] = set()
         self._numbers: dict[Style, int] = {}
         self._stroked = False
-        self._areas: list[int] = []
+        self._fills: list[int] = []
         texts: list[str] = []
         uses = False
-        for node in _every(root):
+        for node in _all_nodes(root):
             if (identity := node.attributes.get("id")) is not None:
                 self._named.setdefault(identity, node)
             uses |= node.tag == "use"
             if node.tag == "style":
-                texts.append(_words(node))
+                texts.append(_text_content(node))
         if uses:
-            self._count()
-        sheet = StyleSheet("\n".join(texts))
-        if sheet.count > _RULES:
-            raise DrawingTooLarge("svg.too-many-rules", count=sheet.count, limit=_RULES)
-        self._cascade = Cascade(sheet, root)
-        if sheet.unsupported:
-            listed = ", ".join(selector[:40] for selector in sheet.unsupported[:5])
-            self.sheet.row("style", "style", layers.NAMELESS, f"rules that are not read: {listed}")
-        box = view(root)
+            self._check_size()
+        style_sheet = StyleSheet("\n".join(texts))
+        if style_sheet.count > _RULES:
+            raise DrawingTooLarge("svg.too-many-rules", count=style_sheet.count, limit=_RULES)
+        self._cascade = Cascade(style_sheet, root)
+        if style_sheet.unsupported:
+            listed = ", ".join(selector[:40] for selector in style_sheet.unsupported[:5])
+            self.report.row(
+                "style", "style", layers.UNNAMED, f"rules that are not supported: {listed}"
+            )
+        box = view_box(root)
         wide, high = box[2:] if box else (0.0, 0.0)
-        self._start = _Here(SILENT, page.matrix, layers.NOWHERE, "", (), 0, "", _window(wide, high))
+        self._start = _Context(
+            INITIAL, page.matrix, layers.NO_LAYER, "", (), 0, "", _window(wide, high)
+        )
 
-    def _count(self) -> None:
-        """Refuse what stands for more elements than the limit, before anything is expanded."""
+    def _check_size(self) -> None:
+        """Raise DrawingTooLarge if copies exceed the limits, before any is made."""
         total = 0
         stack: list[tuple[Node, tuple[Node, ...], int]] = [(self._root, (), 0)]
         while stack:
@@ -179,222 +185,251 @@ class _Walk:
                 continue
             if "id" in node.attributes:
                 inside = (*inside, node)
-            if node.tag not in _UNSEEN or uses:
+            if node.tag not in _NOT_DRAWN or uses:
                 stack += [(child, inside, uses) for child in node.children if child.tag]
 
     def _target(self, node: Node) -> Node | None:
+        """Return the element that a ``use`` refers to."""
         href = _href(node)
         return self._named.get(href[1:]) if href.startswith("#") else None
 
-    def all(self) -> None:
-        """Visit every element in the order of the file."""
+    def visit_all(self) -> None:
+        """Visit all elements in the order of the file."""
         stack = [(self._root, self._start)]
         while stack:
-            node, here = stack.pop()
+            node, context = stack.pop()
             if time.monotonic() > self._until:
                 raise DrawingTooLarge(
                     "reading.too-slow", seconds=self._limits.seconds, format="SVG"
                 )
-            inner = self._visited(node, here)
+            inner = self._visit(node, context)
             if inner is not None:
                 stack += [(child, inner) for child in reversed(_children(node)) if child.tag]
-            elif node.tag == "use" and (found := self._used(node, here)) is not None:
+            elif node.tag == "use" and (found := self._follow_use(node, context)) is not None:
                 stack.append(found)
 
-    def _visited(self, node: Node, here: _Here) -> _Here | None:
-        """Enter an element into the ledger; return what those inside have, None if none are."""
-        if node.tag in _UNSEEN or node.tag == "use":
+    def _visit(self, node: Node, context: _Context) -> _Context | None:
+        """Add an element to the report; return the context of its content, None if it has none."""
+        if node.tag in _NOT_DRAWN or node.tag == "use":
             return None
-        here = self._within(node, here)
+        context = self._context_of(node, context)
         if node.tag in _GROUPS:
             outermost = node is self._root
-            inner = here if outermost else here._replace(layer=layers.around(node, here.layer))
-            return inner if outermost or node.tag != "svg" else self._windowed(node, node, inner)
-        handle = here.path + self._handle(node)
-        layer = layers.own(node, here.layer)
+            inner = (
+                context
+                if outermost
+                else context._replace(layer=layers.layer_of_group(node, context.layer))
+            )
+            return (
+                inner if outermost or node.tag != "svg" else self._enter_window(node, node, inner)
+            )
+        handle = context.path + self._handle(node)
+        layer = layers.layer_of_element(node, context.layer)
         if node.tag == "text":
-            self._inscribed(node, here, layer)
-        if node.tag not in shapes.READ:
-            why = _REASONS.get(node.tag, f"{node.tag} is not a kind of line that is read")
-            row = self.sheet.row(handle, node.tag, layer, why)
-            self._unseen(row, shapes.frame, node, here)
+            self._add_text(node, context, layer)
+        if node.tag not in shapes.SHAPES:
+            why = _REASONS.get(node.tag, f"elements of type {node.tag} are not supported")
+            row = self.report.row(handle, node.tag, layer, why)
+            self._omit(row, shapes.frame_path_data, node, context)
             return None
-        why = here.left_out or ("" if here.look.visible else _HIDDEN)
-        look = here.look
-        if not why and look.stroke is None and look.fill is None:
-            why = "it has neither a stroke nor a fill: nothing of it is seen"
+        why = context.left_out or ("" if context.appearance.visible else _HIDDEN)
+        appearance = context.appearance
+        if not why and appearance.stroke is None and appearance.fill is None:
+            why = "it has neither a stroke nor a fill"
         data = ""
         if not why:
             try:
-                data = shapes.data(node, here.window)
+                data = shapes.shape_path_data(node, context.window)
             except shapes.Undrawable as reason:
                 why = str(reason)
-        row = self.sheet.row(handle, node.tag, layer, why)
+        row = self.report.row(handle, node.tag, layer, why)
         if why:
-            self._unseen(row, shapes.data, node, here)
+            self._omit(row, shapes.shape_path_data, node, context)
         else:
-            self._line(row, data, layer, here)
+            self._add_path(row, data, layer, context)
         return None
 
-    def _unseen(
-        self, row: int, shape: Callable[[Node, shapes.Window], str], node: Node, here: _Here
+    def _omit(
+        self, row: int, shape: Callable[[Node, shapes.Window], str], node: Node, context: _Context
     ) -> None:
-        """Keep where something would be that gives no line."""
+        """Keep the shape of an element that gives no line."""
         with suppress(shapes.Undrawable):
-            self.drawn.unseen.append(Unseen(row, shape(node, here.window), here.matrix))
+            self.drawn.omitted.append(
+                OmittedShape(row, shape(node, context.window), context.matrix)
+            )
 
-    def _within(self, node: Node, here: _Here) -> _Here:
-        """Return what is around an element, with its own look and transform."""
-        look = self._cascade.look(node, here.look)
-        left_out = here.left_out or ("" if look.shown else _HIDDEN)
-        outer = here.matrix
+    def _context_of(self, node: Node, context: _Context) -> _Context:
+        """Return the context of an element, with its own appearance and transform."""
+        appearance = self._cascade.appearance(node, context.appearance)
+        left_out = context.left_out or ("" if appearance.shown else _HIDDEN)
+        outer = context.matrix
         if (text := node.attributes.get("transform")) is not None:
             try:
-                outer = chained(outer, matrix(text))
+                outer = chained(outer, parse_transform(text))
             except ValueError as reason:
                 left_out = left_out or f"its transform cannot be read: {reason}"
-        inside = (*here.inside, node) if "id" in node.attributes else here.inside
-        return here._replace(look=look, matrix=outer, left_out=left_out, inside=inside)
+        inside = (*context.inside, node) if "id" in node.attributes else context.inside
+        return context._replace(
+            appearance=appearance, matrix=outer, left_out=left_out, inside=inside
+        )
 
-    def _windowed(self, node: Node, sizes: Node, here: _Here) -> _Here:
-        """Return what is inside an svg or a symbol, whose window ``sizes`` may say."""
+    def _enter_window(self, node: Node, sizes: Node, context: _Context) -> _Context:
+        """Return the context inside an svg or a symbol.
+
+        Parameters
+        ----------
+        sizes
+            The element with the size of the window: the svg itself, or the ``use`` that copies it.
+        """
         try:
             x, y = (
-                0.0 if sizes is not node else pixels(node.attributes.get(name, "0"), whole)
-                for name, whole in (("x", here.window[0]), ("y", here.window[1]))
+                0.0 if sizes is not node else to_pixels(node.attributes.get(name, "0"), whole)
+                for name, whole in (("x", context.window[0]), ("y", context.window[1]))
             )
             wide, high = (
-                pixels(sizes.attributes.get(name, node.attributes.get(name, "100%")), whole)
-                for name, whole in (("width", here.window[0]), ("height", here.window[1]))
+                to_pixels(sizes.attributes.get(name, node.attributes.get(name, "100%")), whole)
+                for name, whole in (("width", context.window[0]), ("height", context.window[1]))
             )
         except ValueError as reason:
-            return here._replace(left_out=here.left_out or f"its window cannot be read: {reason}")
-        inner = chained(here.matrix, (1.0, 0.0, 0.0, 1.0, x, y))
-        box = view(node)
+            return context._replace(
+                left_out=context.left_out or f"its window cannot be read: {reason}"
+            )
+        inner = chained(context.matrix, (1.0, 0.0, 0.0, 1.0, x, y))
+        box = view_box(node)
         if box is None:
-            return here._replace(matrix=inner, window=_window(wide, high))
-        inner = chained(inner, fitted(box, wide or None, high or None, node))
-        return here._replace(matrix=inner, window=_window(box[2], box[3]))
+            return context._replace(matrix=inner, window=_window(wide, high))
+        inner = chained(inner, view_box_matrix(box, wide or None, high or None, node))
+        return context._replace(matrix=inner, window=_window(box[2], box[3]))
 
-    def _used(self, node: Node, here: _Here) -> tuple[Node, _Here] | None:
-        """Return what a ``use`` element repeats, or enter into the ledger why it does not."""
+    def _follow_use(self, node: Node, context: _Context) -> tuple[Node, _Context] | None:
+        """Return the element that a ``use`` copies and its context, or report why there is none."""
         handle = self._handle(node)
-        here = self._within(node, here)
-        layer = layers.own(node, here.layer)
+        context = self._context_of(node, context)
+        layer = layers.layer_of_element(node, context.layer)
         href = _href(node)
         target = self._target(node)
-        why = here.left_out
+        why = context.left_out
         if not why and target is None:
             why = (
-                f"there is nothing with the id {href[1:41]!r}"
+                f"no element has the id {href[1:41]!r}"
                 if href.startswith("#")
-                else f"it refers to another file, {href[:60]!r}, and nothing is fetched"
+                else f"it refers to another file, {href[:60]!r}, which is not fetched"
             )
-        if not why and target in here.inside:
+        if not why and target in context.inside:
             why = "it contains itself"
         try:
             x, y = (
-                pixels(node.attributes.get(name, "0"), whole)
-                for name, whole in (("x", here.window[0]), ("y", here.window[1]))
+                to_pixels(node.attributes.get(name, "0"), whole)
+                for name, whole in (("x", context.window[0]), ("y", context.window[1]))
             )
         except ValueError as reason:
-            why = why or f"its place cannot be read: {reason}"
+            why = why or f"its position cannot be read: {reason}"
         if why or target is None:
-            row = self.sheet.row(here.path + handle, "use", layer, why)
-            self._unseen(row, shapes.corner, node, here)
+            row = self.report.row(context.path + handle, "use", layer, why)
+            self._omit(row, shapes.point_path_data, node, context)
             return None
-        here = here._replace(
-            matrix=chained(here.matrix, (1.0, 0.0, 0.0, 1.0, x, y)),
-            layer=layers.around(node, here.layer),
-            path=f"{here.path}{handle}/",
-            uses=here.uses + 1,
+        context = context._replace(
+            matrix=chained(context.matrix, (1.0, 0.0, 0.0, 1.0, x, y)),
+            layer=layers.layer_of_group(node, context.layer),
+            path=f"{context.path}{handle}/",
+            uses=context.uses + 1,
         )
         if target.tag in ("symbol", "svg"):
-            here = self._within(target, here)
-            here = self._windowed(target, node, here)
+            context = self._context_of(target, context)
+            context = self._enter_window(target, node, context)
             group = Node("g", {})
             group.children = target.children
-            return group, here
-        return target, here
+            return group, context
+        return target, context
 
     def _handle(self, node: Node) -> str:
-        """Return the id of an element where it is the only one of that id, else its number."""
+        """Return the id of an element if no earlier one has it, otherwise its number."""
         identity = node.attributes.get("id", "")
         if identity and self._named.get(identity) is node:
             return identity
-        return f"#{len(self.sheet.handle) + 1}"
+        return f"#{len(self.report.handle) + 1}"
 
-    def _line(self, row: int, data: str, layer: str, here: _Here) -> None:
-        look = here.look
-        drawn = look.stroke if look.stroke is not None else look.fill
+    def _add_path(self, row: int, data: str, layer: str, context: _Context) -> None:
+        """Add a path with the style of its element."""
+        appearance = context.appearance
+        drawn = appearance.stroke if appearance.stroke is not None else appearance.fill
         colour = UNKNOWN_COLOUR if drawn is None else drawn
-        if look.stroke is None:
-            self._areas.append(len(self.drawn.row))
+        if appearance.stroke is None:
+            self._fills.append(len(self.drawn.row))
         else:
             self._stroked = True
         style = Style(
             layer,
             nearest_index(colour),
             colour if colour >= 0 else -1,
-            "dashed" if look.dashed and look.stroke is not None else "Continuous",
+            "dashed" if appearance.dashed and appearance.stroke is not None else "Continuous",
         )
         number = self._numbers.get(style)
         if number is None:
             number = self._numbers[style] = len(self.drawn.styles)
             self.drawn.styles.append(style)
         self.drawn.data.append(data)
-        self.drawn.matrix.append(here.matrix)
+        self.drawn.matrix.append(context.matrix)
         self.drawn.row.append(row)
         self.drawn.style.append(number)
 
-    def areas(self) -> None:
-        """Decide on filled areas without a stroke: lines only where the drawing has no others."""
-        for number in self._areas:
+    def drop_fills(self) -> None:
+        """Drop areas with a fill but no stroke, unless the drawing has no strokes at all."""
+        for number in self._fills:
             row = self.drawn.row[number]
             if self._stroked:
-                self.sheet.dropped[row] = "a filled area without a stroke; others have one"
-            else:
-                self.sheet.notes.setdefault(row, []).append(
-                    "outline of a filled area: nothing in the drawing has a stroke"
+                self.report.dropped[row] = (
+                    "a filled area without a stroke, in a drawing with strokes"
                 )
-        if self._stroked and self._areas:
-            gone = set(self._areas)
-            self.drawn.unseen += [
-                Unseen(self.drawn.row[one], self.drawn.data[one], self.drawn.matrix[one])
-                for one in self._areas
+            else:
+                self.report.notes.setdefault(row, []).append(
+                    "outline of a filled area: the drawing has no strokes"
+                )
+        if self._stroked and self._fills:
+            dropped = set(self._fills)
+            self.drawn.omitted += [
+                OmittedShape(self.drawn.row[one], self.drawn.data[one], self.drawn.matrix[one])
+                for one in self._fills
             ]
-            kept = [number for number in range(len(self.drawn.row)) if number not in gone]
+            kept = [number for number in range(len(self.drawn.row)) if number not in dropped]
             for name in ("data", "matrix", "row", "style"):
                 column = getattr(self.drawn, name)
                 column[:] = [column[number] for number in kept]
 
-    def _inscribed(self, node: Node, here: _Here, layer: str) -> None:
-        if here.left_out or not here.look.visible:
+    def _add_text(self, node: Node, context: _Context, layer: str) -> None:
+        """Add a visible text to the annotations."""
+        if context.left_out or not context.appearance.visible:
             return
-        words = " ".join(_words(node).split())
+        text = " ".join(_text_content(node).split())
         first = next((one for one in (node, *node.children) if "x" in one.attributes), node)
         try:
             x, y = (
-                pixels(_first(first.attributes.get(name, "0")), whole)
-                for name, whole in (("x", here.window[0]), ("y", here.window[1]))
+                to_pixels(_first_length(first.attributes.get(name, "0")), whole)
+                for name, whole in (("x", context.window[0]), ("y", context.window[1]))
             )
         except ValueError:
             x = y = 0.0
-        a, b, c, d, e, f = here.matrix
-        look = self._cascade.look(first, here.look) if first is not node else here.look
+        a, b, c, d, e, f = context.matrix
+        appearance = (
+            self._cascade.appearance(first, context.appearance)
+            if first is not node
+            else context.appearance
+        )
         place = a * x + c * y + e, b * x + d * y + f
-        height = look.letter * math.sqrt(abs(a * d - b * c))
-        if words and all(math.isfinite(value) for value in (*place, height)):
+        height = appearance.font_size * math.sqrt(abs(a * d - b * c))
+        if text and all(math.isfinite(value) for value in (*place, height)):
             self.drawn.inscriptions.append(
-                Inscription(words, *place, height, math.nan, node.tag, layer)
+                Inscription(text, *place, height, math.nan, node.tag, layer)
             )
 
 
 def _window(wide: float, high: float) -> shapes.Window:
+    """Return the window with this width and height."""
     return wide, high, math.sqrt((wide * wide + high * high) / 2.0)
 
 
-def _every(root: Node) -> Iterator[Node]:
+def _all_nodes(root: Node) -> Iterator[Node]:
+    """Yield all elements in the order of the file."""
     stack = [root]
     while stack:
         node = stack.pop()
@@ -403,7 +438,7 @@ def _every(root: Node) -> Iterator[Node]:
 
 
 def _children(node: Node) -> list[Node]:
-    """Return what of an element is drawn: of a ``switch`` the first that asks for nothing."""
+    """Return the children that are drawn: of a ``switch`` the first that needs no extension."""
     if node.tag != "switch":
         return node.children
     return [
@@ -413,7 +448,8 @@ def _children(node: Node) -> list[Node]:
     ][:1]
 
 
-def _words(node: Node) -> str:
+def _text_content(node: Node) -> str:
+    """Return the text of an element and all its descendants."""
     parts = []
     stack = [node]
     while stack:
@@ -424,13 +460,14 @@ def _words(node: Node) -> str:
 
 
 def _href(node: Node) -> str:
+    """Return the attribute ``href``, with or without a namespace, empty if there is none."""
     given = node.attributes
     return next((value for key, value in given.items() if key == "href"), None) or next(
         (value for key, value in given.items() if key.endswith(":href")), ""
     )
 
 
-def _first(text: str) -> str:
-    """Return the first of a list of lengths: a text may place each of its letters."""
+def _first_length(text: str) -> str:
+    """Return the first of a list of lengths; a text may have a position for each character."""
     parts = text.replace(",", " ").split()
     return parts[0] if parts else "0"

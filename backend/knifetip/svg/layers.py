@@ -1,10 +1,10 @@
-"""layers: what an SVG calls the layer of an element.
+"""layers: find the layer name of an element.
 
     inkscape:label of a layer, id of a group, label, id or class of the element -> name
 
-SVG has no layers.  Inkscape marks groups as such; Illustrator writes its layers as groups with an
-id; others name the elements.  Names that a program counts up by itself say nothing and are passed
-over: what then has no name lies on layer 0, as in a DXF.
+SVG has no layers.  Inkscape marks groups as layers; Illustrator writes layers as groups with an id;
+other programs name the elements.  Names that a program generates, such as "path42", are ignored.
+An element without a name lies on layer 0, as in a DXF.
 """
 
 from __future__ import annotations
@@ -16,70 +16,73 @@ from knifetip.svg.document import Node
 
 
 class Layer(NamedTuple):
-    """A name, and whether the file itself calls it a layer."""
+    """The name of a layer, and whether the file marks the group as a layer."""
 
     name: str
-    real: bool
+    marked: bool
 
 
-NOWHERE: Final = Layer("", False)
-NAMELESS: Final = "0"
-#: Attributes that hold no name, of elements that are written by the thousand.
-_NAMELESS: Final = frozenset(
+NO_LAYER: Final = Layer("", False)
+UNNAMED: Final = "0"
+#: Attributes that contain no name; elements with no others need no search.
+_GEOMETRY_ATTRIBUTES: Final = frozenset(
     {"d", "style", "stroke", "fill", "stroke-width", "stroke-dasharray", "transform", "points"}
     | {"x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height"}
 )
 
-#: Names that drawing programs count up.
-_COUNTED: Final = re.compile(
+#: Names that drawing programs generate.
+_GENERATED: Final = re.compile(
     r"_?(?:g|group|grp|layer|ebene|calque|livello|capa|path|pfad|compound_?path|line|linie|"
     r"polyline|polygon|rect|rectangle|circle|ellipse|use|text|svg|symbol|clip|clippath|mask|image|"
     r"shape|st|cls|fil|str|entity|object|svgid)?[-_]?(?:\d[-_\d]*)?_?",
     re.IGNORECASE,
 )
-_SPELLED: Final = re.compile(r"_x([0-9A-Fa-f]{2,5})_")
-#: Illustrator's way to tell two of the same name apart: ``Cut_1_``.
-_SECOND: Final = re.compile(r"_\d+_$")
+#: Illustrator's escape of a character, such as ``_x0020_``.
+_ESCAPED: Final = re.compile(r"_x([0-9A-Fa-f]{2,5})_")
+#: The suffix that Illustrator appends to the second object of a name: ``Cut_1_``.
+_DUPLICATE: Final = re.compile(r"_\d+_$")
 _PREFIX: Final = re.compile(r"(?:layer|ebene|calque)[-_ ]+(?=[^\W\d])", re.IGNORECASE)
-_TALLY: Final = re.compile(r"[-_ .]?\d+$")
+_TRAILING_NUMBER: Final = re.compile(r"[-_ .]?\d+$")
 
 
-def around(node: Node, inherited: Layer) -> Layer:
-    """Return the layer of what is inside a group."""
+def layer_of_group(node: Node, inherited: Layer) -> Layer:
+    """Return the layer of the elements inside a group."""
     given = node.attributes
     name = _label(node)
     if _is_layer(node):
-        return Layer(name or plain(given.get("id", "")) or inherited.name, True)
-    if inherited.real:
+        return Layer(name or original_name(given.get("id", "")) or inherited.name, True)
+    if inherited.marked:
         return inherited
-    for candidate in (name, plain(given.get("id", ""))):
-        if candidate and not _COUNTED.fullmatch(candidate):
+    for candidate in (name, original_name(given.get("id", ""))):
+        if candidate and not _GENERATED.fullmatch(candidate):
             return Layer(candidate, False)
     return inherited
 
 
-def own(node: Node, inherited: Layer) -> str:
-    """Return the layer of an element that is a line."""
+def layer_of_element(node: Node, inherited: Layer) -> str:
+    """Return the layer name of an element that is not a group."""
     if inherited.name:
         return inherited.name
     given = node.attributes
-    if not given.keys() - _NAMELESS:
-        return NAMELESS
-    # Of crease1, crease2 … all are crease; a class is shared as it is.
-    names = [_TALLY.sub("", one) for one in (_label(node), plain(given.get("id", "")))]
+    if not given.keys() - _GEOMETRY_ATTRIBUTES:
+        return UNNAMED
+    # crease1, crease2 … are all layer crease; classes keep their numbers.
+    names = [
+        _TRAILING_NUMBER.sub("", one) for one in (_label(node), original_name(given.get("id", "")))
+    ]
     for candidate in (*names, *given.get("class", "").split()):
-        if candidate and not _COUNTED.fullmatch(candidate):
+        if candidate and not _GENERATED.fullmatch(candidate):
             return candidate
-    return NAMELESS
+    return UNNAMED
 
 
-def plain(identity: str) -> str:
-    """Return an id without what programs add to the names that people gave."""
-    name = _SPELLED.sub(lambda found: _letter(int(found[1], 16)), identity)
-    return _PREFIX.sub("", _SECOND.sub("", name)).strip()
+def original_name(identity: str) -> str:
+    """Return the name that a user gave, without the prefixes, suffixes and escapes of programs."""
+    name = _ESCAPED.sub(lambda found: _character(int(found[1], 16)), identity)
+    return _PREFIX.sub("", _DUPLICATE.sub("", name)).strip()
 
 
-def _letter(code: int) -> str:
+def _character(code: int) -> str:
     return chr(code) if code < 0x110000 and chr(code).isprintable() else "_"
 
 

@@ -1,4 +1,4 @@
-"""lengths: a length with its unit, as attributes and styles write it.
+"""lengths: parse lengths with units in attributes and styles.
 
 "12.5mm" -> 12.5, "mm"          "12.5mm" -> pixels of 1/96 in
 """
@@ -9,7 +9,7 @@ import math
 import re
 from typing import Final
 
-#: Pixels to a unit, by CSS: 96 of them are an inch.
+#: CSS pixels in one unit; 96 pixels are one inch.
 PIXELS: Final[dict[str, float]] = {
     "": 1.0,
     "px": 1.0,
@@ -24,13 +24,13 @@ PIXELS: Final[dict[str, float]] = {
 _LENGTH: Final = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([A-Za-z%]*)\s*")
 
 
-def length(text: str) -> tuple[float, str]:
-    """Return a length's number and its unit in lower case, empty where none is written.
+def parse_length(text: str) -> tuple[float, str]:
+    """Return the number and the unit of a length, in lower case and empty if there is none.
 
     Raises
     ------
     ValueError
-        It is not a finite number with a unit or without one.
+        The text is not a finite number with an optional unit.
     """
     found = _LENGTH.fullmatch(text)
     if found is None or not math.isfinite(value := float(found[1])):
@@ -38,34 +38,34 @@ def length(text: str) -> tuple[float, str]:
     return value, found[2].lower()
 
 
-def pixels(text: str, whole: float = 0.0, letter: float = 16.0) -> float:
+def to_pixels(text: str, whole: float = 0.0, font_size: float = 16.0) -> float:
     """Return a length in pixels.
 
     Parameters
     ----------
     whole
-        What a percentage is taken of (pixels).
-    letter
-        The height of the letters around it, which ``em`` counts (pixels).
+        The length that percentages refer to (pixels).
+    font_size
+        The length of one ``em`` (pixels).
 
     Raises
     ------
     ValueError
-        It is no length.
+        The text is not a length.
     """
     try:
-        # Most lengths are bare numbers.
+        # Fast path: most lengths have no unit.
         if math.isfinite(value := float(text)):
             return value
     except ValueError:
         pass
-    value, unit = length(text)
+    value, unit = parse_length(text)
     if unit == "%":
         return value * whole / 100.0
     if unit in ("em", "rem"):
-        return value * letter
+        return value * font_size
     if unit == "ex":
-        return value * letter / 2.0
+        return value * font_size / 2.0
     if unit not in PIXELS:
-        raise ValueError(f"{text[:30]!r} has a unit that is not known")
+        raise ValueError(f"{text[:30]!r} has an unknown unit")
     return value * PIXELS[unit]

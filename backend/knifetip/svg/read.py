@@ -1,10 +1,10 @@
-"""read: an SVG, plain or packed (.svgz), as a Drawing.
+"""read: read an SVG, plain or packed (.svgz).
 
-    bytes -> Drawing: segments in mm, and a ledger row for every element that is or could be a line
+    bytes -> Drawing: segments in mm, and a row of the import report for every drawable element
 
-Lines are told apart by the colour and the dashes of their stroke, by layer, group or id.
+Line types are distinguished by colour and dashes of the stroke, and by layer, group or id.
 
-    bytes -> document (tree) -> page (size) -> expand (use) -> place (columns) -> Drawing
+    bytes -> document (tree) -> page (size) -> expand (use) -> segments (columns) -> Drawing
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import factor
-from knifetip.svg.document import document
+from knifetip.svg.document import parse_document
 from knifetip.svg.expand import expand
-from knifetip.svg.page import page
-from knifetip.svg.place import columns
+from knifetip.svg.page import read_page
+from knifetip.svg.segments import segment_columns
 
-#: How far into a file a program says that it wrote it.
+#: Number of bytes in which the name of the program that wrote the file is searched.
 _HEAD = 4096
 
 
@@ -29,39 +29,40 @@ def read(
     *,
     limits: Limits = Limits(),
 ) -> Drawing:
-    """Return the drawing that an SVG holds.
+    """Return the drawing in an SVG.
 
     Parameters
     ----------
     data
-        The file, or its gzip.
+        Content of the file, which may be packed with gzip.
     unit
-        "mm", "px" …: what the user says that the unit is, see ``page``.
+        The unit that the user gives, "mm", "px" …; see ``page.read_page``.
 
     Returns
     -------
     Drawing
-        In mm; in coordinates of the file with ``unit`` empty where neither the file nor the caller
-        says one.  The lower left corner of the page is (0, 0) where it has a height, y upwards.
+        In mm, or in coordinates of the file with ``unit`` empty if neither the file nor the user
+        states a unit.  The lower left corner of the page is (0, 0) if its height is known; y is
+        upwards.
 
     Raises
     ------
     NotADrawing
-        Not an SVG, cut short or damaged.
+        The file is not an SVG, or it is truncated or damaged.
     DrawingTooLarge
         A limit is exceeded.
     NoSuchUnit
-        ``unit`` is no unit.
+        ``unit`` is not a unit.
     """
     given = factor(unit) if unit else 0.0
     limits.admit(len(data))
     try:
-        root = document(data, limits)
-        paper = page(root, unit or "", given, b"Adobe Illustrator" in data[:_HEAD])
-        sheet, drawn = expand(root, paper, limits)
-        found = columns(sheet, drawn, paper.scale, limits)
-        known = KnownUnit(paper.scale, paper.unit, paper.evidence, paper.stated, paper.hints)
-        return assemble(sheet, found, drawn.styles, drawn.inscriptions, known)
+        root = parse_document(data, limits)
+        page = read_page(root, unit or "", given, b"Adobe Illustrator" in data[:_HEAD])
+        report, drawn = expand(root, page, limits)
+        columns = segment_columns(report, drawn, page.scale, limits)
+        known = KnownUnit(page.scale, page.unit, page.evidence, page.stated, page.hints)
+        return assemble(report, columns, drawn.styles, drawn.inscriptions, known)
     except KnifetipError:
         raise
     except (ValueError, ArithmeticError, LookupError) as error:

@@ -1,8 +1,8 @@
-"""shapes: the basic shapes as path data.
+"""shapes: convert basic shapes to path data.
 
     <rect x="0" y="0" width="90" height="45" rx="3"/> -> "M3 0H87A3 3 0 0 1 90 3V42…Z"
 
-One reader of paths then draws them all.
+All elements are then read as paths.
 """
 
 from __future__ import annotations
@@ -11,45 +11,48 @@ from collections.abc import Callable
 from typing import Final
 
 from knifetip.svg.document import Node
-from knifetip.svg.lengths import pixels
+from knifetip.svg.lengths import to_pixels
 
 
 class Undrawable(Exception):
-    """An element that gives no line; the message is the ledger's reason.  Never leaves the room."""
+    """Raised for an element that gives no line; the message is the reason in the import report.
+
+    ``svg.expand`` catches it.
+    """
 
 
-#: Width, height and (for radii) diagonal share of the window, which percentages are taken of.
+#: The lengths that percentages refer to: width and height of the window, and its diagonal / √2.
 Window = tuple[float, float, float]
 
 
-def data(node: Node, window: Window) -> str:
-    """Return the path data of an element whose tag is in ``READ``.
+def shape_path_data(node: Node, window: Window) -> str:
+    """Return the path data of an element whose tag is in ``SHAPES``.
 
     Raises
     ------
     Undrawable
-        It gives no line; the message says why.
+        The element gives no line.
     """
-    return READ[node.tag](node, window)
+    return SHAPES[node.tag](node, window)
 
 
-def frame(node: Node, window: Window) -> str:
-    """Return path data around what has a place and a size, or only a place."""
+def frame_path_data(node: Node, window: Window) -> str:
+    """Return path data along the diagonal of an element with x, y, width and height."""
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
-    return f"{corner(node, window)}l{wide!r} {high!r}"
+    return f"{point_path_data(node, window)}l{wide!r} {high!r}"
 
 
-def corner(node: Node, window: Window) -> str:
-    """Return path data that begins where an element has its x and y, and goes nowhere."""
+def point_path_data(node: Node, window: Window) -> str:
+    """Return path data of zero length at x and y of an element."""
     return f"M{_size(node, 'x', window[0])!r} {_size(node, 'y', window[1])!r}l0 0"
 
 
-def _size(node: Node, name: str, whole: float, silent: float = 0.0) -> float:
+def _size(node: Node, name: str, whole: float, default: float = 0.0) -> float:
     text = node.attributes.get(name)
     if text is None:
-        return silent
+        return default
     try:
-        return pixels(text, whole)
+        return to_pixels(text, whole)
     except ValueError as reason:
         raise Undrawable(f"its {name} cannot be read: {reason}") from None
 
@@ -70,7 +73,7 @@ def _line(node: Node, window: Window) -> str:
 def _polyline(node: Node, _window: Window) -> str:
     points = node.attributes.get("points", "")
     if not points.strip():
-        raise Undrawable("it has 0 points: no line between them")
+        raise Undrawable("it has no points")
     if points.lstrip(" \t\r\n,")[:1].isalpha():
         raise Undrawable(f"its points cannot be read: {points.strip()[:30]!r}")
     return "M" + points
@@ -127,8 +130,8 @@ def _round(node: Node, window: Window, across: float, down: float) -> str:
     return f"M{x + across!r} {y!r}{half}{x - across!r} {y!r}{half}{x + across!r} {y!r}"
 
 
-#: Elements that are lines, each with its reader.
-READ: Final[dict[str, Callable[[Node, Window], str]]] = {
+#: Elements that give lines, and the function that returns their path data.
+SHAPES: Final[dict[str, Callable[[Node, Window], str]]] = {
     "path": _path,
     "line": _line,
     "polyline": _polyline,

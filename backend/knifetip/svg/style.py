@@ -1,6 +1,6 @@
-"""style: how an element is drawn, from attributes, style sheet and inherited values.
+"""style: compute how an element is drawn, from attributes, style sheet and inherited values.
 
-    Node, style sheet, Look of its parent -> Look
+    Node, style sheet, Appearance of its parent -> Appearance
 
 tinycss2 parses style sheets and declarations, cssselect2 matches selectors.  Only properties that
 decide whether and how a line is drawn are used.
@@ -15,25 +15,25 @@ import cssselect2
 import tinycss2
 from cssselect2 import parser as selectors
 
-from knifetip.svg.colours import paint
+from knifetip.svg.colours import parse_paint
 from knifetip.svg.document import Node
-from knifetip.svg.lengths import pixels
+from knifetip.svg.lengths import to_pixels
 
 
-class Look(NamedTuple):
+class Appearance(NamedTuple):
     """Properties of an element; each is inherited from its parent."""
 
     stroke: int | None  #: 0xRRGGBB, ``UNKNOWN_COLOUR``, None for none
     fill: int | None
     colour: int | None  #: value of ``currentColor``
     dashed: bool
-    visible: bool  #: ``visibility``: a child may be visible again
-    shown: bool  #: ``display``: no child is shown either
-    letter: float  #: font size (pixels)
+    visible: bool  #: ``visibility``; a child may override it
+    shown: bool  #: ``display``; a child cannot override it
+    font_size: float  #: (pixels)
 
 
 #: Initial values: a black area without an outline.
-SILENT: Final = Look(None, 0, 0, False, True, True, 16.0)
+INITIAL: Final = Appearance(None, 0, 0, False, True, True, 16.0)
 
 _PROPERTIES: Final[tuple[str, ...]] = (
     "color",
@@ -98,7 +98,7 @@ class StyleSheet:
         self.simple &= all(_is_simple(one.parsed_tree) for one in parsed)
 
     def matching(self, element: cssselect2.ElementWrapper) -> list[Declaration]:
-        """Return the declarations that apply to an element, the strongest last."""
+        """Return the declarations that apply to an element, in ascending order of priority."""
         return [
             declaration
             for _, _, pseudo, declared in self._matcher.match(element)
@@ -119,7 +119,7 @@ def _comma_separated(tokens: list[tinycss2.ast.Node]) -> Iterator[list[tinycss2.
 
 
 def _is_supported(tree: object) -> bool:
-    """Return whether a selector depends on the element, or on its ancestors, alone."""
+    """Return whether a selector depends only on the element and its ancestors."""
     if isinstance(tree, selectors.CombinedSelector):
         return (
             tree.combinator in _COMBINATORS
@@ -137,8 +137,8 @@ def _is_simple(tree: object) -> bool:
     )
 
 
-def declarations(text: str) -> tuple[Declaration, ...]:
-    """Return the properties in use of a style attribute: ``stroke:red; fill:none``."""
+def parse_style_attribute(text: str) -> tuple[Declaration, ...]:
+    """Return the supported declarations of a style attribute such as ``stroke:red; fill:none``."""
     return _declarations(tinycss2.parse_blocks_contents(text))
 
 
@@ -151,7 +151,7 @@ def _declarations(content: list[tinycss2.ast.Node]) -> tuple[Declaration, ...]:
 
 
 class Cascade:
-    """Computes the look of each element of one document, and keeps those it has computed."""
+    """Computes and caches the appearance of the elements of one document."""
 
     def __init__(self, sheet: StyleSheet, root: Node) -> None:
         self._sheet = sheet
@@ -161,13 +161,13 @@ class Cascade:
                 one.etree_element: one
                 for one in cssselect2.ElementWrapper.from_xml_root(root).iter_subtree()
             }
-        self._known: dict[tuple[object, ...], Look] = {}
+        self._known: dict[tuple[object, ...], Appearance] = {}
         self._inline: dict[str, tuple[Declaration, ...]] = {}
 
-    def look(self, node: Node, inherited: Look) -> Look:
-        """Return how an element is drawn whose parent has the look ``inherited``."""
+    def appearance(self, node: Node, inherited: Appearance) -> Appearance:
+        """Return the appearance of an element whose parent has the appearance ``inherited``."""
         if not self._sheet.simple:
-            return self._computed(node, inherited)
+            return self._compute(node, inherited)
         given = node.attributes
         identity = given.get("id", "")
         key = (
@@ -180,20 +180,20 @@ class Cascade:
         )
         found = self._known.get(key)
         if found is None:
-            found = self._known[key] = self._computed(node, inherited)
+            found = self._known[key] = self._compute(node, inherited)
         return found
 
-    def _computed(self, node: Node, inherited: Look) -> Look:
+    def _compute(self, node: Node, inherited: Appearance) -> Appearance:
         given = node.attributes
         values = {name: given[name] for name in _PROPERTIES if name in given}
         text = given.get("style", "")
         inline = self._inline.get(text)
         if inline is None:
-            inline = self._inline[text] = declarations(text)
+            inline = self._inline[text] = parse_style_attribute(text)
         declared = [*self._matching(node), *inline]
         for wanted in (False, True):
             values |= {name: value for name, value, important in declared if important == wanted}
-        return _look(values, inherited)
+        return _appearance(values, inherited)
 
     def _matching(self, node: Node) -> list[Declaration]:
         if self._sheet.count == 0:
@@ -204,36 +204,36 @@ class Cascade:
         return self._sheet.matching(element)
 
 
-def _look(values: dict[str, str], inherited: Look) -> Look:
-    colour = _painted(values.get("color"), inherited.colour, inherited.colour)
-    stroke = _painted(values.get("stroke"), inherited.stroke, colour)
-    fill = _painted(values.get("fill"), inherited.fill, colour)
+def _appearance(values: dict[str, str], inherited: Appearance) -> Appearance:
+    colour = _paint(values.get("color"), inherited.colour, inherited.colour)
+    stroke = _paint(values.get("stroke"), inherited.stroke, colour)
+    fill = _paint(values.get("fill"), inherited.fill, colour)
     if _is_transparent(values.get("stroke-opacity")):
         stroke = None
     if _is_transparent(values.get("fill-opacity")):
         fill = None
     dashed = inherited.dashed
     if (dash := values.get("stroke-dasharray", "inherit")) != "inherit":
-        # Zeros, or "none": a line without gaps.
+        # "none" and lists of zeros are continuous lines.
         dashed = any(digit in "123456789" for digit in dash)
     visible = inherited.visible
     if (word := values.get("visibility", "inherit").lower()) != "inherit":
         visible = word not in ("hidden", "collapse")
-    letter = inherited.letter
+    font_size = inherited.font_size
     if (size := values.get("font-size")) is not None:
         try:
-            letter = pixels(size, inherited.letter, inherited.letter)
+            font_size = to_pixels(size, inherited.font_size, inherited.font_size)
         except ValueError:
-            letter = inherited.letter
+            font_size = inherited.font_size
     shown = inherited.shown and values.get("display", "").lower() != "none"
-    return Look(stroke, fill, colour, dashed, visible, shown, letter)
+    return Appearance(stroke, fill, colour, dashed, visible, shown, font_size)
 
 
-def _painted(value: str | None, inherited: int | None, current: int | None) -> int | None:
+def _paint(value: str | None, inherited: int | None, current: int | None) -> int | None:
     if value is None or value.strip().lower() == "inherit":
         return inherited
     try:
-        return paint(value, current)
+        return parse_paint(value, current)
     except ValueError:
         return inherited
 

@@ -1,4 +1,4 @@
-"""transform: the ``transform`` attribute as a matrix.
+"""transform: parse the ``transform`` attribute into a matrix.
 
 "translate(3,4) rotate(90)" -> (a, b, c, d, e, f):  x' = a x + c y + e,  y' = b x + d y + f
 """
@@ -16,13 +16,13 @@ _BETWEEN: Final = re.compile(r"[\s,]+")
 _NUMBER: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
-def numbers(text: str) -> list[float]:
-    """Return the numbers of a list, parted by blanks, commas or nothing but a sign.
+def parse_numbers(text: str) -> list[float]:
+    """Return the numbers in a list, separated by blanks, commas or only a sign.
 
     Raises
     ------
     ValueError
-        There is something else between them.
+        The text contains anything else.
     """
     rest = _BETWEEN.sub("", _NUMBER.sub("", text))
     if rest:
@@ -30,13 +30,13 @@ def numbers(text: str) -> list[float]:
     return [float(number) for number in _NUMBER.findall(text)]
 
 
-def matrix(text: str) -> Matrix:
-    """Return the matrix of a list of transforms, the last one of which is done first.
+def parse_transform(text: str) -> Matrix:
+    """Return the matrix of a list of transforms, of which the last is applied first.
 
     Raises
     ------
     ValueError
-        It cannot be read; the message says what is wrong.
+        The text is not a list of transforms.
     """
     found = IDENTITY
     at = 0
@@ -46,12 +46,12 @@ def matrix(text: str) -> Matrix:
             if not text[at:].strip(" \t\r\n,"):
                 break
             raise ValueError(f"{text[at : at + 30].strip()!r} is not a transform")
-        found = chained(found, _one(call[1], numbers(call[2])))
+        found = chained(found, _matrix_of(call[1], parse_numbers(call[2])))
         at = call.end()
     return found
 
 
-def _one(name: str, given: list[float]) -> Matrix:
+def _matrix_of(name: str, given: list[float]) -> Matrix:
     count = len(given)
     if name == "matrix" and count == 6:
         a, b, c, d, e, f = given
@@ -61,7 +61,7 @@ def _one(name: str, given: list[float]) -> Matrix:
     if name == "scale" and count in (1, 2):
         return given[0], 0.0, 0.0, given[-1], 0.0, 0.0
     if name == "rotate" and count in (1, 3):
-        cosine, sine = turned(given[0])
+        cosine, sine = cosine_and_sine(given[0])
         turn = (cosine, sine, -sine, cosine, 0.0, 0.0)
         if count == 1:
             return turn
@@ -74,8 +74,8 @@ def _one(name: str, given: list[float]) -> Matrix:
     raise ValueError(f"{name}({count} numbers) is not a transform")
 
 
-def turned(degrees: float) -> tuple[float, float]:
-    """Return cosine and sine of an angle; of a quarter turn exactly 0 and 1.
+def cosine_and_sine(degrees: float) -> tuple[float, float]:
+    """Return cosine and sine of an angle, exact for multiples of 90°.
 
     Raises
     ------
@@ -83,7 +83,7 @@ def turned(degrees: float) -> tuple[float, float]:
         The angle is not finite.
     """
     if not math.isfinite(degrees):
-        raise ValueError(f"an angle of {degrees:g} degrees turns nothing")
+        raise ValueError(f"{degrees:g} degrees is not a finite angle")
     quarter, rest = divmod(degrees % 360.0, 90.0)
     if rest == 0.0:
         return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarter) % 4]

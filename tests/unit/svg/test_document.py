@@ -1,4 +1,4 @@
-"""Hostile and damaged files: each gets a clear answer, soon, and is not loaded."""
+"""Hostile and damaged files: each is refused quickly, with a clear message."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.support.writers.svg_text import SVG, carton, svg
 
 
 def refused(data: bytes, kind: type[KnifetipError] = NotADrawing, **limits: int) -> str:
-    """Check that a file is refused within ten seconds; return why."""
+    """Check that a file is refused within ten seconds; return the message."""
     begun = time.process_time()
     with pytest.raises(kind) as caught:
         read(data, limits=Limits(**limits))
@@ -31,14 +31,14 @@ def declared(*declarations: str, body: str = "<path d='M0 0h1' stroke='red'/>") 
     return f"<!DOCTYPE svg [{''.join(declarations)}]><svg {SVG}>{body}</svg>".encode()
 
 
-def test_a_billion_laughs_are_refused_before_the_first() -> None:
+def test_nested_entities_are_refused_before_expansion() -> None:
     lines = ['<!ENTITY a "ha">']
     for before, name in pairwise("abcdefghij"):
         lines.append(f'<!ENTITY {name} "' + f"&{before};" * 10 + '">')
     assert "contains markup" in refused(declared(*lines, body="<text>&j;</text>"))
 
 
-def test_a_long_entity_named_often_is_refused() -> None:
+def test_a_long_entity_with_many_references_is_refused() -> None:
     body = f'<path d="{"&a;" * 20_000}"/>'
     assert "would expand the file" in refused(declared(f'<!ENTITY a "{"x" * 1000}">', body=body))
 
@@ -51,7 +51,7 @@ def test_a_long_entity_named_often_is_refused() -> None:
         '<!ENTITY % a SYSTEM "http://example.org/x.dtd">',
     ],
 )
-def test_entities_that_stand_for_files_are_refused(declaration: str) -> None:
+def test_entities_that_refer_to_files_are_refused(declaration: str) -> None:
     assert "is not loaded" in refused(declared(declaration, body="<text>&a;</text>"))
 
 
@@ -59,7 +59,7 @@ def test_parameter_entities_are_refused() -> None:
     assert "contains markup" in refused(declared('<!ENTITY % a "b">'))
 
 
-def test_the_entities_of_illustrator_are_read_and_its_doctype_is_not_fetched() -> None:
+def test_entities_of_illustrator_are_read_without_fetching_its_doctype() -> None:
     drawing = read(
         b'<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" '
         b'"http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd" ['
@@ -106,17 +106,17 @@ def test_limits_are_kept() -> None:
 
 
 @pytest.mark.parametrize("data", [b"", b"   ", b"<", b"<svg", b"<svg ", b"<?xml", b"<!--"])
-def test_the_beginning_of_a_file_is_cut_short(data: bytes) -> None:
+def test_a_truncated_file_is_refused(data: bytes) -> None:
     assert "cut short" in refused(data)
 
 
-def test_a_file_cut_anywhere_is_refused() -> None:
+def test_a_file_truncated_anywhere_is_refused() -> None:
     whole = carton()
     for length in range(len(whole)):
         assert "SVG" in refused(whole[:length]) or length == 0
 
 
-def test_a_packed_file_cut_anywhere_is_refused() -> None:
+def test_a_packed_file_truncated_anywhere_is_refused() -> None:
     whole = gzip.compress(carton())
     for length in range(2, len(whole), 7):
         assert "packed SVG" in refused(whole[:length])
@@ -134,11 +134,11 @@ def test_a_packed_file_cut_anywhere_is_refused() -> None:
         (b"\x1f\x8bnonsense", "packed SVG (.svgz) is damaged"),
     ],
 )
-def test_what_is_no_svg_says_so(data: bytes, words: str) -> None:
+def test_other_files_are_refused_with_their_kind(data: bytes, words: str) -> None:
     assert words in refused(data)
 
 
-def test_numbers_without_end_take_no_time() -> None:
+def test_very_long_numbers_are_parsed_quickly() -> None:
     data = svg(
         f'<path d="M{"1" * 100_000} 0h5"/>',
         f'<path d="M0 0h1" transform="{"scale(1) " * 50_000}"/>',
@@ -153,7 +153,7 @@ def test_numbers_without_end_take_no_time() -> None:
 
 
 def read_or_refused(data: bytes) -> Drawing | None:
-    """Read what may be damaged; a refusal must know what it refuses."""
+    """Return the drawing, or None if the file is refused with a message."""
     try:
         return read(data)
     except KnifetipError as error:
@@ -170,7 +170,7 @@ texts = st.one_of(
 
 
 @given(st.lists(st.tuples(st.integers(0, 7), texts, texts, texts, texts), max_size=5), texts)
-def test_any_numbers_end_in_a_drawing_or_an_error_of_ours(
+def test_any_numbers_give_a_drawing_or_a_knifetip_error(
     elements: list[tuple[int, str, str, str, str]], side: str
 ) -> None:
     forms = (
@@ -191,6 +191,6 @@ def test_any_numbers_end_in_a_drawing_or_an_error_of_ours(
 
 
 @given(st.binary(max_size=200), st.integers(0, 700), st.integers(0, 20))
-def test_any_damage_ends_in_a_drawing_or_an_error_of_ours(noise: bytes, at: int, gone: int) -> None:
+def test_any_damage_gives_a_drawing_or_a_knifetip_error(noise: bytes, at: int, gone: int) -> None:
     whole = carton()
     read_or_refused(whole[:at] + noise + whole[at + gone :])

@@ -1,4 +1,4 @@
-"""Whole files: places, sizes, colours, layers, the ledger, and drawings by other hands."""
+"""Whole files: positions, sizes, colours, layers, the import report, files of other programs."""
 
 from __future__ import annotations
 
@@ -28,26 +28,26 @@ def reasons(drawing: Drawing) -> dict[str, str]:
 
 
 def only(text: str, **fields: str) -> Drawing:
-    """One element on a page of 100 by 100 mm."""
+    """Return the drawing of one element on a page of 100 by 100 mm."""
     return read(svg(text, **fields))
 
 
-# ── Places ────────────────────────────────────────────────────────────────────────────────────
+# ── Positions ────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_y_counts_upwards_from_the_lower_edge_of_the_page() -> None:
+def test_y_is_upwards_from_the_lower_edge_of_the_page() -> None:
     drawing = only('<line x1="10" y1="10" x2="30" y2="40"/>')
     assert drawing.ends.tolist() == [[[10, 90], [30, 60]]]
     assert drawing.unit == drawing.stated == "mm"
     assert str(drawing.evidence) == 'width = "100mm" and height = "100mm", viewBox 100 × 100'
 
 
-def test_groups_turn_and_move_what_is_in_them() -> None:
+def test_groups_transform_their_content() -> None:
     drawing = only(
         '<g transform="translate(0,100) scale(1,-1)"><g transform="rotate(90)">'
         '<path transform="translate(5)" d="M0 0H10"/></g></g>'
     )
-    # (0, 0) → (5, 0) → turned (0, 5) → as in a DXF (0, 5); its end 10 further.
+    # (0, 0) → translated (5, 0) → rotated (0, 5); the end lies 10 further.
     assert_allclose(drawing.ends, [[[0, 5], [0, 15]]], atol=1e-12)
 
 
@@ -63,17 +63,17 @@ def test_a_rounded_rectangle_is_four_lines_and_four_arcs() -> None:
     assert np.count_nonzero(drawing.bulge) == 4
     assert_allclose(drawing.lengths.sum(), 2 * (30 + 20) + 10 * math.pi)
     assert_allclose(drawing.bounds, [10, 50, 50, 80])
-    # Around it in one turn: each segment begins where the one before it ended.
+    # The segments are in order: each begins at the end of the one before.
     assert (drawing.ends[:-1, 1] == drawing.ends[1:, 0]).all()
 
 
-def test_the_corners_of_a_rectangle_are_at_most_half_its_side() -> None:
+def test_corner_radii_are_at_most_half_the_side() -> None:
     drawing = only('<rect width="40" height="30" rx="90" ry="4"/>')
     assert_allclose(drawing.bounds, [0, 70, 40, 100])
 
 
-def test_the_arc_goes_to_the_side_that_its_flags_say() -> None:
-    # From (20, 50) to (40, 50) about (30, 50), rising y being downwards on the page.
+def test_flags_determine_the_side_of_an_arc() -> None:
+    # From (20, 50) to (40, 50) about (30, 50); y is downwards on the page.
     up = only('<path d="M20 50A10 10 0 0 1 40 50"/>')
     down = only('<path d="M20 50A10 10 0 0 0 40 50"/>')
     assert_allclose(up.bounds, [20, 50, 40, 60])
@@ -87,7 +87,7 @@ def test_a_large_arc_is_two_rows() -> None:
     assert_allclose(drawing.ends[[0, -1], [0, 1]], [[20, 50], [30, 40]])
 
 
-def test_radii_that_do_not_reach_grow() -> None:
+def test_radii_that_are_too_small_are_increased() -> None:
     drawing = only('<path d="M20 50A1 1 0 0 1 40 50"/>')
     assert_allclose(drawing.lengths.sum(), 10 * math.pi)
 
@@ -105,12 +105,12 @@ def test_an_unevenly_scaled_circle_is_an_ellipse_within_a_hundredth() -> None:
     drawing = only('<circle transform="scale(3,1)" cx="15" cy="50" r="10"/>')
     points = arc.points_along(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge, 50)
     x, y = (points.reshape(-1, 2) - [45, 50]).T
-    # A point off the ellipse by e has a value off 1 by about 2 e over its distance, 10 … 30.
+    # A point at distance e from the ellipse has a value that differs from 1 by about 2 e / 10.
     assert np.abs((x / 30) ** 2 + (y / 10) ** 2 - 1).max() < 2 * 0.0101 / 10
     assert "fitted with" in reasons(drawing)["#1"]
 
 
-def test_a_curve_that_is_its_chord_is_a_line() -> None:
+def test_a_straight_curve_becomes_a_line() -> None:
     drawing = only('<path d="M0 0C10 0 20 0 30 0"/>')
     assert drawing.ends.tolist() == [[[0, 100], [30, 100]]]
     assert drawing.bulge.tolist() == [0]
@@ -120,7 +120,7 @@ coordinates = st.integers(-200, 200).map(lambda value: value / 2)
 
 
 @given(st.lists(st.tuples(coordinates, coordinates), min_size=4, max_size=4, unique=True))
-def test_a_curve_is_followed_within_a_hundredth(control: list[tuple[float, float]]) -> None:
+def test_a_curve_is_approximated_within_a_hundredth(control: list[tuple[float, float]]) -> None:
     (ax, ay), (bx, by), (cx, cy), (dx, dy) = control
     drawing = only(f'<path d="M{ax} {ay}C{bx} {by} {cx} {cy} {dx} {dy}"/>')
     t = np.linspace(0, 1, 200)[:, None]
@@ -142,7 +142,7 @@ def test_a_curve_is_followed_within_a_hundredth(control: list[tuple[float, float
     st.floats(1, 40), st.floats(1, 40), st.floats(-180, 180), st.booleans(), st.booleans(),
     coordinates, coordinates,
 )  # fmt: skip
-def test_an_elliptic_arc_keeps_to_its_ellipse_and_its_ends(
+def test_an_elliptic_arc_lies_on_its_ellipse_between_its_ends(
     rx: float, ry: float, angle: float, large: bool, sweep: bool, x: float, y: float
 ) -> None:
     if math.hypot(x, y) < 0.5:
@@ -152,7 +152,7 @@ def test_an_elliptic_arc_keeps_to_its_ellipse_and_its_ends(
     assert_allclose(drawing.ends[0, 0], [50, 50], atol=1e-9)
     assert_allclose(drawing.ends[-1, 1], [50 + x, 50 - y], atol=1e-9)
     assert (drawing.ends[:-1, 1] == drawing.ends[1:, 0]).all()
-    # Turned back and stretched, the ellipse is a circle of radius 1 through both ends.
+    # Rotated and scaled, the ellipse becomes a circle of radius 1 through both ends.
     turn = np.exp(1j * math.radians(angle))
     points = arc.points_along(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge, 9)
     z = (points.reshape(-1, 2) * [1, -1] + [0, 100]) @ [1, 1j] / turn
@@ -182,12 +182,12 @@ def test_an_elliptic_arc_keeps_to_its_ellipse_and_its_ends(
         ('width="720pt"', "0 0 720 720", "pt", 10.0 * 25.4 / 72.0),
         ('height="200mm"', "0 0 100 100", "mm", 20.0),
         ('width="100mm"', "", "mm", 10.0 * 25.4 / 96.0),
-        # The viewBox is fitted into the smaller side, unless that is forbidden.
+        # The viewBox is fitted into the smaller side, unless the aspect ratio is not preserved.
         ('width="100mm" height="50mm"', "0 0 100 100", "mm", 5.0),
         ('width="300mm" height="50mm" preserveAspectRatio="none"', "0 0 100 100", "mm", 30.0),
     ],
 )
-def test_ten_along_x_are_as_long_as_the_page_says(
+def test_the_page_determines_the_length_of_ten_units(
     size: str, box: str, unit: str, length: float
 ) -> None:
     drawing = only('<path d="M0 0h10"/>', size=size, box=box)
@@ -196,7 +196,7 @@ def test_ten_along_x_are_as_long_as_the_page_says(
 
 
 @pytest.mark.parametrize("size", ["", 'width="100" height="80"', 'width="100px"', 'width="100%"'])
-def test_pixels_and_bare_numbers_are_no_size(size: str) -> None:
+def test_pixels_and_numbers_without_a_unit_are_no_size(size: str) -> None:
     drawing = only('<path d="M0 0h10"/>', size=size)
     assert (drawing.unit, drawing.stated) == ("", "")
     assert "0.2646 mm" in str(drawing.evidence)
@@ -204,7 +204,7 @@ def test_pixels_and_bare_numbers_are_no_size(size: str) -> None:
     assert drawing.lengths.tolist() == [10.0]
 
 
-def test_a_page_without_a_size_is_asked_and_pixels_and_points_are_among_the_answers() -> None:
+def test_question_for_a_page_without_a_size_offers_pixels_and_points() -> None:
     folds = "".join(f'<path d="M{x} 51V233"/>' for x in (171, 313, 455))
     data = svg(f'<rect x="31" y="31" width="587" height="217"/>{folds}', size="", box="0 0 650 280")
     drawing = pipeline.read(data)
@@ -218,7 +218,7 @@ def test_a_page_without_a_size_is_asked_and_pixels_and_points_are_among_the_answ
     assert "155.3 × 57.4 mm" in question.text
 
 
-def test_what_illustrator_wrote_is_likelier_in_points_than_in_pixels() -> None:
+def test_files_of_illustrator_are_likelier_in_points_than_in_pixels() -> None:
     data = svg('<rect width="587" height="217"/>', size="", box="0 0 650 280")
     plain = find_unit(read(data)).ranking
     signed = find_unit(read(b"<!-- Adobe Illustrator -->" + data)).ranking
@@ -226,7 +226,7 @@ def test_what_illustrator_wrote_is_likelier_in_points_than_in_pixels() -> None:
     assert signed.index("pt") <= plain.index("pt")
 
 
-def test_the_user_has_the_last_word_on_the_unit() -> None:
+def test_the_unit_of_the_user_has_priority() -> None:
     data = svg('<path d="M0 0h96"/>', size='width="500"')
     assert_allclose(read(data, "px").lengths, [25.4])
     assert_allclose(read(data, "pt").lengths, [96 * 25.4 / 72])
@@ -238,7 +238,7 @@ def test_a_packed_file_is_the_same_drawing() -> None:
     assert read(gzip.compress(carton())).ends.tolist() == read(carton()).ends.tolist()
 
 
-# ── What a line is drawn with ─────────────────────────────────────────────────────────────────
+# ── Style ─────────────────────────────────────────────────────────────────
 
 
 @pytest.mark.parametrize(
@@ -265,7 +265,7 @@ def test_a_stroke_has_a_true_colour_and_the_nearest_index(
     assert (drawing.true_colour.tolist(), drawing.colour.tolist()) == ([true_colour], [index])
 
 
-def test_rules_of_a_style_sheet_are_weighed() -> None:
+def test_rules_of_a_style_sheet_apply_by_specificity() -> None:
     drawing = read(
         svg(
             "<defs><style><![CDATA[ /* house colours */ path{stroke:#111}",
@@ -282,10 +282,10 @@ def test_rules_of_a_style_sheet_are_weighed() -> None:
     assert [f"{colour:06x}" for colour in drawing.true_colour] == [
         *("111111", "222222", "333333", "444444", "888888", "777777", "222222")
     ]
-    assert reasons(drawing)["style"] == "rules that are not read: @media print, line + path"
+    assert reasons(drawing)["style"] == "rules that are not supported: @media print, line + path"
 
 
-def test_a_selector_may_name_ancestors_and_attributes() -> None:
+def test_selectors_with_ancestors_and_attributes_apply() -> None:
     drawing = read(
         svg(
             "<style>#cuts path{stroke:#111} #cuts > path{stroke:#222}",
@@ -309,7 +309,7 @@ def test_dashes_are_a_linetype(dash: str, linetype: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("open_", "layer"),
+    ("groups", "layer"),
     [
         ('<g inkscape:groupmode="layer" inkscape:label="Crease lines" id="layer1"><g id="x">',
          "Crease lines"),
@@ -321,8 +321,8 @@ def test_dashes_are_a_linetype(dash: str, linetype: str) -> None:
         ("<g><g>", "0"),
     ],
 )  # fmt: skip
-def test_the_layer_is_what_people_named(open_: str, layer: str) -> None:
-    assert only(f'{open_}<path id="path42" d="M0 0h10"/></g></g>').layers == (layer,)
+def test_the_layer_is_the_name_that_a_user_gave(groups: str, layer: str) -> None:
+    assert only(f'{groups}<path id="path42" d="M0 0h10"/></g></g>').layers == (layer,)
 
 
 @pytest.mark.parametrize(
@@ -333,14 +333,14 @@ def test_the_layer_is_what_people_named(open_: str, layer: str) -> None:
         ('id="rect7" inkscape:label="Outline"', "Outline"),
     ],
 )
-def test_an_element_outside_groups_may_name_itself(names: str, layer: str) -> None:
+def test_an_element_outside_groups_has_the_layer_of_its_own_name(names: str, layer: str) -> None:
     assert only(f'<path {names} d="M0 0h10"/>').layers == (layer,)
 
 
-# ── The ledger ────────────────────────────────────────────────────────────────────────────────
+# ── Import report ────────────────────────────────────────────────────────────────────────────────
 
 
-def test_lengths_in_the_ledger_add_up() -> None:
+def test_lengths_in_the_report_add_up() -> None:
     drawing = read(carton())
     assert_allclose(drawing.ledger.length.sum(), drawing.lengths.sum())
     by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
@@ -349,14 +349,14 @@ def test_lengths_in_the_ledger_add_up() -> None:
     assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
 
 
-def test_words_are_kept_as_inscriptions() -> None:
+def test_texts_are_kept_as_annotations() -> None:
     (words,) = read(carton()).inscriptions
     assert (words.text, words.x, words.y, words.height) == ("A carton", 20.0, 2.0, 4.0)
     assert words.kind == "text"
     assert math.isnan(words.measure)
 
 
-def test_what_is_hidden_is_dropped_with_all_that_is_in_it() -> None:
+def test_hidden_groups_are_dropped_with_their_content() -> None:
     drawing = read(
         svg(
             '<g style="display:none"><path id="a" d="M0 0h1"/></g>',
@@ -366,25 +366,23 @@ def test_what_is_hidden_is_dropped_with_all_that_is_in_it() -> None:
         )
     )
     assert drawing.lengths.tolist() == [3.0]
-    told = reasons(drawing)
-    assert told["a"] == told["b"] == "it is hidden"
-    assert told["d"] == told["e"] == "it has neither a stroke nor a fill: nothing of it is seen"
+    reason = reasons(drawing)
+    assert reason["a"] == reason["b"] == "it is hidden"
+    assert reason["d"] == reason["e"] == "it has neither a stroke nor a fill"
 
 
-def test_areas_are_lines_only_where_nothing_has_a_stroke() -> None:
+def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
     area = '<path id="area" stroke="none" fill="#f00" d="M0 0h10v10z"/>'
     alone = only(area)
     assert len(alone) == 3
     assert alone.true_colour.tolist() == [0xFF0000] * 3
-    assert reasons(alone)["area"] == (
-        "kept: outline of a filled area: nothing in the drawing has a stroke"
-    )
+    assert reasons(alone)["area"] == ("kept: outline of a filled area: the drawing has no strokes")
     beside = only(area + '<path d="M0 0h1"/>')
     assert len(beside) == 1
-    assert reasons(beside)["area"] == "a filled area without a stroke; others have one"
+    assert reasons(beside)["area"] == "a filled area without a stroke, in a drawing with strokes"
 
 
-def test_damaged_elements_say_what_is_wrong_and_the_others_are_drawn() -> None:
+def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
     drawing = read(
         svg(
             '<path id="a" d="M0 0h5 oops"/><rect id="b" width="-3" height="2"/>',
@@ -396,31 +394,31 @@ def test_damaged_elements_say_what_is_wrong_and_the_others_are_drawn() -> None:
             '<use id="l" href="other.svg#x"/><use id="m" href="#nobody"/>',
         )
     )
-    told = reasons(drawing)
-    assert told["a"] == (
-        "kept: its path data is wrong at character 8 ('oops'): drawn up to there, as in a browser"
+    reason = reasons(drawing)
+    assert reason["a"] == (
+        "kept: its path data is wrong at character 8 ('oops'): read up to there, as in a browser"
     )
-    assert told["n"] == (
-        "kept: its path data stops inside a command: drawn up to there, as in a browser"
+    assert reason["n"] == (
+        "kept: its path data ends inside a command: read up to there, as in a browser"
     )
-    assert told["b"] == "its width and height are -3 and 2"
-    assert told["c"].startswith("its x1 cannot be read: '1lightyear'")
-    assert told["d"] == "it has 0 points: no line between them"
-    assert told["e"] == "its transform cannot be read: spin(1 numbers) is not a transform"
-    assert told["f"] == "a coordinate is 1e+09; the limit is 1e+07"
-    assert told["g"].startswith("a coordinate is 2e+300")
-    assert told["h"] == "its radius is 0"
-    assert told["j"] == "a picture is not cut"
-    assert told["k"] == "what is inside is no SVG"
-    assert told["l"] == "it refers to another file, 'other.svg#x', and nothing is fetched"
-    assert told["m"] == "there is nothing with the id 'nobody'"
+    assert reason["b"] == "its width and height are -3 and 2"
+    assert reason["c"].startswith("its x1 cannot be read: '1lightyear'")
+    assert reason["d"] == "it has no points"
+    assert reason["e"] == "its transform cannot be read: spin(1 numbers) is not a transform"
+    assert reason["f"] == "a coordinate is 1e+09; the limit is 1e+07"
+    assert reason["g"].startswith("a coordinate is 2e+300")
+    assert reason["h"] == "its radius is 0"
+    assert reason["j"] == "pictures are not cut"
+    assert reason["k"] == "its content is not SVG"
+    assert reason["l"] == "it refers to another file, 'other.svg#x', which is not fetched"
+    assert reason["m"] == "no element has the id 'nobody'"
     assert_allclose(drawing.lengths.sum(), 10.0 + 6 * math.pi)
 
 
 # ── use, symbol, svg ──────────────────────────────────────────────────────────────────────────
 
 
-def test_use_repeats_a_group_where_it_stands() -> None:
+def test_use_copies_a_group_to_its_position() -> None:
     drawing = read(
         svg(
             '<defs><g id="hole"><path id="slit" d="M0 0h10"/></g></defs>',
@@ -443,12 +441,12 @@ def test_a_symbol_is_fitted_into_the_window_of_its_use() -> None:
     assert_allclose(drawing.ends, [[[20, 80], [60, 80]]])
 
 
-def test_an_svg_inside_has_a_window_of_its_own() -> None:
+def test_a_nested_svg_has_its_own_window() -> None:
     drawing = only('<svg x="10" y="10" width="50%" viewBox="0 0 5 10"><path d="M0 0h5"/></svg>')
     assert_allclose(drawing.lengths, [50.0])
 
 
-def test_what_contains_itself_is_dropped() -> None:
+def test_use_that_contains_itself_is_dropped() -> None:
     drawing = read(
         svg(
             '<g id="a"><path d="M0 0h1"/><use id="u" href="#a"/></g>',
@@ -458,16 +456,16 @@ def test_what_contains_itself_is_dropped() -> None:
         )
     )
     assert drawing.lengths.tolist() == [1.0]
-    told = reasons(drawing)
-    assert told["u"] == "it contains itself"
-    assert told["x/v/w"] == "it contains itself"
+    reason = reasons(drawing)
+    assert reason["u"] == "it contains itself"
+    assert reason["x/v/w"] == "it contains itself"
 
 
-# ── Drawings by other hands ───────────────────────────────────────────────────────────────────
+# ── Files of other programs ───────────────────────────────────────────────────────────────────
 
 
 def off(one: Drawing, other: Drawing) -> np.ndarray:
-    """How far each edge of a drawing is from another drawing, their lower left corners as one."""
+    """Return the distance of each edge of a drawing from another, aligned at the lower left."""
     points = arc.points_along(one.ends[:, 0], one.ends[:, 1], one.bulge, 7).reshape(-1, 2)
     points = points - one.bounds[:2] + other.bounds[:2]
     start, end = other.ends[:, 0], other.ends[:, 1]
@@ -483,7 +481,7 @@ def off(one: Drawing, other: Drawing) -> np.ndarray:
 
 @pytest.mark.corpus
 @pytest.mark.parametrize("name", ["mailer_200x150x60_t3", "mailer_120x80x40_all_layers"])
-def test_a_mailer_is_the_same_as_svg_and_as_dxf(name: str, corpus: Path) -> None:
+def test_a_mailer_is_equal_as_svg_and_as_dxf(name: str, corpus: Path) -> None:
     folder = corpus / "generated__kyholdings__diecut_generator"
     ours = read((folder / f"{name}.svg").read_bytes())
     twin = dxf.read((folder / f"{name}.dxf").read_bytes(), "mm")
@@ -496,19 +494,19 @@ def test_a_mailer_is_the_same_as_svg_and_as_dxf(name: str, corpus: Path) -> None
 
 
 @pytest.mark.corpus
-def test_a_tuck_carton_is_the_same_as_svg_and_as_dxf(corpus: Path) -> None:
+def test_a_tuck_carton_is_equal_as_svg_and_as_dxf(corpus: Path) -> None:
     folder = corpus / "generated__eridur-de__mightyscape-inkpacking"
     ours = read((folder / "box_rwlf.svg").read_bytes())
     assert ours.unit == "mm"
     twin = dxf.read((folder / "box_rwlf.dxf").read_bytes(), "mm")
     assert off(twin, ours).max() <= 0.05
-    # The program that made the DXF left out what stands above the page.
+    # The program that wrote the DXF omitted the lines above the page.
     on_page = ours.ends[:, :, 1].max(axis=1) <= 500.0
     assert on_page.sum() == 39
     assert off(ours, twin)[on_page].max() <= 0.05
 
 
-def test_a_prefix_for_svg_is_read_and_other_vocabularies_are_left_out() -> None:
+def test_a_prefix_for_svg_is_read_and_other_namespaces_are_omitted() -> None:
     drawing = read(
         b'<s:svg xmlns:s="http://www.w3.org/2000/svg" xmlns:x="urn:x" width="9mm" '
         b'viewBox="0 0 9 9">'

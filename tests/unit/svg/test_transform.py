@@ -1,4 +1,4 @@
-"""Transforms: by hand, and against matrices of NumPy."""
+"""Transforms, compared with values computed by hand and with NumPy matrices."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from knifetip.geometry.affine import IDENTITY, chained
-from knifetip.svg.transform import matrix
+from knifetip.svg.transform import parse_transform
 
 
 def moved(text: str, x: float, y: float) -> tuple[float, float]:
-    a, b, c, d, e, f = matrix(text)
+    a, b, c, d, e, f = parse_transform(text)
     return a * x + c * y + e, b * x + d * y + f
 
 
@@ -36,7 +36,7 @@ def moved(text: str, x: float, y: float) -> tuple[float, float]:
         (" translate( 1e1 , .5 )rotate(0) ", (13, 2.5)),
     ],
 )
-def test_the_point_three_two_goes_where_it_should(text: str, place: tuple[float, float]) -> None:
+def test_transform_moves_the_point_three_two(text: str, place: tuple[float, float]) -> None:
     assert moved(text, 3.0, 2.0) == place
 
 
@@ -60,9 +60,9 @@ def test_skewing_by_45_degrees_moves_by_the_other_coordinate() -> None:
         "javascript:alert(1)",
     ],
 )
-def test_what_is_no_transform_is_refused(text: str) -> None:
+def test_invalid_transforms_are_refused(text: str) -> None:
     with pytest.raises(ValueError):
-        matrix(text)
+        parse_transform(text)
 
 
 numbers = st.floats(-100.0, 100.0).map(lambda value: round(value, 3))
@@ -102,10 +102,10 @@ def test_a_list_is_the_product_of_its_matrices(listed: list[tuple[str, list[floa
     expected = np.eye(3)
     for name, given_ in listed:
         expected = expected @ as_array(name, given_)
-    a, b, c, d, e, f = matrix(text)
+    a, b, c, d, e, f = parse_transform(text)
     assert_allclose([[a, c, e], [b, d, f]], expected[:2], rtol=1e-9, atol=1e-6)
 
 
-def test_nothing_before_or_after_changes_a_matrix() -> None:
-    one = matrix("rotate(30) translate(4 5)")
+def test_blanks_do_not_change_a_matrix() -> None:
+    one = parse_transform("rotate(30) translate(4 5)")
     assert chained(IDENTITY, one) == one == chained(one, IDENTITY)

@@ -1,12 +1,12 @@
-"""path: path data as a table of lines, cubic curves and elliptic arcs, many paths in one pass.
+"""path_data: parse the path data of many paths into lines, cubic curves and elliptic arcs.
 
     "M0 0h10a5 5 0 0 1 5 5z" -> kind (n,), numbers (n, 8), path (n,)
 
-Compiled code reads the bytes.  Relative coordinates, H and V, the mirrored handles of S and T and
-the closing line of Z are made absolute and written out; quadratic curves become cubic ones.
+A kernel parses the bytes.  Relative coordinates become absolute; H, V, S, T and Z become explicit
+lines and curves; quadratic curves become cubic ones.
 
-Source: Scalable Vector Graphics (SVG) 1.1, second edition, chapter 8.3; as it demands, a path is
-drawn up to the place where its data is wrong.
+Source: Scalable Vector Graphics (SVG) 1.1, second edition, chapter 8.3.  As it
+requires, a path is read up to the first error in its data.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ from knifetip.drawing_builder.paths import ARC, CUBIC, LINE, Table
 from knifetip.geometry.columns import I64
 from knifetip.kernels import U8_1, OutI64_1, kernel
 
-#: What ``_scan`` answers where there are more segments than wanted.
+#: Count that ``_scan`` returns if there are too many segments.
 _TOO_MANY: Final = -1
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Scanned(Table):
-    """The segments of paths, and where each path stops being one."""
+class ScannedPaths(Table):
+    """The segments of paths, and the first error in each path."""
 
-    wrong: I64  #: (paths,) the character at which the data is wrong, -1 where none is
+    wrong: I64  #: (paths,) index of the first invalid character, -1 if none
 
 
-def scanned(paths: Sequence[str], most: int) -> Scanned | None:
+def scan_paths(paths: Sequence[str], most: int) -> ScannedPaths | None:
     """Return the segments of paths; None if there are more than ``most``."""
     pieces = [path.encode("ascii", "replace") for path in paths]
     size = np.array([0, *(len(piece) for piece in pieces)], np.int64)
@@ -40,12 +40,12 @@ def scanned(paths: Sequence[str], most: int) -> Scanned | None:
     kind, numbers, path, wrong, count = _scan(data, np.cumsum(size), most)
     if count == _TOO_MANY:
         return None
-    return Scanned(kind[:count], numbers[:count], path[:count], wrong)
+    return ScannedPaths(kind[:count], numbers[:count], path[:count], wrong)
 
 
 @kernel
-def _skipped(data: U8_1, at: int, last: int) -> int:
-    """Return the place after blanks and commas."""
+def _skip_separators(data: U8_1, at: int, last: int) -> int:
+    """Return the index after blanks and commas."""
     while at < last and (
         data[at] == 32 or data[at] == 44 or data[at] == 10 or data[at] == 13 or data[at] == 9
     ):
@@ -54,9 +54,9 @@ def _skipped(data: U8_1, at: int, last: int) -> int:
 
 
 @kernel
-def _number(data: U8_1, at: int, last: int) -> tuple[float, int]:
-    """Return a number and the place after it, -1 where there is none."""
-    at = _skipped(data, at, last)
+def _parse_number(data: U8_1, at: int, last: int) -> tuple[float, int]:
+    """Return a number and the index after it, -1 if there is no number."""
+    at = _skip_separators(data, at, last)
     negative = False
     if at < last and (data[at] == 45 or data[at] == 43):
         negative = data[at] == 45
@@ -90,7 +90,7 @@ def _number(data: U8_1, at: int, last: int) -> tuple[float, int]:
         if data[ahead] == 45 or data[ahead] == 43:
             less = data[ahead] == 45
             ahead += 1
-        # "1em" is no exponent, and no path data either: the letter is looked at by who called.
+        # "1em" has no exponent; the caller refuses the letter.
         if ahead < last and 48 <= data[ahead] <= 57:
             raised = 0
             while ahead < last and 48 <= data[ahead] <= 57:
@@ -100,9 +100,9 @@ def _number(data: U8_1, at: int, last: int) -> tuple[float, int]:
             at = ahead
     value = float(w)
     if w > 0 and power != 0:
-        # Beyond 600 whole numbers of 18 digits are 0 or infinite.
+        # Beyond 600 every number of 18 digits is 0 or infinite.
         power = min(max(power, -600), 600)
-        # Two steps, so that 1e-310 · 1e20 does not pass through 0, nor its like through infinity.
+        # Two steps avoid an underflow or overflow of the intermediate result.
         half = power // 2
         if -22 <= power <= 22:
             value = value * 10.0**power if power > 0 else value / 10.0**-power
@@ -112,17 +112,17 @@ def _number(data: U8_1, at: int, last: int) -> tuple[float, int]:
 
 
 @kernel
-def _flag(data: U8_1, at: int, last: int) -> tuple[int, int]:
-    """Return a flag of an arc, one digit that may touch what follows, and the place after it."""
-    at = _skipped(data, at, last)
+def _parse_flag(data: U8_1, at: int, last: int) -> tuple[int, int]:
+    """Return a flag of an arc, which is one digit, and the index after it, -1 if there is none."""
+    at = _skip_separators(data, at, last)
     if at < last and (data[at] == 48 or data[at] == 49):
         return int(data[at] - 48), at + 1
     return 0, -1
 
 
 @kernel
-def _wanted(command: int) -> int:
-    """Return how many numbers a command in lower case takes, -1 where it is none."""
+def _argument_count(command: int) -> int:
+    """Return the number of arguments of a command in lower case, -1 if it is no command."""
     if command == 109 or command == 108 or command == 116:  # m l t
         return 2
     if command == 104 or command == 118:  # h v
@@ -141,25 +141,25 @@ def _wanted(command: int) -> int:
 @kernel
 def _scan(data: U8_1, bounds: OutI64_1, most: int) -> Any:
     paths = len(bounds) - 1
-    room = 64
-    kind = np.empty(room, np.uint8)
-    numbers = np.empty((room, 8))
-    of = np.empty(room, np.int64)
+    capacity = 64
+    kind = np.empty(capacity, np.uint8)
+    numbers = np.empty((capacity, 8))
+    path_of = np.empty(capacity, np.int64)
     wrong = np.full(paths, -1, np.int64)
     given = np.empty(7)
     count = 0
     for path in range(paths):
         first, last = bounds[path], bounds[path + 1]
-        x = y = home_x = home_y = handle_x = handle_y = 0.0
-        # What the last segment was: a handle is mirrored only behind its own kind.
+        x = y = start_x = start_y = handle_x = handle_y = 0.0
+        # S and T mirror the last handle only after a curve of the same kind.
         before = 0
         command = 0
         relative = False
-        at = _skipped(data, first, last)
+        at = _skip_separators(data, first, last)
         while at < last:
             letter = data[at] | 32
             if 97 <= letter <= 122:
-                if _wanted(letter) < 0 or (command == 0 and letter != 109):
+                if _argument_count(letter) < 0 or (command == 0 and letter != 109):
                     wrong[path] = at - first
                     break
                 command = letter
@@ -168,45 +168,45 @@ def _scan(data: U8_1, bounds: OutI64_1, most: int) -> Any:
             elif command == 0 or command == 122:
                 wrong[path] = at - first
                 break
-            begun = at
-            wanted = _wanted(command)
-            for k in range(wanted):
+            before_arguments = at
+            argument_count = _argument_count(command)
+            for k in range(argument_count):
                 if command == 97 and 3 <= k <= 4:
-                    flag, at = _flag(data, at, last)
+                    flag, at = _parse_flag(data, at, last)
                     given[k] = float(flag)
                 else:
-                    given[k], at = _number(data, at, last)
+                    given[k], at = _parse_number(data, at, last)
                 if at < 0:
                     break
             if at < 0:
-                wrong[path] = _skipped(data, begun, last) - first
+                wrong[path] = _skip_separators(data, before_arguments, last) - first
                 break
             if command == 109:
                 x = given[0] + (x if relative else 0.0)
                 y = given[1] + (y if relative else 0.0)
-                home_x, home_y = x, y
+                start_x, start_y = x, y
                 before = command
-                command = 108  # what follows without a letter are lines
-                at = _skipped(data, at, last)
+                command = 108  # further coordinates without a letter are lines
+                at = _skip_separators(data, at, last)
                 continue
-            if count == room:
+            if count == capacity:
                 if count > most:
-                    return kind, numbers, of, wrong, _TOO_MANY
-                room *= 2
-                more_kind = np.empty(room, np.uint8)
-                more_numbers = np.empty((room, 8))
-                more_of = np.empty(room, np.int64)
+                    return kind, numbers, path_of, wrong, _TOO_MANY
+                capacity *= 2
+                more_kind = np.empty(capacity, np.uint8)
+                more_numbers = np.empty((capacity, 8))
+                more_path_of = np.empty(capacity, np.int64)
                 more_kind[:count] = kind
                 more_numbers[:count] = numbers
-                more_of[:count] = of
-                kind, numbers, of = more_kind, more_numbers, more_of
+                more_path_of[:count] = path_of
+                kind, numbers, path_of = more_kind, more_numbers, more_path_of
             base_x = x if relative else 0.0
             base_y = y if relative else 0.0
             row = numbers[count]
             row[0], row[1] = x, y
             row[4:] = 0.0
             kind[count] = LINE
-            of[count] = path
+            path_of[count] = path
             to_x, to_y = x, y
             if command == 108:
                 to_x, to_y = base_x + given[0], base_y + given[1]
@@ -215,7 +215,7 @@ def _scan(data: U8_1, bounds: OutI64_1, most: int) -> Any:
             elif command == 118:
                 to_y = base_y + given[0]
             elif command == 122:
-                to_x, to_y = home_x, home_y
+                to_x, to_y = start_x, start_y
             elif command == 97:
                 to_x, to_y = base_x + given[5], base_y + given[6]
                 if given[0] != 0.0 and given[1] != 0.0:
@@ -251,10 +251,10 @@ def _scan(data: U8_1, bounds: OutI64_1, most: int) -> Any:
             row[2], row[3] = to_x, to_y
             before = command
             x, y = to_x, to_y
-            # A closing line of no length is not drawn; one without length that is drawn is a speck.
+            # A closing line of zero length is omitted; other segments of zero length are debris.
             if command != 122 or row[0] != row[2] or row[1] != row[3]:
                 count += 1
-            at = _skipped(data, at, last)
+            at = _skip_separators(data, at, last)
     if count > most:
         count = _TOO_MANY
-    return kind, numbers, of, wrong, count
+    return kind, numbers, path_of, wrong, count

@@ -1,4 +1,4 @@
-"""Path data, read by compiled code and, for comparison, by a few slow lines."""
+"""Path data, parsed by the kernel and, for comparison, by a short Python function."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
 from knifetip.drawing_builder.paths import ARC, CUBIC, LINE
-from knifetip.svg.path import Scanned, scanned
+from knifetip.svg.path_data import ScannedPaths, scan_paths
 
 
-def table(*paths: str) -> Scanned:
-    found = scanned(paths, 10**6)
+def table(*paths: str) -> ScannedPaths:
+    found = scan_paths(paths, 10**6)
     assert found is not None
     return found
 
 
 def corners(path: str) -> list[list[float]]:
-    """Both ends of each segment: x, y, x, y."""
+    """Return x and y of both ends of each segment."""
     found: list[list[float]] = table(path).numbers[:, :4].tolist()
     return found
 
@@ -30,7 +30,7 @@ def test_a_closed_triangle_is_three_lines() -> None:
     assert corners("M 0 0 L 10 0 L 10 5 Z") == [[0, 0, 10, 0], [10, 0, 10, 5], [10, 5, 0, 0]]
 
 
-def test_relative_commands_count_from_where_the_pen_is() -> None:
+def test_relative_commands_start_at_the_current_point() -> None:
     assert corners("m1 2 l3 4 h5 v-6 z") == [
         [1, 2, 4, 6],
         [4, 6, 9, 6],
@@ -39,16 +39,16 @@ def test_relative_commands_count_from_where_the_pen_is() -> None:
     ]
 
 
-def test_numbers_behind_a_move_are_lines() -> None:
+def test_further_coordinates_of_a_move_are_lines() -> None:
     assert corners("M0,0 10,0 10,5") == [[0, 0, 10, 0], [10, 0, 10, 5]]
     assert corners("m1,1 2,0 0,3") == [[1, 1, 3, 1], [3, 1, 3, 4]]
 
 
-def test_after_closing_the_pen_stands_where_the_contour_began() -> None:
+def test_closing_returns_to_the_start_of_the_contour() -> None:
     assert corners("M1 1 h2 v2 z l-1 -1")[-1] == [1, 1, 0, 0]
 
 
-def test_a_contour_that_is_closed_already_gets_no_line_of_no_length() -> None:
+def test_closing_a_closed_contour_adds_no_line() -> None:
     assert len(corners("M0 0H10V10H0V0Z")) == 4
 
 
@@ -64,11 +64,11 @@ def test_a_contour_that_is_closed_already_gets_no_line_of_no_length() -> None:
         ("M0 0 1e-400 1e400", [0, 0, 0, math.inf]),
     ],
 )  # fmt: skip
-def test_numbers_may_touch(text: str, numbers: list[float]) -> None:
+def test_numbers_need_no_separator(text: str, numbers: list[float]) -> None:
     assert_allclose(table(text).numbers[0, :4], numbers, rtol=1e-15)
 
 
-def test_flags_of_an_arc_may_touch_what_follows() -> None:
+def test_flags_of_an_arc_need_no_separator() -> None:
     one = table("M0 0a5 5 30 0110 0")
     two = table("M0 0 A 5,5 30 0 1 10,0")
     assert_array_equal(one.numbers, two.numbers)
@@ -86,7 +86,7 @@ def test_a_smooth_cubic_mirrors_the_handle_before_it() -> None:
     assert found.numbers[1].tolist() == [5, 5, 10, 0, 7, 6, 9, 9]
 
 
-def test_a_smooth_cubic_behind_a_line_begins_at_its_own_end() -> None:
+def test_a_smooth_cubic_after_a_line_has_its_handle_at_the_start() -> None:
     assert table("M0 0H5S9 9 10 0").numbers[1].tolist() == [5, 0, 10, 0, 5, 0, 9, 9]
 
 
@@ -111,21 +111,21 @@ def test_quadratic_curves_become_cubic_ones() -> None:
         ("M0 0 5 5 <!ENTITY", 1, 9),
     ],
 )
-def test_a_path_is_drawn_up_to_where_it_is_wrong(text: str, drawn: int, at: int) -> None:
+def test_a_path_is_read_up_to_its_first_error(text: str, drawn: int, at: int) -> None:
     found = table(text)
     assert len(found.kind) == drawn
     assert found.wrong.tolist() == [at]
 
 
-def test_paths_do_not_run_into_each_other() -> None:
+def test_paths_are_independent() -> None:
     found = table("M0 0H1", "", "M5 5", "H7", "M2 2V3")
     assert found.path.tolist() == [0, 4]
     assert found.wrong.tolist() == [-1, -1, -1, 0, -1]
 
 
-def test_more_segments_than_wanted_are_not_read() -> None:
-    assert scanned(["M0 0" + "h1" * 1000], 999) is None
-    assert scanned(["M0 0" + "h1" * 999], 999) is not None
+def test_too_many_segments_return_none() -> None:
+    assert scan_paths(["M0 0" + "h1" * 1000], 999) is None
+    assert scan_paths(["M0 0" + "h1" * 999], 999) is not None
 
 
 numbers = st.one_of(
@@ -144,8 +144,8 @@ def drawings(draw: st.DrawFn) -> list[tuple[str, list[float]]]:
     return [first, *((name, [draw(numbers) for _ in range(TAKES[name.upper()])]) for name in rest)]
 
 
-def slowly(commands: list[tuple[str, list[float]]]) -> list[tuple[complex, ...]]:
-    """Control points of each segment, by the letter of the standard, with complex numbers."""
+def reference_segments(commands: list[tuple[str, list[float]]]) -> list[tuple[complex, ...]]:
+    """Return the control points of each segment as complex numbers, following the standard."""
     out: list[tuple[complex, ...]] = []
     pen = home = 0j
     cubic = quadratic = None
@@ -185,7 +185,7 @@ def slowly(commands: list[tuple[str, list[float]]]) -> list[tuple[complex, ...]]
 
 
 def at(control: tuple[complex, ...], t: float) -> complex:
-    """A point of a Bézier curve, by de Casteljau."""
+    """Return a point of a Bézier curve, computed with de Casteljau's algorithm."""
     points = list(control)
     while len(points) > 1:
         points = [(1 - t) * a + t * b for a, b in pairwise(points)]
@@ -193,14 +193,14 @@ def at(control: tuple[complex, ...], t: float) -> complex:
 
 
 @given(drawings(), st.sampled_from([" ", ",", " , ", "\n"]))
-def test_any_path_is_what_the_standard_says(
+def test_any_path_equals_the_reference(
     commands: list[tuple[str, list[float]]], between: str
 ) -> None:
     text = "".join(
         name + between.join(repr(number) for number in values) for name, values in commands
     )
     found = table(text)
-    expected = slowly(commands)
+    expected = reference_segments(commands)
     assert found.wrong.tolist() == [-1]
     assert len(found.kind) == len(expected)
     for kind, row, control in zip(found.kind, found.numbers, expected, strict=True):
@@ -212,13 +212,13 @@ def test_any_path_is_what_the_standard_says(
 
 
 @given(st.text(alphabet="MmLlHhVvCcSsQqTtAaZz0123456789.-+eE ,\nx", max_size=60))
-def test_any_text_ends_in_segments_or_a_place(text: str) -> None:
+def test_any_text_gives_segments_or_an_error_index(text: str) -> None:
     found = table(text)
     assert len(found.kind) == len(found.numbers) == len(found.path)
     assert -1 <= found.wrong[0] <= len(text)
 
 
 @given(st.floats(-1e12, 1e12))
-def test_any_number_is_read_as_python_reads_it(number: float) -> None:
+def test_any_number_equals_that_of_python(number: float) -> None:
     read = table(f"M0 0L{number!r} 0").numbers[0, 2]
     assert math.isclose(read, number, rel_tol=4e-16, abs_tol=1e-25)

@@ -1,0 +1,67 @@
+"""segments: convert path data and matrices to columns of lines and arcs.
+
+ReportWriter, DrawnPaths, scale -> Columns: ends, bulge and the style of each segment, in file order
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from knifetip.drawing_builder import paths
+from knifetip.drawing_builder.columns import Columns
+from knifetip.drawing_builder.report import ReportWriter
+from knifetip.formats.limits import Limits
+from knifetip.model.drawing import LocationBoxes
+from knifetip.svg.expand import DrawnPaths, OmittedShape
+from knifetip.svg.path_data import scan_paths
+
+
+def segment_columns(
+    report: ReportWriter, drawn: DrawnPaths, scale: float, limits: Limits
+) -> Columns:
+    """Return all segments of a document; the reason of each dropped element goes to the report.
+
+    Parameters
+    ----------
+    scale
+        Millimetres in one file unit, 0 if unknown.
+
+    Raises
+    ------
+    DrawingTooLarge
+        The number of segments or the time exceeds the limits.
+    """
+    table = scan_paths(drawn.data, limits.segments)
+    if table is None:
+        raise paths.too_many(limits, "SVG")
+    for path in np.flatnonzero(table.wrong >= 0).tolist():
+        text = drawn.data[path]
+        at = int(table.wrong[path])
+        where = (
+            f"is wrong at character {at + 1} ({text[at : at + 12]!r})"
+            if at < len(text)
+            else "ends inside a command"
+        )
+        report.notes.setdefault(drawn.row[path], []).append(
+            f"its path data {where}: read up to there, as in a browser"
+        )
+    if drawn.omitted:
+        report.location_boxes.append(_location_boxes(drawn.omitted, limits))
+    placed = paths.Paths(
+        np.array(drawn.row, np.int32),
+        np.array(drawn.style, np.int32),
+        np.array(drawn.matrix, np.float64).reshape(-1, 6),
+    )
+    return paths.columns(report, table, placed, scale, limits, "SVG")
+
+
+def _location_boxes(omitted: Sequence[OmittedShape], limits: Limits) -> LocationBoxes:
+    """Return the bounding boxes of elements that give no line."""
+    rows, data, matrices = zip(*omitted, strict=True)
+    matrix = np.array(matrices, np.float64).reshape(-1, 6)
+    table = scan_paths(data, limits.segments)
+    with np.errstate(all="ignore"):
+        box = np.full((len(rows), 4), np.nan) if table is None else paths.boxes(table, matrix)
+    return LocationBoxes(np.array(rows, np.int32), box)
