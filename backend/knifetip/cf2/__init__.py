@@ -1,1 +1,1 @@
-"""Floor 3: CF2 bytes in, Drawing out."""
+"""cf2: read CF2 files into a Drawing."""

@@ -1,17 +1,17 @@
-"""records: the lines of a CF2 as sections: what is drawn in MAIN and in each subroutine.
+"""records: parse the records of a CF2 into sections, one for MAIN and one for each subroutine.
 
-    text -> Source: unit, scale and corners that the head states; a Section each
+    text -> Cf2File: unit, scale and corners of the header; a Section for each section
 
 A record is a line of fields between commas::
 
     L, pointage, type, aux, x1, y1, x2, y2, bridges, width
     A, pointage, type, aux, x1, y1, x2, y2, xc, yc, direction, bridges, width
-    T, pointage, type, aux, x, y, angle, height, width           the words follow on the next line
+    T, pointage, type, aux, x, y, angle, height, width           its text is the next line
     C, subroutine, x, y, angle, x scale, y scale
 
-Direction is 1 where the arc goes round to the left, -1 where it goes to the right; an arc that ends
-where it starts is a whole circle.  Files by different programs differ in what they leave out: the
-last fields, the mark at the end ($EOF), the ORDER section, blanks and capitals.
+Direction is 1 for a counter-clockwise arc and -1 for a clockwise one; an arc that ends at its start
+is a whole circle.  Programs differ in the parts that they omit: the last fields, the end mark
+($EOF) and the ORDER section.  They also differ in blanks and capitals.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from typing import Final, NamedTuple
 from knifetip.errors import DrawingTooLarge, NotADrawing
 from knifetip.formats.limits import Limits
 
-#: Fields that a record has at the least, and from which number on it has decimal commas in it.
+#: Least number of fields of a record, and the least number that implies decimal commas.
 _FIELDS: Final = {"L": (8, 13), "A": (11, 17)}
-#: Words before the first comma that begin a section that draws.
-_DRAWING: Final = ("MAIN", "SUB")
+#: First fields of the sections that contain lines.
+_SECTIONS_WITH_LINES: Final = ("MAIN", "SUB")
 
 
 class Call(NamedTuple):
-    """A subroutine drawn somewhere: scaled first, then turned, then moved."""
+    """A copy of a subroutine, which is scaled, then rotated, then moved."""
 
     row: int  #: of the section
     name: str
     place: tuple[float, float, float, float, float]  #: x, y, degrees, x scale, y scale
 
 
-class Words(NamedTuple):
-    """A text."""
+class TextRecord(NamedTuple):
+    """A text with its position and height."""
 
     row: int  #: of the section
     text: str
@@ -47,18 +47,20 @@ class Words(NamedTuple):
 
 @dataclass(slots=True)
 class Section:
-    """What is drawn in MAIN or in a subroutine: m rows of any kind, in the order of the file."""
+    """The m records of MAIN or of a subroutine, in the order of the file."""
 
     name: str
-    entity: list[int] = field(default_factory=list)  #: (m,) which record of the file, from 1
-    kind: list[str] = field(default_factory=list)  #: (m,) L, A, T, C, or an unknown word
-    dropped: dict[int, str] = field(default_factory=dict)  #: row -> why it is left out
+    entity: list[int] = field(
+        default_factory=list
+    )  #: (m,) number of the record in the file, from 1
+    kind: list[str] = field(default_factory=list)  #: (m,) L, A, T, C, or an unknown first field
+    dropped: dict[int, str] = field(default_factory=dict)  #: row -> why it is dropped
     line_row: list[int] = field(default_factory=list)
     line: list[list[str]] = field(default_factory=list)  #: fields of each L
     arc_row: list[int] = field(default_factory=list)
     arc: list[list[str]] = field(default_factory=list)  #: fields of each A
     calls: list[Call] = field(default_factory=list)
-    words: list[Words] = field(default_factory=list)
+    texts: list[TextRecord] = field(default_factory=list)
 
     def row(self, entity: int, kind: str, dropped: str = "") -> int:
         """Add a row and return its number."""
@@ -70,59 +72,62 @@ class Section:
 
 
 @dataclass(slots=True)
-class Source:
-    """A CF2 as it was read."""
+class Cf2File:
+    """The parsed content of a CF2."""
 
     main: Section | None = None
-    subs: dict[str, Section] = field(default_factory=dict)  #: by name in capitals
+    subs: dict[str, Section] = field(default_factory=dict)  #: by upper-case name
     unit: str = ""  #: "UM", "UI" or empty
     scale: tuple[float, float] = (1.0, 1.0)
     low: tuple[float, float] | None = None  #: LL
     high: tuple[float, float] | None = None  #: UR
-    ended: bool = False  #: $EOF was met
+    ended: bool = False  #: whether $EOF was found
     records: int = 0
 
 
-def source(text: str, limits: Limits) -> Source:
-    """Return what a CF2 holds.
+def parse_records(text: str, limits: Limits) -> Cf2File:
+    """Return the sections of a CF2.
 
     Raises
     ------
     NotADrawing
-        Nothing in it is drawn, it stops inside a section, or its decimals are commas.
+        The file has no lines, ends inside a section, or has decimal commas.
     DrawingTooLarge
-        It has more records than the limit.
+        The number of records exceeds the limit.
     """
-    reading = _Reading(text, limits)
-    reading.all()
-    found = reading.source
-    unfinished = [section for section in reading.open if section]
+    parser = _Parser(text, limits)
+    parser.parse_all()
+    found = parser.source
+    unfinished = [section for section in parser.open if section]
     if unfinished:
-        raise NotADrawing("cf2.cut-short", line=reading.number, inside=unfinished[-1])
+        raise NotADrawing("cf2.cut-short", line=parser.number, inside=unfinished[-1])
     if found.main is None and not found.subs:
         raise NotADrawing("cf2.empty")
     return found
 
 
-class _Reading:
+class _Parser:
+    """Parses the lines of one file."""
+
     def __init__(self, text: str, limits: Limits) -> None:
-        self.source = Source()
+        self.source = Cf2File()
         self.number = 0  # of the line
-        self.open: list[str] = []  # sections that are not ended, in words
+        self.open: list[str] = []  # names of the sections that have not ended
         self._limits = limits
         self._lines = iter(text.split("\n"))
         self._sections: list[Section | None] = []
         self._commas = 0
 
     def _next(self) -> Iterator[str]:
+        """Yield the lines that are not blank."""
         for line in self._lines:
             self.number += 1
             stripped = line.strip(" \t\r\f\x00\x1a")
             if stripped:
                 yield stripped
 
-    def all(self) -> None:
-        """Read to the end of the file, or to its end mark."""
+    def parse_all(self) -> None:
+        """Parse to the end of the file, or to its end mark."""
         for line in self._next():
             section = self._sections[-1] if self._sections else None
             if section is not None and line[:2] in ("L,", "A,", "l,", "a,"):
@@ -139,12 +144,12 @@ class _Reading:
                     self.open.pop()
             elif self._sections and section is None:
                 continue
-            elif word in _DRAWING:
-                self._begun(word, rest.strip().rstrip(",").strip())
+            elif word in _SECTIONS_WITH_LINES:
+                self._begin_section(word, rest.strip().rstrip(",").strip())
             elif section is None and word not in ("$BOF", "V2", "V1", "V3", ""):
-                # ORDER and other sections tell of the order: words up to their END.
+                # ORDER and other sections contain text up to their END.
                 if word in ("L", "A", "T", "C"):
-                    # No head at all: records to the end of the file.
+                    # The file has no header: records follow to its end.
                     section = self._main("")
                     self._sections.append(section)
                     self.open.append("")
@@ -155,7 +160,7 @@ class _Reading:
             elif section is not None:
                 self._record(section, word, line)
 
-    def _begun(self, word: str, name: str) -> None:
+    def _begin_section(self, word: str, name: str) -> None:
         if word == "MAIN":
             self._sections.append(self._main(name))
             self.open.append("MAIN")
@@ -168,7 +173,8 @@ class _Reading:
             self.source.main = Section(name or "MAIN")
         return self.source.main
 
-    def _counted(self) -> int:
+    def _next_number(self) -> int:
+        """Return the number of the next record; raise DrawingTooLarge beyond the limit."""
         self.source.records += 1
         if self.source.records > self._limits.entities:
             raise DrawingTooLarge(
@@ -177,13 +183,13 @@ class _Reading:
         return self.source.records
 
     def _line(self, section: Section, line: str) -> None:
-        """Read an L or an A."""
+        """Parse a line (L) or an arc (A)."""
         kind = line[0].upper()
         fields = line.split(",")
         while not fields[-1].strip():
             del fields[-1]
         least, many = _FIELDS[kind]
-        entity = self._counted()
+        entity = self._next_number()
         if least <= len(fields) < many:
             row = section.row(entity, kind)
             if kind == "L":
@@ -214,15 +220,15 @@ class _Reading:
         if word in ("UM", "UI"):
             self.source.unit = word
         elif word in ("LL", "UR", "SCALE"):
-            self._stated(word, fields)
+            self._header(word, fields)
         elif word == "C":
             self._call(section, fields)
         elif word == "T":
-            self._words(section, fields)
+            self._text(section, fields)
         else:
-            section.row(self._counted(), word[:20], "it is no kind of record that is read")
+            section.row(self._next_number(), word[:20], "records of this type are not supported")
 
-    def _stated(self, word: str, fields: list[str]) -> None:
+    def _header(self, word: str, fields: list[str]) -> None:
         try:
             pair = float(fields[1]), float(fields[2])
         except (ValueError, IndexError):
@@ -235,7 +241,7 @@ class _Reading:
             self.source.scale = pair
 
     def _call(self, section: Section, fields: list[str]) -> None:
-        entity = self._counted()
+        entity = self._next_number()
         try:
             values = [float(number) for number in fields[2:7] if number]
         except ValueError as reason:
@@ -246,11 +252,11 @@ class _Reading:
         name = fields[1] if len(fields) > 1 else ""
         section.calls.append(Call(row, name, (x, y, angle, x_scale, y_scale)))
 
-    def _words(self, section: Section, fields: list[str]) -> None:
-        row = section.row(self._counted(), "T", "text is not cut")
-        words = next(self._next(), "")
-        if words.upper() == "END":
-            # A text without its words: what follows is the end of the section.
+    def _text(self, section: Section, fields: list[str]) -> None:
+        row = section.row(self._next_number(), "T", "text is not cut")
+        text = next(self._next(), "")
+        if text.upper() == "END":
+            # The text is missing: this END is that of the section.
             self._sections.pop()
             self.open.pop()
             return
@@ -259,4 +265,4 @@ class _Reading:
             height = float(fields[7]) if len(fields) > 7 else 0.0
         except (ValueError, IndexError):
             return
-        section.words.append(Words(row, words, (x, y, height)))
+        section.texts.append(TextRecord(row, text, (x, y, height)))

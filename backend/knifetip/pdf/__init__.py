@@ -1,1 +1,1 @@
-"""Floor 3: PDF bytes in, Drawing out."""
+"""pdf: read PDF files into a Drawing."""

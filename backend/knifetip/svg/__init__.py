@@ -1,1 +1,1 @@
-"""Floor 3: SVG bytes in, Drawing out."""
+"""svg: read SVG files into a Drawing."""

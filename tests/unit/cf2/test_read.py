@@ -1,4 +1,4 @@
-"""CF2: records, calls, units, types, bridges, what is cut short and what is hostile."""
+"""CF2: records, calls, units, types, bridges, damaged and hostile files."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def reasons(drawing: Drawing) -> dict[str, str]:
 # ── Records ───────────────────────────────────────────────────────────────────────────────────
 
 
-def test_a_line_has_its_ends_its_type_and_its_layer() -> None:
+def test_a_line_has_ends_type_and_layer() -> None:
     drawing = read(cf2(line(1, 2, 11, 2), "L,3,3,8,0,0,0,5,0,0"))
     assert drawing.ends.tolist() == [[[1, 2], [11, 2]], [[0, 0], [0, 5]]]
     assert [drawing.linetypes[row] for row in drawing.linetype] == ["CF2 1 2pt", "CF2 3 aux 8 3pt"]
@@ -37,21 +37,21 @@ def test_a_line_has_its_ends_its_type_and_its_layer() -> None:
     assert (drawing.unit, drawing.stated, str(drawing.evidence)) == ("mm", "mm", "UM")
 
 
-@pytest.mark.parametrize(("way", "top"), [(1, 10.0), (-1, 0.0)])
-def test_the_direction_of_an_arc_says_on_which_side_it_bulges(way: int, top: float) -> None:
-    # From (10, 0) to (-10, 0) about the origin: over the top to the left, below to the right.
-    drawing = read(cf2(arc(10, 0, -10, 0, 0, 0, way)))
+@pytest.mark.parametrize(("direction", "top"), [(1, 10.0), (-1, 0.0)])
+def test_the_direction_of_an_arc_determines_its_side(direction: int, top: float) -> None:
+    # From (10, 0) to (-10, 0) about the origin, above it if counter-clockwise.
+    drawing = read(cf2(arc(10, 0, -10, 0, 0, 0, direction)))
     assert_allclose(drawing.bounds, [-10, top - 10, 10, top], atol=1e-9)
     assert_allclose(drawing.lengths.sum(), 10 * math.pi)
 
 
-@pytest.mark.parametrize("way", [1, -1])
-def test_three_quarters_of_a_circle_are_two_rows(way: int) -> None:
-    drawing = read(cf2(arc(10, 0, 0, -10 * way, 0, 0, way)))
+@pytest.mark.parametrize("direction", [1, -1])
+def test_three_quarters_of_a_circle_are_two_rows(direction: int) -> None:
+    drawing = read(cf2(arc(10, 0, 0, -10 * direction, 0, 0, direction)))
     assert len(drawing) == 2
     assert_allclose(drawing.lengths.sum(), 15 * math.pi)
     assert drawing.ends[0, 1].tolist() == drawing.ends[1, 0].tolist()
-    assert_allclose(drawing.ends[0, 1], [-10 * math.sqrt(0.5), 10 * way * math.sqrt(0.5)])
+    assert_allclose(drawing.ends[0, 1], [-10 * math.sqrt(0.5), 10 * direction * math.sqrt(0.5)])
 
 
 def test_an_arc_that_ends_where_it_starts_is_a_whole_circle() -> None:
@@ -60,13 +60,13 @@ def test_an_arc_that_ends_where_it_starts_is_a_whole_circle() -> None:
     assert_allclose(drawing.bounds, [5, 0, 15, 10], atol=1e-9)
 
 
-def test_an_arc_off_its_centre_keeps_its_ends_and_says_so() -> None:
+def test_an_arc_with_a_wrong_centre_keeps_its_ends_and_is_noted() -> None:
     drawing = read(cf2(arc(10, 0, 0, 10.5, 0, 0)))
     assert drawing.ends.tolist() == [[[10, 0], [0, 10.5]]]
     assert reasons(drawing)["#1"] == "kept: its centre is 10 from one end and 10.5 from the other"
 
 
-def test_bridges_are_words_and_not_gaps() -> None:
+def test_bridges_are_notes_and_not_gaps() -> None:
     drawing = read(cf2(line(0, 0, 100, 0, bridges="3,6"), line(0, 1, 9, 1, bridges="1,4.5")))
     assert drawing.lengths.tolist() == [100.0, 9.0]
     assert drawing.ledger.reason == (
@@ -75,7 +75,7 @@ def test_bridges_are_words_and_not_gaps() -> None:
     )
 
 
-def test_what_programs_leave_out_or_write_in_their_own_way_is_read() -> None:
+def test_variants_of_other_programs_are_read() -> None:
     text = (
         "\n\n$bof\nv2\norder\nmain idea: none\n\nend\nmain , x \num\nscale,1,1,\n\n"
         "l, 2, 1, 0, 0, 0, 10, 0\n  L,2,1,0,0,0,0,1e1,0,0,\nA,2,1,0,5,0,5,0,4,0,1\nend\n"
@@ -87,20 +87,20 @@ def test_what_programs_leave_out_or_write_in_their_own_way_is_read() -> None:
     assert read(text.encode("utf-16")).ends.tolist() == drawing.ends.tolist()
 
 
-def test_records_without_any_head_are_read() -> None:
+def test_records_without_a_header_are_read() -> None:
     drawing = read(b"L,2,1,0,0,0,10,0,0,0\nA,2,2,0,5,0,-5,0,0,0,1,0,0\n")
     assert len(drawing) == 2
     assert (drawing.unit, str(drawing.evidence)) == ("", "the file has neither UM nor UI")
 
 
-def test_inches_are_inches() -> None:
+def test_inches_are_converted() -> None:
     drawing = read(cf2(line(0, 0, 10, 0), head=("UI",)))
     assert (drawing.unit, drawing.stated) == ("in", "in")
     assert_allclose(drawing.lengths, [254.0])
     assert_allclose(read(cf2(line(0, 0, 10, 0), head=("UI",)), "mm").lengths, [10.0])
 
 
-def test_words_are_kept_as_inscriptions_and_never_cut() -> None:
+def test_texts_are_kept_as_annotations_and_never_cut() -> None:
     drawing = read(cf2("T,2,46,0,10,90,0,5,4", "L,2,1 is no line", line(0, 0, 1, 0)))
     (words,) = drawing.inscriptions
     assert (words.text, words.x, words.y, words.height) == ("L,2,1 is no line", 10, 90, 5)
@@ -111,12 +111,12 @@ def test_words_are_kept_as_inscriptions_and_never_cut() -> None:
 # ── Calls ─────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_a_subroutine_is_scaled_then_turned_then_moved() -> None:
+def test_a_subroutine_is_scaled_then_rotated_then_moved() -> None:
     one = sub("A", line(0, 0, 10, 0))
     drawing = read(cf2("C,A,100,50,90,2,2", "C,a,0,0,0,-1,1", "C,A,5,5", subs=one))
     assert drawing.ends.tolist() == [[[100, 50], [100, 70]], [[0, 0], [-10, 0]], [[5, 5], [15, 5]]]
     assert drawing.ledger.handle == ("#1", "#1/#4", "#2", "#2/#4", "#3", "#3/#4")
-    assert reasons(drawing)["#2"] == "kept: places the subroutine a"
+    assert reasons(drawing)["#2"] == "kept: inserts the subroutine a"
     assert set(drawing.layers) == {"A"}
 
 
@@ -132,25 +132,25 @@ def test_an_unevenly_scaled_circle_is_an_ellipse() -> None:
     assert drawing.ends[-1].tolist() == [[0, 0], [3, 0]]
 
 
-def test_subroutines_call_each_other() -> None:
+def test_calls_may_be_nested() -> None:
     subs = sub("A", "C,B,10,0,0,1,1", line(0, 0, 1, 0)) + "\r\n" + sub("B", line(0, 0, 2, 0))
     drawing = read(cf2("C,A,100,0,90,1,1", subs=subs))
     assert drawing.ends.tolist() == [[[100, 10], [100, 12]], [[100, 0], [100, 1]]]
 
 
-def test_calls_that_lead_nowhere_say_so() -> None:
+def test_invalid_calls_are_reported() -> None:
     subs = "\r\n".join(
         [sub("A", "C,B,0,0,0,1,1"), sub("B", "C,A,0,0,0,1,1"), sub("IDLE", line(0, 0, 9, 0))]
     )
     drawing = read(cf2("C,A,0,0,0,1,1", "C,NONE,0,0,0,1,1", "C,A,nan,0,0,1,1", subs=subs))
-    told = reasons(drawing)
-    assert told["#1/#4/#5"] == "the subroutine A contains itself"
-    assert told["#2"] == "there is no subroutine NONE"
-    assert told["#3"] == "its place is not a number"
-    assert told["IDLE"] == "the subroutine IDLE of 1 records: nothing calls it"
+    reason = reasons(drawing)
+    assert reason["#1/#4/#5"] == "the subroutine A contains itself"
+    assert reason["#2"] == "the subroutine NONE does not exist"
+    assert reason["#3"] == "its position is not a number"
+    assert reason["IDLE"] == "the subroutine IDLE with 1 records is never called"
 
 
-def test_subroutines_that_nobody_calls_stand_where_they_are_drawn() -> None:
+def test_without_calls_subroutines_keep_their_coordinates() -> None:
     drawing = read(b"$BOF\nSUB,A\nL,2,1,0,0,0,10,0,0,0\nEND\n$EOF\n")
     assert drawing.ends.tolist() == [[[0, 0], [10, 0]]]
 
@@ -159,7 +159,7 @@ def test_subroutines_that_nobody_calls_stand_where_they_are_drawn() -> None:
 
 
 @pytest.mark.parametrize(("corner", "length"), [("UR,10,5", 10.0), ("UR,20,10", 20.0)])
-def test_a_scale_is_applied_if_the_corners_say_so(corner: str, length: float) -> None:
+def test_a_scale_is_applied_if_the_corners_require_it(corner: str, length: float) -> None:
     drawing = read(
         cf2(line(0, 0, 10, 0), line(0, 0, 0, 5), head=("UM", "LL,0,0", corner, "SCALE,2,2"))
     )
@@ -167,7 +167,7 @@ def test_a_scale_is_applied_if_the_corners_say_so(corner: str, length: float) ->
     assert drawing.unit == "mm"
 
 
-def test_a_scale_that_nothing_explains_is_asked() -> None:
+def test_an_unexplained_scale_leaves_the_unit_open() -> None:
     drawing = read(cf2(line(0, 0, 10, 0), head=("UM", "SCALE,2,2")))
     assert (drawing.unit, drawing.lengths.tolist()) == ("", [10.0])
     assert "SCALE,2,2 is not applied" in str(drawing.evidence)
@@ -187,16 +187,16 @@ KINDS = (0, 1, 2, 3, 4, 6, 8, 9, 10, 12, 43, 46)
         ("cf2-aspose", {0: "ignored", 2: "crease", 3: "perforation", 4: "combi", 43: "ignored"}),
     ],
 )
-def test_profiles_know_the_types_of_their_program_and_no_others(
+def test_profiles_contain_only_the_types_of_their_program(
     profile: str, known: dict[str, Any]
 ) -> None:
     drawing = read(cf2(*(line(0, k, 9, k, k) for k in KINDS)))
-    of: dict[Any, str] = {**{1: "cut", 2: "crease", 46: "ignored"}, **known}
+    line_type: dict[Any, str] = {**{1: "cut", 2: "crease", 46: "ignored"}, **known}
     rules = load.profile(profile).rules
     for kind, row in zip(KINDS, drawing.linetype, strict=True):
         name = drawing.linetypes[row]
-        met = [rule for rule in rules if any(_globs(glob, name) for glob in rule.linetype)]
-        assert met[0].line_type.word == of.get(kind, LineType.UNCLASSIFIED.word), kind
+        matching = [rule for rule in rules if any(_globs(glob, name) for glob in rule.linetype)]
+        assert matching[0].line_type.word == line_type.get(kind, LineType.UNCLASSIFIED.word), kind
 
 
 def _globs(pattern: str, name: str) -> bool:
@@ -206,7 +206,7 @@ def _globs(pattern: str, name: str) -> bool:
 # ── Whole files ───────────────────────────────────────────────────────────────────────────────
 
 
-def test_lengths_in_the_ledger_add_up() -> None:
+def test_lengths_in_the_report_add_up() -> None:
     drawing = read(carton())
     one = 200 + 60 + 10 * math.pi + 180 + 80 + 16 * math.pi + 3 * 80
     assert_allclose(drawing.lengths.sum(), 2 * one)
@@ -217,7 +217,7 @@ def test_lengths_in_the_ledger_add_up() -> None:
 
 
 @pytest.mark.corpus
-def test_a_layout_by_other_hands_is_as_large_as_its_corners_say(corpus: Path) -> None:
+def test_a_layout_of_another_program_has_the_size_of_its_corners(corpus: Path) -> None:
     folder = corpus / "groupdocs-viewer__GroupDocs.Viewer-for-.NET"
     (file,) = folder.rglob("sample.cf2")
     drawing = read(file.read_bytes())
@@ -230,15 +230,15 @@ def test_a_layout_by_other_hands_is_as_large_as_its_corners_say(corpus: Path) ->
 
 
 def refused(data: bytes, kind: type[KnifetipError] = NotADrawing, **limits: int) -> str:
-    begun = time.process_time()
+    start = time.process_time()
     with pytest.raises(kind) as caught:
         read(data, limits=Limits(**limits))
-    assert time.process_time() - begun < 10.0
+    assert time.process_time() - start < 10.0
     assert caught.value.hint
     return caught.value.text
 
 
-def test_a_file_cut_anywhere_is_refused_or_whole() -> None:
+def test_a_file_truncated_anywhere_is_refused_or_complete() -> None:
     whole = carton()
     drawing = read(whole)
     refusals = 0
@@ -248,8 +248,8 @@ def test_a_file_cut_anywhere_is_refused_or_whole() -> None:
         except NotADrawing:
             refusals += 1
             continue
-        # The end mark is no loss; and a call whose subroutine is missing says so.
-        lost = [reason for reason in part.ledger.reason if "there is no subroutine" in reason]
+        # The end mark may be missing; a call of a missing subroutine is reported.
+        lost = [reason for reason in part.ledger.reason if "does not exist" in reason]
         assert part.ends.tolist() == drawing.ends.tolist() or len(lost) == 2, whole[length - 30 :]
     assert refusals > 0.9 * len(whole) - 200
 
@@ -259,7 +259,7 @@ def test_decimal_commas_are_refused_with_the_reason() -> None:
     assert "decimals seem to use commas" in refused(cf2(*rows))
 
 
-def test_single_damaged_records_are_dropped_with_the_reason() -> None:
+def test_single_damaged_records_are_dropped_with_a_reason() -> None:
     drawing = read(
         cf2(
             line(0, 0, 1, 0),
@@ -272,17 +272,17 @@ def test_single_damaged_records_are_dropped_with_the_reason() -> None:
             "C",
         )
     )
-    told = reasons(drawing)
-    assert told["#2"] == "it cannot be read: could not convert string to float: 'x'"
-    assert told["#3"] == "line 11 has 6 fields"
-    assert told["#4"].startswith("a coordinate is not a number")
-    assert told["#5"] == "a coordinate is 1e+308; the limit is 1e+07"
-    assert told["#6"] == "it is no kind of record that is read"
-    assert "there is no subroutine" in told["#8"] or "cannot be read" in told["#8"]
+    reason = reasons(drawing)
+    assert reason["#2"] == "it cannot be read: could not convert string to float: 'x'"
+    assert reason["#3"] == "line 11 has 6 fields"
+    assert reason["#4"].startswith("a coordinate is not a number")
+    assert reason["#5"] == "a coordinate is 1e+308; the limit is 1e+07"
+    assert reason["#6"] == "records of this type are not supported"
+    assert "does not exist" in reason["#8"] or "cannot be read" in reason["#8"]
     assert drawing.lengths.tolist() == [1.0]
 
 
-def test_bombs_and_towers_are_refused() -> None:
+def test_expansion_bombs_and_deep_calls_are_refused() -> None:
     bomb = "\r\n".join(
         sub(f"S{k}", *[f"C,S{k + 1},0,0,0,1,1"] * 10) for k in range(12)
     ) + "\r\n" + sub("S12", line(0, 0, 1, 0))  # fmt: skip
@@ -306,7 +306,7 @@ def test_a_file_that_draws_nothing_is_refused(data: bytes) -> None:
 
 
 def read_or_refused(data: bytes) -> Drawing | None:
-    """Read what may be damaged; a refusal must know what it refuses."""
+    """Return the drawing, or None if the file is refused with a message."""
     try:
         return read(data)
     except KnifetipError as error:
@@ -331,7 +331,7 @@ fields = st.one_of(
         max_size=8,
     )
 )
-def test_any_records_end_in_a_drawing_or_an_error_of_ours(
+def test_any_records_give_a_drawing_or_a_knifetip_error(
     records: list[tuple[str, list[str]]],
 ) -> None:
     lines = [",".join([word, *values]) for word, values in records]
@@ -342,6 +342,6 @@ def test_any_records_end_in_a_drawing_or_an_error_of_ours(
 
 
 @given(st.binary(max_size=100), st.integers(0, 900), st.integers(0, 20))
-def test_any_damage_ends_in_a_drawing_or_an_error_of_ours(noise: bytes, at: int, gone: int) -> None:
+def test_any_damage_gives_a_drawing_or_a_knifetip_error(noise: bytes, at: int, gone: int) -> None:
     whole = carton()
     read_or_refused(whole[:at] + noise + whole[at + gone :])

@@ -1,9 +1,9 @@
-"""place: the sections of a CF2 where they are called, as columns of lines and arcs.
+"""expand: copy the subroutines of a CF2 to where they are called, as columns of lines and arcs.
 
-    Source, tolerance -> Placed: ReportWriter, Columns, inscriptions
+    Cf2File, tolerance -> ExpandedFile: ReportWriter, Columns, annotations
 
-What the calls stand for is counted before it is followed.  Bridges are kept in the ledger's words
-and nowhere else: they are gaps of the rule in the die board, and not in the carton (decision 9).
+The copies are counted before they are made.  Bridges appear only in the import report: they are
+gaps of the rule in the die board, not of the carton (decision 9).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.cf2.records import Section, Source
+from knifetip.cf2.records import Cf2File, Section
 from knifetip.drawing_builder.columns import Columns, Style
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
@@ -26,16 +26,16 @@ from knifetip.geometry.curve import each
 from knifetip.geometry.tolerance import BULGE
 from knifetip.model.drawing import Inscription
 
-#: Radii at both ends of an arc that differ by more than this share of them are worth a word.
-_ROUND: Final = 1e-3
+#: Relative difference of the radii at both ends of an arc above which a note is written.
+_RADIUS_TOLERANCE: Final = 1e-3
 _NAMES: Final = {"L": "L (line)", "A": "A (arc)", "T": "T (text)", "C": "C (call)"}
 
 
 @dataclass(slots=True)
-class Placed:
-    """What a file draws, in file units."""
+class ExpandedFile:
+    """The lines, arcs and texts of a file, in file units."""
 
-    sheet: ReportWriter = field(default_factory=ReportWriter)
+    report: ReportWriter = field(default_factory=ReportWriter)
     styles: list[Style] = field(default_factory=list)
     inscriptions: list[Inscription] = field(default_factory=list)
     ends: list[F64] = field(default_factory=list)
@@ -44,7 +44,13 @@ class Placed:
     style: list[I64] = field(default_factory=list)
 
     def columns(self, reach: float) -> Columns:
-        """Return the segments in the order of the ledger, without those beyond reach."""
+        """Return the segments in the order of the report.
+
+        Parameters
+        ----------
+        reach
+            Largest coordinate (file units).  Entities beyond it are dropped.
+        """
         if not self.ends:
             none = np.zeros(0, np.int32)
             return Columns(np.zeros((0, 2, 2)), np.zeros(0), none, none)
@@ -56,8 +62,8 @@ class Placed:
         beyond = ~(far <= reach) | ~np.isfinite(bulge)
         for one in np.flatnonzero(beyond).tolist():
             where = f"{far[one]:g}" if np.isfinite(far[one]) else "not a number"
-            self.sheet.dropped[int(row[one])] = f"a coordinate is {where}; the limit is {reach:g}"
-        # An arc of two rows goes or stays as one.
+            self.report.dropped[int(row[one])] = f"a coordinate is {where}; the limit is {reach:g}"
+        # Both segments of an arc are dropped or kept together.
         keep = ~np.isin(row, row[beyond]) if beyond.any() else ~beyond
         return Columns(
             ends[keep], bulge[keep], row[keep].astype(np.int32), style[keep].astype(np.int32)
@@ -66,48 +72,50 @@ class Placed:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Shape:
-    """The lines and arcs of a section, where it is drawn itself."""
+    """The lines and arcs of a section, in its own coordinates."""
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)
     row: I64  #: (n,) of the section
     style: I64  #: (n,)
-    dropped: dict[int, str]  #: row -> why it is left out
-    notes: dict[int, list[str]]  #: row -> what is to be said of it
+    dropped: dict[int, str]  #: row -> why it is dropped
+    notes: dict[int, list[str]]  #: row -> notes in the import report
 
 
-def placed(source: Source, linear: F64, tolerance: float, limits: Limits) -> Placed:
-    """Return everything that a CF2 draws.
+def expand(source: Cf2File, linear: F64, tolerance: float, limits: Limits) -> ExpandedFile:
+    """Return the lines, arcs and texts of a CF2 with all its calls.
 
     Parameters
     ----------
     linear : (2, 2)
-        What the whole sheet goes through.
+        Matrix that is applied to the whole drawing.
     tolerance
-        Of arcs that an uneven scale makes elliptic (file units).
+        Largest error of arcs that a non-uniform scale makes elliptic (file units).
 
     Raises
     ------
     DrawingTooLarge
-        Calls are nested deeper, or stand for more records, than the limits allow.
+        The depth of calls, or the number of expanded records, exceeds the limits.
     """
-    walk = _Walk(source, tolerance, limits)
+    expander = _Expander(source, tolerance, limits)
     start = linear, np.zeros(2)
     main = source.main
     if main is not None:
-        walk.section(main, *start, "", ())
+        expander.add_section(main, *start, "", ())
     if main is None or not main.kind:
-        # Nothing says where the subroutines belong: each stands where it is drawn.
+        # Without calls each subroutine is drawn once, in its own coordinates.
         for name, section in source.subs.items():
-            walk.section(section, *start, "", (name,))
+            expander.add_section(section, *start, "", (name,))
     else:
-        walk.idle()
-    return walk.found
+        expander.report_unused()
+    return expander.found
 
 
-class _Walk:
-    def __init__(self, source: Source, tolerance: float, limits: Limits) -> None:
-        self.found = Placed()
+class _Expander:
+    """Expands the sections of one file."""
+
+    def __init__(self, source: Cf2File, tolerance: float, limits: Limits) -> None:
+        self.found = ExpandedFile()
         self._source = source
         self._tolerance = tolerance
         self._limits = limits
@@ -115,14 +123,15 @@ class _Walk:
         self._numbers: dict[Style, int] = {}
         self._used: set[str] = set()
         self._segments = 0
-        self._count()
+        self._check_size()
 
-    def _count(self) -> None:
+    def _check_size(self) -> None:
+        """Raise DrawingTooLarge if the expanded file exceeds the limits."""
         known: dict[str, tuple[int, int]] = {}
         open_: set[str] = set()
 
         def size(section: Section, depth: int) -> tuple[int, int]:
-            """Return how many records a section stands for, and how deep its calls go."""
+            """Return the number of records of an expanded section, and the depth of its calls."""
             total, deep = len(section.kind), 0
             for call in section.calls:
                 name = call.name.upper()
@@ -154,24 +163,34 @@ class _Walk:
             "reading.nested-too-deep", limit=self._limits.insert_depth, format="CF2"
         )
 
-    def section(
+    def add_section(
         self, section: Section, linear: F64, shift: F64, path: str, above: tuple[str, ...]
     ) -> None:
-        """Draw a section, and all that it calls."""
+        """Add a section with all its calls.
+
+        Parameters
+        ----------
+        linear, shift
+            Matrix (2, 2) and translation (2,) from the section to file units.
+        path
+            Handles of the calls that lead to the section, each followed by a slash.
+        above
+            Names of the subroutines that contain this copy.
+        """
         shape = self._shapes.get(id(section))
         if shape is None:
-            shape = self._shapes[id(section)] = self._drawn(section)
-        sheet = self.found.sheet
+            shape = self._shapes[id(section)] = self._shape_of(section)
+        report = self.found.report
         row_of = np.empty(len(section.kind), np.int64)
-        told = {**section.dropped, **shape.dropped}
+        dropped = {**section.dropped, **shape.dropped}
         at = 0
         for call in (*section.calls, None):
             until = len(section.kind) if call is None else call.row + 1
-            first = len(sheet.handle)
+            first = len(report.handle)
             row_of[at:until] = np.arange(first, first + until - at)
-            sheet.handle += [f"{path}#{entity}" for entity in section.entity[at:until]]
-            sheet.kind += [_NAMES.get(kind, kind) for kind in section.kind[at:until]]
-            sheet.layer += [section.name] * (until - at)
+            report.handle += [f"{path}#{entity}" for entity in section.entity[at:until]]
+            report.kind += [_NAMES.get(kind, kind) for kind in section.kind[at:until]]
+            report.layer += [section.name] * (until - at)
             at = until
             if call is None:
                 break
@@ -179,70 +198,65 @@ class _Walk:
             name = call.name.upper()
             child = self._source.subs.get(name)
             if child is None:
-                sheet.dropped[row] = f"there is no subroutine {call.name[:40]}"
+                report.dropped[row] = f"the subroutine {call.name[:40]} does not exist"
                 x, y = linear @ np.array(call.place[:2]) + shift
-                sheet.set_location(row, (x, y, x, y))
+                report.set_location(row, (x, y, x, y))
             elif name in above:
-                sheet.dropped[row] = f"the subroutine {call.name[:40]} contains itself"
+                report.dropped[row] = f"the subroutine {call.name[:40]} contains itself"
             elif not all(math.isfinite(value) for value in call.place):
-                sheet.dropped[row] = "its place is not a number"
+                report.dropped[row] = "its position is not a number"
             else:
                 self._used.add(name)
-                sheet.notes[row] = [f"places the subroutine {call.name[:40]}"]
+                report.notes[row] = [f"inserts the subroutine {call.name[:40]}"]
                 inner = linear @ _linear(*call.place[2:])
                 moved = linear @ np.array(call.place[:2]) + shift
-                self.section(child, inner, moved, f"{sheet.handle[row]}/", (*above, name))
-        for number, why in told.items():
-            sheet.dropped[int(row_of[number])] = why
+                self.add_section(child, inner, moved, f"{report.handle[row]}/", (*above, name))
+        for number, why in dropped.items():
+            report.dropped[int(row_of[number])] = why
         for number, notes in shape.notes.items():
-            sheet.notes[int(row_of[number])] = list(notes)
-        self._place(shape, linear, shift, row_of)
+            report.notes[int(row_of[number])] = list(notes)
+        self._add_shape(shape, linear, shift, row_of)
         size = math.sqrt(abs(float(np.linalg.det(linear))))
-        for words in section.words:
-            x, y = linear @ np.array(words.place[:2]) + shift
-            sheet.set_location(int(row_of[words.row]), (x, y, x, y))
-            if math.isfinite(x) and math.isfinite(y) and math.isfinite(words.place[2]):
+        for text in section.texts:
+            x, y = linear @ np.array(text.place[:2]) + shift
+            report.set_location(int(row_of[text.row]), (x, y, x, y))
+            if math.isfinite(x) and math.isfinite(y) and math.isfinite(text.place[2]):
                 self.found.inscriptions.append(
                     Inscription(
-                        words.text,
+                        text.text,
                         float(x),
                         float(y),
-                        abs(words.place[2]) * size,
+                        abs(text.place[2]) * size,
                         math.nan,
                         "TEXT",
                         section.name,
                     )
                 )
 
-    def idle(self) -> None:
-        """Say of the subroutines that nothing calls that they hold lines and draw none."""
+    def report_unused(self) -> None:
+        """Add a row to the report for each subroutine that is never called."""
         for name, section in self._source.subs.items():
             if name not in self._used and section.kind:
-                self.found.sheet.row(
+                self.found.report.row(
                     section.name,
                     "SUB",
                     section.name,
-                    f"the subroutine {section.name[:40]} of {len(section.kind)} records: nothing "
-                    "calls it",
+                    f"the subroutine {section.name[:40]} with {len(section.kind)} records is never "
+                    "called",
                 )
 
-    def _place(self, shape: _Shape, linear: F64, shift: F64, row_of: I64) -> None:
+    def _add_shape(self, shape: _Shape, linear: F64, shift: F64, row_of: I64) -> None:
+        """Add a transformed copy of a shape; ``row_of`` maps its rows to those of the report."""
         if not len(shape.bulge):
             return
         u, v = linear[:, 0], linear[:, 1]
         uneven = abs(u @ v) + abs(u @ u - v @ v) > 1e-9 * (u @ u + v @ v)
         side = 1.0 if u[0] * v[1] - u[1] * v[0] > 0.0 else -1.0
-        ends, bulge, row, style = (
-            shape.ends @ linear.T + shift,
-            side * shape.bulge,
-            *(
-                shape.row,
-                shape.style,
-            ),
-        )
+        ends, bulge = shape.ends @ linear.T + shift, side * shape.bulge
+        row, style = shape.row, shape.style
         if uneven and (arcs := np.flatnonzero(np.abs(shape.bulge) >= BULGE)).size:
             straight = np.flatnonzero(np.abs(shape.bulge) < BULGE)
-            start, end, curved, which = _ovals(shape, arcs, linear, shift, self._tolerance)
+            start, end, curved, which = _fit_ellipses(shape, arcs, linear, shift, self._tolerance)
             ends = np.concatenate([ends[straight], np.stack([start, end], axis=1)])
             bulge = np.concatenate([bulge[straight], curved])
             row = np.concatenate([row[straight], row[arcs[which]]])
@@ -257,34 +271,35 @@ class _Walk:
                 "reading.too-many-segments", limit=self._limits.segments, format="CF2"
             )
 
-    def _drawn(self, section: Section) -> _Shape:
+    def _shape_of(self, section: Section) -> _Shape:
+        """Return the lines and arcs of a section."""
         dropped: dict[int, str] = {}
         notes: dict[int, list[str]] = {}
-        lines, line_row = _numbers(section.line, section.line_row, slice(4, 8), dropped)
-        arcs, arc_row = _numbers(section.arc, section.arc_row, slice(4, 11), dropped)
-        ends, bulge, which = _round(arcs, arc_row, notes)
+        lines, line_row = _coordinates(section.line, section.line_row, slice(4, 8), dropped)
+        arcs, arc_row = _coordinates(section.arc, section.arc_row, slice(4, 11), dropped)
+        ends, bulge, which = _split_arcs(arcs, arc_row, notes)
         row = np.concatenate([line_row, arc_row[which]])
         style_of = np.zeros(len(section.kind), np.int64)
-        style_of[section.line_row] = self._styles(section.name, section.line)
-        style_of[section.arc_row] = self._styles(section.name, section.arc)
+        style_of[section.line_row] = self._style_numbers(section.name, section.line)
+        style_of[section.arc_row] = self._style_numbers(section.name, section.arc)
         for rows, records, first in (
             (section.line_row, section.line, 8),
             (section.arc_row, section.arc, 11),
         ):
             for one, record in zip(rows, records, strict=True):
                 if len(record) > first and record[first].strip() not in ("0", ""):
-                    _bridged(record[first : first + 2], notes.setdefault(one, []))
+                    _note_bridges(record[first : first + 2], notes.setdefault(one, []))
         return _Shape(
             np.concatenate([lines.reshape(-1, 2, 2), ends]),
             np.concatenate([np.zeros(len(lines)), bulge]),
             row,
             style_of[row],
             dropped,
-            {one: said for one, said in notes.items() if said},
+            {one: texts for one, texts in notes.items() if texts},
         )
 
-    def _styles(self, layer: str, records: Sequence[Sequence[str]]) -> list[int]:
-        """Return which style each record has."""
+    def _style_numbers(self, layer: str, records: Sequence[Sequence[str]]) -> list[int]:
+        """Return the index of the style of each record."""
         known: dict[tuple[str, str, str], int] = {}
         found = []
         for record in records:
@@ -296,10 +311,11 @@ class _Walk:
         return found
 
     def _style(self, layer: str, point: str, kind: str, aux: str) -> int:
-        words = ["CF2", _whole(kind)]
-        if _whole(aux) != "0":
-            words += ["aux", _whole(aux)]
-        words.append(f"{_whole(point)}pt")
+        """Return the index of a style, which is added if it is new."""
+        words = ["CF2", _normalise_number(kind)]
+        if _normalise_number(aux) != "0":
+            words += ["aux", _normalise_number(aux)]
+        words.append(f"{_normalise_number(point)}pt")
         style = Style(layer, 7, -1, " ".join(words))
         number = self._numbers.setdefault(style, len(self.found.styles))
         if number == len(self.found.styles):
@@ -307,16 +323,16 @@ class _Walk:
         return number
 
 
-def _whole(text: str) -> str:
-    """Return a number of a type as it is best compared: 1 for 1.0 and 01."""
+def _normalise_number(text: str) -> str:
+    """Return a number in its shortest form: 1 for 1.0 and 01."""
     try:
         return f"{float(text):g}"
     except ValueError:
         return text[:20] or "0"
 
 
-def _bridged(fields: Sequence[str], notes: list[str]) -> None:
-    """Note the bridges of a rule, in the words of the trade."""
+def _note_bridges(fields: Sequence[str], notes: list[str]) -> None:
+    """Add a note on the bridges of a rule in the die board."""
     try:
         count = float(fields[0])
         width = float(fields[1]) if len(fields) > 1 else 0.0
@@ -327,7 +343,7 @@ def _bridged(fields: Sequence[str], notes: list[str]) -> None:
 
 
 def _linear(angle: float, x_scale: float, y_scale: float) -> F64:
-    """Return what scales first and then turns, (2, 2)."""
+    """Return the matrix that scales first and rotates then, (2, 2)."""
     quarter, rest = divmod(angle % 360.0, 90.0)
     cosine, sine = (
         ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarter) % 4]
@@ -337,10 +353,10 @@ def _linear(angle: float, x_scale: float, y_scale: float) -> F64:
     return np.array([[cosine * x_scale, -sine * y_scale], [sine * x_scale, cosine * y_scale]])
 
 
-def _numbers(
+def _coordinates(
     records: Sequence[Sequence[str]], rows: Sequence[int], where: slice, dropped: dict[int, str]
 ) -> tuple[F64, I64]:
-    """Return the coordinates of records (n, k) and their rows (n,), without unreadable ones."""
+    """Return the coordinates of valid records, (n, k), and their rows, (n,)."""
     wide = where.stop - where.start
     row = np.array(rows, np.int64)
     try:
@@ -358,11 +374,18 @@ def _numbers(
     return values[good], row[good]
 
 
-def _round(arcs: F64, rows: I64, notes: dict[int, list[str]]) -> tuple[F64, F64, I64]:
-    """Return arcs in rows of at most half a turn: ends (n, 2, 2), bulge (n,), which arc (n,).
+def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[str]]) -> tuple[F64, F64, I64]:
+    """Split a arcs into segments of at most half a turn.
 
-    The ends are those of the record; where the centre is not in their middle, the arc is one
-    through both ends that turns as far as seen from there.
+    The ends are those of the record.  If its centre is not equally distant from both, the arc
+    through the ends has the sweep that they have as seen from the centre.
+
+    Returns
+    -------
+    ends : (n, 2, 2)
+    bulge : (n,)
+    which : (n,)
+        Index of the arc of each segment.
     """
     start, end, centre, direction = arcs[:, :2], arcs[:, 2:4], arcs[:, 4:6], arcs[:, 6]
     with np.errstate(all="ignore"):
@@ -373,7 +396,7 @@ def _round(arcs: F64, rows: I64, notes: dict[int, list[str]]) -> tuple[F64, F64,
         ) % (2.0 * np.pi)
         left = direction >= 0.0
         turn = np.where(left, turn, 2.0 * np.pi - turn)
-        # Back at its start it is a whole circle, to the last place that such files print.
+        # Equal ends, within the precision of such files, mean a whole circle.
         whole = np.hypot(*(end - start).T) <= 1e-6 * np.maximum(radius, 1.0)
         turn = np.where(whole, 2.0 * np.pi, turn)
         two = turn > np.pi * (1.0 + 1e-9)
@@ -387,7 +410,7 @@ def _round(arcs: F64, rows: I64, notes: dict[int, list[str]]) -> tuple[F64, F64,
             axis=1,
         )
         middle = centre + middle * ((radius + other) / 2.0 / radius)[:, None]
-        off = np.abs(radius - other) > _ROUND * np.maximum(radius, other)
+        off = np.abs(radius - other) > _RADIUS_TOLERANCE * np.maximum(radius, other)
     for one in np.flatnonzero(off).tolist():
         notes.setdefault(int(rows[one]), []).append(
             f"its centre is {radius[one]:g} from one end and {other[one]:g} from the other"
@@ -403,10 +426,18 @@ def _round(arcs: F64, rows: I64, notes: dict[int, list[str]]) -> tuple[F64, F64,
     return ends, np.concatenate([bulge, bulge[two]]), which
 
 
-def _ovals(
+def _fit_ellipses(
     shape: _Shape, arcs: I64, linear: F64, shift: F64, tolerance: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Fit arcs that an uneven scale makes elliptic; return start, end, bulge and which."""
+    """Approximate arcs that a non-uniform scale makes elliptic.
+
+    Returns
+    -------
+    start, end : (n, 2)
+    bulge : (n,)
+    which : (n,)
+        Index in ``arcs``.
+    """
     start, end, bulge = shape.ends[arcs, 0], shape.ends[arcs, 1], shape.bulge[arcs]
     chord = end - start
     left = np.stack([-chord[:, 1], chord[:, 0]], axis=1)
