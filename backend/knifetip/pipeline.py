@@ -53,7 +53,7 @@ from knifetip.units.evidence import find_unit
 from knifetip.units.likeliest_unit import choose_unit
 from knifetip.units.question import unit_question
 from knifetip.verification import verify as verification
-from knifetip.verification.tidied import tidied
+from knifetip.verification.checks.cleaning_check import check_cleaning
 
 __all__ = [
     "TOLERANCE",
@@ -264,7 +264,7 @@ def _verdict(
     """Return whether a program makes the cleaned edges, and whether those match the drawing."""
     verdict = verification.verify(text, tidy.dieline, where, machine, board, tolerance=tolerance)
     mapped = map_to_drawn(verdict, tidy, dieline)
-    lost = tidied(dieline, tidy)
+    lost = check_cleaning(dieline, tidy)
     if not lost:
         return mapped
     return replace(mapped, accepted=False, findings=(*lost, *mapped.findings))

@@ -43,7 +43,7 @@ def judged(named: Named, corpus: Path | None) -> tuple[Report, float]:
     made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")
     assert made.verdict.accepted, made.verdict.findings[:3]
     deepest = max(board.crease_along, board.crease_across)
-    # A crease that is drawn under a cut is not worked; ``verification.tidied`` answers for that.
+    # A crease that is drawn under a cut is not worked; ``checks.cleaning_check`` answers for that.
     worked = pipeline.clean(dieline).dieline
     report = judge(
         made.program.text,

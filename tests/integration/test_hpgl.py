@@ -18,7 +18,7 @@ from knifetip.dxf.samples import samples
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.pipeline import Compiled
-from knifetip.verification.hpgl import READER
+from knifetip.verification.reading.hpgl import READER
 from tests.support.programs.mixed_carton import mixed_carton
 
 MACHINE, BOARD = load.machine("flat-cutter-hpgl"), load.board("fbb-0.4")

@@ -41,7 +41,7 @@ from knifetip.model.drawing import Drawing
 from knifetip.model.verdict import Unreached, Verdict
 from knifetip.planning.plan import check_corners
 from knifetip.presentation.verdict import EDGE_COLUMNS, findings_of, finite_column, verdict_summary
-from knifetip.verification.verify import placement_of
+from knifetip.verification.verify import read_placement
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
 _CHOICE = re.compile(
@@ -262,7 +262,7 @@ def register(app: typer.Typer) -> None:
             report_questions(asked)
             raise typer.Exit(QUESTIONS)
         text = read_bytes(program)
-        where = _placement(placed) if placed else placement_of(text, table)
+        where = _placement(placed) if placed else read_placement(text, table)
         if where is None:
             raise ProgramUnreadable("program.no-placement", program=program.name)
         verdict = pipeline.verify(text, drawn.dieline, where, table, sheet)

@@ -7,7 +7,7 @@ LANGUAGE = Language(
     title="grblHAL",
     suffix=".ngc",
     emitter="knifetip.post.rs274.grblhal:emit",
-    reader="knifetip.verification.rs274.reader:READER",
+    reader="knifetip.verification.reading.rs274.reader:READER",
     timing="knifetip.sequencing.timing:no_halts",
     driver="knifetip.gateway.grbl:dial",
 )

@@ -32,7 +32,7 @@ class Language:
     title: str  #: name for operators
     suffix: str  #: of a program's file, with its dot
     emitter: str  #: a ``knifetip.post.emit.Emitter``
-    reader: str  #: a ``knifetip.verification.moves.Reader``
+    reader: str  #: a ``knifetip.verification.reading.moves.ProgramReader``
     timing: str  #: a ``knifetip.sequencing.timing.Timing``
     driver: str = ""  #: a ``knifetip.gateway.controller.Driver``; empty: programs are not streamed
     no_driver: str = ""  #: hint where there is no driver: how a program gets to the machine

@@ -7,7 +7,7 @@ LANGUAGE = Language(
     title="LinuxCNC",
     suffix=".ngc",
     emitter="knifetip.post.rs274.linuxcnc:emit",
-    reader="knifetip.verification.rs274.reader:READER",
+    reader="knifetip.verification.reading.rs274.reader:READER",
     timing="knifetip.sequencing.linuxcnc:halts",
     no_driver="Download the program and open it in LinuxCNC.",
 )

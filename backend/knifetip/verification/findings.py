@@ -9,7 +9,7 @@ from knifetip.messages import Message
 from knifetip.model.verdict import Finding
 
 #: A program with more is wrong from end to end.
-MOST: Final = 1000
+MAX_FINDINGS: Final = 1000
 
 
 class Findings:
@@ -33,7 +33,7 @@ class Findings:
     @property
     def full(self) -> bool:
         """Whether no more are kept."""
-        return len(self._kept) >= MOST
+        return len(self._kept) >= MAX_FINDINGS
 
     def __len__(self) -> int:
         return len(self._kept)

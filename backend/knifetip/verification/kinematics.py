@@ -13,7 +13,6 @@ and a V-cutter's tip moves along the leaning blade: by Δz tan θ to the right w
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -22,18 +21,23 @@ import numpy as np
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
 from knifetip.verification.columns import F64, I32, I64, U8, Bool
-from knifetip.verification.moves import Moves
-from knifetip.verification.tools import expected
+from knifetip.verification.curves.curve import arc_curves, line_curves, point_at
+from knifetip.verification.reading.moves import Moves
+from knifetip.verification.tools import expected_tool
 
 #: Heights that differ by less are one height (mm).
 LEVEL: Final = 1e-6
+
+
 #: The chords that stand for a curved way of the tip stay within this of it (mm).
 CHORD: Final = 1e-4
-_PIECES: Final = 10_000
+
+
+_MAX_CHORDS: Final = 10_000
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Tips:
+class TipPoses:
     """Where the tip of the station in use is at both ends of n moves; NaN where nobody knows."""
 
     start: F64  #: (n, 4) x y z in mm on the sheet, heading in degrees
@@ -44,7 +48,7 @@ class Tips:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Work:
+class TipPaths:
     """n ways of the tip at one depth in the board: lines, arcs, and points where it goes down.
 
     A curve is a row: kind (0 a line, 1 an arc to the left, -1 to the right), then for a line its
@@ -65,61 +69,15 @@ class Work:
         return point_at(self.curve, np.zeros(len(self.z))), point_at(self.curve, self.curve[:, 5])
 
 
-def point_at(curve: F64, along: F64) -> F64:
-    """Return the points at a distance (mm) along curves, (n, 2)."""
-    straight = curve[:, 0] == 0.0
-    radius = np.where(straight, 1.0, curve[:, 3])
-    angle = curve[:, 4] + curve[:, 0] * along / radius
-    x = np.where(straight, curve[:, 3] * along, radius * np.cos(angle))
-    y = np.where(straight, curve[:, 4] * along, radius * np.sin(angle))
-    result: F64 = curve[:, 1:3] + np.stack([x, y], axis=1)
-    return result
-
-
-def azimuth_at(curve: F64, along: F64) -> F64:
-    """Return the directions of travel (degrees) at a distance (mm) along curves."""
-    straight = curve[:, 0] == 0.0
-    radius = np.where(straight, 1.0, curve[:, 3])
-    angle = curve[:, 4] + curve[:, 0] * (along / radius + math.pi / 2.0)
-    result: F64 = np.degrees(np.where(straight, np.arctan2(curve[:, 4], curve[:, 3]), angle))
-    return result
-
-
-def off_line(curve: F64, along: F64, edge: F64) -> F64:
-    """Return how far to the left of edges (mm) the points at a distance (mm) along curves lie."""
-    x, y = (point_at(curve, along) - edge[:, 1:3]).T
-    straight = edge[:, 0] == 0.0
-    off = np.where(straight, edge[:, 3] * y - edge[:, 4] * x, 0.0)
-    result: F64 = np.where(straight, off, edge[:, 0] * (edge[:, 3] - np.hypot(x, y)))
-    return result
-
-
-def lines(start: F64, end: F64) -> F64:
-    """Return straight curves between points, (n, 2) mm each; points are lines without length."""
-    way = end - start
-    length = np.hypot(way[:, 0], way[:, 1])
-    safe = np.where(length > 0.0, length, 1.0)
-    direction = np.where(length[:, None] > 0.0, way / safe[:, None], (1.0, 0.0))
-    return np.column_stack([np.zeros(len(start)), start, direction, length])
-
-
-def arcs(centre: F64, start: F64, sweep: F64) -> F64:
-    """Return round curves about centres, (n, 2) mm, from points, (n, 2), by radians."""
-    out = start - centre
-    radius = np.hypot(out[:, 0], out[:, 1])
-    first = np.arctan2(out[:, 1], out[:, 0])
-    return np.column_stack([np.sign(sweep), centre, radius, first, radius * np.abs(sweep)])
-
-
 def tip_offset(heading: F64, station: Station) -> F64:
     """Return where the tip stands, seen from the head's axis, (n, 2) mm, at headings (degrees)."""
     cos, sin = np.cos(np.radians(heading)), np.sin(np.radians(heading))
-    tool = expected(station.tool)
+    tool = expected_tool(station.tool)
     ahead, right = tool.ahead, tool.right
     return np.stack([ahead * cos + right * sin, ahead * sin - right * cos], axis=1)
 
 
-def tips(moves: Moves, machine: Machine, board: Board) -> Tips:
+def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
     """Return where the tips are at the ends of the moves."""
     start, end = moves.start.copy(), moves.end.copy()
     for index, station in enumerate(machine.stations):
@@ -129,20 +87,22 @@ def tips(moves: Moves, machine: Machine, board: Board) -> Tips:
             pose[rows, :2] += tip_offset(pose[rows, 3], station)
     lowest = np.fmin(start[:, 2], end[:, 2])
     inside = (moves.station >= 0) & (lowest < board.caliper - LEVEL)
-    beam = beams(moves, machine)
+    beam = beam_moves(moves, machine)
     # A beam works where it is on, whatever its height.
     inside[beam] = moves.oscillating[beam]
-    return Tips(start, end, moves.line, moves.station, inside)
+    return TipPoses(start, end, moves.line, moves.station, inside)
 
 
-def beams(moves: Moves, machine: Machine) -> Bool:
+def beam_moves(moves: Moves, machine: Machine) -> Bool:
     """Return which moves are those of a beam, (n,)."""
-    held = [expected(station.tool).beam is not None for station in machine.stations]
+    held = [expected_tool(station.tool).beam is not None for station in machine.stations]
     result: Bool = np.array([*held, False])[moves.station]
     return result
 
 
-def work(moves: Moves, tip: Tips, usable: Bool, machine: Machine, board: Board) -> Work:
+def tip_paths(
+    moves: Moves, tip: TipPoses, usable: Bool, machine: Machine, board: Board
+) -> TipPaths:
     """Return the ways of the tips in the board.
 
     Parameters
@@ -158,7 +118,7 @@ def work(moves: Moves, tip: Tips, usable: Bool, machine: Machine, board: Board) 
         drop = tip.end[:, 2] - tip.start[:, 2]
     stay = usable & tip.inside & (moves.code > 0)
     flat = stay & (np.abs(drop) <= LEVEL)
-    entered = stay & ~(tip.start[:, 2] < board.caliper - LEVEL) & ~beams(moves, machine)
+    entered = stay & ~(tip.start[:, 2] < board.caliper - LEVEL) & ~beam_moves(moves, machine)
     # A stay goes on as long as each move begins inside.
     broken = np.ones(len(stay), np.bool_)
     broken[1:] = ~stay[:-1] | entered[1:] | (moves.station[1:] != moves.station[:-1])
@@ -169,17 +129,17 @@ def work(moves: Moves, tip: Tips, usable: Bool, machine: Machine, board: Board) 
     goes_on = np.zeros(len(stay), np.bool_)
     goes_on[:-1] = travels[1:] & (track[1:] == track[:-1])
     point = stay & (drop < -LEVEL) & ~goes_on
-    rows, curve, share = _ways(moves, tip, np.flatnonzero(travels | point), point, machine)
+    rows, curve, share = _path_pieces(moves, tip, np.flatnonzero(travels | point), point, machine)
     order = np.argsort(rows, kind="stable")
     rows, curve, share = rows[order], curve[order], share[order]
     turn = tip.start[rows, 3][:, None]
     heading = turn + (tip.end[rows, 3][:, None] - turn) * share
     z = tip.end[rows, 2]
-    return Work(
+    return TipPaths(
         curve=curve,
         z=z,
         heading=heading,
-        trade=_trades(z, tip.station[rows], machine, board),
+        trade=_operations(z, tip.station[rows], machine, board),
         station=tip.station[rows],
         track=track[rows].astype(np.int32),
         line=moves.line[rows],
@@ -187,8 +147,8 @@ def work(moves: Moves, tip: Tips, usable: Bool, machine: Machine, board: Board) 
     )
 
 
-def _ways(
-    moves: Moves, tip: Tips, rows: I64, point: Bool, machine: Machine
+def _path_pieces(
+    moves: Moves, tip: TipPoses, rows: I64, point: Bool, machine: Machine
 ) -> tuple[I64, F64, F64]:
     """Return for moves the row, the curve and the first and last share of each piece of theirs."""
     start, end = tip.start[rows, :2], tip.end[rows, :2]
@@ -209,12 +169,14 @@ def _ways(
     centre = moves.centre[rows] - datum[tip.station[rows], :2]
     listed = [plain_lines, plain_arcs]
     curves = [
-        lines(start[plain_lines], end[plain_lines]),
-        arcs(centre[plain_arcs], start[plain_arcs], moves.sweep[rows[plain_arcs]]),
+        line_curves(start[plain_lines], end[plain_lines]),
+        arc_curves(centre[plain_arcs], start[plain_arcs], moves.sweep[rows[plain_arcs]]),
     ]
     shares = [np.tile([0.0, 1.0], (len(part), 1)) for part in listed]
     if bent.any():
-        which, curve, share = _chorded(moves, tip, rows, np.flatnonzero(bent), offset, machine)
+        which, curve, share = _flatten_paths(
+            moves, tip, rows, np.flatnonzero(bent), offset, machine
+        )
         listed.append(which)
         curves.append(curve)
         shares.append(share)
@@ -222,8 +184,8 @@ def _ways(
     return rows[picked], np.concatenate(curves), np.concatenate(shares)
 
 
-def _chorded(
-    moves: Moves, tip: Tips, rows: I64, bent: I64, offset: F64, machine: Machine
+def _flatten_paths(
+    moves: Moves, tip: TipPoses, rows: I64, bent: I64, offset: F64, machine: Machine
 ) -> tuple[I64, F64, F64]:
     """Return chords of the tip's way where it is neither a line nor an arc."""
     own = rows[bent]
@@ -231,7 +193,7 @@ def _chorded(
     out = moves.start[own, :2] - moves.centre[own]
     radius = np.where(moves.sweep[own] != 0.0, np.hypot(*out.T), 0.0)
     bow = radius * moves.sweep[own] ** 2 + offset[bent] * turn**2
-    pieces = np.clip(np.ceil(np.sqrt(bow / (8.0 * CHORD))), 1, _PIECES).astype(np.int64)
+    pieces = np.clip(np.ceil(np.sqrt(bow / (8.0 * CHORD))), 1, _MAX_CHORDS).astype(np.int64)
     place = np.arange(pieces.sum()) - np.repeat(np.cumsum(pieces) - pieces, pieces)
     which = np.repeat(np.arange(len(bent)), pieces)
     share = np.stack([place, place + 1], axis=1) / pieces[which][:, None]
@@ -253,11 +215,11 @@ def _chorded(
             xy[mine] = joints[mine, :2] - (station.x, station.y) + tip_offset(heading, station)
         sides.append(xy)
     # Consecutive chords share their points to the last bit, and the first and last are the tip's.
-    return bent[which], lines(sides[0], sides[1]), share
+    return bent[which], line_curves(sides[0], sides[1]), share
 
 
-def _trades(z: F64, station: I32, machine: Machine, board: Board) -> U8:
-    held = [expected(station.tool) for station in machine.stations]
+def _operations(z: F64, station: I32, machine: Machine, board: Board) -> U8:
+    held = [expected_tool(station.tool) for station in machine.stations]
     kinds = np.array([(tool.through, tool.partly) for tool in held], np.uint8).reshape(-1, 2)
     # Of a knife's two depths the nearer one is meant.
     half = np.abs(z - (board.caliper - board.half_cut_depth)) < np.abs(z + machine.into_mat)

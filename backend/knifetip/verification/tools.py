@@ -1,6 +1,6 @@
 """tools: what the judge expects of each kind of tool.
 
-    Tool -> Expected
+    Tool -> ExpectedTool
 
 Written from the tools' drawings and the machines' manuals, apart from what the stages do with them:
 only the dimensions in the records are shared.  To add a kind, add a row to ``_EXPECTED``.
@@ -18,14 +18,14 @@ from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, Laser, Tool, VCutter
 
 #: Inside a pass C may turn alone by this, where a tool has no swivel angle of its own (degrees).
-TURN: Final = 1.01
+MAX_TURN: Final = 1.01
 #: What a tool's swivel angle may be exceeded by: C is printed to 0.0001°.
-EXACT: Final = 0.01
+ANGLE_TOLERANCE: Final = 0.01
 #: Where a cutter has no lead of its own, its offset is set up on so many radii.
-_SET_UP: Final = 1.5
+_ENTRY_RATIO: Final = 1.5
 
 
-class Trade(IntEnum):
+class OperationKind(IntEnum):
     """What a tool does at its depth."""
 
     CUT = 0  #: a knife through the board
@@ -58,16 +58,16 @@ class Beam:
 
 
 @dataclass(frozen=True, slots=True)
-class Expected:
+class ExpectedTool:
     """What a program may do with a tool, and what the tool then does to the board."""
 
-    through: Trade
-    partly: Trade  #: where it goes only part of the way through
+    through: OperationKind
+    partly: OperationKind  #: where it goes only part of the way through
     ahead: float = 0.0  #: from the head's axis to the tip, along C (mm)
     right: float = 0.0  #: and to the right of C (mm)
     slope: float = 0.0  #: sideways travel per mm of depth
     trails: bool = False  #: its head swings round the tip while C turns
-    swivel: float = TURN  #: C may turn by this in the board inside a pass (degrees)
+    swivel: float = MAX_TURN  #: C may turn by this in the board inside a pass (degrees)
     most: float = 180.0  #: a turn in the board need never be wider (degrees)
     follows: bool = True  #: C turns as the path does
     speed: float = 1.0  #: S word of M3
@@ -83,61 +83,61 @@ class Expected:
         return -self.beam.focus if self.beam else caliper + into_mat
 
 
-def _knife(tool: Knife) -> Expected:
-    return Expected(
-        Trade.CUT,
-        Trade.HALF_CUT,
+def _knife(tool: Knife) -> ExpectedTool:
+    return ExpectedTool(
+        OperationKind.CUT,
+        OperationKind.HALF_CUT,
         ahead=-tool.trail,
         trails=tool.trail > 0.0,
-        swivel=tool.swivel + EXACT,
+        swivel=tool.swivel + ANGLE_TOLERANCE,
         turns=tool.oscillating,
         at_rest="verify.knife-at-rest",
     )
 
 
-def _crease_wheel(_tool: CreaseWheel) -> Expected:
-    return Expected(Trade.CREASE, Trade.CREASE, most=90.0)
+def _crease_wheel(_tool: CreaseWheel) -> ExpectedTool:
+    return ExpectedTool(OperationKind.CREASE, OperationKind.CREASE, most=90.0)
 
 
-def _v_cutter(tool: VCutter) -> Expected:
-    return Expected(
-        Trade.GROOVE,
-        Trade.GROOVE,
+def _v_cutter(tool: VCutter) -> ExpectedTool:
+    return ExpectedTool(
+        OperationKind.GROOVE,
+        OperationKind.GROOVE,
         ahead=-tool.half_width,
         right=-tool.back,
         slope=math.tan(math.radians(tool.tilt)),
     )
 
 
-def _cutter(tool: Cutter) -> Expected:
-    return Expected(
-        Trade.MILL,
-        Trade.MILL,
+def _cutter(tool: Cutter) -> ExpectedTool:
+    return ExpectedTool(
+        OperationKind.MILL,
+        OperationKind.MILL,
         follows=False,
         speed=tool.speed,
         turns=tool.speed > 0.0,
         at_rest="verify.cutter-at-rest",
         wait=tool.spin_up,
-        disc=Disc(tool.radius, tool.step, tool.lead or _SET_UP * tool.radius),
+        disc=Disc(tool.radius, tool.step, tool.lead or _ENTRY_RATIO * tool.radius),
     )
 
 
-def _laser(tool: Laser) -> Expected:
+def _laser(tool: Laser) -> ExpectedTool:
     radius = 0.5 * tool.kerf
-    return Expected(
-        Trade.MILL,
-        Trade.MILL,
+    return ExpectedTool(
+        OperationKind.MILL,
+        OperationKind.MILL,
         follows=False,
         speed=tool.power,
         turns=True,
         at_rest="verify.laser-off",
-        disc=Disc(radius, 0.0, tool.lead or _SET_UP * radius),
+        disc=Disc(radius, 0.0, tool.lead or _ENTRY_RATIO * radius),
         beam=Beam(tool.focus, tool.pierce),
         outputs=(tool.air,) if tool.air >= 0 else (),
     )
 
 
-_EXPECTED: Final[Mapping[type[Tool], Callable[[Any], Expected]]] = {
+_EXPECTED: Final[Mapping[type[Tool], Callable[[Any], ExpectedTool]]] = {
     Knife: _knife,
     CreaseWheel: _crease_wheel,
     VCutter: _v_cutter,
@@ -148,14 +148,16 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], Expected]]] = {
 
 def extra_outputs(machine: Machine) -> tuple[int, ...]:
     """Return the outputs that tools need besides their stations', ascending."""
-    return tuple(sorted({one for held in machine.stations for one in expected(held.tool).outputs}))
+    return tuple(
+        sorted({one for held in machine.stations for one in expected_tool(held.tool).outputs})
+    )
 
 
 def has_beam(machine: Machine) -> bool:
     """Return whether a station holds a beam."""
-    return any(expected(held.tool).beam is not None for held in machine.stations)
+    return any(expected_tool(held.tool).beam is not None for held in machine.stations)
 
 
-def expected(tool: Tool) -> Expected:
+def expected_tool(tool: Tool) -> ExpectedTool:
     """Return what the judge expects of a tool."""
     return _EXPECTED[type(tool)](tool)

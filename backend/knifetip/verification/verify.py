@@ -21,21 +21,21 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Samples, Verdict
-from knifetip.verification import conduct
-from knifetip.verification.bench import Bench, Figures
-from knifetip.verification.coverage import compare
-from knifetip.verification.findings import MOST, Findings
-from knifetip.verification.intent import on_sheet
-from knifetip.verification.kinematics import Tips, Work, tips, work
-from knifetip.verification.loose import judge_order
-from knifetip.verification.moves import Moves, Reader
-from knifetip.verification.switching import check_switching
-from knifetip.verification.unreached import drawn
+from knifetip.verification.checks import motion_checks
+from knifetip.verification.checks.check_context import CheckContext, EdgeFigures
+from knifetip.verification.checks.edge_checks import check_edges
+from knifetip.verification.checks.output_checks import check_switching
+from knifetip.verification.checks.unreached_areas import merge_unreached
+from knifetip.verification.checks.work_order import check_work_order
+from knifetip.verification.expectation.edges import place_edges
+from knifetip.verification.findings import MAX_FINDINGS, Findings
+from knifetip.verification.kinematics import TipPaths, TipPoses, tip_paths, tip_poses
+from knifetip.verification.reading.moves import Moves, ProgramReader
 
 #: The map of a verdict has no more rows.
-SAMPLES: Final = 200_000
+MAX_SAMPLES: Final = 200_000
 
-__all__ = ["followed", "placement_of", "verify"]
+__all__ = ["read_placement", "trace_program", "verify"]
 
 
 def verify(
@@ -79,18 +79,18 @@ def verify(
     """
     if not (math.isfinite(tolerance) and tolerance > 0.0):
         raise ProgramError("verify.bad-tolerance", tolerance=tolerance)
-    edges = on_sheet(dieline, placement)
-    figures = Figures.zeros(len(dieline))
+    edges = place_edges(dieline, placement)
+    figures = EdgeFigures.zeros(len(dieline))
     found = Findings()
-    moves, _, ways = _followed(text, machine, board, tolerance, found)
-    _stated(text, placement, machine, found)
-    _unclassified(dieline, found)
+    moves, _, ways = _trace(text, machine, board, tolerance, found)
+    _check_placement(text, placement, machine, found)
+    _check_unclassified(dieline, found)
     tolerance += moves.resolution
-    bench = Bench(
+    bench = CheckContext(
         edges, machine, board, tolerance, figures, found, moves.programmed, moves.resolution
     )
-    compare(bench, ways)
-    judge_order(bench, ways)
+    check_edges(bench, ways)
+    check_work_order(bench, ways)
     return Verdict(
         accepted=len(found) == 0,
         tolerance=tolerance,
@@ -105,54 +105,56 @@ def verify(
         bottom_uncut=figures.bottom_uncut,
         top_overcut=figures.top_overcut,
         samples=_samples(bench),
-        areas=drawn(bench.unreached, placement),
+        areas=merge_unreached(bench.unreached, placement),
         findings=found.sorted(),
-        seconds=conduct.seconds(moves, machine),
+        seconds=motion_checks.nominal_seconds(moves, machine),
     )
 
 
-def _samples(bench: Bench) -> Samples:
-    """Return the map of deviations, thinned evenly to at most ``SAMPLES`` rows."""
+def _samples(bench: CheckContext) -> Samples:
+    """Return the map of deviations, thinned evenly to at most ``MAX_SAMPLES`` rows."""
     columns = [np.concatenate(column) for column in zip(*bench.samples, strict=True)]
     if not columns:
         return Samples()
     edge, place, deviation = columns
-    order = np.lexsort((place, edge))[:: -(-len(edge) // SAMPLES) or 1]
+    order = np.lexsort((place, edge))[:: -(-len(edge) // MAX_SAMPLES) or 1]
     return Samples(edge[order], np.clip(place[order], 0.0, 1.0), deviation[order])
 
 
-def followed(text: bytes, machine: Machine, board: Board) -> tuple[Moves, Tips, Work]:
+def trace_program(text: bytes, machine: Machine, board: Board) -> tuple[Moves, TipPoses, TipPaths]:
     """Return what the judge saw: the moves, where the tip went, and its ways in the board."""
-    return _followed(text, machine, board, math.inf, Findings())
+    return _trace(text, machine, board, math.inf, Findings())
 
 
-def _followed(
+def _trace(
     text: bytes, machine: Machine, board: Board, tolerance: float, found: Findings
-) -> tuple[Moves, Tips, Work]:
+) -> tuple[Moves, TipPoses, TipPaths]:
     moves, faults = _reader(machine).read(text, machine, board)
     found.program(faults)
-    tip = tips(moves, machine, board)
-    usable = conduct.travel(moves, machine, found)
-    conduct.feeds(moves, tip, machine, found)
-    conduct.outputs(moves, tip, machine, found)
+    tip = tip_poses(moves, machine, board)
+    usable = motion_checks.check_travel(moves, machine, found)
+    motion_checks.check_feeds(moves, tip, machine, found)
+    motion_checks.check_outputs(moves, tip, machine, found)
     check_switching(moves, machine, board, found)
-    conduct.in_the_board(moves, tip, machine, board, tolerance + moves.resolution, found)
+    motion_checks.check_board_moves(moves, tip, machine, board, tolerance + moves.resolution, found)
     usable &= ~np.isnan(tip.start).any(axis=1) & ~np.isnan(tip.end).any(axis=1)
-    return moves, tip, work(moves, tip, usable, machine, board)
+    return moves, tip, tip_paths(moves, tip, usable, machine, board)
 
 
-def placement_of(text: bytes, machine: Machine) -> tuple[float, float] | None:
+def read_placement(text: bytes, machine: Machine) -> tuple[float, float] | None:
     """Return the placement that a program states (mm), None where it states none."""
     return _reader(machine).placement(text)
 
 
-def _reader(machine: Machine) -> Reader:
-    reader: Reader = find_language(machine.dialect).part("reader")
+def _reader(machine: Machine) -> ProgramReader:
+    reader: ProgramReader = find_language(machine.dialect).part("reader")
     return reader
 
 
-def _stated(text: bytes, placement: tuple[float, float], machine: Machine, found: Findings) -> None:
-    stated = placement_of(text, machine)
+def _check_placement(
+    text: bytes, placement: tuple[float, float], machine: Machine, found: Findings
+) -> None:
+    stated = read_placement(text, machine)
     if stated is None:
         return
     off = math.hypot(stated[0] - placement[0], stated[1] - placement[1])
@@ -170,7 +172,7 @@ def _stated(text: bytes, placement: tuple[float, float], machine: Machine, found
         )
 
 
-def _unclassified(dieline: Dieline, found: Findings) -> None:
+def _check_unclassified(dieline: Dieline, found: Findings) -> None:
     rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
-    for row in rows[:MOST]:
+    for row in rows[:MAX_FINDINGS]:
         found.add("uncut", Message("verify.unclassified"), 0.0, edge=row)

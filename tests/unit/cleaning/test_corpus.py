@@ -17,7 +17,7 @@ from knifetip.geometry import arc
 from knifetip.model.cleaned import Cleaned, Why
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
-from knifetip.verification.tidied import tidied
+from knifetip.verification.checks.cleaning_check import check_cleaning
 from tests.support.shapes import BY_HAND
 
 pytestmark = pytest.mark.corpus
@@ -84,7 +84,7 @@ def test_the_lengths_add_up_and_the_judge_agrees_on_every_drawing(corpus: Path) 
         at_work = after.line_type != LineType.IGNORED
         worked = arc.length(after.ends[:, 0], after.ends[:, 1], after.bulge)[at_work].sum()
         assert made.lengths["worked"] == pytest.approx(worked, rel=1e-9), path
-        assert tidied(line, made) == [], path
+        assert check_cleaning(line, made) == [], path
         assert not (made.why == Why.NO_WORK).any()
         again = clean(after)
         np.testing.assert_array_equal(again.dieline.ends, after.ends, err_msg=str(path))

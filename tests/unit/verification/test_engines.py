@@ -11,8 +11,9 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import CreaseWheel
 from knifetip.model.verdict import Finding, Verdict
-from knifetip.verification.intent import on_sheet
-from knifetip.verification.outline import inside, outline, run_outs
+from knifetip.verification.expectation.edges import place_edges
+from knifetip.verification.expectation.outline import count_enclosing, find_outlines
+from knifetip.verification.expectation.run_outs import run_outs
 from knifetip.verification.verify import verify
 from tests.support.programs.handwritten import (
     BOARD,
@@ -123,13 +124,13 @@ def test_where_grooves_must_run_out_and_where_not() -> None:
         (CUT, 50, 50, 50, 100, 0.0), (CUT, 50, 100, 0, 100, 0.0), (CUT, 0, 0, 0, 100, 0.0),
         (CUT, 20, 20, 30, 20, 1.0), (CUT, 30, 20, 20, 20, 1.0),
     )  # fmt: skip
-    cuts = on_sheet(outline_, (0.0, 0.0))
-    bounds = outline(cuts)
+    cuts = place_edges(outline_, (0.0, 0.0))
+    bounds = find_outlines(cuts)
     assert bounds.outer.tolist() == [True] * 6 + [False] * 2
     assert bounds.depth.tolist() == [0] * 6 + [1, 1]
     points = np.array([[10.0, 10.0], [25.0, 20.0], [75.0, 75.0]])
-    assert inside(points, bounds).tolist() == [1, 2, 0]
-    grooves = on_sheet(
+    assert count_enclosing(points, bounds).tolist() == [1, 2, 0]
+    grooves = place_edges(
         dieline(
             (GROOVE, 0, 0, 40, 40, 0.0),  # from an outer corner, symmetrically
             (GROOVE, 0, 50, 50, 50, 0.0),  # into the notch: half of it meets board

@@ -10,8 +10,8 @@ import pytest
 from knifetip.errors import ProgramUnreadable
 from knifetip.languages.hpgl.plotter import Plotter
 from knifetip.library import load
-from knifetip.verification.hpgl import LARGEST, READER
-from knifetip.verification.moves import Moves
+from knifetip.verification.reading.hpgl import MAX_BYTES, READER
+from knifetip.verification.reading.moves import Moves
 
 MACHINE, BOARD = load.machine("flat-cutter-hpgl"), load.board("fbb-0.4")
 GOOD = (
@@ -114,7 +114,7 @@ def test_any_text_can_be_read(text: str) -> None:
 
 def test_a_text_that_is_too_large_is_refused() -> None:
     with pytest.raises(ProgramUnreadable, match="at most"):
-        READER.read(b" " * (LARGEST + 1), MACHINE, BOARD)
+        READER.read(b" " * (MAX_BYTES + 1), MACHINE, BOARD)
 
 
 def test_the_placement_is_read_from_a_comment() -> None:

@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 
 from knifetip.messages import Message
-from knifetip.verification.moves import Moves
-from knifetip.verification.rs274.modal import interpret
-from knifetip.verification.rs274.parse import parse
+from knifetip.verification.reading.moves import Moves
+from knifetip.verification.reading.rs274.modal import interpret
+from knifetip.verification.reading.rs274.parse import parse_words
 from tests.support.programs.handwritten import LINUXCNC, MACHINE, changed
 
 HEADER = "G21 G90 G91.1 G17 G40 G49 G94 G54\n"
 
 
 def moves_of(text: str) -> tuple[Moves, list[tuple[int, Message]]]:
-    return interpret(parse(text.encode()), MACHINE)
+    return interpret(parse_words(text.encode()), MACHINE)
 
 
 def faults_of(text: str) -> list[str]:

@@ -5,24 +5,24 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from knifetip.verification.columns import F64
-from knifetip.verification.kinematics import arcs, lines, point_at
-from knifetip.verification.overlap import overlaps
-from knifetip.verification.stretches import Rows, leftover
+from knifetip.verification.curves.curve import arc_curves, line_curves, point_at
+from knifetip.verification.curves.intervals import Overlaps, uncovered_curves
+from knifetip.verification.curves.overlap import find_overlaps
 
 
 def line(x1: float, y1: float, x2: float, y2: float) -> F64:
-    return lines(np.array([[x1, y1]]), np.array([[x2, y2]]))
+    return line_curves(np.array([[x1, y1]]), np.array([[x2, y2]]))
 
 
 def arc(x: float, y: float, radius: float, first: float, sweep: float) -> F64:
     """Return an arc about (x, y) from an angle, by an angle (degrees)."""
     begin = math.radians(first)
     start = np.array([[x + radius * math.cos(begin), y + radius * math.sin(begin)]])
-    return arcs(np.array([[x, y]]), start, np.array([math.radians(sweep)]))
+    return arc_curves(np.array([[x, y]]), start, np.array([math.radians(sweep)]))
 
 
-def rows(curve: F64, edge: F64, limit: float = 0.01) -> Rows:
-    return overlaps(curve, edge, np.zeros(len(edge)), edge[:, 5], limit)
+def rows(curve: F64, edge: F64, limit: float = 0.01) -> Overlaps:
+    return find_overlaps(curve, edge, np.zeros(len(edge)), edge[:, 5], limit)
 
 
 def test_a_line_shares_with_an_edge_what_lies_between_the_ends_of_both() -> None:
@@ -78,7 +78,7 @@ def test_a_chord_shares_with_an_arc_only_where_it_is_near() -> None:
 def test_what_lies_on_no_edge_is_left_over() -> None:
     curve = line(0, 0, 10, 0)
     found = rows(curve, np.vstack([line(1, 0, 4, 0), line(3, 0, 6, 0)]))
-    which, spans = leftover(found, curve)
+    which, spans = uncovered_curves(found, curve)
     assert which.tolist() == [0, 0]
     np.testing.assert_allclose(spans, [[0, 1], [6, 10]])
 
@@ -87,7 +87,7 @@ def test_a_point_is_on_an_edge_or_left_over() -> None:
     points = np.vstack([line(5, 0.004, 5, 0.004), line(5, 0.02, 5, 0.02)])
     found = rows(points, line(0, 0, 10, 0))
     np.testing.assert_allclose(found.place, [[5.0, 5.0]])
-    assert leftover(found, points)[0].tolist() == [1]
+    assert uncovered_curves(found, points)[0].tolist() == [1]
 
 
 def test_the_nearest_edge_is_the_best_and_a_twin_of_it_too() -> None:
@@ -98,9 +98,9 @@ def test_the_nearest_edge_is_the_best_and_a_twin_of_it_too() -> None:
 
 def test_the_empty_part_of_an_edge_is_not_there() -> None:
     edge = line(0, 0, 10, 0)
-    found = overlaps(line(0, 0, 10, 0), edge, np.array([4.0]), np.array([6.0]), 0.01)
+    found = find_overlaps(line(0, 0, 10, 0), edge, np.array([4.0]), np.array([6.0]), 0.01)
     np.testing.assert_allclose(found.along, [[4.0, 6.0]])
-    assert len(overlaps(edge, edge, np.array([0.0]), np.array([-1.0]), 0.01).curve) == 0
+    assert len(find_overlaps(edge, edge, np.array([0.0]), np.array([-1.0]), 0.01).curve) == 0
 
 
 @settings(deadline=None, max_examples=60)

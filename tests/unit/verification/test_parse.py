@@ -5,13 +5,18 @@ import pytest
 
 from knifetip.errors import ProgramUnreadable
 from knifetip.messages import render
-from knifetip.verification.rs274.modal import interpret
-from knifetip.verification.rs274.parse import LARGEST, obeyed, parse, placement_of
+from knifetip.verification.reading.rs274.modal import interpret
+from knifetip.verification.reading.rs274.parse import (
+    MAX_BYTES,
+    comment_placement,
+    parse_words,
+    realtime_bytes,
+)
 from tests.support.programs.handwritten import MACHINE
 
 
 def read(text: bytes) -> list[tuple[int, str, float]]:
-    words = parse(text)
+    words = parse_words(text)
     return [
         (int(line), chr(letter), float(value))
         for line, letter, value in zip(words.line, words.letter, words.value, strict=True)
@@ -31,7 +36,7 @@ def test_a_decimal_is_the_nearest_number_as_python_reads_it() -> None:
     chance = np.random.default_rng(3)
     numbers = [f"{value:.4f}" for value in chance.uniform(-2000.0, 2000.0, 2000)]
     text = "".join(f"X{number}\n" for number in numbers).encode()
-    assert parse(text).value.tolist() == [float(number) for number in numbers]
+    assert parse_words(text).value.tolist() == [float(number) for number in numbers]
 
 
 def test_comments_say_nothing() -> None:
@@ -43,7 +48,7 @@ def test_comments_say_nothing() -> None:
 
 
 def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all() -> None:
-    words = parse(b"G0 X1\r\nM2")
+    words = parse_words(b"G0 X1\r\nM2")
     assert words.faults == ()
     assert words.lines == 2
     assert words.line.tolist() == [1, 1, 2]
@@ -67,27 +72,27 @@ def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all() -> None
     ],
 )
 def test_what_is_wrong_with_a_line_is_said_with_its_number(text: bytes, said: str) -> None:
-    _, faults = interpret(parse(b"\n" + text), MACHINE)
+    _, faults = interpret(parse_words(b"\n" + text), MACHINE)
     assert any(line == 2 and said in render(fault) for line, fault in faults), faults
 
 
 def test_any_bytes_are_read_without_an_error() -> None:
     chance = np.random.default_rng(7)
     for size in (0, 1, 2, 50, 5000):
-        parse(chance.integers(0, 256, size, dtype=np.uint8).tobytes())
+        parse_words(chance.integers(0, 256, size, dtype=np.uint8).tobytes())
 
 
 def test_what_is_not_bytes_or_too_large_is_refused() -> None:
     with pytest.raises(ProgramUnreadable, match="a str, not bytes"):
-        parse(cast(bytes, "G0 X1\n"))
+        parse_words(cast(bytes, "G0 X1\n"))
     with pytest.raises(ProgramUnreadable, match="at most 67,108,864"):
-        parse(bytes(LARGEST + 1))
+        parse_words(bytes(MAX_BYTES + 1))
 
 
 def test_the_placement_is_read_from_the_header() -> None:
-    assert placement_of(b"(machine)\n(placement X20.0000 Y-3.5000)\nG21\n") == (20.0, -3.5)
-    assert placement_of(b"G21\n") is None
+    assert comment_placement(b"(machine)\n(placement X20.0000 Y-3.5000)\nG21\n") == (20.0, -3.5)
+    assert comment_placement(b"G21\n") is None
 
 
 def test_bytes_that_grbl_obeys_at_once_are_found_in_comments_too() -> None:
-    assert [line for line, _ in obeyed(b"(ok)\n(carton!)\nG0 X1\n(\x85)\n")] == [2, 4]
+    assert [line for line, _ in realtime_bytes(b"(ok)\n(carton!)\nG0 X1\n(\x85)\n")] == [2, 4]

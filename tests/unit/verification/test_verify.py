@@ -7,7 +7,7 @@ import pytest
 
 from knifetip.errors import GeometryError, ProgramError, ProgramUnreadable
 from knifetip.model.dieline import LineType
-from knifetip.verification.findings import MOST
+from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.verify import verify
 from tests.support.programs.handwritten import (
     BOARD,
@@ -137,7 +137,7 @@ def test_what_cannot_be_judged_raises_an_error_that_says_why() -> None:
 def test_at_most_a_thousand_findings_are_kept() -> None:
     drawn = dieline(*((CUT, 0.0, float(y), 5.0, float(y), 0.0) for y in range(1500)))
     verdict = verify(LINUXCNC, drawn, PLACEMENT, MACHINE, BOARD)
-    assert len(verdict.findings) == MOST
+    assert len(verdict.findings) == MAX_FINDINGS
     assert verdict.uncut[1499] == 5.0
 
 

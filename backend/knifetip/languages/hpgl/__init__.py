@@ -7,7 +7,7 @@ LANGUAGE = Language(
     title="HPGL",
     suffix=".plt",
     emitter="knifetip.post.hpgl:emit",
-    reader="knifetip.verification.hpgl:READER",
+    reader="knifetip.verification.reading.hpgl:READER",
     timing="knifetip.sequencing.timing:no_halts",
     # Open loop: no answer says what has been executed, and nothing stops what is buffered (ADR 27).
     no_driver="Download the program and send it with the software of the cutter, where a person "

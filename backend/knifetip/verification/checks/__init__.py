@@ -1,0 +1,1 @@
+"""The checks that a program must pass, each with the findings it reports."""

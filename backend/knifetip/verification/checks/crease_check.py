@@ -1,0 +1,67 @@
+"""Rolling: creases against what the wheel's contact, the board and crossing cuts ask.
+
+StationCheck of a wheel -> deviation, overcut, uncut and setback of every crease
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.messages import Message
+from knifetip.model.dieline import LineType
+from knifetip.model.tool import CreaseWheel
+from knifetip.verification.checks.check_base import StationCheck
+from knifetip.verification.checks.stray_work import check_stray_work
+from knifetip.verification.expectation.crease_lines import (
+    concatenate_edges,
+    creased_gaps,
+    double_lines,
+    ends_at,
+    split_at_cuts,
+)
+from knifetip.verification.expectation.expected_work import WORKED_TYPES, expected_creases
+from knifetip.verification.findings import MAX_FINDINGS
+from knifetip.verification.tools import OperationKind
+
+
+class CreaseCheck(StationCheck):
+    """The work of a creasing wheel."""
+
+    def judge(self) -> None:
+        wheel = self.tool(CreaseWheel)
+        if wheel is None:
+            self.uncut(self.matched(), np.arange(len(self.edges)))
+            return
+        around = self.bench.edges.of(*WORKED_TYPES[OperationKind.CREASE])
+        pair = self.bench.board.double_crease
+        between = creased_gaps(
+            self.edges, self.bench.edges.of(LineType.CUT), self.curve, 0.5 * pair + self.tolerance
+        )
+        single, places = split_at_cuts(
+            concatenate_edges(self.edges, between), self.bench.edges.of(LineType.CUT)
+        )
+        around, _ = split_at_cuts(
+            concatenate_edges(around, between), self.bench.edges.of(LineType.CUT)
+        )
+        parts = ends_at(single, places)
+        many = 2 if pair > 0.0 else 1
+        if pair > 0.0:
+            single, around, parts = (
+                double_lines(single, pair),
+                double_lines(around, pair),
+                np.tile(parts, 2),
+            )
+        self.laid(single)
+        asked = expected_creases(self.edges, self.bench.board, wheel, around, parts)
+        self.low, self.high, self.depth = asked.low, asked.high, asked.depth
+        for edge in np.flatnonzero(asked.refused)[:MAX_FINDINGS]:
+            self.finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])
+        rows = self.matched()
+        self.placed(rows)
+        check_stray_work(self, rows, self.curve[:, 5])
+        planned = np.maximum(self.high - self.low, 0.0)
+        np.add.at(self.figures.setback, self.edges.row, (self.size - planned) / many)
+        self.uncut(rows, np.arange(len(self.edges)))
+        depth = np.maximum(self.bench.board.caliper - self.z, 0.0)
+        contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
+        self.headed(rows, contact, 180.0)

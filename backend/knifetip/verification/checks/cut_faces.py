@@ -1,0 +1,318 @@
+"""The faces that cuts enclose, with small gaps in contours closed.
+
+    cuts -> CutFaces: pieces of cuts and links over gaps, and the face on either side of each
+
+Cuts are split where they meet.  A contour is closed where an end lies within ``GAP_LENGTH`` of
+another cut.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
+from knifetip.verification.curves.overlap import cells_near_curve, find_overlaps, grid_layout
+from knifetip.verification.expectation.edge_paths import edge_paths, joined_ends
+from knifetip.verification.expectation.edges import (
+    JOIN_DISTANCE,
+    Edges,
+    pairs_within,
+    without_duplicates,
+)
+from knifetip.verification.expectation.outline import face_cycles
+
+#: An end of a cut so near to another cut closes a contour with it; so much of a cut may be left and
+#: it holds nothing (mm).  A little less than what is planned for.
+GAP_LENGTH: Final = 2.0
+
+
+#: The way along a chain of cuts is so many times as long as the gap that closes it, at least.
+_DETOUR_RATIO: Final = 3.0
+
+
+#: A walk that sweeps less than this encloses nothing (mm²).
+_MIN_AREA: Final = 1e-6
+
+
+#: The ray that looks for what lies beside a point is so much higher than the point (mm): vertices
+#: are drawn at equal heights.
+_RAY_OFFSET: Final = 0.317 * JOIN_DISTANCE
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CutFaces:
+    """What n cuts enclose: p pieces, the last of them links, and f faces; face 0 is outside."""
+
+    curve: F64  #: (p, 6)
+    edge: I64  #: (p,) the cut, -1 for a link
+    begin: F64  #: (p,) mm along the cut
+    face: I64  #: (p, 2) on the left and on the right; of a twin in any order
+    count: int  #: f
+    alone: I64  #: (q,) the pieces but for those that lie on an earlier one
+
+    def located(self, points: F64) -> I64:
+        """Return the face that each point, (m, 2) mm, lies in."""
+        alone = self.alone
+        met, rising = _first_curve_left(points, np.full(len(points), -1), self.curve[alone], alone)
+        side = self.face[alone[met], np.where(rising, 1, 0)]
+        result: I64 = np.where(met < 0, 0, side)
+        return result
+
+
+def find_cut_faces(cuts: Edges) -> CutFaces:
+    """Return the faces that cuts enclose."""
+    links = _gap_links(cuts)
+    curve = np.concatenate([cuts.curve, links])
+    piece, edge, begin = _split_curves(curve)
+    edge = np.where(edge < len(cuts), edge, -1)
+    nothing, zero = np.zeros(len(piece), np.int32), np.zeros(len(piece))
+    ends = np.stack([point_at(piece, zero), point_at(piece, piece[:, 5])], axis=1)
+    outward = np.stack([azimuth_at(piece, zero) + 180.0, azimuth_at(piece, piece[:, 5])], axis=1)
+    row = np.arange(len(piece), dtype=np.int32)
+    alone, twin, first = without_duplicates(
+        Edges(row, piece, nothing, ends.reshape(-1, 2), outward.ravel(), zero)
+    )
+    cycle, swept, component = face_cycles(alone)
+    face = np.empty((len(piece), 2), np.int64)
+    face[alone.row], count = _assign_faces(
+        alone.curve, cycle.reshape(-1, 2), swept < _MIN_AREA, component
+    )
+    face[twin] = face[first]
+    return CutFaces(piece, edge, begin, face, count, alone.row.astype(np.int64))
+
+
+def _gap_links(cuts: Edges) -> F64:
+    """Return the lines that close gaps: from loose ends to the nearest cut, and to each other.
+
+    Of two loose ends with a third between them, nearer to both, the third is linked to both.
+    """
+    a, b = pairs_within(cuts.ends, cuts.ends, JOIN_DISTANCE)
+    size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
+    at = find_overlaps(line_curves(cuts.ends, cuts.ends), cuts.curve, nothing, size, JOIN_DISTANCE)
+    loose = np.ones(len(cuts.ends), np.bool_)
+    loose[a[a // 2 != b // 2]] = False
+    loose[at.curve[at.curve // 2 != at.edge]] = False
+    tips = np.flatnonzero(loose)
+    points = cuts.ends[tips]
+    near = find_overlaps(line_curves(points, points), cuts.curve, nothing, size, GAP_LENGTH)
+    tip, edge, place = near.curve.astype(np.int64), near.edge.astype(np.int64), near.place[:, 0]
+    one, other = pairs_within(points, points, GAP_LENGTH)
+    kept = one != other
+    one, other = one[kept], other[kept]
+    kept = np.argsort(one, kind="stable")
+    one, other = one[kept], other[kept]
+    kept = _neighbour_mask(one, other, points, np.searchsorted(one, np.arange(len(tips) + 1)))
+    one, other = one[kept], other[kept]
+    target = point_at(cuts.curve[edge], place)
+    for side in range(2):
+        there = np.hypot(*(target - cuts.ends[2 * edge + side]).T) <= JOIN_DISTANCE
+        target[there] = cuts.ends[2 * edge[there] + side]
+    target = np.concatenate([target, points[other]])
+    ends_at = np.where(tips[other] % 2 == 0, 0.0, size[tips[other] // 2])
+    tip = np.concatenate([tip, one])
+    edge = np.concatenate([edge, tips[other] // 2])
+    place = np.concatenate([place, ends_at])
+    to_end = np.repeat([False, True], [len(near.curve), len(one)])
+    gap = np.hypot(*(target - points[tip]).T)
+    # Along a chain an end is no gap away from where it comes from.
+    strung = edge_paths(cuts, joined_ends(cuts))
+    own = tips[tip] // 2
+    inner = strung.begin[edge] + np.where(strung.flipped[edge], size[edge] - place, place)
+    begins = strung.first[strung.path[own]] == tips[tip]
+    along = np.where(begins, inner, strung.length[strung.path[own]] - inner)
+    apart = (strung.path[edge] != strung.path[own]) | (along >= _DETOUR_RATIO * gap)
+    keep = np.flatnonzero(
+        (gap > JOIN_DISTANCE) & (gap <= GAP_LENGTH) & apart & (to_end | (edge != own))
+    )
+    keep = keep[np.lexsort((gap[keep], to_end[keep], tip[keep]))]
+    new = np.append(True, np.diff(tip[keep]) != 0)[: len(keep)]
+    keep = keep[to_end[keep] | new]
+    both = np.concatenate([points[tip[keep]], target[keep]], axis=1)
+    swap = (both[:, 0] > both[:, 2]) | ((both[:, 0] == both[:, 2]) & (both[:, 1] > both[:, 3]))
+    both[swap] = both[swap][:, [2, 3, 0, 1]]
+    both = np.unique(both, axis=0)
+    return line_curves(both[:, :2], both[:, 2:])
+
+
+@kernel
+def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> Any:
+    """Return of pairs of points, (k,), which have no third one in the lens between them."""
+    kept = np.ones(len(one), np.bool_)
+    for k in range(len(one)):
+        ax, ay = points[one[k], 0], points[one[k], 1]
+        bx, by = points[other[k], 0], points[other[k], 1]
+        apart = (ax - bx) ** 2 + (ay - by) ** 2
+        for place in range(first[one[k]], first[one[k] + 1]):
+            x, y = points[other[place], 0], points[other[place], 1]
+            if max((x - ax) ** 2 + (y - ay) ** 2, (x - bx) ** 2 + (y - by) ** 2) < apart:
+                kept[k] = False
+                break
+    return kept
+
+
+def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
+    """Return curves split where others end on them or cross them: piece, curve, where it begins."""
+    size, nothing = curve[:, 5], np.zeros(len(curve))
+    ends = np.stack([point_at(curve, nothing), point_at(curve, size)], axis=1).reshape(-1, 2)
+    on = find_overlaps(line_curves(ends, ends), curve, nothing, size, JOIN_DISTANCE)
+    inner = (on.place[:, 0] > JOIN_DISTANCE) & (on.place[:, 0] < size[on.edge] - JOIN_DISTANCE)
+    cross = find_overlaps(curve, curve, nothing, size, JOIN_DISTANCE)
+    # Where one of two ends lies on the other they meet there, and do not cross.
+    low, high = cross.place.min(axis=1), cross.place.max(axis=1)
+    whole = (cross.along[:, 0] > JOIN_DISTANCE) & (
+        cross.along[:, 1] < size[cross.curve] - JOIN_DISTANCE
+    )
+    whole &= (low > JOIN_DISTANCE) & (high < size[cross.edge] - JOIN_DISTANCE)
+    which = np.concatenate([np.arange(len(curve)), on.edge[inner], cross.edge[whole]])
+    at = np.concatenate([nothing, on.place[inner, 0], (0.5 * (low + high))[whole]])
+    order = np.lexsort((at, which))
+    which, at = which[order].astype(np.int64), at[order]
+    last = np.append(which[1:] != which[:-1], True)[: len(which)]
+    until = np.where(last, size[which], np.append(at[1:], 0.0)[: len(at)])
+    some = (until - at > JOIN_DISTANCE) | (last & (at == 0.0))
+    which, at, until = which[some], at[some], until[some]
+    piece = curve[which].copy()
+    straight = piece[:, 0] == 0.0
+    moved = point_at(piece, at)
+    piece[straight, 1:3] = moved[straight]
+    turned = piece[:, 0] * at / np.where(straight, 1.0, piece[:, 3])
+    piece[~straight, 4] += turned[~straight]
+    piece[:, 5] = until - at
+    return piece, which, at
+
+
+def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:
+    """Return the face on either side of each piece, 0 outside of all, and how many there are."""
+    count = int(component.max()) + 1
+    # The leftmost point of each component, at the side of a circle or at an end.
+    start, end = point_at(curve, np.zeros(len(curve))), point_at(curve, curve[:, 5])
+    side = curve[:, 1:3] - np.stack([curve[:, 3], np.zeros(len(curve))], axis=1)
+    turn = (math.pi - curve[:, 4]) * curve[:, 0] % (2.0 * math.pi)
+    reaches = (curve[:, 0] != 0.0) & (turn * curve[:, 3] <= curve[:, 5])
+    points = np.stack([start, end, np.where(reaches[:, None], side, start)], axis=1)
+    leftmost = points[np.arange(len(curve)), points[:, :, 0].argmin(axis=1)]
+    order = np.lexsort((leftmost[:, 0], component))
+    probe = leftmost[order[np.searchsorted(component[order], np.arange(count))]]
+    met, rising = _first_curve_left(probe, np.arange(count), curve, component)
+    beside = np.where(met < 0, -1, cycle[met, np.where(rising, 1, 0)])
+    # What is met lies farther to the left, so its own surroundings are found before.
+    name = np.where(outside, 0, np.cumsum(~outside))
+    of = np.zeros(len(outside), np.int64)
+    of[cycle] = component[:, None]
+    around = _enclosing_faces(np.argsort(probe[:, 0], kind="stable"), beside, outside, of, name)
+    face: I64 = np.where(outside, around[of], name)[cycle]
+    return face, int((~outside).sum()) + 1
+
+
+@kernel
+def _enclosing_faces(order: I64_1, beside: I64_1, outside: Bool_1, of: I64_1, name: I64_1) -> Any:
+    """Return the face round each component, from the walk that lies beside it."""
+    around = np.zeros(len(order), np.int64)
+    for c in order:
+        walk = beside[c]
+        if walk >= 0:
+            around[c] = around[of[walk]] if outside[walk] else name[walk]
+    return around
+
+
+def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I64, Bool]:
+    """Return the first curve to the left of each point, -1 for none, and if it rises there.
+
+    Parameters
+    ----------
+    own : (m,)
+        The owner whose curves do not count for each point.
+    owner : (n,)
+        Of each curve.
+    """
+    corner, size, shape = grid_layout(curve, 0.0)
+    met, rising = _search_left(
+        points + np.array([0.0, _RAY_OFFSET]), own, curve, owner, corner, size, shape[0], shape[1]
+    )
+    return met, rising
+
+
+@kernel(checks_division=True)
+def _search_left(
+    points: F64_2,
+    own: I64_1,
+    curve: F64_2,
+    owner: I64_1,
+    corner: F64_1,
+    size: float,
+    wide: int,
+    tall: int,
+) -> Any:
+    first = np.zeros(wide * tall + 1, np.int64)
+    seen = np.full(wide * tall, -1, np.int64)
+    cells = np.empty(1024, np.int64)
+    listed = np.empty(0, np.int32)
+    for writes in range(2):
+        for i in range(len(curve)):
+            cells, many = cells_near_curve(curve[i], 1e-6, corner, size, wide, tall, cells)
+            for k in range(many):
+                cell = cells[k]
+                if seen[cell] == 2 * i + writes:
+                    continue
+                seen[cell] = 2 * i + writes
+                if writes:
+                    first[cell] -= 1
+                    listed[first[cell]] = i
+                else:
+                    first[cell] += 1
+        if not writes:
+            for cell in range(wide * tall):
+                first[cell + 1] += first[cell]
+            listed = np.empty(first[wide * tall], np.int32)
+    met = np.full(len(points), -1, np.int64)
+    rising = np.zeros(len(points), np.bool_)
+    for p in range(len(points)):
+        x, y = points[p, 0], points[p, 1]
+        row = math.floor((y - corner[1]) / size)
+        if row < 0 or row >= tall:
+            continue
+        column = min(math.floor((x - corner[0]) / size), wide - 1)
+        best = -math.inf
+        while column >= 0:
+            cell = column * tall + row
+            for k in range(first[cell], first[cell + 1]):
+                i = listed[k]
+                if owner[i] == own[p] and own[p] >= 0:
+                    continue
+                at, up = _crossing_left(curve[i], x, y)
+                if at > best:
+                    best, met[p], rising[p] = at, i, up
+            if met[p] >= 0 and best >= corner[0] + column * size:
+                break
+            column -= 1
+    return met, rising
+
+
+@kernel(checks_division=True)
+def _crossing_left(curve: F64_1, x: float, y: float) -> Any:
+    """Return where a curve is met first to the left of a point, and whether it rises there."""
+    best, up = -math.inf, False
+    if curve[0] == 0.0:
+        y1 = curve[2] + curve[4] * curve[5]
+        if (curve[2] > y) != (y1 > y):
+            at = curve[1] + (y - curve[2]) / curve[4] * curve[3]
+            if at < x:
+                best, up = at, curve[4] > 0.0
+        return best, up
+    rise = curve[3] * curve[3] - (y - curve[2]) ** 2
+    if rise <= 0.0:
+        return best, up
+    half = math.sqrt(rise)
+    for sign in (-1.0, 1.0):
+        at = curve[1] + sign * half
+        turn = (math.atan2(y - curve[2], sign * half) - curve[4]) * curve[0] % (2.0 * math.pi)
+        if best < at < x and turn * curve[3] <= curve[5]:
+            # Anticlockwise the right half of a circle rises.
+            best, up = at, sign * curve[0] > 0.0
+    return best, up

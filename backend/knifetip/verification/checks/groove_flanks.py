@@ -1,0 +1,146 @@
+"""Flanks: cuts that run so near beside a V-groove that its flank goes through their edge.
+
+Grooves, cuts, reach of a flank -> how far a flank goes through which cut, and where
+
+In the top face a groove is a strip, as wide to both sides of its line as its flanks reach.  A cut
+inside the strip loses its edge, except where the groove ends on that cut or runs out over it, and
+where a cut lies across the groove.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.curves.curve import left_distance, line_curves, point_at
+from knifetip.verification.curves.intervals import Overlaps
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.edges import TOUCH_DISTANCE, Edges
+
+#: The chords that stand for a round cut stay within this of it (mm).
+CHORD_ERROR: Final = 1e-3
+#: Places at which a stretch of a cut is measured; of straight ones the first and last suffice.
+SAMPLE_COUNT: Final = 9
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class DamagedCuts:
+    """k cuts with a groove's flank through them."""
+
+    groove: I64  #: (k,) index of the groove
+    cut: I64  #: (k,) index of the cut
+    place: F64  #: (k,) mm from the groove's start to where the cut is nearest
+    nearest: F64  #: (k,) mm from the groove's line
+
+
+def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> DamagedCuts:
+    """Return the cuts that lie inside the strips of grooves.
+
+    Parameters
+    ----------
+    grooves, cuts
+        As drawn.
+    reach : mm
+        From a groove's line to where its flanks come out at the top face.
+    out : (n, 2) mm
+        How far each groove must run out past its start and end.
+
+    Notes
+    -----
+    At an end that lies on a cut, or less than twice the reach before or past one, as much of the
+    strip is left out; where the groove runs out farther over the edge, as much as that.
+    """
+    margin = 2.0 * reach
+    strip, before = _lengthen(grooves.curve, margin)
+    size, nothing = strip[:, 5], np.zeros(len(strip))
+    drawn = size - 2.0 * before
+    near = np.unique(find_overlaps(cuts.curve, strip, nothing, size, reach + CHORD_ERROR).curve)
+    pieces, owner = _flatten(cuts.curve, near.astype(np.int64))
+
+    zone = np.maximum(margin, 1.001 * out) + TOUCH_DISTANCE
+    on = find_overlaps(pieces, strip, nothing, size, TOUCH_DISTANCE)
+    groove = on.edge.astype(np.int64)
+    low, high = np.sort(on.place, axis=1).T
+    met = np.zeros((len(strip), 2), np.bool_)
+    met[groove[low - before[groove] <= zone[groove, 0]], 0] = True
+    met[groove[high - before[groove] >= (drawn - zone[:, 1])[groove]], 1] = True
+
+    begin = before + np.where(met[:, 0], zone[:, 0], 0.0)
+    end = before + drawn - np.where(met[:, 1], zone[:, 1], 0.0)
+    rows = find_overlaps(pieces, strip, begin, end, reach)
+    if len(rows.curve) == 0:
+        none = np.zeros(0, np.int64)
+        return DamagedCuts(none, none, np.zeros(0), np.zeros(0))
+    return _nearest_places(rows, pieces, strip, owner, before)
+
+
+def _nearest_places(
+    rows: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64
+) -> DamagedCuts:
+    """Return for each groove and cut where they are nearest, without cuts that lie across."""
+    share = np.linspace(0.0, 1.0, SAMPLE_COUNT)
+    aside = np.stack(
+        [
+            left_distance(pieces[rows.curve], rows.along @ (1.0 - s, s), strip[rows.edge])
+            for s in share
+        ],
+        axis=1,
+    )
+    place = rows.place[:, :1] * (1.0 - share) + rows.place[:, 1:] * share
+    pair, group = np.unique(
+        np.stack([rows.edge.astype(np.int64), owner[rows.curve]], axis=1),
+        axis=0,
+        return_inverse=True,
+    )
+    group = group.reshape(-1)
+    left, right = _group_extremes(aside, group, len(pair))
+    first, last = _group_extremes(place, group, len(pair))
+    crosses = (left <= 0.0) & (right >= 0.0)
+    across: Bool = crosses & (last - first <= right - left)
+    # Between two places on either side of the line the cut is on it.
+    least = np.abs(aside).min(axis=1)
+    least[(aside.min(axis=1) <= 0.0) & (aside.max(axis=1) >= 0.0)] = 0.0
+    order = np.lexsort((least, group))
+    best = order[np.unique(group[order], return_index=True)[1]][~across]
+    pair = pair[~across]
+    at = place[best, np.argmin(np.abs(aside[best]), axis=1)]
+    return DamagedCuts(pair[:, 0], pair[:, 1], at - before[pair[:, 0]], least[best])
+
+
+def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
+    """Return the least and the greatest value of each group of rows."""
+    low, high = np.full(count, np.inf), np.full(count, -np.inf)
+    np.minimum.at(low, group, values.min(axis=1))
+    np.maximum.at(high, group, values.max(axis=1))
+    return low, high
+
+
+def _lengthen(curve: F64, by: float) -> tuple[F64, F64]:
+    """Return curves longer at both ends, and by how much each is (mm): circles stay open."""
+    result = curve.copy()
+    straight = curve[:, 0] == 0.0
+    radius = np.where(straight, 1.0, curve[:, 3])
+    rest = np.maximum(2.0 * math.pi * radius - curve[:, 5], 0.0)
+    more = np.where(straight, by, np.minimum(by, 0.49 * rest))
+    result[straight, 1:3] -= more[straight, None] * curve[straight, 3:5]
+    result[~straight, 4] -= (curve[:, 0] * more / radius)[~straight]
+    result[:, 5] += 2.0 * more
+    return result, more
+
+
+def _flatten(curves: F64, rows: I64) -> tuple[F64, I64]:
+    """Return straight pieces that stand for some of the curves, and the curve of each."""
+    curve = curves[rows]
+    round_ = curve[:, 0] != 0.0
+    radius = np.where(round_, curve[:, 3], 1.0)
+    step = 2.0 * radius * np.arccos(np.clip(1.0 - CHORD_ERROR / radius, 0.0, 1.0))
+    many = np.where(round_, np.ceil(curve[:, 5] / step), 1.0).astype(np.int64)
+    owner = np.repeat(np.arange(len(curve)), many)
+    part = np.arange(len(owner)) - np.repeat(np.cumsum(many) - many, many)
+    each = (curve[:, 5] / many)[owner]
+    start, end = (point_at(curve[owner], each * at) for at in (part, part + 1))
+    return line_curves(start, end), rows[owner]

@@ -1,0 +1,255 @@
+"""Knifework: cuts, half-cuts, perforations and bridges, against what the blade's slant asks.
+
+StationCheck of a knife -> deviation, overcut, uncut, setback and both faces of every edge
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from knifetip.messages import Message
+from knifetip.model.dieline import LineType
+from knifetip.model.tool import Knife
+from knifetip.verification.checks.bridge_check import check_bridges, find_bridges
+from knifetip.verification.checks.check_base import StationCheck
+from knifetip.verification.checks.stray_work import check_stray_work
+from knifetip.verification.checks.track_ends import check_track_ends, overrun_starts
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
+from knifetip.verification.curves.intervals import SHORT, Overlaps, mark_nearest, uncovered_edges
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.edge_paths import EdgePaths, continues_straight
+from knifetip.verification.expectation.edges import Edges, angle_between
+from knifetip.verification.expectation.expected_work import knife_ends
+from knifetip.verification.expectation.outline import count_enclosing, find_outlines
+from knifetip.verification.findings import MAX_FINDINGS
+from knifetip.verification.tools import OperationKind
+
+
+class KnifeCheck(StationCheck):
+    """The work of a knife, through the board or part of the way."""
+
+    def judge(self) -> None:
+        if self.trade == OperationKind.CUT:
+            self._cut()
+        else:
+            self._half_cut()
+
+    def _cut(self) -> None:
+        into = self.bench.machine.into_mat
+        caliper = self.bench.board.caliper
+        self.depth[:] = caliper + into
+        self._knife(caliper + into, caliper)
+
+    def _half_cut(self) -> None:
+        depth = self.bench.board.half_cut_depth
+        self.depth[:] = depth
+        self._knife(depth, depth)
+
+    def _knife(self, leads: float, runs: float) -> None:
+        """Judge a knife whose top is ahead over ``leads`` mm and that runs on by ``runs``' lead."""
+        blade = self.tool(Knife)
+        slant = math.tan(math.radians(blade.blade_angle)) if blade else 0.0
+        cuts = self.bench.edges.of(LineType.CUT)
+        torn = np.isin(self.edges.line_type, (LineType.PERFORATION, LineType.COMBI))
+        solid = np.flatnonzero(~torn)
+        whole = self.edges.of(LineType.CUT, LineType.HALF_CUT)
+        ring = find_outlines(whole).outer if self._hangs else None
+        ends = knife_ends(whole, cuts, leads * slant, runs * slant, ring)
+        rounds = self._held(whole, ends.paths)
+        held = np.zeros(len(self.edges), np.bool_)
+        held[solid[rounds[ends.paths.path]]] = True
+        if blade and self.trade == OperationKind.CUT:
+            self._unled(blade)
+        rows = self.matched()
+        dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
+        dashed[self.track[rows.curve[rows.best & torn[rows.edge]]]] = True
+        dashed |= self._mostly_on(rows, held)
+        over = check_track_ends(self, whole, solid, ends, dashed, leads * slant, runs * slant)
+        # What runs over an end crosses other edges there, and is no work of theirs.
+        until = overrun_starts(self, over)
+        rows = mark_nearest(rows, self.curve, until)
+        self.placed(rows)
+        check_stray_work(self, rows, until)
+        self.uncut(rows, np.flatnonzero(~torn & ~held))
+        if held.any():
+            self._bridged(rows, whole, solid, ends.paths, rounds, leads * slant)
+        if torn.any():
+            self._perforated(
+                rows, np.flatnonzero(torn), dashed & ~self._mostly_on(rows, held), leads * slant
+            )
+        if blade:
+            self.headed(rows, np.full(len(self.z), blade.blade_width), 360.0)
+            self._faces(rows, over, leads * slant, (leads - runs) * slant)
+
+    def _faces(self, rows: Overlaps, over: F64, top: float, bottom: float) -> None:
+        """Tell what the bottom face lacks, and what is cut past the edges in the top face.
+
+        Where a track ends the cut is ``top`` mm ahead of the tip in the top face, and ``bottom``
+        mm in the bottom one.
+        """
+        last = np.zeros(len(self.curve), np.bool_)
+        last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
+        work, edge = rows.curve, rows.edge
+        low, high = rows.place.min(axis=1), rows.place.max(axis=1)
+        forward = rows.place[:, 1] > rows.place[:, 0]
+        until = self.curve[work, 5] - over[self.track[work]]
+        ends = rows.best & last[work] & (np.abs(rows.along[:, 1] - until) <= SHORT)
+        ends &= np.diff(rows.along)[:, 0] > SHORT
+        ahead = np.where(ends, bottom + over[self.track[work]], 0.0)
+        size = self.size[edge]
+        keep = rows.best
+        bare = uncovered_edges(
+            edge[keep].astype(np.int64),
+            np.where(forward, low, low - ahead)[keep],
+            np.where(forward, high + ahead, high)[keep],
+            self.size,
+        )
+        np.add.at(self.figures.bottom_uncut, self.edges.row[bare[0]], bare[2] - bare[1])
+        short = np.where(forward, size - high, low)
+        past = np.where(ends, top + over[self.track[work]] - short, 0.0)
+        goes_on = continues_straight(self.edges)[2 * edge.astype(np.int64) + forward]
+        past[goes_on] = 0.0
+        np.maximum.at(
+            self.figures.top_overcut, self.edges.row[edge], np.where(past > SHORT, past, 0.0)
+        )
+
+    @property
+    def _hangs(self) -> bool:
+        """Whether parts hang by bridges."""
+        board = self.bench.board
+        return (
+            self.trade == OperationKind.CUT
+            and board.bridge_width > 0.0
+            and board.bridge_spacing > 0.0
+        )
+
+    def _held(self, whole: Edges, paths: EdgePaths) -> Bool:
+        """Return which paths, (c,), the board wants to hang by bridges."""
+        result = np.zeros(len(paths.length), np.bool_)
+        if self._hangs:
+            result |= paths.first < 0
+            inner = ~find_outlines(whole).outer
+            result[paths.path[inner]] = False
+        return result
+
+    def _mostly_on(self, rows: Overlaps, some: Bool) -> Bool:
+        """Return which tracks run along some of the edges for more than half of their length."""
+        count = int(self.track.max(initial=-1)) + 1
+        size = np.bincount(self.track, self.curve[:, 5], minlength=count)
+        mine = rows.best & some[rows.edge]
+        along = np.diff(rows.along[mine])[:, 0]
+        on = np.bincount(self.track[rows.curve[mine]], along, minlength=count)
+        result: Bool = on > 0.5 * size
+        return result
+
+    def _bridged(
+        self, rows: Overlaps, whole: Edges, solid: I64, paths: EdgePaths, rounds: Bool, lead: float
+    ) -> None:
+        """Judge the bridges: how wide, how many, how far apart, and how far from corners."""
+        board = self.bench.board
+        place = np.full(len(self.edges), -1, np.int32)
+        place[solid] = np.arange(len(solid))
+        found = find_bridges(
+            replace(rows, edge=place[rows.edge], best=rows.best & (place[rows.edge] >= 0)),
+            paths,
+            rounds,
+            whole,
+            lead,
+        )
+        edge = paths.find(found.path, found.middle, whole.curve)[0]
+        np.add.at(self.figures.setback, whole.row[edge], np.minimum(found.bare, lead + found.width))
+        wide = found.width - board.bridge_width
+        np.add.at(self.figures.uncut, whole.row[edge], np.where(wide > self.slack, wide, 0.0))
+        for kind, at, message, measure in check_bridges(
+            found, paths, whole, rounds, board, self.slack
+        ):
+            self.finding(kind, int(solid[at]), message, measure)
+
+    def _unled(self, blade: Knife) -> None:
+        """Leave out how the knife comes from the waste to an outer cut, and goes back into it."""
+        if (blade.lead_in <= 0.0 and blade.lead_out <= 0.0) or len(self.curve) == 0:
+            return
+        bounds = find_outlines(self.edges.of(LineType.CUT))
+        cuts = bounds.edges.curve
+        nothing, size = np.zeros(len(cuts)), cuts[:, 5]
+        keep = np.ones(len(self.curve), np.bool_)
+        length = self.curve[:, 5]
+        for last, lead in ((False, blade.lead_in), (True, blade.lead_out)):
+            order = np.arange(len(length))[:: -1 if last else 1]
+            track = self.track[order]
+            new = np.ones(len(order), np.bool_)
+            new[1:] = track[1:] != track[:-1]
+            total = np.cumsum(length[order])
+            before = (total - length[order])[new][np.cumsum(new) - 1]
+            done = total - before
+            mine = order[done <= lead + self.slack]
+            # The far end of a lead lies on no cut and in no part, and its near one on an outer cut.
+            ends = [point_at(self.curve[mine], np.zeros(len(mine)))]
+            ends.append(point_at(self.curve[mine], length[mine]))
+            far, near = (ends[1], ends[0]) if last else (ends[0], ends[1])
+            on = np.zeros(len(mine), np.bool_)
+            on[find_overlaps(line_curves(far, far), cuts, nothing, size, self.tolerance).curve] = (
+                True
+            )
+            waste = ~on & (count_enclosing(far, bounds) % 2 == 0)
+            meets = np.zeros(len(mine), np.bool_)
+            touch = find_overlaps(line_curves(near, near), cuts, nothing, size, self.tolerance)
+            meets[touch.curve[bounds.outer[touch.edge]]] = True
+            whole = np.abs(done[done <= lead + self.slack] - lead) <= self.slack
+            complete = np.zeros(int(self.track.max()) + 1, np.bool_)
+            complete[self.track[mine[whole & meets & waste]]] = True
+            bad = np.zeros(len(complete), np.bool_)
+            bad[self.track[mine[~waste]]] = True
+            led = (complete & ~bad)[self.track[mine]]
+            keep[mine[led]] = False
+        self._turned(np.flatnonzero(~keep), blade)
+        self.curve, self.z, self.heading = self.curve[keep], self.z[keep], self.heading[keep]
+        self.station, self.line = self.station[keep], self.line[keep]
+        self.blend = self.blend[keep]
+        self.track = np.unique(self.track[keep], return_inverse=True)[1].astype(np.int64)
+
+    def _turned(self, which: I64, blade: Knife) -> None:
+        """Judge the heading in the waste: across its way a blade tears what lies beside it."""
+        off = np.zeros(len(which))
+        for side, along in enumerate((np.zeros(len(which)), self.curve[which, 5])):
+            own = azimuth_at(self.curve[which], along)
+            off = np.maximum(off, angle_between(self.heading[which, side], own))
+        reach = np.full(len(which), blade.blade_width)
+        self.swung(off, reach, np.zeros(len(which)), which, np.full(len(which), -1))
+
+    def _perforated(self, rows: Overlaps, which: I64, dashed: Bool, lead: float) -> None:
+        """Judge perforations: cuts of the board's length, less the blade's lead, and its gaps."""
+        cut, gap = self.bench.board.perforation
+        torn = np.zeros(len(self.edges), np.bool_)
+        torn[which] = True
+        keep = np.flatnonzero(torn[rows.edge])
+        gaps, edge, begin, line = self.gaps(rows, keep, which)
+        wide = gaps > gap + lead + self.slack
+        np.add.at(self.figures.uncut, self.edges.row[edge[wide]], gaps[wide])
+        for row in np.flatnonzero(wide)[:MAX_FINDINGS]:
+            self.finding(
+                "uncut",
+                int(edge[row]),
+                Message("verify.perforation-gap", length=gaps[row], place=begin[row], planned=gap),
+                gaps[row],
+                line=int(line[row]),
+            )
+        size = np.bincount(self.track, self.curve[:, 5], minlength=len(dashed))
+        number = np.bincount(edge[line >= 0], minlength=len(self.edges))
+        alone = np.zeros(len(dashed), np.bool_)
+        few = keep[number[rows.edge[keep]] <= 2]
+        alone[self.track[rows.curve[few]]] = True
+        wrong = dashed & ~alone & (np.abs(size - (cut - lead)) > self.slack)
+        first = np.searchsorted(self.track, np.arange(len(dashed)))
+        for track in np.flatnonzero(wrong)[:MAX_FINDINGS]:
+            self.finding(
+                "uncut",
+                -1,
+                Message("verify.perforation-cut", length=size[track], planned=cut - lead),
+                float(abs(size[track] - (cut - lead))),
+                int(first[track]),
+            )

@@ -1,0 +1,95 @@
+"""Disc: how near a disc on its way comes to points and edges, in closed form where there is one.
+
+    curves, edges, the disc's reach along X and Y -> places along the curves, depths (mm)
+
+Where a cutter gives way more along one axis than along the other, its disc is an ellipse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from knifetip.verification.columns import F64
+from knifetip.verification.curves.intervals import EPSILON
+
+
+def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
+    """Return from where to where (mm) curves are within a distance of points; to < from if never.
+
+    One stretch is told: an arc of more than half a turn may have another one round its back.
+    """
+    to = point - curve[:, 1:3]
+    straight = curve[:, 0] == 0.0
+    radius = np.where(straight, 1.0, curve[:, 3])
+    foot = (to * curve[:, 3:5]).sum(axis=1)
+    square = limit**2 - np.where(straight, (to**2).sum(axis=1) - foot**2, 0.0)
+    away = np.maximum(np.hypot(*to.T), EPSILON)
+    cosine = (radius**2 + away**2 - limit**2) / (2.0 * radius * away)
+    turn = np.arccos(np.clip(cosine, -1.0, 1.0)) * radius
+    turned = curve[:, 0] * (np.arctan2(to[:, 1], to[:, 0]) - curve[:, 4])
+    middle = 0.5 * curve[:, 5] / radius
+    turned = ((turned - middle + np.pi) % (2.0 * np.pi) - np.pi + middle) * radius
+    at = np.where(straight, foot, turned)
+    half = np.where(straight, np.sqrt(np.maximum(square, 0.0)), turn)
+    half = np.where(np.where(straight, square <= 0.0, cosine >= 1.0), -1.0, half)
+    # A circle that is within the distance all round has no nearest place that matters.
+    half = np.where(~straight & (cosine <= -1.0), np.inf, half)
+    low = np.where(half < 0.0, 1.0, np.maximum(at - half, 0.0))
+    return low, np.where(half < 0.0, 0.0, np.minimum(at + half, curve[:, 5]))
+
+
+def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Iterator[F64]:
+    """Yield places along curves (mm), within stretches, where they may be nearest to edges."""
+    low, high = along.T
+    yield low
+    yield high
+    straight, flat = curve[:, 0] == 0.0, edge[:, 0] == 0.0
+    to = edge[:, 1:3] - curve[:, 1:3]
+    foot = np.where(straight, (to * curve[:, 3:5]).sum(axis=1), 0.0)
+    square = np.arctan2(edge[:, 3], -edge[:, 4])
+    towards = np.where(flat, square, np.arctan2(to[:, 1], to[:, 0]))
+    for half in (0.0, np.pi):
+        turned = curve[:, 0] * (towards + half - curve[:, 4]) % (2.0 * np.pi)
+        yield np.clip(np.where(straight, foot, turned * curve[:, 3]), low, high)
+    if not round_:
+        for share in np.linspace(0.0, 1.0, 9)[1:-1]:
+            yield low + (high - low) * share
+
+
+def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
+    """Return where on curves they come nearest to points, told in half-axes (mm along)."""
+    weight = 1.0 / reach**2
+    to = point - curve[:, 1:3]
+    straight = curve[:, 0] == 0.0
+    u = curve[:, 3:5]
+    line = (weight * to * u).sum(axis=1) / np.where(
+        straight, np.maximum((weight * u * u).sum(axis=1), EPSILON), 1.0
+    )
+    turned = curve[:, 0] * (np.arctan2(to[:, 1], to[:, 0]) - curve[:, 4])
+    middle = 0.5 * curve[:, 5] / np.where(straight, 1.0, curve[:, 3])
+    turned = (turned - middle + np.pi) % (2.0 * np.pi) - np.pi + middle
+    at = np.where(straight, line, turned * curve[:, 3])
+    result: F64 = np.clip(at, 0.0, curve[:, 5])
+    return result
+
+
+def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
+    """Return how far a disc at points reaches past edges (mm), as far as it gives way."""
+    to = points - edge[:, 1:3]
+    straight = edge[:, 0] == 0.0
+    normal = np.where(straight[:, None], edge[:, [4, 3]] * (-1.0, 1.0), 0.0)
+    off = np.abs((normal * to).sum(axis=1))
+    flat = (normal**2 * reach).sum(axis=1) - off
+    # Beside an arc the centre's way is an ellipse with these half-axes.
+    away = np.hypot(*to.T)
+    outer = away >= edge[:, 3]
+    axes = edge[:, 3, None] + np.where(outer, 1.0, -1.0)[:, None] * reach
+    scaled = np.hypot(*(to / np.where(np.abs(axes) > EPSILON, axes, EPSILON)).T)
+    size = np.abs(axes).min(axis=1)
+    bent = np.where(outer, 1.0 - scaled, scaled - 1.0) * size
+    # A disc wider than the arc that it is in.
+    bent = np.where(~outer & (axes <= EPSILON).any(axis=1), reach.max(), bent)
+    result: F64 = np.where(straight, flat, bent)
+    return result

@@ -1,0 +1,278 @@
+"""Conduct: how the machine is driven: feeds, outputs, travel, speed in the board, and the time.
+
+Moves, TipPoses, Machine, Board -> findings and the nominal seconds
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from knifetip.messages import Message
+from knifetip.model.board import Board
+from knifetip.model.machine import Machine
+from knifetip.verification.columns import F64, Bool
+from knifetip.verification.findings import MAX_FINDINGS, Findings
+from knifetip.verification.kinematics import LEVEL, TipPoses, beam_moves
+from knifetip.verification.reading.moves import Moves
+from knifetip.verification.tools import ANGLE_TOLERANCE, expected_tool, extra_outputs
+
+#: A feed may differ from the tool's by this share of it: programs print six figures.
+FEED_TOLERANCE: Final = 1e-5
+#: A time may, where the move's length is known only from printed numbers (share, and mm).
+TIME_TOLERANCE: Final = 1e-4
+LENGTH_TOLERANCE: Final = 5e-4
+#: Moves that take no longer may take any time: controllers round it up to a step (minutes).
+MIN_MINUTES: Final = 2e-6
+#: A joint may stand past its travel by this (mm, degrees): less than programs print.
+TRAVEL_TOLERANCE: Final = 1e-6
+#: A line may replace an arc that bows by no more than this: controllers reject smaller arcs (mm).
+MAX_BOW: Final = 1e-3
+
+
+def move_lengths(moves: Moves) -> F64:
+    """Return how far the head goes on each move along XYZ (mm), NaN from an unknown place."""
+    way = moves.end - moves.start
+    radius = np.hypot(*(moves.start[:, :2] - moves.centre).T)
+    flat = np.where(
+        moves.sweep != 0.0, radius * np.abs(moves.sweep), np.hypot(way[:, 0], way[:, 1])
+    )
+    result: F64 = np.hypot(flat, way[:, 2])
+    return result
+
+
+def check_travel(moves: Moves, machine: Machine, found: Findings) -> Bool:
+    """Return which moves stay within the machine's travel; note the others."""
+    good = np.ones(len(moves.line), np.bool_)
+    # Of moves that begin or stay outside, the one that led there is told.
+    low, high = moves.end.copy(), moves.end.copy()
+    round_ = moves.sweep != 0.0
+    centre = moves.centre
+    radius = np.hypot(*(moves.start[:, :2] - centre).T)
+    first = np.arctan2(*(moves.start[:, :2] - centre).T[::-1])
+    for quarter in range(4):
+        angle = quarter * np.pi / 2.0
+        ahead = np.where(moves.sweep > 0.0, angle - first, first - angle) % (2.0 * np.pi)
+        hit = round_ & (ahead <= np.abs(moves.sweep))
+        extreme = centre + radius[:, None] * np.array([np.cos(angle), np.sin(angle)])
+        low[hit, :2] = np.minimum(low[hit, :2], extreme[hit])
+        high[hit, :2] = np.maximum(high[hit, :2], extreme[hit])
+    for column, name in enumerate("XYZC"):
+        axis = getattr(machine, name.lower())
+        below = np.nan_to_num(axis.low - low[:, column])
+        above = np.nan_to_num(high[:, column] - axis.high)
+        past = np.maximum(below, above)
+        good &= past <= TRAVEL_TOLERANCE
+        good &= ~(moves.start[:, column] < axis.low - TRAVEL_TOLERANCE)
+        good &= ~(moves.start[:, column] > axis.high + TRAVEL_TOLERANCE)
+        goes = round_ | (moves.start[:, column] != moves.end[:, column])
+        for row in np.flatnonzero((past > TRAVEL_TOLERANCE) & goes)[:MAX_FINDINGS]:
+            reached = low[row, column] if below[row] > above[row] else high[row, column]
+            message = Message(
+                "verify.beyond-rotation" if name == "C" else "verify.beyond-travel",
+                joint=name,
+                position=reached,
+                low=axis.low,
+                high=axis.high,
+            )
+            found.add("travel", message, past[row], line=moves.line[row])
+    return good
+
+
+def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, found: Findings) -> None:
+    """Note feeds that are not the tool's own: its feed on the level, its plunge down and up.
+
+    A turn of C alone may go as fast as C can.  Timed moves (G93) take the longer of both.
+    """
+    own = np.full(len(moves.line), np.nan)
+    level = np.abs(moves.end[:, 2] - moves.start[:, 2]) <= LEVEL
+    for index, station in enumerate(machine.stations):
+        rows = moves.station == index
+        own[rows] = np.where(level[rows], station.tool.feed, station.tool.plunge)
+    length = move_lengths(moves)
+    degrees = np.abs(moves.end[:, 3] - moves.start[:, 3])
+    # A tip that stands still while C turns is a swivel, though a head off its axis moves.
+    swivel = level & _resting_tips(moves, tip, machine) & (degrees > 0.0)
+    least = np.maximum(np.where(swivel, 0.0, length / own), degrees / (60.0 * machine.c.velocity))
+    minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
+    feeding = (moves.code > 0) & ~np.isnan(own) & ~np.isnan(length) & ~np.isnan(moves.feed)
+    off = np.abs(minutes - least) > TIME_TOLERANCE * least + np.where(
+        swivel, 0.0, LENGTH_TOLERANCE / own
+    )
+    off &= ~((minutes <= MIN_MINUTES) & (minutes > least))
+    # Without a time of its own, a move along XYZ has its feed from the word.
+    plain = ~moves.inverse
+    off = np.where(plain, np.abs(moves.feed - own) > FEED_TOLERANCE * own, off)
+    for row in np.flatnonzero(feeding & off)[:MAX_FINDINGS]:
+        number = _number(moves, machine, row)
+        if moves.inverse[row]:
+            message = Message(
+                "verify.wrong-time",
+                station=number,
+                seconds=60.0 * minutes[row],
+                planned=60.0 * least[row],
+            )
+        else:
+            message = Message(
+                "verify.wrong-feed", station=number, feed=moves.feed[row], planned=own[row]
+            )
+        measure = abs(moves.feed[row] - own[row]) if plain[row] else minutes[row] * 60.0
+        found.add("feed", message, measure, line=moves.line[row])
+    mixed = feeding & plain & (degrees > 0.0) & ((moves.sweep == 0.0) | (not moves.tabled))
+    for row in np.flatnonzero(mixed)[:MAX_FINDINGS]:
+        message = Message("verify.turn-at-feed", degrees=degrees[row])
+        found.add("feed", message, degrees[row], line=moves.line[row])
+
+
+def _resting_tips(moves: Moves, tip: TipPoses, machine: Machine) -> Bool:
+    """Return on which moves the tip stands still in XY: a drag knife's head swings round it."""
+    trails = np.array([expected_tool(station.tool).trails for station in machine.stations])
+    way = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    result: Bool = (way < 1e-3) & ((moves.sweep == 0.0) | trails[moves.station])
+    return result
+
+
+def _number(moves: Moves, machine: Machine, row: int) -> int:
+    return int(machine.stations[moves.station[row]].number)
+
+
+def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, found: Findings) -> None:
+    """Note work by a station that is not lowered, beside another one that is, or at rest."""
+    wrong: list[tuple[Bool, Message]] = []
+    extra = extra_outputs(machine)
+    for index, station in enumerate(machine.stations):
+        mine = tip.inside & (moves.station == index)
+        if station.output >= 0:
+            wrong.append(
+                (
+                    mine & ~moves.piston[:, index],
+                    Message("verify.output-off", station=station.number, output=station.output),
+                )
+            )
+        for other, rival in enumerate(machine.stations):
+            if other != index and rival.output >= 0:
+                wrong.append(
+                    (
+                        mine & moves.piston[:, other],
+                        Message(
+                            "verify.two-lowered",
+                            station=station.number,
+                            other=rival.number,
+                            output=rival.output,
+                        ),
+                    )
+                )
+        tool = expected_tool(station.tool)
+        for output in tool.outputs:
+            on = moves.extra[:, extra.index(output)]
+            off = Message("verify.output-off", station=station.number, output=output)
+            wrong.append((mine & ~on, off))
+        if tool.turns:
+            wrong.append((mine & ~moves.oscillating, Message(tool.at_rest)))
+        else:
+            running = Message("verify.oscillation-on", station=station.number)
+            wrong.append((mine & moves.oscillating, running))
+    unchosen = (moves.station < 0) & (moves.code > 0)
+    wrong.append((unchosen, Message("verify.no-station")))
+    for where, message in wrong:
+        # A state that lasts is one finding, where it begins.
+        begins = where & ~np.concatenate([[False], where[:-1]])
+        for row in np.flatnonzero(begins)[:MAX_FINDINGS]:
+            found.add("program", message, 0.0, line=moves.line[row])
+
+
+def check_board_moves(
+    moves: Moves, tip: TipPoses, machine: Machine, board: Board, tolerance: float, found: Findings
+) -> None:
+    """Note rapids below the top face, moves from nowhere, slanted ways in, wide turns inside."""
+    lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
+    beam = beam_moves(moves, machine)
+    _check_beam(moves, tip, beam, found)
+    for row in np.flatnonzero(tip.inside & ~beam & (moves.code == 0))[:MAX_FINDINGS]:
+        depth = board.caliper - lowest[row]
+        number = _number(moves, machine, row)
+        message = Message("verify.rapid-in-board", station=number, depth=depth)
+        found.add("stray", message, depth, line=moves.line[row])
+    unknown = np.isnan(moves.end).any(axis=1) | np.isnan(moves.start).any(axis=1)
+    still = (moves.end == moves.start) | (np.isnan(moves.end) & np.isnan(moves.start))
+    sideways = np.isnan(moves.start[:, 2]) & ~still[:, [0, 1, 3]].all(axis=1)
+    for row in np.flatnonzero((unknown & (moves.code > 0)) | sideways)[:MAX_FINDINGS]:
+        found.add("program", Message("verify.unknown-position"), 0.0, line=moves.line[row])
+
+    stay = tip.inside & (moves.code > 0) & ~unknown
+    drop = tip.end[:, 2] - tip.start[:, 2]
+    slanted = stay & ~beam & (np.abs(drop) > LEVEL)
+    top = np.minimum(np.maximum(tip.start[:, 2], tip.end[:, 2]), board.caliper)
+    share = np.divide(top - lowest, np.abs(drop), out=np.zeros(len(drop)), where=slanted)
+    slope = np.array([expected_tool(station.tool).slope for station in machine.stations])
+    heading = np.radians(tip.end[:, 3])
+    right = np.stack([np.sin(heading), -np.cos(heading)], axis=1)
+    wanted = right * (drop * slope[moves.station])[:, None]
+    astray = np.hypot(*((tip.end - tip.start)[:, :2] - wanted).T) * share
+    for row in np.flatnonzero(slanted & ((astray > tolerance) | (moves.sweep != 0.0)))[
+        :MAX_FINDINGS
+    ]:
+        number = _number(moves, machine, row)
+        message = Message("verify.slanted", station=number, distance=astray[row])
+        found.add("deviation", message, astray[row], line=moves.line[row])
+    _check_turns(moves, tip, machine, stay, slanted, found)
+
+
+def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, found: Findings) -> None:
+    """Note rapids with the beam on, and feeds along which its focus changes its height."""
+    on = beam & tip.inside
+    way = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
+    for row in np.flatnonzero(on & (moves.code == 0))[:MAX_FINDINGS]:
+        message = Message("verify.beam-on-rapid", length=way[row])
+        found.add("stray", message, way[row], line=moves.line[row])
+    for row in np.flatnonzero(on & (moves.code > 0) & (drop > LEVEL))[:MAX_FINDINGS]:
+        message = Message("verify.beam-refocused", height=drop[row])
+        found.add("depth", message, drop[row], line=moves.line[row])
+
+
+def _check_turns(
+    moves: Moves, tip: TipPoses, machine: Machine, stay: Bool, slanted: Bool, found: Findings
+) -> None:
+    """Note moves in the board along which C does not turn as the tool's direction of travel does.
+
+    Along a line or an arc both turn evenly, so comparing how far they turn covers the whole move:
+    the headings at its two ends may differ by full turns and still look the same.  A tool turned
+    in one place, or while it goes down or up, has no direction of travel, and turns by itself.
+
+    Parameters
+    ----------
+    stay, slanted : (n,)
+        Feeds in the board, and those among them that change their height.
+    """
+    held = [expected_tool(station.tool) for station in machine.stations]
+    widest = np.array([tool.swivel for tool in held])
+    most = np.array([tool.most for tool in held])
+    follows = np.array([tool.follows for tool in held])
+    turn = tip.end[:, 3] - tip.start[:, 3]
+    in_place = slanted | _resting_tips(moves, tip, machine)
+    path = np.where(follows[moves.station] & ~in_place, np.degrees(moves.sweep), 0.0)
+    off = np.abs(turn - path)
+    limit = np.where(slanted, ANGLE_TOLERANCE, widest[moves.station])
+    length = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    straight = stay & ~in_place & (moves.sweep == 0.0) & (length > 0.0)
+    # The angle of an arc over this chord that bows by MAX_BOW.
+    limit[straight] += np.degrees(8.0 * MAX_BOW / length[straight])
+    limit = np.minimum(limit, most[moves.station] + ANGLE_TOLERANCE)
+    for row in np.flatnonzero(stay & (off > limit))[:MAX_FINDINGS]:
+        if in_place[row]:
+            message = Message("verify.turn-in-board", degrees=off[row], most=limit[row])
+        else:
+            message = Message("verify.turn-off-path", degrees=turn[row], path=path[row])
+        found.add("heading", message, off[row], line=moves.line[row])
+
+
+def nominal_seconds(moves: Moves, machine: Machine) -> float:
+    """Return the nominal time: lengths over feeds, rapids at the axes' velocities, dwells."""
+    length = move_lengths(moves)
+    velocity = np.array([getattr(machine, axis).velocity for axis in "xyzc"])
+    rapid = np.max(np.nan_to_num(np.abs(moves.end - moves.start)) / velocity, axis=1, initial=0.0)
+    minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
+    working = np.where(np.isfinite(minutes), minutes, 0.0) * 60.0
+    return float(np.where(moves.code == 0, rapid, working).sum() + moves.dwell)

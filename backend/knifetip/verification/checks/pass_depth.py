@@ -1,0 +1,52 @@
+"""Passes: whether each way in the board has been made ready by a shallower one.
+
+ways in their order, their depths, the deepest step -> the stretches that go deeper at once
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from knifetip.verification.checks.check_context import DEPTH_TOLERANCE
+from knifetip.verification.columns import F64, I32
+from knifetip.verification.curves.curve import azimuth_at
+from knifetip.verification.curves.intervals import uncovered_curves
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.edges import angle_between
+
+
+def too_deep_spans(
+    curve: F64, deep: F64, step: float, near: float, *, one_way: bool = False
+) -> tuple[I32, F64]:
+    """Return the stretches of ways that go more than a step deeper than any way before them.
+
+    Parameters
+    ----------
+    curve : (n, 6)
+        In the order in which they are made.
+    deep : (n,) mm
+        Below the top of the board.
+    step : mm
+    near : mm
+        So near an earlier way makes the later one ready.
+    one_way
+        Only a way in the same direction does.
+
+    Returns
+    -------
+    the way (k,), and from where to where along it (k, 2) mm
+    """
+    late = np.flatnonzero(deep > step + DEPTH_TOLERANCE)
+    if len(late) == 0:
+        return np.zeros(0, np.int32), np.zeros((0, 2))
+    rows = find_overlaps(curve[late], curve, np.zeros(len(curve)), curve[:, 5], near)
+    ready = rows.edge < late[rows.curve]
+    ready &= deep[rows.edge] >= deep[late[rows.curve]] - step - DEPTH_TOLERANCE
+    if one_way:
+        own = azimuth_at(curve[late[rows.curve]], rows.along.mean(axis=1))
+        ready &= angle_between(own, azimuth_at(curve[rows.edge], rows.place.mean(axis=1))) < 90.0
+    kept = replace(rows, curve=rows.curve[ready], along=rows.along[ready])
+    which, spans = uncovered_curves(kept, curve[late])
+    return late[which].astype(np.int32), spans

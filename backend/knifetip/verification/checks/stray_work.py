@@ -1,0 +1,145 @@
+"""Astray: work where no edge asks for it: past an end, beside an edge, or nowhere.
+
+StationCheck, its stretches -> findings, and the overcut or deviation of the edge that was meant
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.messages import Message
+from knifetip.model.dieline import LineType
+from knifetip.verification.checks.check_base import StationCheck
+from knifetip.verification.checks.check_context import NEAR_EDGE
+from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.curves.curve import point_at
+from knifetip.verification.curves.intervals import Overlaps, uncovered_curves
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.edges import TOUCH_DISTANCE
+from knifetip.verification.expectation.outline import count_enclosing, find_outlines
+from knifetip.verification.findings import MAX_FINDINGS
+from knifetip.verification.tools import OperationKind
+
+
+def check_stray_work(trial: StationCheck, rows: Overlaps, until: F64, past: float = 0.0) -> None:
+    """Judge the work that lies on no edge, or past where it may go on one.
+
+    Parameters
+    ----------
+    until : (n,) mm
+        How far along each way: what comes after runs over, as it may.
+    past : mm
+        As much work off the board is let pass.
+    """
+    which, spans = uncovered_curves(rows, trial.curve)
+    spans[:, 1] = np.minimum(spans[:, 1], until[which])
+    point = trial.curve[which, 5] < 1e-6
+    keep = point | (spans[:, 1] - spans[:, 0] > 1e-7)
+    if past > 0.0 and len(which):
+        bounds = find_outlines(trial.bench.edges.of(LineType.CUT))
+        middle = point_at(trial.curve[which], spans.mean(axis=1))
+        short = spans[:, 1] - spans[:, 0] <= past
+        keep &= ~(short & bounds.outer.any() & (count_enclosing(middle, bounds) == 0))
+    which, spans = which[keep], spans[keep]
+    if len(which) == 0:
+        return
+    size = spans[:, 1] - spans[:, 0]
+    track = trial.track[which]
+    # Pieces that follow each other are one.
+    joined = np.zeros(len(which), np.bool_)
+    joined[1:] = (
+        (which[1:] == which[:-1] + 1)
+        & (track[1:] == track[:-1])
+        & (spans[1:, 0] <= 1e-7)
+        & (spans[:-1, 1] >= trial.curve[which[:-1], 5] - 1e-7)
+    )
+    first = np.flatnonzero(~joined)
+    total: F64 = np.add.reduceat(size, first)
+    lone = trial.curve[which[first], 5] < 1e-6
+    _report_stray(trial, which, spans, first, total, np.flatnonzero((total > trial.slack) | lone))
+
+
+def _report_stray(
+    trial: StationCheck, which: I32, spans: F64, first: I64, total: F64, bad: I64
+) -> None:
+    """Say of pieces on no edge what they are: past an end, beside an edge, or nowhere."""
+    bad = bad[:MAX_FINDINGS]
+    if len(bad) == 0 or trial.found.full:
+        return
+    curve, all_edges = trial.curve[which[first[bad]]], trial.bench.edges
+    nothing = np.zeros(len(trial.edges))
+    on = find_overlaps(curve, trial.edges.curve, nothing, trial.size, trial.tolerance)
+    near = find_overlaps(curve, trial.edges.curve, nothing, trial.size, NEAR_EDGE)
+    other = find_overlaps(
+        curve, all_edges.curve, np.zeros(len(all_edges)), all_edges.curve[:, 5], TOUCH_DISTANCE
+    )
+    clear = trial.bench.board.end_clearance if trial.trade == OperationKind.CREASE else 0.0
+    tool = trial.trade.tool
+    for k, group in enumerate(bad):
+        line, length = int(trial.line[which[first[group]]]), float(total[group])
+        span = spans[first[group]]
+        if (edge := _edge_along(on, k, span)) >= 0:
+            trial.overcut(np.array([edge]), np.array([max(length - clear, 0.0)]))
+            message = Message("verify.past-stop", tool=tool, length=length)
+            trial.finding("overcut", edge, message, length, line=line)
+            continue
+        edge, measure = _edge_beside(near, k, span)
+        if edge >= 0:
+            row = trial.edges.row[edge]
+            trial.figures.deviation[row] = max(trial.figures.deviation[row], measure)
+            message = Message("verify.beside-line", tool=tool, distance=measure)
+            trial.finding("deviation", edge, message, measure, line=line)
+            continue
+        if (edge := _edge_touched(on, k, span)) >= 0:
+            trial.overcut(np.array([edge]), np.array([length]))
+            message = Message("verify.past-end", tool=tool, length=length)
+            trial.finding("overcut", edge, message, length, line=line)
+            continue
+        x, y = point_at(curve[k : k + 1], span[:1])[0]
+        if (wrong := _edge_along(other, k, span)) >= 0:
+            row, kind = all_edges.row[wrong], LineType(int(all_edges.line_type[wrong])).word
+            if length > 0.0:
+                message = Message(
+                    "verify.stray-along", tool=tool, length=length, edge=row, type=kind
+                )
+            else:
+                message = Message("verify.stray-plunge-along", tool=tool, edge=row, type=kind)
+        elif length > 0.0:
+            message = Message("verify.stray", tool=tool, length=length, x=x, y=y)
+        else:
+            message = Message("verify.stray-plunge", tool=tool, x=x, y=y)
+        trial.finding("stray", -1, message, length, line=line)
+
+
+def _shared_lengths(rows: Overlaps, curve: int, span: F64) -> tuple[slice, F64, Bool]:
+    """Return one curve's rows, how much of a span of it each shares, and which run along."""
+    mine = slice(*np.searchsorted(rows.curve, [curve, curve + 1]))
+    along, place = rows.along[mine], rows.place[mine]
+    shared = np.minimum(along[:, 1], span[1]) - np.maximum(along[:, 0], span[0])
+    size = along[:, 1] - along[:, 0]
+    return mine, shared, np.abs(place[:, 1] - place[:, 0]) >= 0.5 * size
+
+
+def _edge_along(rows: Overlaps, curve: int, span: F64) -> int:
+    """Return an edge that most of the span of a curve runs along, -1 if there is none."""
+    mine, shared, parallel = _shared_lengths(rows, curve, span)
+    good = np.flatnonzero((shared >= 0.5 * (span[1] - span[0])) & parallel)
+    return int(rows.edge[mine][good[0]]) if len(good) else -1
+
+
+def _edge_beside(rows: Overlaps, curve: int, span: F64) -> tuple[int, float]:
+    """Return the nearest edge that the span runs beside, and how far off it is (mm)."""
+    mine, shared, parallel = _shared_lengths(rows, curve, span)
+    good = np.flatnonzero((shared >= 0.8 * (span[1] - span[0])) & parallel)
+    if len(good) == 0:
+        return -1, 0.0
+    return int(rows.edge[mine][good[0]]), float(rows.distance[mine][good[0]])
+
+
+def _edge_touched(rows: Overlaps, curve: int, span: F64) -> int:
+    """Return the edge that the span leaves or comes to, -1 if there is none."""
+    mine, _, _ = _shared_lengths(rows, curve, span)
+    along = rows.along[mine]
+    touching = (np.abs(along[:, 1] - span[0]) < 1e-6) | (np.abs(along[:, 0] - span[1]) < 1e-6)
+    good = np.flatnonzero(touching)
+    return int(rows.edge[mine][good[0]]) if len(good) else -1

@@ -1,0 +1,170 @@
+"""Unreached: the places where a cutter's disc does not get to, as areas.
+
+    bare stretches of edges, CutOutlines, r -> loops of lines and arcs, with what they enclose
+
+Walk along a bare stretch with the waste on the left.  Where it ends the disc touches the edge, or
+hangs between two corners; from there the loop goes back on the disc, clockwise as seen from its
+centre, to where the next stretch begins.  In a concave corner that turns by φ one loop encloses
+r² (tan φ/2 - φ/2).
+
+Source: our derivation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.kernels import I64_1, kernel
+from knifetip.model.verdict import Unreached
+from knifetip.verification.columns import F64, I64
+from knifetip.verification.curves.curve import azimuth_at, point_at
+from knifetip.verification.expectation.edges import JOIN_DISTANCE, pairs_within
+from knifetip.verification.expectation.outline import CutOutlines
+
+#: Less than this nobody sees (mm²).
+MIN_AREA: Final = 1e-3
+#: The next stretch may begin this much farther away than the disc is wide (mm).
+_EXTRA_DISTANCE: Final = 0.05
+#: A disc touches what is off its rim by no more than this share of its radius.
+_RIM_TOLERANCE: Final = 0.1
+
+
+def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach: F64) -> Unreached:
+    """Return what lies between bare stretches and the disc, on the sheet.
+
+    Parameters
+    ----------
+    bounds
+        Of the cuts.
+    edge, begin, end : (k,) index into them, and mm
+        Stretches that the disc does not touch.
+    reach : (2,) mm
+        How far the disc takes board away from its centre, along X and along Y.
+    """
+    edges = bounds.edges
+    long = bounds.closing[edge] & (end - begin > JOIN_DISTANCE)
+    edge, begin, end = edge[long], begin[long], end[long]
+    if len(edge) == 0 or reach.min() <= 0.0:
+        return Unreached()
+    forward = ~bounds.board_left[edge]
+    curve = edges.curve[edge]
+    start = point_at(curve, np.where(forward, begin, end))
+    stop = point_at(curve, np.where(forward, end, begin))
+    straight = curve[:, 0] == 0.0
+    sweep = curve[:, 0] * (end - begin) / np.where(straight, 1.0, curve[:, 3])
+    bulge = np.where(straight, 0.0, np.tan(sweep / 4.0)) * np.where(forward, 1.0, -1.0)
+    heading = np.radians(azimuth_at(curve, np.where(forward, end, begin)))
+    heading = np.where(forward, heading, heading + np.pi)
+    ahead = np.stack([np.cos(heading), np.sin(heading)], axis=1)
+    left = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1)
+
+    count = len(edge)
+    onward = np.full(count, -1)
+    tail, head = pairs_within(stop, start, JOIN_DISTANCE)
+    onward[tail[tail != head]] = head[tail != head]
+    tails = np.flatnonzero(onward < 0)
+    heads = np.setdiff1d(np.arange(count), onward)
+    backs = _following_stretches(
+        stop[tails], ahead[tails], left[tails] * reach, start[heads], reach
+    )
+    kept = np.flatnonzero(backs >= 0)
+    # Each way back along the disc is a piece of its own, behind the stretches.
+    onward[tails[kept]] = count + np.arange(len(kept))
+    met = heads[backs[kept]]
+    chord = start[met] - stop[tails[kept]]
+    half = np.clip(np.hypot(*chord.T) / (2.0 * float(reach.mean())), 0.0, 1.0)
+    ends = np.concatenate(
+        [np.stack([start, stop], axis=1), np.stack([stop[tails[kept]], start[met]], axis=1)]
+    )
+    turned = np.concatenate([bulge, -np.tan(np.arcsin(half) / 2.0)])
+    order, first = _trace_loops(np.concatenate([onward, met]).astype(np.int64))
+    return _enclosing_loops(ends[order], turned[order], first)
+
+
+def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: F64) -> I64:
+    """Return for every end of a chain of stretches which chain begins on the same disc, or -1."""
+    result = np.full(len(stop), -1)
+    widest = 2.0 * float(reach.max()) + _EXTRA_DISTANCE
+    tail, head = pairs_within(stop, start, widest)
+    to = start[head] - stop[tail]
+    # What is not reached lies on the left.
+    side = ahead[tail, 0] * to[:, 1] - ahead[tail, 1] * to[:, 0]
+    some = (side > -_EXTRA_DISTANCE) & (np.hypot(*to.T) <= widest)
+    tail, head, to = tail[some], head[some], to[some]
+    # The disc that touches here passes the beginning of its next chain; one that hangs between
+    # two corners does not touch, and the nearest across is the next.
+    off = np.abs(np.hypot(*((to - inward[tail]) / reach).T) - 1.0)
+    order = np.lexsort((np.where(off < _RIM_TOLERANCE, off, 1.0 + np.hypot(*to.T)), tail))
+    tail, head = tail[order], head[order]
+    once = np.ones(len(tail), np.bool_)
+    once[1:] = tail[1:] != tail[:-1]
+    result[tail[once]] = head[once]
+    # Two ends cannot go back to one beginning.
+    taken = result[result >= 0]
+    twice = np.flatnonzero(np.bincount(taken, minlength=len(start)) > 1)
+    result[np.isin(result, twice)] = -1
+    return result
+
+
+@kernel
+def _trace_loops(onward: I64_1) -> Any:
+    """Return the pieces of all closed loops in order, and where each loop begins."""
+    count = len(onward)
+    order = np.empty(count, np.int64)
+    first = np.zeros(count + 1, np.int64)
+    seen = np.zeros(count, np.bool_)
+    place = 0
+    loops = 0
+    for begin in range(count):
+        if seen[begin]:
+            continue
+        row = begin
+        stood = place
+        while row >= 0 and not seen[row]:
+            seen[row] = True
+            order[place] = row
+            place += 1
+            row = onward[row]
+        if row != begin:
+            place = stood
+            continue
+        loops += 1
+        first[loops] = place
+    return order[:place], first[: loops + 1]
+
+
+def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
+    """Return the loops that enclose something."""
+    if len(first) < 2:
+        return Unreached()
+    owner = np.repeat(np.arange(len(first) - 1), np.diff(first))
+    origin = ends[first[:-1], 0][owner]
+    a, b = ends[:, 0] - origin, ends[:, 1] - origin
+    sweep = 4.0 * np.arctan(bulge)
+    chord = np.hypot(*(b - a).T)
+    bent = np.abs(bulge) > 1e-12
+    radius = np.where(bent, chord / (2.0 * np.sin(np.where(bent, sweep, 1.0) / 2.0)), 0.0)
+    twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] + radius**2 * (sweep - np.sin(sweep))
+    area = np.bincount(owner, twice, minlength=len(first) - 1) / 2.0
+    some = area > MIN_AREA
+    rows = some[owner]
+    sizes = np.diff(first)[some]
+    return Unreached(ends[rows], bulge[rows], np.concatenate([[0], np.cumsum(sizes)]), area[some])
+
+
+def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) -> Unreached:
+    """Return areas of several cutters in one record, in the drawing's coordinates."""
+    if not parts:
+        return Unreached()
+    pieces = np.cumsum([0] + [len(part.bulge) for part in parts])
+    return Unreached(
+        np.concatenate([part.ends for part in parts]) - np.array(placement),
+        np.concatenate([part.bulge for part in parts]),
+        np.concatenate(
+            [[0], *(part.first[1:] + at for part, at in zip(parts, pieces[:-1], strict=True))]
+        ),
+        np.concatenate([part.area for part in parts]),
+    )

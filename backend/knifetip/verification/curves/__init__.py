@@ -1,0 +1,1 @@
+"""Lines and arcs in rows, and where they run along each other."""

@@ -1,0 +1,60 @@
+"""Lines and arcs as rows of numbers, and points on them.
+
+A curve is a row of six numbers: kind (0 line, 1 arc to the left, -1 arc to the right); for a line
+its start (x, y) and unit direction (x, y), for an arc its centre (x, y), radius and start angle
+(radians); last its length.  Lengths are mm.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from knifetip.verification.columns import F64
+
+
+def point_at(curve: F64, along: F64) -> F64:
+    """Return the points at a distance (mm) along curves, (n, 2)."""
+    straight = curve[:, 0] == 0.0
+    radius = np.where(straight, 1.0, curve[:, 3])
+    angle = curve[:, 4] + curve[:, 0] * along / radius
+    x = np.where(straight, curve[:, 3] * along, radius * np.cos(angle))
+    y = np.where(straight, curve[:, 4] * along, radius * np.sin(angle))
+    result: F64 = curve[:, 1:3] + np.stack([x, y], axis=1)
+    return result
+
+
+def azimuth_at(curve: F64, along: F64) -> F64:
+    """Return the directions of travel (degrees) at a distance (mm) along curves."""
+    straight = curve[:, 0] == 0.0
+    radius = np.where(straight, 1.0, curve[:, 3])
+    angle = curve[:, 4] + curve[:, 0] * (along / radius + math.pi / 2.0)
+    result: F64 = np.degrees(np.where(straight, np.arctan2(curve[:, 4], curve[:, 3]), angle))
+    return result
+
+
+def left_distance(curve: F64, along: F64, edge: F64) -> F64:
+    """Return how far to the left of edges (mm) the points at a distance (mm) along curves lie."""
+    x, y = (point_at(curve, along) - edge[:, 1:3]).T
+    straight = edge[:, 0] == 0.0
+    off = np.where(straight, edge[:, 3] * y - edge[:, 4] * x, 0.0)
+    result: F64 = np.where(straight, off, edge[:, 0] * (edge[:, 3] - np.hypot(x, y)))
+    return result
+
+
+def line_curves(start: F64, end: F64) -> F64:
+    """Return straight curves between points, (n, 2) mm each; points are lines without length."""
+    way = end - start
+    length = np.hypot(way[:, 0], way[:, 1])
+    safe = np.where(length > 0.0, length, 1.0)
+    direction = np.where(length[:, None] > 0.0, way / safe[:, None], (1.0, 0.0))
+    return np.column_stack([np.zeros(len(start)), start, direction, length])
+
+
+def arc_curves(centre: F64, start: F64, sweep: F64) -> F64:
+    """Return round curves about centres, (n, 2) mm, from points, (n, 2), by radians."""
+    out = start - centre
+    radius = np.hypot(out[:, 0], out[:, 1])
+    first = np.arctan2(out[:, 1], out[:, 0])
+    return np.column_stack([np.sign(sweep), centre, radius, first, radius * np.abs(sweep)])

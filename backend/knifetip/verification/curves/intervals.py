@@ -1,0 +1,198 @@
+"""Stretches: which parts of ways lie on which parts of edges, which of them count, what is left.
+
+    pairs of curves and edges with the places where they share -> Overlaps -> gaps, leftovers
+
+A way counts as work on the edge that it is nearest to: on the others only where it is on none
+nearer.  What no stretch covers is a gap of an edge, or a leftover of a way.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.kernels import F64_1, F64_2, I32_1, OutF64_2, kernel
+from knifetip.verification.columns import F64, I32, I64, Bool
+
+#: Numbers that differ by less are one number (mm).
+EPSILON: Final = 1e-9
+#: A stretch that adds less than this belongs to the edge before it: paths may have gaps of
+#: 0.002 mm, and programs are printed to 0.0001 mm.
+SHORT: Final = 0.005
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Overlaps:
+    """k stretches, ordered by curve and then by how far they are from the edge."""
+
+    curve: I32  #: (k,)
+    edge: I32  #: (k,)
+    along: F64  #: (k, 2) mm along the curve, ascending
+    place: F64  #: (k, 2) mm along the edge at those two
+    distance: F64  #: (k,) mm, the farthest within the stretch
+    best: Bool  #: (k,) some of the stretch is on no nearer edge
+
+
+def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
+    """Return rows from stretches in any order.
+
+    Parameters
+    ----------
+    pairs : (k, 2)
+        Curve and edge.
+    spans : (k, 5) mm
+        From where to where along the curve, at which places of the edge, and how far off it.
+    """
+    order = np.lexsort((spans[:, 4], pairs[:, 0]))
+    pairs, spans = pairs[order], spans[order]
+    curve, edge = pairs[:, 0].copy(), pairs[:, 1].copy()
+    length = curves[:, 5].copy()
+    best = _nearest_mask(curve, spans, length, length)
+    return Overlaps(curve, edge, spans[:, :2].copy(), spans[:, 2:4], spans[:, 4], best)
+
+
+def mark_nearest(rows: Overlaps, curves: F64, until: F64) -> Overlaps:
+    """Return the rows with ``best`` for the first ``until`` mm, (n,), of each curve only."""
+    spans = np.column_stack([rows.along, rows.place, rows.distance])
+    return replace(rows, best=_nearest_mask(rows.curve, spans, curves[:, 5].copy(), until))
+
+
+def within_limits(rows: Overlaps, limit: F64, curves: F64) -> Overlaps:
+    """Return the rows that stay within the limit, (m,) mm, of their own edge."""
+    keep = rows.distance <= limit[rows.edge]
+    kept = Overlaps(
+        rows.curve[keep],
+        rows.edge[keep],
+        rows.along[keep],
+        rows.place[keep],
+        rows.distance[keep],
+        rows.best[keep],
+    )
+    return mark_nearest(kept, curves, curves[:, 5].copy())
+
+
+def uncovered_curves(rows: Overlaps, curves: F64) -> tuple[I32, F64]:
+    """Return the stretches of curves on no edge: the curve (k,) and from where to where (k, 2) mm.
+
+    A point on no edge is a stretch without length.
+    """
+    which, spans, count = _uncovered_spans(rows.curve, rows.along, curves[:, 5].copy())
+    return which[:count], spans[:count]
+
+
+def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64, F64]:
+    """Return what stretches leave bare of edges: edge, from, to (mm).
+
+    Parameters
+    ----------
+    edge, low, high : (n,) index and mm
+        Stretches in any order.
+    size : (m,) mm
+        Length of every edge.
+    """
+    every = np.arange(len(size))
+    edge = np.concatenate([edge, every])
+    low, high = np.concatenate([low, size]), np.concatenate([high, size])
+    order = np.lexsort((high, low, edge))
+    edge, low, high = edge[order], np.maximum(low[order], 0.0), high[order]
+    # One running maximum for all edges: each stands on its own step.
+    step = edge * (2.0 * float(size.max(initial=0.0)) + 1.0)
+    reached = np.maximum.accumulate(np.minimum(high, size[edge]) + step) - step
+    before = np.concatenate([[0.0], reached[:-1]])
+    new = np.ones(len(edge), np.bool_)
+    new[1:] = edge[1:] != edge[:-1]
+    before[new] = 0.0
+    bare = low - before > EPSILON
+    return edge[bare].astype(np.int64), before[bare], low[bare]
+
+
+@kernel
+def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) -> Any:
+    """A stretch counts where no nearer one of its curve has been: rows come nearest first."""
+    best = np.zeros(len(curve_of), np.bool_)
+    begin = 0
+    while begin < len(curve_of):
+        end = begin
+        while end < len(curve_of) and curve_of[end] == curve_of[begin]:
+            end += 1
+        covered = np.empty((end - begin + 1, 2))
+        many = 0
+        curve = curve_of[begin]
+        short = length[curve] <= SHORT
+        for row in range(begin, end):
+            right = min(spans[row, 1], until[curve])
+            left = min(spans[row, 0], right)
+            many, gained = add_interval(covered, many, left, right)
+            # An edge drawn twice is worked twice by one way.
+            twin = spans[row, 4] <= spans[begin, 4] + 1e-6
+            whole = right - left > SHORT or (short and spans[row, 1] <= until[curve])
+            best[row] = gained > SHORT or (twin and whole)
+        begin = end
+    return best
+
+
+@kernel
+def add_interval(covered: OutF64_2, many: int, left: float, right: float) -> Any:
+    """Put a stretch into a sorted list of disjoint ones; return their number and what was new."""
+    first = 0
+    while first < many and covered[first, 1] < left:
+        first += 1
+    last = first
+    old = 0.0
+    low = left
+    high = right
+    while last < many and covered[last, 0] <= right:
+        old += min(covered[last, 1], right) - max(covered[last, 0], left)
+        low = min(low, covered[last, 0])
+        high = max(high, covered[last, 1])
+        last += 1
+    merged = last - first
+    if merged == 0:
+        for k in range(many, first, -1):
+            covered[k, 0] = covered[k - 1, 0]
+            covered[k, 1] = covered[k - 1, 1]
+        many += 1
+    elif merged > 1:
+        for k in range(last, many):
+            covered[k - merged + 1, 0] = covered[k, 0]
+            covered[k - merged + 1, 1] = covered[k, 1]
+        many -= merged - 1
+    covered[first, 0] = low
+    covered[first, 1] = high
+    return many, (right - left) - old
+
+
+@kernel
+def _uncovered_spans(curve_of: I32_1, along: F64_2, length: F64_1) -> Any:
+    which = np.empty(len(curve_of) + len(length), np.int32)
+    spans = np.empty((len(which), 2))
+    count = 0
+    row = 0
+    for curve in range(len(length)):
+        begin = row
+        while row < len(curve_of) and curve_of[row] == curve:
+            row += 1
+        covered = np.empty((row - begin + 1, 2))
+        many = 0
+        for k in range(begin, row):
+            many, _ = add_interval(covered, many, along[k, 0], along[k, 1])
+        if length[curve] < 1e-9:
+            if row == begin:
+                which[count] = curve
+                spans[count, 0] = 0.0
+                spans[count, 1] = 0.0
+                count += 1
+            continue
+        at = 0.0
+        for k in range(many + 1):
+            until = covered[k, 0] if k < many else length[curve]
+            if until - at > 1e-7:
+                which[count] = curve
+                spans[count, 0] = at
+                spans[count, 1] = until
+                count += 1
+            if k < many:
+                at = covered[k, 1]
+    return which, spans, count

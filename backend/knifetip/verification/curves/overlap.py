@@ -1,0 +1,369 @@
+"""Overlap: which stretch of which way runs along which stretch of which edge, to the micrometre.
+
+    curves (n, 6), edges (m, 6), limit -> Overlaps: where they are within the limit of each other
+
+Curves are rows as ``kinematics.Work`` has them.  Between lines and circles the stretch within a
+distance has a closed form, so nothing is sampled; a grid over the edges finds who is near whom.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from knifetip.kernels import F64_1, F64_2, I32_2, OutF64_2, OutI64_1, kernel
+from knifetip.verification.columns import F64
+from knifetip.verification.curves.intervals import Overlaps, sort_overlaps
+
+
+def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) -> Overlaps:
+    """Return the stretches of curves within a distance of edges.
+
+    Parameters
+    ----------
+    curves : (n, 6)
+        A curve without length is a point; it may lie ``limit`` past an edge's ends.
+    edges : (m, 6)
+    low, high : (m,) mm
+        The part of each edge that counts; none where high < low.
+    limit : mm
+    """
+    if len(curves) == 0 or len(edges) == 0:
+        pairs, spans = np.zeros((0, 2), np.int32), np.zeros((0, 5))
+    else:
+        corner, size, shape = grid_layout(edges, limit)
+        pairs, spans, rows = _search_grid(
+            np.ascontiguousarray(curves),
+            np.ascontiguousarray(edges),
+            np.ascontiguousarray(low),
+            np.ascontiguousarray(high),
+            limit,
+            corner,
+            size,
+            shape[0],
+            shape[1],
+        )
+        pairs, spans = pairs[:rows], spans[:rows]
+    return sort_overlaps(pairs, spans, curves)
+
+
+def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
+    """Return the corner, the cell size (mm) and the columns and rows of a grid over edges."""
+    straight = edges[:, 0] == 0.0
+    reach = np.where(straight, 0.0, edges[:, 3])
+    ends = edges[:, 1:3] + np.where(straight, edges[:, 5], 0.0)[:, None] * np.where(
+        straight[:, None], edges[:, 3:5], 0.0
+    )
+    low = np.minimum(edges[:, 1:3], ends) - reach[:, None]
+    high = np.maximum(edges[:, 1:3], ends) + reach[:, None]
+    corner = low.min(axis=0) - limit
+    extent = high.max(axis=0) + limit - corner
+    size = max(
+        2.0 * limit, 0.5, math.sqrt(extent[0] * extent[1] / len(edges)), float(extent.max()) / 2048
+    )
+    shape = (int(extent[0] / size) + 1, int(extent[1] / size) + 1)
+    return corner, size, shape
+
+
+@kernel(checks_division=True)
+def cells_near_curve(
+    curve: F64_1, margin: float, corner: F64_1, size: float, wide: int, high: int, out: OutI64_1
+) -> Any:
+    """Write the cells that a curve's surroundings touch to ``out``, repeats included."""
+    count = 0
+    length = curve[5]
+    step = size
+    if curve[0] != 0.0:
+        step = min(size, 0.5 * curve[3])
+    pieces = max(1, math.ceil(length / step))
+    each = length / pieces
+    bow = 0.0
+    if curve[0] != 0.0:
+        bow = each * each / (8.0 * curve[3])
+    x = 0.0
+    y = 0.0
+    for node in range(pieces + 1):
+        if curve[0] == 0.0:
+            nx = curve[1] + curve[3] * each * node
+            ny = curve[2] + curve[4] * each * node
+        else:
+            angle = curve[4] + curve[0] * each * node / curve[3]
+            nx = curve[1] + curve[3] * math.cos(angle)
+            ny = curve[2] + curve[3] * math.sin(angle)
+        if node > 0:
+            grown = margin + bow
+            x0 = math.floor((min(x, nx) - grown - corner[0]) / size)
+            x1 = math.floor((max(x, nx) + grown - corner[0]) / size)
+            y0 = math.floor((min(y, ny) - grown - corner[1]) / size)
+            y1 = math.floor((max(y, ny) + grown - corner[1]) / size)
+            for i in range(max(x0, 0), min(x1, wide - 1) + 1):
+                for j in range(max(y0, 0), min(y1, high - 1) + 1):
+                    if count == len(out):
+                        bigger = np.empty(2 * len(out), np.int64)
+                        for k in range(count):
+                            bigger[k] = out[k]
+                        out = bigger
+                    out[count] = i * high + j
+                    count += 1
+        x = nx
+        y = ny
+    return out, count
+
+
+@kernel
+def _double_capacity(pairs: I32_2, spans: F64_2) -> Any:
+    """Return the arrays with room for twice the rows; loops compile faster than slices."""
+    more_pairs = np.empty((2 * len(pairs), 2), np.int32)
+    more_spans = np.empty((2 * len(pairs), 5))
+    for row in range(len(pairs)):
+        for column in range(2):
+            more_pairs[row, column] = pairs[row, column]
+        for column in range(5):
+            more_spans[row, column] = spans[row, column]
+    return more_pairs, more_spans
+
+
+@kernel
+def _search_grid(
+    curves: F64_2,
+    edges: F64_2,
+    low: F64_1,
+    high: F64_1,
+    limit: float,
+    corner: F64_1,
+    size: float,
+    wide: int,
+    tall: int,
+) -> Any:
+    count = np.zeros(wide * tall + 1, np.int64)
+    seen = np.full(wide * tall, -1, np.int64)
+    cells = np.empty(1024, np.int64)
+    filled = np.empty(wide * tall, np.int64)
+    listed = np.empty(0, np.int32)
+    # Counted first, and then written where the counts say.
+    for writes in range(2):
+        for edge in range(len(edges)):
+            if high[edge] < low[edge]:
+                continue
+            cells, many = cells_near_curve(edges[edge], 0.0, corner, size, wide, tall, cells)
+            for k in range(many):
+                cell = cells[k]
+                if seen[cell] == edge:
+                    continue
+                seen[cell] = edge
+                if writes:
+                    listed[filled[cell]] = edge
+                    filled[cell] += 1
+                else:
+                    count[cell + 1] += 1
+        if not writes:
+            for cell in range(wide * tall):
+                filled[cell] = count[cell]
+                count[cell + 1] += count[cell]
+                seen[cell] = -1
+            listed = np.empty(count[wide * tall], np.int32)
+
+    pairs = np.empty((max(256, 2 * len(curves)), 2), np.int32)
+    spans = np.empty((len(pairs), 5))
+    rows = 0
+    met = np.full(len(edges), -1, np.int64)
+    hits = np.empty((16, 5))
+    for curve in range(len(curves)):
+        cells, many = cells_near_curve(curves[curve], limit, corner, size, wide, tall, cells)
+        for k in range(many):
+            for place in range(count[cells[k]], count[cells[k] + 1]):
+                edge = listed[place]
+                if met[edge] == curve:
+                    continue
+                met[edge] = curve
+                found = _overlap_pair(
+                    curves[curve], edges[edge], low[edge], high[edge], limit, hits
+                )
+                for hit in range(found):
+                    if rows == len(pairs):
+                        pairs, spans = _double_capacity(pairs, spans)
+                    pairs[rows, 0] = curve
+                    pairs[rows, 1] = edge
+                    for column in range(5):
+                        spans[rows, column] = hits[hit, column]
+                    rows += 1
+    return pairs, spans, rows
+
+
+@kernel(checks_division=True)
+def _project(edge: F64_1, x: float, y: float) -> Any:
+    """Return the distance along the edge's line or circle (mm), and the signed one off it."""
+    dx = x - edge[1]
+    dy = y - edge[2]
+    if edge[0] == 0.0:
+        return dx * edge[3] + dy * edge[4], edge[3] * dy - edge[4] * dx
+    turned = edge[0] * (math.atan2(dy, dx) - edge[4])
+    # Angles are told from the middle of the arc, so that both its ends have room beyond them.
+    half = 0.5 * edge[5] / edge[3]
+    turned = (turned - half + math.pi) % (2.0 * math.pi) - math.pi + half
+    return turned * edge[3], math.hypot(dx, dy) - edge[3]
+
+
+@kernel(checks_division=True)
+def _point_on(curve: F64_1, along: float) -> Any:
+    if curve[0] == 0.0:
+        return curve[1] + curve[3] * along, curve[2] + curve[4] * along
+    angle = curve[4] + curve[0] * along / curve[3]
+    return curve[1] + curve[3] * math.cos(angle), curve[2] + curve[3] * math.sin(angle)
+
+
+@kernel(checks_division=True)
+def _overlap_pair(
+    curve: F64_1, edge: F64_1, low: float, high: float, limit: float, hits: OutF64_2
+) -> int:
+    """Write the stretches of one curve along one edge to ``hits``: along, place, distance."""
+    near = np.empty((8, 2))
+    if curve[0] == 0.0:
+        pieces = _line_near_edge(curve, edge, limit, near)
+    else:
+        pieces = _arc_near_edge(curve, edge, limit, near)
+    found = 0
+    for piece in range(pieces):
+        begin = near[piece, 0]
+        end = near[piece, 1]
+        x, y = _point_on(curve, begin)
+        first, _ = _project(edge, x, y)
+        x, y = _point_on(curve, end)
+        last, _ = _project(edge, x, y)
+        turns = 1
+        whole = 0.0
+        if edge[0] != 0.0:
+            # Round the circle: take the end that a way of this length leads to, and try the edge
+            # one turn earlier and later too.  Seen from outside a circle nothing goes half round.
+            whole = 2.0 * math.pi * edge[3]
+            ahead = 0.0
+            if curve[0] != 0.0 and math.hypot(curve[1] - edge[1], curve[2] - edge[2]) < curve[3]:
+                ahead = curve[0] * edge[0] * (end - begin) * edge[3] / curve[3]
+            last += whole * round((first + ahead - last) / whole)
+            turns = 3
+        for turn in range(turns):
+            shift = 0.0 if turn == 0 else (whole if turn == 1 else -whole)
+            a = first + shift
+            b = last + shift
+            slack = limit if end - begin < 1e-9 else 1e-9
+            if max(a, b) < low - slack or min(a, b) > high + slack:
+                continue
+            u0 = begin
+            u1 = end
+            if abs(b - a) > 1e-9:
+                rate = (end - begin) / (b - a)
+                t0 = min(max(a, low), high)
+                t1 = min(max(b, low), high)
+                u0 = begin + (t0 - a) * rate
+                u1 = begin + (t1 - a) * rate
+                a = t0
+                b = t1
+            else:
+                a = min(max(a, low), high)
+                b = min(max(b, low), high)
+            if found == len(hits):
+                return found
+            farthest = 0.0
+            samples = 2 if curve[0] == 0.0 and edge[0] == 0.0 else 9
+            for sample in range(samples):
+                x, y = _point_on(curve, u0 + (u1 - u0) * sample / (samples - 1))
+                _, off = _project(edge, x, y)
+                farthest = max(farthest, abs(off))
+            hits[found, 0] = u0
+            hits[found, 1] = u1
+            hits[found, 2] = a
+            hits[found, 3] = b
+            hits[found, 4] = farthest
+            found += 1
+    return found
+
+
+@kernel
+def _append_clipped(begin: float, end: float, length: float, near: OutF64_2, pieces: int) -> int:
+    begin = max(begin, 0.0)
+    end = min(end, length)
+    if begin <= end and pieces < len(near):
+        near[pieces, 0] = begin
+        near[pieces, 1] = end
+        return pieces + 1
+    return pieces
+
+
+@kernel(checks_division=True)
+def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
+    """Where a line is within the limit of the edge's line or circle."""
+    length = curve[5]
+    if edge[0] == 0.0:
+        _, off = _project(edge, curve[1], curve[2])
+        slope = edge[3] * curve[4] - edge[4] * curve[3]
+        if abs(slope) * max(length, 1.0) < 1e-12:
+            return _append_clipped(0.0, length, length, near, 0) if abs(off) <= limit else 0
+        a = (-limit - off) / slope
+        b = (limit - off) / slope
+        return _append_clipped(min(a, b), max(a, b), length, near, 0)
+    foot = (edge[1] - curve[1]) * curve[3] + (edge[2] - curve[2]) * curve[4]
+    aside = (edge[1] - curve[1]) * curve[4] - (edge[2] - curve[2]) * curve[3]
+    outer = (edge[3] + limit) ** 2 - aside * aside
+    if outer < 0.0:
+        return 0
+    outer = math.sqrt(outer)
+    inner = (edge[3] - limit) ** 2 - aside * aside
+    if edge[3] <= limit or inner <= 0.0:
+        return _append_clipped(foot - outer, foot + outer, length, near, 0)
+    inner = math.sqrt(inner)
+    pieces = _append_clipped(foot - outer, foot - inner, length, near, 0)
+    return _append_clipped(foot + inner, foot + outer, length, near, pieces)
+
+
+@kernel(checks_division=True)
+def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
+    """Where an arc is within the limit: where lowest ≤ sin(angle - shift) ≤ highest."""
+    radius = curve[3]
+    if edge[0] == 0.0:
+        # Off the line by middle + r sin(angle - direction of the line).
+        _, middle = _project(edge, curve[1], curve[2])
+        shift = math.atan2(edge[4], edge[3])
+        lowest = (-limit - middle) / radius
+        highest = (limit - middle) / radius
+    else:
+        # Off the centre by √(r² + D² + 2 r D cos(angle - direction between the centres)).
+        dx = curve[1] - edge[1]
+        dy = curve[2] - edge[2]
+        apart = math.hypot(dx, dy)
+        if apart < 1e-12:
+            if abs(radius - edge[3]) <= limit:
+                return _append_clipped(0.0, curve[5], curve[5], near, 0)
+            return 0
+        shift = math.atan2(dy, dx) - 0.5 * math.pi
+        inside = max(edge[3] - limit, 0.0)
+        fixed = radius * radius + apart * apart
+        lowest = (inside * inside - fixed) / (2.0 * radius * apart)
+        highest = ((edge[3] + limit) ** 2 - fixed) / (2.0 * radius * apart)
+    if lowest > 1.0 or highest < -1.0:
+        return 0
+    if lowest <= -1.0 and highest >= 1.0:
+        return _append_clipped(0.0, curve[5], curve[5], near, 0)
+    low = math.asin(max(lowest, -1.0))
+    high = math.asin(min(highest, 1.0))
+    if highest >= 1.0:
+        return _append_arc_spans(curve, shift + low, shift + math.pi - low, near, 0)
+    if lowest <= -1.0:
+        return _append_arc_spans(curve, shift - math.pi - high, shift + high, near, 0)
+    pieces = _append_arc_spans(curve, shift + low, shift + high, near, 0)
+    return _append_arc_spans(curve, shift + math.pi - high, shift + math.pi - low, near, pieces)
+
+
+@kernel
+def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, pieces: int) -> int:
+    """Keep where the arc runs between two angles, once for every turn that meets it."""
+    if curve[0] < 0.0:
+        begin, end = -end, -begin
+    a = begin - curve[0] * curve[4]
+    span = end - begin
+    a = a % (2.0 * math.pi)
+    for turn in range(-1, 1):
+        at = a + 2.0 * math.pi * turn
+        pieces = _append_clipped(at * curve[3], (at + span) * curve[3], curve[5], near, pieces)
+    return pieces

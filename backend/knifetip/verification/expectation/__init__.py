@@ -1,0 +1,1 @@
+"""What the drawn edges require of the tools."""

@@ -1,0 +1,235 @@
+"""Folds: the creases that a board is really to have, from those that were drawn.
+
+    Edges (creases), Edges (cuts), Board, ways of the wheel -> Edges
+
+A cut that runs through a crease parts it: both halves keep their own distance from it.  Three or
+more dashes in a line may be rolled as one crease; whether they were, their gaps tell.  A board with
+a double crease has two lines for each that is drawn, half of their distance to either side.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from knifetip.model.dieline import LineType
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.edges import (
+    JOIN_DISTANCE,
+    STRAIGHT_ANGLE,
+    TOUCH_DISTANCE,
+    Edges,
+    angle_between,
+    pairs_within,
+)
+
+#: Dashes are no farther apart than this (mm), nor than so many of their mean lengths.
+MAX_DASH_GAP: Final = 12.0
+MAX_GAP_RATIO: Final = 1.5
+#: A cut is on a crease where it is within this of it (mm), and through it where it soon is not.
+ON_DISTANCE: Final = 1e-4
+CROSSING_LENGTH: Final = 0.01
+
+
+def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
+    """Return creases parted where cuts run through them, and the places, (k, 2) mm."""
+    crease, at = _cut_crossings(edges.curve, cuts)
+    places = point_at(edges.curve[crease], at)
+    within = (at > TOUCH_DISTANCE) & (at < edges.curve[crease, 5] - TOUCH_DISTANCE)
+    crease, at = crease[within], at[within]
+    count = len(edges)
+    row = np.concatenate([np.arange(count), crease])
+    low = np.concatenate([np.zeros(count), at])
+    order = np.lexsort((low, row))
+    row, low = row[order], low[order]
+    last = np.append(row[1:] != row[:-1], True)
+    high = np.where(last, edges.curve[row, 5], np.append(low[1:], 0.0))
+    some = high - low > 1e-6
+    return _sub_edges(edges, row[some], low[some], high[some]), places
+
+
+def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
+    """Return which curves cuts run through, and where (mm along them).
+
+    A cut runs through in its own middle, or goes on as another where it ends on the curve: some
+    leave that place on either side of it.
+    """
+    rows = find_overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON_DISTANCE)
+    at, place = rows.along.mean(axis=1), rows.place.mean(axis=1)
+    runs = (place > TOUCH_DISTANCE) & (place < cuts.curve[rows.edge, 5] - TOUCH_DISTANCE)
+    runs &= np.diff(rows.along)[:, 0] < CROSSING_LENGTH
+    touch = find_overlaps(
+        line_curves(cuts.ends, cuts.ends), curve, np.zeros(len(curve)), curve[:, 5], TOUCH_DISTANCE
+    )
+    row, on = touch.edge.astype(np.int64), touch.place[:, 0]
+    side = np.sin(np.radians(cuts.outward[touch.curve] + 180.0 - azimuth_at(curve[row], on)))
+    side[np.abs(side) * cuts.curve[touch.curve // 2, 5] <= TOUCH_DISTANCE] = 0.0
+    order = np.lexsort((on, row))
+    row, on, side = row[order], on[order], side[order]
+    new = np.ones(len(row), np.bool_)
+    new[1:] = (row[1:] != row[:-1]) | (np.diff(on) > TOUCH_DISTANCE)
+    group = np.cumsum(new) - 1
+    across = math.sin(math.radians(STRAIGHT_ANGLE))
+    both = np.zeros((int(new.sum()), 2), np.bool_)
+    both[group[side > across], 0] = True
+    both[group[side < -across], 1] = True
+    met = np.flatnonzero(new)[both.all(axis=1)]
+    return (
+        np.concatenate([rows.curve[runs].astype(np.int64), row[met]]),
+        np.concatenate([at[runs], on[met]]),
+    )
+
+
+def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
+    """Return the parts of edges between two places (mm)."""
+    curve = edges.curve[row].copy()
+    start, end = point_at(curve, low), point_at(curve, high)
+    outward = np.stack([azimuth_at(curve, low) + 180.0, azimuth_at(curve, high)], axis=1)
+    straight = curve[:, 0] == 0.0
+    curve[straight, 1:3] = start[straight]
+    bent = ~straight
+    curve[bent, 4] += curve[bent, 0] * low[bent] / curve[bent, 3]
+    curve[:, 5] = high - low
+    return Edges(
+        edges.row[row],
+        curve,
+        edges.line_type[row],
+        np.stack([start, end], axis=1).reshape(-1, 2),
+        outward.ravel(),
+        np.degrees(np.arctan2(*(end - start).T[::-1])),
+    )
+
+
+def creased_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
+    """Return the gaps between dashes that were rolled as one, as creases of the dash before.
+
+    They were if the wheel has been in one of their gaps, or on only one of them.
+
+    Parameters
+    ----------
+    cuts
+        What begins or ends on one of them is no dash there: the gap is a slot.  Where one runs
+        through a gap, the dashes on either side are not of one crease.
+    ways : (n, 6)
+        Where the wheel went.
+    limit : mm
+        How far beside the dashes it may have gone.
+    """
+    plain = np.flatnonzero((edges.curve[:, 0] == 0.0) & (edges.line_type == LineType.CREASE))
+    dash = edges.taken(plain)
+    near, far = _facing_ends(dash)
+    points = line_curves(dash.ends, dash.ends)
+    touched = np.zeros(len(dash.ends), np.bool_)
+    slots = find_overlaps(points, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], TOUCH_DISTANCE)
+    touched[slots.curve] = True
+    near, far = near[~(touched[near] | touched[far])], far[~(touched[near] | touched[far])]
+    unparted = np.ones(len(near), np.bool_)
+    unparted[_cut_crossings(line_curves(dash.ends[near], dash.ends[far]), cuts)[0]] = False
+    near, far = near[unparted], far[unparted]
+    if len(near) == 0:
+        return edges.taken(np.zeros(0, np.int64))
+    gap = np.hypot(*(dash.ends[near] - dash.ends[far]).T)
+    # Dashes hang together by their gaps: how many, and how long on average.
+    name = np.arange(len(dash))
+    for _ in range(len(dash)):
+        least = name.copy()
+        np.minimum.at(least, near // 2, name[far // 2])
+        np.minimum.at(least, far // 2, name[near // 2])
+        least = least[least]
+        if np.array_equal(least, name):
+            break
+        name = least
+    many = np.bincount(name, minlength=len(dash))
+    total = np.bincount(name, dash.curve[:, 5], minlength=len(dash))
+    widest = np.zeros(len(dash))
+    np.maximum.at(widest, name[near // 2], gap)
+    row_ = name[near // 2]
+    good = (many[row_] >= 3) & (widest[row_] * many[row_] <= MAX_GAP_RATIO * total[row_] + 1e-6)
+    near, far = near[good], far[good]
+    curve = line_curves(dash.ends[near], dash.ends[far])
+    rows = find_overlaps(ways, curve, np.zeros(len(curve)), curve[:, 5], limit)
+    some = np.abs(np.diff(rows.place)[:, 0]) > JOIN_DISTANCE
+    run = name[near // 2]
+    rolled = np.zeros(len(dash), np.bool_)
+    rolled[run[rows.edge[some]]] = True
+    met = find_overlaps(ways, dash.curve, np.zeros(len(dash)), dash.curve[:, 5], limit).edge
+    rolled |= np.bincount(name[np.unique(met)], minlength=len(dash)) == 1
+    near, far, curve = near[rolled[run]], far[rolled[run]], curve[rolled[run]]
+    heading = azimuth_at(curve, np.zeros(len(curve)))
+    return Edges(
+        dash.row[near // 2],
+        curve,
+        dash.line_type[near // 2],
+        np.stack([dash.ends[near], dash.ends[far]], axis=1).reshape(-1, 2),
+        np.stack([heading + 180.0, heading], axis=1).ravel(),
+        heading,
+    )
+
+
+def _facing_ends(dash: Edges) -> tuple[I64, I64]:
+    """Return the pairs of ends of dashes that face each other over a gap, each pair once."""
+    ahead = np.radians(dash.outward)
+    step = (MAX_DASH_GAP + 1.0) * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
+    rows = find_overlaps(
+        line_curves(dash.ends, dash.ends + step),
+        dash.curve,
+        np.zeros(len(dash)),
+        dash.curve[:, 5],
+        TOUCH_DISTANCE,
+    )
+    end = rows.curve.astype(np.int64)
+    turn = angle_between(dash.outward[end], dash.chord[rows.edge], 180.0)
+    away = rows.along[:, 0]
+    good = (rows.edge != end // 2) & (turn <= STRAIGHT_ANGLE) & (np.diff(rows.along)[:, 0] > 0.0)
+    end, edge, away, place = end[good], rows.edge[good], away[good], rows.place[good, 0]
+    order = np.lexsort((away, end))
+    first = order[np.unique(end[order], return_index=True)[1]]
+    end, edge, away, place = end[first], edge[first], away[first], place[first]
+    other = 2 * edge.astype(np.int64) + (place > 0.5 * dash.curve[edge, 5])
+    faced = np.full(2 * len(dash), -1, np.int64)
+    gap = (away > JOIN_DISTANCE) & (away <= MAX_DASH_GAP)
+    faced[end[gap]] = other[gap]
+    mutual = (faced >= 0) & (faced[np.maximum(faced, 0)] == np.arange(2 * len(dash)))
+    one = np.flatnonzero(mutual & (np.arange(2 * len(dash)) < faced))
+    return one, faced[one]
+
+
+def concatenate_edges(edges: Edges, more: Edges) -> Edges:
+    """Return both edges and more of them."""
+    return Edges(
+        *(
+            np.concatenate([getattr(edges, name), getattr(more, name)])
+            for name in ("row", "curve", "line_type", "ends", "outward", "chord")
+        )
+    )
+
+
+def double_lines(edges: Edges, distance: float) -> Edges:
+    """Return the two lines at half a distance (mm) to either side of each edge."""
+    sides = []
+    for half in (0.5 * distance, -0.5 * distance):
+        curve = edges.curve.copy()
+        straight = curve[:, 0] == 0.0
+        left = np.stack([-curve[:, 4], curve[:, 3]], axis=1)
+        curve[straight, 1:3] += half * left[straight]
+        bent = ~straight
+        radius = curve[bent, 3] - curve[bent, 0] * half
+        curve[bent, 5] *= radius / curve[bent, 3]
+        curve[bent, 3] = radius
+        ends = np.stack(
+            [point_at(curve, np.zeros(len(curve))), point_at(curve, curve[:, 5])], axis=1
+        )
+        sides.append(replace(edges, curve=curve, ends=ends.reshape(-1, 2)))
+    return concatenate_edges(*sides)
+
+
+def ends_at(edges: Edges, places: F64) -> Bool:
+    """Return which ends of edges, (2n,), lie at one of these places."""
+    result = np.zeros(len(edges.ends), np.bool_)
+    result[pairs_within(edges.ends, places, TOUCH_DISTANCE)[0]] = True
+    return result

@@ -1,0 +1,161 @@
+"""Paths of edges that follow each other end to end.
+
+Edges -> links between ends -> EdgePaths
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.kernels import F64_1, I64_1, kernel
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.curves.curve import point_at
+from knifetip.verification.expectation.edges import (
+    JOIN_DISTANCE,
+    STRAIGHT_ANGLE,
+    TOUCH_DISTANCE,
+    Edges,
+    angle_between,
+    pairs_within,
+)
+
+#: Edges that are one so far from their common end are drawn over each other (mm).
+_COINCIDENT_PROBE: Final = 2.0
+
+
+def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64, Bool]:
+    """Return which end each end is joined to, -1 for none, and whether another goes straight on.
+
+    Two ends that are alone are joined where they turn by no more than ``kink`` degrees; where
+    more meet, those that run straight through each other are, if neither has a second candidate.
+    Where two edges of a ``ring``, (n,), meet they go on as each other, whatever else ends there.
+    """
+    count = len(edges.ends)
+    a, b = pairs_within(edges.ends, edges.ends, TOUCH_DISTANCE)
+    keep = a // 2 != b // 2
+    a, b = a[keep], b[keep]
+    turn = angle_between(edges.outward[a], edges.outward[b] + 180.0)
+    goes_on = np.zeros(count, np.bool_)
+    goes_on[a[turn <= STRAIGHT_ANGLE]] = True
+    joined = np.hypot(*(edges.ends[a] - edges.ends[b]).T) <= JOIN_DISTANCE
+    # One drawn over the other does not come back along it.
+    joined &= ~((turn >= 180.0 - STRAIGHT_ANGLE) & _are_coincident(edges, a, b))
+    a, b, turn = a[joined], b[joined], turn[joined]
+    if ring is not None:
+        both = ring[a // 2] & ring[b // 2]
+        rung = np.bincount(a[both], minlength=count) == 1
+        both &= rung[a] & rung[b]
+        taken = np.zeros(count, np.bool_)
+        taken[a[both]] = True
+        keep = both | ~(taken[a] | taken[b])
+        a, b, turn = a[keep], b[keep], np.where(both, 0.0, turn)[keep]
+    crowd = np.bincount(a, minlength=count)
+    fits = np.where((crowd[a] == 1) & (crowd[b] == 1), turn <= kink + 1e-9, turn <= STRAIGHT_ANGLE)
+    a, b = a[fits], b[fits]
+    single = np.bincount(a, minlength=count) == 1
+    link = np.full(count, -1, np.int64)
+    mutual = single[a] & single[b]
+    link[a[mutual]] = b[mutual]
+    return link, goes_on
+
+
+def _are_coincident(edges: Edges, a: I64, b: I64) -> Bool:
+    """Return whether the edges of pairs of ends that lie together are drawn over each other."""
+    size = np.minimum(edges.curve[a // 2, 5], edges.curve[b // 2, 5])
+    inward = np.minimum(size, _COINCIDENT_PROBE)
+    points = [
+        point_at(curve, np.where(end % 2 == 0, inward, curve[:, 5] - inward))
+        for end, curve in ((a, edges.curve[a // 2]), (b, edges.curve[b // 2]))
+    ]
+    result: Bool = np.hypot(*(points[0] - points[1]).T) <= JOIN_DISTANCE
+    return result
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class EdgePaths:
+    """n edges strung on c paths."""
+
+    path: I64  #: (n,) the path of each edge
+    begin: F64  #: (n,) mm from the path's first end to where the edge begins on it
+    flipped: Bool  #: (n,) the path runs from the edge's end to its start
+    length: F64  #: (c,) mm
+    first: I64  #: (c,) end at which the path begins, -1 where it is closed
+    last: I64  #: (c,) end at which it ends
+
+    def stretch(self, low: F64, high: F64, curve: F64) -> tuple[F64, F64]:
+        """Return for each edge which part of it, in its own mm, lies between two places.
+
+        Parameters
+        ----------
+        low, high : (c,) mm from the first end of each path
+        """
+        size = curve[:, 5]
+        near = np.clip(low[self.path] - self.begin, 0.0, None)
+        far = np.minimum(high[self.path] - self.begin, size)
+        own_low = np.where(self.flipped, size - far, near)
+        own_high = np.where(self.flipped, size - near, far)
+        return own_low, own_high
+
+    def find(self, path: I64, at: F64, curve: F64) -> tuple[I64, F64]:
+        """Return the edge, and the place in its own mm, at a distance along paths."""
+        order = np.lexsort((self.begin, self.path))
+        widest = float(self.length.max(initial=0.0)) + 1.0
+        key = self.path[order] * widest + self.begin[order]
+        rows = order[np.searchsorted(key, path * widest + at, side="right") - 1]
+        along = np.clip(at - self.begin[rows], 0.0, curve[rows, 5])
+        return rows, np.where(self.flipped[rows], curve[rows, 5] - along, along)
+
+
+def joined_ends(edges: Edges) -> I64:
+    """Return the end that each end is joined to, (2n,), -1 for none: alone, at any angle."""
+    return link_ends(edges, 180.0)[0]
+
+
+def continues_straight(edges: Edges) -> Bool:
+    """Return for the ends of edges, (2n,), whether another one goes straight on."""
+    return link_ends(edges, STRAIGHT_ANGLE)[1]
+
+
+def edge_paths(edges: Edges, link: I64) -> EdgePaths:
+    """Return the paths that linked ends make."""
+    path, begin, flipped, length, first, last, count = _trace_paths(link, edges.curve[:, 5].copy())
+    return EdgePaths(path, begin, flipped, length[:count], first[:count], last[:count])
+
+
+@kernel
+def _trace_paths(link: I64_1, size: F64_1) -> Any:
+    count = len(size)
+    path = np.full(count, -1, np.int64)
+    begin = np.zeros(count)
+    flipped = np.zeros(count, np.bool_)
+    length = np.zeros(count)
+    first = np.full(count, -1, np.int64)
+    last = np.full(count, -1, np.int64)
+    paths = 0
+    for edge in range(count):
+        if path[edge] >= 0:
+            continue
+        tail = 2 * edge
+        closed = False
+        while link[tail] >= 0:
+            tail = link[tail] ^ 1
+            if tail == 2 * edge:
+                closed = True
+                break
+        if not closed:
+            first[paths] = tail
+        at = 0.0
+        while tail >= 0 and path[tail // 2] < 0:
+            path[tail // 2] = paths
+            begin[tail // 2] = at
+            flipped[tail // 2] = tail % 2 == 1
+            at += size[tail // 2]
+            if not closed:
+                last[paths] = tail ^ 1
+            tail = link[tail ^ 1]
+        length[paths] = at
+        paths += 1
+    return path, begin, flipped, length, first, last, paths

@@ -1,0 +1,165 @@
+"""The drawn edges as curves on the sheet, and which of their ends lie together.
+
+Dieline, placement -> Edges
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.errors import GeometryError
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.verification.columns import F64, I32, I64
+from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
+
+#: Ends nearer than this are one path (mm).
+JOIN_DISTANCE: Final = 0.002
+
+
+#: Ends nearer than this were meant to touch (mm).
+TOUCH_DISTANCE: Final = 0.05
+
+
+#: Straighter than this is straight on (degrees).
+STRAIGHT_ANGLE: Final = 1.0
+
+
+#: More pairs of ends at one place are no dieline.
+MAX_PAIRS: Final = 20_000_000
+
+
+#: A bulge below this is a straight line.
+_BULGE: Final = 1e-9
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Edges:
+    """n edges on the sheet."""
+
+    row: I32  #: (n,) row in Dieline
+    curve: F64  #: (n, 6) as in kinematics.Work
+    line_type: I32  #: (n,)
+    ends: F64  #: (2n, 2) mm, start and end of each edge in turn
+    outward: F64  #: (2n,) degrees, the direction in which each edge leaves its ends
+    chord: F64  #: (n,) degrees, from start to end
+
+    def __len__(self) -> int:
+        return len(self.row)
+
+    def of(self, *types: LineType) -> Edges:
+        """Return the edges of these line types."""
+        return self.taken(np.flatnonzero(np.isin(self.line_type, types)))
+
+    def taken(self, where: I64) -> Edges:
+        """Return some of the edges, by row."""
+        twice = np.stack([2 * where, 2 * where + 1], axis=1).ravel()
+        return Edges(
+            self.row[where],
+            self.curve[where],
+            self.line_type[where],
+            self.ends[twice],
+            self.outward[twice],
+            self.chord[where],
+        )
+
+
+def place_edges(dieline: Dieline, placement: tuple[float, float]) -> Edges:
+    """Return the dieline's edges with length, moved to where the sheet has them.
+
+    Raises
+    ------
+    GeometryError
+        The placement or an edge has a coordinate that is not a number.
+    """
+    bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
+    if bad.any() or not np.isfinite(placement).all():
+        what = f"Edge {int(np.argmax(bad))}" if bad.any() else "The placement"
+        raise GeometryError("input.not-finite", what=what)
+    start = dieline.ends[:, 0] + placement
+    end = dieline.ends[:, 1] + placement
+    row = np.flatnonzero(np.hypot(*(end - start).T) > 0.0).astype(np.int32)
+    start, end, bulge = start[row], end[row], dieline.bulge[row]
+    curve = line_curves(start, end)
+    bent = np.abs(bulge) >= _BULGE
+    chord = end[bent] - start[bent]
+    b = bulge[bent]
+    # The centre lies (1 - b²) / 4b chords to the left of the chord's middle.
+    left = np.stack([-chord[:, 1], chord[:, 0]], axis=1)
+    centre = (start[bent] + end[bent]) / 2.0 + left * ((1.0 - b * b) / (4.0 * b))[:, None]
+    curve[bent] = arc_curves(centre, start[bent], 4.0 * np.arctan(b))
+    at_start = azimuth_at(curve, np.zeros(len(row)))
+    at_end = azimuth_at(curve, curve[:, 5])
+    return Edges(
+        row=row,
+        curve=curve,
+        line_type=dieline.line_type[row].astype(np.int32),
+        ends=np.stack([start, end], axis=1).reshape(-1, 2),
+        outward=np.stack([at_start + 180.0, at_end], axis=1).ravel(),
+        chord=np.degrees(np.arctan2(*(end - start).T[::-1])),
+    )
+
+
+def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
+    """Return the edges without those drawn again over another of their type.
+
+    Returns
+    -------
+    edges, rows of what is left out, rows of what stays for each of those
+    """
+    a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
+    same = (a % 2 == 0) & (a // 2 > b // 2)
+    # Which end of the other lies at the start, and whether its other end lies at the end too.
+    first, other = a[same] // 2, b[same]
+    away = edges.ends[2 * first + 1] - edges.ends[other ^ 1]
+    middle = [point_at(edges.curve[row], 0.5 * edges.curve[row, 5]) for row in (first, other // 2)]
+    twins = (
+        (np.hypot(*away.T) <= JOIN_DISTANCE)
+        & (np.hypot(*(middle[0] - middle[1]).T) <= JOIN_DISTANCE)
+        & (edges.line_type[first] == edges.line_type[other // 2])
+    )
+    stays = np.arange(len(edges))
+    np.minimum.at(stays, first[twins], other[twins] // 2)
+    # The one that stays may itself be drawn over an earlier one.
+    while (stays[stays] != stays).any():
+        stays = stays[stays]
+    twin = np.flatnonzero(stays != np.arange(len(edges)))
+    left = edges.taken(np.flatnonzero(stays == np.arange(len(edges))))
+    return left, edges.row[twin], edges.row[stays[twin]]
+
+
+def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
+    """Return the pairs of points, (n, 2) and (m, 2) mm, within a distance of each other."""
+    if len(points) == 0 or len(others) == 0:
+        return np.zeros(0, np.int64), np.zeros(0, np.int64)
+    low = np.minimum(points.min(axis=0), others.min(axis=0)) - distance
+    cell = np.floor((others - low) / distance).astype(np.int64)
+    mine = np.floor((points - low) / distance).astype(np.int64)
+    high = int(max(cell[:, 1].max(), mine[:, 1].max())) + 2
+    key = cell[:, 0] * high + cell[:, 1]
+    order = np.argsort(key, kind="stable")
+    key = key[order]
+    found_a, found_b = [], []
+    for column in (-1, 0, 1):
+        # The three cells of a column lie next to each other in the keys.
+        wanted = (mine[:, 0] + column) * high + mine[:, 1]
+        first = np.searchsorted(key, wanted - 1)
+        many = np.searchsorted(key, wanted + 2) - first
+        if many.sum() > MAX_PAIRS:
+            raise GeometryError("edge.too-crowded", limit=MAX_PAIRS, distance=distance)
+        a = np.repeat(np.arange(len(points)), many)
+        b = np.arange(len(a)) - np.repeat(np.cumsum(many) - many - first, many)
+        found_a.append(a)
+        found_b.append(order[b])
+    a, b = np.concatenate(found_a), np.concatenate(found_b)
+    near = np.hypot(*(points[a] - others[b]).T) <= distance
+    return a[near], b[near]
+
+
+def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
+    """Return the smaller angle between directions (degrees)."""
+    half = turn / 2.0
+    result: F64 = np.abs((one - other + half) % turn - half)
+    return result

@@ -1,0 +1,217 @@
+"""Intent: what each edge asks for: the depth, where the tip begins and stops, what it may run over.
+
+    Dieline, placement -> Edges (curves on the sheet) -> Creases, KnifeEnds, grooves that go on
+
+The rules are the trade's, told again from the board's and the tools' records:
+
+* a wheel of radius R pressed in by δ touches ± s, s² = δ(2R − δ); at an end where no other crease
+  goes on it stops s and the board's end clearance early; what is too short for that is pressed in
+  one place at the depth whose contact fits;
+* a blade slanted by α is at the top face ahead of its tip by h tan α.  A cut that ends inside a
+  panel stops where the top face ends; one that ends on another cut, or on its own start, runs on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.model.board import Board
+from knifetip.model.dieline import LineType
+from knifetip.model.tool import CreaseWheel
+from knifetip.verification.columns import F64, Bool
+from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.edge_paths import EdgePaths, edge_paths, link_ends
+from knifetip.verification.expectation.edges import (
+    JOIN_DISTANCE,
+    STRAIGHT_ANGLE,
+    TOUCH_DISTANCE,
+    Edges,
+    angle_between,
+    pairs_within,
+)
+from knifetip.verification.tools import OperationKind
+
+#: So far ahead of its end a crease is looked for that goes on (mm).
+_CONTINUATION_PROBE: Final = 0.5
+
+
+#: Grooves that differ less in direction are one groove (degrees).
+_COLLINEAR_ANGLE: Final = 0.005
+
+
+#: The line types that each trade may work.
+WORKED_TYPES: Final[dict[OperationKind, tuple[LineType, ...]]] = {
+    OperationKind.CUT: (LineType.CUT, LineType.PERFORATION, LineType.COMBI),
+    OperationKind.HALF_CUT: (LineType.HALF_CUT,),
+    OperationKind.CREASE: (LineType.CREASE, LineType.COMBI),
+    OperationKind.GROOVE: (LineType.V_GROOVE,),
+    OperationKind.MILL: (LineType.CUT,),
+}
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ExpectedCreases:
+    """What n creases ask of the wheel."""
+
+    edges: Edges
+    depth: F64  #: (n,) mm below the top face, of the tip
+    low: F64  #: (n,) mm along the edge where the tip may begin
+    high: F64  #: (n,) mm, below ``low`` where the tip has no business
+    pressed: Bool  #: (n,) the tip comes down in one place
+    refused: Bool  #: (n,) too short, and the board wants none pressed
+
+
+def expected_creases(
+    edges: Edges,
+    board: Board,
+    wheel: CreaseWheel,
+    around: Edges | None = None,
+    parts: Bool | None = None,
+) -> ExpectedCreases:
+    """Return where the wheel's lowest point goes, and how deep, for creases and combi lines.
+
+    Parameters
+    ----------
+    around
+        All creases, those of other wheels too: where one of them goes on, no end is free.
+    parts : (2n,)
+        The ends at which a cut runs through a crease: they are free.
+    """
+    across = np.radians(edges.chord - board.grain)
+    depth = board.crease_along + (board.crease_across - board.crease_along) * np.sin(across) ** 2
+    contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
+    link, goes_on = link_ends(edges, STRAIGHT_ANGLE)
+    goes_on |= _continued_ends(edges, edges if around is None else around)
+    if parts is not None:
+        goes_on[parts] = False
+        link[parts] = -1
+        link[(link >= 0) & parts[link]] = -1
+    paths = edge_paths(edges, link)
+    open_ = paths.first >= 0
+    free = [open_ & ~goes_on[np.maximum(end, 0)] for end in (paths.first, paths.last)]
+    back = [
+        np.where(at_end, contact[np.maximum(end, 0) // 2] + board.end_clearance, 0.0)
+        for at_end, end in zip(free, (paths.first, paths.last), strict=True)
+    ]
+    begin, finish = back[0], paths.length - back[1]
+    short = finish - begin <= 1e-5
+    low, high = paths.stretch(begin, finish, edges.curve)
+    low[short[paths.path]], high[short[paths.path]] = 0.0, -1.0
+
+    pressed = np.zeros(len(edges), np.bool_)
+    refused = np.zeros(len(edges), np.bool_)
+    which = np.flatnonzero(short)
+    if len(which):
+        both = free[0][which] & free[1][which]
+        size = paths.length[which]
+        at = np.where(both, size / 2.0, np.where(free[0][which], size, 0.0))
+        half = np.where(both, size / 2.0, size) - board.end_clearance
+        row, place = paths.find(which, at, edges.curve)
+        reach = np.clip(half, 0.0, wheel.radius)
+        fits = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
+        depth[row] = np.minimum(depth[row], fits)
+        low[row] = high[row] = place
+        pressed[row] = True
+        refused[row] = (board.short_crease != "press") | (half <= 0.0)
+    return ExpectedCreases(edges, depth, low, high, pressed, refused)
+
+
+def _continued_ends(edges: Edges, around: Edges) -> Bool:
+    """Return for the ends of edges, (2n,), whether one of those around lies on from there."""
+    ahead = np.radians(edges.outward)
+    step = _CONTINUATION_PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
+    probe = line_curves(edges.ends, edges.ends + step)
+    rows = find_overlaps(
+        probe, around.curve, np.zeros(len(around)), around.curve[:, 5], TOUCH_DISTANCE
+    )
+    own = edges.row[rows.curve // 2] == around.row[rows.edge]
+    turn = angle_between(
+        edges.outward[rows.curve], azimuth_at(around.curve[rows.edge], rows.place[:, 0]), 180.0
+    )
+    begins = rows.along[:, 0] <= TOUCH_DISTANCE
+    on = (
+        ~own
+        & begins
+        & (turn <= STRAIGHT_ANGLE)
+        & (np.diff(rows.along)[:, 0] > 0.5 * _CONTINUATION_PROBE)
+    )
+    result = np.zeros(len(edges.ends), np.bool_)
+    result[rows.curve[on]] = True
+    return result
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class KnifeEnds:
+    """Where a knife may stop at the 2n ends of n edges."""
+
+    stop: F64  #: (2n, 2) mm on the sheet
+    free: Bool  #: (2n,) the end lies inside a panel
+    meets: Bool  #: (2n,) the end lies on another through cut
+    paths: EdgePaths
+
+
+def knife_ends(
+    edges: Edges, cuts: Edges, lead: float, overrun: float, ring: Bool | None = None
+) -> KnifeEnds:
+    """Return where the tip stops at each end of edges that a knife works.
+
+    Parameters
+    ----------
+    edges
+        Cuts or half-cuts.
+    cuts
+        The through cuts, which an end may meet.
+    lead : mm
+        How far the top face is cut ahead of the tip: an end inside a panel is cut short by it.
+    overrun : mm
+        How far the tip runs past an end that meets a cut.
+    ring : (n,)
+        Edges that are cut all round, past what else ends on them.
+    """
+    count = len(edges)
+    link, _ = link_ends(edges, 180.0, ring)
+    paths = edge_paths(edges, link)
+    rows = find_overlaps(
+        line_curves(edges.ends, edges.ends),
+        cuts.curve,
+        np.zeros(len(cuts)),
+        cuts.curve[:, 5],
+        TOUCH_DISTANCE,
+    )
+    own = edges.row[rows.curve // 2] == cuts.row[rows.edge]
+    # One that ends here too, from the same side, is the same cut drawn again.
+    near = np.where(rows.place[:, 0] < 0.5 * cuts.curve[rows.edge, 5], 0, 1)
+    twin = 2 * rows.edge.astype(np.int64) + near
+    here = np.hypot(*(cuts.ends[twin] - edges.ends[rows.curve]).T) <= JOIN_DISTANCE
+    own |= here & (angle_between(cuts.outward[twin], edges.outward[rows.curve]) <= STRAIGHT_ANGLE)
+    meets = np.zeros(2 * count, np.bool_)
+    meets[rows.curve[~own]] = True
+    free = ~meets & (link < 0)
+    ahead = np.radians(edges.outward)
+    stop = edges.ends + overrun * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
+    stop[~meets & ~free] = np.nan
+    # Back from a free end along the path, round corners where its last edge is shorter.
+    which = np.flatnonzero(free)
+    if len(which):
+        edge = which // 2
+        path = paths.path[edge]
+        at_last = paths.last[path] == which
+        at = np.where(at_last, paths.length[path] - lead, lead)
+        row, place = paths.find(path, np.clip(at, 0.0, paths.length[path]), edges.curve)
+        stop[which] = point_at(edges.curve[row], place)
+    return KnifeEnds(stop, free, meets, paths)
+
+
+def groove_continues(edges: Edges) -> Bool:
+    """Return for the ends of V-grooves, (2n,), whether another groove goes on in one line."""
+    a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
+    on = (a // 2 != b // 2) & (
+        angle_between(edges.outward[a], edges.outward[b] + 180.0) <= _COLLINEAR_ANGLE
+    )
+    result = np.zeros(len(edges.ends), np.bool_)
+    result[a[on]] = True
+    return result

@@ -1,0 +1,242 @@
+"""Outline: which cuts bound the blanks, on which side of each lies the board, and what it asks.
+
+    Edges (the cuts) -> Outline -> how far grooves that end on it must run out
+
+Cuts that share their ends enclose faces.  A walk with the face on its left goes round a bounded one
+anticlockwise and round a whole component clockwise, so the sign of the area that it sweeps tells
+what lies outside.  A component inside another one is a hole, or the waste in it.
+
+A groove of width W at the top face has left the board when both points c ± (W/2) n have: along u
+past an edge with outward normal m, one of them has (W/2) |n·m| / (u·m) further to go.
+
+Source of the run-out: the turning paper, 1, on a flat board.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.kernels import F64_1, F64_2, I64_1, kernel
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.curves.curve import point_at
+from knifetip.verification.expectation.edges import (
+    JOIN_DISTANCE,
+    Edges,
+    pairs_within,
+)
+
+#: A walk that sweeps less than this encloses nothing (mm²).
+_MIN_AREA: Final = 1e-6
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CutOutlines:
+    """What n cuts enclose."""
+
+    edges: Edges
+    closing: Bool  #: (n,) a face lies on one side and what is outside its component on the other
+    depth: I64  #: (n,) in how many other components the edge's own lies
+    board_left: Bool  #: (n,) of a closing edge: the board that stays is on its left
+    component: I64  #: (n,)
+
+    @property
+    def outer(self) -> Bool:
+        """(n,) Whether an edge bounds a blank, or a part inside a hole, from outside."""
+        result: Bool = self.closing & (self.depth % 2 == 0)
+        return result
+
+
+def find_outlines(edges: Edges) -> CutOutlines:
+    """Return what cuts enclose."""
+    count = len(edges)
+    if count == 0:
+        none = np.zeros(0, np.bool_)
+        return CutOutlines(edges, none, np.zeros(0, np.int64), none, np.zeros(0, np.int64))
+    cycle, swept, component = face_cycles(edges)
+    # A cycle is the outside of its component if it is clockwise, or encloses nothing.
+    outside = (swept < _MIN_AREA)[cycle].reshape(-1, 2)
+    closing = outside[:, 0] != outside[:, 1]
+    depth = _nesting_depths(edges.curve, closing, component)[component]
+    # Half-edge 0 has its face on the edge's left.  In a hole the board is outside.
+    left = ~outside[:, 0] ^ (depth % 2 == 1)
+    return CutOutlines(edges, closing, depth, left, component)
+
+
+def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
+    """Return the walks round the faces between edges that share their ends.
+
+    Returns
+    -------
+    cycle : (2n,)
+        The walk that goes along each half-edge, from start to end of an edge and back, with its
+        face on the left.
+    swept : (w,)
+        Twice the area of each walk (mm²): not positive for the walk round a component.
+    component : (n,)
+    """
+    count = len(edges)
+    a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
+    node = _lowest_connected(a, b, 2 * count)
+    curve = np.repeat(edges.curve, 2, axis=0)
+    back = np.tile([False, True], count)
+    leaves = np.round(np.radians(edges.outward + 180.0) % (2.0 * math.pi), 9)
+    straight = curve[:, 0] == 0.0
+    bend = np.where(straight, 0.0, curve[:, 0] / np.where(straight, 1.0, curve[:, 3]))
+    bend = np.where(back, -bend, bend)
+    order = np.lexsort((bend, leaves, node))
+    cycle, swept = _trace_cycles(order, node[order], _swept_areas(edges))
+    component = _lowest_connected(
+        np.concatenate([node, np.arange(2 * count)]),
+        np.concatenate([np.arange(2 * count), np.arange(2 * count) ^ 1]),
+        2 * count,
+    )[::2]
+    return cycle, swept, np.unique(component, return_inverse=True)[1].ravel().astype(np.int64)
+
+
+def _lowest_connected(a: I64, b: I64, count: int) -> I64:
+    """Return for each of ``count`` things the least one that it hangs together with."""
+    name = np.arange(count)
+    while True:
+        least = name.copy()
+        np.minimum.at(least, a, name[b])
+        np.minimum.at(least, b, name[a])
+        least = least[least]
+        if np.array_equal(least, name):
+            return name
+        name = least
+
+
+def _swept_areas(edges: Edges) -> F64:
+    """Return twice the area that each edge sweeps about the first end of all (mm²)."""
+    curve = edges.curve
+    origin = edges.ends[0]
+    start, end = edges.ends[::2] - origin, edges.ends[1::2] - origin
+    straight = curve[:, 0] == 0.0
+    radius = np.where(straight, 0.0, curve[:, 3])
+    sweep = curve[:, 0] * curve[:, 5] / np.where(straight, 1.0, radius)
+    bulge = radius**2 * (sweep - np.sin(sweep))
+    result: F64 = start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0] + bulge
+    return result
+
+
+@kernel
+def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
+    """Return the cycle of every half-edge, and twice the area of every cycle."""
+    count = len(order)
+    rank = np.empty(count, np.int64)
+    for place in range(count):
+        rank[order[place]] = place
+    last = np.empty(count, np.int64)
+    for place in range(count - 1, -1, -1):
+        same = place + 1 < count and node[place + 1] == node[place]
+        last[place] = last[place + 1] if same else place
+    cycle = np.full(count, -1, np.int64)
+    area = np.zeros(count)
+    cycles = 0
+    for begin in range(count):
+        half = begin
+        while cycle[half] < 0:
+            cycle[half] = cycles
+            area[cycles] += swept[half // 2] if half % 2 == 0 else -swept[half // 2]
+            # Arrived along the twin: the next one clockwise keeps the face on the left.
+            place = rank[half ^ 1]
+            first = place == 0 or node[place - 1] != node[place]
+            half = order[last[place] if first else place - 1]
+        if cycle[begin] == cycles:
+            cycles += 1
+    return cycle, area[:cycles]
+
+
+def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
+    """Return in how many other components' outlines each component lies."""
+    rows = np.flatnonzero(closing)
+    rows = rows[np.argsort(component[rows], kind="stable")]
+    count = int(component.max()) + 1
+    first = np.searchsorted(component[rows], np.arange(count + 1))
+    probe = np.zeros((count, 2))
+    probe[component[::-1]] = point_at(curve, 0.5 * curve[:, 5])[::-1]
+    around = curve[rows]
+    boxes = _bounding_boxes(around, first)
+    return np.asarray(_count_containing(probe, around, first, boxes, True))
+
+
+def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
+    """Return in how many outlines points, (n, 2) mm, lie."""
+    rows = np.flatnonzero(outlined.closing)
+    rows = rows[np.argsort(outlined.component[rows], kind="stable")]
+    around = outlined.edges.curve[rows]
+    count = int(outlined.component.max(initial=-1)) + 1
+    first = np.searchsorted(outlined.component[rows], np.arange(count + 1))
+    return np.asarray(
+        _count_containing(points, around, first, _bounding_boxes(around, first), False)
+    )
+
+
+def _bounding_boxes(around: F64, first: I64) -> F64:
+    boxes = np.empty((len(first) - 1, 4))
+    boxes[:, :2], boxes[:, 2:] = np.inf, -np.inf
+    owner = np.repeat(np.arange(len(first) - 1), np.diff(first))
+    straight = around[:, 0] == 0.0
+    reach = np.where(straight, 0.0, around[:, 3])[:, None]
+    start = np.where(straight[:, None], around[:, 1:3], around[:, 1:3])
+    end = np.where(straight[:, None], point_at(around, around[:, 5]), around[:, 1:3])
+    np.minimum.at(boxes[:, :2], owner, np.minimum(start, end) - reach)
+    np.maximum.at(boxes[:, 2:], owner, np.maximum(start, end) + reach)
+    return boxes
+
+
+@kernel
+def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, own: bool) -> Any:
+    """Return how many outlines are crossed oddly by the rays from points along +X."""
+    depth = np.zeros(len(points), np.int64)
+    for i in range(len(points)):
+        x = points[i, 0]
+        y = points[i, 1]
+        for j in range(len(boxes)):
+            if own and i == j:
+                continue
+            if x < boxes[j, 0] or y < boxes[j, 1] or x > boxes[j, 2] or y > boxes[j, 3]:
+                continue
+            crossed = 0
+            for row in range(first[j], first[j + 1]):
+                crossed += _ray_crossings(around[row], x, y)
+            depth[i] += crossed % 2
+    return depth
+
+
+@kernel(checks_division=True)
+def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
+    """Return how often a ray along +X crosses a curve; an end counts where the curve is above."""
+    if curve[0] == 0.0:
+        y0 = curve[2]
+        y1 = curve[2] + curve[4] * curve[5]
+        if (y0 > y) == (y1 > y):
+            return 0
+        at = curve[1] + (y - y0) / (y1 - y0) * curve[3] * curve[5]
+        return 1 if at > x else 0
+    radius = curve[3]
+    first = curve[4]
+    last = curve[4] + curve[0] * curve[5] / radius
+    low = min(first, last)
+    high = max(first, last)
+    crossed = 0
+    # Between two of its highest and lowest points an arc rises or falls all the way.
+    piece = math.floor(low / math.pi - 0.5)
+    begin = low
+    while begin < high:
+        end = min((piece + 1.5) * math.pi, high)
+        if end > begin:
+            y0 = curve[2] + radius * math.sin(begin)
+            y1 = curve[2] + radius * math.sin(end)
+            if (y0 > y) != (y1 > y):
+                half = math.sqrt(max(radius * radius - (y - curve[2]) ** 2, 0.0))
+                side = 1.0 if math.cos(0.5 * (begin + end)) > 0.0 else -1.0
+                if curve[1] + side * half > x:
+                    crossed += 1
+            begin = end
+        piece += 1
+    return crossed

@@ -1,0 +1,128 @@
+"""How far V-grooves that end on the board's edge must run out past it.
+
+    grooves, cuts, half the groove's width -> RunOuts
+
+A groove of width W at the top face has left the board when both points c ± (W/2) n have: along u
+past an edge with outward normal m, one of them has (W/2) |n·m| / (u·m) further to go.
+
+Source of the run-out: the turning paper, 1, on a flat board.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.expectation.edges import (
+    TOUCH_DISTANCE,
+    Edges,
+)
+from knifetip.verification.expectation.outline import CutOutlines, find_outlines
+
+#: A groove nearer than 5° to the direction of the board's edge runs along it (sine).
+_MIN_SINE: Final = math.sin(math.radians(5.0))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RunOuts:
+    """What the 2n ends of n straight grooves ask for."""
+
+    boundary: Bool  #: (2n,) the end lies on the board's edge, and the groove goes out there
+    least: F64  #: (2n,) mm that the tip must go on past it
+
+
+def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
+    """Return how far grooves must run out where they end on the board's edge.
+
+    Parameters
+    ----------
+    grooves, cuts
+        Arcs among the grooves ask for nothing.
+    half : mm
+        W/2 at the top face.
+    """
+    count = len(grooves.ends)
+    boundary, least = np.zeros(count, np.bool_), np.zeros(count)
+    bounds = find_outlines(cuts)
+    outer = np.flatnonzero(bounds.outer)
+    if len(outer) == 0 or count == 0:
+        return RunOuts(boundary, least)
+    curve = cuts.curve[outer]
+    rows = find_overlaps(
+        line_curves(grooves.ends, grooves.ends),
+        curve,
+        np.zeros(len(outer)),
+        curve[:, 5],
+        TOUCH_DISTANCE,
+    )
+    end, edge = rows.curve.astype(np.int64), rows.edge.astype(np.int64)
+    straight = grooves.curve[end // 2, 0] == 0.0
+    end, edge, place = end[straight], edge[straight], rows.place[straight, 0]
+    ahead = np.radians(grooves.outward[end])
+    u = np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
+    along = np.radians(azimuth_at(curve[edge], place))
+    left = np.stack([-np.sin(along), np.cos(along)], axis=1)
+    m = np.where(bounds.board_left[outer[edge]][:, None], -left, left)
+    out = (u * m).sum(axis=1)
+    leaves = out > _MIN_SINE
+    # Each point of the groove's width, from the end of its line: how far until it is past an edge.
+    need = np.full((count, 2), np.inf)
+    most = np.full((count, 2), -np.inf)
+    n = np.stack([-u[:, 1], u[:, 0]], axis=1)
+    for side, sign in enumerate((1.0, -1.0)):
+        go = np.where(leaves, -sign * half * (n * m).sum(axis=1) / np.where(leaves, out, 1.0), 0.0)
+        go = np.where(
+            leaves, _distance_to_circle(curve[edge], grooves.ends[end], u, sign * half * n, go), go
+        )
+        np.minimum.at(need[:, side], end[leaves], go[leaves])
+        np.maximum.at(most[:, side], end[leaves], go[leaves])
+    # Past an outward corner's one edge a place has left; in a notch it must be past both.
+    outward = _convex_corners(bounds, outer, end, edge, count)
+    many = np.bincount(end, minlength=count)
+    out_by = np.bincount(end[leaves], minlength=count)
+    boundary[:] = (many > 0) & (out_by >= np.where(outward, 1, many))
+    reach = np.where(outward[:, None], need, most)
+    least[boundary] = np.maximum(reach[boundary].max(axis=1), 0.0)
+    return RunOuts(boundary, least)
+
+
+def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64) -> F64:
+    """Return how far to an edge's own circle, where that is nearer than to its tangent (mm)."""
+    bent = curve[:, 0] != 0.0
+    to = end + aside - curve[:, 1:3]
+    b = (to * u).sum(axis=1)
+    inner = b**2 - (to**2).sum(axis=1) + np.where(bent, curve[:, 3], 0.0) ** 2
+    root = np.sqrt(np.maximum(inner, 0.0))
+    near = np.where(np.abs(-b - root) < np.abs(-b + root), -b - root, -b + root)
+    result: F64 = np.where(bent & (inner >= 0.0), np.minimum(near, straight), straight)
+    return result
+
+
+def _convex_corners(bounds: CutOutlines, outer: I64, end: I64, edge: I64, count: int) -> Bool:
+    """Return which of ``count`` ends lie on a corner of the outline that stands out."""
+    outward = np.zeros(count, np.bool_)
+    order = np.argsort(end, kind="stable")
+    end, edge = end[order], edge[order]
+    pair = np.flatnonzero(end[1:] == end[:-1])
+    for first, second in ((pair, pair + 1), (pair + 1, pair)):
+        a, b = outer[edge[first]], outer[edge[second]]
+        heading = []
+        for row, arrives in ((a, True), (b, False)):
+            # Walk with the board on the left: in along the first edge, out along the second.
+            ahead = bounds.board_left[row]
+            at_end = ahead if arrives else ~ahead
+            curve = bounds.edges.curve[row]
+            angle = azimuth_at(curve, np.where(at_end, curve[:, 5], 0.0))
+            heading.append(np.radians(np.where(ahead, angle, angle + 180.0)))
+            place = point_at(curve, np.where(at_end, curve[:, 5], 0.0))
+            heading.append(place)
+        meets = np.hypot(*(heading[1] - heading[3]).T) <= TOUCH_DISTANCE
+        turn = np.sin(heading[2] - heading[0])
+        outward[end[first[meets & (turn > 1e-6)]]] = True
+    return outward

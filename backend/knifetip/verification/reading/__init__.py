@@ -1,0 +1,1 @@
+"""Read programs back: one reader for each family of controller languages."""

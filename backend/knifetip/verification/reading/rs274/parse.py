@@ -1,0 +1,184 @@
+"""Parse: the bytes of a program into words, with every fault named by its line.
+
+    bytes -> ProgramWords: line, letter and number of every word
+
+Nothing is assumed about who wrote the bytes.  A text that is no program gives faults, not errors.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.errors import ProgramUnreadable
+from knifetip.kernels import U8_1, kernel
+from knifetip.messages import Message
+from knifetip.verification.columns import F64, I32, U8
+
+#: Longest text that is looked at (bytes).
+MAX_BYTES: Final = 64 << 20
+#: LinuxCNC reads no longer line (bytes).
+MAX_LINE: Final = 255
+#: A number beyond this is a mistake, on any table.
+MAX_NUMBER: Final = 1e6
+
+#: By the code that the scanner reports; each takes the byte at fault.
+_FAULTS: Final[Mapping[int, Callable[[int], Message]]] = {
+    1: lambda byte: Message("rs274.bad-character", character=chr(byte)),
+    2: lambda _: Message("rs274.nested-comment"),
+    3: lambda _: Message("rs274.open-comment"),
+    4: lambda byte: Message("rs274.letter-without-number", letter=chr(byte)),
+    5: lambda _: Message("rs274.too-many-digits"),
+    6: lambda _: Message("rs274.line-too-long", limit=MAX_LINE),
+    7: lambda _: Message("rs274.number-too-large"),
+}
+_MAX_FAULTS: Final = 1000
+_PLACEMENT: Final = re.compile(rb"\(placement X(-?\d+\.\d+) Y(-?\d+\.\d+)\)")
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ProgramWords:
+    """n words in the order of the text."""
+
+    line: I32  #: (n,) 1-based, ascending
+    letter: U8  #: (n,) code of the capital letter
+    value: F64  #: (n,)
+    faults: tuple[tuple[int, Message], ...]  #: (line, what is wrong with it)
+    lines: int  #: in the text
+
+
+def comment_placement(text: bytes) -> tuple[float, float] | None:
+    """Return the placement that the program's header states, None where it states none."""
+    found = _PLACEMENT.search(text)
+    return (float(found[1]), float(found[2])) if found else None
+
+
+def parse_words(text: bytes) -> ProgramWords:
+    """Return the words of a program.
+
+    Raises
+    ------
+    ProgramUnreadable
+        It is not bytes, or longer than 64 MB.
+    """
+    if not isinstance(text, bytes | bytearray | memoryview):
+        raise ProgramUnreadable("program.not-bytes", type=type(text).__name__)
+    if len(text) > MAX_BYTES:
+        raise ProgramUnreadable("program.too-large", bytes=len(text), limit=MAX_BYTES)
+    raw = np.frombuffer(text, np.uint8)
+    line, letter, value, faults, lines = _scan_words(raw, MAX_LINE, MAX_NUMBER)
+    messages = [
+        (int(row), _FAULTS[int(code)](int(byte))) for row, code, byte in faults[:_MAX_FAULTS]
+    ]
+    return ProgramWords(line, letter, value, tuple(messages), int(lines))
+
+
+def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
+    """Return the lines with a byte that grbl obeys wherever it stands, comments included."""
+    raw = np.frombuffer(text, np.uint8)
+    acts = np.isin(raw, np.frombuffer(b"!~?\x18", np.uint8)) | (raw >= 0x80)
+    places = np.flatnonzero(acts)[:_MAX_FAULTS]
+    line = 1 + np.searchsorted(np.flatnonzero(raw == 10), places)
+    return [
+        (int(row), Message("rs274.control-byte", byte=f"{int(byte):#04x}"))
+        for row, byte in zip(line, raw[places], strict=True)
+    ]
+
+
+@kernel(checks_division=True)
+def _scan_words(raw: U8_1, longest: int, farthest: float) -> Any:
+    """One walk over the bytes; a line with a fault keeps the words that it has."""
+    letters = 0
+    for byte in raw:
+        if 65 <= byte <= 90 or 97 <= byte <= 122:
+            letters += 1
+    line_of = np.empty(letters, np.int32)
+    letter_of = np.empty(letters, np.uint8)
+    value_of = np.empty(letters, np.float64)
+    faults = np.empty((1000, 3), np.int64)
+    words = 0
+    wrong = 0
+    line = 1
+    at = 0
+    began = 0
+    size = len(raw)
+    while at < size:
+        byte = raw[at]
+        code = 0
+        if byte == 10:
+            if at - began > longest:
+                code = 6
+                byte = np.uint8(32)
+            began = at + 1
+            at += 1
+        elif byte == 32 or byte == 9 or (byte == 13 and at + 1 < size and raw[at + 1] == 10):
+            at += 1
+        elif byte == 59:  # ; to the end of the line
+            while at < size and raw[at] != 10:
+                at += 1
+        elif byte == 40:  # ( … )
+            at += 1
+            while at < size and raw[at] != 41 and raw[at] != 10:
+                if raw[at] == 40:
+                    code = 2
+                at += 1
+            if at < size and raw[at] == 41:
+                at += 1
+            else:
+                code = 3
+        elif 65 <= byte <= 90 or 97 <= byte <= 122:
+            if byte >= 97:
+                byte = np.uint8(byte - 32)
+            at += 1
+            negative = False
+            if at < size and (raw[at] == 43 or raw[at] == 45):
+                negative = raw[at] == 45
+                at += 1
+            digits = 0
+            whole = 0
+            scale = 1.0
+            point = False
+            while at < size and (48 <= raw[at] <= 57 or (raw[at] == 46 and not point)):
+                if raw[at] == 46:
+                    point = True
+                else:
+                    digits += 1
+                    if digits <= 15:
+                        # Below 2^53, so the quotient is the nearest number to the decimal.
+                        whole = whole * 10 + (raw[at] - 48)
+                        if point:
+                            scale *= 10.0
+                at += 1
+            value = whole / scale
+            if digits == 0:
+                code = 4
+            elif digits > 15:
+                code = 5
+            elif value > farthest:
+                code = 7
+            else:
+                line_of[words] = line
+                letter_of[words] = byte
+                value_of[words] = -value if negative else value
+                words += 1
+        else:
+            code = 1
+            at += 1
+        if code > 0 and wrong < len(faults):
+            faults[wrong, 0] = line
+            faults[wrong, 1] = code
+            faults[wrong, 2] = byte
+            wrong += 1
+        if began == at and at > 0 and raw[at - 1] == 10:
+            line += 1
+    if size - began > longest and wrong < len(faults):
+        faults[wrong, 0] = line
+        faults[wrong, 1] = 6
+        faults[wrong, 2] = 32
+        wrong += 1
+    lines = line if size > began else line - 1
+    return line_of[:words], letter_of[:words], value_of[:words], faults[:wrong], lines

@@ -1,0 +1,34 @@
+"""reader: the moves of an RS274/NGC program."""
+
+from __future__ import annotations
+
+from operator import itemgetter
+from typing import Final
+
+from knifetip.messages import Message
+from knifetip.model.board import Board
+from knifetip.model.machine import Machine
+from knifetip.verification.reading.moves import Moves
+from knifetip.verification.reading.rs274.modal import interpret
+from knifetip.verification.reading.rs274.parse import comment_placement, parse_words, realtime_bytes
+
+
+class Rs274Reader:
+    """Reads programs for LinuxCNC and grblHAL alike: T words make the difference."""
+
+    def placement(self, text: bytes) -> tuple[float, float] | None:
+        """Return the placement of the header's comment (mm), None where there is none."""
+        return comment_placement(text)
+
+    def read(
+        self, text: bytes, machine: Machine, board: Board
+    ) -> tuple[Moves, list[tuple[int, Message]]]:
+        """Return the moves, and what is wrong: (line, words)."""
+        del board  # every axis is programmed
+        moves, faults = interpret(parse_words(text), machine)
+        if not moves.tabled:
+            faults = sorted(faults + realtime_bytes(text), key=itemgetter(0))
+        return moves, faults
+
+
+READER: Final = Rs274Reader()

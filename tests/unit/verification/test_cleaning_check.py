@@ -1,0 +1,126 @@
+"""tidied: what cleaning must not do, done on purpose."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from knifetip.cleaning.clean import clean
+from knifetip.model.cleaned import Cleaned, Stretches
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.verification.checks.cleaning_check import check_cleaning
+from tests.support.shapes import dieline, edges
+
+CUT, CREASE = LineType.CUT, LineType.CREASE
+
+#: A square with a side drawn twice and one in two pieces, a crease that a cut lies on, a gap.
+LINE = dieline(
+    (CUT, edges(((0, 0), (100, 0)), ((100, 0), (100, 100)), ((100, 100), (0, 100)))),
+    (CUT, edges(((0, 100), (0, 40)), ((0, 40), (0, 0.03)), ((100, 0), (0, 0)))),
+    (CREASE, edges(((50, 20), (50, 80)))),
+    (CUT, edges(((50, 40), (50, 60)), ((20, 20), (20.02, 20)))),
+)
+
+
+def bent(made: Cleaned, **changes: Any) -> Cleaned:
+    return replace(made, dieline=replace(made.dieline, **changes))
+
+
+def told(made: Cleaned, line: Dieline = LINE) -> str:
+    return " ".join(finding.text for finding in check_cleaning(line, made))
+
+
+def test_what_cleaning_does_is_accepted() -> None:
+    made = clean(LINE)
+    assert np.flatnonzero(made.changed).tolist() == [3, 4, 5, 6, 8]
+    assert check_cleaning(LINE, made) == []
+
+
+def test_an_edge_moved_by_two_hundredths_is_found_and_its_measure_told() -> None:
+    made = clean(LINE)
+    ends = made.dieline.ends.copy()
+    ends[1] += (0.02, 0.0)
+    findings = check_cleaning(LINE, bent(made, ends=ends))
+    assert [finding.edge for finding in findings] == [1]
+    assert findings[0].measure == pytest.approx(0.02)
+
+
+def test_a_line_that_became_an_arc_is_found() -> None:
+    made = clean(LINE)
+    bulge = made.dieline.bulge.copy()
+    bulge[1] = 0.001
+    assert "moved the edge by 0.0500 mm" in told(bent(made, bulge=bulge))
+
+
+def test_an_edge_that_is_ignored_is_found() -> None:
+    made = clean(LINE)
+    kinds = made.dieline.line_type.copy()
+    kinds[2] = LineType.IGNORED
+    assert "Edge 2: Cleaning: the edge is cut and is worked as ignored" in told(
+        bent(made, line_type=kinds)
+    )
+
+
+def test_a_cut_that_became_a_crease_is_found() -> None:
+    made = clean(LINE)
+    kinds = made.dieline.line_type.copy()
+    kinds[1] = CREASE
+    assert "Edge 1: Cleaning: the edge is cut and is worked as crease" in told(
+        bent(made, line_type=kinds)
+    )
+
+
+def test_an_edge_that_nobody_drew_is_found() -> None:
+    made = clean(LINE)
+    line = made.dieline
+    more = replace(
+        line,
+        ends=np.concatenate([line.ends, [[[10, 10], [30, 10]]]]),
+        bulge=np.append(line.bulge, 0.0),
+        line_type=np.append(line.line_type, CUT),
+        source=np.append(line.source, 3),
+        rule=np.append(line.rule, 0),
+        confidence=np.append(line.confidence, 1.0),
+    )
+    assert told(replace(made, dieline=more)) == "Edge 3: Cleaning: no part of the edge was drawn."
+
+
+def test_an_edge_drawn_out_is_found() -> None:
+    made = clean(LINE)
+    ends = made.dieline.ends.copy()
+    ends[1, 1] = (100, 103)
+    assert "Edge 1: Cleaning: the edge is worked where nothing was drawn" in told(
+        bent(made, ends=ends)
+    )
+
+
+def test_an_edge_cut_short_is_found() -> None:
+    made = clean(LINE)
+    ends = made.dieline.ends.copy()
+    ends[1, 1] = (100, 99.9)
+    assert "Edge 1: Cleaning moved the edge by 0.1000 mm" in told(bent(made, ends=ends))
+
+
+def test_a_stretch_that_is_not_told_of_is_found() -> None:
+    made = clean(LINE)
+    parts = made.stretches
+    keep = np.arange(len(parts)) != np.flatnonzero(parts.row == 6)[-1]
+    short = Stretches(
+        parts.row[keep], parts.begin[keep], parts.end[keep], parts.cleaned[keep], parts.given[keep]
+    )
+    assert "Edge 6: Cleaning: the stretches of the edge do not add up" in told(
+        replace(made, stretches=short)
+    )
+
+
+def test_an_edge_that_was_dropped_is_found() -> None:
+    made = clean(LINE)
+    parts = made.stretches
+    kinds = made.dieline.line_type.copy()
+    kinds[1] = LineType.IGNORED
+    gone = replace(parts, cleaned=np.where(parts.row == 1, -1, parts.cleaned))
+    lost = replace(bent(made, line_type=kinds), stretches=gone)
+    assert "Edge 1: Cleaning dropped 100.000 mm" in told(lost)

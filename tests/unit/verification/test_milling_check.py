@@ -1,0 +1,316 @@
+import math
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import shapely
+
+from knifetip.model.board import Board, Deflection
+from knifetip.model.dieline import Dieline
+from knifetip.model.machine import Machine, Station
+from knifetip.model.tool import Cutter
+from knifetip.model.verdict import Verdict
+from knifetip.verification.checks.milling_geometry import spans_near_points
+from knifetip.verification.columns import F64
+from knifetip.verification.curves.curve import line_curves
+from knifetip.verification.curves.intervals import uncovered_edges
+from knifetip.verification.verify import verify
+from tests.support.programs.handwritten import BOARD, CUT, MACHINE, changed, dieline
+
+#: A router of 3 mm radius on output 0, and nothing else.
+ROUTER: Machine = replace(
+    MACHINE,
+    stations=(
+        Station(1, "Router", Cutter(3.0, 6000.0, 1200.0, speed=20000.0), 0.0, 0.0, 0.0, 0.0, 0),
+    ),
+)
+
+#: A part of 100 × 80 with a hole of 30 × 20 in it.
+PART = dieline(
+    (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 80, 0.0), (CUT, 100, 80, 0, 80, 0.0),
+    (CUT, 0, 80, 0, 0, 0.0),
+    (CUT, 30, 30, 60, 30, 0.0), (CUT, 60, 30, 60, 50, 0.0), (CUT, 60, 50, 30, 50, 0.0),
+    (CUT, 30, 50, 30, 30, 0.0),
+)  # fmt: skip
+
+HOLE = (
+    "G0 X45 Y33 Z20", "G0 Z4", "G1 Z-0.3 F1200",
+    "G1 X57 F6000", "G1 Y47", "G1 X33", "G1 Y33", "G1 X45", "G1 Z4 F1200",
+)  # fmt: skip
+#: Clockwise, 3 mm outside; the corners are rounded (B), square (C) or cut between (D).
+ROUND = (
+    "G0 X50 Y-3", "G1 Z-0.3 F1200", "G1 X0 F6000", "G2 X-3 Y0 I0 J3", "G1 Y80", "G2 X0 Y83 I3 J0",
+    "G1 X100", "G2 X103 Y80 I0 J-3", "G1 Y0", "G2 X100 Y-3 I-3 J0", "G1 X50", "G1 Z4 F1200",
+)  # fmt: skip
+SQUARE = (
+    "G0 X50 Y-3", "G1 Z-0.3 F1200", "G1 X-3 F6000", "G1 Y83", "G1 X103", "G1 Y-3", "G1 X50",
+    "G1 Z4 F1200",
+)  # fmt: skip
+#: k = 1/2: l = 1.5, r' = 1.5.
+BETWEEN = (
+    "G0 X50 Y-3", "G1 Z-0.3 F1200",
+    "G1 X-1.5 F6000", "G2 X-3 Y-1.5 I0 J1.5", "G1 Y81.5", "G2 X-1.5 Y83 I1.5 J0",
+    "G1 X101.5", "G2 X103 Y81.5 I0 J-1.5", "G1 Y-1.5", "G2 X101.5 Y-3 I-1.5 J0", "G1 X50",
+    "G1 Z4 F1200",
+)  # fmt: skip
+
+
+def program(*lines: str) -> bytes:
+    head = "G21 G90 G91.1 G17 G40 G49 G94 G54\nG64 P0.0050 Q0.0050\nG0 Z20.0000"
+    body = "\n".join(lines)
+    down, up = "M64 P0\nM3 S20000\nG4 P0.15\nG0 C0", "M65 P0\nM5"
+    return f"{head}\nT1 M6 G43\n{down}\n{body}\nG0 Z20.0000\n{up}\nG49\nM2\n".encode()
+
+
+def judged(text: bytes, drawn: Dieline = PART, board: Board = BOARD) -> Verdict:
+    return verify(text, drawn, (0.0, 0.0), ROUTER, board)
+
+
+@pytest.mark.parametrize("outside", [ROUND, SQUARE, BETWEEN], ids="BCD")
+def test_a_part_cut_from_outside_and_its_hole_from_inside_is_accepted(
+    outside: tuple[str, ...],
+) -> None:
+    verdict = judged(program(*HOLE, *outside))
+    assert verdict.findings == ()
+    np.testing.assert_allclose(verdict.deviation, 0.005)
+    np.testing.assert_allclose(verdict.overcut, 0.0, atol=1e-9)
+    # In the hole's corners r tan 45° = 3 mm of both edges stay.
+    np.testing.assert_allclose(verdict.unreached, [0, 0, 0, 0, 6, 6, 6, 6], atol=0.03)
+
+
+def test_what_the_disc_sweeps_leaves_the_part_whole_says_shapely_too() -> None:
+    rectangle = shapely.box(0, 0, 100, 80) - shapely.box(30, 30, 60, 50)
+    way = shapely.union_all(
+        [
+            shapely.LineString([(50, -3), (-3, -3), (-3, 83), (103, 83), (103, -3), (50, -3)]),
+            shapely.LineString([(45, 33), (57, 33), (57, 47), (33, 47), (33, 33), (45, 33)]),
+        ]
+    )
+    swept = way.buffer(3.0, quad_segs=256)
+    assert swept.intersection(rectangle).area < 1e-9
+    # The corners of the hole keep (1 - π/4) r² each: tan(φ/2) - φ/2 at φ = 90°.
+    hole = shapely.box(30, 30, 60, 50)
+    kept = (hole - swept).area - shapely.box(36, 36, 54, 44).area
+    assert kept == pytest.approx(4 * (1 - math.pi / 4) * 9, rel=1e-4)
+    assert judged(program(*HOLE, *SQUARE)).accepted
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "edge", "measure"),
+    [
+        ("G1 Y80\n", "G1 X-2.98 Y80\n", 3, 0.02),
+        ("G1 X57 F6000", "G1 X57.02 F6000", 5, 0.02),
+        ("G0 X50 Y-3\n", "G0 X50 Y-2.98\n", 0, 0.02),
+    ],
+)
+def test_a_disc_that_cuts_into_the_part_is_refused_with_the_edge_and_how_far(
+    old: str, new: str, edge: int, measure: float
+) -> None:
+    findings = judged(changed(program(*HOLE, *ROUND), old, new)).findings
+    mine = [finding for finding in findings if (finding.kind, finding.edge) == ("overcut", edge)]
+    assert mine[0].measure == pytest.approx(measure, abs=1e-6)
+    assert f"takes {measure:.3f} mm off the part" in mine[0].text
+
+
+def test_a_corner_cut_across_is_refused() -> None:
+    # From B0 straight to E0: the chord is 3 / √2 = 2.1213 from the corner.
+    text = changed(program(*HOLE, *ROUND), "G2 X-3 Y0 I0 J3", "G1 X-3 Y0")
+    findings = judged(text).findings
+    assert max(finding.measure for finding in findings) == pytest.approx(3 - 3 / math.sqrt(2))
+    assert {finding.kind for finding in findings} == {"overcut"}
+
+
+def test_an_edge_that_is_not_touched_is_uncut() -> None:
+    text = program(*HOLE, *(line.replace("-3", "-3.03") for line in SQUARE))
+    findings = {(finding.kind, finding.edge): finding for finding in judged(text).findings}
+    assert set(findings) == {("uncut", 0), ("uncut", 3)}
+    assert findings["uncut", 0].measure == pytest.approx(100.0)
+
+
+def test_a_hole_left_out_and_a_hole_cut_from_outside_are_refused() -> None:
+    assert {f.edge for f in judged(program(*SQUARE)).findings} == {4, 5, 6, 7}
+    outside = ("G0 X45 Y27 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 X63 F6000", "G1 Y53", "G1 X27",
+               "G1 Y27", "G1 X45", "G1 Z4 F1200")  # fmt: skip
+    kinds = {finding.kind for finding in judged(program(*outside, *SQUARE)).findings}
+    assert kinds == {"uncut", "stray"}
+
+
+def test_an_edge_left_early_is_uncut_by_as_much() -> None:
+    text = changed(program(*HOLE, *SQUARE), "G1 X50\n", "G1 X80\n")
+    (finding,) = judged(text).findings
+    assert (finding.kind, finding.edge) == ("uncut", 0)
+    assert finding.measure == pytest.approx(30.0)
+
+
+def test_a_cutter_that_is_not_through_is_refused() -> None:
+    text = program(*HOLE, *SQUARE).replace(b"Z-0.3", b"Z0.1")
+    assert {"depth", "uncut"} == {finding.kind for finding in judged(text).findings}
+
+
+def test_a_cutter_at_rest_is_refused() -> None:
+    text = program(*HOLE, *SQUARE).replace(b"M3 S20000\n", b"")
+    assert any("does not turn" in finding.text for finding in judged(text).findings)
+
+
+def test_work_far_off_in_the_waste_is_a_stray() -> None:
+    text = program(*HOLE, *SQUARE, "G0 X200 Y200", "G1 Z-0.3 F1200", "G1 X220 F6000", "G1 Z4 F1200")
+    assert [finding.kind for finding in judged(text).findings] == ["stray"]
+
+
+def test_a_machine_with_a_knife_has_no_work_for_its_cutter() -> None:
+    both = replace(MACHINE, stations=(*MACHINE.stations, replace(ROUTER.stations[0], number=4,
+                                                                  output=3)))  # fmt: skip
+    text = program(*HOLE, *SQUARE).replace(b"T1", b"T4").replace(b"P0\n", b"P3\n")
+    found = {finding.kind for finding in verify(text, PART, (0.0, 0.0), both, BOARD).findings}
+    assert {"uncut", "stray"} <= found
+
+
+def test_a_round_part_and_a_hole_too_tight_for_the_disc() -> None:
+    drawn = dieline(
+        (CUT, 60, 40, 20, 40, 1.0), (CUT, 20, 40, 60, 40, 1.0),  # R 20
+        (CUT, 42.5, 40, 37.5, 40, 1.0), (CUT, 37.5, 40, 42.5, 40, 1.0),  # R 2.5
+    )  # fmt: skip
+    text = program(
+        "G0 X63 Y40 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G2 X17 Y40 I-23 J0 F6000",
+        "G2 X63 Y40 I23 J0", "G1 Z4 F1200",
+    )  # fmt: skip
+    verdict = judged(text, drawn)
+    assert verdict.findings == ()
+    np.testing.assert_allclose(verdict.unreached, [0, 0, 2.5 * math.pi, 2.5 * math.pi])
+    smaller = text.replace(b"X63", b"X62.98").replace(b"X17", b"X17.02").replace(b"23", b"22.98")
+    finding = judged(smaller, drawn).findings[0]
+    assert finding.kind == "overcut"
+    assert finding.measure == pytest.approx(0.02)
+
+
+def test_a_round_hole_is_milled_from_inside() -> None:
+    drawn = dieline(
+        (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 80, 0.0), (CUT, 100, 80, 0, 80, 0.0),
+        (CUT, 0, 80, 0, 0, 0.0), (CUT, 60, 40, 40, 40, 1.0), (CUT, 40, 40, 60, 40, 1.0),  # R 10
+    )  # fmt: skip
+
+    def milled(radius: float) -> Verdict:
+        hole = (f"G0 X{50 + radius:.4f} Y40 Z20", "G0 Z4", "G1 Z-0.3 F1200",
+                f"G3 X{50 - radius:.4f} Y40 I{-radius:.4f} J0 F6000",
+                f"G3 X{50 + radius:.4f} Y40 I{radius:.4f} J0",
+                "G1 Z4 F1200")  # fmt: skip
+        return judged(program(*hole, *SQUARE), drawn)
+
+    assert milled(7.0).findings == ()
+    assert {finding.kind for finding in milled(6.98).findings} == {"uncut"}
+    wide = milled(7.02).findings
+    assert {(finding.kind, finding.edge) for finding in wide} >= {("overcut", 4), ("overcut", 5)}
+    assert wide[0].measure == pytest.approx(0.02)
+
+
+def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not() -> None:
+    def slotted(width: float) -> Dieline:
+        left, right = 50 - width / 2, 50 + width / 2
+        return dieline(
+            (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 0, 100, 40, 0.0), (CUT, 100, 40, right, 40, 0.0),
+            (CUT, right, 40, right, 20, 0.0), (CUT, right, 20, left, 20, 0.0),
+            (CUT, left, 20, left, 40, 0.0), (CUT, left, 40, 0, 40, 0.0), (CUT, 0, 40, 0, 0, 0.0),
+        )  # fmt: skip
+
+    over = program("G0 X50 Y-3 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 X-3 F6000", "G1 Y43",
+                   "G1 X103", "G1 Y-3", "G1 X50", "G1 Z4 F1200")  # fmt: skip
+    narrow = judged(over, slotted(5.0))
+    assert narrow.findings == ()
+    np.testing.assert_allclose(narrow.unreached[[3, 4, 5]], [20, 5, 20], atol=0.01)
+    wide = judged(over, slotted(8.0))
+    # Of the 20 mm of each side, 17 can be touched; of the bottom 2.
+    assert {(f.kind, f.edge) for f in wide.findings} == {("uncut", 3), ("uncut", 4), ("uncut", 5)}
+    np.testing.assert_allclose(wide.uncut[[3, 4, 5]], [17, 2, 17], atol=0.05)
+
+
+def test_an_open_cut_is_followed_on_its_line_from_end_to_end() -> None:
+    drawn = dieline((CUT, 10, 10, 60, 10, 0.0))
+
+    def kinds(x: float, y: float, until: float) -> set[str]:
+        cut = ("G0 Z4", "G1 Z-0.3 F1200", f"G1 X{until:.4f} F6000", "G1 Z4 F1200")
+        verdict = judged(program(f"G0 X{x:.4f} Y{y:.4f} Z20", *cut), drawn)
+        return {finding.kind for finding in verdict.findings}
+
+    assert kinds(10, 10, 60) == set()
+    assert kinds(10, 13, 60) == {"uncut"}
+    assert kinds(10, 10, 59.98) == {"uncut"}
+    assert kinds(9.98, 10, 60) == {"overcut"}
+    assert kinds(10, 10, 80) == {"overcut", "stray"}
+
+
+def test_a_cutter_that_gives_way_is_led_nearer_and_round_its_corners_on_an_ellipse() -> None:
+    # δx = 0.2, δy = 0.1: 2.8 from the edges at the sides, 2.9 above and below.
+    board = replace(BOARD, deflection=(Deflection("Router", 0.2, 0.1),))
+    hole = [line.replace("57", "57.2").replace("33", "32.8" if "X33" in line else "32.9")
+            .replace("47", "47.1") for line in HOLE]  # fmt: skip
+    hole = [line.replace("X45 Y33", "X45 Y32.9") for line in hole]
+
+    def ellipse(x: float, y: float, first: float) -> list[str]:
+        angles = np.radians(np.linspace(first, first - 90.0, 41)[1:])
+        return [f"G1 X{x + 2.8 * math.cos(a):.5f} Y{y + 2.9 * math.sin(a):.5f}" for a in angles]
+
+    # Chords of an ellipse run inside it by up to r (1 - cos(90° / 80)) = 0.0006.
+    way = ("G0 X50 Y-2.9", "G1 Z-0.3 F1200", "G1 X0 F6000", *ellipse(0, 0, 270), "G1 Y80",
+           *ellipse(0, 80, 180), "G1 X100", *ellipse(100, 80, 90), "G1 Y0", *ellipse(100, 0, 0),
+           "G1 X50", "G1 Z4 F1200")  # fmt: skip
+    text = program(*hole, *way)
+    assert judged(text, PART, board).findings == ()
+    stiff = {finding.kind for finding in judged(text).findings}
+    assert "overcut" in stiff
+    # And the way for a stiff tool leaves what the tool gives way.
+    soft = {finding.kind for finding in judged(program(*HOLE, *ROUND), PART, board).findings}
+    assert soft == {"uncut"}
+
+
+def test_a_round_part_is_cut_on_an_ellipse_where_x_and_y_give_way_differently() -> None:
+    board = replace(BOARD, deflection=(Deflection("Router", 0.2, 0.1),))
+    drawn = dieline((CUT, 60, 40, 20, 40, 1.0), (CUT, 20, 40, 60, 40, 1.0))
+
+    def way(a: float, b: float) -> bytes:
+        angles = np.radians(np.linspace(0.0, -360.0, 361))
+        points = [f"X{40 + a * math.cos(t):.5f} Y{40 + b * math.sin(t):.5f}" for t in angles]
+        return program(f"G0 {points[0]} Z20", "G0 Z4", "G1 Z-0.3 F1200", f"G1 {points[1]} F6000",
+                       *(f"G1 {point}" for point in points[2:]), "G1 Z4 F1200")  # fmt: skip
+
+    # Chords of one degree run inside a circle of 23 by 0.0009.
+    assert judged(way(22.8, 22.9), drawn, board).findings == ()
+    assert not judged(way(22.9, 22.8), drawn, board).accepted
+    assert not judged(way(22.78, 22.9), drawn, board).accepted
+
+
+def test_one_digit_changed_is_caught_where_it_moves_the_disc() -> None:
+    text = program(*HOLE, *ROUND)
+    chance = np.random.default_rng(3)
+    raw = np.frombuffer(text, np.uint8)
+    words = [(m.start(1), m.end(1)) for m in re.finditer(rb"[XYIJ](-?\d+\.?\d*)", text)]
+    caught = total = 0
+    for first, last in words:
+        for place in range(first, last):
+            if not 48 <= raw[place] <= 57:
+                continue
+            mutant = bytearray(text)
+            mutant[place] = 48 + (raw[place] - 48 + chance.integers(1, 10)) % 10
+            total += 1
+            caught += not judged(bytes(mutant)).accepted
+    # What only shortens the beginning and the end, which lie on one line, cuts the same.
+    assert total > 40
+    assert caught >= total - 6
+
+
+def test_gaps_are_what_stretches_leave_bare() -> None:
+    edge, begin, end = uncovered_edges(
+        np.array([1, 0, 1]), np.array([2.0, 0.0, 1.0]), np.array([5.0, 4.0, 3.0]),
+        np.array([4.0, 9.0, 2.0]),
+    )  # fmt: skip
+    assert edge.tolist() == [1, 1, 2]
+    np.testing.assert_array_equal(begin, [0.0, 5.0, 0.0])
+    np.testing.assert_array_equal(end, [1.0, 9.0, 2.0])
+
+
+def test_where_a_line_is_within_a_distance_of_a_point() -> None:
+    line: F64 = line_curves(np.array([[0.0, 0.0]]), np.array([[10.0, 0.0]]))
+    low, high = spans_near_points(line, np.array([[5.0, 3.0]]), 5.0)
+    np.testing.assert_allclose([low[0], high[0]], [1.0, 9.0])
+    low, high = spans_near_points(line, np.array([[5.0, 6.0]]), 5.0)
+    assert high[0] < low[0]
