@@ -15,7 +15,7 @@ from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Verdict
-from knifetip.planning import plan as planning
+from knifetip.planning import crease_operations, groove_operations
 from knifetip.verification.verify import verify
 from tests.support.modules import original
 from tests.support.shapes import closed, dieline, edges, with_dimensions
@@ -73,13 +73,13 @@ def test_a_groove_that_does_not_run_out_into_a_notch_is_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     line = dieline(NOTCHED, (GROOVE, edges(((250, 120), (250, 260)))))
-    right = original(planning, "run_out")
+    right = original(groove_operations, "run_out_lengths")
 
     def stopped(*args: object) -> tuple[F64, Bool]:
         size, on_edge = right(*args)
         return 0.0 * size, on_edge
 
-    monkeypatch.setattr(planning, "run_out", stopped)
+    monkeypatch.setattr(groove_operations, "run_out_lengths", stopped)
     assert not judged(line).accepted
 
 
@@ -89,13 +89,13 @@ def test_a_groove_that_does_not_run_out_far_enough_is_refused(
 ) -> None:
     line = dieline(OUTLINE, (GROOVE, edges(((200, 200), (300, 300)))))
     assert judged(line).accepted
-    right = original(planning, "run_out")
+    right = original(groove_operations, "run_out_lengths")
 
     def short(*args: object) -> tuple[F64, Bool]:
         size, on_edge = right(*args)
         return factor * size, on_edge
 
-    monkeypatch.setattr(planning, "run_out", short)
+    monkeypatch.setattr(groove_operations, "run_out_lengths", short)
     assert not judged(line).accepted
 
 
@@ -188,8 +188,8 @@ def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch: pytest.Monkey
     cut = edges(((200, 130), (200, 150)), ((200, 150), (210, 170)))
     line = dieline(OUTLINE, (CREASE, edges(((150, 150), (300, 150)))), (CUT, cut))
     assert judged(line).accepted
-    right = original(planning, "split_at_cuts")
+    right = original(crease_operations, "split_at_cuts")
     monkeypatch.setattr(
-        planning, "split_at_cuts", lambda paths, *_: right(paths, cut[:0], cut[:0, 0, 0])
+        crease_operations, "split_at_cuts", lambda paths, *_: right(paths, cut[:0], cut[:0, 0, 0])
     )
     assert not judged(line).accepted

@@ -1,16 +1,16 @@
-"""Boundary: which grooves end on the board's edge, and how far they must run out over it.
+"""boundary: which grooves end on the board's edge, and how far they must run out over it.
 
-    ends of paths, outer cuts -> Boundary
+    ends of paths, outline of the board -> run-out lengths
 
-A tool of width W has its corners at ± W/2 beside the line.  It has left the board when both are
-outside: past a straight edge with the outward normal m after (W/2) |n·m| / (u·m), u the direction
-in which the groove leaves and n square to it.  Where the edge is round, its sagitta comes on top.
-At an outer corner of the outline it is enough to be past one neighbour.  In a notch, an inner
-corner, each half must be past both, and leaves if the groove points into the notch.  Where it goes
-on into the board, or within 5° along it, it stops: such an end lies inside, its blade's overcut is
-reported as one, and limited by the board.
+The corners of a tool of width W are W/2 to the left and to the right of the line.  The tool has
+left the board when both corners are outside.  At a straight edge with outward normal m this takes
+(W/2) |n·m| / (u·m), where u is the direction of the groove and n its normal.  At a round edge the
+sagitta of the edge is added.  At an outer corner of the outline the tool has left once it is past
+one of the two edges.  At an inner corner (a notch) each half of the tool must be past both edges.
+A groove that continues into the board, or runs along its edge within 5°, gets no run-out: its end
+lies inside the board, where the board limits the overcut of the blade.
 
-Source: the turning paper, section 1 (run-out and back-up); the corner and the arc are ours.
+Source: the turning paper, section 1 (run-out and back-up); corners and arcs are our derivation.
 """
 
 from __future__ import annotations
@@ -26,24 +26,24 @@ from knifetip.geometry.azimuth import left, unit
 from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import GAP
-from knifetip.planning.creases import crossings
-from knifetip.planning.near import near
+from knifetip.planning.box_pairs import box_pairs
+from knifetip.planning.creases import inner_crossings
 
 #: A groove that meets the edge at a smaller angle runs along it (sine).
 _ALONG = sin(radians(5.0))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Outline:
-    """n outer cuts, each travelled so that the waste is on its left."""
+class BoardOutline:
+    """n cuts around parts, each directed so that the waste is on its left."""
 
     start: F64  #: (n, 2) mm
     end: F64  #: (n, 2) mm
     bulge: F64  #: (n,)
 
     @classmethod
-    def of(cls, ends: F64, bulge: F64, side: I8) -> Outline:
-        """Return the outline among cuts, (n, 2, 2) mm and (n,), whose waste lies on ``side``."""
+    def from_cuts(cls, ends: F64, bulge: F64, side: I8) -> BoardOutline:
+        """Return the cuts, of (n, 2, 2) mm and (n,), that have waste on a ``side``: ±1, not 0."""
         rows = np.flatnonzero(side)
         back = (side[rows] < 0)[:, None]
         start, end = ends[rows, 0], ends[rows, 1]
@@ -52,87 +52,90 @@ class Outline:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class _Meetings:
-    """Every outer cut that an end lies on."""
+class _Contacts:
+    """k pairs of an end of a groove and a cut of the outline on which it lies."""
 
-    end: I64  #: (k,) the end
-    cut: I64  #: (k,) the outer cut
-    normal: F64  #: (k, 2) outward, where they meet
-    tangent: F64  #: (k, 2) of the cut there, the waste on its left
-    gap: F64  #: (k, 2) mm from the end to the cut
-    radius: F64  #: (k,) of the cut, infinite for a line (mm)
-    arrives: Bool  #: (k,) the cut ends there
-    leaves: Bool  #: (k,) it begins there
+    end: I64  #: (k,) index of the end
+    cut: I64  #: (k,) index of the cut
+    normal: F64  #: (k, 2) outward unit normal of the cut at the contact
+    tangent: F64  #: (k, 2) unit tangent of the cut at the contact
+    gap: F64  #: (k, 2) mm, vector from the end to the cut
+    radius: F64  #: (k,) mm, of the cut; infinite for a line
+    arrives: Bool  #: (k,) the cut finishes at the contact
+    leaves: Bool  #: (k,) the cut starts at the contact
 
 
-def run_out(
-    points: F64, ahead: F64, width: float, outline: Outline, source: I32
+def run_out_lengths(
+    points: F64, ahead: F64, width: float, outline: BoardOutline, source: I32
 ) -> tuple[F64, Bool]:
-    """Return how far past each end the tool must go, (n,) mm, and whether it lies on the edge.
+    """Return the run-out of each end, (n,) mm, and whether the end lies on the board's edge, (n,).
 
     Parameters
     ----------
     points, ahead : (n, 2) mm and (n, 2)
-        The ends, and the unit directions in which the paths leave the board there.
+        Ends of grooves, and the unit directions in which the grooves leave the board there.
     width : mm
-        W, of the tool or of what it leaves.
+        W, the width of the tool or of the groove.
     source : (n,)
-        The edge of each end, for the error.
+        Edge of each end, for errors.
 
     Raises
     ------
     FlankOutside
-        A path meets the edge at less than 5°.
+        A groove meets the board's edge at less than 5°, or its run-out would enter board again.
     """
-    met = _meetings(points, outline)
-    u, m = ahead[met.end], met.normal
-    square = (u * m).sum(axis=1)
-    leaves = np.flatnonzero(square > _ALONG)
-    _refuse_along(met, square, source)
-    end, u, m, radius = met.end[leaves], u[leaves], m[leaves], met.radius[leaves]
-    sagitta = np.minimum(width / 2.0 / square[leaves], radius) ** 2 / (2.0 * radius)
-    short = np.maximum((met.gap[leaves] * m).sum(axis=1), 0.0)
-    further = leaving.run_out(u, m, width, sagitta + short)
+    contacts = _find_contacts(points, outline)
+    u, m = ahead[contacts.end], contacts.normal
+    sine = (u * m).sum(axis=1)
+    leaves = np.flatnonzero(sine > _ALONG)
+    _check_angles(contacts, sine, source)
+    end, u, m, radius = contacts.end[leaves], u[leaves], m[leaves], contacts.radius[leaves]
+    sagitta = np.minimum(width / 2.0 / sine[leaves], radius) ** 2 / (2.0 * radius)
+    short = np.maximum((contacts.gap[leaves] * m).sum(axis=1), 0.0)
+    needed = leaving.run_out(u, m, width, sagitta + short)
 
     count = len(points)
-    many = np.bincount(met.end, minlength=count)
-    out = np.bincount(end, minlength=count)
-    # Round an outer corner it is enough to leave by one side; in a notch it takes both.
-    corner = _corners(met, count) < -1e-6
-    on_edge: Bool = (many > 0) & (out >= np.where(corner, 1, many))
+    contact_count = np.bincount(contacts.end, minlength=count)
+    leaving_count = np.bincount(end, minlength=count)
+    # At an outer corner leaving over one edge suffices; in a notch the tool must leave over both.
+    corner = _corner_turns(contacts, count) < -1e-6
+    on_edge: Bool = (contact_count > 0) & (leaving_count >= np.where(corner, 1, contact_count))
     farthest, nearest = np.zeros((count, 2)), np.full((count, 2), np.inf)
-    np.maximum.at(farthest, end, further)
-    np.minimum.at(nearest, end, further)
-    either = np.where(corner[:, None], nearest, farthest).max(axis=1)
-    size = np.where(on_edge, np.maximum(either, 0.0), 0.0)
-    _refuse_beyond(points, ahead, size, width, met, outline, source)
+    np.maximum.at(farthest, end, needed)
+    np.minimum.at(nearest, end, needed)
+    longest = np.where(corner[:, None], nearest, farthest).max(axis=1)
+    size = np.where(on_edge, np.maximum(longest, 0.0), 0.0)
+    _check_run_outs(points, ahead, size, width, contacts, outline, source)
     return size, on_edge
 
 
-def _refuse_beyond(
+def _check_run_outs(
     points: F64,
     ahead: F64,
     size: F64,
     width: float,
-    met: _Meetings,
-    outline: Outline,
+    contacts: _Contacts,
+    outline: BoardOutline,
     source: I32,
 ) -> None:
-    """Refuse grooves that would run out into board again: over a slot, or into a neighbour."""
+    """Raise ``FlankOutside`` if a run-out enters board again: across a slot, or in another part."""
     rows = np.flatnonzero(size > GAP)
     start, end = points[rows], points[rows] + size[rows, None] * ahead[rows]
-    # Where the tool stops, a hair within its corners: the later one stands on the edge it has left.
+    # Tracks: of the middle of the tool, and across the tool where it stops.  The latter is slightly
+    # shorter than the tool is wide, since the corner that leaves last is exactly on the edge.
     half = 0.499 * width * left(ahead[rows])
-    ways = Paths(
+    tracks = Paths(
         np.concatenate([start, end + half]),
         np.concatenate([end, end - half]),
         np.zeros(2 * len(rows)),
         np.arange(2 * len(rows) + 1, dtype=np.int32),
     )
-    way, cut, _ = crossings(ways, np.stack([outline.start, outline.end], axis=1), outline.bulge)
-    row = np.tile(rows, 2)[way]
+    track, cut, _ = inner_crossings(
+        tracks, np.stack([outline.start, outline.end], axis=1), outline.bulge
+    )
+    row = np.tile(rows, 2)[track]
     count = len(outline.bulge)
-    again = np.flatnonzero(~np.isin(row * count + cut, met.end * count + met.cut))
+    again = np.flatnonzero(~np.isin(row * count + cut, contacts.end * count + contacts.cut))
     if len(again):
         edge = int(source[row[again[0]]])
         raise FlankOutside(
@@ -140,18 +143,20 @@ def _refuse_beyond(
         )
 
 
-def _refuse_along(met: _Meetings, square: F64, source: I32) -> None:
-    alone = np.bincount(met.end, minlength=len(source)) == 1
-    along = np.flatnonzero((square > 1e-9) & (square <= _ALONG) & alone[met.end])
+def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
+    """Raise ``FlankOutside`` if a groove meets a single edge at less than 5°."""
+    alone = np.bincount(contacts.end, minlength=len(source)) == 1
+    along = np.flatnonzero((sine > 1e-9) & (sine <= _ALONG) & alone[contacts.end])
     if len(along):
-        edge = int(source[met.end[along[0]]])
-        angle = np.degrees(np.arcsin(square[along[0]]))
+        edge = int(source[contacts.end[along[0]]])
+        angle = np.degrees(np.arcsin(sine[along[0]]))
         raise FlankOutside("groove.along-edge", edge=edge, angle=angle, source=[str(edge)])
 
 
-def _meetings(points: F64, outline: Outline) -> _Meetings:
+def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
+    """Return the contacts of points, (n, 2) mm, with the outline, within ``GAP``."""
     boxes = arc.bounds(outline.start, outline.end, outline.bulge)
-    end, cut = near(np.hstack([points, points]), boxes, GAP)
+    end, cut = box_pairs(np.hstack([points, points]), boxes, GAP)
     start, finish, bulge = outline.start[cut], outline.end[cut], outline.bulge[cut]
     point = points[end]
     along = arc.nearest(start, finish, bulge, point)
@@ -161,7 +166,7 @@ def _meetings(points: F64, outline: Outline) -> _Meetings:
     tangent = unit(arc.tangent_at(start, finish, bulge, along))
     near_end = np.hypot(*(finish - point).T) <= GAP
     near_start = np.hypot(*(start - point).T) <= GAP
-    return _Meetings(
+    return _Contacts(
         end[touch],
         cut[touch],
         left(tangent)[touch],
@@ -173,14 +178,14 @@ def _meetings(points: F64, outline: Outline) -> _Meetings:
     )
 
 
-def _corners(met: _Meetings, count: int) -> F64:
-    """Return for each end how the outline turns there: the sine, > 0 in a notch, 0 if it does not.
+def _corner_turns(contacts: _Contacts, count: int) -> F64:
+    """Return the sine of the turn of the outline at each end, (n,): > 0 in a notch, 0 if straight.
 
-    With the waste on the left an outer corner is a right turn.
+    With the waste on the left, an outer corner is a right turn.
     """
     arriving, leaving = np.zeros((count, 2)), np.zeros((count, 2))
-    arriving[met.end[met.arrives]] = met.tangent[met.arrives]
-    leaving[met.end[met.leaves]] = met.tangent[met.leaves]
-    two = np.bincount(met.end, minlength=count) == 2
+    arriving[contacts.end[contacts.arrives]] = contacts.tangent[contacts.arrives]
+    leaving[contacts.end[contacts.leaves]] = contacts.tangent[contacts.leaves]
+    two = np.bincount(contacts.end, minlength=count) == 2
     turn = arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]
     return np.where(two, turn, 0.0)

@@ -1,18 +1,20 @@
-"""Bridges: the nicks that hold a part in its sheet until it is broken out.
+"""bridges: positions of the bridges (nicks) that hold a part in its sheet.
 
-    closed Paths -> the places of bridges on them
+    closed Paths -> positions of bridges on them
 
-Bridges stand at equal distances round the contour, each moved to the nearest place where it may
-be: on a straight piece, 5 mm clear of a sharp corner, or in the middle of a piece too short for
-that; on an arc only where the straight pieces leave no other way, and never in a slot that a cutter
-clears on its way along the other side.  Where a slit opens into the contour, or a crease ends on
-it, it is weak, and bridges stay 5 mm clear of it too if they can.
+Bridges are spaced equally around the contour, then each is moved to the nearest permitted
+position: on a straight segment, 5 mm away from sharp corners, or in the middle of a segment that is
+too short for this.  Arcs are used only if the straight segments do not suffice.  In a slot so
+narrow that the cutter clears it from its other side there is no bridge.  Where a slit opens into
+the contour or a crease ends on it, the board is weak: bridges stay 5 mm away from there, if
+possible.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,51 +25,54 @@ from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP, POINT
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.planning.near import near
-from knifetip.planning.reached import Reached
+from knifetip.planning.box_pairs import box_pairs
+from knifetip.planning.reachable import ReachableStretches
 
-#: A bridge stays this far from a sharp corner (mm).
+#: Distance of a bridge from a sharp corner (mm).
 _CLEAR = 5.0
-#: No contour is held by fewer.
+#: Least number of bridges on a contour.
 _FEWEST = 2
-#: Up to so many times the bridges that equal distances need are tried, in so many steps.
+#: Counts of bridges that are tried: up to this multiple of the least count, in this many steps.
 _MORE = 4
 _TRIES = 16
 
 
-def places(
+class Spacing(NamedTuple):
+    """Size of bridges and distance between them."""
+
+    gap: float  #: mm of the path that a bridge takes
+    most: float  #: greatest distance between the middles of two neighbouring bridges (mm)
+
+
+def place_bridges(
     paths: Paths,
     which: Bool,
-    gap: float,
-    spacing: float,
+    spacing: Spacing,
     source: I32,
     avoid: F64,
-    reached: Reached,
+    reachable: ReachableStretches,
 ) -> tuple[I32, F64]:
-    """Return the path of each bridge, (k,), and how far along it its middle is, (k,) mm.
+    """Return the path of each bridge, (k,), and the position of its middle along it, (k,) mm.
 
     Parameters
     ----------
     which : (p,)
-        The paths to interrupt; they must be closed.
-    gap, spacing : mm
-        What a bridge takes of its path, and the longest way from the middle of one to that of the
-        next.
+        Paths that get bridges; they must be closed.
     source : (n,)
-        The edge of each segment, for the error.
+        Edge of each segment, for errors.
     avoid : (m, 2) mm
-        Where other work ends: on the paths, bridges stay clear of it where they can.
-    reached
-        Where the tool comes to the paths: a bridge with nothing cut beside it is none.
+        Ends of other edges: bridges keep their distance from those on the paths, if possible.
+    reachable
+        Stretches that the tool can reach; elsewhere a bridge would be useless.
 
     Raises
     ------
     NoRoomForBridges
-        A contour has no places for two bridges, or none near enough to each other.
+        A contour has no room for two bridges, or they would be too far apart.
     """
-    on, at = _along(paths, which, avoid)
+    on, at = _positions_along(paths, which, avoid)
     found = [
-        _places(paths, int(path), gap, spacing, source, at[on == path], reached)
+        _place_on_contour(paths, int(path), spacing, source, at[on == path], reachable)
         for path in np.flatnonzero(which)
     ]
     size = [len(middle) for middle in found]
@@ -76,37 +81,37 @@ def places(
 
 
 def ends_of_others(dieline: Dieline, rows: I32) -> F64:
-    """Return the ends, (m, 2) mm, of all edges that are worked, but for some rows."""
+    """Return the ends, (m, 2) mm, of all worked edges except those of some rows."""
     worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     worked[rows] = False
     ends: F64 = dieline.ends[worked].reshape(-1, 2)
     return ends
 
 
-def _along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
-    """Return for points on some of the paths which, and how far along it they are (mm)."""
+def _positions_along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
+    """Return the path and the position along it (mm) of each point on one of the paths."""
     rows = np.flatnonzero(which[paths.path_of])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
-    point, row = near(np.hstack([points, points]), arc.bounds(start, end, bulge), GAP)
+    point, row = box_pairs(np.hstack([points, points]), arc.bounds(start, end, bulge), GAP)
     whole = start[row], end[row], bulge[row]
     share = arc.nearest(*whole, points[point])
     on = np.hypot(*(arc.point_at(*whole, share) - points[point]).T) <= GAP
     row, share = rows[row[on]], share[on]
     size = arc.length(paths.start, paths.end, paths.bulge)
-    reached = np.cumsum(size) - size
+    before = np.cumsum(size) - size
     path = paths.path_of[row]
-    return path, reached[row] - reached[paths.first[:-1][path]] + share * size[row]
+    return path, before[row] - before[paths.first[:-1][path]] + share * size[row]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class _Room:
-    """Where along a contour the middle of a bridge may be: from low to high, ascending."""
+class _FreeRanges:
+    """Ranges along a contour, in ascending order, where the middle of a bridge may lie."""
 
     low: F64  #: mm
     high: F64  #: mm
 
-    def without(self, at: F64, clear: float, length: float) -> _Room:
-        """Return what is left ``clear`` mm from places on a contour that is ``length`` mm round."""
+    def without(self, at: F64, clear: float, length: float) -> _FreeRanges:
+        """Return the ranges that are ``clear`` mm from positions on a contour of ``length`` mm."""
         low, high = self.low, self.high
         for place in np.concatenate([at - length, at, at + length]):
             before, after = np.minimum(high, place - clear), np.maximum(low, place + clear)
@@ -114,33 +119,34 @@ class _Room:
             order = np.argsort(begin, kind="stable")
             some = order[(end >= begin)[order]]
             low, high = begin[some], end[some]
-        return _Room(low, high)
+        return _FreeRanges(low, high)
 
     def nearest(self, wanted: F64) -> F64:
-        """Return the place nearest to each wanted one (mm)."""
+        """Return the permitted position nearest to each wanted one (mm)."""
         clipped = np.clip(wanted[:, None], self.low, self.high)
-        # Of two as near as each other the first, also where the last digits say otherwise.
+        # Of two equally near positions the first is taken, whatever the rounding.
         far = np.abs(clipped - wanted[:, None])
         best = (far <= far.min(axis=1, keepdims=True) + POINT).argmax(axis=1)
         chosen: F64 = clipped[np.arange(len(wanted)), best]
         return chosen
 
 
-def _places(
-    paths: Paths, path: int, gap: float, spacing: float, source: I32, at: F64, reached: Reached
+def _place_on_contour(
+    paths: Paths, path: int, bridge: Spacing, source: I32, at: F64, reachable: ReachableStretches
 ) -> F64:
-    """Return where along a closed path the middles of its bridges are, ascending (mm)."""
+    """Return the positions of the middles of the bridges along a closed path, ascending (mm)."""
+    gap, spacing = bridge
     length = float(paths.lengths[path])
     fewest = max(_FEWEST, math.ceil(length / spacing - 1e-9))
     for kept_clear, arcs_too in ((at, False), (at, True), (at[:0], False), (at[:0], True)):
-        room = _room(paths, path, gap, reached, arcs_too)
-        room = room.without(kept_clear, _CLEAR + gap / 2.0, length)
+        free = _free_ranges(paths, path, gap, reachable, arcs_too)
+        free = free.without(kept_clear, _CLEAR + gap / 2.0, length)
         counts = np.unique(np.linspace(fewest, _MORE * fewest, _TRIES).astype(np.int64))
-        for count in counts if len(room.low) else ():
-            middle = np.unique(room.nearest((np.arange(count) + 0.5) * length / count))
+        for count in counts if len(free.low) else ():
+            middle = np.unique(free.nearest((np.arange(count) + 0.5) * length / count))
             apart = np.diff(np.append(middle, middle[0] + length))
             if len(middle) >= fewest and apart.min() > 2.0 * gap and apart.max() <= spacing + POINT:
-                return _needed(middle, length, spacing)
+                return _drop_spare(middle, length, spacing)
     edge = int(source[paths.first[path]])
     raise NoRoomForBridges(
         "bridges.no-room",
@@ -153,8 +159,8 @@ def _places(
     )
 
 
-def _needed(middle: F64, length: float, spacing: float) -> F64:
-    """Return the middles of bridges without those between two that are near enough already."""
+def _drop_spare(middle: F64, length: float, spacing: float) -> F64:
+    """Return the positions of bridges without those that the spacing does not require."""
     while len(middle) > _FEWEST:
         around = np.concatenate([middle[-1:] - length, middle, middle[:1] + length])
         without = around[2:] - around[:-2]
@@ -165,7 +171,10 @@ def _needed(middle: F64, length: float, spacing: float) -> F64:
     return middle
 
 
-def _room(paths: Paths, path: int, gap: float, reached: Reached, arcs_too: bool) -> _Room:
+def _free_ranges(
+    paths: Paths, path: int, gap: float, reachable: ReachableStretches, arcs_too: bool
+) -> _FreeRanges:
+    """Return the ranges along a path for the middle of a bridge that takes ``gap`` mm of it."""
     rows = slice(paths.first[path], paths.first[path + 1])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     size = arc.length(start, end, bulge)
@@ -175,15 +184,15 @@ def _room(paths: Paths, path: int, gap: float, reached: Reached, arcs_too: bool)
     straight_on = (before * ahead).sum(axis=1)
     sharp = straight_on < math.cos(math.radians(ANGLE))
     clear = np.minimum(_CLEAR + gap / 2.0, size / 2.0)
-    # Beside a smooth joint a bridge stays on its own piece too: half of it on an arc is on an arc.
+    # At a smooth joint, too, a bridge stays on one segment: it must not lie half on an arc.
     low = np.where(sharp, clear, gap / 2.0)
     high = size - np.where(np.roll(sharp, -1), clear, gap / 2.0)
-    room = (size >= 2.0 * gap) & (high >= low - 1e-9)
+    free = (size >= 2.0 * gap) & (high >= low - 1e-9)
     if not arcs_too:
-        room &= np.abs(bulge) < BULGE
-    some = slice(*np.searchsorted(reached.segment, [rows.start, rows.stop]))
-    on = reached.segment[some] - rows.start
-    low = np.maximum(low[on], reached.low[some] + gap / 2.0)
-    high = np.minimum(np.maximum(low, high[on]), reached.high[some] - gap / 2.0)
-    room = room[on] & (high >= low - 1e-9)
-    return _Room((begin[on] + low)[room], (begin[on] + np.maximum(low, high))[room])
+        free &= np.abs(bulge) < BULGE
+    some = slice(*np.searchsorted(reachable.segment, [rows.start, rows.stop]))
+    on = reachable.segment[some] - rows.start
+    low = np.maximum(low[on], reachable.low[some] + gap / 2.0)
+    high = np.minimum(np.maximum(low, high[on]), reachable.high[some] - gap / 2.0)
+    free = free[on] & (high >= low - 1e-9)
+    return _FreeRanges((begin[on] + low)[free], (begin[on] + np.maximum(low, high))[free])

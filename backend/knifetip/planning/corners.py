@@ -1,9 +1,9 @@
-"""Corners: which corner of a contour is which of those that somebody chose a type for.
+"""corners: match the user's corner choices with the corners of contours.
 
-    Paths, side, Corners -> (n,) type and knob at the corner where each segment begins
+    Paths, side, Corners -> (n,) type and k of the corner at the start of each segment
 
-A corner is where two segments of a path meet with a bend that is convex for the tool: round all
-others there is only one way.
+A corner is a joint of two segments of a path whose bend is convex for the tool.  At concave bends
+there is only one way round, so there is nothing to choose.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ from knifetip.geometry.tolerance import JOIN
 from knifetip.messages import Message
 from knifetip.model.corners import AS_OTHERS, INTERFERENCES, TYPES, Corners
 
-#: A place may be this far from the corner that it names (mm).
+#: Greatest distance of a given position from the corner it means (mm).
 NEAR: Final = 0.5
-#: Where the direction turns by less there is no corner (radians).
+#: Bends by less than this are no corners (radians).
 _STRAIGHT: Final = 1e-9
-#: So many corners of the drawing are named to somebody who missed them all.
-_NAMED: Final = 3
+#: Number of nearby corners that an error lists.
+_LISTED: Final = 3
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Bends:
-    """Where the segments of contours begin, on the sheet."""
+    """The starts of n segments of contours, in sheet coordinates."""
 
-    place: F64  #: (n, 2) mm
-    turn: F64  #: (n,) radians, > 0 convex for the tool; 0 where an open path begins
+    position: F64  #: (n, 2) mm
+    turn: F64  #: (n,) radians, > 0 if convex for the tool; 0 at the start of an open path
 
 
-def bends(paths: Paths, side: int) -> Bends:
-    """Return the bend at the beginning of every segment; ``side`` is +1 for a tool on the left."""
+def find_bends(paths: Paths, side: int) -> Bends:
+    """Return the bend at the start of every segment; ``side`` is +1 for a tool on the left."""
     ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
     first, last = paths.first[:-1], paths.first[1:] - 1
     before = np.roll(arriving, 1, axis=0)
@@ -48,79 +48,75 @@ def bends(paths: Paths, side: int) -> Bends:
     return Bends(paths.start, turn)
 
 
-def check(corners: Corners) -> None:
-    """Refuse a choice that is none.
-
-    Raises
-    ------
-    PlanError
-        A type, a knob, a place or what is to be done about interference makes no sense.
-    """
+def check_choices(corners: Corners) -> None:
+    """Raise ``PlanError`` if a corner choice is invalid: its type, k, position or interference."""
     if corners.interference not in INTERFERENCES:
         raise PlanError("corner.bad-interference", interference=corners.interference)
     for kind, k, where in [(corners.type, corners.k, None)] + [
-        (one.type, one.k, Message("corner.at", x=one.x, y=one.y)) for one in corners.at
+        (choice.type, choice.k, Message("corner.at", x=choice.x, y=choice.y))
+        for choice in corners.at
     ]:
         if kind not in TYPES:
             raise PlanError("corner.unknown-type-at", type=str(kind)[:20], where=where)
         if k is not None and not 0.0 < k < 1.0:
             raise PlanError("corner.bad-k-at", where=where, k=f"{k:g}")
-    for one in corners.at:
-        if not np.isfinite([one.x, one.y]).all():
-            raise PlanError("corner.bad-place", x=one.x, y=one.y)
+    for choice in corners.at:
+        if not np.isfinite([choice.x, choice.y]).all():
+            raise PlanError("corner.bad-place", x=choice.x, y=choice.y)
 
 
-def found(corners: Corners, contours: list[Bends]) -> F64:
-    """Return how far from each chosen place its corner is, (len(at),) mm.
+def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
+    """Return the distance of each chosen position from the nearest corner, (len(at),) mm.
 
     Parameters
     ----------
     contours
-        Of every operation that mills beside a line.
+        Bends of every operation that mills beside a line.
 
     Raises
     ------
     PlanError
-        There is no corner within ``NEAR`` of a place; it names what is there instead.
+        There is no corner within ``NEAR`` of a position; the error lists the nearest corners.
     """
-    place = np.concatenate([np.zeros((0, 2)), *(one.place for one in contours)])
-    turn = np.concatenate([np.zeros(0), *(one.turn for one in contours)])
+    position = np.concatenate([np.zeros((0, 2)), *(bends.position for bends in contours)])
+    turn = np.concatenate([np.zeros(0), *(bends.turn for bends in contours)])
     convex = turn > _STRAIGHT
     nearest = np.full(len(corners.at), np.inf)
-    for row, one in enumerate(corners.at):
-        away = np.hypot(*(place - np.add((one.x, one.y), corners.placement)).T)
+    for row, choice in enumerate(corners.at):
+        away = np.hypot(*(position - np.add((choice.x, choice.y), corners.placement)).T)
         nearest[row] = away[convex].min(initial=np.inf)
         if nearest[row] <= NEAR:
             continue
         if (away[turn < -_STRAIGHT] <= NEAR).any():
-            raise PlanError("corner.inside", x=one.x, y=one.y)
-        order = np.argsort(away[convex])[:_NAMED]
+            raise PlanError("corner.inside", x=choice.x, y=choice.y)
+        order = np.argsort(away[convex])[:_LISTED]
         known = [
-            f"({x:.2f}, {y:.2f})" for x, y in place[convex][order] - np.array(corners.placement)
+            f"({x:.2f}, {y:.2f})" for x, y in position[convex][order] - np.array(corners.placement)
         ]
         if not known:
-            raise PlanError("corner.no-contour", within=NEAR, x=one.x, y=one.y)
+            raise PlanError("corner.no-contour", within=NEAR, x=choice.x, y=choice.y)
         raise PlanError(
             "corner.not-found",
             within=NEAR,
-            x=one.x,
-            y=one.y,
+            x=choice.x,
+            y=choice.y,
             distance=nearest[row],
             known=known,
         )
     return nearest
 
 
-def chosen(corners: Corners, nearest: F64, contour: Bends) -> tuple[U8, F64]:
-    """Return type and knob at the beginning of every segment, (n,): ``AS_OTHERS`` and NaN mostly.
+def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, F64]:
+    """Return the chosen type and k at the start of every segment, (n,) and (n,).
 
-    Corners in one place, as of two contours that touch there, are chosen together.
+    They are ``AS_OTHERS`` and NaN without a choice.  A choice holds for all corners at one point,
+    for instance where two contours touch.
     """
-    kind = np.full(len(contour.turn), AS_OTHERS, np.uint8)
-    k = np.full(len(contour.turn), np.nan)
-    for one, away in zip(corners.at, nearest, strict=True):
-        off = np.hypot(*(contour.place - np.add((one.x, one.y), corners.placement)).T)
-        here: Bool = (contour.turn > _STRAIGHT) & (off <= away + JOIN)
-        kind[here] = TYPES.index(one.type)
-        k[here] = np.nan if one.k is None else one.k
+    kind = np.full(len(bends.turn), AS_OTHERS, np.uint8)
+    k = np.full(len(bends.turn), np.nan)
+    for choice, away in zip(corners.at, nearest, strict=True):
+        off = np.hypot(*(bends.position - np.add((choice.x, choice.y), corners.placement)).T)
+        here: Bool = (bends.turn > _STRAIGHT) & (off <= away + JOIN)
+        kind[here] = TYPES.index(choice.type)
+        k[here] = np.nan if choice.k is None else choice.k
     return kind, k

@@ -1,8 +1,9 @@
-"""Creases: a crease that a cut crosses is two, and some boards fold over two lines.
+"""creases: split creases where cuts cross them, and replace creases by double creases.
 
-    Paths of creases -> Paths, split where cuts run through them, or doubled
+    Paths of creases -> Paths
 
-Either side of the cut keeps its own clearance; the lines of a double crease are equally long.
+Both halves of a split crease keep the end clearance from the cut.  The two lines of a double crease
+end at the same positions along the drawn one.
 """
 
 from __future__ import annotations
@@ -18,18 +19,18 @@ from knifetip.geometry.chain import outward
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths, taken
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP
-from knifetip.planning.near import near
+from knifetip.planning.box_pairs import box_pairs
 
-#: A cut that leaves a crease at less than this runs along it (sine of 1°).
+#: A cut at a smaller angle runs along a crease and does not cross it (sine of 1°).
 _ACROSS = sin(radians(ANGLE))
-#: Chords by which an arc is looked at.
-_CHORDS = 128
+#: Number of chords that approximate an arc.
+_CHORDS_PER_ARC = 128
 
 
 def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool]:
-    """Return the paths split where cuts run through them.
+    """Return the paths split where cuts cross them.
 
-    A cut that only touches a path from one side, or that a path ends on, splits nothing.
+    A cut that only touches a path from one side, or on which a path ends, does not split it.
 
     Parameters
     ----------
@@ -39,58 +40,58 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     Returns
     -------
     Paths
-        In the order of the old ones.
+        In the order of the old paths.
     row : (m,)
-        The old segment of each new one.
+        Old segment of each new segment.
     split : (q, 2)
-        Whether each new path begins, and ends, where it was split.
+        Whether each new path starts, and ends, at a split.
     """
-    segment, share = run_through(paths, ends, bulge)
+    segment, share = find_cut_crossings(paths, ends, bulge)
     count = len(paths.bulge)
     row = np.concatenate([np.arange(count), segment])
     low = np.concatenate([np.zeros(count), share])
-    fresh = np.arange(len(row)) >= count
-    order = np.lexsort((fresh, low, row))
-    row, low, fresh = row[order], low[order], fresh[order]
+    added = np.arange(len(row)) >= count
+    order = np.lexsort((added, low, row))
+    row, low, added = row[order], low[order], added[order]
     high = np.where(np.append(row[1:] != row[:-1], True), 1.0, np.roll(low, -1))
-    # Between two cuts in one place, and before a cut through a joint, nothing is left.
+    # Drop what lies between two cuts at one point, and before a cut through a joint.
     size = arc.length(paths.start, paths.end, paths.bulge)[row] * (high - low)
     some = (size > GAP) | ((low == 0.0) & (high == 1.0))
-    row, low, high, fresh = row[some], low[some], high[some], fresh[some]
+    row, low, high, added = row[some], low[some], high[some], added[some]
     near_end, far_end, bent = arc.part(
         paths.start[row], paths.end[row], paths.bulge[row], low, high
     )
     owner = paths.path_of[row]
-    starts = np.flatnonzero(fresh | np.append(True, owner[1:] != owner[:-1]))
+    starts = np.flatnonzero(added | np.append(True, owner[1:] != owner[:-1]))
     result = Paths(
         np.where((low == 0.0)[:, None], paths.start[row], near_end),
         np.where((high == 1.0)[:, None], paths.end[row], far_end),
         np.where((low == 0.0) & (high == 1.0), paths.bulge[row], bent),
         np.append(starts, len(row)),
     )
-    begun = fresh[starts]
-    # A path was split at its end where the next one of its owner begins so.
-    split = np.stack([begun, np.append(begun[1:], False)], axis=1)
+    split_start = added[starts]
+    # A path ends at a split if the next path starts at one.
+    split = np.stack([split_start, np.append(split_start[1:], False)], axis=1)
     return result, row.astype(np.int32), split
 
 
-def run_through(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return the segments that cuts run through, and where, as a share of their length.
+def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
+    """Return the segments that cuts cross, (k,), and the parameter of the crossing, 0 … 1, (k,).
 
-    A cut runs through in its own middle, or goes on as another where it ends on the segment.
+    A cut crosses a segment inside itself, or ends on it where another cut continues beyond.
     """
     if len(paths) == 0 or len(bulge) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
-    segment, _, share = crossings(paths, ends, bulge)
-    at_vertex, on = _vertices(paths, ends, bulge)
+    segment, _, share = inner_crossings(paths, ends, bulge)
+    at_vertex, on = _crossings_at_cut_ends(paths, ends, bulge)
     return np.concatenate([segment, at_vertex]), np.concatenate([share, on])
 
 
-def _vertices(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return the segments on which cuts end that leave on both sides, and where."""
+def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
+    """Return the segments on which cuts from both sides end at one point, and its parameter."""
     points = ends.reshape(-1, 2)
     boxes = arc.bounds(paths.start, paths.end, paths.bulge)
-    end, row = near(np.hstack([points, points]), boxes, GAP)
+    end, row = box_pairs(np.hstack([points, points]), boxes, GAP)
     if len(end) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
     whole = paths.start[row], paths.end[row], paths.bulge[row]
@@ -101,12 +102,12 @@ def _vertices(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
     on = np.hypot(*(place - points[end]).T) <= GAP
     for stop in (stops[path, 0], stops[path, 1]):
         on &= np.hypot(*(place - stop).T) > GAP
-    # Of a joint the segment after it.
+    # A point on a joint counts for the segment after it.
     on &= share < 1.0 - 1e-9
     end, row, share = end[on], row[on], share[on]
     ahead = unit(arc.tangent_at(paths.start[row], paths.end[row], paths.bulge[row], share))
     side = (left(ahead) * outward(ends, bulge).reshape(-1, 2)[end]).sum(axis=1)
-    # What hardly leaves the crease before it ends has only been drawn a little too long.
+    # A cut that leaves the crease by less than GAP was only drawn slightly too long.
     size = arc.length(ends[:, 0], ends[:, 1], bulge)[end // 2]
     side[np.abs(side) * size <= GAP] = 0.0
     order = np.lexsort((share, row))
@@ -117,15 +118,20 @@ def _vertices(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
     both = np.zeros((int(new.sum()), 2), np.bool_)
     both[group[side > _ACROSS], 0] = True
     both[group[side < -_ACROSS], 1] = True
-    met = np.flatnonzero(new)[both.all(axis=1)]
-    return row[met], share[met]
+    crossed = np.flatnonzero(new)[both.all(axis=1)]
+    return row[crossed], share[crossed]
 
 
-def crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
-    """Return the segments that cuts run through, which cuts, and where, as a share of length."""
-    mine, owner, low, size = _chords(paths.start, paths.end, paths.bulge)
-    cuts, cut, _, _ = _chords(ends[:, 0], ends[:, 1], bulge)
-    i, j = near(_boxes(mine), _boxes(cuts), 0.0)
+def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
+    """Return pairs of a segment and a cut that cross inside both, and the parameter on the segment.
+
+    Returns
+    -------
+    segment, cut, share : (k,), (k,) and (k,) 0 … 1
+    """
+    mine, owner, low, size = _split_into_chords(paths.start, paths.end, paths.bulge)
+    cuts, cut, _, _ = _split_into_chords(ends[:, 0], ends[:, 1], bulge)
+    i, j = box_pairs(_boxes(mine), _boxes(cuts), 0.0)
     p, r = mine[i, 0], mine[i, 1] - mine[i, 0]
     q, s = cuts[j, 0], cuts[j, 1] - cuts[j, 0]
     turn = r[:, 0] * s[:, 1] - r[:, 1] * s[:, 0]
@@ -145,9 +151,15 @@ def crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
     return owner[at], cut[j[hit]], low[at] + along[hit] * size[at]
 
 
-def _chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:
-    """Return chords (k, 2, 2), whose they are, where each begins on it and its share of it."""
-    count = np.where(np.abs(bulge) < BULGE, 1, _CHORDS)
+def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:
+    """Split lines and arcs into k chords.
+
+    Returns
+    -------
+    chords, owner, low, size : (k, 2, 2), (k,), (k,) and (k,)
+        Row of each chord, parameter on it where the chord starts, and length in this parameter.
+    """
+    count = np.where(np.abs(bulge) < BULGE, 1, _CHORDS_PER_ARC)
     owner = np.repeat(np.arange(len(bulge)), count)
     low = (np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)) / count[owner]
     size = 1.0 / count[owner]
@@ -157,23 +169,24 @@ def _chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:
 
 
 def _boxes(chords: F64) -> F64:
+    """Return the bounding boxes of chords, (k, 4)."""
     return np.hstack([chords.min(axis=1), chords.max(axis=1)])
 
 
-def doubled(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32, I32]:
-    """Return each path as two beside it, and the old path and the old segment of each new one.
+def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32, I32]:
+    """Replace each path by two parallel ones; return these, their old paths and old segments.
 
     Parameters
     ----------
     apart : mm
-        From one line of a pair to the other; each stands half of it off the drawn one.
+        Distance between the two lines; the drawn line lies in their middle.
     source : (n,)
-        The edge of each segment, for the error.
+        Edge of each segment, for errors.
 
     Raises
     ------
     EdgeTooShort
-        A crease bends more tightly than half of that.
+        A crease has a bend with a radius of less than half the distance.
     """
     half = apart / 2.0
     radius = arc.radius(paths.start, paths.end, paths.bulge)
@@ -191,7 +204,7 @@ def doubled(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32, I32]:
     owner = pair.path_of
     ahead, last = arc.tangents(pair.start, pair.end, pair.bulge)
     ahead, last = left(unit(ahead)), left(unit(last))
-    # At a joint the lines meet on the mitre of both normals.
+    # At a joint the parallel lines meet on the mitre of both normals.
     before = np.roll(last, 1, axis=0)
     after = np.roll(ahead, -1, axis=0)
     first, final = pair.first[:-1], pair.first[1:] - 1
@@ -201,8 +214,8 @@ def doubled(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32, I32]:
     side = np.where(owner % 2 == 0, half, -half)[:, None]
     return (
         Paths(
-            pair.start + side * _mitre(before, ahead),
-            pair.end + side * _mitre(last, after),
+            pair.start + side * _mitre_offset(before, ahead),
+            pair.end + side * _mitre_offset(last, after),
             pair.bulge,
             pair.first,
         ),
@@ -211,8 +224,8 @@ def doubled(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32, I32]:
     )
 
 
-def _mitre(one: F64, other: F64) -> F64:
-    """Return what stands 1 off both of two lines with these unit normals."""
+def _mitre_offset(one: F64, other: F64) -> F64:
+    """Return the vectors to the points at distance 1 from both of two lines, from their normals."""
     both = one + other
     result: F64 = both / (1.0 + (one * other).sum(axis=1))[:, None]
     return result

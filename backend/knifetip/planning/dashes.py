@@ -1,10 +1,10 @@
-"""Dashes: creases drawn as dashes, or drawn twice, are rolled as one and once.
+"""dashes: merge creases that are drawn as dashes, and remove repeated edges.
 
-    creases -> edges that cover each stretch once, the gaps between dashes filled
-    edges -> those that repeat no other one
+    creases -> edges without overlaps, the gaps between dashes filled
+    edges -> rows without repeated edges
 
-Three or more pieces on one line are dashes where the gaps between them are regular, none longer
-than 12 mm or than one and a half times the mean piece, and no cut begins, ends or crosses in one.
+Three or more pieces on one line are dashes if the gaps between them are regular and not longer than
+12 mm or 1.5 times the mean length of the pieces, and no cut starts, ends or crosses in a gap.
 """
 
 from __future__ import annotations
@@ -20,37 +20,39 @@ from knifetip.geometry.grid import touching
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import BULGE, COLLINEAR, GAP, JOIN
 from knifetip.kernels import F64_1, I64_1, Bool_1, kernel
-from knifetip.planning.creases import run_through
+from knifetip.planning.creases import find_cut_crossings
 
-#: Dashes are no farther apart than this (mm), nor than so many of their mean lengths.
-_GAP = 12.0
-_SHARE = 1.5
-#: Gaps that differ by no more than this share of the first one are regular.
+#: Greatest gap between dashes: in mm, and as a multiple of the mean length of the dashes.
+_GREATEST_GAP = 12.0
+_GREATEST_SHARE = 1.5
+#: Gaps are regular if the dash pitch differs by at most this fraction from the first one.
 _REGULAR = 0.25
 
 
-def once(ends: F64, bulge: F64, cuts: tuple[F64, F64] | None = None) -> tuple[F64, F64, I32]:
-    """Return edges that cover each stretch of these once.
+def merge_dashes(
+    ends: F64, bulge: F64, cuts: tuple[F64, F64] | None = None
+) -> tuple[F64, F64, I32]:
+    """Return edges that cover each stretch of the given ones once, with the gaps of dashes filled.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
     cuts : (m, 2, 2) mm and (m,)
-        Ends and bulges of the cuts, by which no gap is filled; None fills no gap at all.
+        Ends and bulges of the cuts: a gap with a cut in it is not filled.  None fills no gap.
 
     Returns
     -------
     ends, bulge, row
-        New edges, and for each the old one that it is a part of; a gap counts to the dash before.
+        New edges, and the old edge of each; a gap belongs to the dash before it.
     """
     straight = np.abs(bulge) < BULGE
     bent = np.flatnonzero(~straight)
-    bent = bent[distinct(ends[bent], bulge[bent])]
-    line, low, high = _on_lines(ends, np.flatnonzero(straight))
+    bent = bent[distinct_edges(ends[bent], bulge[bent])]
+    line, low, high = _group_by_line(ends, np.flatnonzero(straight))
     order = np.lexsort((-high, low, line))
     rows = np.flatnonzero(straight)[order]
     line, low, high = line[order], low[order], high[order]
-    downward = ((ends[rows, 1] - ends[rows, 0]) * _folded(ends[rows])).sum(axis=1) < 0.0
+    downward = ((ends[rows, 1] - ends[rows, 0]) * _upward_directions(ends[rows])).sum(axis=1) < 0.0
     near = np.where(downward[:, None], ends[rows, 1], ends[rows, 0])
     far = np.where(downward[:, None], ends[rows, 0], ends[rows, 1])
     barred = np.ones((2, len(rows)), np.bool_)
@@ -64,14 +66,14 @@ def once(ends: F64, bulge: F64, cuts: tuple[F64, F64] | None = None) -> tuple[F6
             cut_bulge,
             GAP,
         ).reshape(2, -1)
-        apart = np.flatnonzero((line[1:] == line[:-1]) & (low[1:] > high[:-1] + JOIN))
-        each = np.arange(len(apart) + 1, dtype=np.int32)
-        gaps = Paths(far[apart], near[apart + 1], np.zeros(len(apart)), each)
-        barred[0, apart[run_through(gaps, cut_ends, cut_bulge)[0]] + 1] = True
-    begin, kept, first, last = _swept(line, low, high, barred[0], barred[1])
+        between = np.flatnonzero((line[1:] == line[:-1]) & (low[1:] > high[:-1] + JOIN))
+        each = np.arange(len(between) + 1, dtype=np.int32)
+        gaps = Paths(far[between], near[between + 1], np.zeros(len(between)), each)
+        barred[0, between[find_cut_crossings(gaps, cut_ends, cut_bulge)[0]] + 1] = True
+    begin, kept, first, last = _merge_along_lines(line, low, high, barred[0], barred[1])
 
     def on_line(piece: I64, along: F64) -> F64:
-        """The place on the line from a run's first dash to its last, or of a piece by itself."""
+        """Return the points at positions on the line from the first to the last dash of a run."""
         span = (high[last[piece]] - low[first[piece]])[:, None]
         way = far[last[piece]] - near[first[piece]]
         place: F64 = near[first[piece]] + way * (along - low[first[piece]])[:, None] / span
@@ -81,7 +83,7 @@ def once(ends: F64, bulge: F64, cuts: tuple[F64, F64] | None = None) -> tuple[F6
     dashed = first[piece] != last[piece]
     drawn = ~dashed & (begin[piece] == low[piece])
     stretch = np.stack([on_line(piece, begin[piece]), on_line(piece, high[piece])], axis=1)
-    # Dashes are followed the way the first of them is drawn.
+    # A row of dashes has the direction of its first dash.
     back = downward[first[piece]][:, None, None]
     stretch = np.where(back, stretch[:, ::-1], stretch)
     stretch = np.where(drawn[:, None, None], ends[rows[piece]], stretch)
@@ -99,55 +101,56 @@ def once(ends: F64, bulge: F64, cuts: tuple[F64, F64] | None = None) -> tuple[F6
     )
 
 
-def _folded(ends: F64) -> F64:
-    """Return the unit directions of lines, each the one of the two in the upper half plane."""
+def _upward_directions(ends: F64) -> F64:
+    """Return the unit direction of each line, reversed where it points downwards, (n, 2)."""
     ahead = unit(ends[:, 1] - ends[:, 0])
-    # Within a hair of due west is due east, so that one line has one direction.
+    # Directions very near due west become due east, so that one line has one direction.
     down = (ahead[:, 1] < -1e-4) | ((np.abs(ahead[:, 1]) <= 1e-4) & (ahead[:, 0] < 0.0))
     return np.where(down[:, None], -ahead, ahead)
 
 
-def _on_lines(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
-    """Return for straight edges the number of their line, and from where to where they lie on it.
+def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
+    """Return the line number of straight edges, and the positions on it where they start and end.
 
-    Directions are gathered by twice ``COLLINEAR`` and lines by ``JOIN``: of pieces that hardly
-    belong together some are told apart, and none that do not are taken for one.
+    Clusters of directions span at most ``COLLINEAR``, those of offsets ``JOIN``.  Edges that are
+    just collinear may get different lines; edges that are not collinear never get the same one.
     """
-    ahead = _folded(ends[rows])
+    ahead = _upward_directions(ends[rows])
     angle = np.degrees(np.arctan2(ahead[:, 1], ahead[:, 0]))
-    bundle = _gathered(np.zeros(len(rows), np.int64), angle, COLLINEAR)
+    bundle = _cluster(np.zeros(len(rows), np.int64), angle, COLLINEAR)
     size = np.bincount(bundle)
     mean = np.stack([np.bincount(bundle, part) for part in ahead.T], axis=1) / size[:, None]
     common = unit(mean)[bundle] if len(rows) else ahead
     middle = ends[rows].mean(axis=1)
     offset = common[:, 0] * middle[:, 1] - common[:, 1] * middle[:, 0]
-    line = _gathered(bundle, offset, JOIN)
+    line = _cluster(bundle, offset, JOIN)
     places = (ends[rows] * common[:, None]).sum(axis=2)
     return line, places.min(axis=1), places.max(axis=1)
 
 
-def _gathered(group: I64, value: F64, gap: float) -> I64:
-    """Number values of one group that lie within ``gap`` of the least of their number."""
+def _cluster(group: I64, value: F64, gap: float) -> I64:
+    """Cluster the values of a group that are within ``gap`` of the least one of their cluster."""
     order = np.lexsort((value, group))
     number = np.empty(len(order), np.int64)
-    number[order] = _numbered(group[order], value[order], gap)
+    number[order] = _number_clusters(group[order], value[order], gap)
     return number
 
 
 @kernel
-def _numbered(group: I64_1, value: F64_1, gap: float) -> Any:
+def _number_clusters(group: I64_1, value: F64_1, gap: float) -> Any:
+    """Return the cluster of each value; the values are sorted by group, then by size."""
     number = np.zeros(len(value), np.int64)
     least = 0
     for i in range(1, len(value)):
-        apart = group[i] != group[least] or value[i] - value[least] > gap
-        if apart:
+        between = group[i] != group[least] or value[i] - value[least] > gap
+        if between:
             least = i
-        number[i] = number[i - 1] + (1 if apart else 0)
+        number[i] = number[i - 1] + (1 if between else 0)
     return number
 
 
-def distinct(ends: F64, bulge: F64) -> I32:
-    """Return the rows of edges, (n, 2, 2) mm and (n,), without those that repeat another one."""
+def distinct_edges(ends: F64, bulge: F64) -> I32:
+    """Return the rows of edges, (n, 2, 2) mm and (n,), without those that repeat an earlier one."""
     if len(ends) == 0:
         return np.zeros(0, np.int32)
     node = nodes(ends.reshape(-1, 2)).reshape(-1, 2)
@@ -155,13 +158,25 @@ def distinct(ends: F64, bulge: F64) -> I32:
     order = np.lexsort((bent, node.max(axis=1), node.min(axis=1)))
     key = np.column_stack([node.min(axis=1), node.max(axis=1), bent])[order]
     new = np.append(True, (key[1:] != key[:-1]).any(axis=1))
-    # lexsort is stable: of those that are alike the first one drawn stays.
+    # lexsort is stable, so the first drawn of equal edges is kept.
     return np.sort(order[new]).astype(np.int32)
 
 
 @kernel(checks_division=True)
-def _swept(line: I64_1, low: F64_1, high: F64_1, low_barred: Bool_1, high_barred: Bool_1) -> Any:
-    """Walk along each line: where each piece begins anew, and of which run of dashes it is."""
+def _merge_along_lines(
+    line: I64_1, low: F64_1, high: F64_1, low_barred: Bool_1, high_barred: Bool_1
+) -> Any:
+    """Remove overlaps along each line and find rows of dashes; pieces are sorted along each line.
+
+    Returns
+    -------
+    begin : (n,)
+        Position at which each piece starts where the one before does not cover it.
+    kept : (n,)
+        Whether the piece is not covered by others.
+    first, last : (n,) and (n,)
+        First and last dash of the row to which a piece belongs; itself if it is no dash.
+    """
     count = len(line)
     begin = low.copy()
     kept = np.zeros(count, np.bool_)
@@ -176,18 +191,18 @@ def _swept(line: I64_1, low: F64_1, high: F64_1, low_barred: Bool_1, high_barred
                 continue
             begin[i] = max(low[i], reach)
         before = run[size - 1] if size else 0
-        goes_on = (
+        continues = (
             i < count
             and size > 0
             and line[i] == line[before]
             and not high_barred[before]
             and not low_barred[i]
-            and JOIN < low[i] - high[before] <= _GAP
+            and JOIN < low[i] - high[before] <= _GREATEST_GAP
         )
-        if goes_on and size > 1:
+        if continues and size > 1:
             pace = low[run[1]] - high[run[0]]
-            goes_on = abs(low[i] - high[before] - pace) <= _REGULAR * pace + JOIN
-        if not goes_on:
+            continues = abs(low[i] - high[before] - pace) <= _REGULAR * pace + JOIN
+        if not continues:
             if size >= 3:
                 length = 0.0
                 widest = 0.0
@@ -195,7 +210,7 @@ def _swept(line: I64_1, low: F64_1, high: F64_1, low_barred: Bool_1, high_barred
                     length += high[run[k]] - begin[run[k]]
                     if k:
                         widest = max(widest, low[run[k]] - high[run[k - 1]])
-                if widest <= _SHARE * length / size:
+                if widest <= _GREATEST_SHARE * length / size:
                     for k in range(size):
                         first[run[k]] = run[0]
                         last[run[k]] = run[size - 1]

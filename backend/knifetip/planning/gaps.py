@@ -1,16 +1,17 @@
-"""gaps: the lines that close contours whose cuts do not quite meet.
+"""gaps: links that close contours whose cuts do not quite meet.
 
-    cuts -> links from their loose ends to what each of them was meant to meet
+    cuts -> links from dangling ends to the cuts they were meant to meet
 
-A loose end is linked to the nearest point of any other cut within ``CONTOUR_GAP``, and to its
-relative neighbours among the loose ends within it, those to which no third loose end is nearer than
-both are to each other: where two contours run close beside each other the nearest point is on the
-neighbour.  What links between all pairs would join is so joined by few links.  A point of the same
-chain of cuts counts only where the way to it along the chain is three times as long as the gap, so
-that no end is linked to the corner it comes from.
+A dangling end is linked to the nearest point of another cut within ``CONTOUR_GAP``.  It is also
+linked to its relative neighbours among the dangling ends within ``CONTOUR_GAP``: two ends are
+relative neighbours if no third end is nearer to both than they are to each other.  Without this,
+an end of one of two close contours would only be linked to the other contour.  Relative neighbours
+need few links to connect all ends that are near each other.  A point of the same chain counts only
+if the path to it along the chain is at least three times as long as the gap, so that no end is
+linked to the corner it comes from.
 
-A link is no cut.  It only closes a contour for ``layers``, where a link too many does no harm: the
-work inside such a contour comes earlier than it had to.
+Links only close contours for ``layers``; they are never cut.  A superfluous link does no harm: work
+inside such a contour only comes earlier than necessary.
 """
 
 from __future__ import annotations
@@ -26,19 +27,19 @@ from knifetip.geometry.columns import F64
 from knifetip.geometry.grid import touching
 from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
 from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
-from knifetip.planning.near import near
+from knifetip.planning.box_pairs import box_pairs
 
-#: The way along a chain is so many times as long as the gap that closes it, at least.
-_ROUND: Final = 3.0
+#: Least ratio of the path along a chain to the gap that closes it.
+_CHAIN_FACTOR: Final = 3.0
 
 
-def links(ends: F64, bulge: F64) -> F64:
-    """Return the straight lines that close gaps, (k, 2, 2) mm.
+def closing_links(ends: F64, bulge: F64) -> F64:
+    """Return straight links that close gaps, (k, 2, 2) mm.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Cuts of any order and direction.
+        Cuts in any order and direction.
     """
     points = ends.reshape(-1, 2)
     start, end = ends[:, 0], ends[:, 1]
@@ -47,29 +48,29 @@ def links(ends: F64, bulge: F64) -> F64:
     tips = np.flatnonzero(loose)
     if len(tips) == 0:
         return np.zeros((0, 2, 2))
-    tip, row = near(np.tile(points[tips], 2), arc.bounds(start, end, bulge), CONTOUR_GAP)
+    tip, row = box_pairs(np.tile(points[tips], 2), arc.bounds(start, end, bulge), CONTOUR_GAP)
     share = arc.nearest(start[row], end[row], bulge[row], points[tips[tip]])
-    place = arc.point_at(start[row], end[row], bulge[row], share)
+    target = arc.point_at(start[row], end[row], bulge[row], share)
     for side in range(2):
-        there = np.hypot(*(place - ends[row, side]).T) <= JOIN
-        place[there], share[there] = ends[row[there], side], float(side)
+        there = np.hypot(*(target - ends[row, side]).T) <= JOIN
+        target[there], share[there] = ends[row[there], side], float(side)
     node = nodes(points).astype(np.int64)
     by_node = np.argsort(node, kind="stable")
     begin = np.searchsorted(node[by_node], np.arange(node.max() + 2))
-    one, other = near(np.tile(points[tips], 2), np.tile(points[tips], 2), CONTOUR_GAP)
+    one, other = box_pairs(np.tile(points[tips], 2), np.tile(points[tips], 2), CONTOUR_GAP)
     tip, row = np.concatenate([tip, one]), np.concatenate([row, tips[other] // 2])
     share = np.concatenate([share, tips[other] % 2])
-    place = np.concatenate([place, points[tips[other]]])
+    target = np.concatenate([target, points[tips[other]]])
     to_end = np.arange(len(tip)) >= len(tip) - len(one)
     order = np.argsort(tip, kind="stable")
     first = np.searchsorted(tip[order], np.arange(len(tips) + 1))
-    linked = _linked(
-        tips, first, row[order], share[order], place[order], to_end[order], points,
+    linked = _choose_links(
+        tips, first, row[order], share[order], target[order], to_end[order], points,
         arc.length(start, end, bulge), node, by_node, begin,
     )  # fmt: skip
     kept = order[linked]
-    found = np.stack([points[tips[tip[kept]]], place[kept]], axis=1)
-    # Two ends that are linked to each other have one link.
+    found = np.stack([points[tips[tip[kept]]], target[kept]], axis=1)
+    # Two ends that are linked to each other need one link only.
     swap = (found[:, 0, 0] > found[:, 1, 0]) | (
         (found[:, 0, 0] == found[:, 1, 0]) & (found[:, 0, 1] > found[:, 1, 1])
     )
@@ -78,23 +79,36 @@ def links(ends: F64, bulge: F64) -> F64:
 
 
 @kernel
-def _linked(
-    tips: I64_1, first: I64_1, row: I64_1, share: F64_1, place: F64_2, to_end: Bool_1,
+def _choose_links(
+    tips: I64_1, first: I64_1, row: I64_1, share: F64_1, target: F64_2, to_end: Bool_1,
     points: F64_2, length: F64_1,
     node: I64_1, by_node: I64_1, begin: I64_1,
 ) -> Any:  # fmt: skip
-    """Return which candidates are links: neighbours among loose ends, the nearest other point."""
+    """Return which candidates become links, (k,): relative neighbours, and nearest points of cuts.
+
+    Parameters
+    ----------
+    tips, first : (t,) and (t + 1,)
+        Dangling ends, and the candidates of each.
+    row, share, target, to_end : (k,), (k,), (k, 2) and (k,)
+        Of each candidate: the edge, the parameter and the point on it, and whether it is a
+        dangling end.
+    points, length : (2n, 2) and (n,) mm
+        Ends and lengths of all edges.
+    node, by_node, begin
+        Vertex of each end, and the ends at each vertex in compressed rows.
+    """
     linked = np.zeros(len(row), np.bool_)
     seen = np.full(len(length), -1, np.int64)
-    # The way from the tip to where an edge of its chain begins, and whether it is run backwards.
-    way = np.empty(len(length))
+    # Distance along the chain from the tip to each edge, and whether that edge is run backwards.
+    along_chain = np.empty(len(length))
     back = np.empty(len(length), np.bool_)
     for t in range(len(tips)):
         tip = tips[t]
         half, walked = tip, 0.0
-        while walked <= _ROUND * CONTOUR_GAP and seen[half // 2] != t:
+        while walked <= _CHAIN_FACTOR * CONTOUR_GAP and seen[half // 2] != t:
             edge = half // 2
-            seen[edge], way[edge], back[edge] = t, walked, half % 2 == 1
+            seen[edge], along_chain[edge], back[edge] = t, walked, half % 2 == 1
             walked += length[edge]
             at = node[half ^ 1]
             if begin[at + 1] - begin[at] != 2:
@@ -103,13 +117,15 @@ def _linked(
             half = other if one == half ^ 1 else one
         nearest, best = CONTOUR_GAP, -1
         for k in range(first[t], first[t + 1]):
-            gap = math.hypot(place[k, 0] - points[tip, 0], place[k, 1] - points[tip, 1])
+            gap = math.hypot(target[k, 0] - points[tip, 0], target[k, 1] - points[tip, 1])
             if gap <= JOIN or gap > CONTOUR_GAP:
                 continue
-            if not _apart(row[k], share[k], gap, t, seen, way, back, length):
+            if not _far_along_chain(row[k], share[k], gap, t, seen, along_chain, back, length):
                 continue
             if to_end[k]:
-                linked[k] = not _between(k, gap, first[t], first[t + 1], place, to_end, points[tip])
+                linked[k] = not _has_end_between(
+                    k, gap, first[t], first[t + 1], target, to_end, points[tip]
+                )
             elif row[k] != tip // 2 and gap <= nearest:
                 nearest, best = gap, k
         if best >= 0:
@@ -118,34 +134,34 @@ def _linked(
 
 
 @kernel
-def _between(
-    k: int, gap: float, low: int, high: int, place: F64_2, to_end: Bool_1, tip: F64_1
+def _has_end_between(
+    k: int, gap: float, low: int, high: int, target: F64_2, to_end: Bool_1, tip: F64_1
 ) -> bool:
-    """Whether another loose end is nearer to both ends of a gap than they are to each other."""
+    """Return whether a third dangling end is nearer to both ends of a gap than they are."""
     for other in range(low, high):
         if (
             to_end[other]
-            and math.hypot(place[other, 0] - tip[0], place[other, 1] - tip[1]) < gap
-            and math.hypot(place[other, 0] - place[k, 0], place[other, 1] - place[k, 1]) < gap
-            and (place[other, 0] != tip[0] or place[other, 1] != tip[1])
+            and math.hypot(target[other, 0] - tip[0], target[other, 1] - tip[1]) < gap
+            and math.hypot(target[other, 0] - target[k, 0], target[other, 1] - target[k, 1]) < gap
+            and (target[other, 0] != tip[0] or target[other, 1] != tip[1])
         ):
             return True
     return False
 
 
 @kernel
-def _apart(
+def _far_along_chain(
     edge: int,
     share: float,
     gap: float,
     t: int,
     seen: I64_1,
-    way: F64_1,
+    along_chain: F64_1,
     back: Bool_1,
     length: F64_1,
 ) -> bool:
-    """Whether a place on an edge is not too near to the tip along the chain of both."""
+    """Return whether a point on an edge is far enough from the tip along their common chain."""
     if seen[edge] != t:
         return True
     along = (1.0 - share if back[edge] else share) * length[edge]
-    return bool(way[edge] + along >= _ROUND * gap)
+    return bool(along_chain[edge] + along >= _CHAIN_FACTOR * gap)

@@ -1,16 +1,17 @@
-"""layers: which cuts are made before which, so that nothing is worked on what is already loose.
+"""layers: order cuts so that no tool works on a piece of board that is already loose.
 
-    cuts -> the layer of each: 0 last
+    cuts -> layer of each cut; layer 0 is cut last
 
-A piece of board comes loose when cuts close all round it.  Seen backwards, from the finished sheet,
-every cut that is taken back joins the faces on its two sides; a face that has so been joined to the
-plane outside is held.  A cut may be the last of all if one of its sides is held already.  Such cuts
-are layer 0; when they have been taken back more faces are held, and the cuts beside those are layer
-1, and so on inwards.  Cuts of one layer may be made in any order, after those of all higher ones.
+A piece of board comes loose when cuts enclose it.  The layers are found backwards, from the
+finished sheet: removing a cut joins the faces on its two sides, and a face that is joined to the
+plane outside is held.  Cuts with a held face on one side form layer 0.  Removing them makes more
+faces held; cuts beside those form layer 1, and so on inwards.  Cuts of one layer may be made in any
+order, after those of all higher layers.
 
-So holes come before their part, a part before the window it lies in, the line between two parts
-before the outline of both, and open cuts before the contour they lie in.  A closed contour is one
-piece of work, and so is an edge of none: it is of the layer of its innermost stretch.
+So holes come before their part, a part before the window in which it lies, the line between two
+parts before their common outline, and open cuts before the contour in which they lie.  A closed
+contour is one unit of work, and so is an edge that belongs to none; it has the layer of its
+innermost stretch.
 """
 
 from __future__ import annotations
@@ -23,32 +24,32 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import CONTOUR_GAP
 from knifetip.kernels import F64_1, I64_1, I64_2, OutI64_1, kernel
-from knifetip.planning.gaps import links
-from knifetip.planning.noding import noded_throughout
+from knifetip.planning.gaps import closing_links
+from knifetip.planning.noding import split_at_crossings
 from knifetip.topology.subdivision import subdivide
 
 
 def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
-    """Return the layer of each cut, (n,); those of higher layers are made first.
+    """Return the layer of each cut, (n,); higher layers are cut first.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Cuts of any order and direction; contours may have gaps of up to ``CONTOUR_GAP``.
+        Cuts in any order and direction; contours may have gaps of up to ``CONTOUR_GAP``.
     contour : (n,)
-        The closed contour that each cut belongs to, -1 for none.  The cuts of one are of one layer,
-        unless contours hold each other so that only single edges can be put in order.
+        Closed contour of each cut, -1 for none.  All cuts of a contour get one layer, unless
+        contours enclose each other in a cycle; then each edge gets its own.
 
     Raises
     ------
     PlanError
-        The cuts cross each other millions of times.
+        The boxes of more than five million pairs of cuts overlap.
     """
     count = len(ends)
     if count == 0:
         return np.zeros(0, np.int64)
-    closing = links(ends, bulge)
-    pieces, bent, row = noded_throughout(
+    closing = closing_links(ends, bulge)
+    pieces, bent, row = split_at_crossings(
         np.concatenate([ends, closing]), np.concatenate([bulge, np.zeros(len(closing))])
     )
     found = subdivide(pieces, bent)
@@ -61,31 +62,31 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     alone = np.arange(count)
     work = np.unique(np.where(contour < 0, alone, count + contour), return_inverse=True)[1].ravel()
     owner = np.append(work, -1)[np.where(row < count, row, -1)]
-    layer, ordered = _peeled(face, owner, size, by_face // 2, first, int(work.max()) + 1)
+    layer, ordered = _assign_layers(face, owner, size, by_face // 2, first, int(work.max()) + 1)
     if not ordered:
         work = alone
         owner = np.where(row < count, row, -1)
-        layer, _ = _peeled(face, owner, size, by_face // 2, first, count)
+        layer, _ = _assign_layers(face, owner, size, by_face // 2, first, count)
     result: I64 = layer[work]
     return result
 
 
 @kernel
-def _peeled(
+def _assign_layers(
     face: I64_2, row: I64_1, size_of: F64_1, piece_of: I64_1, first: I64_1, count: int
 ) -> Any:
-    """Return the layer of each of ``count`` pieces of work, and whether all could be put in order.
+    """Return the layer of each of ``count`` units of work, and whether no cycle was found.
 
     Parameters
     ----------
     face : (m, 2)
-        The faces on the sides of stretches; 0 is the plane outside.
+        Faces on the two sides of each stretch; 0 is the plane outside.
     row : (m,)
-        The work that each stretch is part of, -1 for links.
+        Unit of work of each stretch, -1 for links.
     size_of : (m,) mm
-        How long each stretch is: one shorter than ``CONTOUR_GAP`` does not hold its edge.
+        Length of each stretch; short ones, up to ``CONTOUR_GAP``, break cycles last.
     piece_of, first
-        The stretches beside each face, and where each face's begin.
+        Stretches beside each face, in compressed rows.
     """
     layer = np.full(count, -1, np.int64)
     waiting = np.zeros(count, np.int64)
@@ -117,7 +118,7 @@ def _peeled(
     size = 0
     ordered = True
     while done < count:
-        # What has come to be held makes the cuts beside it ready.
+        # Stretches beside newly held faces become ready.
         while looked < faces:
             for place in range(first[reached[looked]], first[reached[looked] + 1]):
                 piece = piece_of[place]
@@ -138,17 +139,17 @@ def _peeled(
             looked += 1
         if size == done:
             ordered = False
-            # Edges that hold each other: those with a stretch that is ready, or else all.
+            # A cycle: take the work with a ready stretch; if there is none, all of it.
             for place in range(tried, started):
-                size = _queued(begun[place], layer, waiting, queue, size)
+                size = _enqueue(begun[place], layer, waiting, queue, size)
             tried = started
             if size == done:
                 for place in range(tried_brief, scraps):
-                    size = _queued(brief[place], layer, waiting, queue, size)
+                    size = _enqueue(brief[place], layer, waiting, queue, size)
                 tried_brief = scraps
             if size == done:
                 for edge in range(count):
-                    size = _queued(edge, layer, waiting, queue, size)
+                    size = _enqueue(edge, layer, waiting, queue, size)
         until = size
         for place in range(done, until):
             edge = queue[place]
@@ -166,8 +167,8 @@ def _peeled(
 
 
 @kernel
-def _queued(edge: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: int) -> int:
-    """Put an edge into the queue unless it was there, and return how long the queue is."""
+def _enqueue(edge: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: int) -> int:
+    """Put an edge into the queue unless it was there; return the length of the queue."""
     if layer[edge] >= 0 or waiting[edge] < 0:
         return size
     waiting[edge] = -1

@@ -1,12 +1,12 @@
-"""Milling: what a cutter (router or beam) needs to know that a knife does not.
+"""milling: the operations of a cutter that removes a disc: a router or a beam.
 
-    Dieline, rows of cuts -> Operations[DiscTool], layer by layer, open cuts first
+    Dieline, rows of cuts, Setup -> Operations[DiscTool], layer by layer, open cuts first
 
-A cutter removes a disc, so its centre runs beside the line, in the waste: outside a blank or a part
-in a hole, inside a hole.  It stands left of travel (a part is travelled clockwise, a hole
-counter-clockwise): with a spindle that turns clockwise that is climb cutting.  A slit, with one
-blank on both its sides, is cut on the line, and each side loses r.  An edge that two blanks share
-is refused: there is no place for the disc that spares both, and none that is as good as another.
+The centre of the cutter runs beside the line, in the waste: outside a part, inside a hole.  It is
+on the left of travel: a part is travelled clockwise, a hole counter-clockwise.  With a spindle that
+turns clockwise this is climb cutting.  A slit, with one part on both its sides, is cut on the line,
+and each side loses the radius r.  An edge that two parts share is refused, since the disc would cut
+into one of them.
 """
 
 from __future__ import annotations
@@ -24,59 +24,59 @@ from knifetip.geometry.tolerance import JOIN
 from knifetip.model.board import Board
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import DiscTool
-from knifetip.planning.bridges import ends_of_others, places
-from knifetip.planning.corners import bends, chosen, found
+from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
+from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
+from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.layers import cut_layers
-from knifetip.planning.noding import noded
-from knifetip.planning.outer import faces
-from knifetip.planning.reached import by_disc
+from knifetip.planning.noding import split_at_ends
+from knifetip.planning.reachable import reachable_by_disc
+from knifetip.planning.setup import Setup
 
 
-def milled(
+def plan_milling(
     corners: Corners,
     dieline: Dieline,
     rows: I32,
-    machine: Machine,
-    board: Board,
-    station: Station,
+    setup: Setup,
 ) -> list[Operation]:
     """Return the operations that mill some cuts, layer by layer from the innermost.
 
-    Every contour is chained by itself, so that two may touch in one point.
+    Every contour is chained separately, so that two may touch at a point.
 
     Parameters
     ----------
     corners
-        For all corners alike; ``chosen_at`` gives single ones their own.
+        Type of all corners; ``apply_choices`` sets those of single corners.
     rows : (m,)
         Rows of the cuts in the dieline.
 
     Raises
     ------
     PlanError
-        Two blanks share an edge, or a contour has no places for the bridges that the board wants.
+        Two parts share an edge.
+    NoRoomForBridges
+        A contour has no room for the bridges that the board requires.
     """
-    cutter = station.tool
+    machine, board, cutter = setup.machine, setup.board, setup.station.tool
     assert isinstance(cutter, DiscTool)
     ends, bulge = dieline.ends[rows], dieline.bulge[rows]
-    sides, face, shared = _beside(dieline)
-    _refuse_shared(rows[shared[rows]], cutter)
+    sides, face, shared = _find_sides(dieline)
+    _check_shared(rows[shared[rows]], cutter)
     layer = cut_layers(ends, bulge, face[rows])
     chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face[rows])
-    paths = _snapped(chains.paths(ends, bulge))
+    paths = _close_joints(chains.paths(ends, bulge))
     source = rows[chains.order]
     number = layer[chains.order][chains.first[:-1]]
     avoid = ends_of_others(dieline, rows[sides[rows] != 0])
     waste = (np.where(chains.flipped, -1, 1) * sides[source])[paths.first[:-1]]
     inside = paths.closed & (waste == 0)
     side = np.where(inside, np.where(paths.areas > 0.0, 1, -1), waste)
-    # Left of travel, all of them.
+    # All contours have the cutter on the left of travel.
     paths, order = reversed_where(paths, side < 0)
     source = source[order]
-    depth = cutter.passes(board.caliper + machine.into_mat)
+    depth = cutter.passes(setup.through)
     operations = []
     turn = 2 * (number.max(initial=0) - number) + np.abs(side)
     for place in np.unique(turn):
@@ -84,25 +84,13 @@ def milled(
         some, kept = taken(paths, which)
         end = np.where(some.closed, End.CLOSED, End.FREE).astype(np.uint8)
         held = some.closed & (waste[which] != 0)
-        bridges = _bridges(some, held, board, cutter, source[kept], avoid)
+        bridges = _bridge_positions(some, held, board, cutter, source[kept], avoid)
+        depths = np.tile(depth, (len(kept), 1))
+        operation = setup.operation(LineType.CUT, some, source[kept], depths, (end, end))
         operations.append(
-            Operation(
-                paths=some,
-                line_type=LineType.CUT,
-                tool=cutter,
-                station=station.number,
-                depth=np.tile(depth, (len(kept), 1)),
-                caliper=board.caliper,
+            replace(
+                operation,
                 clearance=cutter.clearance(machine.clearance),
-                feed=cutter.feed,
-                plunge=cutter.plunge,
-                swivel=machine.c.velocity * 60.0,
-                end_clearance=board.end_clearance,
-                overcut=board.groove_overcut,
-                short_crease=board.short_crease,
-                start=end,
-                finish=end,
-                source=source[kept],
                 side=int(place % 2),
                 bridges=bridges,
                 bridge_width=board.bridge_width,
@@ -111,14 +99,15 @@ def milled(
                 interference=corners.interference,
                 acceleration=min(machine.x.acceleration, machine.y.acceleration),
                 deflection=next(
-                    ((d.x, d.y) for d in board.deflection if d.tool == station.name), (0.0, 0.0)
+                    ((d.x, d.y) for d in board.deflection if d.tool == setup.station.name),
+                    (0.0, 0.0),
                 ),
             )
         )
     return operations
 
 
-def _bridges(
+def _bridge_positions(
     paths: Paths,
     held: Bool,
     board: Board,
@@ -126,16 +115,18 @@ def _bridges(
     source: I32,
     avoid: F64,
 ) -> F64:
-    """Return the segment of each bridge, and how far along it its middle is (mm), (k, 2).
+    """Return the segment of each bridge and the position of its middle along it (mm), (k, 2).
 
-    The disc reaches r past where its centre stops, on either side of a bridge.
+    The disc cuts r beyond the points where its centre stops, on either side of a bridge.
     """
     if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
         return np.zeros((0, 2))
     gap = board.bridge_width + 2.0 * cutter.radius
-    # A slot that two discs do not fit into side by side is cleared by the way along its other side.
-    room = by_disc(paths, 2.0 * cutter.radius)
-    path, place = places(paths, held, gap, board.bridge_spacing, source, avoid, room)
+    # A slot narrower than two discs is cleared completely from its other side.
+    room = reachable_by_disc(paths, 2.0 * cutter.radius)
+    path, place = place_bridges(
+        paths, held, Spacing(gap, board.bridge_spacing), source, avoid, room
+    )
     reached = np.cumsum(arc.length(paths.start, paths.end, paths.bulge))
     before = np.concatenate([[0.0], reached])
     at = before[paths.first[:-1][path]] + place
@@ -143,45 +134,50 @@ def _bridges(
     return np.column_stack([segment, at - before[segment]])
 
 
-def chosen_at(operations: list[Operation], corners: Corners) -> list[Operation]:
-    """Return the operations with the choices for single corners in those that mill.
+def apply_choices(operations: list[Operation], corners: Corners) -> list[Operation]:
+    """Return the operations, with the choices for single corners applied to those that mill.
 
     Raises
     ------
     PlanError
-        A choice names no corner of theirs, or makes no sense.
+        A choice is invalid or names no corner.
     """
-    milling = [isinstance(one.tool, DiscTool) and one.side != 0 for one in operations]
-    contours = [
-        bends(one.paths, one.side) for one, mills in zip(operations, milling, strict=True) if mills
+    milling = [
+        isinstance(operation.tool, DiscTool) and operation.side != 0 for operation in operations
     ]
-    nearest = found(corners, contours)
+    contours = [
+        find_bends(operation.paths, operation.side)
+        for operation, is_milling in zip(operations, milling, strict=True)
+        if is_milling
+    ]
+    nearest = distances_to_corners(corners, contours)
     if len(nearest) == 0:
         return operations
     result, bend = [], iter(contours)
-    for one, mills in zip(operations, milling, strict=True):
-        if mills:
-            kind, k = chosen(corners, nearest, next(bend))
-            one = replace(one, corner_at=kind, k_at=k)
-        result.append(one)
+    for operation, is_milling in zip(operations, milling, strict=True):
+        if is_milling:
+            kind, k = choices_at_bends(corners, nearest, next(bend))
+            operation = replace(operation, corner_at=kind, k_at=k)
+        result.append(operation)
     return result
 
 
-def _beside(dieline: Dieline) -> tuple[I8, I64, Bool]:
-    """Return for every edge what ``outer.faces`` says of it, if it is a cut."""
+def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
+    """Return for every edge, if it is a cut, what ``cut_sides`` returns: waste, face, shared."""
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
-    # A line from edge to edge parts a blank, also where those have no corner.
-    ends, bulge, row = noded(dieline.ends[cuts], dieline.bulge[cuts])
-    lies = faces(ends, bulge)
+    # A line between the insides of two edges separates two parts without a vertex on the edges.
+    ends, bulge, row = split_at_ends(dieline.ends[cuts], dieline.bulge[cuts])
+    lies = cut_sides(ends, bulge)
     count = len(dieline.bulge)
     side, face = np.zeros(count, np.int8), np.full(count, -1, np.int64)
     shared = np.zeros(count, np.bool_)
-    side[cuts[row]], face[cuts[row]] = lies.side, lies.face
+    side[cuts[row]], face[cuts[row]] = lies.waste, lies.face
     shared[cuts[row[lies.shared]]] = True
     return side, face, shared
 
 
-def _refuse_shared(rows: I32, cutter: DiscTool) -> None:
+def _check_shared(rows: I32, cutter: DiscTool) -> None:
+    """Raise ``PlanError`` if there is an edge that two parts share."""
     if len(rows):
         raise PlanError(
             "milling.shared-edge",
@@ -191,15 +187,15 @@ def _refuse_shared(rows: I32, cutter: DiscTool) -> None:
         )
 
 
-def _snapped(paths: Paths) -> Paths:
-    """Return the paths with neighbours joined to the bit, and closed where they nearly are."""
+def _close_joints(paths: Paths) -> Paths:
+    """Return the paths with equal ends at joints, closed if their ends are within ``JOIN``."""
     end = paths.end.copy()
     first, last = paths.first[:-1], paths.first[1:] - 1
     inner: Bool = np.ones(len(end), np.bool_)
     inner[last] = False
     rows = np.flatnonzero(inner)
     end[rows] = paths.start[rows + 1]
-    # A line there and back along itself ends where it began, and is no contour.
+    # A line to a point and back ends where it started, but is no contour.
     gap = np.hypot(*(paths.start[first] - paths.end[last]).T)
     near = (gap < JOIN) & ((last > first + 1) | (np.abs(paths.bulge[first]) > 0.0))
     end[last[near]] = paths.start[first[near]]

@@ -1,6 +1,6 @@
-"""noding: edges split where others end on them or cross them.
+"""noding: split edges where others end on them or cross them.
 
-edges -> pieces that meet only at their ends, and the edge of each
+edges -> pieces that meet only at their ends, and the edge of each piece
 """
 
 from __future__ import annotations
@@ -14,23 +14,23 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.intersect import crossings
 from knifetip.geometry.tolerance import JOIN
-from knifetip.planning.near import near
+from knifetip.planning.box_pairs import box_pairs
 
-#: More pairs of cuts than this are no drawing of a sheet, but take all memory there is.
+#: Limit for the pairs of cuts whose boxes overlap, to bound the memory.
 _MOST_PAIRS: Final = 5_000_000
 
 
-def noded(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
+def split_at_ends(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
     """Return edges split where others end on them, and the row of each piece.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
     """
-    return _split(ends, bulge, *_junctions(ends, bulge))
+    return _split_at(ends, bulge, *_end_contacts(ends, bulge))
 
 
-def noded_throughout(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
+def split_at_crossings(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
     """Return edges split where others end on them or cross them, and the row of each piece.
 
     Parameters
@@ -42,18 +42,26 @@ def noded_throughout(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
     PlanError
         The boxes of more than five million pairs of edges overlap.
     """
-    junctions, crossed = _junctions(ends, bulge), _crossed(ends, bulge)
-    return _split(
+    junctions, crossed = _end_contacts(ends, bulge), _crossings(ends, bulge)
+    return _split_at(
         ends,
         bulge,
         *(np.concatenate(both) for both in zip(junctions, crossed, strict=True)),
     )
 
 
-def _junctions(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
-    """Return where ends of others lie on edges: the edge, the share of its length, the point."""
+def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
+    """Return the points at which ends of other edges lie on edges.
+
+    Returns
+    -------
+    edge, share, point : (k,), (k,) and (k, 2)
+        Edge, parameter on it (0 … 1), and point.
+    """
     points = ends.reshape(-1, 2)
-    end, row = near(np.hstack([points, points]), arc.bounds(ends[:, 0], ends[:, 1], bulge), JOIN)
+    end, row = box_pairs(
+        np.hstack([points, points]), arc.bounds(ends[:, 0], ends[:, 1], bulge), JOIN
+    )
     whole = ends[row, 0], ends[row, 1], bulge[row]
     share = arc.nearest(*whole, points[end])
     on = np.hypot(*(arc.point_at(*whole, share) - points[end]).T) <= JOIN
@@ -62,32 +70,32 @@ def _junctions(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     return row[on], share[on], points[end[on]]
 
 
-def _crossed(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
-    """Return where edges cross, as ``_junctions``: each place once for either edge."""
+def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
+    """Return the points at which edges cross, once for each edge, as ``_end_contacts``."""
     boxes = arc.bounds(ends[:, 0], ends[:, 1], bulge)
-    one, other = near(boxes, boxes, 0.0)
+    one, other = box_pairs(boxes, boxes, 0.0)
     if len(one) > 2 * _MOST_PAIRS:
         raise PlanError("cut.too-many-crossings", limit=_MOST_PAIRS)
     once = one < other
     one, other = one[once], other[once]
-    met = crossings(ends[one, 0], ends[one, 1], bulge[one],
+    found = crossings(ends[one, 0], ends[one, 1], bulge[one],
                     ends[other, 0], ends[other, 1], bulge[other])  # fmt: skip
-    pair, place = np.nonzero(np.arange(met.points.shape[1]) < met.count[:, None])
-    point = met.points[pair, place]
+    pair, which = np.nonzero(np.arange(found.points.shape[1]) < found.count[:, None])
+    point = found.points[pair, which]
     inner = np.ones(len(pair), np.bool_)
     for edge in (one, other):
         for side in range(2):
             inner &= np.hypot(*(point - ends[edge[pair], side]).T) > JOIN
-    pair, place, point = pair[inner], place[inner], point[inner]
+    pair, which, point = pair[inner], which[inner], point[inner]
     return (
         np.concatenate([one[pair], other[pair]]),
-        np.concatenate([met.first[pair, place], met.second[pair, place]]),
+        np.concatenate([found.first[pair, which], found.second[pair, which]]),
         np.concatenate([point, point]),
     )
 
 
-def _split(ends: F64, bulge: F64, row: I64, share: F64, point: F64) -> tuple[F64, F64, I64]:
-    """Return edges split at places, and the row of each piece."""
+def _split_at(ends: F64, bulge: F64, row: I64, share: F64, point: F64) -> tuple[F64, F64, I64]:
+    """Return edges split at points, and the row of each piece."""
     rows = np.concatenate([np.arange(len(ends)), row])
     low = np.concatenate([np.zeros(len(ends)), share])
     begin = np.concatenate([ends[:, 0], point])
@@ -97,7 +105,7 @@ def _split(ends: F64, bulge: F64, row: I64, share: F64, point: F64) -> tuple[F64
     high = np.where(last, 1.0, np.roll(low, -1))
     finish = np.where(last[:, None], ends[rows, 1], np.roll(begin, -1, axis=0))
     some = np.hypot(*(finish - begin).T) > JOIN
-    # A whole edge stays as it is drawn, however short.
+    # An edge that is not split is kept, however short.
     some |= (low == 0.0) & (high == 1.0)
     bent = np.tan(np.arctan(bulge[rows]) * (high - low))
     return np.stack([begin, finish], axis=1)[some], bent[some], rows[some]

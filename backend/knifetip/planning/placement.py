@@ -1,4 +1,4 @@
-"""placement: where a drawing lies on a machine's table.
+"""placement: the position of a drawing on a machine's table.
 
 Dieline, Machine -> shift in mm, added to the drawing's coordinates
 """
@@ -16,7 +16,7 @@ from knifetip.model.machine import Machine
 def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
     """Return the shift (mm) that moves the lower left corner of the work to the machine's origin.
 
-    Edges that are ignored or unclassified do not count.
+    Ignored and unclassified edges are no part of the work.
 
     Raises
     ------
@@ -35,5 +35,5 @@ def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
             room_x=machine.width - x,
             room_y=machine.height - y,
         )
-    # Rounded to the decimals of a program, so that the program's header is exact.
+    # Rounded to the decimals of a program, so that the shift in its header is exact.
     return round(x - float(low_x), 4), round(y - float(low_y), 4)

@@ -11,7 +11,7 @@ from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
-from knifetip.planning.plan import missing
+from knifetip.planning.plan import lacks_tool
 
 
 def tool_questions(dieline: Dieline, machine: Machine) -> list[Question]:
@@ -26,14 +26,14 @@ def tool_questions(dieline: Dieline, machine: Machine) -> list[Question]:
             edges=tuple(edges.tolist()),
         )
         for kind in LineType
-        if len(edges := np.flatnonzero(dieline.line_type == kind)) and missing(kind, machine)
+        if len(edges := np.flatnonzero(dieline.line_type == kind)) and lacks_tool(machine, kind)
     ]
 
 
 def _makeable(machine: Machine) -> tuple[str, ...]:
-    """Return the words of the line types that the machine can make."""
+    """Return the names of the line types that the machine can make."""
     return tuple(
         kind.word
         for kind in LineType
-        if kind != LineType.UNCLASSIFIED and not missing(kind, machine)
+        if kind != LineType.UNCLASSIFIED and not lacks_tool(machine, kind)
     )

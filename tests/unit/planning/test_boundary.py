@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from knifetip.errors import FlankOutside
 from knifetip.geometry.columns import F64
-from knifetip.planning.boundary import Outline, run_out
-from knifetip.planning.outer import outside
+from knifetip.planning.boundary import BoardOutline, run_out_lengths
+from knifetip.planning.cut_sides import cut_sides
 from tests.support.shapes import closed, edges, rotation
 
 SQUARE = closed((0, 0), (100, 0), (100, 100), (0, 100))
@@ -26,9 +26,9 @@ def out(
 ) -> tuple[float, bool]:
     """Run-out and whether the end lies on the edge, for one groove that leaves at ``point``."""
     bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
-    outline = Outline.of(ends, bent, outside(ends, bent))
+    outline = BoardOutline.from_cuts(ends, bent, cut_sides(ends, bent).waste)
     ahead = np.array([towards], float) / np.hypot(*towards)
-    size, on_edge = run_out(np.array([point], float), ahead, width, outline, np.array([7]))
+    size, on_edge = run_out_lengths(np.array([point], float), ahead, width, outline, np.array([7]))
     return float(size[0]), bool(on_edge[0])
 
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.geometry.columns import F64
-from knifetip.planning.dashes import once
+from knifetip.planning.dashes import merge_dashes
 from tests.support.shapes import edges, rotation
 
 NO_CUTS = (np.zeros((0, 2, 2)), np.zeros(0))
@@ -23,7 +23,7 @@ def stretches(
     ends: F64, cuts: tuple[F64, F64] = NO_CUTS, bulge: list[float] | None = None
 ) -> tuple[F64, list[int]]:
     bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
-    new, _, row = once(ends, bent, cuts)
+    new, _, row = merge_dashes(ends, bent, cuts)
     return new, row.tolist()
 
 
@@ -104,7 +104,7 @@ def test_each_stretch_is_covered_once_and_nothing_else(
     drawn = np.array([[[a, 3.0], [a + b, 3.0]] for a, b in cuts], float)
     back = random.random(len(drawn)) < 0.5
     drawn[back] = drawn[back][:, ::-1]
-    new, _, row = once(drawn @ turn.T, np.zeros(len(drawn)))
+    new, _, row = merge_dashes(drawn @ turn.T, np.zeros(len(drawn)))
     flat = new @ turn
     np.testing.assert_allclose(flat[..., 1], 3.0, atol=1e-9)
     places = np.arange(80) + 0.5
@@ -117,7 +117,7 @@ def test_each_stretch_is_covered_once_and_nothing_else(
 @given(count=st.integers(3, 30), length=st.floats(2.0, 10.0), degrees=st.floats(0.0, 360.0))
 def test_dashes_at_every_azimuth_become_one_line(count: int, length: float, degrees: float) -> None:
     turn = rotation(degrees)
-    new, bulge, _ = once(dashes(count, length, length) @ turn.T, np.zeros(count), NO_CUTS)
+    new, bulge, _ = merge_dashes(dashes(count, length, length) @ turn.T, np.zeros(count), NO_CUTS)
     flat = new @ turn
     assert len(new) == 2 * count - 1
     assert not bulge.any()

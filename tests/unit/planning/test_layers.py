@@ -11,9 +11,9 @@ from knifetip.errors import PlanError
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import CONTOUR_GAP
 from knifetip.planning import noding
-from knifetip.planning.gaps import links
+from knifetip.planning.cut_sides import cut_sides
+from knifetip.planning.gaps import closing_links
 from knifetip.planning.layers import cut_layers
-from knifetip.planning.outer import faces
 from tests.support.shapes import closed, edges, rotation
 
 
@@ -25,7 +25,7 @@ def layers(*groups: F64, bulge: F64 | None = None) -> list[list[int]]:
     """Return the layers that each group's edges are of."""
     ends = np.concatenate(groups)
     bent = np.zeros(len(ends)) if bulge is None else bulge
-    found = cut_layers(ends, bent, faces(ends, bent).face)
+    found = cut_layers(ends, bent, cut_sides(ends, bent).face)
     ends_at = np.cumsum([len(group) for group in groups])[:-1]
     return [sorted(set(part.tolist())) for part in np.split(found, ends_at)]
 
@@ -46,9 +46,9 @@ def test_nested_contours_are_of_a_layer_each_however_they_are_drawn(
     back = chance.random(len(ends)) < 0.5
     ends[back] = ends[back][:, ::-1]
     nothing = np.zeros(len(ends))
-    found = faces(ends, nothing)
+    found = cut_sides(ends, nothing)
     np.testing.assert_array_equal(cut_layers(ends, nothing, found.face), order // 4)
-    np.testing.assert_array_equal(found.side != 0, order // 4 % 2 == 0)
+    np.testing.assert_array_equal(found.waste != 0, order // 4 % 2 == 0)
 
 
 def test_circles_are_nested_by_their_arcs_and_not_by_chords() -> None:
@@ -102,13 +102,13 @@ def test_two_outlines_with_gaps_beside_each_other_are_both_closed() -> None:
 
 def test_a_short_end_is_not_linked_to_the_corner_that_it_comes_from() -> None:
     hook = edges(((0, 0), (50, 0)), ((50, 0), (50, 0.8)))
-    assert len(links(hook, np.zeros(2))) == 0
+    assert len(closing_links(hook, np.zeros(2))) == 0
 
 
 def test_dense_ends_have_few_links() -> None:
     y = 0.3 * np.arange(400)
     comb = np.stack([np.stack([0.0 * y, y], axis=1), np.stack([20.0 + 0 * y, y], axis=1)], axis=1)
-    assert len(links(comb, np.zeros(400))) <= 4 * 400
+    assert len(closing_links(comb, np.zeros(400))) <= 4 * 400
 
 
 def test_what_is_between_two_parts_comes_before_the_outline_of_both() -> None:
@@ -169,7 +169,7 @@ def test_many_contours_side_by_side_and_nested_take_time_in_proportion() -> None
         all_ends = (corner[:, None, None, None] + ends[None]).reshape(-1, 2, 2)
         nothing = np.zeros(len(all_ends))
         begin = time.process_time()
-        found = cut_layers(all_ends, nothing, faces(all_ends, nothing).face)
+        found = cut_layers(all_ends, nothing, cut_sides(all_ends, nothing).face)
         took = time.process_time() - begin
         np.testing.assert_array_equal(
             found.reshape(count, 3, 4), [[[0] * 4, [1] * 4, [2] * 4]] * count

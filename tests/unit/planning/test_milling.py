@@ -15,7 +15,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.machine import Station
 from knifetip.model.operation import End
 from knifetip.model.tool import Cutter
-from knifetip.planning.plan import missing, plan
+from knifetip.planning.plan import lacks_tool, plan
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
 ROUTER = Cutter(radius=3.0, feed=9000.0, plunge=1500.0, speed=18000.0)
@@ -176,9 +176,9 @@ def test_a_knife_comes_first_where_there_are_both() -> None:
 
 
 def test_a_cutter_makes_cuts_and_nothing_else_of_a_knifes_work() -> None:
-    assert not missing(LineType.CUT, ROUTED)
+    assert not lacks_tool(ROUTED, LineType.CUT)
     for kind in (LineType.PERFORATION, LineType.HALF_CUT, LineType.COMBI):
-        assert missing(kind, ROUTED)
+        assert lacks_tool(ROUTED, kind)
     with pytest.raises(NoToolForLineType, match="half-cut"):
         plan(dieline((LineType.HALF_CUT, edges(((0, 0), (50, 0))))), ROUTED, BOARD)
 
@@ -226,7 +226,7 @@ def test_a_slot_holds_bridges_only_where_two_discs_pass_each_other(
     assert in_slot.any() == inside
 
 
-def test_where_only_slots_are_left_for_bridges_the_job_is_refused_with_the_mend() -> None:
+def test_where_only_slots_are_left_for_bridges_the_job_is_refused_with_a_hint() -> None:
     slotted = closed(
         (0, 0), (200, 0), (200, 150), (104, 150), (104, 20), (96, 20), (96, 150), (0, 150)
     )

@@ -10,7 +10,7 @@ import pytest
 from knifetip.errors import NoToolForLineType
 from knifetip.model.dieline import LineType
 from knifetip.model.operation import End, Operation
-from knifetip.planning.plan import missing, plan
+from knifetip.planning.plan import lacks_tool, plan
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
 
 OUTLINE = closed((0, 0), (200, 0), (200, 100), (0, 100))
@@ -148,7 +148,7 @@ def test_ignored_and_unclassified_edges_are_left_alone() -> None:
 
 def test_a_machine_without_the_tool_refuses() -> None:
     knife_only = replace(MACHINE, stations=MACHINE.stations[:1])
-    assert missing(LineType.CREASE, knife_only)
-    assert not missing(LineType.CUT, knife_only)
+    assert lacks_tool(knife_only, LineType.CREASE)
+    assert not lacks_tool(knife_only, LineType.CUT)
     with pytest.raises(NoToolForLineType, match=r"no tool for crease"):
         plan(dieline((LineType.CREASE, edges(((0, 0), (50, 0))))), knife_only, BOARD)

@@ -1,4 +1,4 @@
-"""Near: which segments of one set may touch which of another, found by their boxes."""
+"""box_pairs: pairs of bounding boxes, of two sets, that overlap or nearly do."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from knifetip.geometry.boxes import STACK, next_near, tree, tree_size
 from knifetip.geometry.columns import F64, I64
 from knifetip.kernels import F64_2, kernel
 
-#: Boxes are put in order along a Z-curve through a grid of so many bits a side.
+#: Bits per coordinate of a Morton code.
 _BITS: Final = 16
-#: Masks and shifts that spread 16 bits to every second place of 32.
+#: Shifts and masks that spread 16 bits over every second bit of 32.
 _SPREAD: Final = ((8, 0x00FF00FF), (4, 0x0F0F0F0F), (2, 0x33333333), (1, 0x55555555))
 
 
-def near(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
-    """Return the pairs of boxes that overlap, or lie within ``gap`` mm of each other.
+def box_pairs(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
+    """Return the pairs of boxes of two sets that are at most ``gap`` mm apart in x and in y.
 
     Parameters
     ----------
@@ -26,25 +26,25 @@ def near(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
 
     Returns
     -------
-    Rows of ``boxes``, ascending, and for each the rows of ``others``, by their x min.
+    Rows of ``boxes``, ascending, and rows of ``others``, for each row of ``boxes`` by x min.
 
     Notes
     -----
-    A tree over the boxes along a Z-curve: n log m, and the pairs that are found.
+    Searches a packed tree over ``others`` in Morton order: O(n log m + pairs).
     """
     if len(boxes) == 0 or len(others) == 0:
         return np.zeros(0, np.int64), np.zeros(0, np.int64)
-    order = np.argsort(_z_curve(others), kind="stable")
-    one, other = _near(boxes, others[order], gap)
+    order = np.argsort(_morton_codes(others), kind="stable")
+    one, other = _find_pairs(boxes, others[order], gap)
     other = order[other]
     rank = np.empty(len(others), np.int64)
     rank[np.argsort(others[:, 0], kind="stable")] = np.arange(len(others))
-    by_place = np.argsort(one * len(others) + rank[other], kind="stable")
-    return one[by_place], other[by_place]
+    by_rank = np.argsort(one * len(others) + rank[other], kind="stable")
+    return one[by_rank], other[by_rank]
 
 
-def _z_curve(boxes: F64) -> I64:
-    """Return the place of each box's middle along a Z-curve, (n,)."""
+def _morton_codes(boxes: F64) -> I64:
+    """Return the Morton code (position on a Z-curve) of the middle of each box, (n,)."""
     middle = boxes[:, :2] + boxes[:, 2:]
     low = middle.min(axis=0)
     size = np.maximum(middle.max(axis=0) - low, 1e-9)
@@ -56,7 +56,7 @@ def _z_curve(boxes: F64) -> I64:
 
 
 @kernel
-def _near(boxes: F64_2, others: F64_2, gap: float) -> Any:
+def _find_pairs(boxes: F64_2, others: F64_2, gap: float) -> Any:
     count = len(others)
     nodes = np.empty((tree_size(count), 4))
     nodes[:count] = others

@@ -1,11 +1,11 @@
-"""Chords: a curved groove as straight ones, where the board allows it.
+"""arc_to_chords: replace the arcs of V-grooves by chords that a straight blade can cut.
 
-    arcs of V-grooves -> their chords
+    arcs of V-grooves -> chords
 
-A straight blade leaves an arc twice: in the middle of a chord by the sagitta R (1 - cos φ/2), and
-past its end, where the blade's edge of width 2r runs on straight: there by
-√((R cos φ/2)² + (R sin φ/2 + 2r)²) - R.  Neither may be more than the board's ``groove_curve``,
-which is the most that either flank stands off its true place.
+A chord of angle φ deviates from an arc of radius R at two points: in its middle by the sagitta
+R (1 - cos φ/2), and beyond its end, where a blade of width 2r continues straight, by
+√((R cos φ/2)² + (R sin φ/2 + 2r)²) - R.  The board's ``groove_curve`` is the limit for both, and
+so for the deviation of either flank.
 
 Source: our derivation.
 """
@@ -21,30 +21,38 @@ from knifetip.geometry.tolerance import BULGE
 from knifetip.model.tool import VCutter
 
 
-def widest(radius: F64, cutter: VCutter, error: float) -> F64:
-    """Return the widest angle (radians) of a chord that keeps within ``error`` mm of its arc.
+def widest_chord_angle(radius: F64, cutter: VCutter, error: float) -> F64:
+    """Return the widest angle of a chord that stays within ``error`` mm of its arc, (n,) radians.
 
-    Zero or less where the blade is too wide for the radius, (n,) mm.
+    Zero or negative if the blade is too wide for the radius, (n,) mm.
     """
     blade = 2.0 * cutter.half_width
     middle = 2.0 * np.arccos(np.clip(1.0 - error / radius, -1.0, 1.0))
     if blade == 0.0:
         return middle
-    # The second term of the module's text, solved for sin φ/2.
+    # The deviation beyond the end (see the module), solved for sin φ/2.
     past = (2.0 * radius * error + error**2 - blade**2) / (2.0 * blade * radius)
     return np.minimum(middle, 2.0 * np.arcsin(np.clip(past, -1.0, 1.0)))
 
 
-def chorded(
+def arcs_to_chords(
     ends: F64, bulge: F64, rows: I32, cutter: VCutter, error: float
 ) -> tuple[F64, F64, I32, float]:
-    """Return grooves with their arcs cut into chords, their rows, and the sharpest joint (degrees).
+    """Replace the arcs of grooves by chords of equal length.
 
     Parameters
     ----------
     ends, bulge, rows : (n, 2, 2) mm, (n,) and (n,)
+        Grooves and their rows in the dieline.
     error : mm
-        The most that the groove may leave its arc.
+        Greatest permitted deviation from an arc.
+
+    Returns
+    -------
+    ends, bulge, rows : (m, 2, 2) mm, (m,) and (m,)
+        Straight grooves.
+    joint : degrees
+        Sharpest angle between two neighbouring chords.
 
     Raises
     ------
@@ -55,7 +63,7 @@ def chorded(
     start, end = ends[:, 0], ends[:, 1]
     sweep = np.abs(arc.sweep(bulge))
     radius = np.where(bent, arc.radius(start, end, bulge), 1.0)
-    angle = np.where(bent, widest(radius, cutter, error), 1.0)
+    angle = np.where(bent, widest_chord_angle(radius, cutter, error), 1.0)
     count = np.where(bent, np.ceil(sweep / np.maximum(angle, 1e-9) - 1e-9), 1.0)
     chord = 2.0 * radius * np.sin(sweep / count / 2.0)
     tight = np.flatnonzero(bent & ((angle <= 1e-6) | (chord < 2.0 * cutter.half_width)))
@@ -71,10 +79,10 @@ def chorded(
         )
     many = count.astype(np.int64)
     owner = np.repeat(np.arange(len(rows)), many)
-    place = np.arange(len(owner)) - np.repeat(np.cumsum(many) - many, many)
+    ordinal = np.arange(len(owner)) - np.repeat(np.cumsum(many) - many, many)
     whole = start[owner], end[owner], bulge[owner]
-    low = arc.point_at(*whole, place / many[owner])
-    high = arc.point_at(*whole, (place + 1) / many[owner])
+    low = arc.point_at(*whole, ordinal / many[owner])
+    high = arc.point_at(*whole, (ordinal + 1) / many[owner])
     straight = ~bent[owner]
     low[straight], high[straight] = start[owner[straight]], end[owner[straight]]
     sharpest = float(np.degrees(np.where(bent, sweep / count, 0.0).max(initial=0.0)))

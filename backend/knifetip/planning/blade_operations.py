@@ -1,0 +1,187 @@
+"""blade_operations: the operations of a knife: cuts, half-cuts and perforations.
+
+Dieline, rows of edges, Setup -> Operation, or Operations layer by layer
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from knifetip.geometry.columns import I8, I32, I64, Bool
+from knifetip.geometry.grid import touching
+from knifetip.geometry.path import (
+    Paths,
+    begun_in_middle,
+    interrupted,
+    reversed_where,
+    taken,
+    trimmed,
+)
+from knifetip.geometry.tolerance import ANGLE, GAP
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.operation import End, Operation
+from knifetip.model.tool import Knife
+from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
+from knifetip.planning.cut_sides import CutSides
+from knifetip.planning.layers import cut_layers
+from knifetip.planning.path_ends import chain_edges, end_kinds, end_points
+from knifetip.planning.reachable import all_reachable
+from knifetip.planning.setup import Setup
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Cuts:
+    """m cuts of one line type and one depth."""
+
+    line_type: LineType
+    rows: I32  #: (m,) rows of the dieline
+    depth: float  #: mm
+    waste: I8 | None = None  #: (m,) side of the waste: +1 left, -1 right; None: bounds no part
+    group: I64 | None = None  #: (m,) cuts of different groups are not chained
+
+
+def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
+    """Return the operations that cut some rows of a dieline, (m,), layer by layer.
+
+    In each layer the cuts that bound no part come first.
+
+    Parameters
+    ----------
+    sides
+        What lies on the two sides of each of the rows.
+    """
+    side = sides.waste
+    layer = cut_layers(dieline.ends[rows], dieline.bulge[rows], sides.face)
+    turn = (layer.max(initial=0) - layer) * 2 + (side != 0)
+    operations = []
+    for bounds in (False, True):
+        some = np.flatnonzero((side != 0) == bounds)
+        if len(some):
+            waste = side[some] if bounds else None
+            cuts = _Cuts(LineType.CUT, rows[some], setup.through, waste, layer[some])
+            operations += _split_by_turn(_cut(dieline, cuts, setup), rows, turn)
+    operations.sort(key=lambda turn_and_operation: turn_and_operation[0])
+    return [operation for _, operation in operations]
+
+
+def _split_by_turn(operation: Operation, rows: I32, turn: I64) -> list[tuple[int, Operation]]:
+    """Split an operation by the turn of the edges of its paths; return turns and operations.
+
+    Parameters
+    ----------
+    rows, turn : (m,) and (m,)
+        Edges, and the turn in which each is worked.
+    """
+    turn_of_edge = np.zeros(int(rows.max()) + 1, np.int64)
+    turn_of_edge[rows] = turn
+    paths = operation.paths
+    turn_of_path = turn_of_edge[operation.source[paths.first[:-1]]]
+    parts = []
+    for number in np.unique(turn_of_path):
+        which = np.flatnonzero(turn_of_path == number).astype(np.int32)
+        some, segment = taken(paths, which)
+        part = replace(
+            operation,
+            paths=some,
+            depth=operation.depth[segment],
+            start=operation.start[which],
+            finish=operation.finish[which],
+            source=operation.source[segment],
+            run_out=operation.run_out[which],
+            k_at=operation.k_at[segment],
+            corner_at=operation.corner_at[segment],
+        )
+        parts.append((int(number), part))
+    return parts
+
+
+def plan_half_cuts(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
+    """Return the operation that makes the half-cuts in some rows of a dieline, (m,)."""
+    cuts = _Cuts(LineType.HALF_CUT, rows, setup.board.half_cut_depth)
+    return _cut(dieline, cuts, setup)
+
+
+def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
+    """Return the operation that makes some cuts with a knife, with bridges where a part needs them.
+
+    A knife with a lead-in travels closed contours with the waste on its left.
+    """
+    board, tool = setup.board, setup.station.tool
+    paths, source = chain_edges(dieline, cuts.rows, 180.0, cuts.group)
+    held = np.zeros(len(paths), np.bool_)
+    side = 0
+    if cuts.waste is not None and board.bridge_width > 0.0 and board.bridge_spacing > 0.0:
+        closed = paths.closed
+        spacing = Spacing(board.bridge_width, board.bridge_spacing)
+        avoid = ends_of_others(dieline, cuts.rows)
+        path, along = place_bridges(paths, closed, spacing, source, avoid, all_reachable(paths))
+        paths, whole, segment = interrupted(paths, path, along, board.bridge_width)
+        held, source = closed[whole], source[segment]
+    elif cuts.waste is not None and isinstance(tool, Knife) and tool.led:
+        paths, source = _keep_waste_left(paths, source, dieline, cuts.rows, cuts.waste)
+        side = 1
+    paths, segment = begun_in_middle(paths, paths.closed)
+    source = source[segment]
+    start, finish = np.split(_ends_on_cuts(paths, source, dieline), 2)
+    # A blade enters exactly at its tip and runs out ahead of it: start at the end that is free.
+    paths, segment = reversed_where(paths, start & ~finish & ~paths.closed & ~held)
+    source = source[segment]
+    ends = end_kinds(paths, _ends_on_cuts(paths, source, dieline), End.MEETS)
+    for kinds in ends:
+        kinds[held] = End.BRIDGE
+    depth = np.full((len(source), 1), cuts.depth)
+    return replace(setup.operation(cuts.line_type, paths, source, depth, ends), side=side)
+
+
+def _keep_waste_left(
+    paths: Paths, source: I32, dieline: Dieline, rows: I32, waste: I8
+) -> tuple[Paths, I32]:
+    """Reverse closed paths that have the waste on their right; return all paths and their edges."""
+    side = np.zeros(len(dieline), np.int8)
+    side[rows] = waste
+    first = paths.first[:-1]
+    as_drawn = (paths.start[first] == dieline.ends[source[first], 0]).all(axis=1)
+    on_right = side[source[first]] == np.where(as_drawn, -1, 1)
+    paths, segment = reversed_where(paths, paths.closed & on_right)
+    return paths, source[segment]
+
+
+def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
+    """Return whether each end of the paths, (2p,), lies on another through cut."""
+    points, segment = end_points(paths)
+    cut = np.flatnonzero(dieline.line_type == LineType.CUT)
+    ends, bulge = dieline.ends[cut], dieline.bulge[cut]
+    index = np.full(len(dieline), -1, np.int32)
+    index[cut] = np.arange(len(cut))
+    return touching(points, index[source[segment]], ends[:, 0], ends[:, 1], bulge, GAP)
+
+
+def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
+    """Return the operation that perforates some rows of a dieline, (m,)."""
+    paths, source = chain_edges(dieline, rows, ANGLE)
+    dashes, segment = _split_into_dashes(paths, *setup.board.perforation)
+    depth = np.full((len(segment), 1), setup.through)
+    ends = end_kinds(dashes, np.zeros(2 * len(dashes), np.bool_), End.FREE)
+    return setup.operation(LineType.PERFORATION, dashes, source[segment], depth, ends)
+
+
+def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32]:
+    """Return the dashes of perforated paths as paths, and the old segment of each new one.
+
+    Every path starts and ends with a dash, so that it tears from its ends; the gaps between
+    dashes of ``cut`` mm are equal, and at most ``gap`` mm.
+    """
+    length = paths.lengths
+    count = np.maximum(1, np.ceil((length + gap) / (cut + gap) - 1e-9)).astype(np.int64)
+    count = np.where(count * cut >= length, 1, count)
+    spacing = (length - cut) / np.maximum(count - 1, 1)
+    owner = np.repeat(np.arange(len(paths)), count)
+    ordinal = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
+    begin = ordinal * spacing[owner]
+    size = np.where(count == 1, length, cut)[owner]
+    repeated, rows = taken(paths, owner.astype(np.int32))
+    left = np.maximum(length[owner] - begin - size, 0.0)
+    dashes, segment = trimmed(repeated, begin, left)
+    return dashes, rows[segment].astype(np.int32)

@@ -1,0 +1,66 @@
+"""crease_operations: the operation that rolls the creases of a dieline.
+
+Dieline, rows of creases, Setup -> Operation
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.geometry.azimuth import azimuth
+from knifetip.geometry.chain import chain, run_on
+from knifetip.geometry.columns import I32, U8
+from knifetip.geometry.path import Paths
+from knifetip.geometry.tolerance import ANGLE
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.operation import End, Operation
+from knifetip.planning.creases import double_creases, split_at_cuts
+from knifetip.planning.dashes import merge_dashes
+from knifetip.planning.path_ends import end_directions, end_kinds, end_points
+from knifetip.planning.setup import Setup
+
+
+def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
+    """Return the operation that rolls the creases in some rows of a dieline, (m,).
+
+    Its depth depends on the angle φ between the segment's chord and the grain of the board:
+    d = d∥ + (d⊥ - d∥) sin² φ.
+    """
+    board = setup.board
+    paths, source, ends = _crease_paths(dieline, rows)
+    if board.double_crease > 0.0:
+        paths, path, segment = double_creases(paths, board.double_crease, source)
+        source, ends = source[segment], (ends[0][path], ends[1][path])
+    chord = azimuth(paths.end - paths.start) - board.grain
+    depth = board.crease_along + (board.crease_across - board.crease_along) * (
+        np.sin(np.radians(chord)) ** 2
+    )
+    return setup.operation(LineType.CREASE, paths, source, depth[:, None], ends)
+
+
+def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8]]:
+    """Return the paths of creases, the edge of each segment, and the kinds of the paths' ends.
+
+    Dashes are merged, coincident creases become one, and all are split where cuts cross them.
+    """
+    cut = dieline.line_type == LineType.CUT
+    cut_ends, cut_bulge = dieline.ends[cut], dieline.bulge[cut]
+    plain = dieline.line_type[rows] == LineType.CREASE
+    ends, bulge, row = merge_dashes(
+        dieline.ends[rows[plain]], dieline.bulge[rows[plain]], (cut_ends, cut_bulge)
+    )
+    # A combi line is perforated too, so its dashes stay as they are drawn.
+    row = np.concatenate([rows[plain][row], rows[~plain]])
+    order = np.argsort(row, kind="stable")
+    ends = np.concatenate([ends, dieline.ends[rows[~plain]]])[order]
+    bulge = np.concatenate([bulge, dieline.bulge[rows[~plain]]])[order]
+    chains = chain(ends, bulge, ANGLE)
+    paths, source = chains.paths(ends, bulge), row[order][chains.order]
+    # Chains end where several edges continue in one direction: such ends are not free.
+    continued = run_on(end_points(paths)[0], end_directions(paths))
+    start, finish = end_kinds(paths, continued, End.CONTINUED)
+    path_of = paths.path_of
+    paths, segment, split = split_at_cuts(paths, cut_ends, cut_bulge)
+    whole = path_of[segment[paths.first[:-1]]]
+    kinds = np.where(split, End.FREE, np.stack([start, finish], axis=1)[whole]).astype(np.uint8)
+    return paths, source[segment], (kinds[:, 0], kinds[:, 1])

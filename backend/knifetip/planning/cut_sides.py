@@ -1,0 +1,44 @@
+"""cut_sides: on which side of each cut the waste lies, and which face each cut bounds.
+
+A contour inside no other contour bounds a blank, a contour inside that one a hole, and a contour
+inside the hole another part: a contour inside an even number of others is the outline of a part.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I8, I64, Bool
+from knifetip.topology.subdivision import subdivide
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CutSides:
+    """What lies on the two sides of n cuts."""
+
+    waste: I8  #: (n,) side of the waste around a part: +1 left, -1 right, 0 if it bounds no part
+    face: I64  #: (n,) part or hole that the cut bounds, -1 for none
+    shared: Bool  #: (n,) two different parts lie on the two sides
+
+
+def cut_sides(ends: F64, bulge: F64) -> CutSides:
+    """Return what lies on the two sides of each cut.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        Cuts in any order and direction.
+    """
+    subdivision = subdivide(ends, bulge)
+    face = subdivision.face
+    # A tree of slits encloses nothing: the outer face lies on both its sides.
+    outer = subdivision.outer[face]
+    closing: Bool = outer[:, 0] != outer[:, 1]
+    part = subdivision.depth[subdivision.component] % 2 == 0
+    return CutSides(
+        np.where(closing & part, np.where(outer[:, 0], 1, -1), 0).astype(np.int8),
+        np.where(closing, np.where(outer[:, 0], face[:, 1], face[:, 0]), -1),
+        ~outer.any(axis=1) & (face[:, 0] != face[:, 1]) & part,
+    )

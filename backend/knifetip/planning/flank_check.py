@@ -1,0 +1,178 @@
+"""flank_check: check that both flanks of a V-groove stay on the board.
+
+A groove of depth h and flank angle θ is a strip of half-width h tan θ on the top face.  A cut
+inside this strip would lose its edge: the flank passes it by h tan θ minus its distance from the
+line.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.errors import FlankOutside
+from knifetip.geometry import arc
+from knifetip.geometry.azimuth import left, unit
+from knifetip.geometry.columns import F64, I32, I64, Bool
+from knifetip.geometry.path import Paths
+from knifetip.geometry.tolerance import BULGE, GAP, POINT
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.planning.box_pairs import box_pairs
+
+#: Greatest deviation of the chords that approximate an arc (mm).
+_CHORD: Final = 0.5 * POINT
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _NearbyChords:
+    """k chords of cuts near grooves; only the part from ``low`` to ``high`` of a chord counts."""
+
+    path: I64  #: (k,) path of the groove
+    cut: I64  #: (k,) row of the cut in the dieline
+    along: F64  #: (k, 2) mm along the groove, at both ends of the chord
+    offset: F64  #: (k, 2) mm to the left of the groove, at both ends of the chord
+    low: F64  #: (k,) parameter on the chord, 0 … 1
+    high: F64  #: (k,) parameter on the chord, 0 … 1
+
+    def select(self, rows: I64 | Bool) -> _NearbyChords:
+        """Return the chords of some rows."""
+        return _NearbyChords(*(getattr(self, name)[rows] for name in self.__slots__))
+
+    def clip(self, column: F64, least: F64 | float, most: F64 | float) -> _NearbyChords:
+        """Return the parts of the chords on which a column, (k, 2), is between two limits.
+
+        Nothing is between two limits if ``least`` exceeds ``most``.
+        """
+        first, step = column[:, 0], column[:, 1] - column[:, 0]
+        level = np.abs(step) < 1e-12
+        safe = np.where(level, 1.0, step)
+        one, other = (least - first) / safe, (most - first) / safe
+        inside = (first >= least) & (first <= most)
+        low = np.where(level, np.where(inside, 0.0, 2.0), np.minimum(one, other))
+        high = np.where(level, 1.0, np.maximum(one, other))
+        low, high = np.maximum(self.low, low), np.minimum(self.high, high)
+        rows = np.flatnonzero((low <= high) & (least <= most))
+        cut = self.select(rows)
+        return _NearbyChords(cut.path, cut.cut, cut.along, cut.offset, low[rows], high[rows])
+
+    def at_ends(self, column: F64) -> F64:
+        """Return the values of a column, (k, 2), at ``low`` and ``high`` of the chords, (k, 2)."""
+        share = np.stack([self.low, self.high], axis=1)
+        result: F64 = column[:, :1] + (column[:, 1:] - column[:, :1]) * share
+        return result
+
+
+def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline: Dieline) -> None:
+    """Raise ``FlankOutside`` if a flank of a groove passes through a cut.
+
+    If a groove ends on a cut or runs out over one, its flanks cross that cut.  At such an end,
+    twice the reach of the flanks is not checked, or the run-out if it is longer.  A cut across the
+    groove that ends between the flanks is permitted.
+
+    Parameters
+    ----------
+    paths, source
+        Straight grooves, and the edge of each segment.
+    reach : mm
+        Distance of the flanks from the line on the top face.
+    run_out : (p, 2) mm
+        Run-out of each groove beyond its start and its end.
+
+    Raises
+    ------
+    FlankOutside
+        Reports the groove, the cut, and by how much the flank passes it.
+    """
+    begin, finish = paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]
+    length = np.hypot(*(finish - begin).T)
+    nearby = _find_nearby_chords(begin, finish, reach, dieline)
+    # Over a slanting edge, one flank leaves the board as far before the end as the other after it.
+    inset = np.maximum(2.0 * reach, run_out * 1.001 + GAP) * _ends_on_cuts(
+        nearby, length, reach, run_out
+    )
+    strip = nearby.clip(nearby.offset, POINT - reach, reach - POINT)
+    path = strip.path
+    strip = strip.clip(strip.along, inset[path, 0], (length - inset[:, 1])[path])
+    strip = strip.select(~_crosses_between_flanks(strip, reach))
+    if len(strip.path) == 0:
+        return
+    offset = strip.at_ends(strip.offset)
+    nearest = np.where(offset[:, 0] * offset[:, 1] <= 0.0, 0.0, np.abs(offset).min(axis=1))
+    worst = int(np.argmin(nearest))
+    groove, cut = int(source[paths.first[strip.path[worst]]]), int(strip.cut[worst])
+    position = strip.at_ends(strip.along)[worst].mean()
+    through = math.ceil(100.0 * (reach - nearest[worst]) - 1e-6) / 100.0
+    raise FlankOutside(
+        "groove.through-cut-at-it" if nearest[worst] <= GAP else "groove.through-cut",
+        groove=groove,
+        width=2.0 * reach,
+        through=through,
+        cut=cut,
+        distance=nearest[worst],
+        place=position,
+        source=[str(groove), str(cut)],
+    )
+
+
+def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline) -> _NearbyChords:
+    """Return the chords of the cuts near straight grooves, in coordinates along each groove."""
+    cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
+    ends, bulge = dieline.ends[cuts], dieline.bulge[cuts]
+    ahead = unit(finish - begin)
+    # A cut this far beyond an end still counts as the cut on which the groove ends.
+    first, last = begin - 2.0 * reach * ahead, finish + 2.0 * reach * ahead
+    boxes = np.hstack([np.minimum(first, last), np.maximum(first, last)])
+    path, cut = box_pairs(boxes, arc.bounds(ends[:, 0], ends[:, 1], bulge), reach)
+
+    whole = ends[cut, 0], ends[cut, 1], bulge[cut]
+    bent = np.abs(bulge[cut]) >= BULGE
+    radius = np.where(bent, arc.radius(*whole), 1.0)
+    widest = 2.0 * np.arccos(np.clip(1.0 - _CHORD / radius, 0.0, 1.0))
+    pieces = np.where(bent, np.ceil(np.abs(arc.sweep(bulge[cut])) / widest), 1.0).astype(np.int64)
+    pair = np.repeat(np.arange(len(cut)), pieces)
+    piece = np.arange(len(pair)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    whole = whole[0][pair], whole[1][pair], whole[2][pair]
+    sides = []
+    for share in (piece / pieces[pair], (piece + 1) / pieces[pair]):
+        off = arc.point_at(*whole, share) - begin[path[pair]]
+        direction = ahead[path[pair]]
+        sides.append(((off * direction).sum(axis=1), (off * left(direction)).sum(axis=1)))
+    along, offset = (np.stack(column, axis=1) for column in zip(*sides, strict=True))
+    count = len(pair)
+    return _NearbyChords(
+        path[pair], cuts[cut[pair]], along, offset, np.zeros(count), np.ones(count)
+    )
+
+
+def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64) -> Bool:
+    """Return which ends of the grooves, (p, 2), lie on a cut, or within twice the reach of one."""
+    result = np.zeros((len(length), 2), np.bool_)
+    on = nearby.clip(nearby.offset, -GAP, GAP)
+    past = 2.0 * reach
+    inside = np.maximum(past, run_out * 1.001 + GAP)
+    begins = on.clip(on.along, -past, inside[on.path, 0])
+    result[begins.path, 0] = True
+    ends = on.clip(on.along, (length - inside[:, 1])[on.path], (length + past)[on.path])
+    result[ends.path, 1] = True
+    return result
+
+
+def _crosses_between_flanks(strip: _NearbyChords, reach: float) -> Bool:
+    """Return which chords belong to a cut that crosses steeply and ends between the flanks."""
+    if len(strip.path) == 0:
+        return np.zeros(0, np.bool_)
+    pair, group = np.unique(np.stack([strip.path, strip.cut], axis=1), axis=0, return_inverse=True)
+    group = group.reshape(-1)
+    low, high = np.full((len(pair), 2), np.inf), np.full((len(pair), 2), -np.inf)
+    for column, values in enumerate((strip.along, strip.offset)):
+        ends = strip.at_ends(values)
+        np.minimum.at(low[:, column], group, ends.min(axis=1))
+        np.maximum.at(high[:, column], group, ends.max(axis=1))
+    crosses = (low[:, 1] <= 0.0) & (high[:, 1] >= 0.0)
+    steep = high[:, 0] - low[:, 0] <= high[:, 1] - low[:, 1]
+    between = np.maximum(-low[:, 1], high[:, 1]) < reach - 2.0 * POINT
+    result: Bool = (crosses & steep & between)[group]
+    return result

@@ -1,0 +1,58 @@
+"""groove_operations: the operation that cuts the V-grooves of a dieline.
+
+Dieline, rows of V-grooves, Setup, outline of the board -> Operation
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from knifetip.geometry.chain import chain, run_on
+from knifetip.geometry.columns import I32
+from knifetip.geometry.tolerance import COLLINEAR
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.operation import End, Operation
+from knifetip.model.tool import VCutter
+from knifetip.planning.arc_to_chords import arcs_to_chords
+from knifetip.planning.boundary import BoardOutline, run_out_lengths
+from knifetip.planning.flank_check import check_flanks
+from knifetip.planning.path_ends import end_directions, end_points
+from knifetip.planning.setup import Setup
+
+
+def plan_grooves(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup) -> Operation:
+    """Return the operation that cuts the V-grooves in some rows of a dieline, (m,).
+
+    Raises
+    ------
+    FlankOutside
+        A flank of a groove would leave the board or run through a cut.
+    CurvedGroove
+        An arc is too tight for the blade.
+    """
+    board, cutter = setup.board, setup.station.tool
+    assert isinstance(cutter, VCutter)
+    ends, bulge, joint = dieline.ends[rows], dieline.bulge[rows], 0.0
+    if board.groove_curve > 0.0:
+        ends, bulge, rows, joint = arcs_to_chords(ends, bulge, rows, cutter, board.groove_curve)
+    chains = chain(ends, bulge, COLLINEAR)
+    paths, source = chains.paths(ends, bulge), rows[chains.order]
+    passes = 1
+    if board.groove_pass > 0.0:
+        passes = max(1, math.ceil(board.groove_depth / board.groove_pass - 1e-9))
+    depth = np.tile(board.groove_depth * np.arange(1, passes + 1) / passes, (len(source), 1))
+    reach = board.groove_depth * cutter.slope
+    (points, segment), inward = end_points(paths), end_directions(paths)
+    own = source[segment]
+    run_out, on_edge = run_out_lengths(points, -inward, 2.0 * reach, outline, own)
+    run_out = run_out.reshape(2, -1).T
+    check_flanks(paths, source, reach, run_out, dieline)
+    # From chord to chord the blade runs over into its own groove.
+    joined = run_on(points, inward, joint + COLLINEAR) if joint else np.zeros(len(own), np.bool_)
+    kinds = np.where(on_edge, End.MEETS, np.where(joined, End.CONTINUED, End.FREE))
+    start, finish = np.split(kinds.astype(np.uint8), 2)
+    operation = setup.operation(LineType.V_GROOVE, paths, source, depth, (start, finish))
+    return replace(operation, run_out=run_out)

@@ -1,0 +1,58 @@
+"""path_ends: chain edges into paths; positions, directions and kinds of the ends of paths.
+
+The 2p ends of p paths are listed starts first, then finishes.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from knifetip.geometry.chain import chain, outward
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.path import Paths
+from knifetip.model.dieline import Dieline
+from knifetip.model.operation import End
+
+
+def chain_edges(
+    dieline: Dieline, rows: I32, kink: float, group: I64 | None = None
+) -> tuple[Paths, I32]:
+    """Chain edges of a dieline into paths; return these and the edge of each segment.
+
+    Parameters
+    ----------
+    rows : (m,)
+        Rows of the dieline.
+    kink : degrees
+        Edges that meet in a sharper corner are not chained.
+    group : (m,)
+        Edges of different groups are not chained.
+    """
+    chains = chain(dieline.ends[rows], dieline.bulge[rows], kink, group=group)
+    return chains.paths(dieline.ends[rows], dieline.bulge[rows]), rows[chains.order]
+
+
+def end_points(paths: Paths) -> tuple[F64, I32]:
+    """Return the ends of the paths, (2p, 2) mm, and the segment at each of them, (2p,)."""
+    begin, finish = paths.first[:-1], paths.first[1:] - 1
+    points = np.concatenate([paths.start[begin], paths.end[finish]])
+    return points, np.concatenate([begin, finish]).astype(np.int32)
+
+
+def end_directions(paths: Paths) -> F64:
+    """Return the unit directions from the ends of the paths into the paths, (2p, 2)."""
+    _, segment = end_points(paths)
+    side = np.repeat([0, 1], len(paths))
+    segments = np.stack([paths.start, paths.end], axis=1)
+    directions: F64 = outward(segments, paths.bulge)[segment, side]
+    return directions
+
+
+def end_kinds(paths: Paths, marked: Bool, kind: End) -> tuple[U8, U8]:
+    """Return the kinds of the starts and of the finishes of the paths, (p,) and (p,).
+
+    Ends of closed paths are CLOSED, those that are marked in (2p,) have ``kind``, others are FREE.
+    """
+    kinds = np.where(marked, kind, End.FREE)
+    start, finish = np.split(np.where(np.tile(paths.closed, 2), End.CLOSED, kinds), 2)
+    return start.astype(np.uint8), finish.astype(np.uint8)

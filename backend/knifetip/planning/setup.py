@@ -1,0 +1,64 @@
+"""setup: the machine, the board and the station that an operation is planned for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I32, U8
+from knifetip.geometry.path import Paths
+from knifetip.model.board import Board
+from knifetip.model.dieline import LineType
+from knifetip.model.machine import Machine, Station
+from knifetip.model.operation import Operation
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Setup:
+    """One station of a machine, and the board on its table."""
+
+    machine: Machine
+    board: Board
+    station: Station
+
+    @property
+    def through(self) -> float:
+        """Depth of a through cut (mm)."""
+        return self.board.caliper + self.machine.into_mat
+
+    def operation(
+        self, line_type: LineType, paths: Paths, source: I32, depth: F64, ends: tuple[U8, U8]
+    ) -> Operation:
+        """Return the operation that works p paths of n segments with this station's tool.
+
+        Parameters
+        ----------
+        source : (n,)
+            Edge of each segment.
+        depth : (n, k) mm
+            Depth of each segment in each of k passes.
+        ends : (p,) and (p,)
+            Kinds of the starts and of the finishes of the paths, see ``End``.
+        """
+        machine, board, tool = self.machine, self.board, self.station.tool
+        return Operation(
+            paths=paths,
+            line_type=line_type,
+            tool=tool,
+            station=self.station.number,
+            depth=depth,
+            caliper=board.caliper,
+            clearance=machine.clearance,
+            feed=tool.feed,
+            plunge=tool.plunge,
+            swivel=machine.c.velocity * 60.0,
+            end_clearance=board.end_clearance,
+            overcut=board.groove_overcut,
+            short_crease=board.short_crease,
+            start=ends[0],
+            finish=ends[1],
+            source=source,
+            run_out=np.zeros((len(paths), 2)),
+            side=0,
+        )
