@@ -1,9 +1,9 @@
-"""colours: what is drawn with, as a true colour and the name of its ink.
+"""colours: convert colours of a PDF to a true colour and the name of the spot colour.
 
     [/Separation /CutContour /DeviceCMYK {…}] and tint 1 -> Paint(0xFF00FF, "CutContour")
 
-A spot colour is an ink of its own, and carton makers name theirs after what is done along the line.
-Its true colour is that of its tint on the screen.
+A spot colour is a separate ink.  Carton designers name it after the operation on the line, such as
+"CutContour".  Its true colour is that in which it is displayed.
 
 Source: ISO 32000-1, chapter 8.6.
 """
@@ -16,34 +16,34 @@ from typing import Any, Final, NamedTuple
 from pypdf.generic import ArrayObject, NameObject
 
 from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
-from knifetip.pdf.document import File
-from knifetip.pdf.tints import shown
+from knifetip.pdf.document import PdfFile
+from knifetip.pdf.tints import evaluate_tint
 
 
 class Paint(NamedTuple):
-    """What a line or an area is drawn with."""
+    """The colour of a line or an area."""
 
     colour: int  #: 0xRRGGBB, or ``UNKNOWN_COLOUR``
-    spot: str  #: name of the ink, empty where it is mixed from those of every printer
+    spot: str  #: name of the spot colour, empty for process colours
     drawn: bool = True  #: whether it leaves a mark
 
 
-class Space(NamedTuple):
+class ColourSpace(NamedTuple):
     """A colour space."""
 
-    kind: str  #: Gray, RGB, CMYK, Separation, DeviceN, or empty for one that is not told
+    kind: str  #: Gray, RGB, CMYK, Separation, DeviceN, or empty if unknown
     components: int
     inks: tuple[str, ...] = ()
-    under: Any = None  #: Space that a tint is shown in
-    tint: Any = None  #: function from a tint to it
+    under: Any = None  #: the alternate space, in which a tint is displayed
+    tint: Any = None  #: function from a tint to the alternate space
 
 
 BLACK: Final = Paint(0, "")
 PATTERN: Final = Paint(UNKNOWN_COLOUR, "")
-GRAY: Final = Space("Gray", 1)
-RGB: Final = Space("RGB", 3)
-CMYK: Final = Space("CMYK", 4)
-_UNTOLD: Final = Space("", 0)
+GRAY: Final = ColourSpace("Gray", 1)
+RGB: Final = ColourSpace("RGB", 3)
+CMYK: Final = ColourSpace("CMYK", 4)
+_UNKNOWN_SPACE: Final = ColourSpace("", 0)
 _DEVICE: Final = {
     "/DeviceGray": GRAY,
     "/CalGray": GRAY,
@@ -52,39 +52,41 @@ _DEVICE: Final = {
     "/DeviceCMYK": CMYK,
 }
 _BY_COUNT: Final = {1: GRAY, 3: RGB, 4: CMYK}
-#: Inks that say nothing of a line.
+#: Inks that are not the name of a line type.
 _PROCESS: Final = frozenset(("Cyan", "Magenta", "Yellow", "Black", "All", "None"))
-#: Spaces inside spaces; the standard has at most three.
-_DEEPEST: Final = 4
+#: Deepest nesting of colour spaces; the standard allows three.
+_MAX_DEPTH: Final = 4
 
 
-def space(file: File, given: object, deep: int = 0) -> Space:
-    """Return the colour space that an object describes."""
-    given = file.seen(given)
+def parse_colour_space(file: PdfFile, given: object, deep: int = 0) -> ColourSpace:
+    """Return the colour space that an object defines."""
+    given = file.resolve(given)
     if isinstance(given, NameObject):
-        return _DEVICE.get(str(given), _UNTOLD)
-    if not isinstance(given, ArrayObject) or not given or deep == _DEEPEST:
-        return _UNTOLD
-    kind, *rest = (file.seen(one) for one in given[:4])
+        return _DEVICE.get(str(given), _UNKNOWN_SPACE)
+    if not isinstance(given, ArrayObject) or not given or deep == _MAX_DEPTH:
+        return _UNKNOWN_SPACE
+    kind, *rest = (file.resolve(one) for one in given[:4])
     if kind == "/ICCBased" and rest:
-        return _BY_COUNT.get(file.entry(rest[0], "/N"), _UNTOLD)
+        return _BY_COUNT.get(file.entry(rest[0], "/N"), _UNKNOWN_SPACE)
     if kind == "/Separation" and len(rest) == 3:
-        return Space("Separation", 1, (_ink(rest[0]),), space(file, rest[1], deep + 1), rest[2])
+        return ColourSpace(
+            "Separation", 1, (_ink(rest[0]),), parse_colour_space(file, rest[1], deep + 1), rest[2]
+        )
     if kind == "/DeviceN" and len(rest) == 3 and isinstance(rest[0], ArrayObject):
-        inks = tuple(_ink(file.seen(ink)) for ink in rest[0][:32])
-        under = space(file, rest[1], deep + 1)
-        return Space("DeviceN", len(inks), inks, under, rest[2])
-    return _DEVICE.get(str(kind), _UNTOLD)
+        inks = tuple(_ink(file.resolve(ink)) for ink in rest[0][:32])
+        under = parse_colour_space(file, rest[1], deep + 1)
+        return ColourSpace("DeviceN", len(inks), inks, under, rest[2])
+    return _DEVICE.get(str(kind), _UNKNOWN_SPACE)
 
 
 def _ink(name: object) -> str:
     return str(name)[1:].strip() if isinstance(name, NameObject) else ""
 
 
-def paint(file: File, where: Space, given: list[float]) -> Paint:
-    """Return what so much of each component of a space draws."""
+def make_paint(file: PdfFile, where: ColourSpace, given: list[float]) -> Paint:
+    """Return the colour with the given components in a space."""
     if where.kind not in ("Separation", "DeviceN"):
-        return Paint(_mixed(where.kind, given), "")
+        return Paint(_to_rgb(where.kind, given), "")
     inks = dict(zip(where.inks, given, strict=False))
     if set(where.inks) == {"None"}:
         return Paint(UNKNOWN_COLOUR, "", drawn=False)
@@ -92,12 +94,12 @@ def paint(file: File, where: Space, given: list[float]) -> Paint:
     spot = names[0] if len(names) == 1 else ""
     colour = UNKNOWN_COLOUR
     if len(given) == 1 and len(where.inks) == 1:
-        colour = _mixed(where.under.kind, shown(file, where.tint, given[0]))
+        colour = _to_rgb(where.under.kind, evaluate_tint(file, where.tint, given[0]))
     return Paint(colour, spot)
 
 
-def _mixed(kind: str, given: list[float]) -> int:
-    """Return the components of a device's space as 0xRRGGBB, without colour management."""
+def _to_rgb(kind: str, given: list[float]) -> int:
+    """Return a device colour as 0xRRGGBB, without colour management."""
     parts = [min(max(part, 0.0), 1.0) for part in given]
     if not all(map(math.isfinite, given)):
         return UNKNOWN_COLOUR

@@ -1,9 +1,9 @@
-"""content: the operators of a content stream, one after the other, each with what it is given.
+"""content: parse a content stream into operators with their operands.
 
     b"1 0 0 RG 10 20 m 30 20 l S" -> ("RG", [1, 0, 0]), ("m", [10, 20]), ("l", [30, 20]), ("S", [])
 
-A page of a carton has a hundred thousand of them, so one expression finds the tokens.  Dictionaries
-and pictures inside the stream are passed over; arrays are lists.
+A page may have a hundred thousand operators, so one regular expression finds all tokens.
+Dictionaries and inline images are skipped; arrays become lists.
 
 Source: ISO 32000-1, chapters 7.2, 7.3 and 7.8.2.
 """
@@ -14,9 +14,9 @@ import re
 from collections.abc import Iterator
 from typing import Any, Final
 
-#: Arrays and dictionaries inside each other; no operator takes more than three.
-_DEEPEST: Final = 32
-#: Numbers, names and strings before one operator; more are an attack.
+#: Deepest nesting of arrays and dictionaries; operators need at most three.
+_MAX_DEPTH: Final = 32
+#: Largest number of operands of one operator.
 _OPERANDS: Final = 10_000
 
 _TOKEN: Final = re.compile(
@@ -24,26 +24,26 @@ _TOKEN: Final = re.compile(
     rb"((?>[-+]?(?:\d+\.?\d*|\.\d+)))(?=[\x00\t\n\f\r \[\]/<>()%{}]|\Z)"  # 1 a number
     rb"|([^\x00\t\n\f\r \[\]/<>()%{}]+)"  # 2 an operator
     rb"|/([^\x00\t\n\f\r \[\]/<>()%{}]*)"  # 3 a name
-    rb"|(\()"  # 4 the begin of a string
-    rb"|(<<|\[)"  # 5 the begin of a dictionary or an array
+    rb"|(\()"  # 4 the start of a string
+    rb"|(<<|\[)"  # 5 the start of a dictionary or an array
     rb"|(>>|\])"  # 6 its end
     rb"|<([^<>]*)>"  # 7 a string in hexadecimal digits
-    rb"|%[^\r\n]*|.)",  # nothing that is read
+    rb"|%[^\r\n]*|.)",  # skipped
     re.DOTALL,
 )
 _IN_STRING: Final = re.compile(rb"[()]|\\.", re.DOTALL)
 _ESCAPE: Final = re.compile(rb"\\(?:([0-7]{1,3})|(\r\n|.))", re.DOTALL)
 _ESCAPED: Final = {b"n": b"\n", b"r": b"\r", b"t": b"\t", b"b": b"\b", b"f": b"\f"}
-#: Behind the samples of a picture: EI between blanks, and then what is no sample.
+#: The end of an inline image: EI between blanks, followed by text and not by samples.
 _PICTURE_ENDS: Final = re.compile(rb"[\x00\t\n\f\r ]EI(?=[\x00\t\n\f\r ][\t\n\f\r -~]{0,16}|\Z)")
 _NUMBERED: Final = re.compile(rb"#([0-9A-Fa-f]{2})")
 _NOT_HEX: Final = re.compile(rb"[^0-9A-Fa-f]")
-#: In which names are written, as pypdf tries them.
+#: Encodings of names, in the order that pypdf tries them.
 _CHARSETS: Final = ("utf-8", "gbk", "latin-1")
 
 
-class CutShort(Exception):
-    """A content stream that stops inside something.  Never leaves the room."""
+class TruncatedStream(Exception):
+    """Raised if a content stream ends inside an object; ``pdf.page_reader`` catches it."""
 
 
 class Name(str):
@@ -52,18 +52,18 @@ class Name(str):
     __slots__ = ()
 
 
-def operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
+def parse_operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
     """Yield the operators of a content stream, with their numbers, names, strings and lists.
 
-    A picture that stands in the stream is one operator, ``BI``.
+    An inline image is one operator, ``BI``.
 
     Raises
     ------
-    CutShort
-        The stream stops inside a string, an array or a picture.
+    TruncatedStream
+        The stream ends inside a string, an array or an image.
     """
     given: list[Any] = []
-    around: list[list[Any]] = []
+    enclosing: list[list[Any]] = []
     at = 0
     while (found := _TOKEN.match(data, at)) is not None:
         kind = found.lastindex
@@ -72,33 +72,33 @@ def operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
             given.append(float(found[1]))
         elif kind == 2:
             operator = found[2].decode("latin-1")
-            if around:
+            if enclosing:
                 # true, false and null are the only words in an array.
                 continue
             if operator == "BI":
-                at = _behind_picture(data, at)
+                at = _end_of_image(data, at)
             yield operator, given
             given = []
         elif kind == 3:
             given.append(_name(found[3]))
         elif kind == 4:
-            begun, at = at, _string_end(data, at)
-            given.append(_ESCAPE.sub(_unescaped, data[begun : at - 1]))
+            start, at = at, _string_end(data, at)
+            given.append(_ESCAPE.sub(_unescape, data[start : at - 1]))
         elif kind == 5:
-            if len(around) == _DEEPEST:
-                raise CutShort("has arrays nested too deep")
-            around.append(given)
+            if len(enclosing) == _MAX_DEPTH:
+                raise TruncatedStream("has arrays nested too deep")
+            enclosing.append(given)
             given = []
-        elif kind == 6 and around:
-            inside, given = given, around.pop()
+        elif kind == 6 and enclosing:
+            inside, given = given, enclosing.pop()
             given.append(inside if found[6] == b"]" else None)
         elif kind == 7:
             digits = _NOT_HEX.sub(b"", found[7])
             given.append(bytes.fromhex((digits + b"0" * (len(digits) % 2)).decode()))
         if len(given) > _OPERANDS:
             del given[:-_OPERANDS]
-    if around:
-        raise CutShort("stops inside an array")
+    if enclosing:
+        raise TruncatedStream("ends inside an array")
 
 
 def _name(raw: bytes) -> Name:
@@ -113,7 +113,7 @@ def _name(raw: bytes) -> Name:
 
 
 def _string_end(data: bytes, at: int) -> int:
-    """Return the place behind the bracket that closes the string before ``at``."""
+    """Return the index after the parenthesis that closes the string which starts before ``at``."""
     deep = 1
     for found in _IN_STRING.finditer(data, at):
         if found[0] == b"(":
@@ -122,10 +122,11 @@ def _string_end(data: bytes, at: int) -> int:
             deep -= 1
             if deep == 0:
                 return found.end()
-    raise CutShort("stops inside a text")
+    raise TruncatedStream("ends inside a text")
 
 
-def _unescaped(found: re.Match[bytes]) -> bytes:
+def _unescape(found: re.Match[bytes]) -> bytes:
+    """Return the bytes of an escape sequence in a string."""
     if found[1]:
         return bytes((int(found[1], 8) & 255,))
     if found[2] in (b"\n", b"\r", b"\r\n"):
@@ -133,8 +134,9 @@ def _unescaped(found: re.Match[bytes]) -> bytes:
     return _ESCAPED.get(found[2], found[2])
 
 
-def _behind_picture(data: bytes, at: int) -> int:
+def _end_of_image(data: bytes, at: int) -> int:
+    """Return the index after an inline image."""
     found = _PICTURE_ENDS.search(data, at)
     if found is None:
-        raise CutShort("stops inside a picture")
+        raise TruncatedStream("ends inside an image")
     return found.end()

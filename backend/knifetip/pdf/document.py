@@ -1,9 +1,9 @@
-"""document: the first page of a PDF, with what it may draw and how large it is.
+"""document: open a PDF and find its first page.
 
-    bytes -> File (objects, each in bounded time and size) -> Page
+    bytes -> PdfFile (objects, in bounded time and size) -> Page
 
-pypdf finds the objects; nothing is taken from it without a type.  What is encrypted is refused, and
-so is a stream that does not unpack to its end, because the lines at its end would be missing.
+pypdf parses the objects; the type of each is checked here.  Encrypted files are refused, and so are
+streams that cannot be unpacked to their end, because lines would be missing.
 
 Source: ISO 32000-1, chapters 7.5, 7.7 and 14.11.2.
 """
@@ -36,21 +36,21 @@ from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import REACH, Limits
 from knifetip.model.unit import MILLIMETRES
 
-# pypdf tells of everything that it mends; the ledger tells the user what matters.
+# pypdf logs everything that it repairs; the import report contains what matters to the user.
 logging.getLogger("pypdf").addHandler(logging.NullHandler())
 
-#: left, low, right, high (points).
+#: min x, min y, max x, max y (points).
 Box = tuple[float, float, float, float]
-EVERYWHERE: Final[Box] = (-math.inf, -math.inf, math.inf, math.inf)
+UNBOUNDED: Final[Box] = (-math.inf, -math.inf, math.inf, math.inf)
 
-#: Nodes of the page tree on the way to the first page.
+#: Largest number of nodes of the page tree that are searched for the first page.
 _NODES: Final = 1000
 _INHERITED: Final = ("/Resources", "/MediaBox", "/CropBox", "/Rotate")
-#: The last bytes of a file, in which readers look for its end.
+#: Number of last bytes of a file in which its end mark is searched.
 _TAIL: Final = 1024
 
 
-class File:
+class PdfFile:
     """The objects of a PDF."""
 
     def __init__(self, data: bytes, limits: Limits) -> None:
@@ -62,7 +62,7 @@ class File:
         if b"%%EOF" not in data.rstrip(b"\0\t\n\f\r ")[-_TAIL:]:
             raise NotADrawing("pdf.cut-short", bytes=len(data))
         try:
-            self._reader = _Reader(_Timed(data[start:], self.in_time), self.in_time)
+            self._reader = _Reader(_TimedBytes(data[start:], self.check_time), self.check_time)
             locked = self._reader.is_encrypted
         except KnifetipError:
             raise
@@ -74,92 +74,96 @@ class File:
             raise NotADrawing("pdf.encrypted")
         self.root: DictionaryObject = self._reader.root_object
 
-    def in_time(self) -> None:
-        """Refuse a file that has taken too long.
+    def check_time(self) -> None:
+        """Check the time limit.
 
         Raises
         ------
         DrawingTooLarge
+            Reading the file takes longer than the limit.
         """
         if time.monotonic() > self._until:
             raise DrawingTooLarge("reading.too-slow", seconds=self.limits.seconds, format="PDF")
 
-    def seen(self, value: object) -> Any:
-        """Return what a reference refers to; None for nothing."""
+    def resolve(self, value: object) -> Any:
+        """Return the object that a reference refers to, None if there is none."""
         for _ in range(16):
             if not isinstance(value, IndirectObject):
                 return None if isinstance(value, NullObject) else value
-            self.in_time()
+            self.check_time()
             value = value.get_object()
         return None
 
     def entry(self, holder: object, key: str) -> Any:
-        """Return an entry of a dictionary, None where there is none or no dictionary."""
+        """Return an entry of a dictionary, None if the entry or the dictionary is missing."""
         if not isinstance(holder, DictionaryObject) or key not in holder:
             return None
-        return self.seen(holder.raw_get(key))
+        return self.resolve(holder.raw_get(key))
 
     def array(self, holder: object, key: str) -> list[Any]:
-        """Return an entry that is an array, its references as they are; else an empty one."""
+        """Return an array entry with its references unresolved, empty if it is missing."""
         found = self.entry(holder, key)
         return list(found) if isinstance(found, ArrayObject) else []
 
     def numbers(self, holder: object, key: str, count: int) -> list[float] | None:
-        """Return an entry that is so many finite numbers."""
-        found = [number(self.seen(value)) for value in self.array(holder, key)]
+        """Return an entry with ``count`` finite numbers, None if it has others."""
+        found = [number(self.resolve(value)) for value in self.array(holder, key)]
         if len(found) != count or not all(map(math.isfinite, found)):
             return None
         return found
 
     def data(self, stream: StreamObject) -> bytes:
-        """Return the data of a stream, unpacked.
+        """Return the unpacked data of a stream.
 
         Raises
         ------
         NotADrawing
-            It does not unpack to its end.
+            The data is truncated or damaged.
         DrawingTooLarge
-            It has more bytes than a file may have.
+            The data is larger than the limit of a file.
         """
         packing = self.entry(stream, "/Filter")
         steps = packing if isinstance(packing, ArrayObject) else [packing]
-        steps = [self.seen(step) for step in steps]
+        steps = [self.resolve(step) for step in steps]
         if not steps or steps[-1] != "/FlateDecode" or "/DecodeParms" in stream:
             return stream.get_data()
-        # pypdf is content with what it gets out of a damaged stream; a carton needs all its lines.
+        # pypdf returns part of a damaged stream; a drawing needs all its lines.
         outer = EncodedStreamObject()
         outer[NameObject("/Filter")] = ArrayObject(steps[:-1])
         outer._data = stream._data
-        return _unpacked(outer.get_data(), self.limits.bytes)
+        return _unpack(outer.get_data(), self.limits.bytes)
 
 
 class _Reader(PdfReader):
-    """pypdf's reader, which looks at the clock before each object of an object stream."""
+    """The reader of pypdf with a check of the time limit before each object of an object stream."""
 
-    def __init__(self, stream: io.BytesIO, in_time: Callable[[], None]) -> None:
-        self._in_time = in_time
+    def __init__(self, stream: io.BytesIO, check_time: Callable[[], None]) -> None:
+        self._check_time = check_time
         super().__init__(stream)
 
     def cache_get_indirect_object(self, generation: int, idnum: int) -> PdfObject | None:
-        self._in_time()
+        self._check_time()
         return super().cache_get_indirect_object(generation, idnum)
 
 
-class _Timed(io.BytesIO):
-    """A file that stops being read when its time is over."""
+class _TimedBytes(io.BytesIO):
+    """A file in memory with a check of the time limit before each read."""
 
-    def __init__(self, data: bytes, in_time: Callable[[], None]) -> None:
+    def __init__(self, data: bytes, check_time: Callable[[], None]) -> None:
         super().__init__(data)
-        self._in_time = in_time
+        self._check_time = check_time
 
     def read(self, size: int | None = -1, /) -> bytes:
-        self._in_time()
+        self._check_time()
         return super().read(size)
 
 
 @contextmanager
-def bounded(limits: Limits) -> Iterator[None]:
-    """Let pypdf unpack no more than the streams that hold objects have; drawings are larger."""
+def limit_pypdf(limits: Limits) -> Iterator[None]:
+    """Limit the size that pypdf unpacks to a quarter of the size of a file.
+
+    Streams of objects are smaller; content streams, which may be larger, are unpacked here.
+    """
     most = limits.bytes // 4
     with apply_configuration(
         maximum_declared_stream_length=limits.bytes,
@@ -174,7 +178,8 @@ def bounded(limits: Limits) -> Iterator[None]:
         yield
 
 
-def _unpacked(data: bytes, most: int) -> bytes:
+def _unpack(data: bytes, most: int) -> bytes:
+    """Return unpacked zlib data of at most ``most`` bytes."""
     stream = zlib.decompressobj()
     try:
         plain = stream.decompress(data, most + 1)
@@ -188,43 +193,43 @@ def _unpacked(data: bytes, most: int) -> bytes:
 
 
 def number(value: object) -> float:
-    """Return a number as it is, anything else as NaN."""
+    """Return a number as a float, NaN for anything else."""
     return float(value) if isinstance(value, (int, float)) else math.nan
 
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """The first page."""
+    """The first page of a PDF."""
 
     node: DictionaryObject
     resources: DictionaryObject
-    box: Box  #: what of it is seen, in its own coordinates
-    rotate: int  #: quarter turns clockwise in which it is shown
-    unit: float  #: points to a unit of its coordinates
-    count: int  #: how many pages the file says it has
+    box: Box  #: the visible area, in its own coordinates
+    rotate: int  #: clockwise quarter turns for display
+    unit: float  #: points in one unit of its coordinates
+    count: int  #: number of pages that the file states
 
 
-def first_page(file: File) -> Page:
+def first_page(file: PdfFile) -> Page:
     """Return the first page of a file.
 
     Raises
     ------
     NotADrawing
-        It has no page.
+        The file has no page.
     DrawingTooLarge
-        The page is larger than any drawing may be.
+        The page is larger than the limit of a drawing.
     """
     pages = file.entry(file.root, "/Pages")
-    node, inherited = _leaf(file, pages)
+    node, inherited = _first_leaf(file, pages)
     unit = number(file.entry(node, "/UserUnit"))
     unit = unit if 0.0 < unit < math.inf else 1.0
     media = _box(file, inherited, "/MediaBox")
     crop = _box(file, inherited, "/CropBox")
-    box = media or crop or EVERYWHERE
+    box = media or crop or UNBOUNDED
     if media and crop:
         left, low = map(max, media[:2], crop[:2])
         right, high = map(min, media[2:], crop[2:])
-        # A crop beside the page is a mistake, and shows nothing: programs then show all.
+        # Programs ignore a crop box that does not overlap the page.
         box = (left, low, right, high) if left < right and low < high else media
     widest = max(map(abs, box)) * unit * MILLIMETRES["pt"]
     if math.isfinite(widest) and widest > REACH:
@@ -238,14 +243,14 @@ def first_page(file: File) -> Page:
     return Page(node, resources, box, rotate, unit, count if isinstance(count, int) else 1)
 
 
-def _leaf(file: File, pages: object) -> tuple[DictionaryObject, DictionaryObject]:
-    """Return the first page, and what it has from the nodes around it."""
+def _first_leaf(file: PdfFile, pages: object) -> tuple[DictionaryObject, DictionaryObject]:
+    """Return the first page, and the attributes that it inherits from the page tree."""
     stack: list[tuple[Any, DictionaryObject]] = [(pages, DictionaryObject())]
     for _ in range(_NODES):
         if not stack:
             break
         node, above = stack.pop()
-        node = file.seen(node)
+        node = file.resolve(node)
         if not isinstance(node, DictionaryObject):
             continue
         inherited = DictionaryObject(above)
@@ -256,7 +261,7 @@ def _leaf(file: File, pages: object) -> tuple[DictionaryObject, DictionaryObject
     raise NotADrawing("pdf.no-page")
 
 
-def _box(file: File, holder: DictionaryObject, key: str) -> Box | None:
+def _box(file: PdfFile, holder: DictionaryObject, key: str) -> Box | None:
     sides = file.numbers(holder, key, 4)
     if sides is None:
         return None

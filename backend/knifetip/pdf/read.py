@@ -1,11 +1,11 @@
-"""read: the first page of a PDF, or of an Illustrator file that is one, as a Drawing.
+"""read: read the first page of a PDF, or of an Illustrator file with PDF content.
 
-    bytes -> Drawing: segments in mm, and a ledger row for every path, text and picture
+    bytes -> Drawing: segments in mm, and a row of the import report for every path, text and image
 
-Lines are told apart by the layer that they lie on or the spot colour that they are drawn in, by
-colour and by dashes.  A PDF says its size: a unit of its page is 1/72 in, or what UserUnit says.
+Line types are distinguished by layer, spot colour, colour and dashes.  The size is known: one unit
+is 1/72 in, or a multiple of it that UserUnit states.
 
-    bytes -> document (objects, page) -> walk (operators, forms) -> place (columns) -> Drawing
+    bytes -> document (objects, page) -> page_reader (operators, forms) -> columns -> Drawing
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from knifetip.formats.limits import Limits
 from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, factor
-from knifetip.pdf.document import File, Page, bounded, first_page
-from knifetip.pdf.drawn import Drawn
-from knifetip.pdf.walk import walk
+from knifetip.pdf.document import Page, PdfFile, first_page, limit_pypdf
+from knifetip.pdf.page_lines import PageLines
+from knifetip.pdf.page_reader import read_page
 
-#: As much of what pypdf says of damage helps somebody.
-_SAID = 120
+#: Largest number of characters of a pypdf message in an error.
+_REASON_LENGTH = 120
 
 
 def read(
@@ -38,68 +38,68 @@ def read(
     Parameters
     ----------
     data
-        The file.
+        Content of the file.
     unit
-        "mm", "in" …: what the user says that a point of the page stands for.
+        The unit of one point of the page, if the user gives one: "mm", "in" …
 
     Returns
     -------
     Drawing
-        In mm.  The lower left corner of what is shown of the page is (0, 0).
+        In mm.  The lower left corner of the visible area is (0, 0).
 
     Raises
     ------
     NotADrawing
-        Not a PDF, encrypted, without a page, cut short or damaged.
+        The file is not a PDF, is encrypted, truncated or damaged, or has no page.
     DrawingTooLarge
         A limit is exceeded.
     NoSuchUnit
-        ``unit`` is no unit.
+        ``unit`` is not a unit.
     """
     given = factor(unit) if unit else MILLIMETRES["pt"]
     limits.admit(len(data))
     try:
-        with bounded(limits):
-            return _read(data, unit or "", given, limits)
+        with limit_pypdf(limits):
+            return _build_drawing(data, unit or "", given, limits)
     except KnifetipError:
         raise
     except PyPdfError as error:
-        said = str(error)[:_SAID].rstrip(".")
+        reason = str(error)[:_REASON_LENGTH].rstrip(".")
         raise NotADrawing(
-            "reading.damaged", reason=said or "it ends too soon", format="PDF"
+            "reading.damaged", reason=reason or "it is truncated", format="PDF"
         ) from error
     except Exception as error:
-        # pypdf makes no promise on hostile bytes, and a user's file must never end in a traceback.
+        # pypdf may raise anything on hostile bytes, and no file may cause a traceback.
         raise NotADrawing(
             "reading.unexpected", reason=type(error).__name__, format="PDF"
         ) from error
 
 
-def _read(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
-    file = File(data, limits)
+def _build_drawing(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
+    file = PdfFile(data, limits)
     try:
         page = first_page(file)
-        drawn = walk(file, page)
+        drawn = read_page(file, page)
     finally:
-        # To pypdf, what stops being read because its time is over looks damaged, or empty.
-        file.in_time()
+        # A time-out inside pypdf may look like a damaged or empty file.
+        file.check_time()
     if drawn.empty:
-        _refuse_shell(file, page, drawn)
-    table, paths, styles = drawn.gathered()
-    found = columns(drawn.sheet, table, paths, given, limits, "PDF")
-    evidence = "a PDF counts in points of 1/72 in"
+        _refuse_empty(file, page, drawn)
+    table, paths, styles = drawn.collect()
+    segments = columns(drawn.report, table, paths, given, limits, "PDF")
+    evidence = "a PDF is in points of 1/72 in"
     if page.unit != 1.0:
         evidence = f"UserUnit = {page.unit:g} points of 1/72 in"
     source = Message("unit.given") if unit else Message("unit.in-file", statement=evidence)
     known = KnownUnit(given, unit or "pt", source, "pt")
-    return assemble(drawn.sheet, found, styles, drawn.inscriptions, known)
+    return assemble(drawn.report, segments, styles, drawn.inscriptions, known)
 
 
-def _refuse_shell(file: File, page: Page, drawn: Drawn) -> None:
-    """Refuse a PDF whose drawing is not on its page."""
+def _refuse_empty(file: PdfFile, page: Page, drawn: PageLines) -> None:
+    """Raise NotADrawing for a PDF whose page has no drawing."""
     if file.entry(file.entry(file.root, "/AcroForm"), "/XFA") is not None:
         raise NotADrawing("pdf.form")
     if file.entry(file.entry(page.node, "/PieceInfo"), "/Illustrator") is not None:
         raise NotADrawing("pdf.illustrator-only")
-    if not set(drawn.sheet.kind) - {"annotation", "page"}:
+    if not set(drawn.report.kind) - {"annotation", "page"}:
         raise NotADrawing("pdf.blank")

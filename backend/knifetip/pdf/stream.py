@@ -1,8 +1,8 @@
-"""stream: one content stream, operator by operator.
+"""stream: interpret the operators of a content stream.
 
-    operators, State, what is around -> rows and lines in Drawn
+    operators, State, StreamContext -> rows and lines in PageLines
 
-Of the graphics state, what says where lines are and what they are drawn with is followed.
+Only the part of the graphics state that determines position and style of lines is tracked.
 
 Source: ISO 32000-1, chapters 8 and 9.
 """
@@ -19,16 +19,16 @@ from pypdf.generic import DictionaryObject, IndirectObject, StreamObject
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry.affine import Matrix, chained
 from knifetip.model.drawing import Inscription
-from knifetip.pdf.colours import BLACK, CMYK, GRAY, PATTERN, RGB, Paint, Space
-from knifetip.pdf.content import Name, operations
-from knifetip.pdf.document import Box, File, number
-from knifetip.pdf.drawn import Drawn, Look, Mark
+from knifetip.pdf.colours import BLACK, CMYK, GRAY, PATTERN, RGB, ColourSpace, Paint
+from knifetip.pdf.content import Name, parse_operations
+from knifetip.pdf.document import Box, PdfFile, number
 from knifetip.pdf.layers import Layers
-from knifetip.pdf.outline import BUILDS
-from knifetip.pdf.resources import Named
-from knifetip.pdf.text import OPERATORS, Words
+from knifetip.pdf.page_lines import LayerMark, LineStyle, PageLines
+from knifetip.pdf.path_builder import BUILDERS
+from knifetip.pdf.resources import Resources
+from knifetip.pdf.text import OPERATORS, TextObject
 
-#: What paints a path: whether it closes it first, strokes it, fills it.
+#: Operators that paint a path: whether they close it first, stroke it, fill it.
 _PAINTS: Final = {
     "S": (False, True, False),
     "s": (True, True, False),
@@ -41,199 +41,203 @@ _PAINTS: Final = {
     "b*": (True, True, True),
     "n": (False, False, False),
 }
-#: Operators that change nothing of where a line is or what it is.
-_PASSED: Final = frozenset(
+#: Operators that do not change the position or style of lines.
+_IGNORED: Final = frozenset(
     (*("w", "J", "j", "M", "ri", "i", "MP", "DP", "BX", "EX"), *("Tc", "Tw", "Tz", "Tr", "Ts"))
 )
 _DEVICE: Final = {"g": GRAY, "rg": RGB, "k": CMYK}
-#: States that are kept at once, and marks; drawing programs keep below 100.
-_KEPT: Final = 100_000
-#: Unknown operators that get a row.
-_STRANGE: Final = 20
-_NOWHERE: Final[Matrix] = (math.nan, math.nan, math.nan, math.nan, math.nan, math.nan)
-#: A picture fills the square of its own coordinates.
-_PICTURE: Final = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
-_NOTHING: Final[Box] = (math.inf, math.inf, -math.inf, -math.inf)
+#: Deepest stack of graphics states and of layers; drawing programs stay below 100.
+_MAX_STACK: Final = 100_000
+#: Largest number of unknown operators in the import report.
+_MAX_UNKNOWN: Final = 20
+_INVALID: Final[Matrix] = (math.nan, math.nan, math.nan, math.nan, math.nan, math.nan)
+#: The corners of an image, in its own coordinates.
+_UNIT_SQUARE: Final = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
+_EMPTY_BOX: Final[Box] = (math.inf, math.inf, -math.inf, -math.inf)
 
 
 class State(NamedTuple):
-    """The graphics state, as far as it says where lines are and what they are drawn with."""
+    """The part of the graphics state that determines position and style of lines."""
 
     matrix: Matrix
     clip: Box
     stroke: Paint = BLACK
     fill: Paint = BLACK
-    stroke_space: Space = GRAY
-    fill_space: Space = GRAY
+    stroke_space: ColourSpace = GRAY
+    fill_space: ColourSpace = GRAY
     stroke_seen: bool = True
     fill_seen: bool = True
     dashed: bool = False
 
 
-class Around(NamedTuple):
-    """What a content stream has from those around it."""
+class StreamContext(NamedTuple):
+    """The properties that a content stream inherits from the streams that contain it."""
 
-    path: str  #: names of the forms around, each with a slash behind it
-    inside: tuple[object, ...]  #: which forms they are: what a form may not repeat
-    mark: Mark
+    path: str  #: names of the containing forms, each followed by a slash
+    inside: tuple[object, ...]  #: ids of these forms, which must not be copied
+    mark: LayerMark
     resources: DictionaryObject
 
 
 @dataclass(frozen=True, slots=True)
-class Here:
-    """What all content streams of a page share."""
+class PageContext:
+    """The objects that all content streams of a page share."""
 
-    file: File
-    drawn: Drawn
+    file: PdfFile
+    drawn: PageLines
     layers: Layers
-    named: Named
-    strange: set[str]  #: operators that nobody knows
-    form: Callable[[StreamObject, State, Around], None]  #: follows a form
+    resources: Resources
+    unknown: set[str]  #: unknown operators
+    form: Callable[[StreamObject, State, StreamContext], None]  #: interprets a form
 
 
 class Stream:
-    """One content stream while it is followed."""
+    """Interprets one content stream."""
 
-    def __init__(self, here: Here, state: State, around: Around) -> None:
-        self._here = here
+    def __init__(self, page: PageContext, state: State, context: StreamContext) -> None:
+        self._page = page
         self._state = state
-        self._around = around
+        self._context = context
         self._stack: list[State] = []
-        self._marks: list[Mark] = [around.mark]
-        self._words = Words()
+        self._marks: list[LayerMark] = [context.mark]
+        self._text_object = TextObject()
         self._clips = False
 
-    def follow(self, data: bytes) -> None:
-        outline = self._here.drawn.outline
-        for operator, given in operations(data):
-            if operator in BUILDS:
-                outline.add(operator, given)
+    def interpret(self, data: bytes) -> None:
+        """Interpret all operators of the stream."""
+        path = self._page.drawn.path
+        for operator, given in parse_operations(data):
+            if operator in BUILDERS:
+                path.add(operator, given)
             elif operator in _PAINTS:
-                self._painted(*_PAINTS[operator])
-            elif (does := _DOES.get(operator)) is not None:
-                does(self, operator, given)
-            elif operator not in _PASSED:
+                self._paint_path(*_PAINTS[operator])
+            elif (handler := _HANDLERS.get(operator)) is not None:
+                handler(self, operator, given)
+            elif operator not in _IGNORED:
                 self._unknown(operator)
-        if outline.begun:
-            self._left("the page ends before it is drawn")
+        if path.started:
+            self._drop_path("the page ends before the path is painted")
 
     def _row(self, kind: str, why: str, points: Sequence[Any] = ()) -> int:
-        """Enter something into the ledger; ``points`` say where it is that is left out."""
-        mark, drawn = self._marks[-1], self._here.drawn
+        """Add a row to the import report; ``points`` locate a dropped object."""
+        mark, drawn = self._marks[-1], self._page.drawn
         why = f"it is hidden: the layer {mark.hidden} is switched off" if mark.hidden else why
-        row = drawn.row(self._around.path, kind, mark, why)
+        row = drawn.row(self._context.path, kind, mark, why)
         if points:
-            drawn.sheet.set_location(row, boxed(self._state.matrix, points))
+            drawn.report.set_location(row, transformed_box(self._state.matrix, points))
         return row
 
-    def _left(self, why: str) -> None:
-        outline = self._here.drawn.outline
-        self._row("path", why, [] if outline.wrong else outline.ends().tolist())
-        outline.drop()
+    def _drop_path(self, why: str) -> None:
+        """Drop the current path and report the reason."""
+        path = self._page.drawn.path
+        self._row("path", why, [] if path.wrong else path.ends().tolist())
+        path.drop()
 
-    def _painted(self, closes: bool, strokes: bool, fills: bool) -> None:
-        """Keep a path, or enter into the ledger why it is left out."""
-        self._here.file.in_time()
-        outline, state = self._here.drawn.outline, self._state
+    def _paint_path(self, closes: bool, strokes: bool, fills: bool) -> None:
+        """Keep the current path, or report why it is dropped."""
+        self._page.file.check_time()
+        path, state = self._page.drawn.path, self._state
         if closes:
-            outline.add("h", [])
+            path.add("h", [])
         clips, self._clips = self._clips, False
-        if not (outline.begun or strokes or fills or clips):
+        if not (path.started or strokes or fills or clips):
             return
-        if outline.wrong:
-            self._left(f"its numbers for {outline.wrong!r} cannot be read")
+        if path.wrong:
+            self._drop_path(f"the operands of its operator {path.wrong!r} are invalid")
             return
         stroked = strokes and state.stroke_seen and state.stroke.drawn
         filled = fills and state.fill_seen and state.fill.drawn
         why = ""
         if not strokes and not fills:
-            why = "it only bounds what is shown of others" if clips else "it is not drawn"
+            why = "it is only a clipping path" if clips else "it has neither a stroke nor a fill"
         elif not stroked and not filled:
-            why = "nothing of it is seen"
-        elif not outline.size:
+            why = "it is fully transparent"
+        elif not path.size:
             why = "its path is empty"
         if clips:
-            around = boxed(state.matrix, outline.ends().tolist())
-            self._state = state._replace(clip=within(state.clip, around))
+            bounds = transformed_box(state.matrix, path.ends().tolist())
+            self._state = state._replace(clip=intersect(state.clip, bounds))
         mark = self._marks[-1]
         if why or mark.hidden:
-            self._left(why)
+            self._drop_path(why)
             return
         row = self._row("path", "")
-        look = Look(
+        style = LineStyle(
             mark.layer,
             state.stroke if stroked else state.fill,
             state.dashed and stroked,
         )
-        self._here.drawn.line(row, state.matrix, state.clip, look, area=not stroked)
+        self._page.drawn.line(row, state.matrix, state.clip, style, area=not stroked)
 
     def _clip(self, _operator: str, _given: list[Any]) -> None:
         self._clips = True
 
     def _unknown(self, operator: str) -> None:
-        strange = self._here.strange
-        if operator not in strange and len(strange) < _STRANGE:
-            strange.add(operator)
-            self._row("operator", f"{operator[:20]!r} is no operator that is known")
+        unknown = self._page.unknown
+        if operator not in unknown and len(unknown) < _MAX_UNKNOWN:
+            unknown.add(operator)
+            self._row("operator", f"the operator {operator[:20]!r} is unknown")
 
     # ── The graphics state ────────────────────────────────────────────────────────────────────
 
-    def _saved(self, _operator: str, _given: list[Any]) -> None:
+    def _save(self, _operator: str, _given: list[Any]) -> None:
         self._stack.append(self._state)
-        if len(self._stack) > _KEPT:
-            raise DrawingTooLarge("pdf.too-many-states", limit=_KEPT)
+        if len(self._stack) > _MAX_STACK:
+            raise DrawingTooLarge("pdf.too-many-states", limit=_MAX_STACK)
 
-    def _restored(self, _operator: str, _given: list[Any]) -> None:
+    def _restore(self, _operator: str, _given: list[Any]) -> None:
         if self._stack:
             self._state = self._stack.pop()
 
-    def _moved(self, _operator: str, given: list[Any]) -> None:
+    def _concatenate(self, _operator: str, given: list[Any]) -> None:
         numbers = tuple(one for one in given if isinstance(one, float))
-        # Where the matrix cannot be read, nobody knows where what follows is.
-        inner = numbers if len(numbers) == 6 == len(given) else _NOWHERE
+        # After an invalid matrix the position of all that follows is unknown.
+        inner = numbers if len(numbers) == 6 == len(given) else _INVALID
         self._state = self._state._replace(matrix=chained(self._state.matrix, inner))
 
-    def _dashed(self, _operator: str, given: list[Any]) -> None:
+    def _set_dash(self, _operator: str, given: list[Any]) -> None:
         dashes = given[0] if given and isinstance(given[0], list) else []
         dashed = any(isinstance(one, float) and one > 0.0 for one in dashes)
         self._state = self._state._replace(dashed=dashed)
 
-    def _looked(self, _operator: str, given: list[Any]) -> None:
-        """Take over what a dictionary of the graphics state says."""
-        file = self._here.file
+    def _set_state(self, _operator: str, given: list[Any]) -> None:
+        """Apply a graphics state dictionary."""
+        file = self._page.file
         name = given[-1] if given else ""
-        node = file.seen(self._here.named.resource(self._around.resources, "/ExtGState", str(name)))
+        node = file.resolve(
+            self._page.resources.find(self._context.resources, "/ExtGState", str(name))
+        )
         if (alpha := file.entry(node, "/CA")) is not None:
             self._state = self._state._replace(stroke_seen=not number(alpha) <= 0.0)
         if (alpha := file.entry(node, "/ca")) is not None:
             self._state = self._state._replace(fill_seen=not number(alpha) <= 0.0)
         if dash := file.array(node, "/D"):
-            dashes = [number(file.seen(one)) for one in file.seen(dash[0]) or []]
-            self._dashed("d", [dashes])
+            dashes = [number(file.resolve(one)) for one in file.resolve(dash[0]) or []]
+            self._set_dash("d", [dashes])
 
     # ── Colours ───────────────────────────────────────────────────────────────────────────────
 
-    def _in_space(self, operator: str, given: list[Any]) -> None:
-        where = self._here.named.space(self._around.resources, str(given[-1]) if given else "")
+    def _set_space(self, operator: str, given: list[Any]) -> None:
+        where = self._page.resources.space(self._context.resources, str(given[-1]) if given else "")
         full = where.kind in ("Separation", "DeviceN")
-        found = self._here.named.paint(where, (1.0,) * where.components) if full else BLACK
-        self._coloured(operator.isupper(), where, found)
+        found = self._page.resources.paint(where, (1.0,) * where.components) if full else BLACK
+        self._set_colour(operator.isupper(), where, found)
 
-    def _mixed(self, operator: str, given: list[Any]) -> None:
+    def _set_components(self, operator: str, given: list[Any]) -> None:
         strokes = operator.isupper()
         where = self._state.stroke_space if strokes else self._state.fill_space
         if given and isinstance(given[-1], Name):
-            self._coloured(strokes, where, PATTERN)
+            self._set_colour(strokes, where, PATTERN)
             return
         numbers = tuple(one for one in given if isinstance(one, float))
-        self._coloured(strokes, where, self._here.named.paint(where, numbers))
+        self._set_colour(strokes, where, self._page.resources.paint(where, numbers))
 
-    def _device(self, operator: str, given: list[Any]) -> None:
+    def _set_device_colour(self, operator: str, given: list[Any]) -> None:
         where = _DEVICE[operator.lower()]
         numbers = tuple(one for one in given if isinstance(one, float))
-        self._coloured(operator.isupper(), where, self._here.named.paint(where, numbers))
+        self._set_colour(operator.isupper(), where, self._page.resources.paint(where, numbers))
 
-    def _coloured(self, strokes: bool, where: Space, found: Paint) -> None:
+    def _set_colour(self, strokes: bool, where: ColourSpace, found: Paint) -> None:
         self._state = (
             self._state._replace(stroke_space=where, stroke=found)
             if strokes
@@ -242,130 +246,132 @@ class Stream:
 
     # ── Layers ────────────────────────────────────────────────────────────────────────────────
 
-    def _marked(self, operator: str, given: list[Any]) -> None:
+    def _begin_marked(self, operator: str, given: list[Any]) -> None:
         mark = self._marks[-1]
         if operator == "BDC" and len(given) == 2 and given[0] == "OC":
             name = str(given[1])
-            mark = self._on(
-                mark, self._here.named.resource(self._around.resources, "/Properties", name)
+            mark = self._nested_mark(
+                mark, self._page.resources.find(self._context.resources, "/Properties", name)
             )
         self._marks.append(mark)
-        if len(self._marks) > _KEPT:
-            raise DrawingTooLarge("pdf.layers-too-deep", limit=_KEPT)
+        if len(self._marks) > _MAX_STACK:
+            raise DrawingTooLarge("pdf.layers-too-deep", limit=_MAX_STACK)
 
-    def _on(self, mark: Mark, given: object) -> Mark:
-        """Return what lies on a layer that lies on another."""
+    def _nested_mark(self, mark: LayerMark, given: object) -> LayerMark:
+        """Return the mark of a layer inside another."""
         if given is None:
             return mark
-        layer = self._here.layers.layer(given)
+        layer = self._page.layers.layer(given)
         name = layer.name or mark.layer
-        return Mark(name, mark.hidden or ("" if layer.shown else name or "without a name"))
+        return LayerMark(name, mark.hidden or ("" if layer.visible else name or "without a name"))
 
-    def _unmarked(self, _operator: str, _given: list[Any]) -> None:
+    def _end_marked(self, _operator: str, _given: list[Any]) -> None:
         if len(self._marks) > 1:
             self._marks.pop()
 
-    # ── Forms, pictures, texts ────────────────────────────────────────────────────────────────
+    # ── Forms, images, texts ────────────────────────────────────────────────────────────────
 
-    def _placed(self, _operator: str, given: list[Any]) -> None:
-        """Draw a form where it stands; of a picture, say that it is not cut."""
-        here, around = self._here, self._around
-        here.file.in_time()
+    def _draw_object(self, _operator: str, given: list[Any]) -> None:
+        """Interpret a form; report an image, which is not cut."""
+        page, context = self._page, self._context
+        page.file.check_time()
         name = str(given[-1]) if given else ""
-        raw = here.named.resource(around.resources, "/XObject", name)
-        node = here.file.seen(raw)
-        if here.drawn.outline.begun:
-            self._left("something else begins before it is drawn")
+        raw = page.resources.find(context.resources, "/XObject", name)
+        node = page.file.resolve(raw)
+        if page.drawn.path.started:
+            self._drop_path("another object starts before the path is painted")
         mark = self._marks[-1]
         if isinstance(node, DictionaryObject) and "/OC" in node:
-            mark = self._on(mark, node.raw_get("/OC"))
+            mark = self._nested_mark(mark, node.raw_get("/OC"))
         self._marks.append(mark)
-        kind = here.file.entry(node, "/Subtype")
+        kind = page.file.entry(node, "/Subtype")
         if kind == "/Image":
-            self._row("image", "a picture is not cut", _PICTURE)
+            self._row("image", "images are not cut", _UNIT_SQUARE)
         elif kind != "/Form" or not isinstance(node, StreamObject):
-            why = f"there is nothing with the name {name[:40]!r} that can be drawn"
-            self._row("form", why, _PICTURE[:1])
+            why = f"no form or image has the name {name[:40]!r}"
+            self._row("form", why, _UNIT_SQUARE[:1])
         else:
             key = (raw.idnum, raw.generation) if isinstance(raw, IndirectObject) else id(node)
-            if key in around.inside:
+            if key in context.inside:
                 self._row("form", "it contains itself")
-            elif len(around.inside) >= here.file.limits.insert_depth:
+            elif len(context.inside) >= page.file.limits.insert_depth:
                 raise DrawingTooLarge(
-                    "reading.nested-too-deep", limit=here.file.limits.insert_depth, format="PDF"
+                    "reading.nested-too-deep", limit=page.file.limits.insert_depth, format="PDF"
                 )
             else:
-                inner = Around(
-                    f"{around.path}{name}/", (*around.inside, key), mark, around.resources
+                inner = StreamContext(
+                    f"{context.path}{name}/", (*context.inside, key), mark, context.resources
                 )
-                here.form(node, self._state, inner)
+                page.form(node, self._state, inner)
         self._marks.pop()
 
-    def _pictured(self, _operator: str, _given: list[Any]) -> None:
-        self._row("image", "a picture is not cut", _PICTURE)
+    def _inline_image(self, _operator: str, _given: list[Any]) -> None:
+        self._row("image", "images are not cut", _UNIT_SQUARE)
 
-    def _shaded(self, _operator: str, _given: list[Any]) -> None:
-        row = self._row("shading", "an area of colour is not cut")
-        self._here.drawn.sheet.set_location(row, self._state.clip)
+    def _shade(self, _operator: str, _given: list[Any]) -> None:
+        row = self._row("shading", "shadings are not cut")
+        self._page.drawn.report.set_location(row, self._state.clip)
 
     def _text(self, operator: str, _given: list[Any]) -> None:
         if operator == "BT":
-            self._words.begin()
+            self._text_object.begin()
             return
-        if self._words.silent:
+        if self._text_object.empty:
             return
-        said = self._words.said(self._state.matrix)
-        if said is None:
-            why = "text is not cut, and its letters are not known"
-            self._row("text", why, self._words.begins)
+        placed = self._text_object.placed_text(self._state.matrix)
+        if placed is None:
+            why = "text is not cut, and its encoding is unknown"
+            self._row("text", why, self._text_object.begins)
             return
-        row = self._row("text", "text is not cut", self._words.begins)
+        row = self._row("text", "text is not cut", self._text_object.begins)
         mark = self._marks[-1]
         if not mark.hidden:
-            layer = self._here.drawn.sheet.layer[row]
-            self._here.drawn.inscriptions.append(Inscription(*said, math.nan, "text", layer))
+            layer = self._page.drawn.report.layer[row]
+            self._page.drawn.inscriptions.append(Inscription(*placed, math.nan, "text", layer))
 
-    def _said(self, operator: str, given: list[Any]) -> None:
-        self._words.operate(operator, given)
+    def _operate_text(self, operator: str, given: list[Any]) -> None:
+        self._text_object.operate(operator, given)
 
     def _font(self, _operator: str, given: list[Any]) -> None:
         if len(given) == 2 and isinstance(given[1], float):
-            self._words.font = self._here.named.font(self._around.resources, str(given[0]))
-            self._words.size = given[1]
+            self._text_object.font = self._page.resources.font(
+                self._context.resources, str(given[0])
+            )
+            self._text_object.size = given[1]
 
 
-_DOES: Final[dict[str, Callable[[Stream, str, list[Any]], None]]] = {
-    "q": Stream._saved,
-    "Q": Stream._restored,
-    "cm": Stream._moved,
-    "d": Stream._dashed,
-    "gs": Stream._looked,
+_HANDLERS: Final[dict[str, Callable[[Stream, str, list[Any]], None]]] = {
+    "q": Stream._save,
+    "Q": Stream._restore,
+    "cm": Stream._concatenate,
+    "d": Stream._set_dash,
+    "gs": Stream._set_state,
     "W": Stream._clip,
     "W*": Stream._clip,
-    **dict.fromkeys(("CS", "cs"), Stream._in_space),
-    **dict.fromkeys(("SC", "SCN", "sc", "scn"), Stream._mixed),
-    **dict.fromkeys(("G", "g", "RG", "rg", "K", "k"), Stream._device),
-    **dict.fromkeys(("BMC", "BDC"), Stream._marked),
-    "EMC": Stream._unmarked,
-    "Do": Stream._placed,
-    "BI": Stream._pictured,
-    "sh": Stream._shaded,
+    **dict.fromkeys(("CS", "cs"), Stream._set_space),
+    **dict.fromkeys(("SC", "SCN", "sc", "scn"), Stream._set_components),
+    **dict.fromkeys(("G", "g", "RG", "rg", "K", "k"), Stream._set_device_colour),
+    **dict.fromkeys(("BMC", "BDC"), Stream._begin_marked),
+    "EMC": Stream._end_marked,
+    "Do": Stream._draw_object,
+    "BI": Stream._inline_image,
+    "sh": Stream._shade,
     **dict.fromkeys(("BT", "ET"), Stream._text),
-    **dict.fromkeys(OPERATORS, Stream._said),
+    **dict.fromkeys(OPERATORS, Stream._operate_text),
     "Tf": Stream._font,
 }
 
 
-def boxed(matrix: Matrix, points: Sequence[Any]) -> Box:
-    """Return the box around points through a matrix."""
+def transformed_box(matrix: Matrix, points: Sequence[Any]) -> Box:
+    """Return the bounding box of transformed points."""
     a, b, c, d, e, f = matrix
     x = [a * x + c * y + e for x, y in points]
     y = [b * x + d * y + f for x, y in points]
-    return (min(x), min(y), max(x), max(y)) if points else _NOTHING
+    return (min(x), min(y), max(x), max(y)) if points else _EMPTY_BOX
 
 
-def within(one: Box, other: Box) -> Box:
-    """Return what two boxes share."""
+def intersect(one: Box, other: Box) -> Box:
+    """Return the intersection of two boxes."""
     return (
         max(one[0], other[0]),
         max(one[1], other[1]),

@@ -1,9 +1,9 @@
-"""text: what the words on a page say and where, if their font lets them be read.
+"""text: decode the texts on a page, if their font allows it, with their positions.
 
     BT /F1 12 Tf 10 20 Td (A carton) Tj ET -> "A carton" at (10, 20), 12 high
 
-Words are never cut, but a carton's words tell of its unit and its board.  A font says what its
-codes mean by a well-known encoding or by a table to Unicode; a font with neither is not read.
+Texts are never cut, but they are evidence for the unit and the board.  The codes of a font are
+defined by a standard encoding or by a table to Unicode; fonts with neither are not decoded.
 
 Source: ISO 32000-1, chapters 9.6 and 9.10.
 """
@@ -17,12 +17,12 @@ from typing import Any, Final, NamedTuple
 from pypdf.generic import DictionaryObject, StreamObject
 
 from knifetip.geometry.affine import IDENTITY, Matrix, chained
-from knifetip.pdf.document import File
+from knifetip.pdf.document import PdfFile
 
 _CODECS: Final = {"/WinAnsiEncoding": "cp1252", "/MacRomanEncoding": "mac-roman"}
-#: Bytes of a table to Unicode; one of all characters has fewer.
+#: Largest number of bytes of a table to Unicode; a table of all characters is smaller.
 _TABLE: Final = 1 << 20
-#: Codes of a range; the standard has at most 256.
+#: Largest number of codes in a range; the standard allows 256.
 _RANGE: Final = 256
 
 _CHAR: Final = re.compile(rb"<\s*([0-9A-Fa-f]+)\s*>\s*<([0-9A-Fa-f\s]*)>")
@@ -33,14 +33,14 @@ _LISTED: Final = re.compile(rb"<([0-9A-Fa-f\s]*)>")
 
 
 class Font(NamedTuple):
-    """How the codes of a font are read."""
+    """The encoding of a font."""
 
-    codec: str  #: of Python, empty where there is a table or nothing
-    wide: int  #: bytes to a code
+    codec: str  #: name of a Python codec, empty if there is a table or none
+    wide: int  #: bytes in one code
     table: dict[int, str]
 
-    def words(self, codes: bytes) -> str | None:
-        """Return what codes say, None where that cannot be told."""
+    def decode(self, codes: bytes) -> str | None:
+        """Return the text of codes, None if the encoding is unknown."""
         if self.codec:
             return codes.decode(self.codec, "replace")
         if not self.table:
@@ -49,22 +49,22 @@ class Font(NamedTuple):
         return "".join(self.table.get(int.from_bytes(part, "big"), "\ufffd") for part in parts)
 
 
-SILENT: Final = Font("", 1, {})
+UNDECODABLE: Final = Font("", 1, {})
 
 
-def font(file: File, node: object) -> Font:
-    """Return how a font is read."""
+def parse_font(file: PdfFile, node: object) -> Font:
+    """Return the encoding of a font."""
     if not isinstance(node, DictionaryObject):
-        return SILENT
+        return UNDECODABLE
     wide = 2 if file.entry(node, "/Subtype") == "/Type0" else 1
     table = file.entry(node, "/ToUnicode")
     if isinstance(table, StreamObject):
         return Font("", wide, _table(file.data(table)[:_TABLE]))
     if wide == 2 or file.entry(node, "/Subtype") == "/Type3":
-        return SILENT
+        return UNDECODABLE
     encoding = file.entry(node, "/Encoding")
     if isinstance(encoding, DictionaryObject):
-        # Codes that the font places elsewhere; those of letters seldom are.
+        # /Differences are ignored: they seldom contain letters.
         encoding = file.entry(encoding, "/BaseEncoding")
     return Font(_CODECS.get(str(encoding), "cp1252"), 1, {})
 
@@ -91,89 +91,89 @@ def _letters(digits: bytes) -> str:
     return bytes.fromhex((plain + b"0" * (-len(plain) % 4)).decode()).decode("utf-16-be", "replace")
 
 
-#: In a line of letters: moved back by more of a thousandth of their height is a blank.
+#: A displacement below this (thousandths of the font size) separates words.
 _BLANK: Final = -200.0
 
 
-class Words:
-    """The text between BT and ET, and the font that is used."""
+class TextObject:
+    """The text between BT and ET, and the current font."""
 
     def __init__(self) -> None:
-        self.font = SILENT
+        self.font = UNDECODABLE
         self.size = 0.0
         self._begin: Matrix | None = None
         self._line = IDENTITY
         self._leading = 0.0
-        self._said: list[str] = []
+        self._parts: list[str] = []
         self._unread = False
 
     def begin(self) -> None:
-        """Forget what was said."""
+        """Start a new text object."""
         self._begin, self._line, self._leading = None, IDENTITY, 0.0
-        self._said.clear()
+        self._parts.clear()
         self._unread = False
 
     def operate(self, operator: str, given: list[Any]) -> None:
-        """Follow one of the operators in ``OPERATORS``."""
+        """Apply an operator, one of ``OPERATORS``."""
         numbers = [one for one in given if isinstance(one, float)]
         if operator == "Tm" and len(numbers) == 6:
             a, b, c, d, e, f = numbers
-            self._moved((a, b, c, d, e, f), new_line=f != self._line[5])
+            self._move((a, b, c, d, e, f), new_line=f != self._line[5])
         elif operator in ("Td", "TD") and len(numbers) == 2:
             x, y = numbers
             if operator == "TD":
                 self._leading = -y
-            self._moved(chained(self._line, (1.0, 0.0, 0.0, 1.0, x, y)), new_line=y != 0.0)
+            self._move(chained(self._line, (1.0, 0.0, 0.0, 1.0, x, y)), new_line=y != 0.0)
         elif operator == "TL" and numbers:
             self._leading = numbers[0]
         elif operator in ("T*", "'", '"'):
             down = (1.0, 0.0, 0.0, 1.0, 0.0, -self._leading)
-            self._moved(chained(self._line, down), new_line=True)
-        if operator in SHOWN and given:
-            self._shown(given[-1])
+            self._move(chained(self._line, down), new_line=True)
+        if operator in SHOW_OPERATORS and given:
+            self._show(given[-1])
 
-    def _moved(self, line: Matrix, *, new_line: bool) -> None:
-        if new_line and self._said:
-            self._said.append(" ")
+    def _move(self, line: Matrix, *, new_line: bool) -> None:
+        if new_line and self._parts:
+            self._parts.append(" ")
         self._line = line
 
-    def _shown(self, what: object) -> None:
+    def _show(self, what: object) -> None:
         if self._begin is None:
             self._begin = self._line
         for part in what if isinstance(what, list) else [what]:
             if isinstance(part, bytes):
-                words = self.font.words(part)
-                self._unread |= words is None
-                self._said.append(words or "")
+                text = self.font.decode(part)
+                self._unread |= text is None
+                self._parts.append(text or "")
             elif isinstance(part, float) and part < _BLANK:
-                self._said.append(" ")
+                self._parts.append(" ")
 
     @property
-    def silent(self) -> bool:
-        """Whether nothing was shown."""
+    def empty(self) -> bool:
+        """Whether no text was shown."""
         return self._begin is None
 
     @property
     def begins(self) -> list[tuple[float, float]]:
-        """The point where it begins, in the coordinates around the text, if anything was shown."""
+        """The start of the text, in the coordinates that enclose it; empty if there is none."""
         return [] if self._begin is None else [self._begin[4:]]
 
-    def said(self, matrix: Matrix) -> tuple[str, float, float, float] | None:
-        """Return the words, where they begin and how high they are; None where they are not read.
+    def placed_text(self, matrix: Matrix) -> tuple[str, float, float, float] | None:
+        """Return text, x, y and height, None if the text cannot be decoded.
 
         Parameters
         ----------
         matrix
-            From the coordinates around the text to points.
+            From the coordinates that enclose the text object to points.
         """
-        words = " ".join("".join(self._said).split())
-        if self._begin is None or self._unread or not words:
+        text = " ".join("".join(self._parts).split())
+        if self._begin is None or self._unread or not text:
             return None
         a, b, c, d, e, f = chained(matrix, self._begin)
         place = e, f, abs(self.size) * math.sqrt(abs(a * d - b * c))
-        return (words, *place) if all(map(math.isfinite, place)) else None
+        return (text, *place) if all(map(math.isfinite, place)) else None
 
 
-#: Operators that show letters, and all that this module follows.
-SHOWN: Final = frozenset(("Tj", "TJ", "'", '"'))
-OPERATORS: Final = SHOWN | {"Tm", "Td", "TD", "TL", "T*"}
+#: Operators that show text, and all operators of text objects.
+SHOW_OPERATORS: Final = frozenset(("Tj", "TJ", "'", '"'))
+OPERATORS: Final = SHOW_OPERATORS | {"Tm", "Td", "TD", "TL", "T*"}

@@ -1,9 +1,9 @@
-"""tints: what a tint of an ink looks like in the colours of a screen or a press.
+"""tints: convert a tint of an ink to a colour in the alternate colour space.
 
-    {dup 0 exch 0.5 mul} and tint 1 -> 0, 0.5 … of the space under it
+    {dup 0 exch 0.5 mul} and tint 1 -> components 0, 0.5 … in the alternate space
 
-A function is a power of the tint, a table, or a program; of programs those are run that only
-calculate.  Others are not told, and neither are functions put together of several.
+A function is a power of the tint, a table, or a PostScript program.  Programs with other operators
+than arithmetic and stack operators are not evaluated, and neither are stitched functions.
 
 Source: ISO 32000-1, chapter 7.10.
 """
@@ -17,9 +17,9 @@ from typing import Final
 
 from pypdf.generic import StreamObject
 
-from knifetip.pdf.document import File, number
+from knifetip.pdf.document import PdfFile, number
 
-#: Bytes of a program, and numbers that it may have at once.
+#: Largest number of bytes of a program, and of numbers on its stack.
 _PROGRAM: Final = 4096
 _STACK: Final = 100
 
@@ -31,32 +31,32 @@ _TWO: Final[dict[str, Callable[[float, float], float]]] = {
 }
 
 
-def shown(file: File, function: object, tint: float) -> list[float]:
-    """Return what a function makes of a tint 0 … 1; empty where that is not told."""
+def evaluate_tint(file: PdfFile, function: object, tint: float) -> list[float]:
+    """Return the components of a tint, 0 … 1, in the alternate space; empty if unknown."""
     tint = min(max(tint, 0.0), 1.0)
     kind = number(file.entry(function, "/FunctionType"))
     if kind == 2.0:
-        none = [number(file.seen(one)) for one in file.array(function, "/C0")] or [0.0]
-        full = [number(file.seen(one)) for one in file.array(function, "/C1")] or [1.0]
+        none = [number(file.resolve(one)) for one in file.array(function, "/C0")] or [0.0]
+        full = [number(file.resolve(one)) for one in file.array(function, "/C1")] or [1.0]
         power = number(file.entry(function, "/N"))
         if len(none) != len(full) or not 0.0 < power < math.inf:
             return []
         return [a + tint**power * (b - a) for a, b in zip(none, full, strict=True)]
     if kind == 0.0 and isinstance(function, StreamObject):
-        return _sampled(file, function, tint)
+        return _look_up(file, function, tint)
     if kind == 4.0 and isinstance(function, StreamObject):
-        return _calculated(file.data(function)[:_PROGRAM], tint)
+        return _run_program(file.data(function)[:_PROGRAM], tint)
     return []
 
 
-def _sampled(file: File, function: StreamObject, tint: float) -> list[float]:
+def _look_up(file: PdfFile, function: StreamObject, tint: float) -> list[float]:
     """Return the sample of a table that is nearest to a tint."""
-    size = [number(file.seen(one)) for one in file.array(function, "/Size")]
-    within = [number(file.seen(one)) for one in file.array(function, "/Range")]
+    size = [number(file.resolve(one)) for one in file.array(function, "/Size")]
+    within = [number(file.resolve(one)) for one in file.array(function, "/Range")]
     bits = number(file.entry(function, "/BitsPerSample"))
     if len(size) != 1 or not 1.0 <= size[0] < math.inf or bits not in (8.0, 16.0):
         return []
-    spread = [number(file.seen(one)) for one in file.array(function, "/Decode")] or within
+    spread = [number(file.resolve(one)) for one in file.array(function, "/Decode")] or within
     wide = int(bits) // 8
     outputs = len(spread) // 2
     first = round(tint * (int(size[0]) - 1)) * outputs * wide
@@ -70,8 +70,8 @@ def _sampled(file: File, function: StreamObject, tint: float) -> list[float]:
     ]
 
 
-def _calculated(program: bytes, tint: float) -> list[float]:
-    """Return what a program leaves, empty where it does more than calculate."""
+def _run_program(program: bytes, tint: float) -> list[float]:
+    """Return the stack after a program has run, empty if it has unsupported operators."""
     stack = [tint]
     try:
         for word in re.findall(r"[^\s{}]+", program.decode("latin-1")):
@@ -105,7 +105,7 @@ def _calculated(program: bytes, tint: float) -> list[float]:
 
 
 def _natural(value: float) -> int:
-    """Return a count from 0 up."""
+    """Return a count, at least 0; raise ValueError for other numbers."""
     if not 0.0 <= value <= _STACK:
         raise ValueError
     return int(value)

@@ -1,4 +1,4 @@
-"""Content streams as operators."""
+"""Parsing of content streams into operators."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.pdf.content import CutShort, Name, operations
+from knifetip.pdf.content import Name, TruncatedStream, parse_operations
 
 
-def said(data: bytes) -> list[tuple[str, list[object]]]:
-    return list(operations(data))
+def parse(data: bytes) -> list[tuple[str, list[object]]]:
+    return list(parse_operations(data))
 
 
-def test_numbers_stand_before_their_operator() -> None:
-    assert said(b"1 0 0 RG\n10 -20.5 m +3 .5 l 4. 0 l S") == [
+def test_operands_precede_their_operator() -> None:
+    assert parse(b"1 0 0 RG\n10 -20.5 m +3 .5 l 4. 0 l S") == [
         ("RG", [1.0, 0.0, 0.0]),
         ("m", [10.0, -20.5]),
         ("l", [3.0, 0.5]),
@@ -25,9 +25,9 @@ def test_numbers_stand_before_their_operator() -> None:
     ]
 
 
-def test_names_strings_arrays_and_dictionaries_are_told_apart() -> None:
-    ((first, given), (second, more), last) = said(
-        b"/OC /Lay#20er BDC % said\n(a \\(b\\) (c) \\101\\n) <41 4> [3 [2] 1] <</A (>>)>> x EMC"
+def test_names_strings_arrays_and_dictionaries_are_distinguished() -> None:
+    ((first, given), (second, more), last) = parse(
+        b"/OC /Lay#20er BDC % comment\n(a \\(b\\) (c) \\101\\n) <41 4> [3 [2] 1] <</A (>>)>> x EMC"
     )
     assert (first, given) == ("BDC", ["OC", "Lay er"])
     assert isinstance(given[1], Name)
@@ -35,17 +35,17 @@ def test_names_strings_arrays_and_dictionaries_are_told_apart() -> None:
     assert last == ("EMC", [])
 
 
-def test_operators_may_touch_what_follows() -> None:
-    assert said(b"[3 2]0 d/Cut CS(a)Tj") == [
+def test_operators_need_no_separator() -> None:
+    assert parse(b"[3 2]0 d/Cut CS(a)Tj") == [
         ("d", [[3.0, 2.0], 0.0]),
         ("CS", ["Cut"]),
         ("Tj", [b"a"]),
     ]
 
 
-def test_a_picture_in_the_stream_is_one_operator() -> None:
+def test_an_inline_image_is_one_operator() -> None:
     data = b"BI /W 2 /H 2 /BPC 8 ID \x00 EI\xff\x01 l S( EI Q 1 w"
-    assert [operator for operator, _ in said(data)] == ["BI", "Q", "w"]
+    assert [operator for operator, _ in parse(data)] == ["BI", "Q", "w"]
 
 
 @pytest.mark.parametrize(
@@ -53,39 +53,39 @@ def test_a_picture_in_the_stream_is_one_operator() -> None:
     [
         (b"(abc", "inside a text"),
         (b"[1 2", "inside an array"),
-        (b"BI /W 1 ID xxxx", "inside a picture"),
+        (b"BI /W 1 ID xxxx", "inside an image"),
         (b"[" * 100, "nested too deep"),
     ],
 )
-def test_a_stream_that_is_cut_short_is_not_taken_for_whole(data: bytes, where: str) -> None:
-    with pytest.raises(CutShort, match=where):
-        said(data)
+def test_a_truncated_stream_raises_an_error(data: bytes, where: str) -> None:
+    with pytest.raises(TruncatedStream, match=where):
+        parse(data)
 
 
 @pytest.mark.parametrize(
     "again", [b"1", b"(", b"<", b"[1]", b"((", b"\\(", b"% ", b"BI ", b"<<>>", b" \t"]
 )
-def test_what_is_repeated_a_million_times_takes_seconds_and_not_hours(again: bytes) -> None:
-    begun = time.process_time()
+def test_a_million_repetitions_take_seconds(again: bytes) -> None:
+    start = time.process_time()
     try:
-        for _ in operations(again * (1_000_000 // len(again)) + b"x"):
+        for _ in parse_operations(again * (1_000_000 // len(again)) + b"x"):
             pass
-    except CutShort:
+    except TruncatedStream:
         pass
-    assert time.process_time() - begun < 10.0
+    assert time.process_time() - start < 10.0
 
 
 @given(st.binary(max_size=200))
-def test_no_bytes_stop_it_but_by_name(data: bytes) -> None:
+def test_any_bytes_are_parsed_or_raise_truncated_stream(data: bytes) -> None:
     try:
-        for operator, given_ in operations(data):
+        for operator, given_ in parse_operations(data):
             assert operator
             assert isinstance(given_, list)
-    except CutShort:
+    except TruncatedStream:
         pass
 
 
 @given(st.lists(st.floats(-1e6, 1e6).map(lambda value: round(value, 4)), max_size=6))
-def test_what_is_written_is_read(numbers: list[float]) -> None:
+def test_written_numbers_are_parsed(numbers: list[float]) -> None:
     written = " ".join(f"{value:.4f}" for value in numbers)
-    assert said(f"{written} x".encode()) == [("x", numbers)]
+    assert parse(f"{written} x".encode()) == [("x", numbers)]

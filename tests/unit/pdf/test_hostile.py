@@ -1,4 +1,4 @@
-"""Files that lie, swell, or break off: a clear refusal, in bounded time and memory."""
+"""Damaged, truncated and expanding files: refused with a hint, in bounded time and memory."""
 
 from __future__ import annotations
 
@@ -85,14 +85,14 @@ def laughs(width: int, depth: int) -> bytes:
         (page(flate(PACKED[:40] + b"xxxx" + PACKED[44:])), "is damaged"),
         (page(stream(b"x", "/Filter /NoSuchDecode")), "damaged"),
         (page(b"null"), "is missing"),
-        (page(stream(b"(never closed")), "stops inside a text"),
-        (page(stream(b"0 0 m [ 9 0 l S")), "stops inside an array"),
+        (page(stream(b"(never closed")), "ends inside a text"),
+        (page(stream(b"0 0 m [ 9 0 l S")), "ends inside an array"),
         (pdf(""), "There is no drawing"),
         (pdf("", root="/AcroForm <</XFA 3 0 R>>"), "XFA"),
         (pdf("BT (a) Tj ET", page="/PieceInfo <</Illustrator <<>>>>"), "without PDF content"),
     ],
 )
-def test_what_is_no_drawing_is_refused_with_what_to_do(data: bytes, words: str) -> None:
+def test_files_without_a_drawing_are_refused_with_a_hint(data: bytes, words: str) -> None:
     with pytest.raises(NotADrawing) as caught:
         read(data, limits=FEW)
     assert words in caught.value.text
@@ -114,14 +114,14 @@ def test_what_is_no_drawing_is_refused_with_what_to_do(data: bytes, words: str) 
         (page(stream(LINE.encode()), boxes="[0 0 1000000000 900000000]"), "reaches to"),
     ],
 )
-def test_what_is_too_large_is_refused_with_what_to_do(data: bytes, words: str) -> None:
+def test_files_that_are_too_large_are_refused_with_a_hint(data: bytes, words: str) -> None:
     with pytest.raises(DrawingTooLarge) as caught:
         read(data, limits=FEW)
     assert words in caught.value.text
     assert caught.value.hint
 
 
-def test_a_bomb_does_not_fill_the_memory() -> None:
+def test_an_expansion_bomb_uses_little_memory() -> None:
     bomb = page(flate(zlib.compress(b"0 0 m " * (40 << 20))))
     tracemalloc.start()
     with pytest.raises(DrawingTooLarge):
@@ -131,13 +131,13 @@ def test_a_bomb_does_not_fill_the_memory() -> None:
     assert peak < 16 << 20
 
 
-def test_a_file_whose_time_is_over_is_refused() -> None:
+def test_a_file_that_takes_too_long_is_refused() -> None:
     with pytest.raises(DrawingTooLarge, match="takes longer than 0 s"):
         read(carton(), limits=Limits(seconds=0.0))
 
 
 def packed(first: bytes, count: int) -> bytes:
-    """A file whose catalogue is one of so many objects in an object stream, each begun anew."""
+    """Return a file whose catalogue is one of ``count`` objects in an object stream."""
     index = b" ".join(b"%d %d" % (k, k * 2) for k in range(10, 10 + count)) + b" "
     body = stream(index + first * 400_000, f"/Type /ObjStm /N {count} /First {len(index)}")
     table = b"\0\0\0\0\xff" + b"\2\0\0\2\0" + b"\1\0\0\x09\0" + b"\1\0\0\0\0"
@@ -156,14 +156,14 @@ def packed(first: bytes, count: int) -> bytes:
     ],
     ids=["strings in a stream", "strings", "arrays", "trailers"],
 )
-def test_what_would_take_hours_is_left_when_its_time_is_over(data: bytes) -> None:
-    begun = time.process_time()
+def test_files_that_would_take_hours_stop_at_the_time_limit(data: bytes) -> None:
+    start = time.process_time()
     with pytest.raises((DrawingTooLarge, NotADrawing)):
         read(data, limits=Limits(seconds=0.5))
-    assert time.process_time() - begun < 5.0
+    assert time.process_time() - start < 5.0
 
 
-def test_a_reference_that_leads_nowhere_or_round_costs_no_lines_elsewhere() -> None:
+def test_missing_and_circular_references_do_not_affect_other_lines() -> None:
     drawing = read(
         pdf(
             "/Loop CS 1 SCN /Nobody gs /Gone Do /Nobody CS",
@@ -179,19 +179,19 @@ def test_a_reference_that_leads_nowhere_or_round_costs_no_lines_elsewhere() -> N
 @pytest.mark.parametrize(
     ("numbers", "why"),
     [
-        ("1e308 0", "its numbers for 'l' cannot be read"),
-        ("NaN 0", "its numbers for 'l' cannot be read"),
-        ("inf 0", "its numbers for 'l' cannot be read"),
+        ("1e308 0", "the operands of its operator 'l' are invalid"),
+        ("NaN 0", "the operands of its operator 'l' are invalid"),
+        ("inf 0", "the operands of its operator 'l' are invalid"),
         ("9" * 400 + " 0", "a coordinate is not a number; the limit is 2.83465e+07"),
         ("9" * 200 + " 0", "a coordinate is 1e+200; the limit is 2.83465e+07"),
-        ("--5 0", "its numbers for 'l' cannot be read"),
-        ("(5) 0", "its numbers for 'l' cannot be read"),
-        ("/N 0", "its numbers for 'l' cannot be read"),
-        ("[5] 0", "its numbers for 'l' cannot be read"),
-        ("1 2 3", "its numbers for 'l' cannot be read"),
+        ("--5 0", "the operands of its operator 'l' are invalid"),
+        ("(5) 0", "the operands of its operator 'l' are invalid"),
+        ("/N 0", "the operands of its operator 'l' are invalid"),
+        ("[5] 0", "the operands of its operator 'l' are invalid"),
+        ("1 2 3", "the operands of its operator 'l' are invalid"),
     ],
 )
-def test_a_number_that_is_none_costs_its_path_and_no_other(numbers: str, why: str) -> None:
+def test_invalid_operands_drop_only_their_path(numbers: str, why: str) -> None:
     drawing = read(pdf(f"0 0 m {numbers} l S {LINE}"))
     assert len(drawing) == 1
     rows = zip(drawing.ledger.kind, drawing.ledger.reason, strict=True)
@@ -199,19 +199,19 @@ def test_a_number_that_is_none_costs_its_path_and_no_other(numbers: str, why: st
 
 
 @pytest.mark.parametrize("matrix", ["1 0 0 1 0 x cm", "cm", "1 0 0 cm", "(a) 0 0 1 0 0 cm"])
-def test_what_stands_behind_a_matrix_that_cannot_be_read_is_nowhere(matrix: str) -> None:
+def test_lines_after_an_invalid_matrix_are_dropped(matrix: str) -> None:
     drawing = read(pdf(f"q {matrix} {LINE} Q {LINE}"))
     assert [fate for fate in drawing.ledger.fate if fate == Fate.KEPT] == [Fate.KEPT]
 
 
-def test_operators_out_of_place_stop_nothing() -> None:
+def test_operators_without_operands_are_ignored() -> None:
     given = "Q Q EMC ET Tj h W n BDC d gs SCN CS g G K cs scn Do Tf Tm TJ ' \" Td TL sh re v y c f*"
     drawing = read(pdf(given, "d0 [(a)] TJ /x /y BDC", LINE))
     assert drawing.ledger.fate[-1] == Fate.KEPT
 
 
-def sound(data: bytes) -> None:
-    """Whatever the bytes: a drawing of finite lines within the reach, or a clear no."""
+def check_result(data: bytes) -> None:
+    """Check that the bytes give a drawing with finite lines, or a refusal with a hint."""
     refused = None
     try:
         drawing = read(data, limits=Limits(bytes=1 << 20, segments=20_000, seconds=20.0))
@@ -241,7 +241,7 @@ WHOLE = (
         more=[form("q 2 0 0 2 1 1 cm 0 0 m 5 0 5 5 0 5 c s Q", "/BBox [0 0 50 50]")],
     ),
 )
-#: Words that mean something to a reader, to be put where they do not belong.
+#: Keywords of PDF files that are inserted at random positions.
 WORDS = """
     << >> [ ] ( ) obj endobj stream endstream R q Q cm Do BT BI % trailer startxref %%EOF 0 -1 1e308
     99999999999999999999 /Kids /Prev /OCGs /Encrypt /Length
@@ -273,12 +273,12 @@ def test_a_mutated_file_is_read_or_refused(
     for where, gone, new in changes:
         at = int(where * len(data))
         data[at : at + gone] = new
-    sound(bytes(data))
+    check_result(bytes(data))
 
 
 @given(st.floats(0, 1), st.sampled_from(WHOLE))
-def test_a_file_that_breaks_off_anywhere_is_refused(where: float, whole: bytes) -> None:
-    # Its last bytes are what says that it is whole; without a line's end it still does.
+def test_a_file_truncated_anywhere_is_refused(where: float, whole: bytes) -> None:
+    # The end mark shows that a file is complete; the line end after it may be missing.
     cut = whole[: int(where * (len(whole) - len(b"F\n")))]
     with pytest.raises(NotADrawing):
         read(cut)
@@ -286,7 +286,7 @@ def test_a_file_that_breaks_off_anywhere_is_refused(where: float, whole: bytes) 
 
 @given(st.binary(max_size=400))
 def test_any_page_is_read_or_refused(content: bytes) -> None:
-    sound(pdf(content))
+    check_result(pdf(content))
 
 
 tokens = st.lists(
@@ -301,7 +301,7 @@ tokens = st.lists(
 
 @given(tokens)
 def test_any_order_of_operators_is_read_or_refused(given_: list[str]) -> None:
-    sound(
+    check_result(
         pdf(
             " ".join(given_),
             resources="/XObject <</A 7 0 R>>",

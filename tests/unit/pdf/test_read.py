@@ -1,4 +1,4 @@
-"""Whole files: places, sizes, spot colours, layers and the ledger."""
+"""Whole files: positions, sizes, spot colours, layers and the import report."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def fates(drawing: Drawing) -> list[tuple[str, str]]:
 
 
 def off(one: Drawing, other: Drawing) -> float:
-    """How far one drawing is from another at most."""
+    """Return the greatest distance between two drawings."""
     points = arc.points_along(one.ends[:, 0], one.ends[:, 1], one.bulge, 9).reshape(-1, 2)
     start, end = other.ends[:, 0], other.ends[:, 1]
     farthest = 0.0
@@ -49,8 +49,8 @@ def off(one: Drawing, other: Drawing) -> float:
 
 @pytest.mark.parametrize("layered", [True, False])
 @pytest.mark.parametrize("flate", [True, False])
-def test_the_carton_is_that_of_the_svg(layered: bool, flate: bool) -> None:
-    # Without its ellipse, which both fit with arcs of their own within 0.01 mm.
+def test_the_carton_equals_that_of_the_svg(layered: bool, flate: bool) -> None:
+    # Without the ellipse, which both readers fit with different arcs within 0.01 mm.
     ellipse = b'<ellipse cx="85" cy="50" rx="12" ry="6"/>'
     as_svg = read_svg(svg_text.carton().replace(ellipse, b""))
     ours = read(carton(layered=layered, flate=flate))
@@ -70,21 +70,22 @@ def test_the_carton_is_that_of_the_svg(layered: bool, flate: bool) -> None:
 
 
 def pick(drawing: Drawing, kept: np.ndarray) -> Drawing:
-    """Some of a drawing's edges."""
+    """Return the drawing with the chosen edges only."""
     columns = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
     given = {name: getattr(drawing, name)[kept] for name in columns}
     rest = {name: getattr(drawing, name) for name in ("layers", "linetypes", "ledger", "unit")}
     return Drawing(**given, **rest, evidence=Message("unit.not-given"))
 
 
-def test_its_ellipse_is_followed_within_a_hundredth() -> None:
+def test_its_ellipse_is_approximated_within_a_hundredth() -> None:
     drawing = read(carton())
     ellipse = drawing.entity == 2
     points = arc.points_along(
         drawing.ends[ellipse, 0], drawing.ends[ellipse, 1], drawing.bulge[ellipse], 20
     )
     x, y = ((points.reshape(-1, 2) - [85, 50]) / [12, 6]).T
-    # A point off the ellipse by e has a radius off 1 by at most e over the smaller half axis.
+    # A point at distance e from the ellipse has a radius that differs from 1 by at most
+    # e / (smaller half axis).
     assert np.abs(np.hypot(x, y) - 1).max() <= 0.0101 / 6
 
 
@@ -97,20 +98,20 @@ def test_it_is_classified_without_a_question(layered: bool) -> None:
         kind: drawing.lengths[dieline.line_type == kind].sum()
         for kind in (LineType.CUT, LineType.CREASE)
     }
-    # Outline, circle and ellipse; three creases of 80 mm.
+    # PathBuilder, circle and ellipse; three creases of 80 mm.
     outline = 2 * 200 + 2 * 80 - 2 * 20 + 10 * math.pi
     assert_allclose(lengths[LineType.CUT], outline + 16 * math.pi + 58.13, atol=0.01)
     assert_allclose(lengths[LineType.CREASE], 240)
 
 
-# ── Places ────────────────────────────────────────────────────────────────────────────────────
+# ── Positions ────────────────────────────────────────────────────────────────────────────────────
 
 
 def test_a_point_is_a_seventy_second_of_an_inch() -> None:
     drawing = read(pdf("0 0 m 72 36 l S"))
     assert_allclose(drawing.ends, [[[0.0, 0.0], [25.4, 12.7]]])
     assert (drawing.unit, drawing.stated) == ("pt", "pt")
-    assert str(drawing.evidence) == "a PDF counts in points of 1/72 in"
+    assert str(drawing.evidence) == "a PDF is in points of 1/72 in"
 
 
 def test_a_user_unit_makes_the_page_larger() -> None:
@@ -119,7 +120,7 @@ def test_a_user_unit_makes_the_page_larger() -> None:
     assert str(drawing.evidence) == "UserUnit = 10 points of 1/72 in"
 
 
-def test_the_user_has_the_last_word_on_the_unit() -> None:
+def test_the_unit_of_the_user_has_priority() -> None:
     drawing = read(pdf("0 0 m 72 36 l S"), "mm")
     assert_allclose(drawing.ends, [[[0, 0], [72, 36]]])
     assert (drawing.unit, str(drawing.evidence), drawing.stated) == ("mm", "given", "pt")
@@ -128,7 +129,7 @@ def test_the_user_has_the_last_word_on_the_unit() -> None:
 @pytest.mark.parametrize(
     ("turn", "ends"),
     [
-        # A page of 2 by 1 in; the line goes from its lower left corner an inch to the right.
+        # A page of 2 by 1 in, with a line of one inch to the right from its lower left corner.
         (0, [[0, 0], [1, 0]]),
         (90, [[0, 2], [0, 1]]),
         (180, [[2, 1], [1, 1]]),
@@ -136,12 +137,12 @@ def test_the_user_has_the_last_word_on_the_unit() -> None:
         (-90, [[1, 0], [1, 1]]),
     ],
 )
-def test_a_page_is_turned_clockwise(turn: int, ends: list[list[float]]) -> None:
+def test_a_page_is_rotated_clockwise(turn: int, ends: list[list[float]]) -> None:
     drawing = read(pdf("0 0 m 72 0 l S", size=(144.0, 72.0), page=f"/Rotate {turn}"))
     assert_allclose(drawing.ends / 25.4, [ends], atol=1e-12)
 
 
-def test_the_crop_is_the_page_and_what_lies_beside_it_is_dropped() -> None:
+def test_lines_outside_the_crop_box_are_dropped() -> None:
     drawing = read(
         pdf(
             "20 20 m 30 30 l S 0 0 m 5 5 l S 15 15 m 0 0 l S",
@@ -151,24 +152,24 @@ def test_the_crop_is_the_page_and_what_lies_beside_it_is_dropped() -> None:
     assert_allclose(drawing.ends[0] * MM, [[10, 10], [20, 20]])
     assert fates(drawing) == [
         ("path", "kept"),
-        ("path", "it lies outside of what the page shows"),
-        ("path", "kept: part of it lies outside of what the page shows"),
+        ("path", "it lies outside the visible area of the page"),
+        ("path", "kept: part of it lies outside the visible area of the page"),
     ]
 
 
-def test_states_are_kept_and_matrices_are_nested() -> None:
+def test_graphics_states_are_stacked_and_matrices_nested() -> None:
     drawing = read(
         pdf(
             "q 2 0 0 2 10 0 cm q 0 1 -1 0 0 0 cm 0 0 m 5 0 l S Q 0 0 m 5 0 l S Q 0 0 m 5 0 l S",
         )
     )
-    # Turned a quarter, then twice as large and 10 to the right.
+    # Rotated by 90°, then scaled by 2 and moved by 10.
     assert_allclose(
         drawing.ends * MM, [[[10, 0], [10, 10]], [[10, 0], [20, 0]], [[0, 0], [5, 0]]], atol=1e-12
     )
 
 
-def test_a_rectangle_is_four_lines_all_round() -> None:
+def test_a_rectangle_is_a_contour_of_four_lines() -> None:
     drawing = read(pdf("10 20 30 40 re S"))
     assert_allclose(drawing.bounds * MM, [10, 20, 40, 60])
     assert (drawing.ends[:-1, 1] == drawing.ends[1:, 0]).all()
@@ -176,12 +177,12 @@ def test_a_rectangle_is_four_lines_all_round() -> None:
 
 
 def test_the_three_ways_to_write_a_curve() -> None:
-    # The first handle on the begin, the second on the end, neither: the same curve.
+    # The same curve with the first handle at the start, with the second at the end, with neither.
     by_v = read(pdf("0 0 m 30 40 60 0 v S"))
     by_y = read(pdf("0 0 m 30 40 60 0 y S"))
     by_c = read(pdf("0 0 m 0 0 30 40 60 0 c S"))
     assert_allclose(by_v.ends, by_c.ends)
-    # At its middle: 3/8 of each handle and 1/8 of the end.
+    # At its middle: 3/8 of each handle and 1/8 of each end.
     assert_allclose(by_v.bounds[3] * MM, 40 * 4 / 9, atol=0.05)
     assert_allclose(by_y.bounds[3], by_v.bounds[3], atol=0.02)
     assert_allclose(by_v.lengths.sum(), by_y.lengths.sum(), rtol=1e-3)
@@ -190,7 +191,7 @@ def test_the_three_ways_to_write_a_curve() -> None:
 @pytest.mark.parametrize(
     ("paints", "lines"), [("S", 2), ("s", 3), ("B", 2), ("b*", 3), ("f", 2), ("n", 0)]
 )
-def test_what_paints_a_path_may_close_it(paints: str, lines: int) -> None:
+def test_painting_operators_may_close_the_path(paints: str, lines: int) -> None:
     assert len(read(pdf(f"0 0 m 10 0 l 10 10 l {paints}"))) == lines
 
 
@@ -198,7 +199,7 @@ coordinates = st.integers(0, 200).map(lambda value: value / 2)
 
 
 @given(st.lists(st.tuples(coordinates, coordinates), min_size=4, max_size=4, unique=True))
-def test_a_curve_is_followed_within_a_hundredth(control: list[tuple[float, float]]) -> None:
+def test_a_curve_is_approximated_within_a_hundredth(control: list[tuple[float, float]]) -> None:
     (a, b), (c, d), (e, f), (x, y) = control
     drawing = read(pdf(f"{MM!r} 0 0 {MM!r} 0 0 cm {a} {b} m {c} {d} {e} {f} {x} {y} c S"))
     t = np.linspace(0, 1, 200)[:, None]
@@ -216,7 +217,7 @@ def test_a_curve_is_followed_within_a_hundredth(control: list[tuple[float, float
 
 
 @given(st.floats(-180, 180), st.booleans(), st.floats(0.1, 10))
-def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(
+def test_rotating_or_mirroring_a_page_transforms_its_edges(
     turn: float, mirror: bool, size: float
 ) -> None:
     path = f"10 0 m {bends(0, 0, 10, 10, 0, 2.0)} 30 40 l S"
@@ -236,7 +237,7 @@ def test_a_turned_or_mirrored_page_has_the_turned_or_mirrored_edges(
     assert_allclose(turned.lengths.sum(), size * plain.lengths.sum(), rtol=1e-3)
 
 
-# ── What a line is drawn with ─────────────────────────────────────────────────────────────────
+# ── Style ─────────────────────────────────────────────────────────────────
 
 
 @pytest.mark.parametrize(
@@ -284,7 +285,7 @@ def test_a_stroke_has_a_true_colour_and_the_nearest_index(
     assert (drawing.true_colour.tolist(), drawing.colour.tolist()) == ([true_colour], [index])
 
 
-def test_a_spot_colour_is_the_layer_of_what_lies_on_none() -> None:
+def test_a_spot_colour_is_the_layer_of_lines_without_one() -> None:
     drawing = read(
         pdf("/Cut CS 1 SCN 0 0 m 9 0 l S /Fold CS 1 SCN 0 5 m 9 5 l S 0 G 0 9 m 9 9 l S")
     )
@@ -295,13 +296,13 @@ def test_a_spot_colour_is_the_layer_of_what_lies_on_none() -> None:
     ("ink", "layer"),
     [("Thru-cut", "Thru-cut"), ("Kiss#20cut", "Kiss cut"), ("Dieline", "Dieline"), ("Black", "0")],
 )
-def test_the_name_of_an_ink_is_taken_as_it_is(ink: str, layer: str) -> None:
+def test_the_name_of_an_ink_is_not_changed(ink: str, layer: str) -> None:
     spot = separation(ink, "0 0 0 1")
     drawing = read(pdf("/X CS 1 SCN 0 0 m 9 0 l S", spaces=f"/X {spot}"))
     assert drawing.layers == (layer,)
 
 
-def test_of_several_inks_at_once_the_one_that_is_used_is_the_name() -> None:
+def test_the_only_used_ink_of_several_is_the_name() -> None:
     space = (
         "[/DeviceN [/Cyan /Perf] /DeviceCMYK <</FunctionType 2 /Domain [0 1] /C0 [0 0 0 0] "
         "/C1 [1 0 0 0] /N 1>>]"
@@ -313,14 +314,14 @@ def test_of_several_inks_at_once_the_one_that_is_used_is_the_name() -> None:
 @pytest.mark.parametrize(
     ("names", "layers"),
     [
-        # Layers that say what a line is.
+        # Layers that name a line type.
         (("CUT", "CREASE"), ("CUT", "CREASE")),
-        # Layers that do not: then the spot colours do.
+        # Layers that do not: the spot colour is the name.
         (("Dieline", "Dieline"), ("CutContour", "Crease")),
         (("Layer 1", "Ebene 2"), ("CutContour", "Crease")),
     ],
 )
-def test_the_layer_is_the_name_unless_it_says_nothing(
+def test_the_layer_is_the_name_unless_it_is_vague(
     names: tuple[str, str], layers: tuple[str, str]
 ) -> None:
     drawing = read(
@@ -333,7 +334,7 @@ def test_the_layer_is_the_name_unless_it_says_nothing(
     assert drawing.layers == layers
 
 
-def test_where_lines_of_several_spot_colours_lie_on_one_layer_the_colours_are_the_names() -> None:
+def test_several_spot_colours_on_one_layer_are_the_names() -> None:
     drawing = read(
         pdf(
             "/OC /L0 BDC /Cut CS 1 SCN 0 0 m 9 0 l S /Fold CS 1 SCN 0 5 m 9 5 l S EMC",
@@ -357,7 +358,7 @@ def test_dashes_are_a_linetype(dash: str, linetype: str) -> None:
     assert read(pdf(f"{dash} 0 0 m 9 0 l S")).linetypes == (linetype,)
 
 
-def test_a_dictionary_of_the_graphics_state_dashes_and_hides() -> None:
+def test_graphics_state_dictionary_sets_dashes_and_opacity() -> None:
     drawing = read(
         pdf(
             "q /Dash gs 0 0 m 9 0 l S Q /Gone gs 0 5 m 9 5 l S",
@@ -365,10 +366,10 @@ def test_a_dictionary_of_the_graphics_state_dashes_and_hides() -> None:
         )
     )
     assert drawing.linetypes == ("dashed",)
-    assert reasons(drawing)["#2"] == "nothing of it is seen"
+    assert reasons(drawing)["#2"] == "it is fully transparent"
 
 
-# ── Layers that are not shown ─────────────────────────────────────────────────────────────────
+# ── Hidden layers ─────────────────────────────────────────────────────────────────
 
 TWO = "/OC /L0 BDC 0 0 m 9 0 l S EMC /OC /L1 BDC 0 5 m 8 5 l S EMC"
 
@@ -382,7 +383,7 @@ TWO = "/OC /L0 BDC 0 0 m 9 0 l S EMC /OC /L1 BDC 0 5 m 8 5 l S EMC"
         ("/BaseState /OFF", []),
     ],
 )
-def test_a_layer_that_is_switched_off_is_hidden(default: str, shown: list[int]) -> None:
+def test_a_layer_that_is_off_is_hidden(default: str, shown: list[int]) -> None:
     drawing = read(pdf(TWO, layers=["Cut", "Perf"], default=default))
     assert [("Cut", "Perf").index(name) for name in drawing.layers] == shown
     for row in {0, 1} - set(shown):
@@ -395,7 +396,7 @@ def test_a_layer_that_is_switched_off_is_hidden(default: str, shown: list[int]) 
     ("policy", "shown"),
     [("", True), ("/P /AllOn", False), ("/P /AnyOff", True), ("/P /AllOff", False)],
 )
-def test_a_membership_is_shown_as_its_policy_says(policy: str, shown: bool) -> None:
+def test_the_policy_of_a_membership_determines_visibility(policy: str, shown: bool) -> None:
     drawing = read(
         pdf(
             "/OC /L2 BDC 0 0 m 9 0 l S EMC",
@@ -408,7 +409,7 @@ def test_a_membership_is_shown_as_its_policy_says(policy: str, shown: bool) -> N
     assert len(drawing) == shown
 
 
-def test_what_lies_on_a_hidden_layer_is_hidden_on_any_other() -> None:
+def test_a_visible_layer_inside_a_hidden_one_is_hidden() -> None:
     drawing = read(
         pdf(
             "/OC /L0 BDC /OC /L1 BDC 0 0 m 9 0 l S EMC EMC 0 5 m 9 5 l S",
@@ -426,7 +427,7 @@ def form(content: str, entries: str = "") -> bytes:
     return stream(content.encode(), f"/Type /XObject /Subtype /Form {entries}")
 
 
-def test_a_form_is_drawn_where_it_stands() -> None:
+def test_a_form_is_copied_to_its_position() -> None:
     drawing = read(
         pdf(
             "1 0 0 1 20 0 cm /Fm0 Do 1 0 0 1 20 0 cm /Cut CS 1 SCN /Fm0 Do",
@@ -439,7 +440,7 @@ def test_a_form_is_drawn_where_it_stands() -> None:
     assert drawing.layers == ("0", "CutContour")
 
 
-def test_a_form_has_names_of_its_own_and_lies_on_layers() -> None:
+def test_a_form_has_its_own_resources_and_layer() -> None:
     inner = "/Resources <</ColorSpace <</Cut [/Separation /Perf /DeviceGray 9 0 R]>>>> /OC 6 0 R"
     drawing = read(
         pdf(
@@ -452,7 +453,7 @@ def test_a_form_has_names_of_its_own_and_lies_on_layers() -> None:
     assert drawing.layers == ("Perf", "CutContour")
 
 
-def test_what_a_form_bounds_is_not_seen_beyond_it() -> None:
+def test_the_box_of_a_form_clips_its_content() -> None:
     drawing = read(
         pdf(
             "/Fm0 Do",
@@ -462,7 +463,7 @@ def test_what_a_form_bounds_is_not_seen_beyond_it() -> None:
     )
     assert [fate for _, fate in fates(drawing)] == [
         "kept",
-        "it lies outside of what the page shows",
+        "it lies outside the visible area of the page",
     ]
 
 
@@ -478,10 +479,10 @@ def test_a_form_that_contains_itself_is_dropped() -> None:
     assert len(drawing) == 2
 
 
-# ── The ledger ────────────────────────────────────────────────────────────────────────────────
+# ── Import report ────────────────────────────────────────────────────────────────────────────────
 
 
-def test_lengths_in_the_ledger_add_up() -> None:
+def test_lengths_in_the_report_add_up() -> None:
     drawing = read(carton())
     assert_allclose(drawing.ledger.length.sum(), drawing.lengths.sum())
     by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
@@ -490,7 +491,7 @@ def test_lengths_in_the_ledger_add_up() -> None:
     assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
 
 
-def test_everything_on_the_page_has_a_row_and_what_is_no_line_its_reason() -> None:
+def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
     drawing = read(
         pdf(
             "0 0 m 9 0 l S 0 0 9 9 re f 0 0 50 50 re W n 0 0 9 9 re n",
@@ -504,34 +505,32 @@ def test_everything_on_the_page_has_a_row_and_what_is_no_line_its_reason() -> No
     )
     assert fates(drawing) == [
         ("path", "kept"),
-        ("path", "a filled area without a stroke; others have one"),
-        ("path", "it only bounds what is shown of others"),
-        ("path", "it is not drawn"),
-        ("image", "a picture is not cut"),
-        ("form", "there is nothing with the name 'Gone' that can be drawn"),
-        ("image", "a picture is not cut"),
-        ("shading", "an area of colour is not cut"),
+        ("path", "a filled area without a stroke, on a page with strokes"),
+        ("path", "it is only a clipping path"),
+        ("path", "it has neither a stroke nor a fill"),
+        ("image", "images are not cut"),
+        ("form", "no form or image has the name 'Gone'"),
+        ("image", "images are not cut"),
+        ("shading", "shadings are not cut"),
         ("path", "its path is empty"),
         ("path", "a coordinate is not a number; the limit is 2.83465e+07"),
-        ("path", "its numbers for 'm' cannot be read"),
+        ("path", "the operands of its operator 'm' are invalid"),
         ("text", "text is not cut"),
-        ("operator", "'frobnicate' is no operator that is known"),
-        ("path", "nothing of it is seen"),
-        ("path", "the page ends before it is drawn"),
-        ("annotation", "2 notes and fields that lie on the page are not cut"),
+        ("operator", "the operator 'frobnicate' is unknown"),
+        ("path", "it is fully transparent"),
+        ("path", "the page ends before the path is painted"),
+        ("annotation", "2 notes and form fields on the page are not cut"),
     ]
 
 
-def test_areas_are_lines_only_where_nothing_has_a_stroke() -> None:
+def test_fills_are_lines_only_on_pages_without_strokes() -> None:
     drawing = read(pdf("1 0 0 rg 0 0 9 9 re f"))
     assert len(drawing) == 4
     assert drawing.true_colour.tolist() == [0xFF0000] * 4
-    assert reasons(drawing)["#1"] == (
-        "kept: outline of a filled area: nothing on the page has a stroke"
-    )
+    assert reasons(drawing)["#1"] == ("kept: outline of a filled area: the page has no strokes")
 
 
-def test_only_the_first_page_is_read_and_that_is_said() -> None:
+def test_only_the_first_page_is_read_and_others_are_reported() -> None:
     page = "<</Type /Page /Parent 2 0 R /MediaBox [0 0 9 9] /Contents {} 0 R>>"
     drawing = read(
         objects(
@@ -547,7 +546,7 @@ def test_only_the_first_page_is_read_and_that_is_said() -> None:
     assert fates(drawing)[-1] == ("page", "only the first of 2 pages is read")
 
 
-def test_a_page_may_be_written_in_several_streams() -> None:
+def test_a_page_may_have_several_content_streams() -> None:
     drawing = read(
         objects(
             "<</Type /Catalog /Pages 2 0 R>>",
@@ -560,7 +559,7 @@ def test_a_page_may_be_written_in_several_streams() -> None:
     assert_allclose(drawing.lengths * MM, [9])
 
 
-def test_words_are_read_by_the_table_of_their_font() -> None:
+def test_texts_are_decoded_by_the_table_of_their_font() -> None:
     table = b"1 beginbfrange <0003> <0005> <0041> endbfrange 1 beginbfchar <0009> <00DF> endbfchar"
     drawing = read(
         pdf(
@@ -577,11 +576,11 @@ def test_words_are_read_by_the_table_of_their_font() -> None:
     (words,) = drawing.inscriptions
     assert words.text == "AB ß C"
     assert_allclose(np.array([words.x, words.y, words.height]) * MM, [30, 40, 20])
-    assert fates(drawing)[1] == ("text", "text is not cut, and its letters are not known")
+    assert fates(drawing)[1] == ("text", "text is not cut, and its encoding is unknown")
 
 
 def test_objects_may_be_packed_into_a_stream() -> None:
-    """As every program since PDF 1.5 writes them: an object stream and a cross-reference stream."""
+    """Read an object stream and a cross-reference stream, which PDF 1.5 introduced."""
     content = stream(b"0 0 m 72 0 l S", flate=True)
     packed = [
         "<</Type /Catalog /Pages 2 0 R>>",

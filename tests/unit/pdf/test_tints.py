@@ -1,4 +1,4 @@
-"""Programs that say what a tint looks like."""
+"""Programs that convert a tint to a colour."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.pdf.tints import _calculated
+from knifetip.pdf.tints import _run_program
 
 
 @pytest.mark.parametrize(
@@ -17,7 +17,7 @@ from knifetip.pdf.tints import _calculated
         (b"{1 sub neg 4 div}", [0.125]),
         (b"{1 2 3 1 index}", [0.5, 1, 2, 3, 2]),
         (b"{1 2 2 copy}", [0.5, 1, 2, 1, 2]),
-        # Once upwards: the last comes to stand first.
+        # Rolled upwards by one: the last becomes the first.
         (b"{1 2 3 3 1 roll}", [0.5, 3, 1, 2]),
         (b"{1 2 3 3 -1 roll}", [0.5, 2, 3, 1]),
         (b"{1 0 div}", []),
@@ -27,8 +27,8 @@ from knifetip.pdf.tints import _calculated
         (b"{" + b"1 " * 200 + b"}", []),
     ],
 )
-def test_a_program_leaves_what_it_calculates_from_a_half(program: bytes, left: list[float]) -> None:
-    assert _calculated(program, 0.5) == left
+def test_result_of_a_program_for_a_tint_of_one_half(program: bytes, left: list[float]) -> None:
+    assert _run_program(program, 0.5) == left
 
 
 WORDS = "add sub mul div neg pop dup exch index copy roll 0 1 2 -1 3 1e308 { }"
@@ -36,4 +36,4 @@ WORDS = "add sub mul div neg pop dup exch index copy roll 0 1 2 -1 3 1e308 { }"
 
 @given(st.lists(st.sampled_from(WORDS.split()), max_size=40))
 def test_any_program_ends(program: list[str]) -> None:
-    assert len(_calculated(" ".join(program).encode(), 1.0)) <= 100
+    assert len(_run_program(" ".join(program).encode(), 1.0)) <= 100

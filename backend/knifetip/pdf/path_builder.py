@@ -1,6 +1,6 @@
-"""outline: a path while it is built, in the coordinates that it is written in.
+"""path_builder: build paths from operators, in their own coordinates.
 
-    m 10 20, l 30 20, h -> two lines, there and back
+    m 10 20, l 30 20, h -> two lines, the second of which closes the path
 
 Source: ISO 32000-1, chapter 8.5.2.
 """
@@ -18,57 +18,57 @@ from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64
 
 
-class Outline:
-    """The segments of all paths that are kept so far, and behind them those of the next one."""
+class PathBuilder:
+    """The segments of all kept paths, followed by those of the current path."""
 
     def __init__(self, limits: Limits) -> None:
         self.kind = array("B")
-        self.numbers = array("d")  #: eight to a segment, as ``paths.Table`` has them
-        self.wrong: str  #: the operator that cannot be read
-        self.begun: bool
+        self.numbers = array("d")  #: eight for each segment, as in ``paths.Table``
+        self.wrong: str  #: the first operator with invalid operands, empty if none
+        self.started: bool  #: whether the current path has operators
         self._limits = limits
         self._kept = 0
-        self._over()
+        self._start_path()
 
     def add(self, operator: str, given: list[float]) -> None:
-        """Go on with the path by one of ``BUILDS``."""
+        """Add an operator, a key of ``BUILDERS``, to the current path."""
         try:
-            BUILDS[operator](self, *given)
+            BUILDERS[operator](self, *given)
         except TypeError:
-            # Too few numbers, too many, or something that is none.
+            # The number or the type of the operands is wrong.
             self.wrong = self.wrong or operator
-        self.begun = True
+        self.started = True
 
     @property
     def size(self) -> int:
-        """Segments of the path."""
+        """Number of segments of the current path."""
         return len(self.kind) - self._kept
 
     def ends(self) -> F64:
-        """Return the points between which the path lies, (n, 2)."""
+        """Return the ends and control points of the current path, (n, 2)."""
         numbers = np.array(self.numbers[8 * self._kept :]).reshape(-1, 4, 2)
         curved = np.array(self.kind[self._kept :]) == CUBIC
         return np.concatenate([numbers[:, :2].reshape(-1, 2), numbers[curved, 2:].reshape(-1, 2)])
 
     def keep(self) -> int:
-        """Keep the path, and return how many segments it has."""
+        """Keep the current path, and return its number of segments."""
         size = self.size
         self._kept = len(self.kind)
-        self._over()
+        self._start_path()
         return size
 
     def drop(self) -> None:
-        """Forget the path."""
+        """Remove the current path."""
         del self.kind[self._kept :]
         del self.numbers[8 * self._kept :]
-        self._over()
+        self._start_path()
 
-    def _over(self) -> None:
-        self.wrong, self.begun = "", False
-        self._x = self._y = self._home_x = self._home_y = float("nan")
+    def _start_path(self) -> None:
+        self.wrong, self.started = "", False
+        self._x = self._y = self._start_x = self._start_y = float("nan")
 
     def _move(self, x: float, y: float) -> None:
-        self._x, self._y = self._home_x, self._home_y = x, y
+        self._x, self._y = self._start_x, self._start_y = x, y
 
     def _line(self, x: float, y: float) -> None:
         self.kind.append(LINE)
@@ -91,8 +91,8 @@ class Outline:
         self._curve(a, b, x, y, x, y)
 
     def _close(self) -> None:
-        if self._x != self._home_x or self._y != self._home_y:
-            self._line(self._home_x, self._home_y)
+        if self._x != self._start_x or self._y != self._start_y:
+            self._line(self._start_x, self._start_y)
 
     def _rectangle(self, x: float, y: float, wide: float, high: float) -> None:
         self._move(x, y)
@@ -103,12 +103,12 @@ class Outline:
 
 
 #: Operators that build a path.
-BUILDS: Final[dict[str, Callable[..., None]]] = {
-    "m": Outline._move,
-    "l": Outline._line,
-    "c": Outline._curve,
-    "v": Outline._curve_from,
-    "y": Outline._curve_to,
-    "h": Outline._close,
-    "re": Outline._rectangle,
+BUILDERS: Final[dict[str, Callable[..., None]]] = {
+    "m": PathBuilder._move,
+    "l": PathBuilder._line,
+    "c": PathBuilder._curve,
+    "v": PathBuilder._curve_from,
+    "y": PathBuilder._curve_to,
+    "h": PathBuilder._close,
+    "re": PathBuilder._rectangle,
 }

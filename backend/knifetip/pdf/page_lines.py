@@ -1,0 +1,179 @@
+"""page_lines: collect the lines of a page, and its import report.
+
+    paths, each with its matrix and its style -> Table, Paths, Styles
+
+Every path, text and image has a row in the report; paths keep their matrix to page coordinates.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from knifetip.drawing_builder.colours import nearest_index
+from knifetip.drawing_builder.columns import Style
+from knifetip.drawing_builder.paths import Paths, Table, boxes
+from knifetip.drawing_builder.report import ReportWriter
+from knifetip.errors import DrawingTooLarge
+from knifetip.formats.limits import Limits
+from knifetip.geometry.affine import Matrix
+from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.model.drawing import Inscription, LocationBoxes
+from knifetip.pdf.colours import Paint
+from knifetip.pdf.document import Box
+from knifetip.pdf.layers import layer_names
+from knifetip.pdf.path_builder import PathBuilder
+
+
+class LayerMark(NamedTuple):
+    """The layer of an object on the page."""
+
+    layer: str
+    hidden: str  #: name of the hidden layer that contains it, empty if it is visible
+
+
+class LineStyle(NamedTuple):
+    """Layer, colour and dashes of a line."""
+
+    layer: str
+    paint: Paint
+    dashed: bool
+
+
+class PageLine(NamedTuple):
+    """A path on the page."""
+
+    row: int
+    size: int  #: number of segments
+    matrix: Matrix  #: from its coordinates to points on the displayed page
+    clip: Box  #: its visible area on that page
+    style: LineStyle
+    area: bool  #: filled, without a stroke
+
+
+#: Lines that exceed the visible area by less than this get no note (points).
+_MARGIN: Final = 0.01
+
+
+class PageLines:
+    """The lines and texts of a page."""
+
+    def __init__(self, limits: Limits) -> None:
+        self.report = ReportWriter()
+        self.path = PathBuilder(limits)
+        self.inscriptions: list[Inscription] = []  #: in points
+        self._limits = limits
+        self._lines: list[PageLine] = []
+
+    def row(self, path: str, kind: str, mark: LayerMark, dropped: str = "") -> int:
+        """Add a row to the import report.
+
+        Parameters
+        ----------
+        path
+            Names of the forms that contain it, each followed by a slash.
+        """
+        if len(self.report.handle) >= self._limits.entities:
+            raise DrawingTooLarge(
+                "reading.too-many-elements", limit=self._limits.entities, format="PDF"
+            )
+        handle = f"{path}#{len(self.report.handle) + 1}"
+        return self.report.row(handle, kind, mark.layer or "0", dropped)
+
+    def line(self, row: int, matrix: Matrix, clip: Box, style: LineStyle, *, area: bool) -> None:
+        """Add the path that was built."""
+        self._lines.append(PageLine(row, self.path.keep(), matrix, clip, style, area))
+
+    @property
+    def empty(self) -> bool:
+        """Whether the page has no lines."""
+        return not self._lines
+
+    def collect(self) -> tuple[Table, Paths, list[Style]]:
+        """Return segments, paths and styles of the whole page."""
+        lines = self._lines
+        size = np.array([line.size for line in lines], np.int64)
+        path = np.repeat(np.arange(len(lines), dtype=np.int64), size)
+        numbers = np.array(self.path.numbers, np.float64).reshape(-1, 8)
+        table = Table(np.array(self.path.kind, np.uint8), numbers, path)
+        matrix = np.array([line.matrix for line in lines], np.float64).reshape(-1, 6)
+        row = np.array([line.row for line in lines], np.int32)
+        with np.errstate(all="ignore"):
+            box = boxes(table, matrix)
+            keep = self._drop_invisible(box) & self._drop_fills()
+        self.report.location_boxes.append(LocationBoxes(row[~keep], box[~keep]))
+        kept_segments = keep[path]
+        number = np.cumsum(keep) - 1
+        table = Table(
+            table.kind[kept_segments], numbers[kept_segments], number[path[kept_segments]]
+        )
+        styles, style = self._assign_styles(
+            [line for line, kept in zip(lines, keep.tolist(), strict=True) if kept]
+        )
+        return table, Paths(row[keep], style, matrix[keep]), styles
+
+    def _drop_invisible(self, box: F64) -> Bool:
+        """Drop the lines outside the visible area; return which of p lines remain, (p,).
+
+        Parameters
+        ----------
+        box : (p, 4)
+            The bounding box of each line.
+        """
+        clip = np.array([line.clip for line in self._lines], np.float64).reshape(-1, 4)
+        low, high = box[:, :2], box[:, 2:]
+        beside = ((high < clip[:, :2]) | (low > clip[:, 2:])).any(axis=1)
+        over = ((low < clip[:, :2] - _MARGIN) | (high > clip[:, 2:] + _MARGIN)).any(axis=1)
+        for one in np.flatnonzero(beside).tolist():
+            self.report.dropped[self._lines[one].row] = (
+                "it lies outside the visible area of the page"
+            )
+        for one in np.flatnonzero(over & ~beside).tolist():
+            self._note(self._lines[one].row, "part of it lies outside the visible area of the page")
+        shown: Bool = np.logical_not(beside)
+        return shown
+
+    def _drop_fills(self) -> Bool:
+        """Drop areas with a fill but no stroke, unless the page has no strokes at all.
+
+        Returns
+        -------
+        keep : (p,)
+        """
+        areas = np.array([line.area for line in self._lines], bool)
+        stroked = not areas.all()
+        for one in np.flatnonzero(areas).tolist():
+            row = self._lines[one].row
+            if stroked:
+                self.report.dropped.setdefault(
+                    row, "a filled area without a stroke, on a page with strokes"
+                )
+            else:
+                self._note(row, "outline of a filled area: the page has no strokes")
+        return ~areas | (not stroked)
+
+    def _assign_styles(self, lines: list[PageLine]) -> tuple[list[Style], I32]:
+        """Return the styles and the style index of each line; set the layer of its row."""
+        named = layer_names({(line.style.layer, line.style.paint.spot) for line in lines})
+        styles: list[Style] = []
+        known: dict[LineStyle, int] = {}
+        style = np.zeros(len(lines), np.int32)
+        for number, line in enumerate(lines):
+            layer, (colour, spot, _), dashed = line.style
+            name = named[layer, spot]
+            self.report.layer[line.row] = name
+            if spot and name.lower() != spot.lower():
+                self._note(line.row, f"drawn in the spot colour {spot}")
+            elif layer and name.lower() != layer.lower():
+                self._note(line.row, f"on the layer {layer}")
+            found = known.get(line.style)
+            if found is None:
+                found = known[line.style] = len(styles)
+                linetype = "dashed" if dashed else "Continuous"
+                styles.append(Style(name, nearest_index(colour), max(colour, -1), linetype))
+            style[number] = found
+        return styles, style
+
+    def _note(self, row: int, what: str) -> None:
+        self.report.notes.setdefault(row, []).append(what)

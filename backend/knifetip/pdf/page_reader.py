@@ -1,0 +1,130 @@
+"""page_reader: read a page with all copies of its forms.
+
+    PdfFile, Page -> PageLines: the lines, and a row for every path, text and image
+
+Coordinates are points on the displayed page, with (0, 0) at its lower left corner.  The size of the
+expanded forms is limited.
+
+Source: ISO 32000-1, chapters 7.7.3, 7.8 and 8.10.
+"""
+
+from __future__ import annotations
+
+from pypdf.generic import DictionaryObject, StreamObject
+
+from knifetip.errors import DrawingTooLarge, NotADrawing
+from knifetip.geometry.affine import Matrix, chained
+from knifetip.pdf.content import TruncatedStream
+from knifetip.pdf.document import UNBOUNDED, Box, Page, PdfFile
+from knifetip.pdf.layers import Layers
+from knifetip.pdf.page_lines import LayerMark, PageLines
+from knifetip.pdf.resources import Resources
+from knifetip.pdf.stream import (
+    PageContext,
+    State,
+    Stream,
+    StreamContext,
+    intersect,
+    transformed_box,
+)
+
+
+def read_page(file: PdfFile, page: Page) -> PageLines:
+    """Return the lines and the import report of a page.
+
+    Raises
+    ------
+    NotADrawing
+        The content of the page is truncated.
+    DrawingTooLarge
+        The size of the page with its forms exceeds the limits.
+    """
+    reader = _PageReader(file)
+    reader.read_page(page)
+    return reader.drawn
+
+
+def _display_matrix(page: Page) -> tuple[Matrix, Box]:
+    """Return the matrix from page coordinates to displayed points, and the visible area."""
+    u = page.unit
+    boundless = page.box == UNBOUNDED
+    left, low, right, high = (0.0, 0.0, 0.0, 0.0) if boundless else page.box
+    turned: tuple[Matrix, ...] = (
+        (u, 0.0, 0.0, u, -left * u, -low * u),
+        (0.0, -u, u, 0.0, -low * u, right * u),
+        (-u, 0.0, 0.0, -u, right * u, high * u),
+        (0.0, u, -u, 0.0, high * u, -left * u),
+    )
+    wide, tall = (right - left) * u, (high - low) * u
+    if page.rotate % 2:
+        wide, tall = tall, wide
+    return turned[page.rotate], UNBOUNDED if boundless else (0.0, 0.0, wide, tall)
+
+
+class _PageReader:
+    """Reads the content streams of a page."""
+
+    def __init__(self, file: PdfFile) -> None:
+        self.file = file
+        self.drawn = PageLines(file.limits)
+        self._page = PageContext(file, self.drawn, Layers(file), Resources(file), set(), self.form)
+        self._read = 0
+
+    def read_page(self, page: Page) -> None:
+        """Read a page; report annotations and other pages, which are not read."""
+        matrix, seen = _display_matrix(page)
+        state = State(matrix, seen)
+        none = LayerMark("", "")
+        self.run(self._contents(page), state, StreamContext("", (), none, page.resources))
+        if notes := len(self.file.array(page.node, "/Annots")):
+            what = f"{notes} notes and form fields on the page are not cut"
+            self.drawn.row("", "annotation", none, what)
+        if page.count > 1:
+            what = f"only the first of {page.count} pages is read"
+            self.drawn.row("", "page", none, what)
+
+    def _contents(self, page: Page) -> bytes:
+        given = self.file.entry(page.node, "/Contents")
+        if "/Contents" not in page.node:
+            return b""
+        parts = []
+        for one in given if isinstance(given, list) else [given]:
+            stream = self.file.resolve(one)
+            if not isinstance(stream, StreamObject):
+                raise NotADrawing("pdf.part-missing")
+            parts.append(self.file.data(stream))
+            self._check_size(len(parts[-1]))
+        return b"\n".join(parts)
+
+    def _check_size(self, size: int) -> None:
+        """Add to the expanded size; raise DrawingTooLarge beyond the limit."""
+        self._read += size
+        most = self.file.limits.bytes
+        if self._read > most:
+            raise DrawingTooLarge("pdf.expands-too-far", limit=most / 2**20)
+
+    def run(self, data: bytes, state: State, context: StreamContext) -> None:
+        """Interpret a content stream."""
+        try:
+            Stream(self._page, state, context).interpret(data)
+        except TruncatedStream as error:
+            where = f"form {context.path[:-1]}" if context.path else "page"
+            raise NotADrawing("pdf.content-damaged", where=where, reason=error) from None
+
+    def form(self, node: StreamObject, state: State, context: StreamContext) -> None:
+        """Interpret the content of a form."""
+        file = self.file
+        if (matrix := file.numbers(node, "/Matrix", 6)) is not None:
+            a, b, c, d, e, f = matrix
+            state = state._replace(matrix=chained(state.matrix, (a, b, c, d, e, f)))
+        if (box := file.numbers(node, "/BBox", 4)) is not None:
+            corners = [(x, y) for x in box[::2] for y in box[1::2]]
+            state = state._replace(
+                clip=intersect(state.clip, transformed_box(state.matrix, corners))
+            )
+        resources = file.entry(node, "/Resources")
+        if isinstance(resources, DictionaryObject):
+            context = context._replace(resources=resources)
+        data = file.data(node)
+        self._check_size(len(data))
+        self.run(data, state, context)
