@@ -56,8 +56,8 @@ def test_a_head_on_the_wrong_side_of_the_groove_is_refused(monkeypatch: pytest.M
 
 
 def test_a_plunge_the_wrong_way_along_the_blade_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = vgroove.sideways
-    monkeypatch.setattr(vgroove, "sideways", lambda *args: -right(*args))
+    right = vgroove.sideways_move
+    monkeypatch.setattr(vgroove, "sideways_move", lambda *args: -right(*args))
     assert not verdict(RIGID).accepted
 
 

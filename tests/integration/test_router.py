@@ -141,7 +141,7 @@ def test_a_part_that_nothing_holds_is_refused_where_the_board_wants_bridges(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     line = dieline(OUTLINE)
-    monkeypatch.setattr(radius, "_bridged", lambda _operation, _cutter, way: (way, _none(way)))
+    monkeypatch.setattr(radius, "_with_bridges", lambda _operation, _cutter, way: (way, _none(way)))
     assert "0 bridges hold the part" in judged(line, HELD).findings[0].text
     assert judged(line).accepted
 

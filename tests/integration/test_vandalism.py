@@ -238,8 +238,8 @@ def test_what_is_planned_by_a_wrong_rule_is_refused(
 
 
 def test_a_v_cutter_that_plunges_straight_down_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = vgroove.sideways
-    monkeypatch.setattr(vgroove, "sideways", lambda *args: 0.0 * right(*args))
+    right = vgroove.sideways_move
+    monkeypatch.setattr(vgroove, "sideways_move", lambda *args: 0.0 * right(*args))
     assert not V.judged(V.made()).accepted
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from knifetip.compensation.deflection import calibrated, deflection, programmed
+from knifetip.compensation.deflection import deflection, fit_deflection, programmed_centre
 from knifetip.errors import CompensationError
 
 STEEP = np.array([[3.0, 4.0]])  # f′ 3, g′ 4: sin a 0.8, cos a 0.6
@@ -45,28 +45,30 @@ def test_9_on_the_other_side_the_tool_is_pushed_the_other_way() -> None:
 
 def test_10_one_measured_point_gives_the_largest_deflections() -> None:
     # ΔX₀ −0.02 at sin a₀ 0.5 is δx 0.04; ΔY₀ 0.0433 at cos a₀ 0.866 is δy 0.05.
-    x, y = calibrated(THIRTY, np.array([[-0.02, 0.0433012702]]), 1)
+    x, y = fit_deflection(THIRTY, np.array([[-0.02, 0.0433012702]]), 1)
     assert (x, y) == pytest.approx((0.04, 0.05), abs=1e-10)
 
 
 def test_11_12_from_one_measured_point_to_every_other() -> None:
     # (12): ΔXe = ΔX₀ sin a / sin a₀ = −0.02 · 0.8 / 0.5, ΔYe = 0.0433 · 0.6 / 0.866.
-    x, y = calibrated(THIRTY, np.array([[-0.02, 0.0433012702]]), 1)
+    x, y = fit_deflection(THIRTY, np.array([[-0.02, 0.0433012702]]), 1)
     np.testing.assert_allclose(deflection(STEEP, 1, x, y), [[-0.032, 0.03]], atol=1e-10)
 
 
 def test_12_is_singular_where_the_paper_divides_by_nothing() -> None:
     with pytest.raises(CompensationError, match="δx") as flat:
-        calibrated(np.array([[1.0, 0.0]]), np.array([[0.0, 0.05]]), 1)
+        fit_deflection(np.array([[1.0, 0.0]]), np.array([[0.0, 0.05]]), 1)
     assert "runs along Y" in flat.value.hint
     with pytest.raises(CompensationError, match="δy") as upright:
-        calibrated(np.array([[0.0, 1.0]]), np.array([[-0.1, 0.0]]), 1)
+        fit_deflection(np.array([[0.0, 1.0]]), np.array([[-0.1, 0.0]]), 1)
     assert "runs along X" in upright.value.hint
 
 
 def test_two_points_along_the_axes_serve_where_neither_would_alone() -> None:
     both = np.array([[1.0, 0.0], [0.0, 1.0]])
-    assert calibrated(both, np.array([[0.0, 0.05], [-0.1, 0.0]]), 1) == pytest.approx((0.1, 0.05))
+    assert fit_deflection(both, np.array([[0.0, 0.05], [-0.1, 0.0]]), 1) == pytest.approx(
+        (0.1, 0.05)
+    )
 
 
 def test_least_squares_of_two_points_with_errors() -> None:
@@ -74,17 +76,17 @@ def test_least_squares_of_two_points_with_errors() -> None:
     # cos 0.8 and 0.6, ΔY 0.041 and 0.029: δy = 0.8 · 0.041 + 0.6 · 0.029 = 0.0502.
     tangents = np.array([[8.0, 6.0], [6.0, 8.0]])
     measured = np.array([[-0.059, 0.041], [-0.082, 0.029]])
-    assert calibrated(tangents, measured, 1) == pytest.approx((0.101, 0.0502))
-    assert calibrated(tangents, -measured, -1) == pytest.approx((0.101, 0.0502))
+    assert fit_deflection(tangents, measured, 1) == pytest.approx((0.101, 0.0502))
+    assert fit_deflection(tangents, -measured, -1) == pytest.approx((0.101, 0.0502))
 
 
 def test_5_and_11_together_aim_deeper_by_what_the_board_pushes_back() -> None:
     # n = (−0.8, 0.6): (10 − 0.8 · 2.9, 20 + 0.6 · 2.95); pushed by (−0.08, 0.03) it is at r = 3.
     point = np.array([[10.0, 20.0]])
-    centre = programmed(point, STEEP, 1, 3.0, 0.1, 0.05)
+    centre = programmed_centre(point, STEEP, 1, 3.0, 0.1, 0.05)
     np.testing.assert_allclose(centre, [[7.68, 21.77]], atol=1e-12)
     under_load = centre + np.array([-0.08, 0.03])
     np.testing.assert_allclose(under_load, [[10 - 0.8 * 3, 20 + 0.6 * 3]], atol=1e-12)
     np.testing.assert_allclose(
-        programmed(point, STEEP, -1, 3.0, 0.1, 0.05), [[12.32, 18.23]], atol=1e-12
+        programmed_centre(point, STEEP, -1, 3.0, 0.1, 0.05), [[12.32, 18.23]], atol=1e-12
     )

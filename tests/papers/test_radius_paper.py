@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.compensation.deflection import programmed
+from knifetip.compensation.deflection import programmed_centre
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth, left, unit
@@ -54,14 +54,18 @@ def test_3_the_normal_is_minus_sine_and_cosine() -> None:
 def test_4_the_centre_is_r_along_the_normal() -> None:
     # From (10, 20) with n = (−0.8, 0.6) and r 5: (6, 23), and (14, 17) on the other side.
     point, tangent = np.array([[10.0, 20.0]]), np.array([[3.0, 4.0]])
-    np.testing.assert_allclose(programmed(point, tangent, 1, 5.0, 0, 0), [[6, 23]], atol=1e-12)
-    np.testing.assert_allclose(programmed(point, tangent, -1, 5.0, 0, 0), [[14, 17]], atol=1e-12)
+    np.testing.assert_allclose(
+        programmed_centre(point, tangent, 1, 5.0, 0, 0), [[6, 23]], atol=1e-12
+    )
+    np.testing.assert_allclose(
+        programmed_centre(point, tangent, -1, 5.0, 0, 0), [[14, 17]], atol=1e-12
+    )
 
 
 @given(t=st.floats(0.0, 6.28), r=st.floats(0.1, 8.0), side=st.sampled_from([1, -1]))
 def test_5_on_an_ellipse_by_its_true_derivative(t: float, r: float, side: int) -> None:
     x, y, df, dg = 40 * cos(t), 20 * sin(t), -40 * sin(t), 20 * cos(t)
-    got = programmed(np.array([[x, y]]), np.array([[df, dg]]), side, r, 0.0, 0.0)
+    got = programmed_centre(np.array([[x, y]]), np.array([[df, dg]]), side, r, 0.0, 0.0)
     np.testing.assert_allclose(got, [paper_5(x, y, df, dg, r, side)], atol=1e-12)
 
 
@@ -69,7 +73,7 @@ def test_5_at_three_points_of_the_ellipse_by_hand() -> None:
     # t 0: (40, 0) going up, left is −x. t 90°: (0, 20) going left, left is down. At t 45° the
     # tangent is (−40, 20)/√2, so n = (−1, −2)/√5: (28.2843 − 1.3416, 14.1421 − 2.6833).
     t = np.radians([0.0, 90.0, 45.0])
-    got = programmed(ELLIPSE.point(t), ELLIPSE.tangent(t), 1, 3.0, 0.0, 0.0)
+    got = programmed_centre(ELLIPSE.point(t), ELLIPSE.tangent(t), 1, 3.0, 0.0, 0.0)
     np.testing.assert_allclose(got, [[37.0, 0.0], [0.0, 17.0], [26.942630, 11.458854]], atol=1e-6)
 
 

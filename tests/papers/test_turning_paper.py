@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from knifetip.compensation.vgroove import sideways
+from knifetip.compensation.vgroove import sideways_move
 from knifetip.errors import CompensationError
 from knifetip.geometry.leaving import run_out
 from knifetip.model.tool import TipCircle, VCutter
@@ -121,7 +121,7 @@ def test_3_lifting_a_v_cutter_along_itself_is_the_oblique_lift_of_the_samplemake
     up = lifted(pose, np.array([d]), cutter.tip_circle(d))
     ahead = np.array([[cos(radians(c)), sin(radians(c))]])
     np.testing.assert_allclose(
-        up[:, :2], sideways(np.zeros((1, 2)), ahead, cutter, np.array([d])), atol=1e-9
+        up[:, :2], sideways_move(np.zeros((1, 2)), ahead, cutter, np.array([d])), atol=1e-9
     )
     assert np.hypot(*up[0, :2]) == pytest.approx(d * tan(radians(tilt)), abs=1e-9)
 

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.compensation.vgroove import head_offset, sideways
+from knifetip.compensation.vgroove import head_offset, sideways_move
 from knifetip.errors import ZeroLengthEdge
 from knifetip.geometry.azimuth import azimuth
 from knifetip.model.tool import VCutter
@@ -76,7 +76,7 @@ def test_section_3_oblique_interpolation_lifts_to_the_right_and_plunges_to_the_l
     # Travel due east, blade at 30°: 3 mm up is 3 tan 30° = 1.732 mm south.
     cutter = VCutter(back=6.0, half_width=1.5, tilt=30.0)
     start, end = np.zeros((2, 2)), np.array([[10.0, 0.0]] * 2)
-    moved = sideways(start, end, cutter, np.array([3.0, -3.0]))
+    moved = sideways_move(start, end, cutter, np.array([3.0, -3.0]))
     np.testing.assert_allclose(moved, [[0.0, -1.7320508], [0.0, 1.7320508]], atol=1e-7)
 
 

@@ -1,1 +1,1 @@
-"""Floor 3: the engines that move the head so that the tip stays on the line."""
+"""Compensation engines, one per tool kind: head paths with which the tip follows the line."""

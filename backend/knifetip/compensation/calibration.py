@@ -44,6 +44,6 @@ def calibrate(
     angle = np.radians(np.array(azimuth, np.float64))
     tangent = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     moved = np.array(measured, np.float64).reshape(-1, 2)
-    x, y = deflection.calibrated(tangent, moved, side)
+    x, y = deflection.fit_deflection(tangent, moved, side)
     off = moved - deflection.deflection(tangent, side, x, y)
     return Calibration(x, y, float(np.hypot(*off.T).max()))

@@ -1,4 +1,4 @@
-"""compensate: the engine of each kind of tool.
+"""compensate: run the engine for an operation's kind of tool.
 
 Operation -> Toolpath
 """
@@ -25,7 +25,7 @@ _ENGINES: Final[Mapping[Engine, Callable[[Operation], Toolpath]]] = {
 
 
 def compensate(operation: Operation) -> Toolpath:
-    """Return where the head goes so that the tool's tip follows the paths of the operation.
+    """Return the head path with which the tool's tip follows the paths of an operation.
 
     Raises
     ------

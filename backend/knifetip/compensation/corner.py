@@ -1,10 +1,10 @@
-"""Corner: which way round each convex corner of a cutter's path, and what it costs.
+"""corner: the type of each convex corner of a cutter's path, and its duration.
 
-    Operation[DiscTool] -> (n,) Corner and (n,) knob k, at the corner where each segment begins
+    Operation[DiscTool] -> type (n,) and knob k (n,) of the corner at the start of each segment
 
-B goes round on an arc and touches the corner all the way, C on straight lines with a stop at each
-bend, D on line, arc, line, which neither stops nor touches.  "auto" takes for each corner the one
-that is over soonest on this machine, B only where its touch does not burn the corner.
+Type B is an arc that stays in contact with the corner; C is two or three lines with a stop at each
+bend; D is line, arc, line, without stop or contact.  "auto" selects the fastest type for each
+corner on this machine, and B only if its contact is short enough not to burn the corner.
 
 Source: radius compensation patent of Dalian Jiaotong University (B, C and D types); the times are
 our derivation: trapezoidal, with a stop where the direction jumps and v² ≤ a r′ on an arc.
@@ -25,17 +25,17 @@ from knifetip.model.corners import AS_OTHERS, TYPES
 from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
 
-#: Extension ends and insertion begins at this turn (radians).
+#: Largest turn with two lines (extension); beyond it a third line is inserted (radians).
 _SQUARE: Final = np.pi / 2.0
-#: A knob below this would be a B type in all but name.
+#: Smallest knob: below it a D corner is practically a B corner.
 _LEAST: Final = 0.05
 _AUTO: Final = TYPES.index("auto")
-#: A corner that turns less than this is none (radians).
+#: Smallest turn of a corner (radians).
 _STRAIGHT: Final = 1e-9
 
 
 def turns(paths: Paths, side: int) -> F64:
-    """Return φ at the corner where each segment begins (radians), > 0 convex for the tool.
+    """Return the turn φ at the start of each segment (radians), > 0 if convex for the tool.
 
     With u1 the tangent in and u2 out, φ = atan2(−σ u1 × u2, u1 · u2).  Where an open path begins
     there is no corner, and φ is 0.
@@ -55,7 +55,7 @@ def turns(paths: Paths, side: int) -> F64:
 
 
 def extension(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
-    """Return l and r′ of the D type (mm): straight on for l, round with r′, straight for l.
+    """Return l and r′ of the D type (mm): a line of length l, an arc of radius r′, a line again.
 
     l = k r tan(φ/2) up to 90°, k (L_C − L_B) / (2 − φ cot(φ/2)) beyond; r′ = r − l cot(φ/2).
 
@@ -91,15 +91,15 @@ def line_length(turn: F64, radius: float) -> F64:
 
 
 def lengths(turn: F64, radius: float, k: F64) -> F64:
-    """Return the ways round each corner in B, C and D (mm), (n, 3); arguments as ``extension``."""
+    """Return the path lengths of types B, C and D (mm), (n, 3); arguments as ``extension``."""
     straight, bend = extension(turn, radius, k)
     return np.stack(
         [arc_length(turn, radius), line_length(turn, radius), 2.0 * straight + bend * turn], axis=1
     )
 
 
-def touch(turn: F64, radius: float, feed: float, acceleration: float) -> F64:
-    """Return how long a B type touches each corner (s); C and D leave it at once."""
+def contact_time(turn: F64, radius: float, feed: float, acceleration: float) -> F64:
+    """Return the contact time of type B at each corner (s); C and D leave it at once."""
     duration: F64 = arc_length(turn, radius) / _round(
         np.full(len(turn), radius), feed, acceleration
     )
@@ -107,10 +107,10 @@ def touch(turn: F64, radius: float, feed: float, acceleration: float) -> F64:
 
 
 def durations(turn: F64, radius: float, k: F64, feed: float, acceleration: float) -> F64:
-    """Return what each corner takes in B, C and D (s), (n, 3).
+    """Return the duration of each corner as type B, C and D (s), (n, 3).
 
-    Each from B₀ to E₀, and what slowing down before and speeding up after cost there: between full
-    feed v and w that is (v − w)² / (2 a v) each time.
+    It counts the path from B₀ to E₀ and the time lost by slowing down before it and speeding up
+    after it: (v − w)² / (2 a v) for each change between feed v and speed w.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def durations(turn: F64, radius: float, k: F64, feed: float, acceleration: float
     k : (n,), in [0, 1]
     feed : mm/s
     acceleration : mm/s²
-        Along the path and across it.  Without limit only lengths count.
+        Along the path and across it; infinite to count lengths only.
     """
     way = lengths(turn, radius, k)
     straight, bend = extension(turn, radius, k)
@@ -132,7 +132,7 @@ def durations(turn: F64, radius: float, k: F64, feed: float, acceleration: float
     on_d = _round(bend, feed, acceleration)
     b = way[:, 0] / on_b + changed(on_b)
     d = 2.0 * straight / feed + bend * turn / on_d + changed(on_d)
-    # Beyond 90° there are two bends, and the head goes from stop to stop between them.
+    # Beyond 90° there are two bends with a stop at each.
     between = np.where(turn > _SQUARE, way[:, 1] - 2.0 * radius, 0.0)
     reached = between >= feed**2 / acceleration
     stopped = np.where(
@@ -153,10 +153,10 @@ def _round(radius: F64, feed: float, acceleration: float) -> F64:
 
 
 def corners(operation: Operation) -> tuple[U8, F64]:
-    """Return the type and the knob at the corner where each segment begins, both (n,).
+    """Return the type and the knob of the corner at the start of each segment, both (n,).
 
-    "auto" chooses the type with the shortest time, B only where it touches the corner no longer
-    than the cutter's ``dwell``.  Its knob never takes the feed from a D type that could keep it:
+    "auto" selects the type with the shortest duration, and B only if its contact is not longer than
+    the cutter's ``dwell``.  Its knob is limited so that type D keeps the feed where possible:
     k ≤ 1 − v² / (a r), so that r′ ≥ v² / a up to 90°.
 
     Raises
@@ -195,7 +195,7 @@ def corners(operation: Operation) -> tuple[U8, F64]:
     rows = np.flatnonzero(turn > _STRAIGHT)
     took = durations(turn[rows], cutter.radius, k[rows], feed, acceleration)
     if cutter.dwell > 0.0:
-        burns = touch(turn[rows], cutter.radius, feed, acceleration) > cutter.dwell
+        burns = contact_time(turn[rows], cutter.radius, feed, acceleration) > cutter.dwell
         took[burns, Corner.B] = np.inf
     chosen[rows] = np.argmin(took, axis=1).astype(np.uint8)
     return np.where(auto, chosen, kind), np.where(auto, k, asked)

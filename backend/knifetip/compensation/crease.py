@@ -1,9 +1,9 @@
-"""Crease: set the wheel back from the ends, so that nothing is creased past them.
+"""crease: stop the wheel before free ends, so that nothing is creased beyond them.
 
     Operation[CreaseWheel] -> Toolpath, one track along every path
 
-A wheel of radius R pressed in by δ touches the board over ± s, s² = δ(2R − δ), so at a free end it
-must stop s early, and by the board's end clearance more.
+A wheel of radius R pressed in by δ touches the board over ± s, s² = δ(2R − δ).  At a free end it
+must stop s plus the board's end clearance before the end.
 
 Source: Yang, Du, Shu & Qian, section 1 ("simple compensation of the tool based on the depth of the
 indentation, in order to prevent the over-cutting"); s is our derivation.
@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from knifetip.compensation.tracks import Strokes, headings
+from knifetip.compensation.tracks import Strokes, headings, raised
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.path import point_along, taken, trimmed
@@ -24,7 +24,7 @@ from knifetip.model.toolpath import Toolpath
 
 
 def setback(depth: F64, wheel: CreaseWheel) -> F64:
-    """Return s, how far from its lowest point the wheel touches the board (mm), for depths (mm).
+    """Return s, half the contact length of the wheel (mm), for depths (mm).
 
     s = √(δ(2R − δ)): 3.4409 mm at R 15 mm and δ 0.4 mm.
     """
@@ -33,7 +33,7 @@ def setback(depth: F64, wheel: CreaseWheel) -> F64:
 
 
 def depth_that_fits(half: F64, wheel: CreaseWheel) -> F64:
-    """Return the depth (mm) at which the wheel touches ± ``half`` (mm): s solved for δ."""
+    """Return the depth (mm) at which half the contact length is ``half`` (mm)."""
     reach = np.clip(half, 0.0, wheel.radius)
     result: F64 = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
     return result
@@ -42,8 +42,8 @@ def depth_that_fits(half: F64, wheel: CreaseWheel) -> F64:
 def crease(operation: Operation) -> Toolpath:
     """Return the toolpath that creases every path, set back at its free ends.
 
-    A path too short for that is pressed in place at the depth that fits, or refused, as the
-    board says.
+    A path too short for the setback is pressed in place at a smaller depth, or refused; the board
+    defines which.
 
     Raises
     ------
@@ -71,21 +71,25 @@ def crease(operation: Operation) -> Toolpath:
     z = operation.caliper - depth[rows]
     begins = np.zeros(len(rows), np.bool_)
     begins[way.first[:-1]] = True
-    rolling = Strokes.flat(
-        start=np.column_stack([way.start, z, c_start]),
-        end=np.column_stack([way.end, z, c_end]),
+    height = operation.caliper + operation.clearance
+    start_pose = np.column_stack([way.start, z, c_start])
+    end_pose = np.column_stack([way.end, z, c_end])
+    rolling = Strokes(
+        start=start_pose,
+        end=end_pose,
         bulge=way.bulge,
         down=begins,
         up=np.roll(begins, -1),
         track=rolled[way.path_of],
         source=operation.source[rows],
-        height=operation.caliper + operation.clearance,
+        above_start=raised(start_pose, height),
+        above_end=raised(end_pose, height),
     )
-    return rolling.merged(_pressed(operation, wheel, short)).laid(operation)
+    return rolling.merged_with(_presses(operation, wheel, short)).to_toolpath(operation)
 
 
-def _pressed(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
-    """Press short paths in one place: between two free ends, or where the crease goes on."""
+def _presses(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
+    """Return presses for short paths: midway between free ends, or at the continued end."""
     paths, _ = taken(operation.paths, short)
     free_start = operation.start[short] == End.FREE
     free_end = operation.finish[short] == End.FREE
@@ -108,13 +112,17 @@ def _pressed(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
     depth = np.minimum(depth_that_fits(half, wheel), operation.depth[rows, 0])
     pose = np.column_stack([xy, operation.caliper - depth, heading])
     once = np.ones(len(short), np.bool_)
-    return Strokes.flat(
-        start=pose,
-        end=pose,
+    height = operation.caliper + operation.clearance
+    start_pose = pose
+    end_pose = pose
+    return Strokes(
+        start=start_pose,
+        end=end_pose,
         bulge=np.zeros(len(short)),
         down=once,
         up=once,
         track=short,
         source=operation.source[rows],
-        height=operation.caliper + operation.clearance,
+        above_start=raised(start_pose, height),
+        above_end=raised(end_pose, height),
     )

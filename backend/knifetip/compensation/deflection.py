@@ -1,12 +1,13 @@
-"""Deflection: a cutter gives way under load, so aim deeper into the board by as much.
+"""deflection: compensate the deflection of a cutter under load by aiming deeper into the board.
 
     centre paths, δx, δy -> centre paths        measured points -> δx, δy
 
 A contour that runs at angle a pushes the cutter off it by Δ = σ (−δx sin a, δy cos a), so the
 centre is programmed at P + σ diag(r − δx, r − δy) n instead of P + σ r n: that is, every point of
-the equidistant moves by −σ diag(δx, δy) n.  Lines move, arcs become elliptical.
+the offset moves by −σ diag(δx, δy) n.  Lines are shifted, arcs become elliptical.
 
-Source: radius paper, eqs 6–12.  It leaves open to which side to correct: here it is into the board.
+Source: radius paper, eqs 6–12.  The paper does not state the side of the correction; here it is
+into the board.
 """
 
 from __future__ import annotations
@@ -22,58 +23,60 @@ from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import BULGE
 
-#: Σ sin² below this says too little about δx, Σ cos² about δy: one point within 13° of the axis.
+#: Least Σ sin² to determine δx, and Σ cos² to determine δy: one point within 13° of the axis.
 _LEAST: Final = 0.05
-#: Measurements may make a tool that does not give way seem to be drawn in by this (mm).
+#: Largest negative deflection that is taken for a measuring error (mm).
 _NOISE: Final = 0.01
-#: Where the direction jumps by less, neighbours still meet (radians).
+#: Largest jump of direction at which shifted neighbours still meet (radians).
 _SMOOTH: Final = 1e-7
-#: Deviation of a biarc from an elliptical arc = |a − b| φ³ / this, for a sweep of φ; measured.
+#: Measured: a biarc deviates from an elliptical arc of sweep φ by |a − b| φ³ divided by this.
 _ERROR: Final = 40.0
-#: An elliptical arc is fitted within this (mm).
+#: Tolerance of fitted elliptical arcs (mm).
 FITTED: Final = 0.0005
 
 
 def deflection(tangent: F64, side: int, x: float, y: float) -> F64:
-    """Return how far the cutter is pushed off, (n, 2) mm, on tangents (n, 2) of any length.
+    """Return the deflection of the cutter, (n, 2) mm, for tangents (n, 2) of any length.
 
-    Δ = σ (−δx sin a, δy cos a): radius paper, eqs 6–9, whose (9) has ΔXmax where ΔYmax is meant.
+    Δ = σ (−δx sin a, δy cos a): radius paper, eqs 6–9; its eq 9 prints ΔXmax instead of ΔYmax.
     """
     pushed: F64 = side * np.array([x, y]) * left(unit(tangent))
     return pushed
 
 
-def programmed(point: F64, tangent: F64, side: int, radius: float, x: float, y: float) -> F64:
-    """Return the centre, (n, 2) mm, that leaves the part at points (n, 2) with tangents (n, 2).
+def programmed_centre(
+    point: F64, tangent: F64, side: int, radius: float, x: float, y: float
+) -> F64:
+    """Return the centre, (n, 2) mm, that cuts the part at points (n, 2) with tangents (n, 2).
 
     P + σ diag(r − δx, r − δy) n, eq 5 less eq 11.
     """
     return point + side * radius * left(unit(tangent)) - deflection(tangent, side, x, y)
 
 
-def calibrated(tangent: F64, measured: F64, side: int) -> tuple[float, float]:
+def fit_deflection(tangent: F64, measured: F64, side: int) -> tuple[float, float]:
     """Return δx and δy (mm) from the deflection at one or more points, by least squares.
 
     ::
 
         δx = −σ Σ ΔX sin a / Σ sin² a        δy = σ Σ ΔY cos a / Σ cos² a
 
-    From one point that is eq 10 solved, which divides by sin a₀ and by cos a₀.
+    For one point this is the solution of eq 10, which divides by sin a₀ and cos a₀.
 
     Parameters
     ----------
     tangent : (m, 2)
         Of the contour at the measured points, in the direction of travel.
     measured : (m, 2) mm
-        ΔX, ΔY: where the cutter went, less where it should have gone.
+        ΔX, ΔY: actual position of the cutter minus the intended one.
     side
         σ, +1 with the cutter left of travel, −1 right.
 
     Raises
     ------
     CompensationError
-        The points say nothing about δx or δy, are no numbers, or have the tool drawn *into* the
-        board, which is a wrong side or a wrong sign.
+        The points do not determine δx or δy, are not numbers, or give a deflection *into* the
+        board, which means a wrong side or sign.
     """
     if len(tangent) == 0 or not (np.isfinite(tangent).all() and np.isfinite(measured).all()):
         raise CompensationError("calibration.bad-points", count=len(tangent))
@@ -97,30 +100,30 @@ def calibrated(tangent: F64, measured: F64, side: int) -> tuple[float, float]:
     return max(x, 0.0), max(y, 0.0)
 
 
-def deflected(
+def shift_centres(
     paths: Paths, side: int, x: float, y: float, tolerance: float = FITTED
 ) -> tuple[Paths, I32]:
     """Return centre paths aimed deeper by the deflection, and the segment of each new one.
 
-    Whatever the corners are, B, C or D: only the direction of travel of the centre counts, which
-    is that of the contour wherever the cutter touches it.  Where it jumps, at a bend of a C type
-    or in an inside corner, the neighbours are drawn out or cut back to where they meet.
+    Valid for corner types B, C and D: only the direction of travel of the centre matters, which is
+    that of the contour wherever the cutter touches it.  Where the direction jumps, at a bend of
+    type C or in an inside corner, neighbours are extended or trimmed to their intersection.
 
     Parameters
     ----------
     paths
-        Equidistants, as the cutter's centre goes.
+        Offsets: the paths of the cutter's centre.
     side
         σ, +1 with the cutter left of travel, −1 right.
     x, y : mm
         δx, δy.
     tolerance : mm
-        Of the arcs that are fitted to elliptical ones.
+        Of arcs that are fitted to elliptical arcs.
 
     Raises
     ------
     CompensationError
-        A segment is too short, or an arc too tight, for such a deflection.
+        A segment is too short, or an arc too tight, for the deflection.
     """
     if (x == 0.0 and y == 0.0) or len(paths.bulge) == 0:
         return paths, np.arange(len(paths.bulge), dtype=np.int32)
@@ -129,7 +132,7 @@ def deflected(
     rows, start, end, bulge = ways.arcs(low, high, abs(x - y), tolerance)
     count = np.bincount(paths.path_of[rows], minlength=len(paths))
     first = np.concatenate([[0], np.cumsum(count)])
-    # Neighbours meet within rounding: let them share the point to the bit.
+    # Neighbours meet within rounding: let them share the same point exactly.
     onward = np.arange(1, len(rows) + 1)
     onward[first[1:] - 1] = np.where(paths.closed, first[:-1], -1)
     end[onward >= 0] = start[onward[onward >= 0]]
@@ -137,7 +140,7 @@ def deflected(
 
 
 class _Ways:
-    """n shifted segments with a parameter: mm along a line, the angle round an elliptical arc."""
+    """n shifted segments by parameter: mm along a line, the angle of an elliptical arc."""
 
     def __init__(self, paths: Paths, side: int, x: float, y: float) -> None:
         start, end, bulge = paths.start, paths.end, paths.bulge
@@ -147,7 +150,7 @@ class _Ways:
         self.origin = start - deflection(ahead, side, x, y)
         radius = np.where(self.curved, arc.radius(start, end, bulge), 0.0)
         middle = np.where(self.curved[:, None], arc.centre(start, end, bulge), 0.0)
-        # n points away from the centre of an arc to the right, towards that of one to the left.
+        # n points away from the centre for an arc to the right, towards it for one to the left.
         outward = side * np.sign(bulge)
         self.half = radius[:, None] + outward[:, None] * np.array([x, y])
         tight = self.curved & (self.half <= 0.0).any(axis=1)
@@ -179,7 +182,7 @@ class _Ways:
         return result
 
     def met(self, paths: Paths) -> tuple[F64, F64]:
-        """Return from where to where each segment goes so that neighbours meet."""
+        """Return the parameters of start and end of each segment at which neighbours meet."""
         low, high = self.low.copy(), self.high.copy()
         ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
         first, last = paths.first[:-1], paths.first[1:] - 1
@@ -193,7 +196,7 @@ class _Ways:
         before, after = before[jumps].astype(np.int32), after[jumps].astype(np.int32)
         a, b = high[before].copy(), low[after].copy()
         gap = np.zeros((len(a), 2))
-        # Newton on two parameters; between lines the first step is exact.
+        # Newton iteration in two parameters; exact after one step for lines.
         for _ in range(8):
             gap = self.point(after, b) - self.point(before, a)
             p, q = self.slope(before, a), self.slope(after, b)
@@ -215,10 +218,10 @@ class _Ways:
     def arcs(
         self, low: F64, high: F64, uneven: float, tolerance: float
     ) -> tuple[I32, F64, F64, F64]:
-        """Return lines and arcs: the segment of each, start, end and bulge."""
+        """Return lines and arcs: segment, start, end and bulge of each."""
         sweep = np.where(self.curved, np.abs(high - low), 0.0)
         longest = np.cbrt(_ERROR * tolerance / max(uneven, 1e-12))
-        # Half a turn is the most that one bulge can say; a biarc halves it again.
+        # One bulge covers at most half a turn; a biarc halves it again.
         pieces = np.maximum(np.ceil(sweep / min(longest, np.pi / 2.0)), 1.0).astype(np.int64)
         row = np.repeat(np.arange(len(low), dtype=np.int32), pieces)
         place = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
@@ -245,7 +248,7 @@ class _Ways:
 
 
 def _half_angle(before: F64, after: F64) -> F64:
-    """Return tan of half the angle from one vector to the next: the bulge, seen at an end."""
+    """Return tan of half the angle between two vectors: the bulge, from tangent and chord."""
     cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     dot = (before * after).sum(axis=1)
     result: F64 = cross / (np.hypot(cross, dot) + dot)

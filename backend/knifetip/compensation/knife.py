@@ -1,13 +1,14 @@
-"""Knife: the blade on the line, its lead made good at the ends, its turns made in the air.
+"""knife: keep the blade on the line, correct its lead at ends, turn sharp corners in the air.
 
     Operation[Knife] -> Toolpath, one track along every path
 
-A blade whose leading edge slants by α has cut the top face further than the bottom, where its tip
-is: by T tan α over a thickness T.  So a closed path runs over its start by that, an end that meets
-another cut likewise, and an end inside a panel, or at a bridge, stops early, where the *top* face
-ends.  Round a blank it may come from the waste and go back into it along a quarter of a circle.
+The leading edge of the blade slants by α, so the cut in the top face leads that in the bottom face,
+where the tip is, by T tan α for a thickness T.  A closed path therefore runs past its start by this
+lead, as does an end that meets another cut; an end inside a panel or at a bridge stops earlier,
+where the cut in the *top* face ends.  Around a blank the knife may enter from the waste and leave
+into it along a quarter circle.
 
-A drag knife trails its axis by e: the head stands at tip + e u and swings round the tip at corners.
+A drag knife trails its axis by e: the head is at tip + e u and swings around the tip at corners.
 
 Source: our derivation; Yang, Du, Shu & Qian, section 5, suggest the like for other tools.
 """
@@ -18,7 +19,7 @@ import math
 
 import numpy as np
 
-from knifetip.compensation.tracks import Strokes, headings
+from knifetip.compensation.tracks import Strokes, headings, raised
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left
@@ -35,8 +36,8 @@ QUARTER = math.tan(math.pi / 8.0)
 def knife(operation: Operation) -> Toolpath:
     """Return the toolpath that cuts along every path.
 
-    Corners sharper than the knife's ``swivel`` angle are turned in the air; at gentler ones the
-    blade turns in the board.
+    At corners sharper than the ``swivel`` angle the blade turns in the air, at others in the
+    board.
 
     Raises
     ------
@@ -53,30 +54,34 @@ def knife(operation: Operation) -> Toolpath:
     begins[paths.first[:-1]] = True
     turned = c_start - np.roll(c_end, 1)
     down = begins | (np.abs(turned) > blade.swivel)
-    return Strokes.flat(
-        start=np.column_stack([_head(paths.start, c_start, blade), z, c_start]),
-        end=np.column_stack([_head(paths.end, c_end, blade), z, c_end]),
+    height = operation.caliper + operation.clearance
+    start_pose = np.column_stack([_head(paths.start, c_start, blade), z, c_start])
+    end_pose = np.column_stack([_head(paths.end, c_end, blade), z, c_end])
+    return Strokes(
+        start=start_pose,
+        end=end_pose,
         bulge=paths.bulge,
         down=down,
         up=np.roll(down, -1),
         track=paths.path_of,
         source=source,
-        height=operation.caliper + operation.clearance,
-        # The head of a drag knife swings round its tip; without a trail it only turns.
+        above_start=raised(start_pose, height),
+        above_end=raised(end_pose, height),
+        # The head of a drag knife swings around its tip; without a trail it only turns.
         swing=np.where(down, 0.0, np.tan(np.radians(turned) / 4.0)) * (blade.trail > 0.0),
         motion=motion,
-    ).laid(operation)
+    ).to_toolpath(operation)
 
 
 def _head(tip: F64, c: F64, blade: Knife) -> F64:
-    """Return where the head stands for a tip (n, 2) mm and a heading (n,) degrees."""
+    """Return the head position, (n, 2) mm, for tips (n, 2) mm and headings (n,) degrees."""
     ahead = np.column_stack([np.cos(np.radians(c)), np.sin(np.radians(c))])
     head: F64 = tip + blade.trail * ahead
     return head
 
 
 def _with_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
-    """Return the paths cut back or run over at their ends, and each new segment's old one and kind.
+    """Return paths shortened or extended at their ends, with the origin and kind of each segment.
 
     The kind is the Motion: LEAD_IN, FEED or LEAD_OUT.
     """
@@ -98,11 +103,15 @@ def _with_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
             source=[str(row) for row in listed[:10]],
         )
     cut, rows = trimmed(paths, np.zeros(len(paths)), np.where(free, lead, 0.0))
-    again, more = _openings(paths, np.where(finish == End.CLOSED, overrun, 0.0))
-    beyond, far = _beyond(paths, np.where(finish == End.MEETS, overrun, 0.0))
+    again, more = _repeated_starts(paths, np.where(finish == End.CLOSED, overrun, 0.0))
+    beyond, far = _extensions(paths, np.where(finish == End.MEETS, overrun, 0.0))
     closed = (finish == End.CLOSED) & (operation.side != 0)
-    leads = _led(paths, np.where(closed, blade.lead_in, 0.0), overrun, operation.side, True)
-    exits = _led(paths, np.where(closed, blade.lead_out, 0.0), overrun, operation.side, False)
+    leads = _quarter_circles(
+        paths, np.where(closed, blade.lead_in, 0.0), overrun, operation.side, True
+    )
+    exits = _quarter_circles(
+        paths, np.where(closed, blade.lead_out, 0.0), overrun, operation.side, False
+    )
     parts = [
         (*leads, Motion.LEAD_IN),
         (cut, rows, Motion.FEED),
@@ -125,13 +134,13 @@ def _with_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
     return joined, np.concatenate([part[1] for part in parts])[order], motion[order]
 
 
-def _openings(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return the first ``size`` mm of every path: what a closed one runs over again."""
+def _repeated_starts(paths: Paths, size: F64) -> tuple[Paths, I32]:
+    """Return the first ``size`` mm of every path, which a closed path runs over again."""
     return trimmed(paths, np.zeros(len(paths)), np.maximum(paths.lengths - size, 0.0))
 
 
-def _beyond(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return straight pieces of ``size`` mm that go on from the ends of the paths."""
+def _extensions(paths: Paths, size: F64) -> tuple[Paths, I32]:
+    """Return straight pieces of ``size`` mm that continue the ends of paths."""
     last = (paths.first[1:] - 1)[size > 0.0]
     _, ahead = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])
     ahead /= np.hypot(*ahead.T)[:, None]
@@ -140,17 +149,19 @@ def _beyond(paths: Paths, size: F64) -> tuple[Paths, I32]:
     return Paths(paths.end[last], end, np.zeros(len(last)), first), last.astype(np.int32)
 
 
-def _led(paths: Paths, size: F64, overrun: F64, side: int, into: bool) -> tuple[Paths, I32]:
-    """Return the quarters of a circle that lead onto closed paths, or off them.
+def _quarter_circles(
+    paths: Paths, size: F64, overrun: F64, side: int, into: bool
+) -> tuple[Paths, I32]:
+    """Return the quarter circles by which the knife enters or leaves closed paths.
 
     Parameters
     ----------
     size : (p,) mm
-        Along each quarter; 0 for none.
+        Length of each quarter circle; 0 for none.
     overrun : (p,) mm
-        By which the paths run over their start, to where the blade leaves them.
+        Length by which the paths run past their start before the blade leaves.
     side
-        On which the waste is: +1 left of travel, -1 right.
+        Side of the waste: +1 left of travel, -1 right.
     """
     which = np.flatnonzero(size > 0.0).astype(np.int32)
     some, kept = taken(paths, which)

@@ -1,15 +1,15 @@
-"""Radius: the centre of a cutter runs r beside the line, so that its disc touches the part.
+"""radius: offset the centre of a cutter by its radius, so that its disc touches the part.
 
-    Operation[DiscTool] -> Toolpath, one track along every equidistant
+    Operation[DiscTool] -> Toolpath, one track along every offset path
 
-The same for a router and for the kerf of a beam, r = kerf / 2.  The offset is set up on a straight
-block longer than r before the contour and cancelled on one after it, so the tool goes down and
-comes up in the waste; where there is no room for that, on the equidistant itself.  The last pass of
-a hole sets its waste free, so there the tool comes up where the contour closes.  Contours are
-milled in several passes; a cut with no side is milled on the line, there and back.
+The same for a router and for a beam with r = kerf / 2.  The offset is set up on a straight lead-in
+longer than r and cancelled on a lead-out, so that the tool plunges and lifts in the waste; without
+room for leads it plunges on the offset path.  The last pass of a hole cuts its waste loose, so
+there the tool lifts where the contour closes.  Contours are milled in several passes; a cut without
+a side is milled on the line, forth and back.
 
-Source: radius paper, eqs 1–5 (in ``geometry.offset``); set up and cancel to the perpendicular or
-round the outside as controllers do it (types A and B).
+Source: radius paper, eqs 1–5 (in the offset engine); set-up and cancel to the perpendicular or
+around the outside as in controllers (types A and B).
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from typing import Final
 import numpy as np
 
 from knifetip.compensation.corner import corners
-from knifetip.compensation.deflection import deflected
-from knifetip.compensation.tracks import Strokes
+from knifetip.compensation.deflection import shift_centres
+from knifetip.compensation.tracks import Strokes, raised
 from knifetip.errors import CompensationError, GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left, unit
@@ -35,31 +35,31 @@ from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
 from knifetip.model.toolpath import Motion, Toolpath
 
-#: Places on the way in and out that are looked at for other contours.
+#: Number of points on a lead that are checked for other contours.
 _LOOKS: Final = 8
-#: Shares of the way in and out that are tried.
+#: Fractions of the full lead that are tried.
 _SHARES: Final = (1.0, 0.5, 0.0)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Centres:
-    """Where the centre runs: n segments in q paths."""
+    """Paths of the cutter's centre: n segments in q paths."""
 
     paths: Paths  #: q paths
     segment: I32  #: (n,) the operation's segment that each belongs to
-    unreached: F64  #: (p,) mm² beside each of the operation's paths that stay uncut
+    unreached: F64  #: (p,) area beside each of the operation's paths that remains uncut (mm²)
 
 
 def centres(operation: Operation) -> Centres:
-    """Return where the centre of a cutter runs, and how much of each contour it cannot reach.
+    """Return the paths of a cutter's centre, and the area of each contour that it cannot reach.
 
-    Closed paths keep clear of one another; each begins in the middle of its longest line.
+    Closed paths do not enter one another; each starts in the middle of its longest line.
 
     Raises
     ------
     CompensationError
-        The cutter does not fit into a contour at all, or would cut into one and is to refuse, or
-        corner policy, knob or deflection make no sense.
+        The cutter does not fit into a contour, or would cut into one and interference is refused,
+        or corner policy, knob or deflection are invalid.
     """
     cutter = operation.tool
     assert isinstance(cutter, DiscTool)
@@ -68,7 +68,7 @@ def centres(operation: Operation) -> Centres:
     unreached = np.zeros(len(paths))
     if operation.side != 0:
         kind, k = corners(operation)
-        # Every open path is by itself: what lies beyond its ends nobody knows.
+        # Open paths are offset one by one: the side beyond their ends is undefined.
         group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
         try:
             beside = equidistant(
@@ -83,7 +83,7 @@ def centres(operation: Operation) -> Centres:
             raise CompensationError(message, source=edges) from None
         paths, segment, unreached = beside.paths, beside.source, beside.unreached
         _refuse_lost(operation, cutter, segment)
-        paths, rows = deflected(paths, operation.side, *operation.deflection)
+        paths, rows = shift_centres(paths, operation.side, *operation.deflection)
         segment = segment[rows]
     paths, rows = begun_in_middle(paths, paths.closed)
     return Centres(paths, segment[rows], unreached)
@@ -106,19 +106,19 @@ def _refuse_lost(operation: Operation, cutter: DiscTool, segment: I32) -> None:
 def set_up(
     start: F64, ahead: F64, side: int, radius: float, lead: float, approach: float
 ) -> tuple[F64, F64, F64]:
-    """Return how the offset is set up on a straight block of ``lead`` mm before a contour.
+    """Return how the offset is set up on a straight lead-in of ``lead`` mm before a contour.
 
-    The block ends where the contour begins, and arrives at ``approach`` degrees to it: at 90
-    square to it from the tool's side, at 0 in line with it, at −90 from the far side.  Where it
-    turns towards the tool's side, or not at all, the centre goes straight to the perpendicular at
-    the contour's start (type A); where it turns away, beside the block to the perpendicular at its
-    end, and round the outside on an arc (type B).  To cancel is the mirror image: set up the
-    reversed contour, and reverse.
+    The lead-in ends at the start of the contour, at an angle of ``approach`` degrees: 90 from the
+    tool's side, 0 in line with the contour, −90 from the far side.  If the path turns towards the
+    tool's side or not at all, the centre moves straight to the perpendicular at the contour's
+    start (type A).  If it turns away, the centre moves parallel to the lead-in to the
+    perpendicular at its end, then around the outside on an arc (type B).  Cancelling is the mirror
+    image: set up the reversed contour and reverse the result.
 
     Parameters
     ----------
     start : (m, 2) mm
-        Where the contours begin.
+        Start points of the contours.
     ahead : (m, 2)
         Unit tangents there.
     side
@@ -127,9 +127,9 @@ def set_up(
     Returns
     -------
     from, to : (m, 2) float64, mm
-        Where the block begins, and where the centre is at its end.
+        Start of the lead-in, and position of the centre at its end.
     bulge : (m,)
-        Of the arc on from there to the perpendicular at the contour's start; 0 where it is there.
+        Of the arc from there to the perpendicular at the contour's start; 0 if there is none.
     """
     normal = side * left(ahead)
     cos, sin = np.cos(np.radians(approach)), np.sin(np.radians(approach))
@@ -137,7 +137,7 @@ def set_up(
     begin = start - lead * block
     if approach >= 0.0:
         return begin, start + radius * normal, np.zeros(len(start))
-    # Straight from the block to its perpendicular the disc would cut the corner: r off it already.
+    # A straight move to the perpendicular would cut the corner: it is already at distance r.
     beside = radius * side * left(block)
     turn = np.full(len(start), -side * np.tan(np.radians(-approach) / 4.0))
     return begin + beside, start + beside, turn
@@ -155,7 +155,7 @@ def radius(operation: Operation) -> Toolpath:
     assert isinstance(cutter, DiscTool)
     if operation.side != 0 and cutter.set_up <= cutter.radius:
         raise CompensationError("cutter.short-lead", lead=cutter.set_up, radius=cutter.radius)
-    way, held = _bridged(operation, cutter, centres(operation))
+    way, held = _with_bridges(operation, cutter, centres(operation))
     paths, rows, motion = _with_leads(operation, cutter, way, held)
     loose = paths.end[paths.first[1:] - 1] - paths.start[paths.first[:-1]]
     again = np.hypot(*loose.T) < POINT
@@ -168,7 +168,7 @@ def radius(operation: Operation) -> Toolpath:
     bulge, z = np.empty(total), np.empty(total)
     source, kind = np.empty(total, np.int32), np.empty(total, np.uint8)
     down, up = np.zeros(total, np.bool_), np.zeros(total, np.bool_)
-    # Where a pass ends at the next one's beginning, the tool only goes deeper there.
+    # If a pass ends at the start of the next one, the tool only plunges deeper there.
     stays = again if operation.side != 0 else np.ones(len(paths), np.bool_)
     forward: I32 = np.arange(len(owner), dtype=np.int32)
     for number in range(passes):
@@ -183,27 +183,31 @@ def radius(operation: Operation) -> Toolpath:
     hole = way.paths.closed & (operation.side * way.paths.areas > 0.0)
     final = passes * paths.first[:-1][owner] + (passes - 1) * size[owner] + place
     kept[final] = ~hole[owner] | (motion != Motion.LEAD_OUT)
-    # What is cut last of a track is what the tool comes up from.
+    # The tool lifts from the last segment of a track.
     up[:-1] |= kept[:-1] & ~kept[1:]
     upright = np.zeros(total)
     track: I32 = np.repeat(np.arange(len(paths), dtype=np.int32), passes * size)
-    return Strokes.flat(
-        start=np.column_stack([start, z, upright])[kept],
-        end=np.column_stack([end, z, upright])[kept],
+    height = operation.caliper + operation.clearance
+    start_pose = np.column_stack([start, z, upright])[kept]
+    end_pose = np.column_stack([end, z, upright])[kept]
+    return Strokes(
+        start=start_pose,
+        end=end_pose,
         bulge=bulge[kept],
         down=down[kept],
         up=up[kept],
         track=track[kept],
         source=source[kept],
-        height=operation.caliper + operation.clearance,
+        above_start=raised(start_pose, height),
+        above_end=raised(end_pose, height),
         motion=kind[kept],
-    ).laid(operation)
+    ).to_toolpath(operation)
 
 
-def _bridged(operation: Operation, cutter: DiscTool, way: Centres) -> tuple[Centres, Bool]:
-    """Return the ways of the centre with gaps for the bridges, and which of them are held by some.
+def _with_bridges(operation: Operation, cutter: DiscTool, way: Centres) -> tuple[Centres, Bool]:
+    """Return the centre paths with gaps for bridges, and which of them have bridges.
 
-    The gap is a bridge wide and 2r more, so that between the two discs the bridge is left.
+    A gap is the bridge's width plus 2r, so that the bridge remains between the two discs.
     """
     if len(operation.bridges) == 0:
         return way, np.zeros(len(way.paths), np.bool_)
@@ -211,7 +215,7 @@ def _bridged(operation: Operation, cutter: DiscTool, way: Centres) -> tuple[Cent
     segment, at = operation.bridges[:, 0].astype(np.int32), operation.bridges[:, 1]
     whole = line.start[segment], line.end[segment], line.bulge[segment]
     place = arc.point_at(*whole, at / arc.length(*whole))
-    # Every piece of the centre's way beside the same segment; the nearest is the bridge's own.
+    # All pieces of the centre path beside the same segment; the nearest one has the bridge.
     order = np.argsort(way.segment, kind="stable")
     low = np.searchsorted(way.segment[order], segment)
     many = np.searchsorted(way.segment[order], segment, side="right") - low
@@ -248,9 +252,9 @@ def _bridged(operation: Operation, cutter: DiscTool, way: Centres) -> tuple[Cent
 def _with_leads(
     operation: Operation, cutter: DiscTool, way: Centres, held: Bool
 ) -> tuple[Paths, I32, U8]:
-    """Return the centre's paths with their ways in and out, segments, and what each is for.
+    """Return the centre paths with lead-ins and lead-outs, their segments, and the kind of each.
 
-    At a bridge the tool goes down and comes up on its way: a way in would cut the bridge thinner.
+    At a bridge the tool plunges and lifts on its path: a lead-in would cut the bridge thinner.
     """
     paths = way.paths
     fed = np.full(len(paths.bulge), Motion.FEED, np.uint8)
@@ -261,7 +265,7 @@ def _with_leads(
     _, arriving = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])
     side = operation.side
     come = _lead(operation, cutter, paths.start[first], unit(ahead), side)
-    # The way out is the way in of the contour run backwards.
+    # The lead-out is the lead-in of the reversed contour.
     leave = _lead(operation, cutter, paths.end[last], -unit(arriving), -side)
     count: I32 = np.arange(len(paths), dtype=np.int32)
     straight: F64 = np.zeros(len(paths))
@@ -292,17 +296,17 @@ def _all(motion: Motion, like: I32) -> U8:
 def _lead(
     operation: Operation, cutter: DiscTool, place: F64, ahead: F64, side: int
 ) -> tuple[F64, F64, F64]:
-    """Return ``set_up`` for centres that begin at ``place``, shortened where contours are near.
+    """Return ``set_up`` for centres that start at ``place``, shortened where contours are near.
 
-    A way in that would bring the disc into any contour is halved, then left out: the tool goes
-    down beside the contour, which it touches there as it does all along.
+    A lead-in whose disc would enter a contour is halved, then omitted: the tool plunges beside the
+    contour and touches it there.
     """
     r, paths = cutter.radius, operation.paths
     on_line = place - side * r * left(ahead)
     begin, arrived, bulge = set_up(on_line, ahead, side, r, cutter.set_up, cutter.approach)
     arrived = np.where((bulge == 0.0)[:, None], place, arrived)
     away = begin - arrived
-    # Between two looks an obstacle may come nearer by the sagitta of the step.
+    # Between two checked points an obstacle may be nearer by the sagitta of the step.
     step = float(np.hypot(*away.T).max(initial=0.0)) / _LOOKS
     near = float(np.hypot(r, step / 2.0))
     share = np.full(len(place), _SHARES[-1])

@@ -1,12 +1,12 @@
-"""Tracks: how a tool that goes down, along its path and up again becomes a Toolpath.
+"""tracks: lay out the moves of tracks: plunge, feed, swivel, lift.
 
-An engine says for every segment where the head stands at both its ends; this module lays out the
-moves, all segments at once.
+An engine computes the head poses at both ends of every segment; this module creates the moves of
+all segments at once.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 import numpy as np
@@ -19,9 +19,9 @@ from knifetip.kernels import F64_1, F64_2, I32_1, U8_1, Bool_1, kernel
 from knifetip.model.operation import Operation
 from knifetip.model.toolpath import Motion, Toolpath
 
-#: A smaller change of direction or depth needs no move of its own (degrees, mm).
+#: Smallest change of direction or depth that gets a move of its own (degrees, mm).
 _STILL = 1e-7
-# A kernel knows plain numbers.
+# Kernels take plain numbers.
 _RAPID, _PLUNGE, _SWIVEL = int(Motion.RAPID), int(Motion.PLUNGE), int(Motion.SWIVEL)
 _LIFT = int(Motion.LIFT)
 
@@ -44,71 +44,55 @@ def headings(paths: Paths) -> tuple[F64, F64]:
     return start, start + swept
 
 
+def raised(pose: F64, height: float) -> F64:
+    """Return the poses, (n, 4), with Z at ``height`` (mm)."""
+    above = pose.copy()
+    above[:, 2] = height
+    return above
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Strokes:
     """n segments in working order, at least one, with the head's pose at both ends of each.
 
-    A segment whose ends are one point is pressed: the tool goes down and up and does not travel.
+    A segment with two equal ends is a press: the tool plunges and lifts without travel.
     """
 
     start: F64  #: (n, 4) x y z c
     end: F64  #: (n, 4)
     bulge: F64  #: (n,)
-    above_start: F64  #: (n, 4) where the head plunges from, if it does
-    above_end: F64  #: (n, 4) where it lifts to, if it does
+    above_start: F64  #: (n, 4) start of the plunge, if there is one
+    above_end: F64  #: (n, 4) end of the lift, if there is one
     down: Bool  #: (n,) the tool plunges before this segment
     up: Bool  #: (n,) it lifts after it
     track: I32  #: (n,) the track of each segment, ascending
     source: I32  #: (n,) row in Dieline
-    swing: F64  #: (n,) bulge of the head's way round the tip where C turns in the board
-    motion: U8  #: (n,) FEED, LEAD_IN or LEAD_OUT
+    #: (n,) bulge of the head's path around the tip where C turns in the board; 0 by default
+    swing: F64 = field(default_factory=lambda: np.zeros(0))
+    #: (n,) FEED (by default), LEAD_IN or LEAD_OUT
+    motion: U8 = field(default_factory=lambda: np.zeros(0, np.uint8))
 
-    @classmethod
-    def flat(
-        cls,
-        *,
-        start: F64,
-        end: F64,
-        bulge: F64,
-        down: Bool,
-        up: Bool,
-        track: I32,
-        source: I32,
-        height: float,
-        swing: F64 | None = None,
-        motion: U8 | None = None,
-    ) -> Strokes:
-        """Return the strokes of an upright tool, which plunges from ``height`` and lifts to it."""
-        above_start, above_end = start.copy(), end.copy()
-        above_start[:, 2] = above_end[:, 2] = height
-        return cls(
-            start=start,
-            end=end,
-            bulge=bulge,
-            above_start=above_start,
-            above_end=above_end,
-            down=down,
-            up=up,
-            track=track,
-            source=source,
-            swing=np.zeros(len(bulge)) if swing is None else swing,
-            motion=np.full(len(bulge), Motion.FEED, np.uint8) if motion is None else motion,
-        )
+    def __post_init__(self) -> None:
+        count = len(self.bulge)
+        if len(self.swing) != count:
+            object.__setattr__(self, "swing", np.zeros(count))
+        if len(self.motion) != count:
+            object.__setattr__(self, "motion", np.full(count, Motion.FEED, np.uint8))
 
-    def merged(self, other: Strokes) -> Strokes:
-        """Return these strokes and others, their tracks in order."""
+    def merged_with(self, other: Strokes) -> Strokes:
+        """Return these strokes and others, ordered by track."""
         if len(other.track) == 0:
             return self
         order = np.argsort(np.concatenate([self.track, other.track]), kind="stable")
         columns = {
-            field.name: np.concatenate([getattr(self, field.name), getattr(other, field.name)])
-            for field in fields(self)
+            column.name: np.concatenate([getattr(self, column.name), getattr(other, column.name)])
+            for column in fields(self)
         }
         return Strokes(**{name: column[order] for name, column in columns.items()})
 
-    def laid(self, operation: Operation) -> Toolpath:
-        """Return the moves: jump or turn in the air, plunge, step, swivel, feed, lift."""
-        pose, bulge, motion, feed, source, track = _laid(
+    def to_toolpath(self, operation: Operation) -> Toolpath:
+        """Return the moves of all strokes: air move, plunge, step, swivel, feed, lift."""
+        pose, bulge, motion, feed, source, track = _write_moves(
             self.start,
             self.end,
             self.bulge,
@@ -124,10 +108,10 @@ class Strokes:
             operation.plunge,
             operation.swivel,
         )
-        # What cannot be written to goes into the record as it stands.
+        # Read-only arrays are stored without a copy.
         for column in (pose, bulge, motion, feed, source, track):
             column.flags.writeable = False
-        # The first row is the jump to the first track: where it ends the toolpath begins.
+        # The first row is the air move to the first track; the toolpath starts at its end.
         return Toolpath(
             pose=pose,
             bulge=bulge[1:],
@@ -140,7 +124,7 @@ class Strokes:
 
 
 @kernel
-def _laid(
+def _write_moves(
     start: F64_2,
     end: F64_2,
     bulge: F64_1,
@@ -156,7 +140,7 @@ def _laid(
     plunge: float,
     swivel: float,
 ) -> Any:
-    """Lay out all strokes, each as those of its six moves that it needs."""
+    """Write the moves of all strokes; each needs up to six."""
     count = len(bulge)
     travels = (start[:, 0] != end[:, 0]) | (start[:, 1] != end[:, 1])
     stepped = np.zeros(count, np.bool_)
@@ -203,5 +187,5 @@ def _laid(
         if down[i]:
             edge[begun] = -1
             if i == 0 or track[i] != track[i - 1]:
-                tracks[begun] = -1  # the jump to where a track begins belongs to none
+                tracks[begun] = -1  # the air move to the start of a track belongs to no edge
     return poses, bent, kind, speed, edge, tracks

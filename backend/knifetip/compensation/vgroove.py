@@ -1,10 +1,11 @@
-"""V-groove: keep the tip of the V-cutter on the line.
+"""vgroove: keep the tip of the V-cutter on the line.
 
     Operation[VCutter] -> Toolpath, two passes along every straight path, for each depth
 
-The blade leans, so its tip lies off the axis of the head.  Out and back, with the head turned half
-a turn between, the two slanted cuts meet and lift a V out of the board.  A groove that ends on the
-board's edge runs on until its whole width has left: ``Operation.run_out`` says how far.
+The blade leans, so its tip is off the axis of the head.  Two passes, forth and back with the head
+turned by half a turn between them, make two slanted cuts that meet and remove a V of board.  A
+groove that ends at the board's edge continues until its whole width has left the board
+(``Operation.run_out``).
 
 Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker", sections 3, 4.
 """
@@ -28,14 +29,14 @@ from knifetip.model.toolpath import Motion, Toolpath
 
 
 def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
-    """Return where the head stands, seen from the tip, on the outward pass.
+    """Return the position of the head relative to the tip on the first pass.
 
     With β the azimuth of start → end::
 
         Δx =  d sin β + r cos β
         Δy = -d cos β + r sin β                                   Yang et al., 4.2 a, b
 
-    that is, d to the right of travel and r ahead.  On the way back it is -Δ, so points 1 to 4
+    that is, d to the right of travel and r ahead.  On the second pass it is -Δ, so points 1 to 4
     of their figure 3 are A + Δ, B + Δ, B - Δ, A - Δ.
 
     Parameters
@@ -48,7 +49,7 @@ def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
     Returns
     -------
     (n, 2) float64, mm
-        Add it to either end for the programmed coordinates.
+        Offset to add to both ends.
 
     Raises
     ------
@@ -57,8 +58,8 @@ def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
 
     Notes
     -----
-    The paper's text has r as half the width, its listing as the width (hence ``0.5*r``).
-    Here r is half the width.
+    In the paper's text r is half the width, in its listing the width (hence ``0.5*r``); here it is
+    half the width.
 
     Examples
     --------
@@ -70,12 +71,12 @@ def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
     return offset
 
 
-def sideways(start: F64, end: F64, cutter: VCutter, rise: F64) -> F64:
-    """Return how far the head goes sideways, (n, 2) mm, while the tip rises by (n,) mm.
+def sideways_move(start: F64, end: F64, cutter: VCutter, rise: F64) -> F64:
+    """Return the sideways movement of the head, (n, 2) mm, while the tip rises by (n,) mm.
 
-    The tip stays on the blade's own line, so the head moves by Δz tan θ to the right of travel
-    when it lifts, and back to the left when it plunges: Yang et al., section 3, the "oblique
-    angle" of their three-axis interpolation.
+    The tip moves along the blade, so the head moves by Δz tan θ to the right of travel when it
+    lifts and to the left when it plunges: Yang et al., section 3, the "oblique angle" of their
+    three-axis interpolation.
     """
     offset: F64 = cutter.slope * rise[:, None] * right(unit(end - start))
     return offset
@@ -83,15 +84,15 @@ def sideways(start: F64, end: F64, cutter: VCutter, rise: F64) -> F64:
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """A V-groove seen from its end."""
+    """Cross-section of a V-groove."""
 
-    included: float  #: angle between the flanks, and so how far the board folds (degrees)
+    included: float  #: angle between the flanks, which is the largest fold angle (degrees)
     width: float  #: at the top face (mm)
-    web: float  #: what is left below the groove (mm)
+    web: float  #: thickness left below the groove (mm)
 
 
 def section(depth: float, caliper: float, cutter: VCutter) -> Section:
-    """Return the section of a groove of some depth (mm) in a board of some caliper (mm).
+    """Return the cross-section of a groove of a depth (mm) in a board of a caliper (mm).
 
     With θ the tilt: included angle 2θ, width W = 2 h tan θ, web T - h (our derivation).
 
@@ -105,30 +106,30 @@ def section(depth: float, caliper: float, cutter: VCutter) -> Section:
 
 
 def vgroove(operation: Operation) -> Toolpath:
-    """Return the toolpath that cuts V-grooves: out and back along every path, for every depth.
+    """Return the toolpath that cuts V-grooves: two passes along every path for every depth.
 
     Raises
     ------
     CurvedGroove
-        A path has an arc, which a straight blade cannot follow.
+        A path contains an arc, which a straight blade cannot follow.
     EdgeTooShort
         A path is shorter than the blade is wide.
     GrooveTooDeep
-        A groove goes through the board, or the blade would run past an end inside the panel
-        further than the board allows.
+        A groove goes through the board, or the blade would overrun an end inside the panel by
+        more than the board allows.
     """
     cutter = operation.tool
     assert isinstance(cutter, VCutter)
     _refuse(operation, cutter)
     start, end = _run_out(operation)
     offset = head_offset(start, end, cutter)
-    aside = sideways(start, end, cutter, np.ones(len(start)))
+    aside = sideways_move(start, end, cutter, np.ones(len(start)))
     heading = azimuth(end - start)
     first, owner = operation.paths.first, operation.paths.path_of
-    # The pieces of one groove differ by hundredths of a degree, on either side of due east too.
+    # Pieces of one groove differ by hundredths of a degree, also on both sides of 0°.
     along = heading[first[:-1]][owner]
     heading = along + turn(along, heading)
-    columns = _out_and_back(
+    columns = _passes(
         first,
         start,
         end,
@@ -154,11 +155,11 @@ def vgroove(operation: Operation) -> Toolpath:
         source=source,
         swing=still,
         motion=np.full(len(track), Motion.FEED, np.uint8),
-    ).laid(operation)
+    ).to_toolpath(operation)
 
 
 def _run_out(operation: Operation) -> tuple[F64, F64]:
-    """Return where the tip begins and ends on each segment: off the board where that is asked."""
+    """Return start and end of the tip on each segment, beyond the board at run-outs."""
     paths, out = operation.paths, operation.run_out
     start, end = paths.start, paths.end
     for column, rows in ((0, paths.first[:-1]), (1, paths.first[1:] - 1)):
@@ -175,7 +176,7 @@ def _run_out(operation: Operation) -> tuple[F64, F64]:
 
 
 @kernel
-def _out_and_back(
+def _passes(
     first: I32_1,
     start: F64_2,
     end: F64_2,
@@ -187,9 +188,9 @@ def _out_and_back(
     caliper: float,
     clearance: float,
 ) -> Any:
-    """Segments in working order: path by path, depth by depth, out and then back.
+    """Return the segments in working order: by path, then depth, first and second pass.
 
-    Half a turn lies between out and back, always the same way, and back again: C never winds up.
+    The head turns by half a turn between the passes and back again, so C does not accumulate.
     """
     passes = depth.shape[1]
     rows = 2 * passes * len(source)
@@ -262,7 +263,7 @@ def _refuse(operation: Operation, cutter: VCutter) -> None:
             caliper=operation.caliper,
             source=[str(row) for row in rows[:10]],
         )
-    # Past an end on the board's edge the blade runs freely.
+    # Beyond an end on the board's edge the blade may overrun freely.
     inside = np.flatnonzero((operation.start == End.FREE) | (operation.finish == End.FREE))
     if blade > operation.overcut and len(inside):
         raise GrooveTooDeep(

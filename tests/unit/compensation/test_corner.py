@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.compensation.corner import corners, durations, lengths, touch, turns
+from knifetip.compensation.corner import contact_time, corners, durations, lengths, turns
 from knifetip.errors import CompensationError
 from knifetip.geometry.path import Paths, chained
 from knifetip.geometry.transition import Corner
@@ -82,8 +82,12 @@ def test_without_limits_only_lengths_count() -> None:
 
 def test_a_b_type_touches_the_corner_for_its_whole_arc() -> None:
     # 3.1416 mm at 126.49 mm/s; at 50 mm/s the feed itself is the limit.
-    np.testing.assert_allclose(touch(np.radians([90.0]), 2.0, 200.0, 8000.0), 0.02484, atol=1e-5)
-    np.testing.assert_allclose(touch(np.radians([90.0]), 2.0, 50.0, 8000.0), 0.06283, atol=1e-5)
+    np.testing.assert_allclose(
+        contact_time(np.radians([90.0]), 2.0, 200.0, 8000.0), 0.02484, atol=1e-5
+    )
+    np.testing.assert_allclose(
+        contact_time(np.radians([90.0]), 2.0, 50.0, 8000.0), 0.06283, atol=1e-5
+    )
 
 
 @given(degrees=st.floats(1.0, 180.0), k=st.floats(0.05, 0.95), radius=st.floats(0.05, 20.0),

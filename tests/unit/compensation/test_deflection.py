@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from knifetip.compensation.deflection import calibrated, deflected
+from knifetip.compensation.deflection import fit_deflection, shift_centres
 from knifetip.errors import CompensationError, ZeroLengthEdge
 from knifetip.geometry import arc
 from knifetip.geometry.path import Paths, chained
@@ -31,14 +31,16 @@ def rounded(size: float, radius: float) -> Paths:
 
 def test_a_line_moves_into_the_board_by_the_deflection_square_to_it() -> None:
     # East with the tool on the left: the board is below, so down by δy.
-    path, rows = deflected(chained(np.array([[0.0, 3.0], [50.0, 3.0]]), np.zeros(1)), 1, 0.1, 0.05)
+    path, rows = shift_centres(
+        chained(np.array([[0.0, 3.0], [50.0, 3.0]]), np.zeros(1)), 1, 0.1, 0.05
+    )
     np.testing.assert_allclose([path.start[0], path.end[0]], [[0, 2.95], [50, 2.95]], atol=1e-12)
     assert rows.tolist() == [0]
 
 
 def test_a_square_with_bends_keeps_its_bends() -> None:
     # Travelled to the left with the tool outside (right): each side moves in, δx or δy.
-    path, _ = deflected(square(100.0), -1, 0.1, 0.05)
+    path, _ = shift_centres(square(100.0), -1, 0.1, 0.05)
     np.testing.assert_allclose(
         path.start, [[0.1, 0.05], [99.9, 0.05], [99.9, 99.95], [0.1, 99.95]], atol=1e-12
     )
@@ -47,7 +49,7 @@ def test_a_square_with_bends_keeps_its_bends() -> None:
 
 def test_a_square_hole_grows() -> None:
     # Tool on the left, inside the square: the board is outside, so the sides move out.
-    path, _ = deflected(square(100.0), 1, 0.1, 0.05)
+    path, _ = shift_centres(square(100.0), 1, 0.1, 0.05)
     np.testing.assert_allclose(path.start[[0, 2]], [[-0.1, -0.05], [100.1, 100.05]], atol=1e-12)
 
 
@@ -57,7 +59,7 @@ def test_round_corners_become_elliptical_within_the_tolerance(
     x: float, y: float, radius: float
 ) -> None:
     paths = rounded(60.0, radius)
-    path, rows = deflected(paths, -1, x, y)
+    path, rows = shift_centres(paths, -1, x, y)
     np.testing.assert_allclose(path.end, np.roll(path.start, -1, axis=0), atol=1e-9)
     # The corner about (60 − r, r), from due south to due east: half axes r − δx and r − δy.
     if x == y == 0.0:
@@ -72,7 +74,7 @@ def test_round_corners_become_elliptical_within_the_tolerance(
 
 
 def test_an_even_deflection_keeps_arcs_round() -> None:
-    path, rows = deflected(rounded(60.0, 5.0), -1, 0.2, 0.2)
+    path, rows = shift_centres(rounded(60.0, 5.0), -1, 0.2, 0.2)
     corner = rows == 1
     radius = arc.radius(path.start[corner], path.end[corner], path.bulge[corner])
     np.testing.assert_allclose(radius, 4.8, rtol=1e-9)
@@ -80,7 +82,7 @@ def test_an_even_deflection_keeps_arcs_round() -> None:
 
 def test_no_deflection_is_the_identity_to_the_bit() -> None:
     paths = rounded(60.0, 5.0)
-    path, rows = deflected(paths, -1, 0.0, 0.0)
+    path, rows = shift_centres(paths, -1, 0.0, 0.0)
     assert path is paths
     assert rows.tolist() == list(range(8))
 
@@ -92,7 +94,7 @@ def test_a_line_that_meets_an_arc_at_a_bend_meets_it_again(
 ) -> None:
     paths = chained(np.array([[0, 0], [40, 0], [40, 30], [0, 30], [0, 0]], float),
                     np.array([0.0, bulge, 0.0, 0.0]))  # fmt: skip
-    path, rows = deflected(paths, -1, x, y)
+    path, rows = shift_centres(paths, -1, x, y)
     np.testing.assert_allclose(path.end, np.roll(path.start, -1, axis=0), atol=1e-9)
     assert sorted(set(rows.tolist())) == [0, 1, 2, 3]
     # The straight sides have moved by δy and δx exactly.
@@ -104,34 +106,36 @@ def test_a_line_that_meets_an_arc_at_a_bend_meets_it_again(
 @given(x=given_way, y=given_way, shift=st.integers(0, 7))
 def test_reversed_or_begun_elsewhere_it_is_the_same_contour(x: float, y: float, shift: int) -> None:
     paths = rounded(60.0, 4.0)
-    there, _ = deflected(paths, -1, x, y)
+    there, _ = shift_centres(paths, -1, x, y)
     turned = Paths(paths.end[::-1], paths.start[::-1], -paths.bulge[::-1], paths.first)
-    back, _ = deflected(turned, 1, x, y)
+    back, _ = shift_centres(turned, 1, x, y)
     np.testing.assert_allclose(back.end[::-1], there.start, atol=1e-9)
     start, end, bulge = (np.roll(c, shift, axis=0) for c in (paths.start, paths.end, paths.bulge))
     rolled = Paths(start, end, bulge,
                    paths.first)  # fmt: skip
-    other, _ = deflected(rolled, -1, x, y)
+    other, _ = shift_centres(rolled, -1, x, y)
     lengths = (there.lengths, other.lengths)
     assert lengths[0] == pytest.approx(lengths[1], abs=1e-9)
 
 
 def test_an_open_path_keeps_its_loose_ends() -> None:
-    path, _ = deflected(chained(np.array([[0.0, 0], [10, 0], [10, 10]]), np.zeros(2)), 1, 0.2, 0.1)
+    path, _ = shift_centres(
+        chained(np.array([[0.0, 0], [10, 0], [10, 10]]), np.zeros(2)), 1, 0.2, 0.1
+    )
     np.testing.assert_allclose(path.start, [[0, -0.1], [10.2, -0.1]], atol=1e-12)
     np.testing.assert_allclose(path.end[-1], [10.2, 10], atol=1e-12)
 
 
 def test_an_arc_tighter_than_the_deflection_is_refused() -> None:
     with pytest.raises(CompensationError, match=r"arc of 0\.250 mm.*gives way by 0\.300"):
-        deflected(rounded(60.0, 0.25), -1, 0.3, 0.1)
+        shift_centres(rounded(60.0, 0.25), -1, 0.3, 0.1)
 
 
 def test_a_step_shorter_than_the_deflection_is_refused() -> None:
     # Out 0.1 mm and on: the two long sides move towards each other's end.
     xy = np.array([[0, 0], [50, 0], [50.05, 0.05], [50, 0.1], [0, 0.1]], float)
     with pytest.raises(CompensationError, match="too short"):
-        deflected(chained(xy, np.zeros(4)), -1, 0.3, 0.3)
+        shift_centres(chained(xy, np.zeros(4)), -1, 0.3, 0.3)
 
 
 @given(side=st.sampled_from([1, -1]), x=given_way, y=given_way,
@@ -142,21 +146,21 @@ def test_what_was_put_in_is_calibrated_out_again(
     a = np.radians(azimuths)
     tangents = np.column_stack([np.cos(a), np.sin(a)])
     measured = side * np.column_stack([-x * np.sin(a), y * np.cos(a)])
-    assert calibrated(tangents, measured, side) == pytest.approx((x, y), abs=1e-12)
+    assert fit_deflection(tangents, measured, side) == pytest.approx((x, y), abs=1e-12)
 
 
 def test_a_tool_drawn_into_the_board_is_refused_and_noise_is_not() -> None:
     tangent = np.array([[1.0, 1.0]])
     with pytest.raises(CompensationError, match="drawn into the board"):
-        calibrated(tangent, np.array([[0.05, 0.05]]), 1)
-    assert calibrated(tangent, np.array([[0.001, 0.05]]), 1)[0] == 0.0
+        fit_deflection(tangent, np.array([[0.05, 0.05]]), 1)
+    assert fit_deflection(tangent, np.array([[0.001, 0.05]]), 1)[0] == 0.0
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_numbers_that_are_none_are_refused(bad: float) -> None:
     with pytest.raises(CompensationError, match="not a number"):
-        calibrated(np.array([[1.0, 1.0]]), np.array([[bad, 0.0]]), 1)
+        fit_deflection(np.array([[1.0, 1.0]]), np.array([[bad, 0.0]]), 1)
     with pytest.raises(CompensationError, match="0 measured points"):
-        calibrated(np.zeros((0, 2)), np.zeros((0, 2)), 1)
+        fit_deflection(np.zeros((0, 2)), np.zeros((0, 2)), 1)
     with pytest.raises(ZeroLengthEdge):
-        calibrated(np.zeros((1, 2)), np.zeros((1, 2)), 1)
+        fit_deflection(np.zeros((1, 2)), np.zeros((1, 2)), 1)
