@@ -128,6 +128,7 @@ def kernel(
         # Said in either case: numba lets a kernel inherit what it does not say from the kernel
         # whose compilation it is a part of.
         "_nrt": allocates,
+        "forceinline": False,
     }
     if function is not None:
         return _compiled(function, **options)
