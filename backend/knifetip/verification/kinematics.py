@@ -58,7 +58,7 @@ class TipPaths:
     curve: F64  #: (n, 6)
     z: F64  #: (n,) mm
     heading: F64  #: (n, 2) degrees, at start and end
-    trade: U8  #: (n,) Trade
+    operation: U8  #: (n,) Trade
     station: I32  #: (n,)
     track: I32  #: (n,) number of the stay in the board
     line: I32  #: (n,)
@@ -139,7 +139,7 @@ def tip_paths(
         curve=curve,
         z=z,
         heading=heading,
-        trade=_operations(z, tip.station[rows], machine, board),
+        operation=_operations(z, tip.station[rows], machine, board),
         station=tip.station[rows],
         track=track[rows].astype(np.int32),
         line=moves.line[rows],

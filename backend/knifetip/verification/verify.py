@@ -66,7 +66,7 @@ def verify(
     Returns
     -------
     Verdict
-        Accepted if nothing was found.  A text that is no program is refused, with its lines.
+        Accepted if nothing was findings.  A text that is no program is refused, with its lines.
 
     Raises
     ------
@@ -81,18 +81,18 @@ def verify(
         raise ProgramError("verify.bad-tolerance", tolerance=tolerance)
     edges = place_edges(dieline, placement)
     figures = EdgeFigures.zeros(len(dieline))
-    found = Findings()
-    moves, _, ways = _trace(text, machine, board, tolerance, found)
-    _check_placement(text, placement, machine, found)
-    _check_unclassified(dieline, found)
+    findings = Findings()
+    moves, _, ways = _trace(text, machine, board, tolerance, findings)
+    _check_placement(text, placement, machine, findings)
+    _check_unclassified(dieline, findings)
     tolerance += moves.resolution
-    bench = CheckContext(
-        edges, machine, board, tolerance, figures, found, moves.programmed, moves.resolution
+    context = CheckContext(
+        edges, machine, board, tolerance, figures, findings, moves.programmed, moves.resolution
     )
-    check_edges(bench, ways)
-    check_work_order(bench, ways)
+    check_edges(context, ways)
+    check_work_order(context, ways)
     return Verdict(
-        accepted=len(found) == 0,
+        accepted=len(findings) == 0,
         tolerance=tolerance,
         deviation=figures.deviation,
         overcut=figures.overcut,
@@ -104,16 +104,16 @@ def verify(
         unreached=figures.unreached,
         bottom_uncut=figures.bottom_uncut,
         top_overcut=figures.top_overcut,
-        samples=_samples(bench),
-        areas=merge_unreached(bench.unreached, placement),
-        findings=found.sorted(),
+        samples=_samples(context),
+        areas=merge_unreached(context.unreached, placement),
+        findings=findings.sorted(),
         seconds=motion_checks.nominal_seconds(moves, machine),
     )
 
 
-def _samples(bench: CheckContext) -> Samples:
+def _samples(context: CheckContext) -> Samples:
     """Return the map of deviations, thinned evenly to at most ``MAX_SAMPLES`` rows."""
-    columns = [np.concatenate(column) for column in zip(*bench.samples, strict=True)]
+    columns = [np.concatenate(column) for column in zip(*context.samples, strict=True)]
     if not columns:
         return Samples()
     edge, place, deviation = columns
@@ -127,16 +127,18 @@ def trace_program(text: bytes, machine: Machine, board: Board) -> tuple[Moves, T
 
 
 def _trace(
-    text: bytes, machine: Machine, board: Board, tolerance: float, found: Findings
+    text: bytes, machine: Machine, board: Board, tolerance: float, findings: Findings
 ) -> tuple[Moves, TipPoses, TipPaths]:
     moves, faults = _reader(machine).read(text, machine, board)
-    found.program(faults)
+    findings.program(faults)
     tip = tip_poses(moves, machine, board)
-    usable = motion_checks.check_travel(moves, machine, found)
-    motion_checks.check_feeds(moves, tip, machine, found)
-    motion_checks.check_outputs(moves, tip, machine, found)
-    check_switching(moves, machine, board, found)
-    motion_checks.check_board_moves(moves, tip, machine, board, tolerance + moves.resolution, found)
+    usable = motion_checks.check_travel(moves, machine, findings)
+    motion_checks.check_feeds(moves, tip, machine, findings)
+    motion_checks.check_outputs(moves, tip, machine, findings)
+    check_switching(moves, machine, board, findings)
+    motion_checks.check_board_moves(
+        moves, tip, machine, board, tolerance + moves.resolution, findings
+    )
     usable &= ~np.isnan(tip.start).any(axis=1) & ~np.isnan(tip.end).any(axis=1)
     return moves, tip, tip_paths(moves, tip, usable, machine, board)
 
@@ -152,14 +154,14 @@ def _reader(machine: Machine) -> ProgramReader:
 
 
 def _check_placement(
-    text: bytes, placement: tuple[float, float], machine: Machine, found: Findings
+    text: bytes, placement: tuple[float, float], machine: Machine, findings: Findings
 ) -> None:
     stated = read_placement(text, machine)
     if stated is None:
         return
     off = math.hypot(stated[0] - placement[0], stated[1] - placement[1])
     if off > 1e-3:
-        found.add(
+        findings.add(
             "program",
             Message(
                 "verify.other-placement",
@@ -172,7 +174,7 @@ def _check_placement(
         )
 
 
-def _check_unclassified(dieline: Dieline, found: Findings) -> None:
+def _check_unclassified(dieline: Dieline, findings: Findings) -> None:
     rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
     for row in rows[:MAX_FINDINGS]:
-        found.add("uncut", Message("verify.unclassified"), 0.0, edge=row)
+        findings.add("uncut", Message("verify.unclassified"), 0.0, edge=row)

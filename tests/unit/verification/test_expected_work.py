@@ -85,7 +85,7 @@ def test_a_crease_shorter_than_its_clearances_is_refused() -> None:
 
 def test_knife_ends_of_the_hand_written_dieline() -> None:
     edges = place_edges(DIELINE, PLACEMENT)
-    cuts = edges.of(LineType.CUT)
+    cuts = edges.with_types(LineType.CUT)
     slant = math.tan(math.radians(10.0))
     ends = knife_ends(cuts, cuts, 2.3 * slant, 2.0 * slant)
     slit, run_out = (

@@ -25,7 +25,7 @@ def torn(
     grooves = [edge for edge in edges if edge[0] == GROOVE] or [(GROOVE, 0, 0, 100, 0, 0.0)]
     drawn = place_edges(dieline(*grooves, *(e for e in edges if e[0] != GROOVE)), (0.0, 0.0))
     spare = np.full((len(grooves), 2), out)
-    return damaged_cuts(drawn.of(GROOVE), drawn.of(CUT), REACH, spare)
+    return damaged_cuts(drawn.with_types(GROOVE), drawn.with_types(CUT), REACH, spare)
 
 
 @pytest.mark.parametrize("aside", [0.1, 0.5, 1.0, 1.25, -0.1, -1.25])

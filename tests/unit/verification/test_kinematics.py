@@ -40,7 +40,9 @@ def test_the_tips_of_the_hand_written_program_stand_where_its_author_put_them() 
     # Before the plunge the tip stands on the blade's own line: 3.3 higher and 3.3 to the right.
     np.testing.assert_allclose(tip.end[row[27]], [40.0, 46.7, 4.0, 0.0], atol=1e-9)
     np.testing.assert_allclose(tip.end[row[33]], [40.0, 50.0, 0.7, 180.0], atol=1e-9)
-    assert [OperationKind(int(trade)) for trade in np.unique(work.trade)] == list(OperationKind)[:4]
+    assert [OperationKind(int(trade)) for trade in np.unique(work.operation)] == list(
+        OperationKind
+    )[:4]
     ends = work.ends()
     np.testing.assert_allclose(ends[0][0], [90.0, 34.4], atol=1e-9)
 

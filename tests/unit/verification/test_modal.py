@@ -39,7 +39,7 @@ def test_without_tool_words_the_station_is_the_one_that_was_lowered_last() -> No
         HEADER + "G0 Z20\nM64 P1\nG4 P0.15\nG0 X0\nM65 P1\nM64 P2\nG4 P0.15\nG0 X1\nM65 P2\nM2\n"
     )
     assert moves.station.tolist() == [-1, 1, 2]
-    assert moves.piston.tolist() == [[False] * 3, [False, True, False], [False, False, True]]
+    assert moves.lowered.tolist() == [[False] * 3, [False, True, False], [False, False, True]]
 
 
 def test_the_sweep_of_an_arc_has_the_sign_of_its_turn() -> None:

@@ -1,10 +1,10 @@
-"""Bridges: the nicks that hold a part in its sheet, as the knife has left them in the top face.
+"""Check the bridges that hold a part in the sheet.
 
-    EdgePaths, stretches of work along them -> Bridges: where, how wide, how far apart
+    EdgePaths, overlaps of the work with their edges -> Bridges -> what is wrong with them
 
-A blade slanted by α has cut the top face further than its tip has come, by its lead.  So where it
-stops before a bridge the tip leaves a gap that is wider than the bridge by that; where it goes in
-again, tip and top face begin in one place.
+Widths are measured in the top face.  A slanted blade cuts the top face ahead of its tip by its
+lead.  So where the tip stops before a bridge, its gap is wider than the bridge by the lead; where
+it enters the board after a bridge, the cuts in both faces begin at the same point.
 """
 
 from __future__ import annotations
@@ -23,37 +23,37 @@ from knifetip.verification.expectation.edge_paths import EdgePaths
 from knifetip.verification.expectation.edges import STRAIGHT_ANGLE, Edges, angle_between
 from knifetip.verification.findings import MAX_FINDINGS
 
-#: A bridge stays this far from a sharp corner (mm), and no part hangs by fewer.
+#: Smallest distance of a bridge from a sharp corner (mm), and fewest bridges of a part.
 CORNER_DISTANCE: Final = 5.0
 MIN_BRIDGES: Final = 2
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Bridges:
-    """k gaps in closed paths, path by path and in order along each."""
+    """k bridges in closed paths, sorted by path and by position along it."""
 
     path: I64  #: (k,)
     middle: F64  #: (k,) mm along the path
     width: F64  #: (k,) mm in the top face
-    bare: F64  #: (k,) mm that the tip has left
-    need: F64  #: (k,) mm that must be clear of corners
-    apart: F64  #: (k,) mm from its middle to that of the next one of its path
-    gap_without: F64  #: (k,) mm from the one before it to the one after it
+    bare: F64  #: (k,) mm, length of the gap that the tip has left
+    need: F64  #: (k,) mm, length that must be clear of corners
+    spacing: F64  #: (k,) mm between its middle and that of the next bridge of the path
+    gap_without: F64  #: (k,) mm between the middles of the previous and the next bridge
 
 
 def find_bridges(
     rows: Overlaps, paths: EdgePaths, held: Bool, edges: Edges, lead: float
 ) -> Bridges:
-    """Return the gaps that work has left in closed paths.
+    """Return the gaps in the work on closed paths.
 
     Parameters
     ----------
     rows
-        The work's stretches along the edges of the paths.
+        Overlaps of the work with the edges of the paths.
     held : (c,)
-        The paths to look at.
+        Mask of the paths that are searched.
     lead : mm
-        How far the top face is cut ahead of the tip.
+        Length by which the cut in the top face is ahead of the tip.
     """
     size = edges.curve[:, 5]
     some = rows.best & (np.diff(rows.along)[:, 0] > SHORT)
@@ -68,14 +68,14 @@ def find_bridges(
     low, high = at.min(axis=1), at.max(axis=1)
     which, begin, end = uncovered_edges(path, low, high, np.where(held, paths.length, 0.0))
     length = paths.length[which]
-    # A gap over the place where the path begins is one.
+    # Join the two parts of a gap across the start of the path.
     first, last = begin <= 1e-9, end >= length - 1e-9
     for k in np.flatnonzero(first & ~last):
         other = np.flatnonzero((which == which[k]) & last & ~first)
         if len(other):
             end[other[0]] += end[k]
             which[k] = -1
-    # Between two ways that meet no bridge is left, however they are printed.
+    # A gap between two paths that meet is rounding, not a bridge.
     kept = (which >= 0) & (end - begin > SHORT)
     which, begin, end, length = which[kept], begin[kept], end[kept], length[kept]
 
@@ -88,12 +88,14 @@ def find_bridges(
 
 
 def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, length: F64) -> Bridges:
-    """Return bridges in order, from those in any order.
+    """Return bridges sorted by path and position, with their spacings.
 
     Parameters
     ----------
+    path, middle, width, bare, need : (k,)
+        Columns of ``Bridges``, in any order.
     length : (c,) mm
-        Of every path.
+        Length of each path.
     """
     order = np.lexsort((middle, path))
     path, middle = path[order], middle[order]
@@ -110,7 +112,7 @@ def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, leng
 
 
 def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
-    """Return 1 where a stretch ends at a place of a path, going towards it, else 0."""
+    """Return 1 for each place (mm) of a path at which a stretch of work ends, else 0."""
     result = np.zeros(len(which))
     for k in range(len(which)):
         off = np.abs(at[path == which[k]] - place[k]) % length[k]
@@ -126,20 +128,20 @@ def check_bridges(
     Parameters
     ----------
     edges
-        Those on the paths.
+        The edges of the paths.
     held : (c,)
-        The paths that must hang by bridges.
+        Mask of the paths that must have bridges.
     slack : mm
-        Less is not wrong.
+        Smaller differences are ignored.
     """
     edge, short = _corner_shortfall(found, paths, edges)
     wide = found.width - board.bridge_width
     many = np.bincount(found.path, minlength=len(held))
-    # Without a spare one the next two would still be near enough to each other.
+    # A bridge is superfluous if its two neighbours are within the spacing without it.
     spare = many[found.path] > MIN_BRIDGES
     spare &= found.gap_without <= board.bridge_spacing - slack
     bad = (np.abs(wide) > slack) | (short > slack) | spare
-    bad |= found.apart > board.bridge_spacing + slack
+    bad |= found.spacing > board.bridge_spacing + slack
     for k in np.flatnonzero(bad)[:MAX_FINDINGS]:
         place, e = found.middle[k], int(edge[k])
         if abs(wide[k]) > slack:
@@ -153,12 +155,12 @@ def check_bridges(
         if short[k] > slack:
             message = Message("verify.bridge-near-corner", place=place, distance=short[k])
             yield "deviation", e, message, float(short[k])
-        past = float(found.apart[k] - board.bridge_spacing)
+        past = float(found.spacing[k] - board.bridge_spacing)
         if past > slack:
             message = Message(
                 "verify.bridge-spacing",
                 place=place,
-                distance=found.apart[k],
+                distance=found.spacing[k],
                 most=board.bridge_spacing,
             )
             yield "overcut", e, message, past
@@ -172,9 +174,9 @@ def check_bridges(
 
 
 def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I64, F64]:
-    """Return for bridges the edge that each is on, and how much too near a sharp corner (mm)."""
+    """Return the edge of each bridge, and the missing distance to a sharp corner (mm)."""
     size = edges.curve[:, 5]
-    edge, place = paths.find(found.path, found.middle, edges.curve)
+    edge, place = paths.locate(found.path, found.middle, edges.curve)
     least = np.minimum(CORNER_DISTANCE + found.need / 2.0, size[edge] / 2.0)
     sharp = _sharp_corners(paths, edges)
     short = np.zeros(len(edge))
@@ -184,7 +186,7 @@ def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I
 
 
 def _sharp_corners(paths: EdgePaths, edges: Edges) -> Bool:
-    """Return for the ends of edges on closed paths, (2n,), whether a sharp corner is there."""
+    """Return a mask of the ends of edges on closed paths, (2n,), at sharp corners."""
     order = np.lexsort((paths.begin, paths.path))
     path = paths.path[order]
     new = np.ones(len(order), np.bool_)

@@ -1,12 +1,13 @@
-"""Trial: the work of one station in one trade beside its edges, and what every trade asks of it.
+"""Checks that apply to every kind of operation: position, depth, heading, completeness.
 
-    CheckContext, TipPaths, Edges -> position, depth, heading and completeness of the work
+    CheckContext, TipPaths, Edges -> findings and figures of the edges
 
-What is within the tolerance of the drawn line counts as on it.
+Work within the tolerance of a drawn line counts as work on that line.
 
 Heading: a tool that reaches ρ from its tip (the blade's width, half the wheel's contact, a
-V-cutter's whole edge) swings by 2 ρ sin(ΔC / 2) when it is turned by ΔC off the drawn line; that
-must not be more than the tolerance.  A wheel's ΔC is the remainder of 180°, the others' of 360°.
+V-cutter's whole edge) swings by 2 ρ sin(ΔC / 2) when its heading differs by ΔC from the direction
+of the line.  The swing must not exceed the tolerance.  ΔC is taken modulo 180° for a wheel, which
+has no front, and modulo 360° for other tools.
 """
 
 from __future__ import annotations
@@ -37,54 +38,66 @@ ToolKind = TypeVar("ToolKind", Knife, CreaseWheel, VCutter)
 
 
 class StationCheck(ABC):
-    """The work of one station in one trade, and its edges."""
+    """Base class: compares the work of one station in one kind of operation with its edges."""
 
     def __init__(
-        self, bench: CheckContext, work: TipPaths, rows: I64, trade: OperationKind, edges: Edges
+        self,
+        context: CheckContext,
+        work: TipPaths,
+        rows: I64,
+        operation: OperationKind,
+        edges: Edges,
     ) -> None:
-        self.bench, self.trade = bench, trade
-        self.figures, self.found, self.tolerance = bench.figures, bench.found, bench.tolerance
+        self.context, self.operation = context, operation
+        self.figures, self.findings, self.tolerance = (
+            context.figures,
+            context.findings,
+            context.tolerance,
+        )
         self.curve, self.z, self.heading = work.curve[rows], work.z[rows], work.heading[rows]
         self.station, self.line = work.station[rows], work.line[rows]
         self.blend = work.blend[rows]
-        # Along its line, too, the tip may be off by what the controller rounds.
+        # The controller's rounding of corners also shifts the tip along its line.
         rounds = self.blend[np.isfinite(self.blend)].max(initial=0.0)
-        # A length lies between two printed points, each of them rounded.
-        self.slack = bench.resolution + float(
+        # A length lies between two printed points, and both are rounded.
+        self.slack = context.resolution + float(
             np.clip(self.tolerance - rounds, MIN_SLACK, self.tolerance)
         )
         self.track = np.unique(work.track[rows], return_inverse=True)[1].astype(np.int64)
-        self.laid(edges)
+        self.set_edges(edges)
 
-    def laid(self, edges: Edges) -> None:
-        """Take these edges for those to work, all of each."""
+    def set_edges(self, edges: Edges) -> None:
+        """Set the edges that must be worked, each over its whole length."""
         self.edges = edges
         self.size = edges.curve[:, 5]
         self.low, self.high = np.zeros(len(edges)), self.size.copy()
         self.depth = np.zeros(len(edges))
-        #: (n,) mm of each curve before the edge as drawn begins
+        #: (n,) mm of each curve before the start of the drawn edge
         self.before = np.zeros(len(edges))
-        #: (n, 2) mm at start and end that may be worked and need not
+        #: (n, 2) mm at start and end where work is allowed but not required
         self.spare = np.zeros((len(edges), 2))
 
     def run(self) -> None:
-        """Judge, if there is anything to judge."""
+        """Run the check if there is work or an edge."""
         if len(self.curve) or len(self.edges):
-            self.judge()
+            self.check()
 
     @abstractmethod
-    def judge(self) -> None:
-        """Ask what this trade asks."""
+    def check(self) -> None:
+        """Compare the work with the edges; add findings and figures."""
 
     def tool(self, kind: type[ToolKind]) -> ToolKind | None:
-        """Return the tool of the station that does this trade, or could."""
-        stations = self.bench.machine.stations
+        """Return the tool of the checked station, or of the first station with such a tool.
+
+        None if the checked station has another kind of tool, or if no station has this kind.
+        """
+        stations = self.context.machine.stations
         if len(self.station):
             tool = stations[int(self.station[0])].tool
             return tool if isinstance(tool, kind) else None
         return next((held.tool for held in stations if isinstance(held.tool, kind)), None)
 
-    def finding(
+    def add_finding(
         self,
         kind: str,
         edge: int,
@@ -93,26 +106,30 @@ class StationCheck(ABC):
         work: int = -1,
         line: int = -1,
     ) -> None:
-        """Note something about an edge of this trade, ``edge`` -1 for none."""
+        """Add a finding about an edge; ``edge`` is -1 if it concerns no edge."""
         row = int(self.edges.row[edge]) if edge >= 0 else -1
         line = int(self.line[work]) if work >= 0 else line
-        self.found.add(kind, message, measure, edge=row, line=line)
+        self.findings.add(kind, message, measure, edge=row, line=line)
 
-    def overcut(self, edges: I64, measure: F64) -> None:
+    def record_overcut(self, edges: I64, measure: F64) -> None:
         rows = self.edges.row[edges]
         np.maximum.at(self.figures.overcut, rows, measure)
 
-    def matched(self) -> Overlaps:
-        """Return where the work runs along the edges."""
+    def match_edges(self) -> Overlaps:
+        """Return the overlaps of the tip paths with the edges."""
         return find_overlaps(self.curve, self.edges.curve, self.low, self.high, self.tolerance)
 
-    def placed(self, rows: Overlaps, final: Bool | None = None, wide: F64 | None = None) -> None:
-        """Judge how far off the edges the work is, and how deep where it is ``final``.
+    def check_position(
+        self, rows: Overlaps, final: Bool | None = None, wide: F64 | None = None
+    ) -> None:
+        """Check the distance of the work from the edges, and its depth.
 
         Parameters
         ----------
+        final
+            Mask of the overlaps whose depth is checked; all if None.
         wide : (n,) mm
-            The tolerance of each edge, where they differ.
+            Tolerance of each edge; the tolerance of the verdict if None.
         """
         limit = np.full(len(self.edges), self.tolerance) if wide is None else wide
         best = np.flatnonzero(rows.best)
@@ -121,12 +138,12 @@ class StationCheck(ABC):
         shown = np.where(np.isfinite(figure), figure, rows.distance[best])
         np.maximum.at(self.figures.deviation, self.edges.row[edge], shown)
         for row in np.flatnonzero(figure > limit[edge] + 1e-9)[:MAX_FINDINGS]:
-            self.finding(
+            self.add_finding(
                 "deviation",
                 edge[row],
                 Message(
                     "verify.off-line",
-                    tool=self.trade.tool,
+                    tool=self.operation.tool,
                     distance=rows.distance[best[row]],
                     rounding=self.blend[work[row]],
                     tolerance=limit[edge[row]],
@@ -139,20 +156,20 @@ class StationCheck(ABC):
             along = rows.along[best] @ (1.0 - share, share)
             off = left_distance(self.curve[work], along, self.edges.curve[edge])
             place = rows.place[best] @ (1.0 - share, share) - self.before[edge]
-            self.bench.samples.append((self.edges.row[edge], place / drawn, off))
-        if "Z" not in self.bench.programmed:
+            self.context.samples.append((self.edges.row[edge], place / drawn, off))
+        if "Z" not in self.context.programmed:
             return
-        deep = self.bench.board.caliper - self.z[work]
+        deep = self.context.board.caliper - self.z[work]
         wrong = np.abs(deep - self.depth[edge])
         if final is not None:
             wrong[~final[best]] = 0.0
         for row in np.flatnonzero(wrong > DEPTH_TOLERANCE)[:MAX_FINDINGS]:
-            self.finding(
+            self.add_finding(
                 "depth",
                 edge[row],
                 Message(
                     "verify.wrong-depth",
-                    tool=self.trade.tool,
+                    tool=self.operation.tool,
                     depth=deep[row],
                     planned=self.depth[edge[row]],
                 ),
@@ -160,13 +177,19 @@ class StationCheck(ABC):
                 work[row],
             )
 
-    def headed(self, rows: Overlaps, reach: F64, turn: float, chorded: Bool | None = None) -> None:
-        """Judge the heading where the work runs along an edge, and where it runs on past one.
+    def check_heading(
+        self, rows: Overlaps, reach: F64, turn: float, chorded: Bool | None = None
+    ) -> None:
+        """Check the heading of the tool along edges and past their ends.
 
         Parameters
         ----------
+        reach : mm
+            Distance from the tip to the farthest point of the tool, for each tip path.
+        turn : degrees
+            Turn after which the tool has the same shape again: 180 or 360.
         chorded : (n,)
-            Edges that are worked in chords, each in its own direction.
+            Mask of the edges that are worked in chords, each in its own direction.
         """
         best = np.flatnonzero(rows.best)
         work, edge = rows.curve[best], rows.edge[best]
@@ -174,10 +197,10 @@ class StationCheck(ABC):
         point = length < 1e-6
         along, place = rows.along[best], rows.place[best]
         span = place[:, 1] - place[:, 0]
-        # The direction of a brief way is lost in the last digit.
+        # A short path has no exact direction: its ends are rounded to the last digit.
         size = along[:, 1] - along[:, 0]
         follows = (size > SHORT) & (np.abs(span) > 0.5 * size)
-        pressed = point & (self.trade == OperationKind.CREASE)
+        pressed = point & (self.operation == OperationKind.CREASE)
         back = np.where(span < 0.0, 180.0, 0.0)
         worst = np.zeros(len(best))
         for side in range(2):
@@ -190,9 +213,9 @@ class StationCheck(ABC):
                 drawn = np.where(chorded[edge], own, drawn)
             off = angle_between(heading, drawn, turn)
             worst = np.maximum(worst, np.where(follows | pressed, off, 0.0))
-        self.swung(worst, reach[work], np.zeros(len(best)), work, edge)
+        self.check_swing(worst, reach[work], np.zeros(len(best)), work, edge)
 
-        # What runs past an edge, or round a corner that is none, has only its own direction.
+        # Work past an edge has no edge to compare with, only the direction of its own path.
         which, spans = uncovered_curves(rows, self.curve)
         long = np.flatnonzero(spans[:, 1] - spans[:, 0] > self.tolerance)
         which, spans = which[long], spans[long]
@@ -204,21 +227,23 @@ class StationCheck(ABC):
                 off, angle_between(heading, azimuth_at(self.curve[which], spans[:, side]), turn)
             )
         slack = np.degrees(PRINT_TURN / np.maximum(self.curve[which, 5], PRINT_TURN))
-        self.swung(off, reach[which], slack, which, np.full(len(which), -1))
+        self.check_swing(off, reach[which], slack, which, np.full(len(which), -1))
 
-    def swung(self, off: F64, reach: F64, slack: F64, work: I32 | I64, edge: I32 | I64) -> None:
-        """Judge by how much the tool swings where it is turned off the line by degrees."""
-        if "C" not in self.bench.programmed:
+    def check_swing(
+        self, off: F64, reach: F64, slack: F64, work: I32 | I64, edge: I32 | I64
+    ) -> None:
+        """Check the swing of the tool where its heading is ``off`` degrees off the line."""
+        if "C" not in self.context.programmed:
             return
         turned = np.maximum(off - slack, 0.0)
         swing = 2.0 * reach * np.sin(np.radians(turned) / 2.0)
         for row in np.flatnonzero(swing > self.tolerance)[:MAX_FINDINGS]:
-            self.finding(
+            self.add_finding(
                 "heading",
                 int(edge[row]),
                 Message(
                     "verify.wrong-heading",
-                    tool=self.trade.tool,
+                    tool=self.operation.tool,
                     degrees=off[row],
                     swing=swing[row],
                 ),
@@ -226,10 +251,20 @@ class StationCheck(ABC):
                 work[row],
             )
 
-    def uncut(
+    def check_uncut(
         self, rows: Overlaps, which: I64, only: Bool | None = None, forward: bool | None = None
     ) -> None:
-        """Judge what of these edges, between their limits, no work has covered."""
+        """Check that work covers these edges between their limits.
+
+        Parameters
+        ----------
+        which
+            Indices of the edges to check.
+        only
+            Mask of the overlaps that count; all if None.
+        forward
+            Direction of the counted work along the edges, for messages; None for either.
+        """
         size = self.size
         wanted = np.zeros(len(self.edges), np.bool_)
         wanted[which] = True
@@ -237,9 +272,9 @@ class StationCheck(ABC):
         keep = wanted[rows.edge]
         if only is not None:
             keep &= only
-        wide, edge, begin, line = self.gaps(rows, np.flatnonzero(keep), np.flatnonzero(wanted))
+        wide, edge, begin, line = self.edge_gaps(rows, np.flatnonzero(keep), np.flatnonzero(wanted))
         bare = wide > self.slack
-        # A pressed crease is a point: covered, or not there at all.
+        # A pressed crease is a point, which has no length: it is worked or not.
         bare |= (self.high - self.low < 1e-9)[edge] & (line < 0)
         missed = np.where(wide > 0.0, wide, size[edge])
         np.add.at(self.figures.uncut, self.edges.row[edge[bare]], missed[bare])
@@ -255,13 +290,13 @@ class StationCheck(ABC):
                 if drawn - begin[row] <= missed[row] + self.slack:
                     where = Message("verify.where-past-end")
             message = Message("verify.not-worked", length=missed[row], work=done, where=where)
-            self.finding("uncut", e, message, missed[row], line=int(line[row]))
+            self.add_finding("uncut", e, message, missed[row], line=int(line[row]))
 
     def _done(self, forward: bool | None) -> Message:
-        """Return the word for what this work does to an edge, from one of its ends or either."""
-        if self.trade == OperationKind.CREASE:
+        """Return the message that describes this work, from one end of the edge or from either."""
+        if self.operation == OperationKind.CREASE:
             return Message("verify.work-creased")
-        if self.trade != OperationKind.GROOVE:
+        if self.operation != OperationKind.GROOVE:
             return Message("verify.work-cut")
         if forward is None:
             return Message("verify.work-grooved")
@@ -269,22 +304,23 @@ class StationCheck(ABC):
             "verify.work-grooved-from-start" if forward else "verify.work-grooved-from-end"
         )
 
-    def gaps(self, rows: Overlaps, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
-        """Return the gaps: length, edge, where they begin, and the line before them.
+    def edge_gaps(self, rows: Overlaps, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
+        """Return the gaps between stretches of work: length, edge, start, line of the program.
 
-        One gap before every stretch, and one after the last of each edge; many are empty.
+        There is one gap before each stretch and one after the last stretch of each edge; many
+        have no length.
         """
         edge = rows.edge[keep].astype(np.int64)
         low, high = rows.place[keep].min(axis=1), rows.place[keep].max(axis=1)
         line = self.line[rows.curve[keep]].astype(np.int64)
-        # Every edge gets a stretch without length where it ends, so that all gaps lie before one.
+        # Add an empty stretch at the end of each edge, so that every gap lies before a stretch.
         edge = np.concatenate([edge, wanted])
         low = np.concatenate([low, self.high[wanted]])
         high = np.concatenate([high, self.high[wanted]])
         line = np.concatenate([line, np.full(len(wanted), -1)])
         order = np.lexsort((high, low, edge))
         edge, low, high, line = edge[order], low[order], high[order], line[order]
-        # One running maximum for all edges: each stands on its own step.
+        # Offset each edge, so that one running maximum serves all edges.
         step = edge * (2.0 * float(self.size.max(initial=0.0)) + 1.0)
         reached = np.maximum.accumulate(high + step) - step
         new = np.ones(len(edge), np.bool_)

@@ -1,7 +1,4 @@
-"""Bench: what every comparison has to hand: the edges, the machine, the board, and where to write.
-
-Edges, Machine, Board, tolerance -> EdgeFigures (the verdict's columns) and Findings
-"""
+"""What every check needs: edges, machine, board and tolerance, and where results are collected."""
 
 from __future__ import annotations
 
@@ -17,13 +14,13 @@ from knifetip.verification.columns import F64, I32
 from knifetip.verification.expectation.edges import Edges
 from knifetip.verification.findings import Findings
 
-#: A tool pressed deeper or less deep than planned by more than this is at a wrong depth (mm).
+#: A depth that differs from the planned depth by more than this is wrong (mm).
 DEPTH_TOLERANCE: Final = 0.005
-#: Work farther than this from every edge is not a badly placed edge but a stray (mm).
+#: Work farther than this from every edge is stray work; nearer work is a deviation (mm).
 NEAR_EDGE: Final = 2.0
-#: Below this nothing can be asked of a printed number (mm).
+#: Smallest tolerance for a length that is computed from printed numbers (mm).
 MIN_SLACK: Final = 5e-4
-#: How far the last printed digit of both ends of a move can turn it, times its length (mm).
+#: Rounding both ends of a move to the last digit turns it by up to this / length (mm).
 PRINT_TURN: Final = 1.5e-4
 
 
@@ -42,29 +39,31 @@ class EdgeFigures:
     bottom_uncut: F64
     top_overcut: F64
 
-    def copied(self, source: I32, target: I32) -> None:
-        """Give edges, by their rows in the dieline, the figures of others."""
+    def copy_rows(self, source: I32, target: I32) -> None:
+        """Copy figures between edges, which are given by their rows in the dieline."""
         for column in (getattr(self, name) for name in self.__slots__):
             column[target] = column[source]
 
     @classmethod
     def zeros(cls, count: int) -> EdgeFigures:
-        """Return figures for edges that nobody has worked."""
+        """Return figures that are all 0."""
         return cls(*(np.zeros(count) for _ in range(10)))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CheckContext:
-    """What every comparison needs to hand."""
+    """Inputs and results that all checks of one program share."""
 
     edges: Edges  #: all edges on the sheet
     machine: Machine
     board: Board
-    tolerance: float  #: mm, the rounding of printed points included
+    tolerance: float  #: mm, including the rounding of printed points
     figures: EdgeFigures
-    found: Findings
+    findings: Findings
     programmed: str = "XYZC"  #: the axes that the program moves
-    resolution: float = 0.0  #: how far rounding alone moves a printed point (mm)
-    #: rows of the dieline, places (share of the edge) and how far left of it the work is (mm)
+    resolution: float = 0.0  #: greatest shift of a printed point by rounding (mm)
+    #: rows of the dieline, positions (share of the edge), distances to the left of it (mm)
     samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
-    unreached: list[Unreached] = field(default_factory=list)  #: of every cutter, on the sheet
+    unreached: list[Unreached] = field(
+        default_factory=list
+    )  #: areas of each cutter, in sheet coordinates

@@ -1,11 +1,10 @@
-"""tidied: are the edges that are judged those that were drawn?
+"""Check that the cleaned edges, which a program is verified against, match the drawn edges.
 
-    Dieline as drawn, Cleaned -> findings where cleaning lost, invented or moved work
+    Dieline as drawn, Cleaned -> findings where cleaning lost, added or moved work
 
-A program is judged by the cleaned edges, to a hundredth of a millimetre.  This is the link before:
-every stretch that was drawn must lie on a cleaned edge that does its work, every cleaned edge must
-lie on what was drawn, and nothing but specks may be dropped.  Cleaning says which stretch went
-where; whether that is so is measured here, with no arithmetic of the cleaning's.
+Each drawn stretch must lie on a cleaned edge with its line type or one that replaces it.  Each
+cleaned edge must lie on drawn edges.  Only debris may be dropped.  Cleaning records the cleaned
+edge of each stretch; the distances are measured here without the functions of cleaning.
 """
 
 from __future__ import annotations
@@ -22,20 +21,20 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.verdict import Finding
 from knifetip.verification.columns import F64, I64
 
-#: What is drawn so near to another edge, or fits a flattened curve so well, is the same (mm).
+#: Greatest distance between a drawn stretch and its cleaned edge (mm).
 SAME: Final = 0.01
-#: Ends nearer than this were meant to meet; what is shorter is a speck (mm).
+#: Gap tolerance; shorter edges are debris (mm).
 GAP: Final = 0.05
-#: Where each stretch is measured, in shares of it.
+#: Positions at which a stretch is measured, as shares of its length.
 _PROBES: Final = (0.0, 0.2, 0.4, 0.5, 0.6, 0.8, 1.0)
 _BULGE: Final = 1e-9
-#: Rounding (mm).
+#: Tolerance for rounding (mm).
 _ROUNDING: Final = 1e-6
-#: No more findings than this.
+#: Greatest number of findings.
 _MAX_CLEANING_FINDINGS: Final = 50
 
 _NO_WORK: Final = (LineType.UNCLASSIFIED, LineType.IGNORED)
-#: What the work on the first, were it drawn there alone, does for the second as well.
+#: Line types whose work is included in the work of another type.
 _REPLACES: Final[dict[LineType, tuple[LineType, ...]]] = {
     LineType.CUT: (
         LineType.V_GROOVE,
@@ -57,25 +56,25 @@ _REPLACES: Final[dict[LineType, tuple[LineType, ...]]] = {
 
 
 def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
-    """Return what is wrong with a cleaned dieline, as one of the edges that were drawn."""
+    """Return the differences between a cleaned dieline and the drawn edges."""
     found: list[Finding] = []
     after, parts = cleaned.dieline, cleaned.stretches
     length = _edge_lengths(drawn.ends, drawn.bulge)
     worked = ~np.isin(drawn.line_type, _NO_WORK)
 
-    def tell(edge: int, measure: float, message: Message) -> None:
+    def report(edge: int, measure: float, message: Message) -> None:
         if len(found) < _MAX_CLEANING_FINDINGS:
             found.append(Finding("uncut", message, measure, edge))
 
-    # All of every edge that is to be worked is accounted for.
+    # The stretches of each edge that is worked must add up to its length.
     told = np.bincount(parts.row, (parts.end - parts.begin) * length[parts.row], len(drawn))
     for edge in np.flatnonzero(np.abs(np.where(worked, length, 0.0) - told) > _ROUNDING).tolist():
-        tell(edge, float(length[edge] - told[edge]), Message("verify.cleaning-incomplete"))
+        report(edge, float(length[edge] - told[edge]), Message("verify.cleaning-incomplete"))
     lost = parts.cleaned < 0
     gone = np.bincount(parts.row[lost], ((parts.end - parts.begin) * length[parts.row])[lost],
                        len(drawn))  # fmt: skip
     for edge in np.flatnonzero(gone > GAP + _ROUNDING).tolist():
-        tell(edge, float(gone[edge]), Message("verify.cleaning-dropped", length=gone[edge]))
+        report(edge, float(gone[edge]), Message("verify.cleaning-dropped", length=gone[edge]))
     there = np.flatnonzero(~lost)
     row, target = parts.row[there].astype(np.int64), parts.cleaned[there].astype(np.int64)
     first, second = after.line_type[target], drawn.line_type[row]
@@ -86,15 +85,15 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     for at in np.flatnonzero(~right):
         what, was = LineType(first[at]).word, LineType(second[at]).word
         message = Message("verify.cleaning-type", drawn=was, worked=what)
-        tell(int(row[at]), float(length[row[at]]), message)
+        report(int(row[at]), float(length[row[at]]), message)
     limit = np.where(cleaned.moved[row] > 0.0, GAP, SAME) + np.where(
         cleaned.moved[after.source[target]] > 0.0, GAP, 0.0
     )
     far, along = _measure_stretches(drawn, after, row, target, parts.begin[there], parts.end[there])
     for at in np.flatnonzero(far > limit + _ROUNDING):
-        tell(int(row[at]), float(far[at]), Message("verify.cleaning-moved", distance=far[at]))
+        report(int(row[at]), float(far[at]), Message("verify.cleaning-moved", distance=far[at]))
     own = ~parts.given[there]
-    _check_added_work(after, target[own], along[own], tell)
+    _check_added_work(after, target[own], along[own], report)
     return found
 
 
@@ -107,11 +106,11 @@ def _edge_lengths(ends: F64, bulge: F64) -> F64:
 
 
 def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
-    """Return points of lines and arcs, at a share of their length from their start."""
+    """Return the points at a share of the length of lines and arcs."""
     start, chord = ends[:, 0], ends[:, 1] - ends[:, 0]
     half = 2.0 * np.arctan(bulge)
     bent = np.abs(bulge) > _BULGE
-    # As complex numbers: the chord to the point, sin(share·half) / sin(half) long, and turned.
+    # Complex numbers: the chord to the point is the whole chord, scaled and turned.
     way = chord[:, 0] + 1j * chord[:, 1]
     size = np.where(bent, np.sin(share * half) / np.sin(np.where(bent, half, 1.0)), share)
     point = way * size * np.exp(1j * (share - 1.0) * half)
@@ -122,7 +121,7 @@ def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
 def _measure_stretches(
     drawn: Dieline, after: Dieline, row: I64, target: I64, begin: F64, end: F64
 ) -> tuple[F64, F64]:
-    """Return how far stretches are from their cleaned edges, and where on those, (q, 2)."""
+    """Return the distances (mm) of stretches from their cleaned edges, and their shares, (q, 2)."""
     far = np.zeros(len(row))
     along = np.zeros((len(row), 2))
     if len(row) == 0:
@@ -146,7 +145,7 @@ def _measure_stretches(
         point = _points_at(ends, bulge, begin[some] + probe * (end[some] - begin[some]))
         place = ((point - on[:, 0]) * chord).sum(axis=1) / square
         angle = (np.arctan2(*(point - centre).T[::-1]) - first) * np.sign(sweep)
-        # From half a turn before the arc's middle, so that before its start is less than 0.
+        # Centre the range of angles on the arc, so that angles before its start are negative.
         middle = np.abs(sweep) / 2.0
         angle = (angle - middle + math.pi) % (2.0 * math.pi) - math.pi + middle
         place = np.clip(np.where(bent, angle / np.abs(sweep), place), 0.0, 1.0)
@@ -158,16 +157,16 @@ def _measure_stretches(
 
 
 def _check_added_work(
-    after: Dieline, target: I64, along: F64, tell: Callable[[int, float, Message], None]
+    after: Dieline, target: I64, along: F64, report: Callable[[int, float, Message], None]
 ) -> None:
-    """Tell of cleaned edges that reach farther than what was drawn and a gap."""
+    """Report cleaned edges that extend beyond the drawn stretches by more than a gap."""
     length = _edge_lengths(after.ends, after.bulge)
     worked = np.flatnonzero(~np.isin(after.line_type, _NO_WORK))
     low, high = along.min(axis=1), along.max(axis=1)
     order = np.lexsort((low, target))
     edge, low, high = target[order], low[order], high[order]
     new = np.append(True, edge[1:] != edge[:-1]) if len(edge) else np.zeros(0, np.bool_)
-    # How far each edge is covered by the parts before: parts of an edge hardly overlap.
+    # Greatest position that earlier stretches of the same edge cover.
     reach = np.maximum.accumulate(edge + 0.5 * high) if len(edge) else high
     before = np.where(new, 0.0, np.append(0.0, (reach[:-1] - edge[1:]) * 2.0)) if len(edge) else low
     open_ = (low - before) * length[edge]
@@ -175,6 +174,6 @@ def _check_added_work(
     beyond = np.where(last, (1.0 - (reach - edge) * 2.0) * length[edge], 0.0)
     for at in np.flatnonzero(np.maximum(open_, beyond) > 2.0 * GAP + _ROUNDING):
         shown = int(after.source[edge[at]])
-        tell(shown, float(max(open_[at], beyond[at])), Message("verify.cleaning-beyond"))
+        report(shown, float(max(open_[at], beyond[at])), Message("verify.cleaning-beyond"))
     for row in np.setdiff1d(worked, edge):
-        tell(int(after.source[row]), float(length[row]), Message("verify.cleaning-invented"))
+        report(int(after.source[row]), float(length[row]), Message("verify.cleaning-invented"))

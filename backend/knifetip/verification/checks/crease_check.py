@@ -1,6 +1,7 @@
-"""Rolling: creases against what the wheel's contact, the board and crossing cuts ask.
+"""Check the creases that a wheel makes.
 
-StationCheck of a wheel -> deviation, overcut, uncut and setback of every crease
+Where a crease starts and ends depends on the wheel's contact length, the board's end clearance and
+the cuts that cross it.
 """
 
 from __future__ import annotations
@@ -25,23 +26,26 @@ from knifetip.verification.tools import OperationKind
 
 
 class CreaseCheck(StationCheck):
-    """The work of a creasing wheel."""
+    """Checks the work of a crease wheel."""
 
-    def judge(self) -> None:
+    def check(self) -> None:
         wheel = self.tool(CreaseWheel)
         if wheel is None:
-            self.uncut(self.matched(), np.arange(len(self.edges)))
+            self.check_uncut(self.match_edges(), np.arange(len(self.edges)))
             return
-        around = self.bench.edges.of(*WORKED_TYPES[OperationKind.CREASE])
-        pair = self.bench.board.double_crease
+        around = self.context.edges.with_types(*WORKED_TYPES[OperationKind.CREASE])
+        pair = self.context.board.double_crease
         between = creased_gaps(
-            self.edges, self.bench.edges.of(LineType.CUT), self.curve, 0.5 * pair + self.tolerance
+            self.edges,
+            self.context.edges.with_types(LineType.CUT),
+            self.curve,
+            0.5 * pair + self.tolerance,
         )
         single, places = split_at_cuts(
-            concatenate_edges(self.edges, between), self.bench.edges.of(LineType.CUT)
+            concatenate_edges(self.edges, between), self.context.edges.with_types(LineType.CUT)
         )
         around, _ = split_at_cuts(
-            concatenate_edges(around, between), self.bench.edges.of(LineType.CUT)
+            concatenate_edges(around, between), self.context.edges.with_types(LineType.CUT)
         )
         parts = ends_at(single, places)
         many = 2 if pair > 0.0 else 1
@@ -51,17 +55,17 @@ class CreaseCheck(StationCheck):
                 double_lines(around, pair),
                 np.tile(parts, 2),
             )
-        self.laid(single)
-        asked = expected_creases(self.edges, self.bench.board, wheel, around, parts)
+        self.set_edges(single)
+        asked = expected_creases(self.edges, self.context.board, wheel, around, parts)
         self.low, self.high, self.depth = asked.low, asked.high, asked.depth
         for edge in np.flatnonzero(asked.refused)[:MAX_FINDINGS]:
-            self.finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])
-        rows = self.matched()
-        self.placed(rows)
+            self.add_finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])
+        rows = self.match_edges()
+        self.check_position(rows)
         check_stray_work(self, rows, self.curve[:, 5])
         planned = np.maximum(self.high - self.low, 0.0)
         np.add.at(self.figures.setback, self.edges.row, (self.size - planned) / many)
-        self.uncut(rows, np.arange(len(self.edges)))
-        depth = np.maximum(self.bench.board.caliper - self.z, 0.0)
+        self.check_uncut(rows, np.arange(len(self.edges)))
+        depth = np.maximum(self.context.board.caliper - self.z, 0.0)
         contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
-        self.headed(rows, contact, 180.0)
+        self.check_heading(rows, contact, 180.0)

@@ -27,38 +27,38 @@ from knifetip.verification.expectation.edges import (
 )
 from knifetip.verification.expectation.outline import face_cycles
 
-#: An end of a cut so near to another cut closes a contour with it; so much of a cut may be left and
-#: it holds nothing (mm).  A little less than what is planned for.
+#: An end of a cut within this of another cut closes a contour; an uncut rest up to this length does
+#: not hold a part (mm).  A little less than the value for planning.
 GAP_LENGTH: Final = 2.0
 
 
-#: The way along a chain of cuts is so many times as long as the gap that closes it, at least.
+#: A gap is closed only if the chain of cuts between its ends is this many times as long.
 _DETOUR_RATIO: Final = 3.0
 
 
-#: A walk that sweeps less than this encloses nothing (mm²).
+#: A cycle that encloses less than this has no inside (mm²).
 _MIN_AREA: Final = 1e-6
 
 
-#: The ray that looks for what lies beside a point is so much higher than the point (mm): vertices
-#: are drawn at equal heights.
+#: Upward offset of the rays that search to the left of a point (mm), because vertices often lie at
+#: the same height.
 _RAY_OFFSET: Final = 0.317 * JOIN_DISTANCE
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutFaces:
-    """What n cuts enclose: p pieces, the last of them links, and f faces; face 0 is outside."""
+    """p pieces of cuts, the last of them links over gaps, and f faces; face 0 is outside."""
 
     curve: F64  #: (p, 6)
     edge: I64  #: (p,) the cut, -1 for a link
-    begin: F64  #: (p,) mm along the cut
-    face: I64  #: (p, 2) on the left and on the right; of a twin in any order
-    count: int  #: f
-    alone: I64  #: (q,) the pieces but for those that lie on an earlier one
+    begin: F64  #: (p,) mm from the start of the cut
+    face: I64  #: (p, 2) left and right face; of duplicates in any order
+    count: int  #: number of faces, f
+    unique: I64  #: (q,) pieces without duplicates
 
-    def located(self, points: F64) -> I64:
-        """Return the face that each point, (m, 2) mm, lies in."""
-        alone = self.alone
+    def locate(self, points: F64) -> I64:
+        """Return the face that contains each point, (m, 2) mm."""
+        alone = self.unique
         met, rising = _first_curve_left(points, np.full(len(points), -1), self.curve[alone], alone)
         side = self.face[alone[met], np.where(rising, 1, 0)]
         result: I64 = np.where(met < 0, 0, side)
@@ -88,9 +88,9 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
 
 
 def _gap_links(cuts: Edges) -> F64:
-    """Return the lines that close gaps: from loose ends to the nearest cut, and to each other.
+    """Return lines that close gaps, from dangling ends to the nearest cut or to each other.
 
-    Of two loose ends with a third between them, nearer to both, the third is linked to both.
+    Two dangling ends are not linked if a third one is nearer to both; it is linked to both.
     """
     a, b = pairs_within(cuts.ends, cuts.ends, JOIN_DISTANCE)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
@@ -120,7 +120,7 @@ def _gap_links(cuts: Edges) -> F64:
     place = np.concatenate([place, ends_at])
     to_end = np.repeat([False, True], [len(near.curve), len(one)])
     gap = np.hypot(*(target - points[tip]).T)
-    # Along a chain an end is no gap away from where it comes from.
+    # An end is always near to the chain that it ends; that is not a gap.
     strung = edge_paths(cuts, joined_ends(cuts))
     own = tips[tip] // 2
     inner = strung.begin[edge] + np.where(strung.flipped[edge], size[edge] - place, place)
@@ -142,7 +142,7 @@ def _gap_links(cuts: Edges) -> F64:
 
 @kernel
 def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> Any:
-    """Return of pairs of points, (k,), which have no third one in the lens between them."""
+    """Return a mask of the pairs of points, (k,), without a third point nearer to both."""
     kept = np.ones(len(one), np.bool_)
     for k in range(len(one)):
         ax, ay = points[one[k], 0], points[one[k], 1]
@@ -157,13 +157,13 @@ def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> An
 
 
 def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
-    """Return curves split where others end on them or cross them: piece, curve, where it begins."""
+    """Split curves where others end on them or cross them; return pieces, curves, starts (mm)."""
     size, nothing = curve[:, 5], np.zeros(len(curve))
     ends = np.stack([point_at(curve, nothing), point_at(curve, size)], axis=1).reshape(-1, 2)
     on = find_overlaps(line_curves(ends, ends), curve, nothing, size, JOIN_DISTANCE)
     inner = (on.place[:, 0] > JOIN_DISTANCE) & (on.place[:, 0] < size[on.edge] - JOIN_DISTANCE)
     cross = find_overlaps(curve, curve, nothing, size, JOIN_DISTANCE)
-    # Where one of two ends lies on the other they meet there, and do not cross.
+    # If an end of one lies on the other, they touch and do not cross.
     low, high = cross.place.min(axis=1), cross.place.max(axis=1)
     whole = (cross.along[:, 0] > JOIN_DISTANCE) & (
         cross.along[:, 1] < size[cross.curve] - JOIN_DISTANCE
@@ -188,7 +188,7 @@ def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
 
 
 def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:
-    """Return the face on either side of each piece, 0 outside of all, and how many there are."""
+    """Return the faces on both sides of each piece, (p, 2), and the number of faces."""
     count = int(component.max()) + 1
     # The leftmost point of each component, at the side of a circle or at an end.
     start, end = point_at(curve, np.zeros(len(curve))), point_at(curve, curve[:, 5])
@@ -201,7 +201,7 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
     probe = leftmost[order[np.searchsorted(component[order], np.arange(count))]]
     met, rising = _first_curve_left(probe, np.arange(count), curve, component)
     beside = np.where(met < 0, -1, cycle[met, np.where(rising, 1, 0)])
-    # What is met lies farther to the left, so its own surroundings are found before.
+    # The curve to the left belongs to a component farther left, whose face is already assigned.
     name = np.where(outside, 0, np.cumsum(~outside))
     of = np.zeros(len(outside), np.int64)
     of[cycle] = component[:, None]
@@ -212,7 +212,7 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
 
 @kernel
 def _enclosing_faces(order: I64_1, beside: I64_1, outside: Bool_1, of: I64_1, name: I64_1) -> Any:
-    """Return the face round each component, from the walk that lies beside it."""
+    """Return the face that encloses each component, from the cycle to the left of it."""
     around = np.zeros(len(order), np.int64)
     for c in order:
         walk = beside[c]
@@ -222,14 +222,14 @@ def _enclosing_faces(order: I64_1, beside: I64_1, outside: Bool_1, of: I64_1, na
 
 
 def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I64, Bool]:
-    """Return the first curve to the left of each point, -1 for none, and if it rises there.
+    """Return the first curve to the left of each point, or -1, and whether it runs upwards.
 
     Parameters
     ----------
     own : (m,)
-        The owner whose curves do not count for each point.
+        Owner whose curves are ignored for each point, or -1.
     owner : (n,)
-        Of each curve.
+        Owner of each curve.
     """
     corner, size, shape = grid_layout(curve, 0.0)
     met, rising = _search_left(
@@ -296,7 +296,7 @@ def _search_left(
 
 @kernel(checks_division=True)
 def _crossing_left(curve: F64_1, x: float, y: float) -> Any:
-    """Return where a curve is met first to the left of a point, and whether it rises there."""
+    """Return x of the first crossing to the left of a point, and whether the curve runs upwards."""
     best, up = -math.inf, False
     if curve[0] == 0.0:
         y1 = curve[2] + curve[4] * curve[5]
@@ -313,6 +313,6 @@ def _crossing_left(curve: F64_1, x: float, y: float) -> Any:
         at = curve[1] + sign * half
         turn = (math.atan2(y - curve[2], sign * half) - curve[4]) * curve[0] % (2.0 * math.pi)
         if best < at < x and turn * curve[3] <= curve[5]:
-            # Anticlockwise the right half of a circle rises.
+            # The right half of an anticlockwise circle runs upwards.
             best, up = at, sign * curve[0] > 0.0
     return best, up

@@ -1,9 +1,9 @@
-"""Coverage: all work against all edges, trade by trade and station by station.
+"""Compare all work with all edges: each kind of operation, then each station.
 
-    CheckContext, TipPaths -> deviation, overcut, uncut and setback of every edge, and the findings
+    CheckContext, TipPaths -> findings and figures of every edge
 
-Every stretch of work must lie on an edge of the right line type, between the places where the
-tip may begin and stop there; every edge must be worked between those places.
+Each stretch of work must lie on an edge of the right line type, between the points where the tip
+may start and stop.  Each edge must be worked between those points.
 """
 
 from __future__ import annotations
@@ -27,38 +27,38 @@ from knifetip.verification.kinematics import TipPaths
 from knifetip.verification.tools import OperationKind, expected_tool
 
 
-def check_edges(bench: CheckContext, work: TipPaths) -> None:
-    """Compare all work with all edges, trade by trade and station by station."""
-    held = {expected_tool(station.tool).through for station in bench.machine.stations}
+def check_edges(context: CheckContext, work: TipPaths) -> None:
+    """Compare all work with all edges; add findings and figures to the context."""
+    held = {expected_tool(station.tool).through for station in context.machine.stations}
     knives, cutters = OperationKind.CUT in held, OperationKind.MILL in held
-    for trade, kinds in WORKED_TYPES.items():
-        edges = bench.edges.of(*kinds)
-        if trade == OperationKind.CUT and cutters and not knives:
-            edges = bench.edges.of(*(kind for kind in kinds if kind != LineType.CUT))
-        elif trade == OperationKind.MILL and (knives or not cutters):
-            # Where there is a knife, nothing is left for a cutter.
-            edges = bench.edges.of()
+    for operation, kinds in WORKED_TYPES.items():
+        edges = context.edges.with_types(*kinds)
+        if operation == OperationKind.CUT and cutters and not knives:
+            edges = context.edges.with_types(*(kind for kind in kinds if kind != LineType.CUT))
+        elif operation == OperationKind.MILL and (knives or not cutters):
+            # A machine with a knife cuts with the knife, so its cutter has no edges.
+            edges = context.edges.with_types()
         edges, twin, first = without_duplicates(edges)
-        rows = np.flatnonzero(work.trade == trade)
-        owner = _edge_stations(work, rows, edges, bench.tolerance)
+        rows = np.flatnonzero(work.operation == operation)
+        owner = _edge_stations(work, rows, edges, context.tolerance)
         for station in np.unique(work.station[rows]) if len(rows) else (-1,):
             mine = rows[work.station[rows] == station]
-            _CHECKS[trade](
-                bench, work, mine, trade, edges.taken(np.flatnonzero(owner == station))
+            _CHECKS[operation](
+                context, work, mine, operation, edges.select(np.flatnonzero(owner == station))
             ).run()
-        # What is drawn twice is worked once, and the figures are those of both.
-        bench.figures.copied(first, twin)
+        # An edge drawn twice is worked once; both rows get its figures.
+        context.figures.copy_rows(first, twin)
 
 
 def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) -> I64:
-    """Return the station that works most of each edge, (n,): the first where none does."""
+    """Return the station that works most of each edge, (n,); the first station if none does."""
     stations = np.unique(work.station[rows])
     if len(stations) < 2:
         return np.full(len(edges), stations[0] if len(stations) else -1, np.int64)
     near = find_overlaps(
         work.curve[rows], edges.curve, np.zeros(len(edges)), edges.curve[:, 5], tolerance
     )
-    # A wheel that presses one place goes over no length of it.
+    # A wheel that presses one point covers no length; count it with a small one.
     size = np.abs(near.place[:, 1] - near.place[:, 0]) + 1e-6
     column = np.searchsorted(stations, work.station[rows][near.curve])
     total = np.zeros((len(edges), len(stations)))
@@ -68,15 +68,15 @@ def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) ->
 
 
 class _MillingStationCheck(StationCheck):
-    """The work of a cutter that removes a disc."""
+    """Check the work of a router bit or a laser, which removes a disc."""
 
-    def judge(self) -> None:
-        held = self.bench.machine.stations[int(self.station[0])] if len(self.station) else None
+    def check(self) -> None:
+        held = self.context.machine.stations[int(self.station[0])] if len(self.station) else None
         if held is None or expected_tool(held.tool).disc is None:
-            self.uncut(self.matched(), np.arange(len(self.edges)))
+            self.check_uncut(self.match_edges(), np.arange(len(self.edges)))
             return
         ways = CentrePaths(self.curve, self.z, self.track, self.line, self.blend)
-        check_milling(self.bench, self.edges, ways, held, self.slack)
+        check_milling(self.context, self.edges, ways, held, self.slack)
 
 
 _CHECKS: Final[dict[OperationKind, type[StationCheck]]] = {

@@ -1,6 +1,6 @@
-"""Grooving: V-grooves against the board's depth, their flanks, passes and run-outs.
+"""Check V-grooves: position, depth, flanks, passes, and run-outs past the board's edge.
 
-StationCheck of a V-cutter -> deviation, overcut, uncut, width, web and flank of every groove
+Figures for each groove are deviation, overcut, uncut length, width, web and flank error.
 """
 
 from __future__ import annotations
@@ -28,50 +28,50 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 class GrooveCheck(StationCheck):
-    """The work of a V-cutter, in one pass or more each way."""
+    """Checks the work of a V-cutter, in one or more passes in each direction."""
 
-    def judge(self) -> None:
-        self.depth[:] = self.bench.board.groove_depth
+    def check(self) -> None:
+        self.depth[:] = self.context.board.groove_depth
         blade = self.tool(VCutter)
-        leaves = self.bench.board.groove_curve
+        leaves = self.context.board.groove_curve
         curved = self.edges.curve[:, 0] != 0.0
         for edge in np.flatnonzero(curved)[:MAX_FINDINGS] if leaves <= 0.0 else ():
-            self.finding("deviation", edge, Message("verify.groove-arc"), 0.0)
+            self.add_finding("deviation", edge, Message("verify.groove-arc"), 0.0)
         drawn = self.edges
         boundary = self._run_out(blade) if blade else np.zeros((len(self.edges), 2), np.bool_)
-        rows = self.matched()
+        rows = self.match_edges()
         wide = np.full(len(self.edges), self.tolerance)
         if leaves > 0.0 and curved.any():
-            # A groove of chords leaves its arc by as much as the board allows.
+            # An arc is grooved in chords, which deviate from it by up to the board's limit.
             wide[curved] = leaves + self.tolerance
             wider = find_overlaps(self.curve, self.edges.curve, self.low, self.high, leaves)
             rows = within_limits(wider, wide, self.curve)
         final = self._passes(rows)
         self._stepped()
-        self.placed(rows, final, wide)
+        self.check_position(rows, final, wide)
         off_board = 0.0
         if blade and curved.any():
-            # Chords leave the board in their own direction.
-            off_board = 2.0 * (blade.half_width + self.bench.board.groove_depth * blade.slope)
+            # Chords run out past the board's edge in their own direction.
+            off_board = 2.0 * (blade.half_width + self.context.board.groove_depth * blade.slope)
         check_stray_work(self, rows, self.curve[:, 5], off_board)
-        # What it may run out further is not asked for.
+        # The allowed extra run-out is not required.
         self.low, self.high = self.low + self.spare[:, 0], self.high - self.spare[:, 1]
         for forward in (True, False):
             way = rows.place[:, 1] > rows.place[:, 0]
-            self.uncut(rows, np.arange(len(self.edges)), (way == forward) & final, forward)
+            self.check_uncut(rows, np.arange(len(self.edges)), (way == forward) & final, forward)
         if blade is None:
             return
-        self.headed(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
+        self.check_heading(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
         self._flanks(rows, final, blade, wide)
         self._beside_cuts(drawn, blade)
         worked = np.zeros(len(self.edges), np.bool_)
         worked[rows.edge[rows.best]] = True
         inside = ~(boundary | groove_continues(self.edges).reshape(-1, 2)).all(axis=1)
         past: F64 = np.where(worked & inside, 2.0 * blade.half_width, 0.0)
-        self.overcut(np.arange(len(self.edges)), past)
-        limit = self.bench.board.groove_overcut
+        self.record_overcut(np.arange(len(self.edges)), past)
+        limit = self.context.board.groove_overcut
         for edge in np.flatnonzero(past > limit + self.tolerance)[:MAX_FINDINGS]:
-            self.finding(
+            self.add_finding(
                 "overcut",
                 edge,
                 Message("verify.groove-past-ends", length=past[edge], most=limit),
@@ -79,21 +79,21 @@ class GrooveCheck(StationCheck):
             )
 
     def _run_out(self, blade: VCutter) -> Bool:
-        """Lengthen grooves that leave the board; return which ends do, (n, 2).
+        """Lengthen grooves by their run-outs; return a mask of the ends with one, (n, 2).
 
-        The tip goes no farther than it must: there is no board, but who knows what is.
+        The tip must go no farther than necessary: the space past the board may be occupied.
         """
-        half = self.bench.board.groove_depth * blade.slope
-        asked = run_outs(self.edges, self.bench.edges.of(LineType.CUT), half)
+        half = self.context.board.groove_depth * blade.slope
+        asked = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)
         boundary = asked.boundary.reshape(-1, 2)
         least = asked.least.reshape(-1, 2)
-        # Chords leave the board in their own direction, and their last one says how far.
+        # Chords run out in their own direction, so arcs are not lengthened here.
         straight_on = self.edges.curve[:, 0] == 0.0
         boundary &= straight_on[:, None]
         self.spare = np.where(boundary, self.tolerance, 0.0)
         more = least + self.spare
         curve = self.edges.curve.copy()
-        # Of a straight edge the row is its start, its direction and its length.
+        # A row of a straight edge contains its start, direction and length.
         straight = curve[:, 0] == 0.0
         curve[straight, 1:3] -= more[straight, :1] * curve[straight, 3:5]
         curve[straight, 5] += more[straight].sum(axis=1)
@@ -104,11 +104,11 @@ class GrooveCheck(StationCheck):
         return boundary
 
     def _passes(self, rows: Overlaps) -> Bool:
-        """Return which stretches are of the deepest pass over their edge in their direction.
+        """Return a mask of the overlaps of the deepest pass in each direction of each edge.
 
-        Those before it may be shallower, each no deeper than the next.
+        Earlier passes may be shallower; each pass must be at least as deep as the previous one.
         """
-        deep = (self.bench.board.caliper - self.z)[rows.curve]
+        deep = (self.context.board.caliper - self.z)[rows.curve]
         way = 2 * rows.edge.astype(np.int64) + (rows.place[:, 1] > rows.place[:, 0])
         deepest = np.zeros(2 * len(self.edges))
         np.maximum.at(deepest, way[rows.best], deep[rows.best])
@@ -119,7 +119,7 @@ class GrooveCheck(StationCheck):
         back = same & (deep[order[1:]] < deep[order[:-1]] - DEPTH_TOLERANCE)
         for k in np.flatnonzero(back)[:MAX_FINDINGS]:
             row = order[k + 1]
-            self.finding(
+            self.add_finding(
                 "depth",
                 int(rows.edge[row]),
                 Message("verify.groove-shallower", depth=deep[row], before=deep[order[k]]),
@@ -129,21 +129,21 @@ class GrooveCheck(StationCheck):
         return final
 
     def _stepped(self) -> None:
-        """Judge whether no pass goes deeper at once than the board allows."""
-        step = self.bench.board.groove_pass
+        """Check that each pass goes deeper than the previous one by at most the board's limit."""
+        step = self.context.board.groove_pass
         if step <= 0.0:
             return
-        deep = self.bench.board.caliper - self.z
+        deep = self.context.board.caliper - self.z
         which, spans = too_deep_spans(self.curve, deep, step, self.tolerance, one_way=True)
         size = np.diff(spans)[:, 0]
         for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
             row = int(which[k])
-            self.finding(
+            self.add_finding(
                 "depth",
                 -1,
                 Message(
                     "verify.pass-too-deep",
-                    tool=self.trade.tool,
+                    tool=self.operation.tool,
                     depth=deep[row],
                     length=size[k],
                     step=step,
@@ -153,15 +153,15 @@ class GrooveCheck(StationCheck):
             )
 
     def _flanks(self, rows: Overlaps, final: Bool, blade: VCutter, limit: F64) -> None:
-        """Judge where the flanks come out at the top face, h tan θ beside the line.
+        """Check where the flanks reach the top face: h tan θ beside the line.
 
-        On each pass the blade leans to the right of travel, and cuts the flank on that side.
+        In each pass the blade leans to the right of travel and cuts the flank on that side.
         """
         size = np.abs(np.diff(rows.place)[:, 0])
         which = np.flatnonzero(rows.best & final & (size > SHORT))
         work, edge = rows.curve[which], rows.edge[which]
         forward = rows.place[which, 1] > rows.place[which, 0]
-        deep = self.bench.board.caliper - self.z[work]
+        deep = self.context.board.caliper - self.z[work]
         lean = (deep - self.depth[edge]) * blade.slope
         error = np.zeros(len(which))
         for side in range(2):
@@ -174,10 +174,10 @@ class GrooveCheck(StationCheck):
         np.maximum.at(wide, (row, forward.astype(np.int64)), self.depth[edge] * blade.slope + error)
         np.maximum(self.figures.width, wide.sum(axis=1), out=self.figures.width)
         web = np.full(len(self.figures.web), np.inf)
-        np.minimum.at(web, row, self.bench.board.caliper - deep)
+        np.minimum.at(web, row, self.context.board.caliper - deep)
         self.figures.web[np.isfinite(web)] = web[np.isfinite(web)]
         for k in np.flatnonzero(np.abs(error) > limit[edge] + 1e-9)[:MAX_FINDINGS]:
-            self.finding(
+            self.add_finding(
                 "deviation",
                 int(edge[k]),
                 Message(
@@ -190,15 +190,15 @@ class GrooveCheck(StationCheck):
             )
 
     def _beside_cuts(self, drawn: Edges, blade: VCutter) -> None:
-        """Judge whether a flank goes through the edge of a cut beside the groove."""
-        cuts = self.bench.edges.of(LineType.CUT)
-        reach = self.bench.board.groove_depth * blade.slope
+        """Check that no flank goes through the edge of a cut beside the groove."""
+        cuts = self.context.edges.with_types(LineType.CUT)
+        reach = self.context.board.groove_depth * blade.slope
         out = self.before[:, None] - self.spare
         out[:, 1] = self.size - drawn.curve[:, 5] - self.before - self.spare[:, 1]
         torn = damaged_cuts(drawn, cuts, reach, out)
         through = reach - torn.nearest
         for k in np.flatnonzero(through > self.tolerance)[:MAX_FINDINGS]:
-            self.finding(
+            self.add_finding(
                 "overcut",
                 int(torn.groove[k]),
                 Message(

@@ -1,10 +1,10 @@
-"""Flanks: cuts that run so near beside a V-groove that its flank goes through their edge.
+"""Cuts so near to a V-groove that a flank of the groove damages their edge.
 
-Grooves, cuts, reach of a flank -> how far a flank goes through which cut, and where
+Grooves, cuts, reach of a flank -> DamagedCuts
 
-In the top face a groove is a strip, as wide to both sides of its line as its flanks reach.  A cut
-inside the strip loses its edge, except where the groove ends on that cut or runs out over it, and
-where a cut lies across the groove.
+In the top face a groove is a strip on both sides of its line, as wide as the flanks reach.  A cut
+inside the strip loses its edge.  Exceptions: the groove ends on that cut or runs out over it, or
+the cut crosses the groove.
 """
 
 from __future__ import annotations
@@ -21,20 +21,20 @@ from knifetip.verification.curves.intervals import Overlaps
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.edges import TOUCH_DISTANCE, Edges
 
-#: The chords that stand for a round cut stay within this of it (mm).
+#: Greatest distance between an arc and the chords that replace it (mm).
 CHORD_ERROR: Final = 1e-3
-#: Places at which a stretch of a cut is measured; of straight ones the first and last suffice.
+#: Number of points at which a stretch of a cut is measured.
 SAMPLE_COUNT: Final = 9
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class DamagedCuts:
-    """k cuts with a groove's flank through them."""
+    """k cuts that a flank of a groove damages."""
 
     groove: I64  #: (k,) index of the groove
     cut: I64  #: (k,) index of the cut
-    place: F64  #: (k,) mm from the groove's start to where the cut is nearest
-    nearest: F64  #: (k,) mm from the groove's line
+    place: F64  #: (k,) mm from the groove's start to the nearest point of the cut
+    nearest: F64  #: (k,) mm, smallest distance of the cut from the groove's line
 
 
 def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> DamagedCuts:
@@ -43,16 +43,16 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> Damaged
     Parameters
     ----------
     grooves, cuts
-        As drawn.
+        Edges as drawn.
     reach : mm
-        From a groove's line to where its flanks come out at the top face.
+        Distance from a groove's line to its flanks in the top face.
     out : (n, 2) mm
-        How far each groove must run out past its start and end.
+        Required run-out of each groove past its start and end.
 
     Notes
     -----
-    At an end that lies on a cut, or less than twice the reach before or past one, as much of the
-    strip is left out; where the groove runs out farther over the edge, as much as that.
+    Near an end that lies within twice the reach of a cut, the strip is shortened by twice the
+    reach, or by the run-out if that is longer.
     """
     margin = 2.0 * reach
     strip, before = _lengthen(grooves.curve, margin)
@@ -81,7 +81,7 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> Damaged
 def _nearest_places(
     rows: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64
 ) -> DamagedCuts:
-    """Return for each groove and cut where they are nearest, without cuts that lie across."""
+    """Return the nearest point of each pair of groove and cut, without cuts that cross."""
     share = np.linspace(0.0, 1.0, SAMPLE_COUNT)
     aside = np.stack(
         [
@@ -101,7 +101,7 @@ def _nearest_places(
     first, last = _group_extremes(place, group, len(pair))
     crosses = (left <= 0.0) & (right >= 0.0)
     across: Bool = crosses & (last - first <= right - left)
-    # Between two places on either side of the line the cut is on it.
+    # A cut with points on both sides of the line touches the line.
     least = np.abs(aside).min(axis=1)
     least[(aside.min(axis=1) <= 0.0) & (aside.max(axis=1) >= 0.0)] = 0.0
     order = np.lexsort((least, group))
@@ -112,7 +112,7 @@ def _nearest_places(
 
 
 def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
-    """Return the least and the greatest value of each group of rows."""
+    """Return minimum and maximum of the rows of each group."""
     low, high = np.full(count, np.inf), np.full(count, -np.inf)
     np.minimum.at(low, group, values.min(axis=1))
     np.maximum.at(high, group, values.max(axis=1))
@@ -120,7 +120,10 @@ def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
 
 
 def _lengthen(curve: F64, by: float) -> tuple[F64, F64]:
-    """Return curves longer at both ends, and by how much each is (mm): circles stay open."""
+    """Return curves extended at both ends, and the extension of each (mm).
+
+    An arc is extended to less than a full circle.
+    """
     result = curve.copy()
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
@@ -133,7 +136,7 @@ def _lengthen(curve: F64, by: float) -> tuple[F64, F64]:
 
 
 def _flatten(curves: F64, rows: I64) -> tuple[F64, I64]:
-    """Return straight pieces that stand for some of the curves, and the curve of each."""
+    """Return chords that replace the curves of some rows, and the row of each chord."""
     curve = curves[rows]
     round_ = curve[:, 0] != 0.0
     radius = np.where(round_, curve[:, 3], 1.0)

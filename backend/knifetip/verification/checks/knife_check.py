@@ -1,6 +1,7 @@
-"""Knifework: cuts, half-cuts, perforations and bridges, against what the blade's slant asks.
+"""Check cuts, half-cuts, perforations and bridges that a knife makes.
 
-StationCheck of a knife -> deviation, overcut, uncut, setback and both faces of every edge
+A slanted blade cuts the top face of the board ahead of its tip by the lead, depth × tan(slant).
+So figures are recorded for both faces of the board.
 """
 
 from __future__ import annotations
@@ -30,51 +31,59 @@ from knifetip.verification.tools import OperationKind
 
 
 class KnifeCheck(StationCheck):
-    """The work of a knife, through the board or part of the way."""
+    """Checks the work of a knife, through the board or part of the way."""
 
-    def judge(self) -> None:
-        if self.trade == OperationKind.CUT:
+    def check(self) -> None:
+        if self.operation == OperationKind.CUT:
             self._cut()
         else:
             self._half_cut()
 
     def _cut(self) -> None:
-        into = self.bench.machine.into_mat
-        caliper = self.bench.board.caliper
+        into = self.context.machine.into_mat
+        caliper = self.context.board.caliper
         self.depth[:] = caliper + into
         self._knife(caliper + into, caliper)
 
     def _half_cut(self) -> None:
-        depth = self.bench.board.half_cut_depth
+        depth = self.context.board.half_cut_depth
         self.depth[:] = depth
         self._knife(depth, depth)
 
     def _knife(self, leads: float, runs: float) -> None:
-        """Judge a knife whose top is ahead over ``leads`` mm and that runs on by ``runs``' lead."""
+        """Check the knife's work.
+
+        Parameters
+        ----------
+        leads : mm
+            Depth over which the blade's slant puts the top of the cut ahead of the tip.
+        runs : mm
+            Depth whose lead is the planned overrun past an end that meets another cut.
+        """
         blade = self.tool(Knife)
         slant = math.tan(math.radians(blade.blade_angle)) if blade else 0.0
-        cuts = self.bench.edges.of(LineType.CUT)
+        cuts = self.context.edges.with_types(LineType.CUT)
         torn = np.isin(self.edges.line_type, (LineType.PERFORATION, LineType.COMBI))
         solid = np.flatnonzero(~torn)
-        whole = self.edges.of(LineType.CUT, LineType.HALF_CUT)
+        whole = self.edges.with_types(LineType.CUT, LineType.HALF_CUT)
         ring = find_outlines(whole).outer if self._hangs else None
         ends = knife_ends(whole, cuts, leads * slant, runs * slant, ring)
         rounds = self._held(whole, ends.paths)
         held = np.zeros(len(self.edges), np.bool_)
         held[solid[rounds[ends.paths.path]]] = True
-        if blade and self.trade == OperationKind.CUT:
+        if blade and self.operation == OperationKind.CUT:
             self._unled(blade)
-        rows = self.matched()
+        rows = self.match_edges()
         dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
         dashed[self.track[rows.curve[rows.best & torn[rows.edge]]]] = True
         dashed |= self._mostly_on(rows, held)
         over = check_track_ends(self, whole, solid, ends, dashed, leads * slant, runs * slant)
-        # What runs over an end crosses other edges there, and is no work of theirs.
+        # An overrun crosses other edges, but it is not work on them.
         until = overrun_starts(self, over)
         rows = mark_nearest(rows, self.curve, until)
-        self.placed(rows)
+        self.check_position(rows)
         check_stray_work(self, rows, until)
-        self.uncut(rows, np.flatnonzero(~torn & ~held))
+        self.check_uncut(rows, np.flatnonzero(~torn & ~held))
         if held.any():
             self._bridged(rows, whole, solid, ends.paths, rounds, leads * slant)
         if torn.any():
@@ -82,14 +91,14 @@ class KnifeCheck(StationCheck):
                 rows, np.flatnonzero(torn), dashed & ~self._mostly_on(rows, held), leads * slant
             )
         if blade:
-            self.headed(rows, np.full(len(self.z), blade.blade_width), 360.0)
+            self.check_heading(rows, np.full(len(self.z), blade.blade_width), 360.0)
             self._faces(rows, over, leads * slant, (leads - runs) * slant)
 
     def _faces(self, rows: Overlaps, over: F64, top: float, bottom: float) -> None:
-        """Tell what the bottom face lacks, and what is cut past the edges in the top face.
+        """Record uncut length in the bottom face and overcut in the top face.
 
-        Where a track ends the cut is ``top`` mm ahead of the tip in the top face, and ``bottom``
-        mm in the bottom one.
+        Where a track ends, the cut extends ahead of the tip by ``top`` mm in the top face and by
+        ``bottom`` mm in the bottom face.
         """
         last = np.zeros(len(self.curve), np.bool_)
         last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
@@ -119,16 +128,16 @@ class KnifeCheck(StationCheck):
 
     @property
     def _hangs(self) -> bool:
-        """Whether parts hang by bridges."""
-        board = self.bench.board
+        """True if the board's settings require bridges in cuts."""
+        board = self.context.board
         return (
-            self.trade == OperationKind.CUT
+            self.operation == OperationKind.CUT
             and board.bridge_width > 0.0
             and board.bridge_spacing > 0.0
         )
 
     def _held(self, whole: Edges, paths: EdgePaths) -> Bool:
-        """Return which paths, (c,), the board wants to hang by bridges."""
+        """Return a mask of the paths, (c,), whose parts bridges must hold."""
         result = np.zeros(len(paths.length), np.bool_)
         if self._hangs:
             result |= paths.first < 0
@@ -137,7 +146,7 @@ class KnifeCheck(StationCheck):
         return result
 
     def _mostly_on(self, rows: Overlaps, some: Bool) -> Bool:
-        """Return which tracks run along some of the edges for more than half of their length."""
+        """Return a mask of the tracks that follow edges of a mask for over half of their length."""
         count = int(self.track.max(initial=-1)) + 1
         size = np.bincount(self.track, self.curve[:, 5], minlength=count)
         mine = rows.best & some[rows.edge]
@@ -149,8 +158,8 @@ class KnifeCheck(StationCheck):
     def _bridged(
         self, rows: Overlaps, whole: Edges, solid: I64, paths: EdgePaths, rounds: Bool, lead: float
     ) -> None:
-        """Judge the bridges: how wide, how many, how far apart, and how far from corners."""
-        board = self.bench.board
+        """Check width, number and spacing of bridges, and their distance from corners."""
+        board = self.context.board
         place = np.full(len(self.edges), -1, np.int32)
         place[solid] = np.arange(len(solid))
         found = find_bridges(
@@ -160,20 +169,20 @@ class KnifeCheck(StationCheck):
             whole,
             lead,
         )
-        edge = paths.find(found.path, found.middle, whole.curve)[0]
+        edge = paths.locate(found.path, found.middle, whole.curve)[0]
         np.add.at(self.figures.setback, whole.row[edge], np.minimum(found.bare, lead + found.width))
         wide = found.width - board.bridge_width
         np.add.at(self.figures.uncut, whole.row[edge], np.where(wide > self.slack, wide, 0.0))
         for kind, at, message, measure in check_bridges(
             found, paths, whole, rounds, board, self.slack
         ):
-            self.finding(kind, int(solid[at]), message, measure)
+            self.add_finding(kind, int(solid[at]), message, measure)
 
     def _unled(self, blade: Knife) -> None:
-        """Leave out how the knife comes from the waste to an outer cut, and goes back into it."""
+        """Remove lead-ins and lead-outs, which run through waste, from the work to compare."""
         if (blade.lead_in <= 0.0 and blade.lead_out <= 0.0) or len(self.curve) == 0:
             return
-        bounds = find_outlines(self.edges.of(LineType.CUT))
+        bounds = find_outlines(self.edges.with_types(LineType.CUT))
         cuts = bounds.edges.curve
         nothing, size = np.zeros(len(cuts)), cuts[:, 5]
         keep = np.ones(len(self.curve), np.bool_)
@@ -187,7 +196,7 @@ class KnifeCheck(StationCheck):
             before = (total - length[order])[new][np.cumsum(new) - 1]
             done = total - before
             mine = order[done <= lead + self.slack]
-            # The far end of a lead lies on no cut and in no part, and its near one on an outer cut.
+            # A lead starts in waste, away from every cut, and ends on an outer cut.
             ends = [point_at(self.curve[mine], np.zeros(len(mine)))]
             ends.append(point_at(self.curve[mine], length[mine]))
             far, near = (ends[1], ends[0]) if last else (ends[0], ends[1])
@@ -213,25 +222,25 @@ class KnifeCheck(StationCheck):
         self.track = np.unique(self.track[keep], return_inverse=True)[1].astype(np.int64)
 
     def _turned(self, which: I64, blade: Knife) -> None:
-        """Judge the heading in the waste: across its way a blade tears what lies beside it."""
+        """Check the heading along leads: a blade turned across its path tears the board."""
         off = np.zeros(len(which))
         for side, along in enumerate((np.zeros(len(which)), self.curve[which, 5])):
             own = azimuth_at(self.curve[which], along)
             off = np.maximum(off, angle_between(self.heading[which, side], own))
         reach = np.full(len(which), blade.blade_width)
-        self.swung(off, reach, np.zeros(len(which)), which, np.full(len(which), -1))
+        self.check_swing(off, reach, np.zeros(len(which)), which, np.full(len(which), -1))
 
     def _perforated(self, rows: Overlaps, which: I64, dashed: Bool, lead: float) -> None:
-        """Judge perforations: cuts of the board's length, less the blade's lead, and its gaps."""
-        cut, gap = self.bench.board.perforation
+        """Check perforations: lengths of the cuts (less the blade's lead) and of the gaps."""
+        cut, gap = self.context.board.perforation
         torn = np.zeros(len(self.edges), np.bool_)
         torn[which] = True
         keep = np.flatnonzero(torn[rows.edge])
-        gaps, edge, begin, line = self.gaps(rows, keep, which)
+        gaps, edge, begin, line = self.edge_gaps(rows, keep, which)
         wide = gaps > gap + lead + self.slack
         np.add.at(self.figures.uncut, self.edges.row[edge[wide]], gaps[wide])
         for row in np.flatnonzero(wide)[:MAX_FINDINGS]:
-            self.finding(
+            self.add_finding(
                 "uncut",
                 int(edge[row]),
                 Message("verify.perforation-gap", length=gaps[row], place=begin[row], planned=gap),
@@ -246,7 +255,7 @@ class KnifeCheck(StationCheck):
         wrong = dashed & ~alone & (np.abs(size - (cut - lead)) > self.slack)
         first = np.searchsorted(self.track, np.arange(len(dashed)))
         for track in np.flatnonzero(wrong)[:MAX_FINDINGS]:
-            self.finding(
+            self.add_finding(
                 "uncut",
                 -1,
                 Message("verify.perforation-cut", length=size[track], planned=cut - lead),

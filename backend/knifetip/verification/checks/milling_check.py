@@ -1,14 +1,15 @@
-"""Removal: what a cutter takes away, a disc of radius r swept along its way, against parts.
+"""Check cuts that a router bit or a laser makes, which removes a disc of radius r.
 
-    Edges (closed cuts), CentrePaths, Station -> deviation, overcut, uncut, unreached of edges
+    Edges (closed cuts), CentrePaths, Station -> findings and figures of the edges
 
-The disc must touch every edge from the side of the waste, and may come no nearer.  So its centre
-must run along the edge's own equidistant wherever that is r from everything else; where it is not,
-as in a concave corner or a narrow place, nothing can be asked: that length is told as
-``unreached``.  Convex corners may be rounded, cut square or anything between.
+The disc must touch each edge from the waste side without cutting into the part.  Its centre must
+follow the offset of the edge by r wherever the offset is at least r from all other edges.  In a
+concave corner or a narrow slot it is not; that length of the edge is recorded as ``unreached``.
+Convex corners may be rounded or square.
 
-A cutter that gives way by δx, δy under load is led r - δ from the edge: the centre stands at
-P + ((r - δx) n_x, (r - δy) n_y), n towards the waste, and round a convex corner on an ellipse.
+A cutter that deflects by δx, δy under load is moved that much nearer to the edge: the centre is at
+P + ((r - δx) n_x, (r - δy) n_y) with the normal n towards the waste.  Round a convex corner it
+moves on an ellipse.
 
 Source: the radius paper, equations 1-9; the corner's reach is our derivation.
 """
@@ -39,13 +40,13 @@ from knifetip.verification.expectation.outline import CutOutlines, count_enclosi
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import Disc, expected_tool
 
-#: Programs print to half of this (mm).
+#: Twice the rounding of printed coordinates (mm).
 PRINT_ROUNDING: Final = 1e-4
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CentrePaths:
-    """n ways of the cutter's centre in the board, as in kinematics.Work."""
+    """n paths of the cutter's centre in the board; columns as in ``kinematics.TipPaths``."""
 
     curve: F64
     z: F64
@@ -53,59 +54,61 @@ class CentrePaths:
     line: I32
     blend: F64
 
-    def taken(self, rows: I64 | Bool) -> CentrePaths:
-        """Return some of them."""
+    def select(self, rows: I64 | Bool) -> CentrePaths:
+        """Return some of the paths."""
         return CentrePaths(
             self.curve[rows], self.z[rows], self.track[rows], self.line[rows], self.blend[rows]
         )
 
 
 def check_milling(
-    bench: CheckContext, edges: Edges, ways: CentrePaths, station: Station, slack: float
+    context: CheckContext, edges: Edges, centres: CentrePaths, station: Station, slack: float
 ) -> None:
-    """Judge what a cutter removes.
+    """Check what a cutter removes against the cuts.
 
     Parameters
     ----------
     edges
-        The cuts.
+        Cuts that the cutter must make.
+    centres
+        Paths of its centre.
     slack : mm
-        Shorter gaps are none.
+        Shorter gaps are ignored.
     """
     tool = expected_tool(station.tool)
     assert tool.disc is not None
-    planned = tool.through_depth(bench.board.caliper, bench.machine.into_mat)
-    give = next((held for held in bench.board.deflection if held.tool == station.name), None)
+    planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
+    give = next((held for held in context.board.deflection if held.tool == station.name), None)
     reach = np.array([tool.disc.radius, tool.disc.radius]) - ((give.x, give.y) if give else 0.0)
-    _MillingCheck(bench, edges, ways, tool.disc, reach, slack).run(planned)
+    _MillingCheck(context, edges, centres, tool.disc, reach, slack).run(planned)
 
 
 class _MillingCheck:
-    """One cutter's ways against all cuts."""
+    """Compares the paths of one cutter with all cuts."""
 
     def __init__(
         self,
-        bench: CheckContext,
+        context: CheckContext,
         edges: Edges,
-        ways: CentrePaths,
+        centres: CentrePaths,
         tool: Disc,
         reach: F64,
         slack: float,
     ) -> None:
-        self.bench, self.edges, self.ways, self.tool = bench, edges, ways, tool
-        self.reach, self.slack, self.tolerance = reach, slack, bench.tolerance
+        self.context, self.edges, self.centres, self.tool = context, edges, centres, tool
+        self.reach, self.slack, self.tolerance = reach, slack, context.tolerance
         self.bounds: CutOutlines = find_outlines(edges)
         self.size = edges.curve[:, 5]
-        self.rounds = np.where(np.isfinite(ways.blend), ways.blend, 0.0)
+        self.rounds = np.where(np.isfinite(centres.blend), centres.blend, 0.0)
 
     def run(self, planned: float) -> None:
-        """Judge the work, which goes ``planned`` mm below the top face."""
-        deep = self.bench.board.caliper - self.ways.z
+        """Check the work; ``planned`` is its depth below the top face (mm)."""
+        deep = self.context.board.caliper - self.centres.z
         wrong = deep - planned
         if self.tool.step == 0.0:
             wrong = np.abs(wrong)
         for row in np.flatnonzero(wrong > DEPTH_TOLERANCE)[:MAX_FINDINGS]:
-            self._finding(
+            self._add_finding(
                 "depth",
                 -1,
                 Message("verify.wrong-depth", tool="cutter", depth=deep[row], planned=planned),
@@ -122,14 +125,14 @@ class _MillingCheck:
         self._astray()
 
     def _stepped(self, deep: F64) -> None:
-        """Judge whether no pass goes deeper at once than the cutter bears."""
+        """Check that each pass goes deeper by at most the cutter's step."""
         if self.tool.step == 0.0:
             return
-        which, spans = too_deep_spans(self.ways.curve, deep, self.tool.step, self.tolerance)
+        which, spans = too_deep_spans(self.centres.curve, deep, self.tool.step, self.tolerance)
         size = np.diff(spans)[:, 0]
         for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
             row = int(which[k])
-            self._finding(
+            self._add_finding(
                 "depth",
                 -1,
                 Message(
@@ -143,41 +146,44 @@ class _MillingCheck:
                 row,
             )
 
-    def _finding(
+    def _add_finding(
         self, kind: str, edge: int, message: Message, measure: float, row: int = -1
     ) -> None:
         where = int(self.edges.row[edge]) if edge >= 0 else -1
-        line = int(self.ways.line[row]) if row >= 0 else -1
-        self.bench.found.add(kind, message, measure, edge=where, line=line)
+        line = int(self.centres.line[row]) if row >= 0 else -1
+        self.context.findings.add(kind, message, measure, edge=where, line=line)
 
     # -- the edges -------------------------------------------------------------------------------
 
     def _untouched(self, pieces: CutterPaths, through: Bool) -> tuple[I64, F64, F64]:
-        """Return the stretches of edges beside which no centre has run: edge, from, to (mm)."""
-        ways = self.ways.taken(through)
-        rounds = ways.blend
+        """Return the stretches of edges that the disc has not touched: edge, start, end (mm)."""
+        centres = self.centres.select(through)
+        rounds = centres.blend
         length = pieces.curve[:, 5]
         rows = find_overlaps(
-            ways.curve, pieces.curve, np.zeros(len(length)), length, self.tolerance
+            centres.curve, pieces.curve, np.zeros(len(length)), length, self.tolerance
         )
         edge = pieces.edge[rows.edge]
         figure = rows.distance + rounds[rows.curve]
-        # What comes from farther off, or goes there, leads in or out.
+        # A path that crosses the tolerance band leads in or out.
         runs = rows.best & (rows.distance < 0.99 * self.tolerance)
         shown = np.where(np.isfinite(figure), figure, rows.distance)[runs]
-        np.maximum.at(self.bench.figures.deviation, self.edges.row[edge[runs]], shown)
-        low, high = pieces.on_edge(rows.edge, rows.place)
-        first, last = pieces.on_edge(rows.edge, rows.place[:, [0, 0]])[0], rows.place[:, [1, 1]]
-        for side, at in ((0, first), (1, pieces.on_edge(rows.edge, last)[0])):
+        np.maximum.at(self.context.figures.deviation, self.edges.row[edge[runs]], shown)
+        low, high = pieces.edge_intervals(rows.edge, rows.place)
+        first, last = (
+            pieces.edge_intervals(rows.edge, rows.place[:, [0, 0]])[0],
+            rows.place[:, [1, 1]],
+        )
+        for side, at in ((0, first), (1, pieces.edge_intervals(rows.edge, last)[0])):
             off = left_distance(
-                ways.curve[rows.curve], rows.along[:, side], pieces.curve[rows.edge]
+                centres.curve[rows.curve], rows.along[:, side], pieces.curve[rows.edge]
             )
-            self.bench.samples.append(
+            self.context.samples.append(
                 (self.edges.row[edge[runs]], (at / self.size[edge])[runs], off[runs])
             )
         along = np.abs(np.diff(rows.place)[:, 0]) > self.tolerance
         for row in np.flatnonzero(runs & along & (figure > self.tolerance + 1e-9))[:MAX_FINDINGS]:
-            self.bench.found.add(
+            self.context.findings.add(
                 "deviation",
                 Message(
                     "verify.centre-off-path",
@@ -187,14 +193,14 @@ class _MillingCheck:
                 ),
                 float(figure[row]) if np.isfinite(figure[row]) else float(rows.distance[row]),
                 edge=int(self.edges.row[edge[row]]),
-                line=int(ways.line[rows.curve[row]]),
+                line=int(centres.line[rows.curve[row]]),
             )
         return uncovered_edges(edge, low, high, self.size)
 
     def _uncut(self, pieces: CutterPaths, edge: I64, begin: F64, end: F64) -> None:
-        """Judge what is not touched: either nothing could touch it, or it is left uncut."""
+        """Divide untouched stretches into unreachable ones, bridges and uncut ones."""
         blocked_edge, low, high = self._blocked(pieces)
-        # What is left of the gaps when the blocked stretches are filled in too.
+        # Gaps that remain after the blocked stretches are subtracted.
         touched_edge, first, last = uncovered_edges(edge, begin, end, self.size)
         left_edge, left_begin, left_end = uncovered_edges(
             np.concatenate([blocked_edge, touched_edge]),
@@ -203,11 +209,11 @@ class _MillingCheck:
             self.size,
         )
         missed = left_end - left_begin
-        figures, row = self.bench.figures, self.edges.row
+        figures, row = self.context.figures, self.edges.row
         np.add.at(figures.unreached, row[edge], end - begin)
         np.subtract.at(figures.unreached, row[left_edge], missed)
         bare = missed > self.slack
-        # Standing so far before a stretch that is blocked, the disc still reaches up to it.
+        # Length that the disc touches within the tolerance beside a blocked stretch.
         beside = float(np.sqrt(2.0 * self.reach.max() * self.tolerance))
         for k in np.flatnonzero(bare & (missed <= beside)):
             mine = blocked_edge == left_edge[k]
@@ -215,13 +221,13 @@ class _MillingCheck:
             after = (np.abs(low[mine] - left_end[k]) < EPSILON).any()
             bare[k] = before == after
         reached = ~np.isin(edge, left_edge[bare])
-        self.bench.unreached.append(
+        self.context.unreached.append(
             unreached_areas(self.bounds, edge[reached], begin[reached], end[reached], self.reach)
         )
         bare &= ~self._bridges(left_edge, left_begin, left_end)
         np.add.at(figures.uncut, row[left_edge[bare]], missed[bare])
         for k in np.flatnonzero(bare)[:MAX_FINDINGS]:
-            self._finding(
+            self._add_finding(
                 "uncut",
                 int(left_edge[k]),
                 Message(
@@ -234,17 +240,17 @@ class _MillingCheck:
             )
 
     def _bridges(self, edge: I64, begin: F64, end: F64) -> Bool:
-        """Judge the bridges among stretches that are not touched, and return which they are.
+        """Check the bridges among untouched stretches; return a mask of them.
 
-        Between the discs on either side a bridge is 2r narrower than the centre's way is open.
+        The width of a bridge is the gap in the path of the centre less 2r.
         """
-        board = self.bench.board
+        board = self.context.board
         if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
             return np.zeros(len(edge), np.bool_)
         curve = self.edges.curve[edge]
         bent = curve[:, 0] != 0.0
         waste = np.where(self.bounds.board_left[edge], -1.0, 1.0)
-        # Beside an arc the centre's way is longer or shorter than the edge.
+        # The offset of an arc is longer or shorter than the arc.
         grows = np.where(bent, -curve[:, 0] * waste, 0.0) * self.tool.radius
         scale = 1.0 + grows / np.where(bent, curve[:, 3], 1.0)
         width = (end - begin) * scale - 2.0 * self.tool.radius
@@ -257,28 +263,28 @@ class _MillingCheck:
 
         path, place, bare = paths.path[edge], 0.5 * (begin + end), end - begin
         middle = paths.begin[edge] + np.where(paths.flipped[edge], self.size[edge] - place, place)
-        np.add.at(self.bench.figures.setback, self.edges.row[edge], bare)
+        np.add.at(self.context.figures.setback, self.edges.row[edge], bare)
         found = order_bridges(path, middle, width, bare, bare, paths.length)
         for kind, at, message, measure in check_bridges(
             found, paths, self.edges, rounds, board, self.slack
         ):
-            self._finding(kind, at, message, measure)
+            self._add_finding(kind, at, message, measure)
         return is_bridge
 
     def _blocked(self, pieces: CutterPaths) -> tuple[I64, F64, F64]:
-        """Return the stretches of edges beside which the disc would cut another: edge, from, to."""
+        """Return the stretches of edges where the disc would cut another: edge, start, end (mm)."""
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
         near = float(self.reach.min())
-        # Where a cutter gives way more along one axis, a corner is reached by that less.
+        # With different deflections along X and Y the smaller reach blocks a corner.
         wide = float(self.reach.max()) + self.tolerance
         rows = find_overlaps(pieces.curve, curve, np.zeros(len(curve)), curve[:, 5], wide)
         own = pieces.edge[rows.curve]
         other = own != closing[rows.edge]
-        low, high = pieces.on_edge(rows.curve[other], rows.along[other])
+        low, high = pieces.edge_intervals(rows.curve[other], rows.along[other])
         edge = [own[other]]
         lows, highs = [low], [high]
-        # Corners that stand out into the waste block too.
+        # Convex corners block the disc too.
         corner = self.edges.ends[np.repeat(self.bounds.closing, 2)]
         met = find_overlaps(
             line_curves(corner, corner),
@@ -291,87 +297,89 @@ class _MillingCheck:
             pieces.curve[met.edge], corner[met.curve], near - 0.5 * self.tolerance
         )
         some = end > begin
-        low, high = pieces.on_edge(met.edge[some], np.stack([begin[some], end[some]], axis=1))
+        low, high = pieces.edge_intervals(
+            met.edge[some], np.stack([begin[some], end[some]], axis=1)
+        )
         edge.append(pieces.edge[met.edge[some]])
         lows.append(low)
         highs.append(high)
-        # Where there is no equidistant nothing can be touched.
+        # An edge without an offset cannot be touched.
         missing = np.setdiff1d(np.arange(len(self.edges)), pieces.edge)
         edge.append(missing)
         lows.append(np.zeros(len(missing)))
         highs.append(self.size[missing])
         return np.concatenate(edge), np.concatenate(lows), np.concatenate(highs)
 
-    # -- the ways --------------------------------------------------------------------------------
+    # -- the paths of the centre -----------------------------------------------------------------
 
     def _too_near(self) -> None:
-        """Judge whether the disc has cut into a part."""
+        """Check that the disc has not cut into a part."""
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
         widest = float(self.reach.max())
-        rows = find_overlaps(self.ways.curve, curve, np.zeros(len(curve)), curve[:, 5], widest)
-        way, edge = rows.curve, rows.edge
-        # Beside an open cut both sides lose half of the disc, at the outline too.
+        rows = find_overlaps(self.centres.curve, curve, np.zeros(len(curve)), curve[:, 5], widest)
+        path, edge = rows.curve, rows.edge
+        # An open cut is followed on its line, so the disc removes board on both sides.
         along = self._on_open_cuts()
-        into = np.zeros(len(way))
-        sides = np.zeros((2, len(way)))
+        into = np.zeros(len(path))
+        sides = np.zeros((2, len(path)))
         for at in milling_geometry.nearest_candidates(
-            self.ways.curve[way], rows.along, curve[edge], self._round
+            self.centres.curve[path], rows.along, curve[edge], self._round
         ):
             into = np.maximum(
                 into,
                 milling_geometry.disc_penetration(
-                    point_at(self.ways.curve[way], at), curve[edge], self.reach
+                    point_at(self.centres.curve[path], at), curve[edge], self.reach
                 ),
             )
-            off = left_distance(self.ways.curve[way], at, curve[edge])
+            off = left_distance(self.centres.curve[path], at, curve[edge])
             sides = np.stack([np.minimum(sides[0], off), np.maximum(sides[1], off)])
-        # What comes out on the other side of an edge has gone through it.
+        # A path with points on both sides of an edge crosses the edge.
         crosses = (sides[0] < -EPSILON) & (sides[1] > EPSILON)
         into = np.where(crosses, np.maximum(into, self.reach.min()), into)
-        self._overcut(closing[edge], way, np.where(along[way], 0.0, into))
+        self._overcut(closing[edge], path, np.where(along[path], 0.0, into))
 
         corner = self.edges.ends[np.repeat(self.bounds.closing, 2)]
         met = find_overlaps(
             line_curves(corner, corner),
-            self.ways.curve,
-            np.zeros(len(self.ways.z)),
-            self.ways.curve[:, 5],
+            self.centres.curve,
+            np.zeros(len(self.centres.z)),
+            self.centres.curve[:, 5],
             widest,
         )
         touched = met.edge
         near = np.full(len(touched), np.inf)
         for share in np.linspace(0.0, 1.0, 2 if self._round else 33):
-            off = point_at(self.ways.curve[touched], share * self.ways.curve[touched, 5])
+            off = point_at(self.centres.curve[touched], share * self.centres.curve[touched, 5])
             near = np.minimum(near, np.hypot(*((off - corner[met.curve]) / self.reach).T))
         foot = milling_geometry.nearest_along(
-            self.ways.curve[touched], corner[met.curve], self.reach
+            self.centres.curve[touched], corner[met.curve], self.reach
         )
-        off = point_at(self.ways.curve[touched], foot)
+        off = point_at(self.centres.curve[touched], foot)
         near = np.minimum(near, np.hypot(*((off - corner[met.curve]) / self.reach).T))
         into = np.where(along[touched], 0.0, (1.0 - near) * float(self.reach.min()))
         at_corner = np.repeat(closing, 2)[met.curve]
         self._overcut(at_corner, touched, into)
 
     def _on_open_cuts(self) -> Bool:
-        """Return which ways follow a cut that encloses nothing."""
+        """Return a mask of the paths that follow an open cut."""
         own = self.edges.curve[~self.bounds.closing]
-        rows = find_overlaps(self.ways.curve, own, np.zeros(len(own)), own[:, 5], self.tolerance)
-        size = np.diff(rows.along)[:, 0] >= 0.5 * self.ways.curve[rows.curve, 5]
-        result = np.zeros(len(self.ways.z), np.bool_)
+        rows = find_overlaps(self.centres.curve, own, np.zeros(len(own)), own[:, 5], self.tolerance)
+        size = np.diff(rows.along)[:, 0] >= 0.5 * self.centres.curve[rows.curve, 5]
+        result = np.zeros(len(self.centres.z), np.bool_)
         result[rows.curve[size]] = True
         return result
 
     def _past_open_ends(self) -> None:
-        """Judge whether what follows an open cut stops where that ends."""
+        """Check that paths on open cuts stop at the ends of those cuts."""
         rows = np.flatnonzero(self._on_open_cuts())
         own = self.edges.curve[~self.bounds.closing]
-        curve = self.ways.curve[rows]
+        curve = self.centres.curve[rows]
         near = find_overlaps(curve, own, np.zeros(len(own)), own[:, 5], self.tolerance)
         which, spans = uncovered_curves(near, curve)
         size = np.diff(spans)[:, 0]
         for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
-            self._finding(
+            self._add_finding(
                 "overcut",
                 -1,
                 Message("verify.past-open-cut", length=size[k]),
@@ -383,64 +391,64 @@ class _MillingCheck:
     def _round(self) -> bool:
         return bool(self.reach[0] == self.reach[1])
 
-    def _overcut(self, edge: I64, way: I32 | I64, into: F64) -> None:
+    def _overcut(self, edge: I64, path: I32 | I64, into: F64) -> None:
         into = np.where(into > EPSILON, into, 0.0)
-        figure = into + np.where(into > 0.0, self.rounds[way], 0.0)
+        figure = into + np.where(into > 0.0, self.rounds[path], 0.0)
         row = self.edges.row[edge]
-        np.maximum.at(self.bench.figures.overcut, row, np.where(into > PRINT_ROUNDING, into, 0.0))
+        np.maximum.at(self.context.figures.overcut, row, np.where(into > PRINT_ROUNDING, into, 0.0))
         bad = np.flatnonzero(figure > self.tolerance + PRINT_ROUNDING)
-        # Of one way at one edge the worst is told.
+        # Report only the worst place of each pair of edge and path.
         bad = bad[np.argsort(-into[bad], kind="stable")]
-        told = np.unique(np.stack([edge[bad], way[bad]], axis=1), axis=0, return_index=True)[1]
+        told = np.unique(np.stack([edge[bad], path[bad]], axis=1), axis=0, return_index=True)[1]
         for k in bad[np.sort(told)][:MAX_FINDINGS]:
-            self._finding(
+            self._add_finding(
                 "overcut",
                 int(edge[k]),
                 Message("verify.cuts-part", depth=into[k]),
                 float(into[k]),
-                int(way[k]),
+                int(path[k]),
             )
 
     def _astray(self) -> None:
-        """Judge work in the middle of a part, and work far from every edge."""
-        ways = self.ways
-        first = np.unique(ways.track, return_index=True)[1]
-        middle = 0.5 * ways.curve[first, 5]
-        depth = count_enclosing(point_at(ways.curve[first], middle), self.bounds)
-        slits = np.zeros(int(ways.track.max(initial=-1)) + 1, np.bool_)
-        slits[ways.track[self._on_open_cuts()]] = True
-        for row in first[(depth % 2 == 1) & ~slits[ways.track[first]]][:MAX_FINDINGS]:
-            x, y = point_at(ways.curve[row : row + 1], np.zeros(1))[0]
-            self._finding(
+        """Check for work inside a part, and for work far from every edge."""
+        centres = self.centres
+        first = np.unique(centres.track, return_index=True)[1]
+        middle = 0.5 * centres.curve[first, 5]
+        depth = count_enclosing(point_at(centres.curve[first], middle), self.bounds)
+        slits = np.zeros(int(centres.track.max(initial=-1)) + 1, np.bool_)
+        slits[centres.track[self._on_open_cuts()]] = True
+        for row in first[(depth % 2 == 1) & ~slits[centres.track[first]]][:MAX_FINDINGS]:
+            x, y = point_at(centres.curve[row : row + 1], np.zeros(1))[0]
+            self._add_finding(
                 "stray",
                 -1,
                 Message("verify.inside-part", x=x, y=y),
-                float(ways.curve[row, 5]),
+                float(centres.curve[row, 5]),
                 int(row),
             )
         far = 2.0 * self.tool.radius + max(self.tool.set_up, NEAR_EDGE)
         near = find_overlaps(
-            ways.curve, self.edges.curve, np.zeros(len(self.edges)), self.size, far
+            centres.curve, self.edges.curve, np.zeros(len(self.edges)), self.size, far
         )
         ends = find_overlaps(
             line_curves(self.edges.ends, self.edges.ends),
-            ways.curve,
-            np.zeros(len(ways.z)),
-            ways.curve[:, 5],
+            centres.curve,
+            np.zeros(len(centres.z)),
+            centres.curve[:, 5],
             far,
         )
-        low, high = spans_near_points(ways.curve[ends.edge], self.edges.ends[ends.curve], far)
+        low, high = spans_near_points(centres.curve[ends.edge], self.edges.ends[ends.curve], far)
         some = high > low
         which, begin, end = uncovered_edges(
             np.concatenate([near.curve, ends.edge[some]]).astype(np.int64),
             np.concatenate([near.along[:, 0], low[some]]),
             np.concatenate([near.along[:, 1], high[some]]),
-            ways.curve[:, 5],
+            centres.curve[:, 5],
         )
         lost = end - begin > self.slack
         for k in np.flatnonzero(lost)[:MAX_FINDINGS]:
-            x, y = point_at(ways.curve[which[k : k + 1]], begin[k : k + 1])[0]
-            self._finding(
+            x, y = point_at(centres.curve[which[k : k + 1]], begin[k : k + 1])[0]
+            self._add_finding(
                 "stray",
                 -1,
                 Message("verify.stray", tool="cutter", length=end[k] - begin[k], x=x, y=y),

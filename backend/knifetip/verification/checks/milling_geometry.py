@@ -1,8 +1,8 @@
-"""Disc: how near a disc on its way comes to points and edges, in closed form where there is one.
+"""Distances between the path of a disc and points or edges, in closed form where possible.
 
-    curves, edges, the disc's reach along X and Y -> places along the curves, depths (mm)
+    curves, edges, reach of the disc along X and Y -> positions along the curves, depths (mm)
 
-Where a cutter gives way more along one axis than along the other, its disc is an ellipse.
+If a cutter deflects by different amounts along X and Y, its disc becomes an ellipse.
 """
 
 from __future__ import annotations
@@ -16,9 +16,10 @@ from knifetip.verification.curves.intervals import EPSILON
 
 
 def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
-    """Return from where to where (mm) curves are within a distance of points; to < from if never.
+    """Return start and end (mm) of the stretch of each curve within a distance of its point.
 
-    One stretch is told: an arc of more than half a turn may have another one round its back.
+    Start is greater than end if there is none.  Only one stretch is returned; an arc of more than
+    half a turn may have a second one.
     """
     to = point - curve[:, 1:3]
     straight = curve[:, 0] == 0.0
@@ -34,14 +35,14 @@ def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
     at = np.where(straight, foot, turned)
     half = np.where(straight, np.sqrt(np.maximum(square, 0.0)), turn)
     half = np.where(np.where(straight, square <= 0.0, cosine >= 1.0), -1.0, half)
-    # A circle that is within the distance all round has no nearest place that matters.
+    # All of the circle is within the distance.
     half = np.where(~straight & (cosine <= -1.0), np.inf, half)
     low = np.where(half < 0.0, 1.0, np.maximum(at - half, 0.0))
     return low, np.where(half < 0.0, 0.0, np.minimum(at + half, curve[:, 5]))
 
 
 def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Iterator[F64]:
-    """Yield places along curves (mm), within stretches, where they may be nearest to edges."""
+    """Yield positions (mm) on stretches of curves at which they may be nearest to edges."""
     low, high = along.T
     yield low
     yield high
@@ -59,7 +60,10 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
 
 
 def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
-    """Return where on curves they come nearest to points, told in half-axes (mm along)."""
+    """Return the position (mm) on each curve that is nearest to its point.
+
+    Distances are measured in units of the half-axes ``reach``.
+    """
     weight = 1.0 / reach**2
     to = point - curve[:, 1:3]
     straight = curve[:, 0] == 0.0
@@ -76,20 +80,20 @@ def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
 
 
 def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
-    """Return how far a disc at points reaches past edges (mm), as far as it gives way."""
+    """Return how far a disc (or ellipse) centred at points extends past edges (mm)."""
     to = points - edge[:, 1:3]
     straight = edge[:, 0] == 0.0
     normal = np.where(straight[:, None], edge[:, [4, 3]] * (-1.0, 1.0), 0.0)
     off = np.abs((normal * to).sum(axis=1))
     flat = (normal**2 * reach).sum(axis=1) - off
-    # Beside an arc the centre's way is an ellipse with these half-axes.
+    # Beside an arc the path of the centre is an ellipse with these half-axes.
     away = np.hypot(*to.T)
     outer = away >= edge[:, 3]
     axes = edge[:, 3, None] + np.where(outer, 1.0, -1.0)[:, None] * reach
     scaled = np.hypot(*(to / np.where(np.abs(axes) > EPSILON, axes, EPSILON)).T)
     size = np.abs(axes).min(axis=1)
     bent = np.where(outer, 1.0 - scaled, scaled - 1.0) * size
-    # A disc wider than the arc that it is in.
+    # The disc does not fit into the arc.
     bent = np.where(~outer & (axes <= EPSILON).any(axis=1), reach.max(), bent)
     result: F64 = np.where(straight, flat, bent)
     return result

@@ -1,6 +1,6 @@
-"""Conduct: how the machine is driven: feeds, outputs, travel, speed in the board, and the time.
+"""Check feeds, outputs, travel and turns of the moves, and compute the machine time.
 
-Moves, TipPoses, Machine, Board -> findings and the nominal seconds
+Moves, TipPoses, Machine, Board -> findings, nominal seconds
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from knifetip.verification.kinematics import LEVEL, TipPoses, beam_moves
 from knifetip.verification.reading.moves import Moves
 from knifetip.verification.tools import ANGLE_TOLERANCE, expected_tool, extra_outputs
 
-#: A feed may differ from the tool's by this share of it: programs print six figures.
+#: Greatest relative error of a feed: programs print six significant digits.
 FEED_TOLERANCE: Final = 1e-5
-#: A time may, where the move's length is known only from printed numbers (share, and mm).
+#: Greatest error of a time: relative, and by rounded coordinates of the move (mm).
 TIME_TOLERANCE: Final = 1e-4
 LENGTH_TOLERANCE: Final = 5e-4
-#: Moves that take no longer may take any time: controllers round it up to a step (minutes).
+#: Shorter times are not checked, because controllers round them up (minutes).
 MIN_MINUTES: Final = 2e-6
-#: A joint may stand past its travel by this (mm, degrees): less than programs print.
+#: Greatest excess over the travel of a joint; less than the last printed digit (mm, degrees).
 TRAVEL_TOLERANCE: Final = 1e-6
-#: A line may replace an arc that bows by no more than this: controllers reject smaller arcs (mm).
+#: A line may replace an arc with a sagitta up to this: controllers reject smaller arcs (mm).
 MAX_BOW: Final = 1e-3
 
 
 def move_lengths(moves: Moves) -> F64:
-    """Return how far the head goes on each move along XYZ (mm), NaN from an unknown place."""
+    """Return the length of each move along X, Y and Z (mm); NaN if a position is unknown."""
     way = moves.end - moves.start
     radius = np.hypot(*(moves.start[:, :2] - moves.centre).T)
     flat = np.where(
@@ -42,10 +42,10 @@ def move_lengths(moves: Moves) -> F64:
     return result
 
 
-def check_travel(moves: Moves, machine: Machine, found: Findings) -> Bool:
-    """Return which moves stay within the machine's travel; note the others."""
+def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
+    """Return a mask of the moves within the machine's travel; add findings for the others."""
     good = np.ones(len(moves.line), np.bool_)
-    # Of moves that begin or stay outside, the one that led there is told.
+    # Report the move that leaves the travel, not those that start or stay outside.
     low, high = moves.end.copy(), moves.end.copy()
     round_ = moves.sweep != 0.0
     centre = moves.centre
@@ -76,14 +76,15 @@ def check_travel(moves: Moves, machine: Machine, found: Findings) -> Bool:
                 low=axis.low,
                 high=axis.high,
             )
-            found.add("travel", message, past[row], line=moves.line[row])
+            findings.add("travel", message, past[row], line=moves.line[row])
     return good
 
 
-def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, found: Findings) -> None:
-    """Note feeds that are not the tool's own: its feed on the level, its plunge down and up.
+def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
+    """Check feeds against the tool: its feed on level moves, its plunge feed otherwise.
 
-    A turn of C alone may go as fast as C can.  Timed moves (G93) take the longer of both.
+    A turn of C alone may run at the greatest speed of C.  The time of a timed move (G93) is the
+    longer of travel and turn.
     """
     own = np.full(len(moves.line), np.nan)
     level = np.abs(moves.end[:, 2] - moves.start[:, 2]) <= LEVEL
@@ -92,7 +93,7 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, found: Findings) 
         own[rows] = np.where(level[rows], station.tool.feed, station.tool.plunge)
     length = move_lengths(moves)
     degrees = np.abs(moves.end[:, 3] - moves.start[:, 3])
-    # A tip that stands still while C turns is a swivel, though a head off its axis moves.
+    # If the tip rests while C turns, the move is a swivel, even if the head moves round the tip.
     swivel = level & _resting_tips(moves, tip, machine) & (degrees > 0.0)
     least = np.maximum(np.where(swivel, 0.0, length / own), degrees / (60.0 * machine.c.velocity))
     minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
@@ -101,7 +102,7 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, found: Findings) 
         swivel, 0.0, LENGTH_TOLERANCE / own
     )
     off &= ~((minutes <= MIN_MINUTES) & (minutes > least))
-    # Without a time of its own, a move along XYZ has its feed from the word.
+    # A move that is not timed has the feed of its F word.
     plain = ~moves.inverse
     off = np.where(plain, np.abs(moves.feed - own) > FEED_TOLERANCE * own, off)
     for row in np.flatnonzero(feeding & off)[:MAX_FINDINGS]:
@@ -118,15 +119,18 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, found: Findings) 
                 "verify.wrong-feed", station=number, feed=moves.feed[row], planned=own[row]
             )
         measure = abs(moves.feed[row] - own[row]) if plain[row] else minutes[row] * 60.0
-        found.add("feed", message, measure, line=moves.line[row])
-    mixed = feeding & plain & (degrees > 0.0) & ((moves.sweep == 0.0) | (not moves.tabled))
+        findings.add("feed", message, measure, line=moves.line[row])
+    mixed = feeding & plain & (degrees > 0.0) & ((moves.sweep == 0.0) | (not moves.uses_tool_table))
     for row in np.flatnonzero(mixed)[:MAX_FINDINGS]:
         message = Message("verify.turn-at-feed", degrees=degrees[row])
-        found.add("feed", message, degrees[row], line=moves.line[row])
+        findings.add("feed", message, degrees[row], line=moves.line[row])
 
 
 def _resting_tips(moves: Moves, tip: TipPoses, machine: Machine) -> Bool:
-    """Return on which moves the tip stands still in XY: a drag knife's head swings round it."""
+    """Return a mask of the moves in which the tip rests in X and Y.
+
+    The head of a drag knife moves round its tip in such a move.
+    """
     trails = np.array([expected_tool(station.tool).trails for station in machine.stations])
     way = np.hypot(*(tip.end - tip.start)[:, :2].T)
     result: Bool = (way < 1e-3) & ((moves.sweep == 0.0) | trails[moves.station])
@@ -137,8 +141,8 @@ def _number(moves: Moves, machine: Machine, row: int) -> int:
     return int(machine.stations[moves.station[row]].number)
 
 
-def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, found: Findings) -> None:
-    """Note work by a station that is not lowered, beside another one that is, or at rest."""
+def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
+    """Check outputs while a tool works: its station lowered, no other, spindle as needed."""
     wrong: list[tuple[Bool, Message]] = []
     extra = extra_outputs(machine)
     for index, station in enumerate(machine.stations):
@@ -146,7 +150,7 @@ def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, found: Findings
         if station.output >= 0:
             wrong.append(
                 (
-                    mine & ~moves.piston[:, index],
+                    mine & ~moves.lowered[:, index],
                     Message("verify.output-off", station=station.number, output=station.output),
                 )
             )
@@ -154,7 +158,7 @@ def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, found: Findings
             if other != index and rival.output >= 0:
                 wrong.append(
                     (
-                        mine & moves.piston[:, other],
+                        mine & moves.lowered[:, other],
                         Message(
                             "verify.two-lowered",
                             station=station.number,
@@ -179,26 +183,31 @@ def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, found: Findings
         # A state that lasts is one finding, where it begins.
         begins = where & ~np.concatenate([[False], where[:-1]])
         for row in np.flatnonzero(begins)[:MAX_FINDINGS]:
-            found.add("program", message, 0.0, line=moves.line[row])
+            findings.add("program", message, 0.0, line=moves.line[row])
 
 
 def check_board_moves(
-    moves: Moves, tip: TipPoses, machine: Machine, board: Board, tolerance: float, found: Findings
+    moves: Moves,
+    tip: TipPoses,
+    machine: Machine,
+    board: Board,
+    tolerance: float,
+    findings: Findings,
 ) -> None:
-    """Note rapids below the top face, moves from nowhere, slanted ways in, wide turns inside."""
+    """Check moves in the board: no rapids, unknown positions, slanted plunges or wide turns."""
     lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
     beam = beam_moves(moves, machine)
-    _check_beam(moves, tip, beam, found)
+    _check_beam(moves, tip, beam, findings)
     for row in np.flatnonzero(tip.inside & ~beam & (moves.code == 0))[:MAX_FINDINGS]:
         depth = board.caliper - lowest[row]
         number = _number(moves, machine, row)
         message = Message("verify.rapid-in-board", station=number, depth=depth)
-        found.add("stray", message, depth, line=moves.line[row])
+        findings.add("stray", message, depth, line=moves.line[row])
     unknown = np.isnan(moves.end).any(axis=1) | np.isnan(moves.start).any(axis=1)
     still = (moves.end == moves.start) | (np.isnan(moves.end) & np.isnan(moves.start))
     sideways = np.isnan(moves.start[:, 2]) & ~still[:, [0, 1, 3]].all(axis=1)
     for row in np.flatnonzero((unknown & (moves.code > 0)) | sideways)[:MAX_FINDINGS]:
-        found.add("program", Message("verify.unknown-position"), 0.0, line=moves.line[row])
+        findings.add("program", Message("verify.unknown-position"), 0.0, line=moves.line[row])
 
     stay = tip.inside & (moves.code > 0) & ~unknown
     drop = tip.end[:, 2] - tip.start[:, 2]
@@ -215,36 +224,36 @@ def check_board_moves(
     ]:
         number = _number(moves, machine, row)
         message = Message("verify.slanted", station=number, distance=astray[row])
-        found.add("deviation", message, astray[row], line=moves.line[row])
-    _check_turns(moves, tip, machine, stay, slanted, found)
+        findings.add("deviation", message, astray[row], line=moves.line[row])
+    _check_turns(moves, tip, machine, stay, slanted, findings)
 
 
-def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, found: Findings) -> None:
-    """Note rapids with the beam on, and feeds along which its focus changes its height."""
+def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, findings: Findings) -> None:
+    """Check that a beam is off in rapids, and that its focus keeps its height while it is on."""
     on = beam & tip.inside
     way = np.hypot(*(tip.end - tip.start)[:, :2].T)
     drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
     for row in np.flatnonzero(on & (moves.code == 0))[:MAX_FINDINGS]:
         message = Message("verify.beam-on-rapid", length=way[row])
-        found.add("stray", message, way[row], line=moves.line[row])
+        findings.add("stray", message, way[row], line=moves.line[row])
     for row in np.flatnonzero(on & (moves.code > 0) & (drop > LEVEL))[:MAX_FINDINGS]:
         message = Message("verify.beam-refocused", height=drop[row])
-        found.add("depth", message, drop[row], line=moves.line[row])
+        findings.add("depth", message, drop[row], line=moves.line[row])
 
 
 def _check_turns(
-    moves: Moves, tip: TipPoses, machine: Machine, stay: Bool, slanted: Bool, found: Findings
+    moves: Moves, tip: TipPoses, machine: Machine, stay: Bool, slanted: Bool, findings: Findings
 ) -> None:
-    """Note moves in the board along which C does not turn as the tool's direction of travel does.
+    """Check that C turns by the same angle as the direction of travel in the board.
 
-    Along a line or an arc both turn evenly, so comparing how far they turn covers the whole move:
-    the headings at its two ends may differ by full turns and still look the same.  A tool turned
-    in one place, or while it goes down or up, has no direction of travel, and turns by itself.
+    Along a line or an arc both turn at a constant rate, so comparing the angles covers the whole
+    move.  Comparing the headings at both ends would miss full turns.  A tool that turns in place,
+    or while it plunges or lifts, has no direction of travel; its turn is limited by itself.
 
     Parameters
     ----------
     stay, slanted : (n,)
-        Feeds in the board, and those among them that change their height.
+        Masks of the feed moves in the board, and of those that change the height.
     """
     held = [expected_tool(station.tool) for station in machine.stations]
     widest = np.array([tool.swivel for tool in held])
@@ -257,7 +266,7 @@ def _check_turns(
     limit = np.where(slanted, ANGLE_TOLERANCE, widest[moves.station])
     length = np.hypot(*(tip.end - tip.start)[:, :2].T)
     straight = stay & ~in_place & (moves.sweep == 0.0) & (length > 0.0)
-    # The angle of an arc over this chord that bows by MAX_BOW.
+    # The angle of an arc over this chord with a sagitta of MAX_BOW.
     limit[straight] += np.degrees(8.0 * MAX_BOW / length[straight])
     limit = np.minimum(limit, most[moves.station] + ANGLE_TOLERANCE)
     for row in np.flatnonzero(stay & (off > limit))[:MAX_FINDINGS]:
@@ -265,11 +274,11 @@ def _check_turns(
             message = Message("verify.turn-in-board", degrees=off[row], most=limit[row])
         else:
             message = Message("verify.turn-off-path", degrees=turn[row], path=path[row])
-        found.add("heading", message, off[row], line=moves.line[row])
+        findings.add("heading", message, off[row], line=moves.line[row])
 
 
 def nominal_seconds(moves: Moves, machine: Machine) -> float:
-    """Return the nominal time: lengths over feeds, rapids at the axes' velocities, dwells."""
+    """Return the nominal time (s): lengths / feeds, rapids at the axes' velocities, and dwells."""
     length = move_lengths(moves)
     velocity = np.array([getattr(machine, axis).velocity for axis in "xyzc"])
     rapid = np.max(np.nan_to_num(np.abs(moves.end - moves.start)) / velocity, axis=1, initial=0.0)

@@ -1,12 +1,12 @@
-"""Switching: outputs and the spindle are stated before work, and switched where the head is clear.
+"""Check that outputs and spindle are set before the first move and switched only at travel height.
 
 Moves, Machine, Board -> findings
 
-A job that was cancelled may have left a station lowered, its tool in the board and the spindle on.
-So an output is unknown until a line switches it, and so is the spindle.  Until all of them are
-stated a program may only lift straight up, to a height at which every station clears the board.
-Outputs, spindle and station are switched only while the head is at the travel height of the
-station that moved last, and at most one station is lowered at a time.
+A cancelled job may have left a station lowered, its tool in the board and the spindle on.  So the
+state of every output and of the spindle is unknown until a line of the program sets it.  Until then
+the program may only lift straight up, to a height at which every station clears the board.  It may
+switch outputs, spindle and station only while the head is at the travel height of the station that
+moved last.  At most one station may be lowered at a time.
 """
 
 from __future__ import annotations
@@ -23,23 +23,23 @@ from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.reading.moves import Moves
 from knifetip.verification.tools import expected_tool, extra_outputs, has_beam
 
-#: A height may be less than asked by this, half of the last printed digit (mm).
+#: Half of the last printed digit of a height (mm).
 PRINT_ROUNDING: Final = 5e-5
 
 
-def check_switching(moves: Moves, machine: Machine, board: Board, found: Findings) -> None:
-    """Note moves before everything is stated, and what is switched too low or beside another."""
+def check_switching(moves: Moves, machine: Machine, board: Board, findings: Findings) -> None:
+    """Check states before the first move, heights of switching, and stations lowered together."""
     datum = np.array([station.z for station in machine.stations])
-    # Any station may be lowered while none is stated: the joint must be high enough for each.
+    # While the states are unknown any station may be lowered: clear the board with each.
     highest = min(machine.travel_z + float(datum.max()), machine.z.high)
-    _check_stated(moves, machine, highest, found)
+    _check_stated(moves, machine, highest, findings)
     if len(moves.switches.line):
-        _check_heights(moves, machine, board, highest, datum, found)
-        _check_lowered_alone(moves, machine, found)
+        _check_heights(moves, machine, board, highest, datum, findings)
+        _check_lowered_alone(moves, machine, findings)
 
 
-def _check_stated(moves: Moves, machine: Machine, highest: float, found: Findings) -> None:
-    """Note the first move before each output and the spindle is stated, other than a lift."""
+def _check_stated(moves: Moves, machine: Machine, highest: float, findings: Findings) -> None:
+    """Check that only lifts come before the lines that set each output and the spindle."""
     lift = _is_upright(moves) & (moves.code == 0) & (moves.end[:, 2] >= highest - PRINT_ROUNDING)
     things = {
         index: Message("verify.output", output=station.output)
@@ -53,7 +53,7 @@ def _check_stated(moves: Moves, machine: Machine, highest: float, found: Finding
     burns = has_beam(machine)
     for index, thing in things.items():
         early = ~moves.stated[:, index]
-        # A beam that was left on burns along a lift too.
+        # A beam that was left on also burns during a lift.
         if not (burns and index == spindle):
             early &= ~lift
         if early.any():
@@ -62,13 +62,13 @@ def _check_stated(moves: Moves, machine: Machine, highest: float, found: Finding
                 message = Message("verify.moves-with-beam")
             else:
                 message = Message("verify.moves-before-stated", thing=thing, height=highest)
-            found.program([(line, message)])
+            findings.program([(line, message)])
         elif not moves.switches.at_end[index]:
-            found.add("program", Message("verify.never-stated", thing=thing), 0.0)
+            findings.add("program", Message("verify.never-stated", thing=thing), 0.0)
 
 
 def _is_upright(moves: Moves) -> Bool:
-    """Return which moves leave X, Y and C as they are, known or not."""
+    """Return a mask of the moves that do not change X, Y and C."""
     start, end = moves.start[:, [0, 1, 3]], moves.end[:, [0, 1, 3]]
     same = (start == end) | (np.isnan(start) & np.isnan(end))
     result: Bool = same.all(axis=1)
@@ -76,19 +76,19 @@ def _is_upright(moves: Moves) -> Bool:
 
 
 def _check_heights(
-    moves: Moves, machine: Machine, board: Board, highest: float, datum: F64, found: Findings
+    moves: Moves, machine: Machine, board: Board, highest: float, datum: F64, findings: Findings
 ) -> None:
-    """Note the first line after each move that switches something while the head is too low."""
+    """Check the height of the head where the program switches; one finding for each move."""
     switches = moves.switches
     # Before the first move the height is unknown, and no station has moved.
     height = np.append(moves.end[:, 2], np.nan)[switches.move]
     station = np.append(moves.station, -1)[switches.move]
     needed = np.where(station >= 0, machine.travel_z + datum[station], highest)
-    # The station that comes down may be longer than the one that has been lifted.
+    # The station that is lowered may extend lower than the previous one.
     longer = datum[switches.lowers] + board.caliper + machine.clearance
     needed = np.where(switches.lowers >= 0, np.maximum(needed, longer), needed)
     low = ~(height >= needed - PRINT_ROUNDING)
-    # A beam works without touching: only where it is on is looked at, by its work.
+    # A beam does not touch the board, so it may be switched at any height.
     beams = np.array(
         [expected_tool(held.tool).beam is not None for held in machine.stations] + [False]
     )
@@ -101,11 +101,11 @@ def _check_heights(
             message = Message("verify.switches-at-unknown-height", needed=needed[row])
         else:
             message = Message("verify.switches-low", height=height[row], needed=needed[row])
-        found.program([(int(switches.line[row]), message)])
+        findings.program([(int(switches.line[row]), message)])
 
 
-def _check_lowered_alone(moves: Moves, machine: Machine, found: Findings) -> None:
-    """Note stations that are lowered while another one is, or may be."""
+def _check_lowered_alone(moves: Moves, machine: Machine, findings: Findings) -> None:
+    """Check that a station is lowered only while all others are raised."""
     switches = moves.switches
     output = np.array([station.output for station in machine.stations])
     beside = switches.beside & (output != output[switches.lowers][:, None])
@@ -117,4 +117,4 @@ def _check_lowered_alone(moves: Moves, machine: Machine, found: Findings) -> Non
         message = Message(
             "verify.lowers-second", station=number, other=other.number, output=other.output
         )
-        found.program([(line, message)])
+        findings.program([(line, message)])

@@ -1,6 +1,6 @@
-"""Passes: whether each way in the board has been made ready by a shallower one.
+"""Find work that goes deeper in one pass than a tool may.
 
-ways in their order, their depths, the deepest step -> the stretches that go deeper at once
+tip paths in order, their depths, deepest step -> stretches that exceed the step
 """
 
 from __future__ import annotations
@@ -20,23 +20,24 @@ from knifetip.verification.expectation.edges import angle_between
 def too_deep_spans(
     curve: F64, deep: F64, step: float, near: float, *, one_way: bool = False
 ) -> tuple[I32, F64]:
-    """Return the stretches of ways that go more than a step deeper than any way before them.
+    """Return the stretches that go more than a step deeper than the passes before them.
 
     Parameters
     ----------
     curve : (n, 6)
-        In the order in which they are made.
+        Tip paths in the order of the program.
     deep : (n,) mm
-        Below the top of the board.
+        Their depths below the top of the board.
     step : mm
+        Deepest cut in one pass.
     near : mm
-        So near an earlier way makes the later one ready.
+        Greatest distance of an earlier pass over the same line.
     one_way
-        Only a way in the same direction does.
+        Count only earlier passes in the same direction.
 
     Returns
     -------
-    the way (k,), and from where to where along it (k, 2) mm
+    index of the path (k,), and start and end along it (k, 2) mm
     """
     late = np.flatnonzero(deep > step + DEPTH_TOLERANCE)
     if len(late) == 0:

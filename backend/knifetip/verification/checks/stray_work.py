@@ -1,6 +1,6 @@
-"""Astray: work where no edge asks for it: past an end, beside an edge, or nowhere.
+"""Find work that lies on no edge: past an end, beside an edge, or elsewhere on the sheet.
 
-StationCheck, its stretches -> findings, and the overcut or deviation of the edge that was meant
+StationCheck, its overlaps -> findings, and overcut or deviation of the edge concerned
 """
 
 from __future__ import annotations
@@ -21,79 +21,79 @@ from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import OperationKind
 
 
-def check_stray_work(trial: StationCheck, rows: Overlaps, until: F64, past: float = 0.0) -> None:
-    """Judge the work that lies on no edge, or past where it may go on one.
+def check_stray_work(check: StationCheck, rows: Overlaps, until: F64, past: float = 0.0) -> None:
+    """Add findings for work that lies on no edge or outside the limits of its edge.
 
     Parameters
     ----------
     until : (n,) mm
-        How far along each way: what comes after runs over, as it may.
+        Length of each tip path that is checked; the rest is a planned overrun.
     past : mm
-        As much work off the board is let pass.
+        Greatest length of work off the board that is allowed.
     """
-    which, spans = uncovered_curves(rows, trial.curve)
+    which, spans = uncovered_curves(rows, check.curve)
     spans[:, 1] = np.minimum(spans[:, 1], until[which])
-    point = trial.curve[which, 5] < 1e-6
+    point = check.curve[which, 5] < 1e-6
     keep = point | (spans[:, 1] - spans[:, 0] > 1e-7)
     if past > 0.0 and len(which):
-        bounds = find_outlines(trial.bench.edges.of(LineType.CUT))
-        middle = point_at(trial.curve[which], spans.mean(axis=1))
+        bounds = find_outlines(check.context.edges.with_types(LineType.CUT))
+        middle = point_at(check.curve[which], spans.mean(axis=1))
         short = spans[:, 1] - spans[:, 0] <= past
         keep &= ~(short & bounds.outer.any() & (count_enclosing(middle, bounds) == 0))
     which, spans = which[keep], spans[keep]
     if len(which) == 0:
         return
     size = spans[:, 1] - spans[:, 0]
-    track = trial.track[which]
-    # Pieces that follow each other are one.
+    track = check.track[which]
+    # Join stretches that follow each other.
     joined = np.zeros(len(which), np.bool_)
     joined[1:] = (
         (which[1:] == which[:-1] + 1)
         & (track[1:] == track[:-1])
         & (spans[1:, 0] <= 1e-7)
-        & (spans[:-1, 1] >= trial.curve[which[:-1], 5] - 1e-7)
+        & (spans[:-1, 1] >= check.curve[which[:-1], 5] - 1e-7)
     )
     first = np.flatnonzero(~joined)
     total: F64 = np.add.reduceat(size, first)
-    lone = trial.curve[which[first], 5] < 1e-6
-    _report_stray(trial, which, spans, first, total, np.flatnonzero((total > trial.slack) | lone))
+    lone = check.curve[which[first], 5] < 1e-6
+    _report_stray(check, which, spans, first, total, np.flatnonzero((total > check.slack) | lone))
 
 
 def _report_stray(
-    trial: StationCheck, which: I32, spans: F64, first: I64, total: F64, bad: I64
+    check: StationCheck, which: I32, spans: F64, first: I64, total: F64, bad: I64
 ) -> None:
-    """Say of pieces on no edge what they are: past an end, beside an edge, or nowhere."""
+    """Add a finding for each stretch on no edge: past an end, beside an edge, or stray."""
     bad = bad[:MAX_FINDINGS]
-    if len(bad) == 0 or trial.found.full:
+    if len(bad) == 0 or check.findings.full:
         return
-    curve, all_edges = trial.curve[which[first[bad]]], trial.bench.edges
-    nothing = np.zeros(len(trial.edges))
-    on = find_overlaps(curve, trial.edges.curve, nothing, trial.size, trial.tolerance)
-    near = find_overlaps(curve, trial.edges.curve, nothing, trial.size, NEAR_EDGE)
+    curve, all_edges = check.curve[which[first[bad]]], check.context.edges
+    nothing = np.zeros(len(check.edges))
+    on = find_overlaps(curve, check.edges.curve, nothing, check.size, check.tolerance)
+    near = find_overlaps(curve, check.edges.curve, nothing, check.size, NEAR_EDGE)
     other = find_overlaps(
         curve, all_edges.curve, np.zeros(len(all_edges)), all_edges.curve[:, 5], TOUCH_DISTANCE
     )
-    clear = trial.bench.board.end_clearance if trial.trade == OperationKind.CREASE else 0.0
-    tool = trial.trade.tool
+    clear = check.context.board.end_clearance if check.operation == OperationKind.CREASE else 0.0
+    tool = check.operation.tool
     for k, group in enumerate(bad):
-        line, length = int(trial.line[which[first[group]]]), float(total[group])
+        line, length = int(check.line[which[first[group]]]), float(total[group])
         span = spans[first[group]]
         if (edge := _edge_along(on, k, span)) >= 0:
-            trial.overcut(np.array([edge]), np.array([max(length - clear, 0.0)]))
+            check.record_overcut(np.array([edge]), np.array([max(length - clear, 0.0)]))
             message = Message("verify.past-stop", tool=tool, length=length)
-            trial.finding("overcut", edge, message, length, line=line)
+            check.add_finding("overcut", edge, message, length, line=line)
             continue
         edge, measure = _edge_beside(near, k, span)
         if edge >= 0:
-            row = trial.edges.row[edge]
-            trial.figures.deviation[row] = max(trial.figures.deviation[row], measure)
+            row = check.edges.row[edge]
+            check.figures.deviation[row] = max(check.figures.deviation[row], measure)
             message = Message("verify.beside-line", tool=tool, distance=measure)
-            trial.finding("deviation", edge, message, measure, line=line)
+            check.add_finding("deviation", edge, message, measure, line=line)
             continue
         if (edge := _edge_touched(on, k, span)) >= 0:
-            trial.overcut(np.array([edge]), np.array([length]))
+            check.record_overcut(np.array([edge]), np.array([length]))
             message = Message("verify.past-end", tool=tool, length=length)
-            trial.finding("overcut", edge, message, length, line=line)
+            check.add_finding("overcut", edge, message, length, line=line)
             continue
         x, y = point_at(curve[k : k + 1], span[:1])[0]
         if (wrong := _edge_along(other, k, span)) >= 0:
@@ -108,11 +108,11 @@ def _report_stray(
             message = Message("verify.stray", tool=tool, length=length, x=x, y=y)
         else:
             message = Message("verify.stray-plunge", tool=tool, x=x, y=y)
-        trial.finding("stray", -1, message, length, line=line)
+        check.add_finding("stray", -1, message, length, line=line)
 
 
 def _shared_lengths(rows: Overlaps, curve: int, span: F64) -> tuple[slice, F64, Bool]:
-    """Return one curve's rows, how much of a span of it each shares, and which run along."""
+    """Return the overlaps of one curve, their lengths within a span, and which are parallel."""
     mine = slice(*np.searchsorted(rows.curve, [curve, curve + 1]))
     along, place = rows.along[mine], rows.place[mine]
     shared = np.minimum(along[:, 1], span[1]) - np.maximum(along[:, 0], span[0])
@@ -121,14 +121,14 @@ def _shared_lengths(rows: Overlaps, curve: int, span: F64) -> tuple[slice, F64, 
 
 
 def _edge_along(rows: Overlaps, curve: int, span: F64) -> int:
-    """Return an edge that most of the span of a curve runs along, -1 if there is none."""
+    """Return the edge that at least half of a span of a curve follows, or -1."""
     mine, shared, parallel = _shared_lengths(rows, curve, span)
     good = np.flatnonzero((shared >= 0.5 * (span[1] - span[0])) & parallel)
     return int(rows.edge[mine][good[0]]) if len(good) else -1
 
 
 def _edge_beside(rows: Overlaps, curve: int, span: F64) -> tuple[int, float]:
-    """Return the nearest edge that the span runs beside, and how far off it is (mm)."""
+    """Return the nearest edge parallel to the span, or -1, and its distance (mm)."""
     mine, shared, parallel = _shared_lengths(rows, curve, span)
     good = np.flatnonzero((shared >= 0.8 * (span[1] - span[0])) & parallel)
     if len(good) == 0:
@@ -137,7 +137,7 @@ def _edge_beside(rows: Overlaps, curve: int, span: F64) -> tuple[int, float]:
 
 
 def _edge_touched(rows: Overlaps, curve: int, span: F64) -> int:
-    """Return the edge that the span leaves or comes to, -1 if there is none."""
+    """Return the edge at which the span starts or ends, or -1."""
     mine, _, _ = _shared_lengths(rows, curve, span)
     along = rows.along[mine]
     touching = (np.abs(along[:, 1] - span[0]) < 1e-6) | (np.abs(along[:, 0] - span[1]) < 1e-6)

@@ -1,6 +1,6 @@
-"""Stops: where a knife goes in and comes out, seen from the edges that it cuts.
+"""Check where a knife enters the board and leaves it, against the ends of the edges.
 
-StationCheck of a knife, KnifeEnds -> findings, and how far every track runs over its end
+StationCheck of a knife, KnifeEnds -> findings, and the overrun of every track
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 def check_track_ends(
-    trial: StationCheck,
+    check: StationCheck,
     whole: Edges,
     solid: I64,
     ends: KnifeEnds,
@@ -33,28 +33,41 @@ def check_track_ends(
     lead: float,
     overrun: float,
 ) -> F64:
-    """Judge where the knife goes in and comes out; return how far tracks run over (mm).
+    """Check where the knife enters and leaves the board; return the overrun of tracks (mm).
 
-    Tracks that begin where the last one ended, as at a corner turned in the air, are one run.
-    A run begins at an end of an edge, unless it is closed.  It stops where an end of an edge
-    says, or, if it is closed, on its own way, ``overrun`` from where it began.
+    A track that begins where the previous one ended, as at a corner turned above the board,
+    continues its run.  An open run must begin at an end of an edge and stop at a planned stop of an
+    end.  A closed run must stop on its own path, ``overrun`` mm after its start.
+
+    Parameters
+    ----------
+    whole
+        Cuts and half-cuts, without perforations.
+    solid
+        Their indices in the edges of the check.
+    ends
+        Planned stops of ``whole``.
+    dashed
+        Mask of the tracks that are dashes of perforations or cuts between bridges.
+    lead, overrun : mm
+        Lead of the blade, and planned overrun past an end that meets a cut.
     """
     count = len(dashed)
     over = np.zeros(count)
     if count == 0:
         return over
-    first = np.searchsorted(trial.track, np.arange(count))
-    last = np.searchsorted(trial.track, np.arange(count), side="right") - 1
-    start = point_at(trial.curve[first], np.zeros(count))
-    stop = point_at(trial.curve[last], trial.curve[last, 5])
-    ahead = azimuth_at(trial.curve[last], trial.curve[last, 5])
+    first = np.searchsorted(check.track, np.arange(count))
+    last = np.searchsorted(check.track, np.arange(count), side="right") - 1
+    start = point_at(check.curve[first], np.zeros(count))
+    stop = point_at(check.curve[last], check.curve[last, 5])
+    ahead = azimuth_at(check.curve[last], check.curve[last, 5])
 
     known = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
     run_over = np.zeros(count, np.bool_)
-    run_over[pairs_within(stop, ends.stop[known[ends.meets[known]]], trial.tolerance)[0]] = True
+    run_over[pairs_within(stop, ends.stop[known[ends.meets[known]]], check.tolerance)[0]] = True
     new = np.ones(count, np.bool_)
     jump = np.hypot(*(start[1:] - stop[:-1]).T)
-    # Beside where one run has run over an end another may begin, but not at the same place.
+    # A new run may begin near the overrun of the previous one, but not at the same point.
     new[1:] = jump > np.where(run_over[:-1], PRINT_TURN, JOIN_DISTANCE)
     opens = np.flatnonzero(new)
     closes = np.concatenate([opens[1:], [count]]) - 1
@@ -63,12 +76,12 @@ def check_track_ends(
     if len(opens) == 0:
         return over
 
-    reached = np.cumsum(trial.curve[:, 5])
-    size = reached[last[closes]] - reached[first[opens]] + trial.curve[first[opens], 5]
-    # A way round that is shorter than the overrun is run over once.
-    ring = _points_along_runs(trial, first[opens], last[closes], np.minimum(overrun, size / 2.0))
+    reached = np.cumsum(check.curve[:, 5])
+    size = reached[last[closes]] - reached[first[opens]] + check.curve[first[opens], 5]
+    # A closed run shorter than twice the overrun overruns by half of its length.
+    ring = _points_along_runs(check, first[opens], last[closes], np.minimum(overrun, size / 2.0))
     gap = np.hypot(*(stop[closes] - ring).T)
-    closed = gap <= trial.slack
+    closed = gap <= check.slack
 
     run, end = pairs_within(stop[closes], ends.stop[known], NEAR_EDGE)
     end = known[end]
@@ -80,28 +93,28 @@ def check_track_ends(
     planned = np.full(len(opens), -1, np.int64)
     distance = np.full(len(opens), np.inf)
     planned[run], distance[run] = end, away
-    right = (distance <= trial.slack) & (~closed | (distance < gap))
+    right = (distance <= check.slack) & (~closed | (distance < gap))
 
-    # Where no end is near, ``planned`` is -1: the last, which neither meets nor is free.
+    # Without a near end ``planned`` is -1, which selects the appended False.
     ran = right & np.append(ends.meets, False)[planned]
     over[closes[ran]] = overrun
-    trial.overcut(solid[planned[ran] // 2], np.full(int(ran.sum()), overrun))
+    check.record_overcut(solid[planned[ran] // 2], np.full(int(ran.sum()), overrun))
     short = right & np.append(ends.free, False)[planned]
-    # Cuts drawn over each other end together.
+    # Coincident cuts end at the same points.
     free = known[ends.free[known]]
     together = pairs_within(ends.stop[planned[short]], ends.stop[free], JOIN_DISTANCE)[1]
-    _record_setback(trial, whole, solid, ends, np.unique(free[together]), lead)
+    _record_setback(check, whole, solid, ends, np.unique(free[together]), lead)
 
     for k in np.flatnonzero(~closed & ~right)[:MAX_FINDINGS]:
         work = int(last[closes[k]])
         edge = int(solid[planned[k] // 2]) if planned[k] >= 0 else -1
-        # A closed way that stops elsewhere on itself is nearest to its own planned end.
+        # A closed run with a wrong stop is compared with its own planned stop if that is nearest.
         if gap[k] < min(distance[k], NEAR_EDGE):
             target, measure, edge = ring[k], float(gap[k]), -1
         elif planned[k] >= 0:
             target, measure = ends.stop[planned[k]], float(distance[k])
         else:
-            trial.finding(
+            check.add_finding(
                 "uncut",
                 -1,
                 Message("verify.comes-out-anywhere"),
@@ -112,7 +125,7 @@ def check_track_ends(
         angle = math.radians(float(ahead[closes[k]]))
         x, y = stop[closes[k]] - target
         past = x * math.cos(angle) + y * math.sin(angle) > 0.0
-        trial.finding(
+        check.add_finding(
             "overcut" if past else "uncut",
             edge,
             Message(
@@ -125,7 +138,7 @@ def check_track_ends(
     begun = np.zeros(len(opens), np.bool_)
     begun[pairs_within(start[opens], whole.ends, TOUCH_DISTANCE)[0]] = True
     for k in np.flatnonzero(~begun & ~closed & right)[:MAX_FINDINGS]:
-        trial.finding(
+        check.add_finding(
             "overcut",
             int(solid[planned[k] // 2]),
             Message("verify.goes-in-anywhere"),
@@ -135,37 +148,37 @@ def check_track_ends(
     return over
 
 
-def overrun_starts(trial: StationCheck, over: F64) -> F64:
-    """Return how far along each way its track begins to run over (mm)."""
-    until = trial.curve[:, 5].copy()
+def overrun_starts(check: StationCheck, over: F64) -> F64:
+    """Return the distance (mm) along each tip path at which the overrun of its track begins."""
+    until = check.curve[:, 5].copy()
     track = np.flatnonzero(over > 0.0)
-    at = np.searchsorted(trial.track, track, side="right") - 1
+    at = np.searchsorted(check.track, track, side="right") - 1
     left = over[track]
     while len(at):
         size = until[at].copy()
         until[at] = np.maximum(size - left, 0.0)
         on = (left > size) & (at > 0)
-        on &= trial.track[at] == trial.track[at - 1]
+        on &= check.track[at] == check.track[at - 1]
         at, left = at[on] - 1, (left - size)[on]
     return until
 
 
-def _points_along_runs(trial: StationCheck, first: I64, last: I64, distance: F64) -> F64:
-    """Return the points at a distance (mm) along runs, from where they begin, (n, 2)."""
+def _points_along_runs(check: StationCheck, first: I64, last: I64, distance: F64) -> F64:
+    """Return the points at distances (mm) from the starts of runs, (n, 2) mm."""
     at, left = first.copy(), distance
     while True:
-        size = trial.curve[at, 5]
+        size = check.curve[at, 5]
         on = (left > size) & (at < last)
         if not on.any():
-            return point_at(trial.curve[at], np.minimum(left, size))
+            return point_at(check.curve[at], np.minimum(left, size))
         left = np.where(on, left - size, left)
         at = np.where(on, at + 1, at)
 
 
 def _record_setback(
-    trial: StationCheck, whole: Edges, solid: I64, ends: KnifeEnds, which: I64, lead: float
+    check: StationCheck, whole: Edges, solid: I64, ends: KnifeEnds, which: I64, lead: float
 ) -> None:
-    """Take off what a knife need not cut at free ends at which it stops."""
+    """Shorten the edges by the lead at free ends, and record that length as setback."""
     paths = ends.paths
     path = paths.path[which // 2]
     begin = np.zeros(len(paths.length))
@@ -173,6 +186,6 @@ def _record_setback(
     at_last = paths.last[path] == which
     finish[path[at_last]] -= lead
     begin[path[~at_last]] += lead
-    low, high = paths.stretch(begin, finish, whole.curve)
-    trial.figures.setback[whole.row] += whole.curve[:, 5] - np.maximum(high - low, 0.0)
-    trial.low[solid], trial.high[solid] = low, high
+    low, high = paths.intervals(begin, finish, whole.curve)
+    check.figures.setback[whole.row] += whole.curve[:, 5] - np.maximum(high - low, 0.0)
+    check.low[solid], check.high[solid] = low, high

@@ -1,10 +1,10 @@
-"""Unreached: the places where a cutter's disc does not get to, as areas.
+"""Areas of waste that a cutter's disc cannot reach.
 
-    bare stretches of edges, CutOutlines, r -> loops of lines and arcs, with what they enclose
+    untouched stretches of edges, CutOutlines, r -> loops of lines and arcs, and their areas
 
-Walk along a bare stretch with the waste on the left.  Where it ends the disc touches the edge, or
-hangs between two corners; from there the loop goes back on the disc, clockwise as seen from its
-centre, to where the next stretch begins.  In a concave corner that turns by φ one loop encloses
+A loop follows an untouched stretch with the waste on its left.  At the end of the stretch the disc
+touches the edge, or rests between two corners.  From there the loop follows the disc clockwise to
+the start of the next stretch.  In a concave corner that turns by φ the loop encloses
 r² (tan φ/2 - φ/2).
 
 Source: our derivation.
@@ -24,25 +24,25 @@ from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.expectation.edges import JOIN_DISTANCE, pairs_within
 from knifetip.verification.expectation.outline import CutOutlines
 
-#: Less than this nobody sees (mm²).
+#: Smaller areas are left out (mm²).
 MIN_AREA: Final = 1e-3
-#: The next stretch may begin this much farther away than the disc is wide (mm).
+#: Tolerance added to the disc's diameter in the search for the next stretch (mm).
 _EXTRA_DISTANCE: Final = 0.05
-#: A disc touches what is off its rim by no more than this share of its radius.
+#: A point within this share of the radius from the disc's rim is on the rim.
 _RIM_TOLERANCE: Final = 0.1
 
 
 def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach: F64) -> Unreached:
-    """Return what lies between bare stretches and the disc, on the sheet.
+    """Return the areas between untouched stretches and the disc, in sheet coordinates.
 
     Parameters
     ----------
     bounds
-        Of the cuts.
-    edge, begin, end : (k,) index into them, and mm
+        Outlines of the cuts.
+    edge, begin, end : (k,) index of the cut, mm, mm
         Stretches that the disc does not touch.
     reach : (2,) mm
-        How far the disc takes board away from its centre, along X and along Y.
+        Half-axes of the removed disc along X and Y.
     """
     edges = bounds.edges
     long = bounds.closing[edge] & (end - begin > JOIN_DISTANCE)
@@ -71,7 +71,7 @@ def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach:
         stop[tails], ahead[tails], left[tails] * reach, start[heads], reach
     )
     kept = np.flatnonzero(backs >= 0)
-    # Each way back along the disc is a piece of its own, behind the stretches.
+    # The arcs along the disc follow the stretches in the arrays.
     onward[tails[kept]] = count + np.arange(len(kept))
     met = heads[backs[kept]]
     chord = start[met] - stop[tails[kept]]
@@ -85,24 +85,24 @@ def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach:
 
 
 def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: F64) -> I64:
-    """Return for every end of a chain of stretches which chain begins on the same disc, or -1."""
+    """Return for each end of a chain the chain that starts on the same disc, or -1."""
     result = np.full(len(stop), -1)
     widest = 2.0 * float(reach.max()) + _EXTRA_DISTANCE
     tail, head = pairs_within(stop, start, widest)
     to = start[head] - stop[tail]
-    # What is not reached lies on the left.
+    # The unreached area lies on the left.
     side = ahead[tail, 0] * to[:, 1] - ahead[tail, 1] * to[:, 0]
     some = (side > -_EXTRA_DISTANCE) & (np.hypot(*to.T) <= widest)
     tail, head, to = tail[some], head[some], to[some]
-    # The disc that touches here passes the beginning of its next chain; one that hangs between
-    # two corners does not touch, and the nearest across is the next.
+    # Prefer a chain that starts on the rim of the disc that touches here.  A disc between two
+    # corners touches no edge; then take the nearest start.
     off = np.abs(np.hypot(*((to - inward[tail]) / reach).T) - 1.0)
     order = np.lexsort((np.where(off < _RIM_TOLERANCE, off, 1.0 + np.hypot(*to.T)), tail))
     tail, head = tail[order], head[order]
     once = np.ones(len(tail), np.bool_)
     once[1:] = tail[1:] != tail[:-1]
     result[tail[once]] = head[once]
-    # Two ends cannot go back to one beginning.
+    # Drop starts that two ends claim.
     taken = result[result >= 0]
     twice = np.flatnonzero(np.bincount(taken, minlength=len(start)) > 1)
     result[np.isin(result, twice)] = -1
@@ -111,7 +111,7 @@ def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: 
 
 @kernel
 def _trace_loops(onward: I64_1) -> Any:
-    """Return the pieces of all closed loops in order, and where each loop begins."""
+    """Return the pieces of all closed loops in order, and the first index of each loop."""
     count = len(onward)
     order = np.empty(count, np.int64)
     first = np.zeros(count + 1, np.int64)
@@ -137,7 +137,7 @@ def _trace_loops(onward: I64_1) -> Any:
 
 
 def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
-    """Return the loops that enclose something."""
+    """Return the loops that enclose at least ``MIN_AREA``."""
     if len(first) < 2:
         return Unreached()
     owner = np.repeat(np.arange(len(first) - 1), np.diff(first))
@@ -156,7 +156,7 @@ def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
 
 
 def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) -> Unreached:
-    """Return areas of several cutters in one record, in the drawing's coordinates."""
+    """Concatenate the areas of several cutters and move them to drawing coordinates."""
     if not parts:
         return Unreached()
     pieces = np.cumsum([0] + [len(part.bulge) for part in parts])

@@ -1,15 +1,16 @@
-"""loose: is anything worked on a piece of board that the cuts before have already set free?
+"""Check that nothing is worked on a piece of board that earlier cuts have released.
 
-    Bench, Work -> findings
+    CheckContext, TipPaths -> findings
 
-The cuts are split where they meet, and contours are closed where ends of cuts lie within ``GAP`` of
-another cut.  Each piece of a cut is done with the line of the program that completes it.  Two faces
-beside a piece hang together until it is done, so a face is held by the sheet until
+``cut_faces`` divides the sheet into faces.  Each piece of a cut is complete at the line of the
+program that finishes it.  The two faces beside a piece are connected until then.  So the line that
+releases a face from the sheet is
 
-    free(face) = max over all ways from the face to the outside of min over the pieces on it of done
+    free(face) = max over all paths from the face to the outside of
+                 min over the pieces that the path crosses of complete(piece)
 
-which joining the faces in the order of ``done``, the latest first, gives for all of them at once.
-What is worked in a face after that line is worked on a loose piece.
+Joining the faces with a union-find in descending order of ``complete`` gives this for all faces.
+Work in a face after that line is work on a loose piece.
 """
 
 from __future__ import annotations
@@ -40,59 +41,59 @@ from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.kinematics import TipPaths
 from knifetip.verification.tools import OperationKind, expected_tool
 
-#: Edges of these types are not worked.
+#: Line types that are not worked.
 _NO_WORK: Final = (LineType.UNCLASSIFIED, LineType.IGNORED)
 
 
-#: A stretch on an edge that is shorter than this only crosses the edge (mm).
+#: A shorter overlap with an edge is a crossing (mm).
 _MIN_LENGTH: Final = 0.1
 
 
-#: Beside a corner of 28° a cutter leaves so many times its radius of either edge untouched.
+#: Beside a corner of 28° a cutter leaves this many radii of either edge untouched.
 _CORNER_RATIO: Final = 4.0
 
 
-#: Where along other work it is looked at, in shares.
+#: Sampled positions on other work, as shares of its length.
 _PROBES: Final = (0.1, 0.5, 0.9)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _WorkedSpans:
-    """Where cuts are worked, by edge and then by line."""
+    """k stretches of cuts that are worked, sorted by edge and line of the program."""
 
     edge: I64  #: (k,)
     low: F64  #: (k,) mm along the edge
     high: F64  #: (k,)
     line: I64  #: (k,)
-    through: Bool  #: (k,)
-    way: I64  #: (k,) row of the work
+    through: Bool  #: (k,) the work goes through the board
+    path: I64  #: (k,) row of the tip path
     reach: float  #: mm, the radius of the widest cutter, 0 for knives
 
 
-def check_work_order(bench: CheckContext, work: TipPaths) -> None:
-    """Judge whether everything inside a contour is worked before the contour is complete."""
-    cuts, _, _ = without_duplicates(bench.edges.of(LineType.CUT))
+def check_work_order(context: CheckContext, work: TipPaths) -> None:
+    """Check that all work inside a contour comes before the line that completes the contour."""
+    cuts, _, _ = without_duplicates(context.edges.with_types(LineType.CUT))
     if len(cuts) == 0 or len(work.z) == 0:
         return
     net = find_cut_faces(cuts)
-    done = _worked_spans(bench, work, cuts)
+    done = _worked_spans(context, work, cuts)
     complete = _completing_lines(
         net.edge, net.begin, net.begin + net.curve[:, 5], done.edge, done.low, done.high,
         np.where(done.through, done.line, -1), len(cuts), done.reach,
     )  # fmt: skip
     order = np.argsort(-complete, kind="stable")
     free = _freeing_lines(order, complete, net.face, net.count)
-    _check_cuts(bench, cuts, net, done, free)
-    _check_other_edges(bench, cuts, net, work, done, free)
+    _check_cuts(context, cuts, net, done, free)
+    _check_other_edges(context, cuts, net, work, done, free)
 
 
 def _check_cuts(
-    bench: CheckContext, cuts: Edges, net: CutFaces, done: _WorkedSpans, free: F64
+    context: CheckContext, cuts: Edges, net: CutFaces, done: _WorkedSpans, free: F64
 ) -> None:
-    """Judge the work on cuts: of the pieces of each stretch the one that is held longest.
+    """Check the work on cuts.
 
-    A line drawn across others is made in one go, and may lie in board that is held and in board
-    that is loose; pieces shorter than ``GAP_LENGTH`` do not hold it.
+    A stretch of a long cut may lie partly in held and partly in loose board; it counts as held
+    until the last of its pieces is released.  Pieces shorter than ``GAP_LENGTH`` are ignored.
     """
     pieces = np.flatnonzero(net.edge >= 0)
     first = np.searchsorted(net.edge[pieces], np.arange(len(cuts) + 1))
@@ -103,7 +104,7 @@ def _check_cuts(
     )
     late = done.line > until
     if done.reach == 0.0:
-        # A knife runs on over its end, into a cut that may be made already.
+        # The overrun of a knife may lie on a cut that is already made.
         late &= _new_spans(done.edge, done.low, done.high)
     some = np.flatnonzero(late)
     for k in some[np.unique(done.edge[some], return_index=True)[1]][:MAX_FINDINGS]:
@@ -111,22 +112,22 @@ def _check_cuts(
         place = point_at(
             cuts.curve[edge : edge + 1], np.array([0.5 * (done.low[k] + done.high[k])])
         )
-        _add_finding(bench, int(cuts.row[edge]), place[0], int(done.line[k]), int(until[k]))
+        _add_finding(context, int(cuts.row[edge]), place[0], int(done.line[k]), int(until[k]))
 
 
 def _check_other_edges(
-    bench: CheckContext, cuts: Edges, net: CutFaces, work: TipPaths, done: _WorkedSpans, free: F64
+    context: CheckContext, cuts: Edges, net: CutFaces, work: TipPaths, done: _WorkedSpans, free: F64
 ) -> None:
-    """Judge what is worked on other edges: creases, grooves, half-cuts, perforations."""
+    """Check the work on other edges: creases, grooves, half-cuts, perforations."""
     some = work.line > free.min()
-    some[done.way] = False
+    some[done.path] = False
     rows = np.flatnonzero(some)
     kinds = (kind for kind in LineType if kind not in (LineType.CUT, *_NO_WORK))
-    edges = bench.edges.of(*kinds)
+    edges = context.edges.with_types(*kinds)
     near = find_overlaps(
         work.curve[rows], edges.curve, np.zeros(len(edges)), edges.curve[:, 5], TOUCH_DISTANCE
     )
-    # What only crosses an edge is no work on it; a wheel that presses one place goes nowhere.
+    # Drop crossings; a path without length is a pressed crease and stays.
     size = np.diff(near.along)[:, 0]
     long = np.flatnonzero(
         near.best & (size >= np.minimum(_MIN_LENGTH, work.curve[rows[near.curve], 5]))
@@ -143,7 +144,7 @@ def _check_other_edges(
             cuts.curve[:, 5],
             TOUCH_DISTANCE,
         )
-        held = free[net.located(points)]
+        held = free[net.locate(points)]
         held[on.curve] = math.inf
         sooner = held < until
         until[sooner], place[sooner] = held[sooner], points[sooner]
@@ -151,11 +152,11 @@ def _check_other_edges(
     late = late[np.unique(way[late], return_index=True)[1]]
     for k in late[:MAX_FINDINGS]:
         row = int(edges.row[near.edge[long[k]]])
-        _add_finding(bench, row, place[k], int(work.line[way[k]]), int(until[k]))
+        _add_finding(context, row, place[k], int(work.line[way[k]]), int(until[k]))
 
 
-def _add_finding(bench: CheckContext, edge: int, place: F64, line: int, closed: int) -> None:
-    bench.found.add(
+def _add_finding(context: CheckContext, edge: int, place: F64, line: int, closed: int) -> None:
+    context.findings.add(
         "order",
         Message("verify.loose-piece", x=place[0], y=place[1], line=closed),
         0.0,
@@ -164,40 +165,42 @@ def _add_finding(bench: CheckContext, edge: int, place: F64, line: int, closed: 
     )
 
 
-def _worked_spans(bench: CheckContext, work: TipPaths, cuts: Edges) -> _WorkedSpans:
-    """Return where along the cuts there is work: a knife's on the line, a cutter's beside it."""
+def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _WorkedSpans:
+    """Return the worked stretches of cuts: a knife works on the line, a cutter beside it."""
     size = cuts.curve[:, 5]
-    knife = np.flatnonzero(work.trade == OperationKind.CUT)
-    near = find_overlaps(work.curve[knife], cuts.curve, np.zeros(len(cuts)), size, bench.tolerance)
+    knife = np.flatnonzero(work.operation == OperationKind.CUT)
+    near = find_overlaps(
+        work.curve[knife], cuts.curve, np.zeros(len(cuts)), size, context.tolerance
+    )
     keep = near.best
     columns: list[tuple[I32 | I64, F64, F64, I64, Bool]] = [
         (near.edge[keep], near.place[keep].min(axis=1), near.place[keep].max(axis=1),
          knife[near.curve[keep]], np.ones(int(keep.sum()), np.bool_)),
     ]  # fmt: skip
-    mill = work.trade == OperationKind.MILL
+    mill = work.operation == OperationKind.MILL
     bounds = find_outlines(cuts) if mill.any() else None
     widest = 0.0
     for index in np.unique(work.station[mill]):
-        held = bench.machine.stations[int(index)]
+        held = context.machine.stations[int(index)]
         assert bounds is not None
         tool = expected_tool(held.tool)
         assert tool.disc is not None
-        give = next((one for one in bench.board.deflection if one.tool == held.name), None)
+        give = next((one for one in context.board.deflection if one.tool == held.name), None)
         reach = np.full(2, tool.disc.radius) - ((give.x, give.y) if give else 0.0)
         widest = max(widest, float(reach.max()))
         beside = cutter_paths(bounds, reach)
         rows = np.flatnonzero(mill & (work.station == index))
         length = beside.curve[:, 5]
         near = find_overlaps(
-            work.curve[rows], beside.curve, np.zeros(len(length)), length, bench.tolerance
+            work.curve[rows], beside.curve, np.zeros(len(length)), length, context.tolerance
         )
-        low, high = beside.on_edge(near.edge, near.place)
-        deep = bench.board.caliper - work.z[rows[near.curve]]
-        planned = tool.through_depth(bench.board.caliper, bench.machine.into_mat)
+        low, high = beside.edge_intervals(near.edge, near.place)
+        deep = context.board.caliper - work.z[rows[near.curve]]
+        planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
         through = deep >= planned - DEPTH_TOLERANCE
         columns.append((beside.edge[near.edge], low, high, rows[near.curve], through))
     edge, low, high, way, through = (np.concatenate(one) for one in zip(*columns, strict=True))
-    # What only crosses a cut, or touches its end, is no work on it.
+    # Drop paths that only cross a cut or touch its end.
     long = np.flatnonzero(high - low >= np.minimum(_MIN_LENGTH, 0.5 * size[edge]))
     long = long[np.lexsort((work.line[way[long]], edge[long]))]
     way = way[long].astype(np.int64)
@@ -212,10 +215,10 @@ def _completing_lines(
     owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
     line: I64_1, count: int, reach: float,
 ) -> Any:  # fmt: skip
-    """Return the line that completes each piece, infinite for none; before all others for links.
+    """Return the line that completes each piece: infinite if none does, -1 for links.
 
-    A cutter does not come to all of a piece beside an inner corner, and to none of a short one, and
-    passes round both: what is left so is no hold.
+    A cutter cannot reach all of a piece beside an inner corner, nor a short piece at all.  What it
+    leaves there does not hold the part.
     """
     first = np.searchsorted(edge, np.arange(count + 1))
     complete = np.full(len(owner), 0.0 if reach > 0.0 else math.inf)
@@ -247,7 +250,7 @@ def _completing_lines(
 
 @kernel
 def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
-    """Return which stretches, by edge and then by line, are new for half of their length."""
+    """Return a mask of the stretches of which at least half was not worked before."""
     fresh = np.zeros(len(edge), np.bool_)
     begin = 0
     while begin < len(edge):
@@ -267,7 +270,7 @@ def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
 def _held_until(
     edge: I64_1, low: F64_1, high: F64_1, first: I64_1, begin: F64_1, end: F64_1, held: F64_1
 ) -> Any:
-    """Return until which line each stretch is held: by a short piece only if it has no other."""
+    """Return the line that releases each stretch; short pieces count only if it has no others."""
     until = np.full(len(edge), -1.0)
     for k in range(len(edge)):
         for least in (GAP_LENGTH, 0.0):
@@ -287,16 +290,16 @@ def _held_until(
 
 @kernel
 def _freeing_lines(order: I64_1, complete: F64_1, face: I64_2, count: int) -> Any:
-    """Return the line after which each face is loose, infinite for those that stay held.
+    """Return the line that releases each face, infinite for faces that stay held.
 
-    ``order`` has the pieces that are done last first.
+    ``order`` contains the pieces in descending order of ``complete``.
     """
     free = np.full(count, math.inf)
     parent = np.arange(count)
     onward = np.arange(count)
     for p in order:
         if complete[p] <= 0.0:
-            # What only links part from the rest, or pieces that no cutter reaches, is too small.
+            # The rest are links and pieces that no cutter reaches; they hold nothing.
             break
         a, b = face[p, 0], face[p, 1]
         while parent[a] != a:
@@ -310,7 +313,7 @@ def _freeing_lines(order: I64_1, complete: F64_1, face: I64_2, count: int) -> An
         if b == 0:
             a, b = b, a
         if a == 0:
-            # The faces of b, a ring of them, are held until now.
+            # All faces of the set of b, a circular list, are released by this piece.
             each = b
             while True:
                 free[each] = complete[p]

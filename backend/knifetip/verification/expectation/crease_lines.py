@@ -121,7 +121,7 @@ def creased_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
         How far beside the dashes it may have gone.
     """
     plain = np.flatnonzero((edges.curve[:, 0] == 0.0) & (edges.line_type == LineType.CREASE))
-    dash = edges.taken(plain)
+    dash = edges.select(plain)
     near, far = _facing_ends(dash)
     points = line_curves(dash.ends, dash.ends)
     touched = np.zeros(len(dash.ends), np.bool_)
@@ -132,7 +132,7 @@ def creased_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
     unparted[_cut_crossings(line_curves(dash.ends[near], dash.ends[far]), cuts)[0]] = False
     near, far = near[unparted], far[unparted]
     if len(near) == 0:
-        return edges.taken(np.zeros(0, np.int64))
+        return edges.select(np.zeros(0, np.int64))
     gap = np.hypot(*(dash.ends[near] - dash.ends[far]).T)
     # Dashes hang together by their gaps: how many, and how long on average.
     name = np.arange(len(dash))

@@ -30,7 +30,7 @@ class CutterPaths:
     edge: I64  #: (k,)
     place: F64  #: (k, 2) mm along the edge at both ends of the piece
 
-    def on_edge(self, piece: I32, place: F64) -> tuple[F64, F64]:
+    def edge_intervals(self, piece: I32, place: F64) -> tuple[F64, F64]:
         """Return from where to where along its edge (mm) a stretch, (n, 2) mm, of a piece is."""
         share = place / np.maximum(self.curve[piece, 5], EPSILON)[:, None]
         first, last = self.place[piece, 0], self.place[piece, 1]

@@ -85,7 +85,7 @@ class EdgePaths:
     first: I64  #: (c,) end at which the path begins, -1 where it is closed
     last: I64  #: (c,) end at which it ends
 
-    def stretch(self, low: F64, high: F64, curve: F64) -> tuple[F64, F64]:
+    def intervals(self, low: F64, high: F64, curve: F64) -> tuple[F64, F64]:
         """Return for each edge which part of it, in its own mm, lies between two places.
 
         Parameters
@@ -99,7 +99,7 @@ class EdgePaths:
         own_high = np.where(self.flipped, size - near, far)
         return own_low, own_high
 
-    def find(self, path: I64, at: F64, curve: F64) -> tuple[I64, F64]:
+    def locate(self, path: I64, at: F64, curve: F64) -> tuple[I64, F64]:
         """Return the edge, and the place in its own mm, at a distance along paths."""
         order = np.lexsort((self.begin, self.path))
         widest = float(self.length.max(initial=0.0)) + 1.0

@@ -49,11 +49,11 @@ class Edges:
     def __len__(self) -> int:
         return len(self.row)
 
-    def of(self, *types: LineType) -> Edges:
+    def with_types(self, *types: LineType) -> Edges:
         """Return the edges of these line types."""
-        return self.taken(np.flatnonzero(np.isin(self.line_type, types)))
+        return self.select(np.flatnonzero(np.isin(self.line_type, types)))
 
-    def taken(self, where: I64) -> Edges:
+    def select(self, where: I64) -> Edges:
         """Return some of the edges, by row."""
         twice = np.stack([2 * where, 2 * where + 1], axis=1).ravel()
         return Edges(
@@ -126,7 +126,7 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
     while (stays[stays] != stays).any():
         stays = stays[stays]
     twin = np.flatnonzero(stays != np.arange(len(edges)))
-    left = edges.taken(np.flatnonzero(stays == np.arange(len(edges))))
+    left = edges.select(np.flatnonzero(stays == np.arange(len(edges))))
     return left, edges.row[twin], edges.row[stays[twin]]
 
 

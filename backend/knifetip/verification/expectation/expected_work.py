@@ -99,7 +99,7 @@ def expected_creases(
     ]
     begin, finish = back[0], paths.length - back[1]
     short = finish - begin <= 1e-5
-    low, high = paths.stretch(begin, finish, edges.curve)
+    low, high = paths.intervals(begin, finish, edges.curve)
     low[short[paths.path]], high[short[paths.path]] = 0.0, -1.0
 
     pressed = np.zeros(len(edges), np.bool_)
@@ -110,7 +110,7 @@ def expected_creases(
         size = paths.length[which]
         at = np.where(both, size / 2.0, np.where(free[0][which], size, 0.0))
         half = np.where(both, size / 2.0, size) - board.end_clearance
-        row, place = paths.find(which, at, edges.curve)
+        row, place = paths.locate(which, at, edges.curve)
         reach = np.clip(half, 0.0, wheel.radius)
         fits = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
         depth[row] = np.minimum(depth[row], fits)
@@ -201,7 +201,7 @@ def knife_ends(
         path = paths.path[edge]
         at_last = paths.last[path] == which
         at = np.where(at_last, paths.length[path] - lead, lead)
-        row, place = paths.find(path, np.clip(at, 0.0, paths.length[path]), edges.curve)
+        row, place = paths.locate(path, np.clip(at, 0.0, paths.length[path]), edges.curve)
         stop[which] = point_at(edges.curve[row], place)
     return KnifeEnds(stop, free, meets, paths)
 

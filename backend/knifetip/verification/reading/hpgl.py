@@ -321,14 +321,14 @@ def _make_moves(
         feed=np.where(track.upright, plunge, feed),
         inverse=np.zeros(count, np.bool_),
         station=station,
-        piston=np.zeros((count, len(stations)), np.bool_),
+        lowered=np.zeros((count, len(stations)), np.bool_),
         oscillating=oscillating & track.down,
         extra=np.zeros((count, 0), np.bool_),
         # The device switches its tools by itself, and IN has stated that they are up and off.
         stated=np.ones((count, len(stations) + 1), np.bool_),
         blend=np.zeros(count),
         waited=np.full(count, np.inf),
-        tabled=False,
+        uses_tool_table=False,
         dwell=0.0,
         switches=Switches(
             line=np.zeros(0, np.int32),

@@ -41,13 +41,13 @@ class Moves:
     feed: F64  #: (n,) the F in force, NaN where there is none
     inverse: Bool  #: (n,) F is 1 / minutes (G93)
     station: I32  #: (n,) index into ``machine.stations``, -1 while none is chosen
-    piston: Bool  #: (n, stations) output on
+    lowered: Bool  #: (n, stations) output on
     oscillating: Bool  #: (n,) M3
     extra: Bool  #: (n, e) output of ``tools.extra_outputs`` on
     stated: Bool  #: (n, stations + e + 1) outputs as above, and last the spindle, on or off
     blend: F64  #: (n,) mm, the larger of G64's P and Q; inf where the path is not bounded
     waited: F64  #: (n,) seconds of G4 since something was last switched, inf if never
-    tabled: bool  #: stations are called by T words, so there is a tool table
+    uses_tool_table: bool  #: stations are called by T words, so there is a tool table
     dwell: float  #: seconds of all G4
     switches: Switches
     #: the axes that the program moves; the machine itself sets depth (Z) and heading (C) otherwise

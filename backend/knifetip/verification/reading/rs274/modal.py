@@ -156,7 +156,7 @@ class _Blocks:
         result: Bool = ~np.isnan(self.number[letter])
         return result
 
-    def says(self, group: int, code: int | None = None) -> Bool:
+    def has_code(self, group: int, code: int | None = None) -> Bool:
         """Return which blocks have a word of this group, or this word of it."""
         column = self.group[group]
         result: Bool = column >= 0 if code is None else column == code
@@ -185,9 +185,9 @@ class _ModalState:
         count = blocks.count
         stations = machine.stations
         number = blocks.number
-        self.tabled = bool(blocks.says(_CHANGE).any() or blocks.has("T").any())
+        self.uses_tool_table = bool(blocks.has_code(_CHANGE).any() or blocks.has("T").any())
         self.chosen = _value_in_force(number["T"], blocks.has("T"))
-        change = blocks.says(_CHANGE)
+        change = blocks.has_code(_CHANGE)
         self.loaded = _value_in_force(self.chosen, change)
         self.on = np.zeros((count, len(stations)), np.bool_)
         # An output that no line has switched yet is as the job before has left it.
@@ -195,19 +195,19 @@ class _ModalState:
         self.stated = np.ones((count, len(stations) + len(extra) + 1), np.bool_)
         self.extra = np.zeros((count, len(extra)), np.bool_)
         for place, output in enumerate(extra):
-            mine = blocks.says(_OUTPUT) & (number["P"] == output)
-            held = _value_in_force(blocks.says(_OUTPUT, 64).astype(np.float64), mine)
+            mine = blocks.has_code(_OUTPUT) & (number["P"] == output)
+            held = _value_in_force(blocks.has_code(_OUTPUT, 64).astype(np.float64), mine)
             self.extra[:, place] = held > 0.5
             self.stated[:, len(stations) + place] = ~np.isnan(held)
         self.lowers = np.full(count, -1, np.int32)
-        switched = blocks.says(_OUTPUT) | blocks.says(_SPINDLE)
+        switched = blocks.has_code(_OUTPUT) | blocks.has_code(_SPINDLE)
         latest = np.full(count, -1, np.int64)
         by_piston = np.full(count, -1, np.int64)
         by_table = np.full(count, -1, np.int64)
         for index, station in enumerate(stations):
-            mine = blocks.says(_OUTPUT) & (number["P"] == station.output)
+            mine = blocks.has_code(_OUTPUT) & (number["P"] == station.output)
             if station.output >= 0:
-                rises = blocks.says(_OUTPUT, 64)
+                rises = blocks.has_code(_OUTPUT, 64)
                 held = _value_in_force(rises.astype(np.float64), mine)
                 self.on[:, index] = held > 0.5
                 self.stated[:, index] = ~np.isnan(held)
@@ -217,27 +217,27 @@ class _ModalState:
                 by_piston[newer] = index
                 latest[newer] = risen[newer]
             by_table[self.loaded == station.number] = index
-        if not self.tabled:
+        if not self.uses_tool_table:
             fixed = [index for index, station in enumerate(stations) if station.output < 0]
             if len(fixed) == 1:
                 by_piston[by_piston < 0] = fixed[0]
-        self.station = by_table if self.tabled else by_piston
+        self.station = by_table if self.uses_tool_table else by_piston
         turning = _value_in_force(
-            blocks.says(_SPINDLE, 3).astype(np.float64), blocks.says(_SPINDLE)
+            blocks.has_code(_SPINDLE, 3).astype(np.float64), blocks.has_code(_SPINDLE)
         )
         self.oscillating: Bool = turning > 0.5
         self.stated[:, -1] = ~np.isnan(turning)
         self.speed = _value_in_force(number["S"], blocks.has("S"))
 
-        length = blocks.says(_LENGTH)
-        with_table = blocks.says(_LENGTH, 430)
+        length = blocks.has_code(_LENGTH)
+        with_table = blocks.has_code(_LENGTH, 430)
         self.offset_of = _value_in_force(
             np.where(with_table, by_table, -1).astype(np.float64), length, -1.0
         )
         datum = np.array([(s.x, s.y, s.z, s.c) for s in stations]).reshape(-1, 4)
         self.offset = np.vstack([datum, np.zeros((1, 4))])[self.offset_of.astype(np.int64)]
 
-        mode = blocks.says(_FEED)
+        mode = blocks.has_code(_FEED)
         self.inverse: Bool = (
             _value_in_force((blocks.group[_FEED] == 930).astype(np.float64), mode, 0.0) > 0.5
         )
@@ -251,28 +251,28 @@ class _ModalState:
         held = _value_in_force(number["F"], has_feed)
         self.feed = np.where(fresh & (held > 0.0), held, np.nan)
 
-        blending = blocks.says(_PATH)
+        blending = blocks.has_code(_PATH)
         bound = np.fmax(number["P"], number["Q"])
         # LinuxCNC takes P0, and G64 without P, for no limit at all.
         bound = np.where(blending & (number["P"] > 0.0), bound, np.inf)
-        self.blend = _value_in_force(bound, blending, np.inf if self.tabled else 0.0)
+        self.blend = _value_in_force(bound, blending, np.inf if self.uses_tool_table else 0.0)
 
-        dwell = np.where(blocks.says(_DWELL), np.nan_to_num(number["P"]), 0.0)
+        dwell = np.where(blocks.has_code(_DWELL), np.nan_to_num(number["P"]), 0.0)
         spent = np.cumsum(dwell)
         last = _latest_block(switched)
         self.waited = np.where(last >= 0, spent - spent[last], np.inf) if count else np.zeros(0)
         #: (count,) the spindle was switched last, and no output after it
-        self.by_spindle: Bool = _latest_block(blocks.says(_SPINDLE)) > _latest_block(
-            blocks.says(_OUTPUT)
+        self.by_spindle: Bool = _latest_block(blocks.has_code(_SPINDLE)) > _latest_block(
+            blocks.has_code(_OUTPUT)
         )
         self.dwell = float(dwell.sum())
 
 
 def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None:
-    fault, has, says, number = blocks.fault, blocks.has, blocks.says, blocks.number
-    moving = says(_MOTION)
+    fault, has, has_code, number = blocks.fault, blocks.has, blocks.has_code, blocks.number
+    moving = has_code(_MOTION)
     any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
-    curved = says(_MOTION, 20) | says(_MOTION, 30)
+    curved = has_code(_MOTION, 20) | has_code(_MOTION, 30)
     fault(any_axis & ~moving, Message("rs274.axis-without-motion"))
     fault(moving & ~any_axis, Message("rs274.motion-without-axis"))
     fault(
@@ -282,18 +282,18 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
     fault((has("I") | has("J")) & ~curved, Message("rs274.centre-without-arc"))
     other = has("T") | has("S") | has("P") | has("Q")
     for group in (_DWELL, _LENGTH, _SYSTEM, _PATH, _END, _SPINDLE, _CHANGE, _OUTPUT):
-        other |= says(group)
+        other |= has_code(group)
     for group in (_PLANE, _UNITS, _DISTANCE, _CENTRES, _RADIUS):
-        other |= says(group)
+        other |= has_code(group)
     fault(moving & other, Message("rs274.moves-and-switches"))
 
-    timed, switched, bounded = says(_DWELL), says(_OUTPUT), says(_PATH)
+    timed, switched, bounded = has_code(_DWELL), has_code(_OUTPUT), has_code(_PATH)
     used = timed | switched | bounded
     twice = (timed & switched) | (timed & bounded) | (switched & bounded)
     fault((has("P") & ~used) | twice, Message("rs274.stray-p"))
     fault(used & ~has("P"), Message("rs274.missing-p"))
-    fault(has("Q") & ~says(_PATH), Message("rs274.stray-q"))
-    if not state.tabled:
+    fault(has("Q") & ~has_code(_PATH), Message("rs274.stray-q"))
+    if not state.uses_tool_table:
         fault(bounded, Message("rs274.g64-unsupported"))
     # A dwell of nothing only ends a blend; any other is for what was switched.
     # A spindle has its own speed, and its own time to come to it; an oscillation is at S1.
@@ -313,12 +313,12 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
     outputs = [station.output for station in machine.stations if station.output >= 0]
     outputs += extra_outputs(machine)
     fault(
-        says(_OUTPUT) & ~np.isin(number["P"], outputs),
+        has_code(_OUTPUT) & ~np.isin(number["P"], outputs),
         Message("rs274.unknown-output", machine=machine.name),
     )
-    fault(has("S") & ~says(_SPINDLE, 3), Message("rs274.speed-without-m3"))
+    fault(has("S") & ~has_code(_SPINDLE, 3), Message("rs274.speed-without-m3"))
     fault(
-        says(_SPINDLE, 3) & (state.speed != np.rint(turns[state.station])),
+        has_code(_SPINDLE, 3) & (state.speed != np.rint(turns[state.station])),
         Message("rs274.wrong-speed"),
     )
     known = [station.number for station in machine.stations]
@@ -326,9 +326,9 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
         has("T") & ~np.isin(number["T"], known),
         Message("rs274.unknown-station", machine=machine.name),
     )
-    fault(says(_CHANGE) & np.isnan(state.chosen), Message("rs274.change-without-station"))
+    fault(has_code(_CHANGE) & np.isnan(state.chosen), Message("rs274.change-without-station"))
     fault(
-        says(_LENGTH, 430) & np.isnan(state.loaded),
+        has_code(_LENGTH, 430) & np.isnan(state.loaded),
         Message("rs274.offset-without-station"),
     )
     fault(
@@ -338,18 +338,18 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
 
     first_move = int(np.argmax(moving)) if moving.any() else blocks.count
     for group, mode in _STATED.items():
-        stated = says(group)
+        stated = has_code(group)
         stated[first_move + 1 :] = False
         if first_move < blocks.count and not stated.any():
             fault(np.arange(blocks.count) == first_move, Message("rs274.moves-unstated", mode=mode))
-    if state.tabled:
-        unbound = np.isinf(state.blend) & moving & ~says(_MOTION, 0)
+    if state.uses_tool_table:
+        unbound = np.isinf(state.blend) & moving & ~has_code(_MOTION, 0)
         if unbound.any():
             fault(
                 np.arange(blocks.count) == int(np.argmax(unbound)),
                 Message("rs274.unbounded-rounding"),
             )
-    feeding = moving & ~says(_MOTION, 0)
+    feeding = moving & ~has_code(_MOTION, 0)
     fault(feeding & state.inverse & ~has("F"), Message("rs274.timed-without-f"))
     fault(
         feeding & ~state.inverse & np.isnan(state.feed),
@@ -360,7 +360,7 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
     unready[1:] &= ~(moving[:-1] & (state.waited[:-1] < settle[:-1] - 1e-9))
     fault(unready, Message("rs274.not-settled"))
 
-    ends = says(_END)
+    ends = has_code(_END)
     if not ends.any():
         blocks.faults.append((int(blocks.line[-1]) if blocks.count else 1, Message("rs274.no-end")))
         return
@@ -376,21 +376,25 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
 
 def _switches(blocks: _Blocks, state: _ModalState, moving: I64) -> Switches:
     """Return the lines that switch; ``moving`` are the rows of the moves."""
-    rows = np.flatnonzero(blocks.says(_OUTPUT) | blocks.says(_SPINDLE) | blocks.says(_CHANGE))
+    rows = np.flatnonzero(
+        blocks.has_code(_OUTPUT) | blocks.has_code(_SPINDLE) | blocks.has_code(_CHANGE)
+    )
     return Switches(
         line=blocks.line[rows],
         move=np.searchsorted(moving, rows) - 1,
         lowers=state.lowers[rows],
         beside=state.on[rows] | ~state.stated[rows, : state.on.shape[1]],
         at_end=np.logical_or.reduce(state.stated, axis=0),
-        spindle=(blocks.says(_SPINDLE) & ~blocks.says(_OUTPUT) & ~blocks.says(_CHANGE))[rows],
+        spindle=(blocks.has_code(_SPINDLE) & ~blocks.has_code(_OUTPUT) & ~blocks.has_code(_CHANGE))[
+            rows
+        ],
     )
 
 
 def _make_moves(blocks: _Blocks, state: _ModalState) -> Moves:
-    ended = np.cumsum(blocks.says(_END)) > 0
+    ended = np.cumsum(blocks.has_code(_END)) > 0
     any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
-    rows = np.flatnonzero(blocks.says(_MOTION) & any_axis & ~ended)
+    rows = np.flatnonzero(blocks.has_code(_MOTION) & any_axis & ~ended)
     said = np.stack([blocks.number[letter][rows] for letter in _AXES], axis=1)
     joints = said + state.offset[rows]
     end = np.stack(
@@ -409,13 +413,13 @@ def _make_moves(blocks: _Blocks, state: _ModalState) -> Moves:
         feed=state.feed[rows],
         inverse=state.inverse[rows],
         station=state.station[rows].astype(np.int32),
-        piston=state.on[rows],
+        lowered=state.on[rows],
         extra=state.extra[rows],
         oscillating=state.oscillating[rows],
         stated=state.stated[rows],
         blend=state.blend[rows],
         waited=state.waited[rows],
-        tabled=state.tabled,
+        uses_tool_table=state.uses_tool_table,
         dwell=state.dwell,
         switches=_switches(blocks, state, rows),
     )

@@ -26,7 +26,7 @@ class Rs274Reader:
         """Return the moves, and what is wrong: (line, words)."""
         del board  # every axis is programmed
         moves, faults = interpret(parse_words(text), machine)
-        if not moves.tabled:
+        if not moves.uses_tool_table:
             faults = sorted(faults + realtime_bytes(text), key=itemgetter(0))
         return moves, faults
 
