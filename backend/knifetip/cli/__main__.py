@@ -1,4 +1,4 @@
-"""python -m knifetip.cli is knifetip."""
+"""Run the command line with ``python -m knifetip.cli``."""
 
 from knifetip.cli.main import main
 

@@ -1,4 +1,4 @@
-"""knifetip calibrate: how far a cutter gives way in a board, from a test cut that was measured."""
+"""knifetip calibrate: compute the deflection of a cutter in a board from a measured test cut."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import typer
 
 from knifetip.cli.drawing import Json
 from knifetip.cli.program import BoardName, MachineName
-from knifetip.cli.terminal import print_stderr, read_bytes, show, write_bytes
+from knifetip.cli.terminal import print_json, print_stderr, read_bytes, write_bytes
 from knifetip.compensation.calibration import calibrate as fit_deflection
 from knifetip.errors import LibraryError
 from knifetip.library import deflection, load
@@ -23,29 +23,31 @@ _COLUMNS = ("azimuth", "dx", "dy")
 
 
 class Side(Enum):
-    """On which side of travel the cutter ran."""
+    """Side of the drawn contour on which the cutter ran, seen in the direction of travel."""
 
     LEFT = "left"
     RIGHT = "right"
 
 
-def points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, float]]]:
-    """Return azimuths (degrees), and ΔX and ΔY (mm), of a CSV file with these three columns.
+def read_points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, float]]]:
+    """Return azimuths (degrees) and measured offsets (ΔX, ΔY) in mm from a CSV file.
+
+    The file has the columns ``azimuth``, ``dx`` and ``dy``.
 
     Raises
     ------
     LibraryError
-        A column is missing, or a value is no number; the line is named.
+        A column is missing or a value is not a number; the message contains the line number.
     """
     try:
         rows = list(csv.DictReader(io.StringIO(data.decode("utf-8-sig")), strict=True))
     except (UnicodeDecodeError, csv.Error) as reason:
         raise LibraryError("calibration.not-csv", file=name, reason=reason) from reason
-    azimuths, measured = [], []
+    azimuths, offsets = [], []
     for line, row in enumerate(rows, 2):
-        if lost := [column for column in _COLUMNS if row.get(column) is None]:
+        if missing := [column for column in _COLUMNS if row.get(column) is None]:
             raise LibraryError(
-                "calibration.missing-column", file=name, line=line, columns=" or ".join(lost)
+                "calibration.missing-column", file=name, line=line, columns=" or ".join(missing)
             )
         try:
             azimuth, dx, dy = (float(row[column]) for column in _COLUMNS)
@@ -54,12 +56,12 @@ def points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, float
                 "calibration.not-a-number", file=name, line=line, reason=reason
             ) from reason
         azimuths.append(azimuth)
-        measured.append((dx, dy))
-    return azimuths, measured
+        offsets.append((dx, dy))
+    return azimuths, offsets
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module."""
+    """Add the commands of this module to an application."""
 
     @app.command()
     def calibrate(
@@ -69,25 +71,30 @@ def register(app: typer.Typer) -> None:
         machine: MachineName,
         board: BoardName,
         tool: Annotated[
-            str | None, typer.Option(help="Name of the cutter's station; else the only one.")
+            str | None, typer.Option(help="Name of the cutter's station. Default: the only one.")
         ] = None,
         side: Annotated[
-            Side, typer.Option(help="Of travel, where the cutter ran: left in our programs.")
+            Side,
+            typer.Option(
+                help="Side on which the cutter ran, in travel direction (knifetip: left)."
+            ),
         ] = Side.LEFT,
         store: Annotated[
             Path | None,
-            typer.Option(metavar="FILE", help="Write the board's TOML with it, for --board."),
+            typer.Option(
+                metavar="FILE", help="Write the board's TOML with the result to FILE, for --board."
+            ),
         ] = None,
         json: Json = False,
     ) -> None:
-        """Say how far a cutter gives way, from a contour cut without any deflection set.
+        """Compute the deflection of a cutter from a test contour cut without compensating it.
 
-        A point is where the cutter ran along AZIMUTH and the contour came to lie DX and DY beside
-        where it was drawn.  Take points where it runs along X, and others along Y, or at 45°.
+        Each point has the direction of travel AZIMUTH and the measured offset DX, DY of the cut
+        contour from the drawn one.  Measure points on edges along X, along Y, and at 45°.
         """
         table = load.machine(machine)
         text = load.text_of_board(board)
-        cutters = [one.name for one in table.stations if one.tool.yields]
+        cutters = [station.name for station in table.stations if station.tool.yields]
         if tool is None and len(cutters) > 1:
             raise LibraryError(
                 "calibration.choose-cutter",
@@ -96,17 +103,17 @@ def register(app: typer.Typer) -> None:
                 cutters=cutters,
             )
         station = load.cutter_of(table, tool or next(iter(cutters), ""))
-        azimuths, measured = points(file.name, read_bytes(file))
-        made = fit_deflection(azimuths, measured, 1 if side is Side.LEFT else -1)
-        kept = Deflection(station.name, made.x, made.y)
-        lines = deflection.table(kept)
+        azimuths, offsets = read_points(file.name, read_bytes(file))
+        fitted = fit_deflection(azimuths, offsets, 1 if side is Side.LEFT else -1)
+        result = Deflection(station.name, fitted.x, fitted.y)
+        lines = deflection.table(result)
         if store is not None:
-            write_bytes(store, deflection.stored(text, kept).encode())
+            write_bytes(store, deflection.stored(text, result).encode())
         if json:
-            show({"tool": station.name, **asdict(made), "toml": lines})
+            print_json({"tool": station.name, **asdict(fitted), "toml": lines})
             return
         typer.echo(lines, nl=False)
-        where = f"kept in {store}" if store is not None else "lines for the board's file"
-        print_stderr(
-            f"{len(azimuths)} points, none farther than {made.residual:.4f} mm from it; {where}."
+        where = (
+            f"written to {store}" if store is not None else "add these lines to the board's file"
         )
+        print_stderr(f"{len(azimuths)} points, largest residual {fitted.residual:.4f} mm; {where}.")

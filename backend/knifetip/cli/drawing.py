@@ -1,4 +1,4 @@
-"""knifetip read, classify, clean and samples: what is in a drawing."""
+"""knifetip read, classify, clean and samples: commands on a single drawing."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import numpy as np
 import typer
 
 from knifetip import pipeline
-from knifetip.cli.rules import named
-from knifetip.cli.terminal import QUESTIONS, read_bytes, report_questions, show, write_bytes
+from knifetip.cli.rules import find_profile
+from knifetip.cli.terminal import QUESTIONS, print_json, read_bytes, report_questions, write_bytes
 from knifetip.dxf.samples import samples
 from knifetip.errors import LibraryError
 from knifetip.formats import FORMATS
@@ -24,43 +24,47 @@ from knifetip.model.machine import Machine
 from knifetip.model.question import Question
 from knifetip.units.evidence import find_unit
 
-#: What the commands print of a long list, and how many of those alike are named.
-_LINES: Final = 40
-_NAMED: Final = 3
+#: Maximum number of printed lines of a list, and of handles named in one line.
+_MAX_LINES: Final = 40
+_MAX_HANDLES: Final = 3
 
 _NAMES: Final = ", ".join(one.name.upper() for one in FORMATS)
-DrawingFile = Annotated[Path, typer.Argument(metavar="FILE", help=f"A drawing: {_NAMES}.")]
+DrawingFile = Annotated[Path, typer.Argument(metavar="FILE", help=f"Drawing ({_NAMES}).")]
 Unit = Annotated[
-    str | None, typer.Option(help="mm, cm, m, in, ft, pt or px, whatever the file says of it.")
+    str | None, typer.Option(help="mm, cm, m, in, ft, pt or px; overrides the unit of the file.")
 ]
-Profile = Annotated[str, typer.Option(help="Classification profile, or a TOML file of one.")]
+Profile = Annotated[str, typer.Option(help="Name of a classification profile, or its TOML file.")]
 Layers = Annotated[
     list[str] | None,
-    typer.Option("--layer", metavar="NAME=TYPE", help="Give a layer a line type; repeatable."),
+    typer.Option(
+        "--layer", metavar="NAME=TYPE", help="Set the line type of a layer; may be repeated."
+    ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Read:
-    """A drawing from a file, classified as the command line asked."""
+class LoadedDrawing:
+    """The drawing of a file, classified with the options of the command line."""
 
     data: bytes
     drawing: Drawing
     dieline: Dieline
 
     def questions(self, machine: Machine | None = None) -> list[Question]:
-        """Return what is open."""
+        """Return the open questions about the drawing, and about its tools on a machine."""
         return pipeline.questions(self.drawing, self.dieline, machine)
 
 
-def load_drawing(file: Path, unit: str | None, profile: str, layers: list[str] | None) -> Read:
-    """Return the classified drawing of a file.
+def load_drawing(
+    file: Path, unit: str | None, profile: str, layers: list[str] | None
+) -> LoadedDrawing:
+    """Read and classify the drawing in a file.
 
     Raises
     ------
     KnifetipError
-        The file, the profile or a layer's line type cannot be used.
+        The file, the profile or a layer option cannot be used.
     """
     data = read_bytes(file)
     drawing = pipeline.read(data, unit)
@@ -82,11 +86,13 @@ def load_drawing(file: Path, unit: str | None, profile: str, layers: list[str] |
                 layers=(repr(layer) for layer in drawing.layers),
             )
         overrides[np.isin(drawing.layer, rows)] = kind
-    return Read(data, drawing, pipeline.classify(drawing, named(profile), overrides))
+    return LoadedDrawing(
+        data, drawing, pipeline.classify(drawing, find_profile(profile), overrides)
+    )
 
 
-def described(name: str, drawing: Drawing) -> dict[str, Any]:
-    """Return a drawing's unit, size and layers as plain data."""
+def drawing_json(name: str, drawing: Drawing) -> dict[str, Any]:
+    """Return unit, unit evidence, size and layers of a drawing as JSON data."""
     low_x, low_y, high_x, high_y = (float(value) for value in drawing.bounds)
     found = find_unit(drawing)
     return {
@@ -107,8 +113,8 @@ def described(name: str, drawing: Drawing) -> dict[str, Any]:
     }
 
 
-def ledger(drawing: Drawing) -> list[dict[str, Any]]:
-    """Return what became of every entity as plain data."""
+def report_rows(drawing: Drawing) -> list[dict[str, Any]]:
+    """Return the import report as JSON data: one row per entity of the file."""
     rows = drawing.ledger
     return [
         {
@@ -123,8 +129,8 @@ def ledger(drawing: Drawing) -> list[dict[str, Any]]:
     ]
 
 
-def edges(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
-    """Return every edge, and why it is what it is, as plain data."""
+def edge_rows(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
+    """Return the edges with line type, rule and confidence as JSON data."""
     lengths = drawing.lengths
     return [
         {
@@ -146,23 +152,23 @@ def edges(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module."""
+    """Add the commands of this module to an application."""
 
     @app.command()
     def read(file: DrawingFile, unit: Unit = None, json: Json = False) -> None:
-        """Say what is in a drawing, and what became of every entity."""
+        """Show unit, size and import report of a drawing."""
         drawing = pipeline.read(read_bytes(file), unit)
-        about = described(file.name, drawing)
-        rows = ledger(drawing)
+        about = drawing_json(file.name, drawing)
+        rows = report_rows(drawing)
         if json:
-            show({"drawing": about, "ledger": rows})
+            print_json({"drawing": about, "ledger": rows})
             return
         typer.echo(f"{file.name}: {_size(about)}, {len(drawing)} segments; {drawing.evidence}")
         for text in about["warnings"]:
             typer.echo(f"  ! {text}")
-        for text in _spoken(about):
+        for text in _evidence_lines(about):
             typer.echo(f"  {text}")
-        _say(_alike(rows))
+        _print_lines(_report_lines(rows))
 
     @app.command()
     def classify(
@@ -172,34 +178,34 @@ def register(app: typer.Typer) -> None:
         unit: Unit = None,
         json: Json = False,
     ) -> None:
-        """Show the line type of every edge and the rule that gave it; exits with 2 if any is open.
+        """Show line types of edges with the deciding rules; exits with 2 while questions are open.
 
-        Open means that a question must be answered before a program can be made: the drawing's
-        unit, or the line type of some edges.  Answer with --unit, --layer or a profile.
+        Questions are about the drawing's unit or the line type of some edges. They must be answered
+        before a program can be made: with --unit, --layer or a profile.
         """
         result = load_drawing(file, unit, profile, layer)
-        listed = edges(result.drawing, result.dieline)
-        asked = result.questions()
-        about = described(file.name, result.drawing)
+        listed = edge_rows(result.drawing, result.dieline)
+        open_questions = result.questions()
+        about = drawing_json(file.name, result.drawing)
         if json:
-            show(
+            print_json(
                 {
                     "drawing": about,
                     "edges": listed,
-                    "questions": [with_text(question.as_json()) for question in asked],
-                    "ledger": ledger(result.drawing),
+                    "questions": [with_text(question.as_json()) for question in open_questions],
+                    "ledger": report_rows(result.drawing),
                 }
             )
         else:
             typer.echo(f"{file.name}: {_size(about)}; {result.drawing.evidence}")
             for kind in LineType:
-                chosen = result.dieline.line_type == kind
-                if chosen.any():
-                    length = float(result.drawing.lengths[chosen].sum())
-                    typer.echo(f"  {kind.word:12} {int(chosen.sum()):6} edges {length:12.1f} mm")
-                    _say(_why(result, np.flatnonzero(chosen)), indent=4)
-            report_questions(asked)
-        if asked:
+                selected = result.dieline.line_type == kind
+                if selected.any():
+                    length = float(result.drawing.lengths[selected].sum())
+                    typer.echo(f"  {kind.word:12} {int(selected.sum()):6} edges {length:12.1f} mm")
+                    _print_lines(_rule_lines(result, np.flatnonzero(selected)), indent=4)
+            report_questions(open_questions)
+        if open_questions:
             raise typer.Exit(QUESTIONS)
 
     @app.command()
@@ -210,17 +216,17 @@ def register(app: typer.Typer) -> None:
         unit: Unit = None,
         json: Json = False,
     ) -> None:
-        """Say what is put in order before a drawing is made: of each edge, what became of it."""
+        """Show which edges cleaning merges, shortens, joins or drops before a program is made."""
         result = load_drawing(file, unit, profile, layer)
         if not result.drawing.unit:
             report_questions(result.questions())
             raise typer.Exit(QUESTIONS)
-        tidy = pipeline.clean(result.dieline)
-        about = described(file.name, result.drawing)
+        cleaned = pipeline.clean(result.dieline)
+        about = drawing_json(file.name, result.drawing)
         if json:
-            show({"drawing": about, "cleaning": tidy.as_json(result.drawing.handles)})
+            print_json({"drawing": about, "cleaning": cleaned.as_json(result.drawing.handles)})
             return
-        lengths = tidy.lengths
+        lengths = cleaned.lengths
         typer.echo(f"{file.name}: {_size(about)}, {len(result.drawing)} edges")
         typer.echo(
             f"  drawn {lengths['drawn']:.3f} mm = kept {lengths['kept']:.3f} "
@@ -231,57 +237,60 @@ def register(app: typer.Typer) -> None:
             f"+ added by closing gaps {lengths['added']:.3f}"
         )
         handles = result.drawing.handles
-        changed = np.flatnonzero(tidy.changed).tolist()
-        _say([f"{handles[row]:>8} edge {row}: {tidy.words(row)}" for row in changed])
+        changed = np.flatnonzero(cleaned.changed).tolist()
+        _print_lines([f"{handles[row]:>8} edge {row}: {cleaned.words(row)}" for row in changed])
 
     @app.command("samples")
     def write_samples(
-        folder: Annotated[Path, typer.Argument(metavar="DIR", help="Where to write them.")],
+        folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to write to.")],
     ) -> None:
-        """Draw the sample cartons that come with knifetip."""
+        """Write the sample cartons as DXF files."""
         for name, data in samples().items():
             write_bytes(folder / name, data)
             typer.echo(str(folder / name))
 
 
-def _say(lines: list[str], indent: int = 2) -> None:
-    """Print some lines; more than a screen takes are only counted."""
-    for line in lines[:_LINES]:
+def _print_lines(lines: list[str], indent: int = 2) -> None:
+    """Print lines indented; beyond a maximum, print only how many more there are."""
+    for line in lines[:_MAX_LINES]:
         typer.echo(" " * indent + line)
-    if len(lines) > _LINES:
-        typer.echo(" " * indent + f"… and {len(lines) - _LINES} more: --json lists them all")
+    if len(lines) > _MAX_LINES:
+        typer.echo(" " * indent + f"… and {len(lines) - _MAX_LINES} more: --json lists them all")
 
 
-def _alike(rows: list[dict[str, Any]]) -> list[str]:
-    """Return what became of the entities, those of one fate in one line, what is kept last."""
+def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
+    """Return the import report as text lines.
+
+    Entities with the same outcome, kind, layer and reason share one line; kept ones come last.
+    """
     groups: dict[tuple[str, str, str, str], list[str]] = {}
     for row in rows:
         key = row["fate"], row["kind"], row["layer"], row["reason"]
         groups.setdefault(key, []).append(row["handle"])
-    said = []
+    lines = []
     for (fate, kind, layer, reason), handles in groups.items():
-        which = ", ".join(handles[:_NAMED]) + (" …" if len(handles) > _NAMED else "")
-        text = f"{fate:8} {len(handles):6} × {kind} on {layer!r}: {reason} ({which})"
-        said.append((fate == Fate.KEPT.name.lower(), text))
-    return [text for _, text in sorted(said, key=lambda one: one[0])]
+        shown = ", ".join(handles[:_MAX_HANDLES]) + (" …" if len(handles) > _MAX_HANDLES else "")
+        text = f"{fate:8} {len(handles):6} × {kind} on {layer!r}: {reason} ({shown})"
+        lines.append((fate == Fate.KEPT.name.lower(), text))
+    return [text for _, text in sorted(lines, key=lambda line: line[0])]
 
 
-def _why(result: Read, rows: I64) -> list[str]:
-    """Return by what the rows have their line type, and how sure that is."""
+def _rule_lines(result: LoadedDrawing, rows: I64) -> list[str]:
+    """Return text lines: number of edges, confidence and rule, one line for each rule."""
     dieline = result.dieline
     rule, confidence = dieline.rule[rows], dieline.confidence[rows]
-    said = []
+    lines = []
     for number in np.unique(rule).tolist():
-        here = rule == number
-        low, high = confidence[here].min() * 100.0, confidence[here].max() * 100.0
-        sure = f"{low:.0f} %" if round(low) == round(high) else f"{low:.0f} … {high:.0f} %"
+        matches = rule == number
+        low, high = confidence[matches].min() * 100.0, confidence[matches].max() * 100.0
+        percent = f"{low:.0f} %" if round(low) == round(high) else f"{low:.0f} … {high:.0f} %"
         words = str(dieline.rules[number]) if number >= 0 else "no rule and no evidence"
-        said.append(f"{int(here.sum()):6} × {sure}: {words}")
-    return said
+        lines.append(f"{int(matches.sum()):6} × {percent}: {words}")
+    return lines
 
 
-def _spoken(about: dict[str, Any]) -> list[str]:
-    """Return the evidence for the two likeliest units, the heaviest first."""
+def _evidence_lines(about: dict[str, Any]) -> list[str]:
+    """Return text lines with the evidence for the two likeliest units, highest weight first."""
     return [
         f"{one['unit']:3} {one['weight']:5.1f}  {one['text']}"
         for unit in about["unit_ranking"][:2]
@@ -292,5 +301,5 @@ def _spoken(about: dict[str, Any]) -> list[str]:
 
 def _size(about: dict[str, Any]) -> str:
     width, height = about["size"]
-    unit = "mm" if about["unit"] else "units (the unit is not known)"
+    unit = "mm" if about["unit"] else "units (unit unknown)"
     return f"{width:.2f} × {height:.2f} {unit}"

@@ -1,9 +1,9 @@
-"""knifetip job: the jobs of a server, as an operator lists and moves them.
+"""knifetip job: list the jobs of a server and send commands to them.
 
-list, show        what there is and what it waits for
-confirm           at the machine: table clear, this board, these tools
-hold, resume      while it runs
-cancel            after a question; the same for scrap
+list, show        state of the jobs and what they wait for
+confirm           confirm at the machine: table clear, board and tools in place
+hold, resume      for a running job
+cancel, scrap     ask before they act
 finish, requeue   after an interruption
 """
 
@@ -15,7 +15,7 @@ from urllib.parse import quote
 import typer
 
 from knifetip.cli.drawing import Json
-from knifetip.cli.terminal import show
+from knifetip.cli.terminal import print_json
 from knifetip.errors import JobError
 from knifetip.messages import from_json
 
@@ -23,13 +23,13 @@ Server = Annotated[
     str, typer.Option(envvar="KNIFETIP_SERVER", help="URL of the server.", show_default=True)
 ]
 Key = Annotated[
-    str, typer.Option(envvar="KNIFETIP_KEY", help="Key for the server, where it asks one.")
+    str, typer.Option(envvar="KNIFETIP_KEY", help="Key of the server, if it requires one.")
 ]
-Id = Annotated[str, typer.Argument(metavar="JOB", help="Id of the job.")]
-Yes = Annotated[bool, typer.Option("--yes", "-y", help="Do not ask.")]
+Id = Annotated[str, typer.Argument(metavar="JOB", help="Job id.")]
+Yes = Annotated[bool, typer.Option("--yes", "-y", help="Do not ask for confirmation.")]
 
 SERVER = "http://127.0.0.1:8080"
-#: States in which the machine has the job's board.
+#: States in which the job's board is on the machine's table.
 _ON_TABLE = ("running", "held")
 _CANCEL = (
     "The machine holds, lifts the tool and releases its stations. The board on the table is "
@@ -38,7 +38,7 @@ _CANCEL = (
 
 
 class JobClient:
-    """The job routes of a server."""
+    """HTTP client for the job routes of a server."""
 
     def __init__(self, server: str, key: str = "") -> None:
         self._headers = {"X-Knifetip": "cli"}
@@ -54,14 +54,14 @@ class JobClient:
         params: dict[str, Any] | None = None,
         body: dict[str, str] | None = None,
     ) -> Any:
-        """Return the answer to a request below ``/api/jobs``.
+        """Send a request to a path under ``/api/jobs`` and return the decoded JSON body.
 
         Raises
         ------
         JobError
-            The server cannot be reached, or refuses; in its own words.
+            The server cannot be reached or refuses the request; its message is used.
         """
-        import httpx  # a moment of imports that the other commands spare
+        import httpx  # imported here: slow, and other commands do not need it
 
         url = f"{self._server}/api/jobs{path}"
         try:
@@ -81,11 +81,11 @@ class JobClient:
         raise JobError("server.answered", url=url, status=answer.status_code)
 
     def job(self, id: str) -> dict[str, Any]:
-        """Return a job."""
+        """Return a job as JSON data."""
         return dict(self.request("GET", _path(id)))
 
     def command(self, id: str, command: str, body: dict[str, str] | None = None) -> dict[str, Any]:
-        """Send a command to a job and return the job after it."""
+        """Send a command to a job and return the updated job."""
         return dict(self.request("POST", f"{_path(id)}/{command}", body=body))
 
 
@@ -94,9 +94,9 @@ def _path(id: str) -> str:
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module."""
+    """Add the commands of this module to an application."""
     job = typer.Typer(
-        help="The jobs of a server: list, show, confirm, hold, resume, cancel, finish, …",
+        help="Jobs of a server: list, show, confirm, hold, resume, cancel, finish, …",
         no_args_is_help=True,
     )
     app.add_typer(job, name="job")
@@ -106,16 +106,16 @@ def register(app: typer.Typer) -> None:
         server: Server = SERVER,
         key: Key = "",
         state: Annotated[
-            list[str] | None, typer.Option(help="Only jobs in this state; may be repeated.")
+            list[str] | None, typer.Option(help="List only jobs in this state; may be repeated.")
         ] = None,
         limit: Annotated[int, typer.Option(min=1, max=500)] = 50,
         json: Json = False,
     ) -> None:
-        """List jobs, the newest first."""
+        """List jobs, newest first."""
         params: dict[str, Any] = {"limit": limit, "state": state or []}
         rows = JobClient(server, key).request("GET", params=params)
         if json:
-            show(rows)
+            print_json(rows)
             return
         for row in rows:
             waits = f"  waits for {row['waiting_for']}" if row["waiting_for"] else ""
@@ -126,12 +126,12 @@ def register(app: typer.Typer) -> None:
 
     @job.command("show")
     def show_job(id: Id, server: Server = SERVER, key: Key = "", json: Json = False) -> None:
-        """Show a job: its state, what it waits for and where it is."""
+        """Show state and progress of a job, and what it waits for."""
         row = JobClient(server, key).job(id)
         if json:
-            show(row)
+            print_json(row)
             return
-        _describe(row)
+        _print_job(row)
 
     @job.command()
     def confirm(
@@ -139,59 +139,61 @@ def register(app: typer.Typer) -> None:
         server: Server = SERVER,
         key: Key = "",
         board: Annotated[
-            str, typer.Option(help="The board on the table; another than the job's is refused.")
+            str, typer.Option(help="Board on the table; refused if the job needs another.")
         ] = "",
-        by: Annotated[str, typer.Option(help="Who confirms, for the record.")] = "",
+        by: Annotated[
+            str, typer.Option(help="Name of the person who confirms, for the record.")
+        ] = "",
     ) -> None:
-        """Confirm at the machine: table clear, board and tools in place. The machine starts."""
+        """Confirm that table, board and tools are ready; the machine then starts."""
         body = {name: value for name, value in (("board", board), ("by", by)) if value}
-        _describe(JobClient(server, key).command(id, "confirm", body))
+        _print_job(JobClient(server, key).command(id, "confirm", body))
 
     @job.command()
     def cancel(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) -> None:
-        """Cancel a job; asks first where it is on the table."""
+        """Cancel a job; asks for confirmation first."""
         client = JobClient(server, key)
         if not yes:
             row = client.job(id)
-            what = _CANCEL if row["state"] in _ON_TABLE else f"The job is {row['state']}."
-            typer.confirm(f"{what} Cancel job {id}?", abort=True, err=True)
-        _describe(client.command(id, "cancel"))
+            effect = _CANCEL if row["state"] in _ON_TABLE else f"The job is {row['state']}."
+            typer.confirm(f"{effect} Cancel job {id}?", abort=True, err=True)
+        _print_job(client.command(id, "cancel"))
 
     @job.command()
     def scrap(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) -> None:
-        """Give an interrupted job up; asks first. Its table is free afterwards."""
+        """Scrap an interrupted job and free its table; asks for confirmation first."""
         client = JobClient(server, key)
         if not yes:
-            what = "The job is given up with the copies that are left, and its table is free."
-            typer.confirm(f"{what} Scrap job {id}?", abort=True, err=True)
-        _describe(client.command(id, "scrap"))
+            effect = "The remaining copies will not be made, and the table is freed."
+            typer.confirm(f"{effect} Scrap job {id}?", abort=True, err=True)
+        _print_job(client.command(id, "scrap"))
 
-    for name, words in _PLAIN.items():
-        _add(job, name, words)
+    for name, help_text in _PLAIN_COMMANDS.items():
+        _add_command(job, name, help_text)
 
 
-_PLAIN = {
+_PLAIN_COMMANDS = {
     "hold": "Hold the machine.",
-    "resume": "Let a held machine go on.",
+    "resume": "Resume a held machine.",
     "finish": "Declare an interrupted job finished: all its sheets are complete.",
     "requeue": "Queue an interrupted job again, from its first line.",
 }
 
 
-def _add(app: typer.Typer, name: str, words: str) -> None:
-    """Add a command that sends its name to a job."""
+def _add_command(app: typer.Typer, name: str, help_text: str) -> None:
+    """Add a command that takes only a job id and sends its own name to the server."""
 
-    @app.command(name, help=words)
+    @app.command(name, help=help_text)
     def send(id: Id, server: Server = SERVER, key: Key = "") -> None:
-        _describe(JobClient(server, key).command(id, name))
+        _print_job(JobClient(server, key).command(id, name))
 
 
-def _describe(row: dict[str, Any]) -> None:
-    """Print a job in a few lines."""
+def _print_job(row: dict[str, Any]) -> None:
+    """Print a summary of a job."""
     typer.echo(f"{row['id']}  {row['state']}  {row['drawing_name']}")
     typer.echo(f"  {row['machine']}, board {row['board']}")
     if row["tools"]:
-        tools = ", ".join(f"{one['name']} (station {one['station']})" for one in row["tools"])
+        tools = ", ".join(f"{tool['name']} (station {tool['station']})" for tool in row["tools"])
         typer.echo(f"  tools: {tools}")
     if row["state"] not in ("received", "compiling", "refused"):
         typer.echo(

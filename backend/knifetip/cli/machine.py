@@ -1,4 +1,4 @@
-"""knifetip machine: stations and tool dimensions as the engines use them."""
+"""knifetip machine: show the stations of a machine and the dimensions of their tools."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from typing import Annotated, Any
 import typer
 
 from knifetip.cli.drawing import Json
-from knifetip.cli.terminal import show
+from knifetip.cli.terminal import print_json
 from knifetip.library import load
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import kind_of
 from knifetip.post.rs274.tool_table import tool_table
 
 
-def described(machine: Machine) -> dict[str, Any]:
-    """Return a machine as plain data: mm, degrees, mm/min."""
+def machine_json(machine: Machine) -> dict[str, Any]:
+    """Return a machine as JSON data (mm, degrees, mm/min)."""
     return {
         "name": machine.name,
         "title": machine.title,
@@ -30,11 +30,11 @@ def described(machine: Machine) -> dict[str, Any]:
         "settle": machine.settle,
         "feed": machine.feed,
         "axes": {axis: asdict(getattr(machine, axis)) for axis in "xyzc"},
-        "stations": [_station(station) for station in machine.stations],
+        "stations": [_station_json(station) for station in machine.stations],
     }
 
 
-def _station(station: Station) -> dict[str, Any]:
+def _station_json(station: Station) -> dict[str, Any]:
     tool = station.tool
     return {
         "number": station.number,
@@ -46,26 +46,26 @@ def _station(station: Station) -> dict[str, Any]:
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module."""
+    """Add the commands of this module to an application."""
 
     @app.command()
     def machine(
         name: Annotated[str, typer.Argument(metavar="NAME")] = "demo-table",
         json: Json = False,
         table: Annotated[
-            bool, typer.Option("--tool-table", help="Print LinuxCNC's tool table.")
+            bool, typer.Option("--tool-table", help="Print a tool table for LinuxCNC.")
         ] = False,
     ) -> None:
-        """Show a machine: its stations, their datums and their tools' dimensions."""
+        """Show the stations of a machine with their datums and tool dimensions."""
         chosen = load.machine(name)
         if table:
             typer.echo(tool_table(chosen), nl=False)
             return
-        data = described(chosen)
+        data = machine_json(chosen)
         if json:
-            show(data)
+            print_json(data)
             return
-        typer.echo(f"{chosen.title} ({chosen.name}), speaks {chosen.dialect}, {chosen.feed} feed")
+        typer.echo(f"{chosen.title} ({chosen.name}), language {chosen.dialect}, {chosen.feed} feed")
         for row in data["stations"]:
             tool = dict(row["tool"])
             datum = ", ".join(f"{axis} {value:g}" for axis, value in row["datum"].items())

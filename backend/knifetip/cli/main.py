@@ -1,4 +1,4 @@
-"""The commands of the command line, and how errors leave it."""
+"""Entry point: the list of commands, loading them on demand, and reporting of errors."""
 
 from __future__ import annotations
 
@@ -14,45 +14,45 @@ from knifetip.errors import KnifetipError
 
 
 class _Command(NamedTuple):
-    module: str  #: the one of this package that registers it
-    help: str  #: the first sentence of its help
+    module: str  #: module of this package that registers the command
+    help: str  #: first sentence of the help text
 
 
-# A command's module, and all that it imports, is only loaded to run that command.
+# The module of a command is imported only when that command runs.
 COMMANDS: Final[dict[str, _Command]] = {
-    "read": _Command("drawing", "Say what is in a drawing, and what became of every entity."),
+    "read": _Command("drawing", "Show unit, size and import report of a drawing."),
     "classify": _Command(
         "drawing",
-        "Show the line type of every edge and the rule that gave it; exits with 2 if any is open.",
+        "Show line types of edges with the deciding rules; exits with 2 while questions are open.",
     ),
     "clean": _Command(
         "drawing",
-        "Say what is put in order before a drawing is made: of each edge, what became of it.",
+        "Show which edges cleaning merges, shortens, joins or drops before a program is made.",
     ),
-    "samples": _Command("drawing", "Draw the sample cartons that come with knifetip."),
+    "samples": _Command("drawing", "Write the sample cartons as DXF files."),
     "program": _Command(
-        "program", "Write the program that makes a drawing, once the judge has accepted it."
+        "program", "Compile a drawing to a program, and write it if the verifier accepts it."
     ),
-    "verify": _Command("program", "Judge whether a program cuts what was drawn."),
+    "verify": _Command("program", "Verify that a program makes a drawing."),
     "machine": _Command(
-        "machine", "Show a machine: its stations, their datums and their tools' dimensions."
+        "machine", "Show the stations of a machine with their datums and tool dimensions."
     ),
     "calibrate": _Command(
         "calibrate",
-        "Say how far a cutter gives way, from a contour cut without any deflection set.",
+        "Compute the deflection of a cutter from a test contour cut without compensating it.",
     ),
     "job": _Command(
-        "job", "The jobs of a server: list, show, confirm, hold, resume, cancel, finish, …"
+        "job", "Jobs of a server: list, show, confirm, hold, resume, cancel, finish, …"
     ),
     "serve": _Command(
-        "service", "Serve the page and the API, with everything embedded, until Ctrl-C."
+        "service", "Run the page, the API and all parts of the service in one process until Ctrl-C."
     ),
-    "worker": _Command("service", "Compile the jobs of a database until Ctrl-C."),
+    "worker": _Command("service", "Run a compile worker for a database until Ctrl-C."),
     "gateway": _Command(
         "service", "Claim the jobs of a machine and stream them to its controller."
     ),
     "simulator": _Command(
-        "service", "Be a table: listen where a controller would, and move as it would."
+        "service", "Simulate a machine: listen like its controller and execute programs."
     ),
     "schema": _Command(
         "schema",
@@ -62,13 +62,13 @@ COMMANDS: Final[dict[str, _Command]] = {
 }
 
 
-def loaded(name: str) -> Any:
-    """Return a command with its parameters, from the module that registers it."""
-    # Imports create only objects that live until the end: not one is worth looking for, now or
-    # in a later collection.
+def load_command(name: str) -> Any:
+    """Import the module of a command and return the command with its parameters."""
+    # Imported objects live until the process ends, so the garbage collector need not scan them,
+    # neither now nor later.
     gc.disable()
     app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
-    app.callback()(lambda: None)  # without one, an app of one command is that command
+    app.callback()(lambda: None)  # without a callback, an app with one command has no subcommands
     import_module(f"knifetip.cli.{COMMANDS[name].module}").register(app)
     gc.freeze()
     gc.enable()
@@ -77,29 +77,29 @@ def loaded(name: str) -> Any:
 
 
 class _Commands(TyperGroup):
-    """The commands by name and first sentence; the one that is called is loaded."""
+    """Command group that lists names and help texts, and imports only the command that runs."""
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        """Return the name of the command that is called, the command, and its arguments."""
+        """Return the name of the invoked command, the loaded command, and its arguments."""
         name, _, rest = super().resolve_command(ctx, args)
-        return name, None if name is None else loaded(name), rest
+        return name, None if name is None else load_command(name), rest
 
 
 app = _Commands(
     name="knifetip",
-    help="Puts the tip of the knife on the line: carton dielines in, compensated programs out.",
-    commands={name: TyperCommand(name, help=one.help) for name, one in COMMANDS.items()},
+    help="Compile carton dielines to compensated, verified machine programs.",
+    commands={name: TyperCommand(name, help=command.help) for name, command in COMMANDS.items()},
     no_args_is_help=True,
     rich_markup_mode=None,
 )
 
 
 def main() -> None:
-    """Run the command line; a ``KnifetipError`` is printed and ends with exit code 3."""
+    """Run the command line; print a ``KnifetipError`` and exit with code 3."""
     try:
         app()
     except KnifetipError as error:
-        from knifetip.cli.terminal import UNUSABLE, report_error  # most commands do not fail
+        from knifetip.cli.terminal import UNUSABLE, report_error  # imported only on failure
 
         report_error(error)
         sys.exit(UNUSABLE)

@@ -1,7 +1,7 @@
-"""knifetip profile: the rules that tell cuts from creases, shipped, from files or kept by a server.
+"""knifetip profile: classification profiles of the library, of files and of a server's database.
 
-list   what there is          show    the rules of one in words
-export one as TOML            import  a TOML file into a server's database
+list     names and titles        show     the rules of a profile
+export   a profile as TOML       import   a TOML file into the database
 """
 
 from __future__ import annotations
@@ -12,27 +12,36 @@ from typing import Annotated, Any
 import typer
 
 from knifetip.cli.drawing import Json
-from knifetip.cli.rules import BESIDE, VARIABLE, database_of, kept, named, text_of
-from knifetip.cli.terminal import read_bytes, show, write_bytes
+from knifetip.cli.rules import (
+    DATABASE_FILE,
+    DATABASE_VARIABLE,
+    database_of,
+    find_profile,
+    profile_toml,
+    stored_profiles,
+)
+from knifetip.cli.terminal import print_json, read_bytes, write_bytes
 from knifetip.errors import LibraryError, ProfileError
 from knifetip.library import load, own
 from knifetip.model.profile import LineRules
 
-Name = Annotated[str, typer.Argument(metavar="NAME", help="A profile, or a TOML file of one.")]
+Name = Annotated[str, typer.Argument(metavar="NAME", help="Name of a profile, or its TOML file.")]
 Database = Annotated[
     str | None,
-    typer.Option(help=f"SQLAlchemy URL; else ${VARIABLE}, else ./{BESIDE} where there is one."),
+    typer.Option(
+        help=f"SQLAlchemy URL. Default: ${DATABASE_VARIABLE}, then ./{DATABASE_FILE} if it exists."
+    ),
 ]
 
 
-def described(name: str, rules: LineRules) -> dict[str, Any]:
-    """Return a profile as plain data."""
+def profile_json(name: str, rules: LineRules) -> dict[str, Any]:
+    """Return a profile as JSON data."""
     listed = [{"type": rule.line_type.word, "words": rule.words} for rule in rules.rules]
     return {"name": name, "title": rules.title, "rules": listed}
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module."""
+    """Add the commands of this module to an application."""
     profile = typer.Typer(
         help="Classification profiles: list, show, export, import.", no_args_is_help=True
     )
@@ -40,27 +49,29 @@ def register(app: typer.Typer) -> None:
 
     @profile.command("list")
     def list_profiles(database: Database = None, json: Json = False) -> None:
-        """List the profiles that are shipped, and those that a server keeps."""
-        theirs = kept(database)
-        rows = [(name, own.parsed(name, text).title, "kept") for name, text in theirs.items()]
+        """List the profiles of the library and of a server's database."""
+        stored = stored_profiles(database)
+        rows = [(name, own.parsed(name, text).title, "kept") for name, text in stored.items()]
         rows += [
             (name, load.profile(name).title, "shipped")
             for name in load.names("profiles")
-            if name not in theirs
+            if name not in stored
         ]
         if json:
-            show([{"name": name, "title": title, "where": where} for name, title, where in rows])
+            print_json(
+                [{"name": name, "title": title, "where": where} for name, title, where in rows]
+            )
             return
         for name, title, where in rows:
             typer.echo(f"{name:28} {where:8} {title}")
 
     @profile.command("show")
     def show_profile(name: Name, database: Database = None, json: Json = False) -> None:
-        """Show the rules of a profile in words; the first that an edge meets decides."""
-        rules = named(name, database)
-        about = described(name, rules)
+        """Show the rules of a profile; the first rule that matches an edge decides."""
+        rules = find_profile(name, database)
+        about = profile_json(name, rules)
         if json:
-            show(about)
+            print_json(about)
             return
         typer.echo(rules.title)
         for number, rule in enumerate(about["rules"], 1):
@@ -70,12 +81,12 @@ def register(app: typer.Typer) -> None:
     def export(
         name: Name,
         output: Annotated[
-            Path | None, typer.Option("-o", "--output", help="Where it goes; else stdout.")
+            Path | None, typer.Option("-o", "--output", help="File to write. Default: stdout.")
         ] = None,
         database: Database = None,
     ) -> None:
-        """Write a profile as TOML, to be edited and used with --profile FILE.toml."""
-        text = text_of(name, database)
+        """Write a profile as TOML, for editing and for use with --profile FILE.toml."""
+        text = profile_toml(name, database)
         if output is None:
             typer.echo(text, nl=False)
         else:
@@ -83,31 +94,35 @@ def register(app: typer.Typer) -> None:
 
     @profile.command("import")
     def import_profile(
-        file: Annotated[Path, typer.Argument(metavar="FILE", help="A TOML file.")],
-        name: Annotated[str | None, typer.Option(help="Else that of the file.")] = None,
+        file: Annotated[Path, typer.Argument(metavar="FILE", help="TOML file.")],
+        name: Annotated[
+            str | None, typer.Option(help="Name of the profile. Default: the file name.")
+        ] = None,
         database: Database = None,
-        replace: Annotated[bool, typer.Option(help="If there is one of that name.")] = False,
+        replace: Annotated[
+            bool, typer.Option(help="Replace an existing profile of that name.")
+        ] = False,
     ) -> None:
-        """Check a profile and keep it in a server's database; without one, only check it."""
-        called = own.checked_name(name or file.stem.lower())
+        """Check a profile file, and store it in a server's database if there is one."""
+        profile_name = own.checked_name(name or file.stem.lower())
         try:
             text = read_bytes(file).decode("utf-8-sig")
         except UnicodeDecodeError as reason:
             raise ProfileError("profile.not-utf8", name=file) from reason
-        rules = own.parsed(called, text)
-        typer.echo(f"{called}: {rules.title}, {len(rules.rules)} rules")
+        rules = own.parsed(profile_name, text)
+        typer.echo(f"{profile_name}: {rules.title}, {len(rules.rules)} rules")
         url = database_of(database)
         if url is None:
-            typer.echo("No database: nothing was kept. Name one with --database.")
+            typer.echo("No database: the profile was not stored. Name one with --database.")
             return
-        if called in load.names("profiles"):
-            raise LibraryError("profile.shipped-command", name=called)
+        if profile_name in load.names("profiles"):
+            raise LibraryError("profile.shipped-command", name=profile_name)
         from knifetip.jobs.store import Store
 
         store = Store(url)
         try:
             store.migrate()
-            row = store.profiles.save(called, rules.title, text, None, anyway=replace)
+            row = store.profiles.save(profile_name, rules.title, text, None, anyway=replace)
         finally:
             store.close()
-        typer.echo(f"kept as version {row.version}")
+        typer.echo(f"stored as version {row.version}")

@@ -1,4 +1,4 @@
-"""knifetip program and verify: from a drawing to the machine's program, and back to the drawing."""
+"""knifetip program and verify: compile a drawing to a program, and verify a program."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from knifetip.cli.drawing import (
     Layers,
     Profile,
     Unit,
-    described,
-    ledger,
+    drawing_json,
     load_drawing,
+    report_rows,
 )
 from knifetip.cli.terminal import (
     QUESTIONS,
     REFUSED,
-    dumped,
+    json_bytes,
+    print_json,
     print_stderr,
     progress,
     read_bytes,
     report_questions,
-    show,
     write_bytes,
 )
 from knifetip.errors import PlanError, ProgramUnreadable
@@ -44,14 +44,14 @@ from knifetip.presentation.verdict import EDGE_COLUMNS, findings_of, finite_colu
 from knifetip.verification.verify import read_placement
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
-_CHOICE = re.compile(
+_CORNER = re.compile(
     rf"\s*(?P<x>{_NUMBER})\s*,\s*(?P<y>{_NUMBER})\s*=\s*(?P<type>\w+)\s*(?::\s*(?P<k>{_NUMBER})\s*)?",
     re.ASCII,
 )
 
 
 class CornerType(Enum):
-    """How a cutter goes round corners: the machine's choice, or a type of the radius paper."""
+    """Path of a cutter round outer corners: a type of the glossary, or chosen by duration."""
 
     AUTO = "auto"
     B = "B"
@@ -60,38 +60,40 @@ class CornerType(Enum):
 
 
 class Interference(Enum):
-    """What is done where a cutter does not fit: it leaves that uncut, or the job is refused."""
+    """Where a cutter does not fit: leave the places uncut, or refuse the drawing."""
 
     TRIM = "trim"
     REFUSE = "refuse"
 
 
-def choice(text: str) -> CornerAt:
-    """Return the choice for one corner, as the command line writes it: ``X,Y=C`` or ``X,Y=D:0.3``.
+def parse_corner(text: str) -> CornerAt:
+    """Parse an option for one corner: ``X,Y=C`` or ``X,Y=D:0.3``.
 
     Raises
     ------
     PlanError
-        It is written otherwise.
+        The text has another form.
     """
-    found = _CHOICE.fullmatch(text)
-    if found is None:
+    match = _CORNER.fullmatch(text)
+    if match is None:
         raise PlanError("command.bad-corner", text=text)
-    k = None if found["k"] is None else float(found["k"])
-    return CornerAt(float(found["x"]), float(found["y"]), found["type"], k)
+    k = None if match["k"] is None else float(match["k"])
+    return CornerAt(float(match["x"]), float(match["y"]), match["type"], k)
 
 
-MachineName = Annotated[str, typer.Option(help="Machine of the library, or a TOML file.")]
-BoardName = Annotated[str, typer.Option(help="Board of the library, or a TOML file.")]
+MachineName = Annotated[
+    str, typer.Option(help="Name of a machine of the library, or its TOML file.")
+]
+BoardName = Annotated[str, typer.Option(help="Name of a board of the library, or its TOML file.")]
 
 
-def judged(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
-    """Return a verdict as plain data, its findings with the handles of their edges."""
+def verdict_json(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
+    """Return a verdict as JSON data: figures, findings, unreached areas and edges."""
     handles = drawing.handles
     columns = {name: finite_column(getattr(verdict, name)) for name in EDGE_COLUMNS}
     return {
         **verdict_summary(verdict),
-        "areas": unreached(verdict.areas),
+        "areas": unreached_json(verdict.areas),
         "findings": [with_text(finding) for finding in findings_of(verdict, handles)],
         "edges": [
             {"handle": handle, **{name: float(column[row]) for name, column in columns.items()}}
@@ -100,8 +102,11 @@ def judged(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
     }
 
 
-def unreached(areas: Unreached) -> list[dict[str, Any]]:
-    """Return what no cutter gets to as plain data: mm², and outlines of [start, end, bulge]."""
+def unreached_json(areas: Unreached) -> list[dict[str, Any]]:
+    """Return the areas that no cutter reaches as JSON data.
+
+    Each has its ``area`` (mm²) and its ``outline``, a list of [start, end, bulge].
+    """
     ends, bulge = areas.ends.tolist(), areas.bulge.tolist()
     return [
         {
@@ -114,8 +119,8 @@ def unreached(areas: Unreached) -> list[dict[str, Any]]:
     ]
 
 
-def tell(verdict: Verdict) -> None:
-    """Print a verdict: its figures, and what is wrong."""
+def print_verdict(verdict: Verdict) -> None:
+    """Print the figures and the first findings of a verdict."""
     word = "accepted" if verdict.accepted else "refused"
     print_stderr(
         f"{word}: deviation {verdict.deviation.max(initial=0.0):.4f} mm "
@@ -125,8 +130,8 @@ def tell(verdict: Verdict) -> None:
     )
     if len(verdict.areas):
         print_stderr(
-            f"  the cutter does not get to {verdict.areas.area.sum():.2f} mm² in "
-            f"{len(verdict.areas)} places, which stay uncut"
+            f"  the cutter does not reach {verdict.areas.area.sum():.2f} mm² in "
+            f"{len(verdict.areas)} places, which remain uncut"
         )
     for finding in verdict.findings[:20]:
         print_stderr(f"  {finding.text}")
@@ -134,47 +139,51 @@ def tell(verdict: Verdict) -> None:
         print_stderr(f"  and {len(verdict.findings) - 20} more")
 
 
-def _placement(text: str) -> tuple[float, float]:
-    """Return the placement of "X,Y" (mm)."""
-    found = re.fullmatch(rf"\s*({_NUMBER})\s*,\s*({_NUMBER})\s*", text, re.ASCII)
-    if found is None:
-        raise typer.BadParameter(f"{text!r} is not X,Y in mm.", param_hint="--placement")
-    return float(found[1]), float(found[2])
+def _parse_placement(text: str) -> tuple[float, float]:
+    """Parse a placement of the form "X,Y" (mm)."""
+    match = re.fullmatch(rf"\s*({_NUMBER})\s*,\s*({_NUMBER})\s*", text, re.ASCII)
+    if match is None:
+        raise typer.BadParameter(f"{text!r} is not of the form X,Y (mm).", param_hint="--placement")
+    return float(match[1]), float(match[2])
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module."""
+    """Add the commands of this module to an application."""
 
     @app.command()
     def program(
         file: DrawingFile,
         machine: MachineName,
         board: BoardName,
-        output: Annotated[Path, typer.Option("-o", "--output", help="Where the program goes.")],
+        output: Annotated[
+            Path, typer.Option("-o", "--output", help="File to write the program to.")
+        ],
         profile: Profile = "default",
         layer: Layers = None,
         unit: Unit = None,
         dialect: Annotated[
-            str, typer.Option(help="Another controller language than the machine's own.")
+            str, typer.Option(help="Controller language. Default: that of the machine.")
         ] = "",
         corner: Annotated[
-            CornerType | None, typer.Option(help="How a cutter goes round corners.")
+            CornerType | None, typer.Option(help="Path of a cutter round outer corners.")
         ] = None,
         k: Annotated[
-            float | None, typer.Option(help="Knob of D corners: near 0 as B, near 1 as C.")
+            float | None, typer.Option(help="Parameter of type D corners: 0 is like B, 1 like C.")
         ] = None,
         interference: Annotated[
-            Interference | None, typer.Option(help="Where a cutter does not fit.")
+            Interference | None,
+            typer.Option(help="Where a cutter does not fit: leave uncut or refuse."),
         ] = None,
         corner_at: Annotated[
             list[str] | None,
             typer.Option(
-                metavar="X,Y=TYPE[:K]", help="One corner, in the drawing's mm; repeatable."
+                metavar="X,Y=TYPE[:K]",
+                help="Type of one corner (mm in the drawing); may be repeated.",
             ),
         ] = None,
-        report: Annotated[Path | None, typer.Option(help="Write the verdict as JSON.")] = None,
+        report: Annotated[Path | None, typer.Option(help="File to write a JSON report to.")] = None,
     ) -> None:
-        """Write the program that makes a drawing, once the judge has accepted it."""
+        """Compile a drawing to a program, and write it if the verifier accepts it."""
         table, sheet = load.machine(machine), load.board(board)
         choices = None
         if not (corner is None and k is None and interference is None and not corner_at):
@@ -182,28 +191,28 @@ def register(app: typer.Typer) -> None:
                 type=(corner or CornerType.AUTO).value,
                 k=0.5 if k is None else k,
                 interference=(interference or Interference.TRIM).value,
-                at=tuple(choice(text) for text in corner_at or []),
+                at=tuple(parse_corner(text) for text in corner_at or []),
             )
             check_corners(choices, table)
-        with progress(file.name) as told:
-            drawn = load_drawing(file, unit, profile, layer)
-            asked = drawn.questions(table)
-            if asked:
-                report_questions(asked)
+        with progress(file.name) as report_progress:
+            loaded = load_drawing(file, unit, profile, layer)
+            open_questions = loaded.questions(table)
+            if open_questions:
+                report_questions(open_questions)
                 raise typer.Exit(QUESTIONS)
             result = pipeline.compile(
-                drawn.drawing,
-                drawn.dieline,
+                loaded.drawing,
+                loaded.dieline,
                 table,
                 sheet,
                 corners=choices,
                 dialect=dialect,
-                progress=told,
+                progress=report_progress,
             )
         text = result.program.text
         if report is not None:
             data = {
-                "drawing": described(file.name, drawn.drawing),
+                "drawing": drawing_json(file.name, loaded.drawing),
                 "machine": table.name,
                 "board": sheet.name,
                 "profile": profile,
@@ -216,20 +225,21 @@ def register(app: typer.Typer) -> None:
                     "lines": len(result.program),
                     "sha256": hashlib.sha256(text).hexdigest(),
                 },
-                "verdict": judged(result.verdict, drawn.drawing),
+                "verdict": verdict_json(result.verdict, loaded.drawing),
                 "samples": {
                     name: np.round(getattr(result.verdict.samples, name), 6).tolist()
                     for name in ("edge", "place", "deviation")
                 },
-                "ledger": ledger(drawn.drawing),
+                "ledger": report_rows(loaded.drawing),
             }
-            write_bytes(report, dumped(data))
-        tell(result.verdict)
-        full = result.seconds_retracted
-        if full > result.seconds:
+            write_bytes(report, json_bytes(data))
+        print_verdict(result.verdict)
+        retracted = result.seconds_retracted
+        if retracted > result.seconds:
             print_stderr(
-                f"  {result.seconds:.1f} s on the machine, {1.0 - result.seconds / full:.0%} less "
-                f"than the {full:.1f} s with full retracts"
+                f"  {result.seconds:.1f} s on the machine, "
+                f"{1.0 - result.seconds / retracted:.0%} less "
+                f"than the {retracted:.1f} s with full retracts"
             )
         if not result.verdict.accepted:
             raise typer.Exit(REFUSED)
@@ -237,38 +247,40 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def verify(
-        program: Annotated[Path, typer.Argument(metavar="PROGRAM", help="The program to judge.")],
-        drawing: Annotated[Path, typer.Option(help="The drawing that it should make.")],
+        program: Annotated[Path, typer.Argument(metavar="PROGRAM", help="Program to verify.")],
+        drawing: Annotated[Path, typer.Option(help="Drawing that the program should make.")],
         machine: MachineName,
         board: BoardName,
         profile: Profile = "default",
         layer: Layers = None,
         unit: Unit = None,
-        placed: Annotated[
+        placement_option: Annotated[
             str,
             typer.Option(
                 "--placement",
                 metavar="X,Y",
-                help="Where the program places the drawing (mm), if it does not state it.",
+                help="Position of the drawing on the sheet (mm), if not in the program.",
             ),
         ] = "",
         json: Json = False,
     ) -> None:
-        """Judge whether a program cuts what was drawn."""
+        """Verify that a program makes a drawing."""
         table, sheet = load.machine(machine), load.board(board)
-        drawn = load_drawing(drawing, unit, profile, layer)
-        asked = drawn.questions(table)
-        if asked:
-            report_questions(asked)
+        loaded = load_drawing(drawing, unit, profile, layer)
+        open_questions = loaded.questions(table)
+        if open_questions:
+            report_questions(open_questions)
             raise typer.Exit(QUESTIONS)
         text = read_bytes(program)
-        where = _placement(placed) if placed else read_placement(text, table)
-        if where is None:
+        placement = (
+            _parse_placement(placement_option) if placement_option else read_placement(text, table)
+        )
+        if placement is None:
             raise ProgramUnreadable("program.no-placement", program=program.name)
-        verdict = pipeline.verify(text, drawn.dieline, where, table, sheet)
+        verdict = pipeline.verify(text, loaded.dieline, placement, table, sheet)
         if json:
-            show(judged(verdict, drawn.drawing))
+            print_json(verdict_json(verdict, loaded.drawing))
         else:
-            tell(verdict)
+            print_verdict(verdict)
         if not verdict.accepted:
             raise typer.Exit(REFUSED)

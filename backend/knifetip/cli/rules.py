@@ -1,7 +1,4 @@
-"""Profiles by name, as every command finds them: in a file, in the library, or kept by a server.
-
-"acme" -> LineRules
-"""
+"""Find a classification profile by name: in a file, the library or a database."""
 
 from __future__ import annotations
 
@@ -12,24 +9,24 @@ from knifetip.errors import LibraryError
 from knifetip.library import load, own
 from knifetip.model.profile import LineRules
 
-#: Where the command line looks for what a server keeps.
-VARIABLE = "KNIFETIP_DATABASE"
-BESIDE = Path("knifetip.sqlite")
+#: Environment variable with the URL of the database, and the file that is used without one.
+DATABASE_VARIABLE = "KNIFETIP_DATABASE"
+DATABASE_FILE = Path("knifetip.sqlite")
 
 
 def database_of(given: str | None) -> str | None:
-    """Return the URL of the database that profiles are kept in, None where there is none."""
-    if url := given or os.environ.get(VARIABLE):
+    """Return the URL of the database with stored profiles, or None if there is none."""
+    if url := given or os.environ.get(DATABASE_VARIABLE):
         return url
-    return f"sqlite:///{BESIDE}" if BESIDE.is_file() else None
+    return f"sqlite:///{DATABASE_FILE}" if DATABASE_FILE.is_file() else None
 
 
-def kept(database: str | None) -> dict[str, str]:
-    """Return the profiles that a server keeps: names and their TOML."""
+def stored_profiles(database: str | None) -> dict[str, str]:
+    """Return the TOML of the profiles in the database by their names."""
     url = database_of(database)
     if url is None:
         return {}
-    from knifetip.jobs.store import Store  # a database's driver is not for every command
+    from knifetip.jobs.store import Store  # slow to import
 
     store = Store(url)
     try:
@@ -39,28 +36,28 @@ def kept(database: str | None) -> dict[str, str]:
         store.close()
 
 
-def text_of(name: str, database: str | None = None) -> str:
-    """Return the TOML of a profile: from a file, from the library, or kept by a server.
+def profile_toml(name: str, database: str | None = None) -> str:
+    """Return the TOML of a profile from a file, the library or the database.
 
     Raises
     ------
     KnifetipError
-        There is none, or it cannot be read.
+        There is no such profile, or it cannot be read.
     """
     if name in load.names("profiles"):
         return own.text_of(name)
     if name.endswith(".toml"):
         load.profile(name)
         return Path(name).read_text("utf-8")
-    theirs = kept(database)
-    if name in theirs:
-        return theirs[name]
-    known = [*theirs, *load.names("profiles")]
+    stored = stored_profiles(database)
+    if name in stored:
+        return stored[name]
+    known = [*stored, *load.names("profiles")]
     raise LibraryError("library.unknown", name=name[:200], known=known, shelf="profile")
 
 
-def named(name: str, database: str | None = None) -> LineRules:
-    """Return a profile: from a file, from the library, or kept by a server."""
+def find_profile(name: str, database: str | None = None) -> LineRules:
+    """Return a profile from a file, the library or the database."""
     if name in load.names("profiles") or name.endswith(".toml"):
         return load.profile(name)
-    return own.parsed(name, text_of(name, database))
+    return own.parsed(name, profile_toml(name, database))

@@ -1,4 +1,4 @@
-"""knifetip schema: JSON Schema of machines, boards and profiles, for editors."""
+"""knifetip schema: print the JSON Schema of machine, board or profile files."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from typing import Annotated
 
 import typer
 
-from knifetip.cli.terminal import show
+from knifetip.cli.terminal import print_json
 from knifetip.library.schema import json_schema
 
 
 class File(Enum):
-    """What a file describes."""
+    """Kinds of TOML files with a schema."""
 
     MACHINE = "machine"
     BOARD = "board"
@@ -20,11 +20,11 @@ class File(Enum):
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module."""
+    """Add the commands of this module to an application."""
 
     @app.command()
     def schema(
         file: Annotated[File, typer.Argument(metavar="FILE", help="machine, board or profile.")],
     ) -> None:
         """Print the JSON Schema of machine, board or profile files, for editors."""
-        show(json_schema(file.value))
+        print_json(json_schema(file.value))

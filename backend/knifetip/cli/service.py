@@ -1,4 +1,4 @@
-"""knifetip serve, worker, gateway and simulator: the service, whole or in its parts."""
+"""knifetip serve, worker, gateway and simulator: run the service or one of its parts."""
 
 from __future__ import annotations
 
@@ -14,18 +14,19 @@ from knifetip.cli.terminal import print_stderr
 from knifetip.errors import StoreError
 from knifetip.library import load
 
-Database = Annotated[str, typer.Option(help="SQLite or PostgreSQL, as an SQLAlchemy URL.")]
+Database = Annotated[str, typer.Option(help="SQLAlchemy URL of an SQLite or PostgreSQL database.")]
 Host = Annotated[str, typer.Option(help="Address to listen on.")]
-MachineName = Annotated[str, typer.Option("--machine", help="Machine of the library.")]
+MachineName = Annotated[str, typer.Option("--machine", help="Name of a machine of the library.")]
 Speed = Annotated[
-    float, typer.Option(min=0.01, max=100_000.0, help="How much faster than life the table moves.")
+    float,
+    typer.Option(min=0.01, max=100_000.0, help="Speed of the simulated machine; 1 is real time."),
 ]
 
 DATABASE = "sqlite:///knifetip.sqlite"
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module."""
+    """Add the commands of this module to an application."""
 
     @app.command()
     def serve(
@@ -33,37 +34,39 @@ def register(app: typer.Typer) -> None:
         port: Annotated[int, typer.Option(min=0, max=65535)] = 8080,
         database: Database = DATABASE,
         speed: Speed = 1.0,
-        samples: Annotated[bool, typer.Option(help="Load the samples into a new database.")] = True,
+        samples: Annotated[
+            bool, typer.Option(help="Add the sample drawings to a new database.")
+        ] = True,
         simulator: Annotated[
-            bool, typer.Option(help="Put a gateway and a simulated table beside the server.")
+            bool, typer.Option(help="Also run a simulated machine with its gateway.")
         ] = True,
         compiles: Annotated[
-            bool, typer.Option(help="Compile in this process; else in `knifetip worker`.")
+            bool, typer.Option(help="Compile jobs here; otherwise run `knifetip worker`.")
         ] = True,
         key: Annotated[
             str,
             typer.Option(
-                envvar="KNIFETIP_KEY", help="Key that requests from other machines must have."
+                envvar="KNIFETIP_KEY", help="Key that requests from other computers must send."
             ),
         ] = "",
         key_file: Annotated[
             Path | None,
             typer.Option(
                 envvar="KNIFETIP_KEY_FILE",
-                help="File of the key; made with a random key if it does not exist.",
+                help="File with the key; created with a random key if it does not exist.",
             ),
         ] = None,
         allow_host: Annotated[
             list[str] | None,
             typer.Option(
                 envvar="KNIFETIP_ALLOW_HOST",
-                help="NAME or NAME:PORT by which requests may name this server besides its "
+                help="NAME or NAME:PORT that the Host header may contain besides the server's "
                 "addresses; may be repeated.",
             ),
         ] = None,
     ) -> None:
-        """Serve the page and the API, with everything embedded, until Ctrl-C."""
-        from knifetip.api import embedded  # a second of imports that the other commands spare
+        """Run the page, the API and all parts of the service in one process until Ctrl-C."""
+        from knifetip.api import embedded  # imported here: takes a second
 
         embedded.serve(
             host,
@@ -82,10 +85,13 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def worker(
         database: Database = DATABASE,
-        name: Annotated[str, typer.Option(help="Stable over restarts; else the host's.")] = "",
+        name: Annotated[
+            str,
+            typer.Option(help="Name that stays the same over restarts. Default: the host name."),
+        ] = "",
         processes: Annotated[int, typer.Option(min=1, max=64)] = 1,
     ) -> None:
-        """Compile the jobs of a database until Ctrl-C."""
+        """Run a compile worker for a database until Ctrl-C."""
         from knifetip.jobs.compile_service import CompileService
         from knifetip.jobs.process_pool import ProcessPool
         from knifetip.jobs.store import Store
@@ -95,12 +101,12 @@ def register(app: typer.Typer) -> None:
         service = CompileService(
             store, ProcessPool(processes), name, True, processes, gateways=False
         )
-        stopping = threading.Event()
+        stop_requested = threading.Event()
         for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, lambda _number, _frame: stopping.set())
+            signal.signal(number, lambda _number, _frame: stop_requested.set())
         service.start()
-        print_stderr(f"compiling for {database}")
-        stopping.wait()
+        print_stderr(f"compile worker for {database}")
+        stop_requested.wait()
         service.stop()
         store.close()
 
@@ -111,12 +117,12 @@ def register(app: typer.Typer) -> None:
         controller: Annotated[
             str, typer.Option(help="HOST:PORT of the controller.")
         ] = "127.0.0.1:2323",
-        name: Annotated[str, typer.Option(help="The name under which it is seen.")] = "gateway",
+        name: Annotated[str, typer.Option(help="Name of this gateway.")] = "gateway",
         journal: Annotated[
-            Path | None, typer.Option(help="File of what was sent and executed.")
+            Path | None, typer.Option(help="File that records the lines sent and executed.")
         ] = None,
         key: Annotated[
-            str, typer.Option(envvar="KNIFETIP_KEY", help="Key for the server, where it asks one.")
+            str, typer.Option(envvar="KNIFETIP_KEY", help="Key of the server, if it requires one.")
         ] = "",
     ) -> None:
         """Claim the jobs of a machine and stream them to its controller."""
@@ -125,7 +131,7 @@ def register(app: typer.Typer) -> None:
 
         table = load.machine(machine)
         dial = find_language(table.dialect).dial()
-        print_stderr(f"{table.title}: {controller}, work from {server}")
+        print_stderr(f"{table.title}: controller {controller}, server {server}")
         headers = {"Authorization": f"Bearer {key}"} if key else {}
         asyncio.run(
             claim.work(
@@ -145,7 +151,7 @@ def register(app: typer.Typer) -> None:
         machine: MachineName = "demo-table",
         speed: Speed = 1.0,
     ) -> None:
-        """Be a table: listen where a controller would, and move as it would."""
+        """Simulate a machine: listen like its controller and execute programs."""
         from knifetip.gateway import simulator as table
 
         try:

@@ -1,4 +1,4 @@
-"""What all commands share: exit codes, lines on stderr, JSON on stdout, files."""
+"""Input and output of all commands: exit codes, messages on stderr, JSON on stdout, files."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ UNUSABLE = 3
 
 
 def print_stderr(text: str, colour: str | None = None) -> None:
-    """Print a line on stderr, in bold and in colour if one is given and stderr is a terminal."""
+    """Print a line on stderr; with ``colour``, bold and coloured if stderr is a terminal."""
     typer.secho(text, err=True, fg=colour, bold=colour is not None)
 
 
 def report_error(error: KnifetipError) -> None:
-    """Print an error: what is wrong, then what to do."""
+    """Print the text and the hint of an error."""
     if isinstance(error, OpenQuestions):
         for question in error.questions:
             print_stderr(f"? {from_json(question)}")
@@ -50,31 +50,31 @@ def report_questions(questions: Sequence[Question]) -> None:
         print_stderr(f"  {' | '.join(question.choices)}")
 
 
-def show(data: Any) -> None:
-    """Print plain data as JSON on stdout."""
-    sys.stdout.write(dumped(data).decode())
+def print_json(data: Any) -> None:
+    """Print JSON data on stdout."""
+    sys.stdout.write(json_bytes(data).decode())
 
 
 def read_bytes(path: Path) -> bytes:
-    """Return what is in a file.
+    """Return the content of a file.
 
     Raises
     ------
     NotADrawing
-        The file is not there or cannot be read.
+        The file does not exist or cannot be read.
     DrawingTooLarge
-        It is larger than any drawing; no more of it is read.
+        The file exceeds the size limit for drawings.
     """
-    most = Limits().bytes
+    limit = Limits().bytes
     try:
         with path.open("rb") as file:
-            data = file.read(most + 1)
+            data = file.read(limit + 1)
     except OSError as reason:
         raise NotADrawing(
             "command.unreadable-file", path=path, reason=reason.strerror or reason
         ) from reason
-    if len(data) > most:
-        raise DrawingTooLarge("command.file-too-large", path=path, limit=most >> 20)
+    if len(data) > limit:
+        raise DrawingTooLarge("command.file-too-large", path=path, limit=limit >> 20)
     return data
 
 
@@ -84,7 +84,7 @@ def write_bytes(path: Path, data: bytes) -> None:
     Raises
     ------
     LibraryError
-        It cannot be written.
+        The file cannot be written.
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -121,6 +121,6 @@ def progress(title: str) -> Iterator[Any]:
         yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)
 
 
-def dumped(data: Any) -> bytes:
-    """Return plain data as JSON for a file."""
+def json_bytes(data: Any) -> bytes:
+    """Return JSON data as indented UTF-8 bytes with a final newline."""
     return (json.dumps(data, ensure_ascii=False, indent=2, allow_nan=False) + "\n").encode()

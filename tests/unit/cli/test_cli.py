@@ -1,4 +1,4 @@
-"""The command line: what it prints, what it writes, and how it exits."""
+"""Commands on drawings and programs: output, written files and exit codes."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def folder(tmp_path: Path) -> Path:
 RIGID = ("--machine", "demo-table", "--board", "greyboard-2.0")
 
 
-def test_classify_says_of_every_edge_what_it_is_and_why(knifetip: Command, folder: Path) -> None:
+def test_classify_lists_line_type_and_rule_of_every_edge(knifetip: Command, folder: Path) -> None:
     code, out, _ = knifetip("classify", folder / "rigid-box-blank.dxf", "--json")
     data = json.loads(out)
     assert code == 0
@@ -40,7 +40,7 @@ def test_classify_says_of_every_edge_what_it_is_and_why(knifetip: Command, folde
 
 
 @pytest.mark.parametrize("options", [(), ("--json",)])
-def test_classify_ends_with_2_while_a_question_is_open(
+def test_classify_exits_with_2_while_a_question_is_open(
     knifetip: Command, tmp_path: Path, options: tuple[str, ...]
 ) -> None:
     shape = [text.line(0, 0, 100, 0, (8, "?")), text.line(100, 0, 100, 80, (8, "?"))]
@@ -51,13 +51,13 @@ def test_classify_ends_with_2_while_a_question_is_open(
     assert (code, err) == (0, "")
 
 
-def test_read_lists_every_entity(knifetip: Command, folder: Path) -> None:
+def test_read_reports_every_entity(knifetip: Command, folder: Path) -> None:
     code, out, _ = knifetip("read", folder / "tuck-end-carton.dxf", "--json")
     assert code == 0
     assert len(json.loads(out)["ledger"]) > 5
 
 
-def test_read_puts_what_fared_alike_in_one_line_and_what_was_dropped_first(
+def test_read_groups_entities_by_outcome_and_lists_dropped_ones_first(
     knifetip: Command, tmp_path: Path
 ) -> None:
     lines = [text.line(0, 10 * n, 50, 10 * n, (8, "CUT")) for n in range(50)]
@@ -67,16 +67,16 @@ def test_read_puts_what_fared_alike_in_one_line_and_what_was_dropped_first(
     ]
     (tmp_path / "many.dxf").write_bytes(text.dxf(*lines, *notes, units=4))
     code, out, _ = knifetip("read", tmp_path / "many.dxf")
-    said = [line.split() for line in out.splitlines()]
-    dropped = [line for line in said if line[0] == "dropped"]
+    rows = [line.split() for line in out.splitlines()]
+    dropped = [line for line in rows if line[0] == "dropped"]
     assert code == 0
     assert dropped[0][1:4] == ["1", "×", "TEXT"]
-    # 60 layers have a note each, and all 50 lines are one: 40 lines of 61 are printed.
+    # 60 layers with one text each and one group of 50 lines make 61 rows; 40 are printed.
     assert len(dropped) == 40
     assert "… and 21 more: --json lists them all" in out
 
 
-def test_classify_prints_by_what_edges_have_their_type_and_how_sure_that_is(
+def test_classify_prints_rule_and_confidence_of_each_line_type(
     knifetip: Command, folder: Path
 ) -> None:
     code, out, _ = knifetip("classify", folder / "rigid-box-blank.dxf")
@@ -87,7 +87,9 @@ def test_classify_prints_by_what_edges_have_their_type_and_how_sure_that_is(
     assert "V-GROOVE" in lines[groove + 1]
 
 
-def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip: Command, folder: Path) -> None:
+def test_read_prints_the_size_and_the_evidence_for_the_unit(
+    knifetip: Command, folder: Path
+) -> None:
     code, out, _ = knifetip("read", folder / "rigid-box-blank.dxf")
     head, *rest = out.splitlines()
     assert code == 0
@@ -95,7 +97,7 @@ def test_read_prints_the_size_and_what_speaks_for_its_unit(knifetip: Command, fo
     assert any(line.split()[0] == "mm" and "the header states mm" in line for line in rest)
 
 
-def test_a_size_is_in_millimetres_whatever_the_unit_of_the_file(
+def test_read_prints_the_size_in_millimetres_for_every_unit(
     knifetip: Command, tmp_path: Path
 ) -> None:
     (tmp_path / "carton.pdf").write_bytes(pdf_text.carton())
@@ -106,24 +108,24 @@ def test_a_size_is_in_millimetres_whatever_the_unit_of_the_file(
     )
 
 
-def test_read_warns_of_a_header_that_lies(knifetip: Command, folder: Path) -> None:
+def test_read_warns_if_the_header_states_an_unlikely_unit(knifetip: Command, folder: Path) -> None:
     plain = (folder / "tuck-end-carton.dxf").read_bytes()
     start = plain.index(b"$INSUNITS")
-    lying = plain[:start] + plain[start:].replace(b" 4\n", b" 6\n", 1).replace(
+    wrong = plain[:start] + plain[start:].replace(b" 4\n", b" 6\n", 1).replace(
         b"\n4\n", b"\n6\n", 1
     )
-    (folder / "lying.dxf").write_bytes(lying)
-    code, out, _ = knifetip("read", folder / "lying.dxf", "--json")
-    said = json.loads(out)["drawing"]
+    (folder / "wrong.dxf").write_bytes(wrong)
+    code, out, _ = knifetip("read", folder / "wrong.dxf", "--json")
+    drawing = json.loads(out)["drawing"]
     assert code == 0
-    assert said["stated"] == "m"
-    assert said["unit"] != "m"
-    assert said["unit_ranking"][0] == "mm"
-    if said["unit"]:
-        assert said["warnings"][0].startswith("The header states metres")
+    assert drawing["stated"] == "m"
+    assert drawing["unit"] != "m"
+    assert drawing["unit_ranking"][0] == "mm"
+    if drawing["unit"]:
+        assert drawing["warnings"][0].startswith("The header states metres")
 
 
-def test_program_writes_what_verify_accepts(knifetip: Command, folder: Path) -> None:
+def test_verify_accepts_the_program_that_program_writes(knifetip: Command, folder: Path) -> None:
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip(
         "program", drawing, *RIGID, "--dialect", "linuxcnc", "-o", out, "--report", report
@@ -134,12 +136,12 @@ def test_program_writes_what_verify_accepts(knifetip: Command, folder: Path) -> 
     assert written["placement"] == [20.0, 20.0]
     assert written["verdict"]["accepted"] is True
     assert written["program"]["dialect"] == "linuxcnc"
-    code, judged, _ = knifetip("verify", out, "--drawing", drawing, *RIGID, "--json")
+    code, verdict, _ = knifetip("verify", out, "--drawing", drawing, *RIGID, "--json")
     assert code == 0
-    assert json.loads(judged)["deviation"] < 0.01
+    assert json.loads(verdict)["deviation"] < 0.01
 
 
-def test_a_program_without_comments_is_verified_with_the_placement_given(
+def test_verify_takes_the_placement_of_a_program_without_comments_from_an_option(
     knifetip: Command, folder: Path
 ) -> None:
     drawing, out = folder / "tuck-end-carton.dxf", folder / "p.plt"
@@ -153,14 +155,16 @@ def test_a_program_without_comments_is_verified_with_the_placement_given(
         assert knifetip("verify", out, "--drawing", drawing, *cutter, *options)[0] == expected
 
 
-def test_the_same_input_gives_the_same_bytes(knifetip: Command, folder: Path) -> None:
+def test_programs_of_the_same_input_are_equal_byte_for_byte(
+    knifetip: Command, folder: Path
+) -> None:
     for name in ("a.nc", "b.nc"):
         knifetip("program", folder / "tuck-end-carton.dxf", "--machine", "demo-table",
                  "--board", "fbb-0.4", "-o", folder / name)  # fmt: skip
     assert (folder / "a.nc").read_bytes() == (folder / "b.nc").read_bytes() != b""
 
 
-def test_a_changed_program_is_refused_with_exit_code_1(knifetip: Command, folder: Path) -> None:
+def test_verify_refuses_a_changed_program_with_exit_code_1(knifetip: Command, folder: Path) -> None:
     drawing, out = folder / "rigid-box-blank.dxf", folder / "p.ngc"
     knifetip("program", drawing, *RIGID, "--dialect", "linuxcnc", "-o", out)
     text = out.read_text()
@@ -172,7 +176,7 @@ def test_a_changed_program_is_refused_with_exit_code_1(knifetip: Command, folder
     assert "refused" in err
 
 
-def test_open_questions_are_printed_and_exit_with_2(knifetip: Command, folder: Path) -> None:
+def test_program_prints_open_questions_and_exits_with_2(knifetip: Command, folder: Path) -> None:
     drawing, out = folder / "rigid-box-blank.dxf", folder / "p.nc"
     code, _, err = knifetip("program", drawing, *RIGID, "--layer", "CUT=unclassified", "-o", out)
     assert code == 2
@@ -180,7 +184,7 @@ def test_open_questions_are_printed_and_exit_with_2(knifetip: Command, folder: P
     assert not out.exists()
 
 
-def test_a_layer_may_be_given_a_line_type(knifetip: Command, folder: Path) -> None:
+def test_the_layer_option_sets_the_line_type_of_a_layer(knifetip: Command, folder: Path) -> None:
     code, out, _ = knifetip(
         "classify", folder / "rigid-box-blank.dxf", "--layer", "cut=half-cut", "--json"
     )
@@ -189,7 +193,7 @@ def test_a_layer_may_be_given_a_line_type(knifetip: Command, folder: Path) -> No
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "expected"),
     [
         (("read", "nowhere.dxf"), "nowhere.dxf"),
         (("program", "{}", *RIGID, "--machine", "none", "-o", "x"), "no machine 'none'"),
@@ -201,24 +205,24 @@ def test_a_layer_may_be_given_a_line_type(knifetip: Command, folder: Path) -> No
         (("machine", "none"), "no machine 'none'"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_used_is_said_with_exit_code_3(
-    knifetip: Command, folder: Path, words: tuple[str, ...], said: str
+def test_unusable_input_is_reported_with_exit_code_3(
+    knifetip: Command, folder: Path, words: tuple[str, ...], expected: str
 ) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip(*(word.format(drawing) for word in words))
     assert code == 3
-    assert said in err
+    assert expected in err
     assert "Traceback" not in err
 
 
-def test_a_picture_is_no_drawing(knifetip: Command, tmp_path: Path) -> None:
+def test_read_refuses_a_png_image(knifetip: Command, tmp_path: Path) -> None:
     (tmp_path / "a.dxf").write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(200))
     code, _, err = knifetip("read", tmp_path / "a.dxf")
     assert code == 3
     assert "PNG" in err
 
 
-def test_machine_states_the_tools_as_the_engines_use_them(knifetip: Command) -> None:
+def test_machine_shows_given_and_derived_tool_dimensions(knifetip: Command) -> None:
     code, out, _ = knifetip("machine", "demo-table", "--json")
     machine = json.loads(out)
     stations = {row["number"]: row for row in machine["stations"]}
@@ -230,13 +234,13 @@ def test_machine_states_the_tools_as_the_engines_use_them(knifetip: Command) -> 
     assert stations[2]["datum"] == {"x": 60.0, "y": 0.0, "z": -1.5, "c": 0.0}
 
 
-def test_the_tool_table_is_linuxcncs(knifetip: Command) -> None:
+def test_machine_prints_a_tool_table_for_linuxcnc(knifetip: Command) -> None:
     code, out, _ = knifetip("machine", "demo-table", "--tool-table")
     assert code == 0
     assert out.splitlines()[1].startswith("T2 P2 X60")
 
 
-def test_samples_are_written(knifetip: Command, tmp_path: Path) -> None:
+def test_samples_writes_three_dxf_files(knifetip: Command, tmp_path: Path) -> None:
     code, _, _ = knifetip("samples", tmp_path / "new")
     assert code == 0
     assert len(list((tmp_path / "new").glob("*.dxf"))) == 3
@@ -245,7 +249,9 @@ def test_samples_are_written(knifetip: Command, tmp_path: Path) -> None:
 ROUTED = ("--machine", "router-table", "--board", "greyboard-3.0")
 
 
-def test_corners_are_chosen_and_reported(knifetip: Command, folder: Path) -> None:
+def test_corner_options_change_the_program_and_appear_in_the_report(
+    knifetip: Command, folder: Path
+) -> None:
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip(
         "program", drawing, *ROUTED, "-o", out, "--report", report, "--corner", "D", "--k", "0.4",
@@ -267,7 +273,7 @@ def test_corners_are_chosen_and_reported(knifetip: Command, folder: Path) -> Non
     assert out.read_bytes() != plain.read_bytes()
 
 
-def test_the_report_has_the_verdicts_figures(knifetip: Command, folder: Path) -> None:
+def test_the_report_contains_the_figures_of_the_verdict(knifetip: Command, folder: Path) -> None:
     drawing, out, report = folder / "rigid-box-blank.dxf", folder / "p.ngc", folder / "r.json"
     code, _, err = knifetip("program", drawing, *ROUTED, "-o", out, "--report", report)
     assert code == 0, err
@@ -277,7 +283,7 @@ def test_the_report_has_the_verdicts_figures(knifetip: Command, folder: Path) ->
     assert [area["area"] for area in verdict["areas"]] == pytest.approx([0.1936] * 8, rel=0.01)
     assert verdict["unreached"] == pytest.approx(8 * 0.1936, rel=0.01)
     assert len(verdict["areas"][0]["outline"]) == 3
-    assert "does not get to 1.55 mm² in 8 places" in err
+    assert "does not reach 1.55 mm² in 8 places" in err
     grooved = [edge for edge in verdict["edges"] if edge["width"] > 0.0]
     assert len(grooved) == 4
     # 2 mm deep at 45° in 3 mm.
@@ -295,7 +301,7 @@ GROOVE = load.board("greyboard-3.0").groove_depth
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "expected"),
     [
         (("--corner-at", "3,3=C"), "No corner of a milled contour is within 0.5 mm of (3, 3)"),
         (("--corner-at", "50,0"), "is not X,Y=TYPE"),
@@ -306,24 +312,26 @@ GROOVE = load.board("greyboard-3.0").groove_depth
         (("--k", "1.5"), "corner parameter k is 1.5"),
     ],
 )
-def test_corners_that_are_none_are_said_with_exit_code_3(
-    knifetip: Command, folder: Path, words: tuple[str, str], said: str
+def test_invalid_corner_options_are_reported_with_exit_code_3(
+    knifetip: Command, folder: Path, words: tuple[str, str], expected: str
 ) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip("program", drawing, *ROUTED, "-o", folder / "p.ngc", *words)
     assert code == 3
-    assert said in err
+    assert expected in err
     assert not (folder / "p.ngc").exists()
 
 
-def test_corners_are_not_for_a_knife(knifetip: Command, folder: Path) -> None:
+def test_corner_options_are_refused_for_a_machine_without_a_cutter(
+    knifetip: Command, folder: Path
+) -> None:
     drawing = folder / "rigid-box-blank.dxf"
     code, _, err = knifetip("program", drawing, *RIGID, "-o", folder / "p.ngc", "--corner", "D")
     assert code == 3
     assert "has no rotating cutter" in err
 
 
-def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(
+def test_calibrate_prints_the_deflection_and_writes_a_usable_board_file(
     knifetip: Command, folder: Path
 ) -> None:
     points, board = folder / "points.csv", folder / "mine.toml"
@@ -340,7 +348,7 @@ def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(
 
 
 @pytest.mark.parametrize(
-    ("content", "said"),
+    ("content", "expected"),
     [
         ("azimuth,dx,dy\n0,0,0.05\n", "Measure one more point where the contour runs along Y"),
         ("azimuth,dx,dy\n", "0 measured points"),
@@ -349,11 +357,11 @@ def test_calibrate_prints_the_lines_and_stores_them_in_a_board_that_can_be_used(
         ("azimuth,dx,dy\n45,nan,0.05\n", "not a number"),
     ],
 )
-def test_a_calibration_that_says_too_little_is_refused(
-    knifetip: Command, folder: Path, content: str, said: str
+def test_calibrate_refuses_missing_or_invalid_points(
+    knifetip: Command, folder: Path, content: str, expected: str
 ) -> None:
     points = folder / "points.csv"
     points.write_text(content)
     code, out, err = knifetip("calibrate", points, *ROUTED)
     assert (code, out) == (3, "")
-    assert said in err
+    assert expected in err

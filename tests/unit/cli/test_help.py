@@ -1,23 +1,23 @@
-"""The list of commands, which is printed without loading what they need."""
+"""The list of commands, which is printed without importing their modules."""
 
 from __future__ import annotations
 
 import subprocess
 import sys
 
-from knifetip.cli.main import COMMANDS, loaded
+from knifetip.cli.main import COMMANDS, load_command
 
 _HEAVY = ("ezdxf", "fastapi", "numba", "numpy", "shapely", "sqlalchemy")
 
 
-def test_the_help_of_every_command_is_the_one_that_the_list_shows() -> None:
+def test_the_list_shows_the_first_sentence_of_every_help_text() -> None:
     for name, command in COMMANDS.items():
-        text = loaded(name).help.replace("\n", " ")
+        text = load_command(name).help.replace("\n", " ")
         assert text.startswith(command.help)
         assert text == command.help or text.startswith(f"{command.help} ")
 
 
-def test_help_imports_nothing_that_takes_long() -> None:
+def test_help_does_not_import_slow_modules() -> None:
     program = (
         "import sys\n"
         "from knifetip.cli.main import app\n"

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import yaml
 
-from knifetip.cli.main import loaded
+from knifetip.cli.main import load_command
 
 ROOT = Path(__file__).resolve().parents[3]
 DOCKERFILE = (ROOT / "backend" / "Dockerfile").read_text()
@@ -17,7 +17,7 @@ COMPOSE = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
 
 def test_the_start_command_is_one_that_the_command_line_takes() -> None:
     words = json.loads(re.findall(r"^CMD (\[.*\])$", DOCKERFILE, re.M)[-1])
-    command = loaded(words[0])
+    command = load_command(words[0])
     with command.make_context(words[0], words[1:]) as context:
         assert context.params["host"] == "0.0.0.0"
         assert context.params["database"].startswith("sqlite:////data/")
