@@ -1,4 +1,4 @@
-"""Requests and answers of the REST API: the only words that are spoken at this door.
+"""Requests and responses of the REST API as pydantic models.
 
-Lengths are mm, angles degrees, times seconds since 1970 (UTC) or durations in seconds.
+Lengths are in mm, angles in degrees, durations in seconds, times in seconds since 1970 (UTC).
 """

@@ -1,4 +1,4 @@
-"""common: what requests and answers of several routes say."""
+"""Models that requests and responses of several routes share."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ Count = Annotated[int, Field(ge=0, le=2**31 - 1)]
 
 
 class Strict(BaseModel):
-    """A request: what it does not know, it refuses."""
+    """Base class of requests; unknown fields are refused."""
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
 
 
 class QuestionOut(MessageOut):
-    """Something that somebody must decide before anything is cut."""
+    """A decision that the user must make before the drawing can be compiled."""
 
     kind: Literal["unit", "line-type", "tool"]
     choices: list[str]
@@ -32,23 +32,25 @@ class QuestionOut(MessageOut):
 
 
 class Problem(MessageOut):
-    """An error as RFC 9457 has it, with the hint and the entities that it is about."""
+    """An error in the format of RFC 9457, with a hint and the entities it concerns."""
 
     text_fields: ClassVar[tuple[str, ...]] = ("detail", "text")
 
     type: str = "about:blank"
     title: str
     status: int
-    detail: str = Field(description="The text, under its name in RFC 9457")
-    source: list[str] = Field(default=[])
+    detail: str = Field(description="The same as text, under its name in RFC 9457")
+    source: list[str] = Field(
+        default=[], description="Handles of the entities, or fields of the request, it concerns"
+    )
     questions: list[QuestionOut] = Field(default=[])
     revision: int | None = Field(
-        default=None, description="Of the drawing now, where the request named an older one"
+        default=None, description="Current revision, if the request named an older one"
     )
 
 
 class Health(BaseModel):
-    """Whether the service is alive and ready."""
+    """Whether the service runs and is ready for requests."""
 
     status: Literal["ok", "starting"]
     version: str

@@ -1,4 +1,4 @@
-"""drawings: what is said of drawings."""
+"""Models for drawings, their edges, import reports and cleaning reports."""
 
 from __future__ import annotations
 
@@ -15,29 +15,29 @@ Unit = Literal["mm", "cm", "m", "in", "ft", "pt", "px"]
 
 
 class LedgerRow(BaseModel):
-    """What became of one entity of the file."""
+    """Import outcome of one entity of the file."""
 
     handle: str
     kind: str
     layer: str
     fate: FateWord
     reason: str
-    theme: str = Field(default="", description="The reason without names and numbers")
+    theme: str = Field(default="", description="The reason without names and numbers, for grouping")
     length: float
-    text: str = Field(default="", description="What is written there, where the entity is words")
+    text: str = Field(default="", description="Content of a text entity")
     place: list[float] | None = Field(
         default=None,
-        description="x, y and height of words (mm; file units while the unit is unknown)",
+        description="x, y and height of a text (mm; file units while the unit is unknown)",
     )
     box: list[float] | None = Field(
         default=None,
-        description="x min, y min, x max, y max of what gave no line, where the file tells it "
-        "(mm; file units while the unit is unknown)",
+        description="x min, y min, x max, y max of an entity without edges, if "
+        "its location is in the file (mm; file units while the unit is unknown)",
     )
 
 
 class LineTypeCount(BaseModel):
-    """How much of a drawing has one line type."""
+    """Number and total length of the edges of one line type."""
 
     type: LineTypeWord
     edges: int
@@ -45,7 +45,7 @@ class LineTypeCount(BaseModel):
 
 
 class LayerOut(BaseModel):
-    """One pair of layer and colour as the drawing has it."""
+    """Edges of one layer and colour."""
 
     name: str
     colour: int
@@ -55,12 +55,12 @@ class LayerOut(BaseModel):
 
 
 class LedgerOut(BaseModel):
-    """The entities of the file, counted and listed."""
+    """Import report: number of entities by outcome, and a row for each entity."""
 
     kept: int
     merged: int
     dropped: int
-    rows: list[LedgerRow] = Field(description="The first 2,000; all of them under …/ledger")
+    rows: list[LedgerRow] = Field(description="At most 2,000 in a drawing; all with GET …/ledger")
 
 
 class CleaningLengths(BaseModel):
@@ -76,7 +76,7 @@ class CleaningLengths(BaseModel):
 
 
 class CleaningCounts(BaseModel):
-    """How many edges have each fate."""
+    """Number of edges by outcome."""
 
     kept: int
     merged: int
@@ -84,13 +84,13 @@ class CleaningCounts(BaseModel):
 
 
 class CleaningRow(BaseModel):
-    """What became of one edge that is not worked exactly as it was drawn."""
+    """Cleaning outcome of one edge that is not worked exactly as drawn."""
 
     row: int
     handle: str
     fate: FateWord
     why: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"]
-    into: int = Field(description="Row of the edge that stands for its work, -1 for none")
+    into: int = Field(description="Row of the edge that is worked instead; -1 for none")
     kept: float
     merged: float
     dropped: float
@@ -101,7 +101,7 @@ class CleaningRow(BaseModel):
 
 
 class CleaningOut(BaseModel):
-    """The ledger of cleaning."""
+    """Cleaning report of a drawing."""
 
     lengths: CleaningLengths
     edges: CleaningCounts
@@ -111,37 +111,39 @@ class CleaningOut(BaseModel):
 
 
 class UnitEvidenceOut(BaseModel):
-    """Something that speaks for a unit."""
+    """Evidence for one unit of the drawing."""
 
     unit: Unit
     text: str
-    weight: float = Field(description="Logarithm of how much likelier than in the worst unit")
+    weight: float = Field(description="Logarithm of the likelihood ratio to the least likely unit")
 
 
 class UnitFindingOut(BaseModel):
-    """What the file says and shows of its unit."""
+    """Unit in the file's header, and the evidence for each unit."""
 
-    stated: Unit | Literal[""] = Field(description="By the file's header")
-    ranking: list[Unit] = Field(description="The likeliest first")
-    evidence: list[UnitEvidenceOut] = Field(description="The heaviest first")
-    warnings: list[str] = Field(description="What somebody should look at, whatever the unit")
+    stated: Unit | Literal[""] = Field(
+        description="Unit in the file's header; empty if there is none"
+    )
+    ranking: list[Unit] = Field(description="Units, most likely first")
+    evidence: list[UnitEvidenceOut] = Field(description="Highest weight first")
+    warnings: list[str] = Field(description="Contradictions that the user should check")
 
 
 class ReportGroup(BaseModel):
-    """What became of edges or entities for one reason."""
+    """Edges or entities with the same outcome and reason."""
 
     fate: FateWord
     reason: str
     what: Literal["edges", "entities"] = Field(
-        description="Edges have a place in the drawing; of other entities the ledger tells it"
+        description="What is counted: edges of the drawing, or entities that gave no edge"
     )
-    kinds: list[str] = Field(description="Kinds of the entities, the most frequent first")
+    kinds: list[str] = Field(description="Kinds of entities, most frequent first")
     count: int
     length: float
 
 
 class ReportOut(BaseModel):
-    """What became of all that was drawn: kept + merged + dropped = drawn (mm)."""
+    """Import and cleaning report by reason: kept + merged + dropped = drawn (mm)."""
 
     drawn: float
     kept: float
@@ -150,11 +152,11 @@ class ReportOut(BaseModel):
     groups: list[ReportGroup]
 
 
-Revision = Annotated[int, Field(description="Counts the drawing's changes; its ETag")]
+Revision = Annotated[int, Field(description="Increases with each change of the drawing; its ETag")]
 
 
 class DrawingOut(BaseModel):
-    """A drawing that was read and classified."""
+    """A drawing that has been read and classified."""
 
     id: str
     revision: Revision
@@ -162,16 +164,20 @@ class DrawingOut(BaseModel):
     created: float
     sha256: str
     unit: Unit | None
-    unit_given: Unit | None = Field(description="By somebody; null for what the file says")
-    evidence: str
-    evidence_message: MessageOut | None = Field(default=None, description="The same, with its code")
-    unit_finding: UnitFindingOut | None = Field(default=None, description="As for report")
+    unit_given: Unit | None = Field(
+        description="Set by the user; null if the unit is that of the file"
+    )
+    evidence: str = Field(description="How the unit was determined")
+    evidence_message: MessageOut | None = Field(default=None, description="The same with its code")
+    unit_finding: UnitFindingOut | None = Field(
+        default=None, description="Null if the drawing was read by an older version"
+    )
     profile: str
     profile_state: Literal["current", "changed", "deleted"] = Field(
-        description="Whether the profile is still as it was when this was classified"
+        description="Whether the profile has changed since the drawing was classified"
     )
     rules: str = Field(
-        description="The customer's profile as it was then (TOML); empty for one that is shipped"
+        description="The profile with which it was classified (TOML); empty for one of the library"
     )
     segments: int
     bounds: tuple[float, float, float, float]
@@ -180,13 +186,15 @@ class DrawingOut(BaseModel):
     counts: list[LineTypeCount]
     layers: list[LayerOut]
     questions: list[QuestionOut]
-    overrides: int
+    overrides: int = Field(description="Number of edges with a line type set by the user")
     ledger: LedgerOut
-    report: ReportOut | None = Field(default=None, description="None of an older knifetip")
+    report: ReportOut | None = Field(
+        default=None, description="Null if the drawing was read by an older version"
+    )
 
 
 class DrawingSummary(BaseModel):
-    """A drawing in a list."""
+    """Summary of a drawing, for lists."""
 
     id: str
     revision: Revision
@@ -196,11 +204,11 @@ class DrawingSummary(BaseModel):
     width: float
     height: float
     segments: int
-    questions: int
+    questions: int = Field(description="Number of open questions")
 
 
 class EdgeOut(BaseModel):
-    """One edge and why it is what it is."""
+    """One edge with its line type, the deciding rule and its import outcome."""
 
     row: int
     handle: str
@@ -210,9 +218,11 @@ class EdgeOut(BaseModel):
     type: LineTypeWord
     rule: str
     confidence: float
-    alternatives: list[LineTypeWord] = Field(description="What else it could be, likeliest first")
+    alternatives: list[LineTypeWord] = Field(
+        description="Other possible line types, most likely first"
+    )
     fate: FateWord
-    reason: str = Field(description="Why it was merged or dropped")
+    reason: str = Field(description="Why the edge was merged or dropped")
     length: float
     start: tuple[float, float]
     end: tuple[float, float]
@@ -220,15 +230,15 @@ class EdgeOut(BaseModel):
 
 
 class EdgesOut(BaseModel):
-    """All edges of a drawing; the viewer asks for them as columns instead (see ``columns``)."""
+    """All edges of a drawing; ``format=columns`` returns the same as binary columns."""
 
     edges: list[EdgeOut]
 
 
 class Override(Strict):
-    """Give edges a line type, named by row, by handle, or by layer (and colour).
+    """Set the line type of edges, selected by row, by handle, or by layer (and colour).
 
-    ``type`` null takes an earlier override back.
+    ``type`` null removes an earlier override.
     """
 
     type: LineTypeWord | None
@@ -239,22 +249,21 @@ class Override(Strict):
 
 
 class EdgesPatch(Strict):
-    """Overrides, the later ones on top."""
+    """Overrides, applied in order; later ones replace earlier ones."""
 
     overrides: list[Override] = Field(min_length=1, max_length=1000)
 
 
 class DrawingPatch(Strict):
-    """What somebody decided about a drawing."""
+    """A change of the unit or the profile of a drawing."""
 
     unit: Unit | Literal["file"] | None = Field(
-        default=None, description='"file" takes back what somebody said: as the file has it'
+        default=None, description='"file" restores the unit of the file'
     )
     profile: Name | None = Field(
-        default=None, description="The same one again brings it up to date where it has changed"
+        default=None, description="The same name again applies the current version of the profile"
     )
     rules: Annotated[str, Field(max_length=LONGEST)] = Field(
         default="",
-        description="The customer's profile as it was once, or as it was before it was deleted "
-        "(TOML); without it, as it is now",
+        description="Earlier or deleted version of the profile (TOML). Default: the current one",
     )

@@ -1,4 +1,4 @@
-"""gateway: what a gateway and the service say to each other."""
+"""Models of the protocol between a gateway and the service."""
 
 from __future__ import annotations
 
@@ -10,32 +10,32 @@ from knifetip.api.schemas.common import Count, Name, Strict
 
 
 class ClaimIn(Strict):
-    """A gateway asks for work and says how long it will wait for it."""
+    """Request of a gateway for the next job of its machine."""
 
     gateway: Name
     machine: Name
-    wait: float = Field(default=20.0, ge=0.0, le=60.0)
+    wait: float = Field(default=20.0, ge=0.0, le=60.0, description="Longest wait for a job (s)")
 
 
 class Claim(BaseModel):
-    """A job for this gateway alone, until the lease runs out."""
+    """A job assigned to this gateway until the lease expires."""
 
     job: str
-    epoch: int
-    lease: float = Field(description="Seconds; each heartbeat renews it")
-    program: str = Field(description="URL of the program's bytes")
+    epoch: int = Field(description="Increases with each claim; to be sent with every report")
+    lease: float = Field(description="Seconds; renewed by each heartbeat")
+    program: str = Field(description="URL of the program")
     sha256: str
     lines: int
     copies: int
     confirm: bool = Field(
         default=False,
-        description="Send nothing to the machine: heartbeats with `waiting` until one is answered "
-        "with `start`",
+        description="Send nothing to the machine; send heartbeats with `waiting` until the answer "
+        "is `start`",
     )
 
 
 class HeartbeatIn(Strict):
-    """What the machine did since the last one."""
+    """Report of a gateway on the progress of its job."""
 
     job: Name
     epoch: Count
@@ -44,29 +44,29 @@ class HeartbeatIn(Strict):
     held: bool = False
     waiting: bool = Field(
         default=False,
-        description="Nothing has been sent to the machine yet: the gateway waits for `start`",
+        description="Nothing has been sent to the machine; the gateway waits for `start`",
     )
     position: tuple[float, float, float, float] | None = None
     seconds_left: float | None = None
 
 
 class HeartbeatOut(BaseModel):
-    """What the gateway is to do."""
+    """Command for the gateway."""
 
     command: Literal["wait", "start", "continue", "hold", "resume", "cancel"]
     lease: float
 
 
 class FinishIn(Strict):
-    """How it ended."""
+    """Report of a gateway that a job has ended."""
 
     job: Name
     epoch: Count
     outcome: Literal["done", "interrupted", "cancelled", "returned"] = Field(
-        description="returned: the claim is given back, nothing was sent to the machine"
+        description="returned: the job is released; nothing was sent to the machine"
     )
     why: str = Field(default="", max_length=2000)
     line: Count | None = Field(
-        default=None, description="The last line executed, where it is not the last heartbeat's"
+        default=None, description="Last executed line. Default: that of the last heartbeat"
     )
-    copies_done: Count | None = Field(default=None, description="Under this claim")
+    copies_done: Count | None = Field(default=None, description="Copies completed since this claim")

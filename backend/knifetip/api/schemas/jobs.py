@@ -1,4 +1,4 @@
-"""jobs: what is said of jobs, and of the verdicts on their programs."""
+"""Models for jobs, their events and the verdicts on their programs."""
 
 from __future__ import annotations
 
@@ -25,39 +25,44 @@ JobState = Literal[
     "cancelled",
 ]
 CornerType = Literal["auto", "B", "C", "D"]
-Knob = Annotated[float, Field(gt=0.0, lt=1.0, description="Of the D type: 0 is as B, 1 as C")]
+CornerParameter = Annotated[
+    float, Field(gt=0.0, lt=1.0, description="Parameter k of type D: 0 is like B, 1 is like C")
+]
 
 
 class CornerAt(Strict):
-    """One corner, named by its place, that is made otherwise than the rest."""
+    """Type of one corner, selected by its position."""
 
     x: float = Field(description="mm in the drawing; within 0.5 mm of the corner")
     y: float
     type: CornerType
-    k: Knob | None = Field(default=None, description="None for that of the rest")
+    k: CornerParameter | None = Field(
+        default=None, description="Default: the k of the other corners"
+    )
 
 
 class Corners(Strict):
-    """How a router, or a beam with its kerf, goes round corners that stand out towards it.
+    """Path of a router or a laser round outer corners.
 
-    B on an arc, C on straight lines with a stop at each bend, D on line, arc and line; auto takes
-    for each corner what is over soonest on the machine.
+    B: along an arc; C: along straight lines with a stop at each bend; D: line, arc, line; auto:
+    the fastest of them on the machine, for each corner.
     """
 
     type: CornerType = "auto"
-    k: Knob = 0.5
+    k: CornerParameter = 0.5
     interference: Literal["trim", "refuse"] = Field(
-        default="trim", description="Where the cutter does not fit: leave that uncut, or refuse"
+        default="trim",
+        description="Where the cutter does not fit: leave the place uncut, or refuse the job",
     )
     at: list[CornerAt] = Field(default=[], max_length=1000)
 
 
 class JobIn(Strict):
-    """An order: this drawing, on this board, on this machine."""
+    """A new job: a drawing, a machine and a board."""
 
     drawing: Name
     revision: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(
-        default=None, description="Of the drawing that was looked at; 412 if it has changed since"
+        default=None, description="Expected revision of the drawing; 412 if it has changed since"
     )
     machine: Name = "demo-table"
     board: Name
@@ -66,22 +71,22 @@ class JobIn(Strict):
     priority: int = Field(default=0, ge=-100, le=100)
     overrides: list[Override] = Field(default=[], max_length=1000)
     corners: Corners | None = Field(
-        default=None, description="Only for machines that mill; left to the machine where null"
+        default=None, description="Only for machines that mill; null: chosen by duration"
     )
-    release: bool = Field(default=False, description="Queue it as soon as it is ready")
+    release: bool = Field(default=False, description="Queue the job as soon as it is ready")
 
 
 class ConfirmIn(Strict):
-    """What the operator found on the table; each of it may be left out."""
+    """Confirmation of the operator; all fields are optional."""
 
     board: Name | None = Field(
-        default=None, description="The board that lies there; another than the job's is refused"
+        default=None, description="Board on the table; refused if it is not the board of the job"
     )
-    by: str = Field(default="", max_length=100, description="Who confirms, for the record")
+    by: str = Field(default="", max_length=100, description="Name of the operator, for the record")
 
 
 class JobTool(BaseModel):
-    """A station that a job's program uses."""
+    """A station that the program of a job uses."""
 
     station: int
     name: str
@@ -89,25 +94,25 @@ class JobTool(BaseModel):
 
 
 class VerdictSummary(BaseModel):
-    """The verdict in figures (mm, s)."""
+    """Figures of a verdict (mm, s)."""
 
     accepted: bool
     tolerance: float
-    deviation: float
-    overcut: float
-    uncut: float = Field(description="Greatest length of one edge that is not cut (mm)")
+    deviation: float = Field(description="Greatest distance of the tip from an edge (mm)")
+    overcut: float = Field(description="Greatest length cut beyond the end of an edge (mm)")
+    uncut: float = Field(description="Greatest uncut length of one edge (mm)")
     uncut_total: float = Field(default=0.0, description="Sum over all edges (mm)")
     setback_total: float = Field(default=0.0, description="Sum over all edges (mm)")
-    unreached: float = Field(default=0.0, description="mm² that no cutter gets to")
-    unreached_places: int = Field(default=0, description="In so many places")
-    seconds: float
+    unreached: float = Field(default=0.0, description="Area that no cutter reaches (mm²)")
+    unreached_places: int = Field(default=0, description="Number of places that no cutter reaches")
+    seconds: float = Field(description="Machine time of the program (s)")
     seconds_retracted: float | None = Field(
-        default=None, description="What it would take if every turn were a full retract"
+        default=None, description="Duration if every turn were a full retract (s)"
     )
 
 
 class JobOut(BaseModel):
-    """A job and where it stands."""
+    """A job with its state and progress."""
 
     id: str
     state: JobState
@@ -127,40 +132,41 @@ class JobOut(BaseModel):
     updated: float
     waiting_for: Literal["", "confirmation", "sheet", "machine", "turn"] = Field(
         default="",
-        description="What keeps it from going on, with the words in reason and hint: the "
-        "operator's confirmation of table, board and tools; of the next sheet; the machine; its "
-        "turn in the queue",
+        description="What the job waits for: the confirmation of table, board and tools; "
+        "the confirmation of the next sheet; the machine; its turn in the queue. `reason` and "
+        "`hint` describe it",
     )
     tools: list[JobTool] = Field(
-        default=[], description="Stations that the program uses; empty before it is compiled"
+        default=[], description="Stations that the program uses; empty before the job is compiled"
     )
     requested_action: Literal["", "hold", "resume", "cancel"] = Field(
-        default="", description="What the operator requested and the machine has not done yet"
+        default="",
+        description="Action that the operator requested and the machine has not executed yet",
     )
     stage: Stage | Literal[""] = Field(
         description="Stage of the compile; empty while the job is not being compiled"
     )
-    progress: float = Field(description="0 … 1 of the compile, or of the run")
-    line: int = Field(description="Lines of the program that the machine has executed")
+    progress: float = Field(description="Completed share of the compile or of the run, 0 … 1")
+    line: int = Field(description="Number of executed lines of the program")
     lines: int
     position: tuple[float, float, float, float] | None = Field(
-        description="Head axis X, Y, tip Z, C while running, in sheet coordinates"
+        description="X, Y of the head axis, Z of the tip and C on the sheet; while running"
     )
-    seconds: float = Field(description="Nominal machine time of one copy")
+    seconds: float = Field(description="Estimated machine time of one copy (s)")
     seconds_left: float | None
     corners: Corners | None
     program_sha256: str
     verdict: VerdictSummary | None
 
     @computed_field(  # type: ignore[prop-decorator]
-        description="The former name of hint", json_schema_extra={"deprecated": True}
+        description="Former name of hint", json_schema_extra={"deprecated": True}
     )
     @property
     def mend(self) -> str:
         return self.hint
 
     @computed_field(  # type: ignore[prop-decorator]
-        description="The former name of requested_action", json_schema_extra={"deprecated": True}
+        description="Former name of requested_action", json_schema_extra={"deprecated": True}
     )
     @property
     def wish(self) -> Literal["", "hold", "resume", "cancel"]:
@@ -168,7 +174,7 @@ class JobOut(BaseModel):
 
 
 class JobEvent(BaseModel):
-    """One transition of a job: when, who and why."""
+    """One transition of a job: its time, cause and reason."""
 
     id: int
     job: str
@@ -179,40 +185,44 @@ class JobEvent(BaseModel):
 
 
 class FindingOut(MessageOut):
-    """One fault that the verifier found, with its place."""
+    """One finding of the verifier, with its location."""
 
     kind: str
     measure: float = Field(description="mm, or degrees for a heading")
-    edge: int = Field(description="Row of the drawing, -1 where it is about none")
+    edge: int = Field(description="Row of the edge, -1 if it concerns none")
     handle: str
-    line: int = Field(description="1-based line of the program, -1 where it is about none")
+    line: int = Field(description="1-based line of the program, -1 if it concerns none")
 
 
 class UnreachedOut(BaseModel):
-    """A place that no cutter gets to."""
+    """An area that no cutter reaches."""
 
     area: float = Field(description="mm²")
-    x: float = Field(description="mm in the drawing, of its middle")
+    x: float = Field(description="Position of its centre in the drawing (mm)")
     y: float
 
 
 class VerdictOut(VerdictSummary):
-    """The verdict, edge by edge: row i is edge i of the drawing.
+    """A verdict with a value for each edge; row i belongs to edge i of the drawing.
 
-    As columns it has the map of deviations besides (``sample_edge``, ``sample_place`` as a share of
-    the edge's length, ``sample_deviation`` in mm to its left), and the outlines of what is not
-    reached (``area_ends``, ``area_bulge``, ``area_first``, ``area_size``).
+    ``format=columns`` also contains samples of the deviation (``sample_edge``, ``sample_place`` as
+    a share of the edge's length, ``sample_deviation`` in mm, positive to the left), and outlines of
+    unreached areas (``area_ends``, ``area_bulge``, ``area_first``, ``area_size``).
     """
 
     findings: list[FindingOut]
-    areas: list[UnreachedOut] = Field(description="What no cutter gets to, the largest first")
+    areas: list[UnreachedOut] = Field(description="Areas that no cutter reaches, largest first")
     edge_deviation: list[float]
     edge_overcut: list[float]
     edge_uncut: list[float]
     edge_setback: list[float]
-    edge_width: list[float] = Field(description="Of a V-groove at the top face; 0 for others")
-    edge_web: list[float] = Field(description="Of board left below a V-groove; 0 for others")
-    edge_flank: list[float] = Field(description="The farthest that a groove's flank is off")
-    edge_unreached: list[float] = Field(description="Length that no cutter can touch")
-    edge_bottom_uncut: list[float] = Field(description="Length not cut through the bottom face")
-    edge_top_overcut: list[float] = Field(description="Cut past the edge's ends in the top face")
+    edge_width: list[float] = Field(
+        description="Width of a V-groove at the top face (mm); 0 for other edges"
+    )
+    edge_web: list[float] = Field(description="Board left below a V-groove (mm); 0 for other edges")
+    edge_flank: list[float] = Field(description="Greatest deviation of a V-groove's flank (mm)")
+    edge_unreached: list[float] = Field(description="Length that no cutter reaches (mm)")
+    edge_bottom_uncut: list[float] = Field(description="Length not cut at the bottom face (mm)")
+    edge_top_overcut: list[float] = Field(
+        description="Length cut beyond the ends at the top face (mm)"
+    )

@@ -1,4 +1,4 @@
-"""library: what is said of boards, and of how far tools bend in them."""
+"""Models for import formats, boards and measured deflections."""
 
 from __future__ import annotations
 
@@ -10,15 +10,17 @@ from knifetip.api.schemas.common import Name, Strict
 
 
 class FormatOut(BaseModel):
-    """A file format that drawings are imported from."""
+    """An import format of drawings."""
 
     name: str
     title: str
-    extensions: list[str] = Field(description="Of file names, with the dot, the usual one first")
+    extensions: list[str] = Field(
+        description="File name extensions with the dot, most common first"
+    )
 
 
 class DeflectionOut(BaseModel):
-    """How far a tool gives way in a board (mm)."""
+    """Deflection of a tool in a board (mm)."""
 
     tool: str
     x: float
@@ -26,7 +28,7 @@ class DeflectionOut(BaseModel):
 
 
 class BoardOut(BaseModel):
-    """A board of the library."""
+    """A board of the library (mm, degrees)."""
 
     name: str
     title: str
@@ -40,31 +42,34 @@ class BoardOut(BaseModel):
 
 
 class MeasuredPoint(Strict):
-    """One point of a contour that was cut and measured."""
+    """One measured point of a cut contour."""
 
-    azimuth: float = Field(ge=-360.0, le=360.0, description="Degrees, of the cutter's travel there")
-    dx: float = Field(ge=-100.0, le=100.0, description="mm: where it came to lie, less as drawn")
+    azimuth: float = Field(
+        ge=-360.0, le=360.0, description="Direction of travel at the point (degrees)"
+    )
+    dx: float = Field(ge=-100.0, le=100.0, description="Measured minus drawn position (mm)")
     dy: float = Field(ge=-100.0, le=100.0)
 
 
 class CalibrationIn(Strict):
-    """Points measured on a contour that a machine's cutter cut in a board."""
+    """Points measured on a contour that was cut in a board."""
 
     machine: Name
-    tool: Name = Field(description="Name of its station")
+    tool: Name = Field(description="Name of the cutter's station")
     side: Literal["left", "right"] = Field(
-        default="left", description="Of travel, where the cutter ran; knifetip's programs: left"
+        default="left",
+        description="Side on which the cutter ran, in travel direction (knifetip: left)",
     )
     points: list[MeasuredPoint] = Field(min_length=1, max_length=10_000)
 
 
 class CalibrationOut(BaseModel):
-    """How far the cutter gives way in the board, and the lines to keep in the board's file."""
+    """Deflection of the cutter in the board, and the TOML lines for the board's file."""
 
     board: str
     machine: str
     tool: str
-    x: float = Field(description="mm, where the contour runs along Y")
-    y: float = Field(description="mm, where it runs along X")
-    residual: float = Field(description="mm, the farthest that a point is from what these say")
+    x: float = Field(description="Deflection where the contour runs along Y (mm)")
+    y: float = Field(description="Deflection where the contour runs along X (mm)")
+    residual: float = Field(description="Largest residual of a point (mm)")
     toml: str

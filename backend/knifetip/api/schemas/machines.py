@@ -1,4 +1,4 @@
-"""machines: what is said of machines and their tools."""
+"""Models for machines, their stations and tools."""
 
 from __future__ import annotations
 
@@ -10,15 +10,17 @@ from knifetip.model.tool import Footprint
 
 
 class ToolOut(BaseModel):
-    """A tool with the dimensions that the engines use."""
+    """A tool with its dimensions (mm, degrees)."""
 
     kind: str
     dimensions: dict[str, float | bool]
-    footprint: Footprint = Field(description="what to draw of it, and where its tip lies")
+    footprint: Footprint = Field(
+        description="Outline of the tool for drawing, and the position of its tip"
+    )
 
 
 class StationOut(BaseModel):
-    """A station: joint position = programmed position + datum."""
+    """A station of the head: joint position = programmed position + datum."""
 
     number: int
     name: str
@@ -28,7 +30,7 @@ class StationOut(BaseModel):
 
 
 class MachineOut(BaseModel):
-    """A machine of the library and what is on it now."""
+    """A machine of the library with its current job."""
 
     name: str
     title: str
@@ -39,20 +41,20 @@ class MachineOut(BaseModel):
     travel_z: float
     into_mat: float
     offset_cuts: bool = Field(
-        description="cuts run beside their line, so that the types of corners can be chosen"
+        description="Cuts run at an offset from their edge, so corner types can be chosen"
     )
     feed: Literal["manual", "automatic"] = Field(
-        description="manual: every job and every copy waits until an operator has confirmed that "
-        "its sheet lies on the table"
+        description="manual: every job and every copy waits until the operator confirms that the "
+        "sheet is on the table"
     )
     axes: dict[str, dict[str, float]]
     stations: list[StationOut]
     gateway: Literal["connected", "absent"]
-    job: str | None
+    job: str | None = Field(description="Job on the machine's table")
 
 
 class StationTool(ToolOut):
-    """A tool and where it is mounted."""
+    """A tool with its machine and station."""
 
     machine: str
     station: int

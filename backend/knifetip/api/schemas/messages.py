@@ -1,6 +1,6 @@
-"""messages: what carries a code with arguments and its English, and the union of all codes.
+"""Messages in responses: code, arguments and English text, and the schema of all codes.
 
-Answers keep their sentences; a client that has a catalogue of its own reads code and arguments.
+Clients may print the text, or render code and arguments with a catalogue of their own.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 from knifetip.messages import with_text
 from knifetip.messages.codes import CODES, Kind
 
-#: Marks schemas whose code is one of the union.
+#: Key that marks schemas whose ``code`` is a MessageCode.
 _MARK: Final = "x-message"
 _UNION: Final = "#/components/schemas/Message"
 _TYPES: Final[Mapping[Kind, dict[str, Any]]] = {
@@ -28,30 +28,34 @@ _TYPES: Final[Mapping[Kind, dict[str, Any]]] = {
 
 
 class MessageOut(BaseModel):
-    """Something to report: its code and arguments, and both in English."""
+    """A message: code, arguments, and the text and hint in English."""
 
     model_config = ConfigDict(json_schema_extra={_MARK: True})
-    #: Fields that hold the text under another name, which clients read.
+    #: Names of the fields that contain the text.
     text_fields: ClassVar[tuple[str, ...]] = ("text",)
 
     code: str
-    arguments: dict[str, Any] = Field(description="As the union Message has them for the code")
-    text: str = Field(description="In English")
-    hint: str = Field(description="What to do about it, in English; empty where nothing is to do")
+    arguments: dict[str, Any] = Field(
+        description="Arguments of the code; their types are in the schema Message"
+    )
+    text: str = Field(description="What is reported, in English")
+    hint: str = Field(
+        description="What the user can do, in English; empty if there is nothing to do"
+    )
 
     @model_validator(mode="before")
     @classmethod
-    def _rendered(cls, given: Any) -> Any:
-        """Take a message, or plain data that has one, and add its English."""
+    def _render(cls, given: Any) -> Any:
+        """Accept a message or its JSON data, and add text and hint."""
         plain = with_text(given)
         return {**plain, **dict.fromkeys(cls.text_fields, plain["text"])}
 
 
 def describe_codes(schemas: dict[str, Any]) -> None:
-    """Add all codes to the schemas of OpenAPI, and refer to them where they are used.
+    """Add the schemas ``MessageCode`` and ``Message`` to OpenAPI, and refer to them.
 
-    ``MessageCode`` lists them; ``Message`` is the union of one object to a code, with the types of
-    its arguments.
+    ``MessageCode`` is the enumeration of all codes; ``Message`` is the union of one object per code
+    with the types of its arguments.
     """
     for schema in schemas.values():
         if schema.pop(_MARK, False):

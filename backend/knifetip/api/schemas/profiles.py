@@ -1,4 +1,4 @@
-"""profiles: what is said of customers’ profiles."""
+"""Models for classification profiles, previews and proposed rules."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ Colours = Annotated[
 
 
 class RuleIn(Strict):
-    """One rule: an edge that meets every condition has the type.
+    """One rule: gives the line type to edges that meet all conditions.
 
-    Patterns are shell globs, compared without regard to case; an empty list is no condition.
+    Patterns are shell globs, case-insensitive; an empty list is no condition.
     """
 
     type: LineTypeWord
@@ -29,13 +29,19 @@ class RuleIn(Strict):
 
 
 class ProfileIn(Strict):
-    """A customer's profile: the first rule that an edge meets decides."""
+    """A customer's profile; the first rule that an edge meets decides its line type."""
 
     title: Name
-    extends: Name | None = Field(default=None, description="A shipped profile, whose rules are met")
-    overrules: bool = Field(default=True, description="These rules before those that it extends")
+    extends: Name | None = Field(
+        default=None, description="Profile of the library whose rules also apply"
+    )
+    overrules: bool = Field(
+        default=True, description="Whether these rules come before those of the extended profile"
+    )
     rules: list[RuleIn] = Field(max_length=500)
-    version: Count | None = Field(default=None, description="That was looked at; or send If-Match")
+    version: Count | None = Field(
+        default=None, description="Expected version; may also be sent as If-Match"
+    )
 
 
 class RuleOut(BaseModel):
@@ -48,7 +54,9 @@ class RuleOut(BaseModel):
     linetype: list[str] = []
     entity: list[str] = []
     block: list[str] = []
-    inherited: bool = Field(default=False, description="From the profile that this one extends")
+    inherited: bool = Field(
+        default=False, description="Whether the rule comes from the extended profile"
+    )
 
 
 class ProfileOut(BaseModel):
@@ -56,17 +64,19 @@ class ProfileOut(BaseModel):
 
     name: str
     title: str
-    shipped: bool = Field(default=False, description="With knifetip: read it, do not change it")
+    shipped: bool = Field(
+        default=False, description="Part of knifetip's library; cannot be changed"
+    )
     extends: str | None = None
     overrules: bool = False
-    version: int = Field(default=0, description="Counts the changes; 0 of those that are shipped")
+    version: int = Field(default=0, description="Increases with each change; 0 in the library")
     updated: float = 0.0
     rules: list[RuleOut]
-    fault: str = Field(default="", description="Why it cannot be used any more")
+    fault: str = Field(default="", description="Why the profile can no longer be used")
 
 
 class ChangeOut(BaseModel):
-    """Edges that would be something else."""
+    """Edges that would get another line type."""
 
     before: LineTypeWord
     after: LineTypeWord
@@ -74,24 +84,24 @@ class ChangeOut(BaseModel):
 
 
 class PreviewRule(RuleOut):
-    """One rule, and what it takes of a drawing."""
+    """One rule, with number and length of the edges it matches."""
 
     edges: int
     length: float
 
 
 class PreviewOut(BaseModel):
-    """What a profile would do to a drawing."""
+    """Effect of a profile on a drawing."""
 
     rules: list[PreviewRule]
-    open: int = Field(description="Edges that no rule takes")
+    open: int = Field(description="Number of edges that no rule matches")
     changes: list[ChangeOut]
 
 
 class ProposalOut(BaseModel):
-    """A rule that would have said what somebody corrected."""
+    """A proposed rule that gives the line types which the user set by hand."""
 
     rule: RuleOut
-    explains: list[int] = Field(description="Corrected edges that it covers")
-    sure: bool = Field(description="It changes no edge that was decided")
-    changes: list[ChangeOut] = Field(description="What else would become something else")
+    explains: list[int] = Field(description="Corrected edges that the rule matches")
+    sure: bool = Field(description="Whether the rule changes no edge with a decided line type")
+    changes: list[ChangeOut] = Field(description="Other edges whose line type would change")
