@@ -104,7 +104,7 @@ def test_read_prints_the_size_in_millimetres_for_every_unit(
     code, out, _ = knifetip("read", tmp_path / "carton.pdf")
     assert code == 0
     assert out.splitlines()[0] == (
-        "carton.pdf: 200.00 × 80.00 mm, 111 segments; a PDF counts in points of 1/72 in"
+        "carton.pdf: 200.00 × 80.00 mm, 111 segments; a PDF is in points of 1/72 in"
     )
 
 
