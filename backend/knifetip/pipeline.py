@@ -19,6 +19,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from knifetip.classification import classify as classification
+from knifetip.classification.questions import list_questions
 from knifetip.cleaning.clean import clean
 from knifetip.cleaning.map_back import map_to_drawn
 from knifetip.compensation.compensate import compensate
@@ -122,7 +123,7 @@ def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) ->
         Line types that the user has set.
     """
     dieline = classification.classify(drawing, rules, load.conventions())
-    return dieline if overrides is None else classification.overridden(dieline, overrides)
+    return dieline if overrides is None else classification.apply_overrides(dieline, overrides)
 
 
 def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:
@@ -140,7 +141,7 @@ def rules_of(interpretation: Interpretation) -> LineRules:
 def questions(drawing: Drawing, dieline: Dieline, machine: Machine | None = None) -> list[Question]:
     """Return what the user must decide before the drawing can be compiled (for a machine)."""
     unit = None if drawing.unit else unit_question(drawing, find_unit(drawing))
-    asked = ([unit] if unit else []) + classification.questions(drawing, dieline)
+    asked = ([unit] if unit else []) + list_questions(drawing, dieline)
     return asked if machine is None else asked + tool_questions(dieline, machine)
 
 

@@ -17,7 +17,8 @@ from pathlib import Path
 import numpy as np
 
 from knifetip import pipeline
-from knifetip.classification.classify import classify, questions
+from knifetip.classification.classify import classify
+from knifetip.classification.questions import list_questions
 from knifetip.cleaning.clean import clean
 from knifetip.errors import KnifetipError
 from knifetip.geometry.columns import F64, I64, U8
@@ -187,7 +188,7 @@ def known() -> Iterator[str]:
         ways = {"is": whole, "no names": without_names(whole), "one style": without_style(whole)}
         for way, drawing in ways.items():
             dieline = classify(drawing, rules, conventions)
-            asked = len(questions(drawing, dieline))
+            asked = len(list_questions(drawing, dieline))
             sums[way].append((kinds_of, dieline.line_type, drawing.lengths))
             yield _shared(Path(one.path).name, way, *sums[way][-1], asked)
     for way, parts in sums.items():
@@ -271,7 +272,7 @@ def own() -> Iterator[str]:
             int((~asked & ~silent).sum()),
             int(asked.sum()),
             int(silent.sum()),
-            len(questions(drawing, dieline)),
+            len(list_questions(drawing, dieline)),
             1,
         )
         for row in np.flatnonzero(silent).tolist():

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.classification.classify import classify
-from knifetip.classification.evidence import shape
-from knifetip.classification.role import Role
+from knifetip.classification.shape.features import extract_shape_features
+from knifetip.classification.shape.roles import Role
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Inscription
@@ -41,7 +41,7 @@ def roles(
     """Return the role that shape alone gives to each line."""
     ends = np.array(lines, float).reshape(-1, 2, 2)
     bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
-    return [Role(int(role)) for role in shape(ends, bent, texts).role]
+    return [Role(int(role)) for role in extract_shape_features(ends, bent, texts).role]
 
 
 def side_by_side(

@@ -1,46 +1,53 @@
-"""classify: what is to be done along each edge, and what says so.
+"""classify: decide the line type of each edge of a drawing, and why.
 
-    Drawing, LineRules -> Dieline            rules first, then shape, then what they say together
-    Dieline, overrides -> Dieline            what somebody said comes last
-    Drawing, Dieline   -> list[Question]     what nobody has said yet
+    Drawing, LineRules -> Dieline            by profile rules, shape, names and colours
+    Dieline, overrides -> Dieline            line types that the user gives come last
 
-The profile's rules, the shape of the net, the words in layers' names and the colour conventions of
-other houses are weighed in ``fusion``.  What is not sure stays unclassified and becomes a question;
-nothing is cut by default.
+The rules of the profile, the shape of the drawing, the words in layers' names and the colour
+conventions of other companies are combined in ``decision``.  An edge that is not certain stays
+unclassified and becomes a question (``questions``).  No edge is cut by default.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from knifetip.classification import rules as matching
-from knifetip.classification.apart import parting
-from knifetip.classification.conventions import FOLDS, fitting
-from knifetip.classification.evidence import Shape, shape
-from knifetip.classification.fusion import Judge, Verdict
-from knifetip.classification.mirror import contradicted
-from knifetip.classification.role import Role
-from knifetip.classification.rules import BY_LAYER, Matches, Styles
-from knifetip.classification.tally import FLAGS, HOLDS, MIXED, TEXT, Tally
-from knifetip.classification.words import CENTRE_LINE, DASHED, hint
-from knifetip.geometry.columns import F64, I64, U8, Bool
+from knifetip.classification.decision.classifier import Classifier, Decision
+from knifetip.classification.decision.connectivity import find_separating_cuts
+from knifetip.classification.decision.conventions import FOLD_TYPES, find_fitting_conventions
+from knifetip.classification.decision.profile_rules import (
+    LAYER,
+    RuleMatches,
+    StyleTable,
+    match_rules,
+    tabulate_styles,
+)
+from knifetip.classification.decision.style_totals import (
+    FLAG_COUNT,
+    MIXED_ROLES,
+    MUST_FOLD,
+    NEAR_TEXT,
+    StyleTotals,
+)
+from knifetip.classification.decision.symmetry import find_asymmetric_edges
+from knifetip.classification.shape.features import ShapeFeatures, extract_shape_features
+from knifetip.classification.shape.roles import Role
+from knifetip.classification.vocabulary import name_meaning
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.cores import both
 from knifetip.geometry.distinct import distinct
 from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, extents
+from knifetip.model.drawing import Drawing
+from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.profile import LineRules
-from knifetip.model.question import Question
-
-#: In a column of overrides: leave this edge as the profile has it.
-KEEP = 255
 
 
 def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules] = ()) -> Dieline:
-    """Return the dieline: every edge of the drawing with its line type, and why.
+    """Return the dieline: every edge of the drawing with its line type and the reason.
 
     Parameters
     ----------
@@ -49,265 +56,219 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     rules
         The customer's profile.
     conventions
-        Colours of other houses, to be tried where the profile says nothing.
+        Colour conventions of other companies, tried for styles without a rule in the profile.
 
     Returns
     -------
     Dieline
-        n edges, row i that of the drawing.  ``rules`` holds the words of what decided, with only
-        the pattern that matched: ``profile default: layer "FOLDS"``.  Confidence is 1 for a rule
-        on layer and colour, 0.95 on a layer, 0.8 on colour or linetype, what the evidence is worth
-        where no rule speaks, 0 for nothing at all.  An edge that is asked is unclassified; its
-        confidence is that of the first of its rule's ``alternatives``, the best guess.
+        n edges; row i is edge i of the drawing.  ``rules`` holds the reasons, with only the
+        patterns that matched: ``profile default: layer "FOLDS"``.  Confidence is 1 for a rule on
+        layer and colour, 0.95 on a layer, 0.8 on colour or linetype; without a rule it is that of
+        the evidence, 0 if there is none.  An edge that needs a question is unclassified, and its
+        confidence is that of the best guess: the first of the ``alternatives`` of its reason.
     """
-    lengths, styles = both(lambda: drawing.lengths, lambda: matching.styles(drawing))
-    matches = matching.match(styles, rules)
-    seen = _evidence(drawing, styles, matches)
-    tally = Tally.of(styles.of, len(styles), seen, lengths)
-    fits = fitting(styles, matches.rule < 0, tally.length, tally.edges, conventions)
-    judge = Judge.of(
-        styles, rules, matches, tally.length, fits, tally.dashes, tally.pairs, tally.holds
+    lengths, styles = both(lambda: drawing.lengths, lambda: tabulate_styles(drawing))
+    matches = match_rules(styles, rules)
+    features = _relevant_features(drawing, styles, matches)
+    totals = StyleTotals.sum(styles.row, len(styles), features, lengths)
+    fitting = find_fitting_conventions(styles, matches.rule < 0, totals, conventions)
+    classifier = Classifier.create(styles, rules, matches, totals, fitting)
+    edges = _decide_edges(classifier, totals.decision_keys(styles.row, features))
+    _restore_folds_on_cuts(edges, classifier, features)
+    _withdraw_contradicted(edges, drawing.ends, features, lengths)
+    return Dieline(
+        drawing.ends,
+        drawing.bulge,
+        edges.line_type,
+        np.arange(len(drawing), dtype=np.int32),
+        edges.reason,
+        edges.confidence,
+        tuple(edges.reasons.messages),
+        tuple(edges.reasons.alternatives),
     )
-    cell = tally.cells(styles.of, seen)
-    first, number = distinct(cell)
-    verdicts = [_verdict(judge, key) for key in cell[first].tolist()]
-    said = _Said()
-    line_type = np.full(len(first), LineType.UNCLASSIFIED, np.uint8)
-    word = np.zeros(len(first), np.int32)
-    for row, verdict in enumerate(verdicts):
-        others = verdict.others
-        if verdict.asked and verdict.kind != LineType.UNCLASSIFIED:
-            others = (verdict.kind, *others)
-        elif not verdict.asked:
-            line_type[row] = verdict.kind
-        word[row] = said.number(verdict.reason, others)
-    kinds, rule = line_type[number], word[number]
-    sure = np.array([verdict.sure for verdict in verdicts])[number]
-    meant = np.array([verdict.kind for verdict in verdicts], np.uint8)[number]
-    hidden = np.flatnonzero((kinds == LineType.UNCLASSIFIED) & (seen.on >= 0))
-    hidden = hidden[(matches.rule >= 0)[styles.of[hidden]] & np.isin(meant[hidden], FOLDS)]
-    hidden = hidden[kinds[seen.on[hidden]] == LineType.CUT]
-    for row in hidden.tolist():
-        style = styles.of[row]
-        named = Message("classification.rule", profile=rules.name, rule=matches.words[style])
-        text = Message("classification.on-cut", rule=named)
-        kinds[row], sure[row] = meant[row], matches.confidence[style]
-        rule[row] = said.number(text, ())
-    against, off = both(
-        lambda: contradicted(drawing.ends, seen, kinds, lengths), lambda: parting(seen, kinds)
+
+
+class _Reasons:
+    """The different reasons of decisions, each with its alternatives."""
+
+    def __init__(self) -> None:
+        self.messages: list[Message] = []
+        self.alternatives: list[tuple[LineType, ...]] = []
+        self._index: dict[tuple[Message, tuple[LineType, ...]], int] = {}
+
+    def index(self, message: Message, alternatives: tuple[LineType, ...]) -> int:
+        """Return the index of a reason with its alternatives, adding it if it is new."""
+        index = self._index.setdefault((message, alternatives), len(self.messages))
+        if index == len(self.messages):
+            self.messages.append(message)
+            self.alternatives.append(alternatives)
+        return index
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _EdgeDecisions:
+    """The decisions of n edges, in columns that later steps write to."""
+
+    line_type: U8  #: (n,) UNCLASSIFIED where the user must decide
+    guess: U8  #: (n,) the best guess
+    confidence: F64  #: (n,) of the best guess
+    reason: I32  #: (n,) index into ``reasons``
+    reasons: _Reasons
+
+
+def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
+    """Return the decision of each edge; edges with equal keys, (n,), share a decision."""
+    first, row = distinct(keys)
+    decisions = [_decide(classifier, key) for key in keys[first].tolist()]
+    kinds = np.array([decision.kind for decision in decisions], np.uint8)
+    asked = np.array([decision.asked for decision in decisions], np.bool_)
+    confidence = np.array([decision.confidence for decision in decisions])
+    reasons = _Reasons()
+    index = np.zeros(len(first), np.int32)
+    for number, decision in enumerate(decisions):
+        others = decision.others
+        if decision.asked and decision.kind != LineType.UNCLASSIFIED:
+            others = (decision.kind, *others)
+        index[number] = reasons.index(decision.reason, others)
+    decided = np.where(asked, LineType.UNCLASSIFIED, kinds).astype(np.uint8)
+    return _EdgeDecisions(decided[row], kinds[row], confidence[row], index[row], reasons)
+
+
+def _decide(classifier: Classifier, key: int) -> Decision:
+    """Return the decision for one key of style, role and flags."""
+    style_and_role, flags = divmod(key, FLAG_COUNT)
+    style, role = divmod(style_and_role, len(Role))
+    decision = classifier.decide(style, Role(role), must_fold=bool(flags & MUST_FOLD))
+    if classifier.matches.rule[style] >= 0:
+        return decision
+    if flags & NEAR_TEXT and decision.kind == LineType.IGNORED:
+        text = Message("classification.with-text", reason=decision.reason)
+        confidence = 1.0 - 0.4 * (1.0 - decision.confidence)
+        decision = replace(decision, confidence=confidence, reason=text)
+    if flags & MIXED_ROLES:
+        text = Message("classification.mixed", reason=decision.reason)
+        decision = replace(decision, confidence=min(decision.confidence, 0.7), reason=text)
+    return decision
+
+
+def _restore_folds_on_cuts(
+    edges: _EdgeDecisions, classifier: Classifier, features: ShapeFeatures
+) -> None:
+    """Give undecided folds that coincide with a cut the line type of their rule.
+
+    Cleaning merges such a fold with the cut, so that no question is needed.
+    """
+    styles, matches = classifier.styles, classifier.matches
+    on_edge = features.coincident
+    rows = np.flatnonzero((edges.line_type == LineType.UNCLASSIFIED) & (on_edge >= 0))
+    ruled = (matches.rule >= 0)[styles.row[rows]]
+    rows = rows[ruled & np.isin(edges.guess[rows], FOLD_TYPES)]
+    rows = rows[edges.line_type[on_edge[rows]] == LineType.CUT]
+    for row in rows.tolist():
+        style = styles.row[row]
+        name, words = classifier.profile.name, matches.words[style]
+        rule = Message("classification.rule", profile=name, rule=words)
+        message = Message("classification.on-cut", rule=rule)
+        edges.line_type[row] = edges.guess[row]
+        edges.confidence[row] = matches.confidence[style]
+        edges.reason[row] = edges.reasons.index(message, ())
+
+
+def _withdraw_contradicted(
+    edges: _EdgeDecisions, ends: F64, features: ShapeFeatures, lengths: F64
+) -> None:
+    """Make questions of decisions that symmetry or connectivity contradicts."""
+    asymmetric, separating = both(
+        lambda: find_asymmetric_edges(ends, features, edges.line_type, lengths),
+        lambda: find_separating_cuts(features, edges.line_type),
     )
-    for row in np.flatnonzero(against | off).tolist():
-        kind, before = LineType(int(kinds[row])), int(rule[row])
-        if off[row]:
+    for row in np.flatnonzero(asymmetric | separating).tolist():
+        kind, before = LineType(int(edges.line_type[row])), int(edges.reason[row])
+        if separating[row]:
             why, other = Message("classification.cuts-panel-off"), LineType.CREASE
         elif kind == LineType.CUT:
             why, other = Message("classification.mirror-folded"), LineType.CREASE
         else:
             why, other = Message("classification.mirror-cut"), LineType.CUT
-        kinds[row], sure[row] = LineType.UNCLASSIFIED, 0.5
-        reason = Message("classification.contradicted", rule=said.texts[before], reason=why)
-        rule[row] = said.number(reason, (kind, other))
-    return Dieline(
-        drawing.ends,
-        drawing.bulge,
-        kinds,
-        np.arange(len(drawing), dtype=np.int32),
-        rule,
-        sure,
-        tuple(said.texts),
-        tuple(said.others),
-    )
+        rule = edges.reasons.messages[before]
+        message = Message("classification.contradicted", rule=rule, reason=why)
+        edges.line_type[row], edges.confidence[row] = LineType.UNCLASSIFIED, 0.5
+        edges.reason[row] = edges.reasons.index(message, (kind, other))
 
 
-class _Said:
-    """What decides edges, in words, each with what else the edge could be once."""
+def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatches) -> ShapeFeatures:
+    """Return the shape features of the edges that may belong to the carton.
 
-    def __init__(self) -> None:
-        self.texts: list[Message] = []
-        self.others: list[tuple[LineType, ...]] = []
-        self._number: dict[tuple[Message, tuple[LineType, ...]], int] = {}
-
-    def number(self, text: Message, others: tuple[LineType, ...]) -> int:
-        """Return the number of a text with its alternatives."""
-        number = self._number.setdefault((text, others), len(self.texts))
-        if number == len(self.texts):
-            self.texts.append(text)
-            self.others.append(others)
-        return number
-
-
-def _evidence(drawing: Drawing, styles: Styles, matches: Matches) -> Shape:
-    """Return what shape tells of the edges that are not said to be something beside the carton.
-
-    What the profile ignores is left out.  So is what only its name calls a dimension or a note, if
-    the outlines close without it.
+    Edges that the profile ignores are left out.  Edges that only their layer's name describes as
+    dimensions or notes are left out if the outlines close without them.
     """
-    aside = (matches.line_type == LineType.IGNORED) & (matches.confidence >= BY_LAYER)
+    ignored = (matches.line_type == LineType.IGNORED) & (matches.confidence >= LAYER)
     named = np.array(
         [
-            rule < 0 and hint(layer).kind == LineType.IGNORED and not hint(layer).denied
+            rule < 0 and _is_named_annotation(layer)
             for rule, layer in zip(matches.rule.tolist(), styles.layer, strict=True)
         ],
         np.bool_,
     )
-    folds = bool((matches.rule < 0).any())
-    if named.any() and not (aside | named).all():
-        rest = ~(aside | named)[styles.of]
-        seen = _of(drawing, rest, folds)
-        if np.isin((Role.OUTLINE, Role.DIVIDER), seen.role).all() and Role.OPEN not in seen.role:
-            seen.role[named[styles.of]] = Role.NAMED
-            seen.sure[named[styles.of]] = 1.0
-            return seen
-    return _of(drawing, ~aside[styles.of], folds)
+    with_folds = bool((matches.rule < 0).any())
+    if named.any() and not (ignored | named).all():
+        rest = ~(ignored | named)[styles.row]
+        features = _features_of(drawing, rest, with_folds)
+        closes = np.isin((Role.OUTLINE, Role.DIVIDER), features.role).all()
+        if closes and Role.OPEN not in features.role:
+            features.role[named[styles.row]] = Role.NAMED
+            features.role_share[named[styles.row]] = 1.0
+            return features
+    return _features_of(drawing, ~ignored[styles.row], with_folds)
 
 
-def _of(drawing: Drawing, some: Bool, folds: bool) -> Shape:
-    """Return what shape tells of some edges, and nothing of the rest."""
-    rows = np.flatnonzero(some)
+def _is_named_annotation(layer: str) -> bool:
+    """Return whether a layer's name describes dimensions, notes or the like."""
+    meaning = name_meaning(layer)
+    return meaning.kind == LineType.IGNORED and not meaning.denied
+
+
+def _features_of(drawing: Drawing, mask: Bool, with_folds: bool) -> ShapeFeatures:
+    """Return the shape features of the edges in a mask; the role of all others is UNKNOWN."""
+    rows = np.flatnonzero(mask)
     ends, bulge = drawing.ends, drawing.bulge
+    texts, unit_known = drawing.inscriptions, bool(drawing.unit)
     if len(rows) == len(drawing):
-        return shape(ends, bulge, drawing.inscriptions, bool(drawing.unit), folds)
-    seen = shape(ends[rows], bulge[rows], drawing.inscriptions, bool(drawing.unit), folds)
-    return seen.among(len(drawing), rows, Role.UNKNOWN)
+        return extract_shape_features(ends, bulge, texts, unit_known, with_folds)
+    features = extract_shape_features(ends[rows], bulge[rows], texts, unit_known, with_folds)
+    return features.spread(len(drawing), rows, Role.UNKNOWN)
 
 
-def _verdict(judge: Judge, cell: int) -> Verdict:
-    key, flags = divmod(cell, FLAGS)
-    style, role = divmod(key, len(Role))
-    verdict = judge.verdict(style, Role(role), holds=bool(flags & HOLDS))
-    if judge.matches.rule[style] >= 0:
-        return verdict
-    if flags & TEXT and verdict.kind == LineType.IGNORED:
-        text = Message("classification.with-text", reason=verdict.reason)
-        verdict = replace(verdict, sure=1.0 - 0.4 * (1.0 - verdict.sure), reason=text)
-    if flags & MIXED:
-        text = Message("classification.mixed", reason=verdict.reason)
-        verdict = replace(verdict, sure=min(verdict.sure, 0.7), reason=text)
-    return verdict
-
-
-def overridden(dieline: Dieline, line_type: U8) -> Dieline:
-    """Return the dieline with the line types that somebody gave, over those of the profile.
+def apply_overrides(dieline: Dieline, line_type: U8) -> Dieline:
+    """Return the dieline with the line types that the user gives.
 
     Parameters
     ----------
     dieline
         n edges.
     line_type : (n,) uint8
-        LineType, or ``KEEP`` (255) where the profile's answer stands.
+        LineType, or ``NO_OVERRIDE`` (255) to keep the line type of the dieline.
 
     Raises
     ------
     ValueError
-        The column has another length, or a number that is no line type.
+        The column has another length, or contains a number that is no line type.
     """
     given = np.asarray(line_type, np.uint8)
     if given.shape != (len(dieline),):
         raise ValueError(f"{given.shape} overrides for {len(dieline)} edges")
-    said = given != KEEP
+    overridden = given != NO_OVERRIDE
     known = np.isin(given, [kind.value for kind in LineType])
-    if (wrong := said & ~known).any():
+    if (wrong := overridden & ~known).any():
         raise ValueError(f"{given[wrong][0]} is not a line type")
-    if not said.any():
+    if not overridden.any():
         return dieline
-    given_by_user = Message("classification.override")
-    decided = dieline.rules
-    if given_by_user not in decided:
-        decided = (*decided, given_by_user)
+    message = Message("classification.override")
+    rules = dieline.rules if message in dieline.rules else (*dieline.rules, message)
     return replace(
         dieline,
-        line_type=np.where(said, given, dieline.line_type),
-        rule=np.where(said, decided.index(given_by_user), dieline.rule),
-        confidence=np.where(said, 1.0, dieline.confidence),
-        rules=decided,
+        line_type=np.where(overridden, given, dieline.line_type),
+        rule=np.where(overridden, rules.index(message), dieline.rule),
+        confidence=np.where(overridden, 1.0, dieline.confidence),
+        rules=rules,
     )
-
-
-def questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
-    """Return one question for each layer, colour, linetype and role that is not decided.
-
-    Parameters
-    ----------
-    drawing, dieline
-        The same n edges.
-
-    Returns
-    -------
-    list of Question
-        In the order in which the drawing first has them.  ``edges`` are its rows; ``choices`` are
-        the words of all line types, the most plausible first.
-    """
-    rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
-    if len(rows) == 0:
-        return []
-    columns = (drawing.layer, drawing.colour, drawing.true_colour, drawing.linetype, dieline.rule)
-    first, combination = distinct(*(column[rows] for column in columns))
-    count = np.bincount(combination)
-    groups = np.split(rows[np.argsort(combination, kind="stable")], np.cumsum(count)[:-1])
-    lengths = drawing.lengths
-    whole = drawing.bounds
-    return [
-        _question(drawing, dieline, groups[number], lengths, whole) for number in range(len(first))
-    ]
-
-
-def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, whole: F64) -> Question:
-    example = rows[0]
-    layer = drawing.layers[drawing.layer[example]]
-    linetype = drawing.linetypes[drawing.linetype[example]]
-    colour = int(drawing.colour[example])
-    true_colour = int(drawing.true_colour[example])
-    box = extents(drawing.ends[rows], drawing.bulge[rows])
-    width, height = box[2:] - box[:2]
-    rule = int(dieline.rule[example])
-    guesses = dieline.alternatives[rule]
-    reason = dieline.rules[rule]
-    guess = None
-    if guesses:
-        percent = round(100.0 * float(dieline.confidence[example]))
-        guess = Message("question.guess", type=guesses[0].word, percent=percent, reason=reason)
-    elif reason.code == "classification.no-rule-but-shape":
-        guess = Message("question.shape", reason=reason.arguments["shape"])
-    message = Message(
-        "question.line-type",
-        edges=len(rows),
-        layer=_shown(layer),
-        colour=str(colour) if true_colour < 0 else f"#{true_colour:06x}",
-        linetype=_shown(linetype),
-        length=lengths[rows].sum(),
-        width=width,
-        height=height,
-        x=box[0],
-        y=box[1],
-        unit="mm" if drawing.unit else "",
-        guess=guess,
-    )
-    reach = box[2:] - box[:2] >= 0.99 * (whole[2:] - whole[:2])
-    straight = bool((drawing.bulge[rows] == 0).all())
-    likely = dict.fromkeys((*guesses, *_likely(layer, linetype, bool(reach.all()), straight)))
-    others = [kind for kind in LineType if kind not in (LineType.UNCLASSIFIED, *likely)]
-    choices = tuple(kind.word for kind in (*likely, *others))
-    return Question("line-type", message, choices, tuple(rows.tolist()), layer, colour)
-
-
-def _shown(name: str) -> str:
-    """Return a name as it may be printed: a file may hold anything, a terminal obeys some of it."""
-    clean = "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in name)
-    return clean if len(clean) <= 80 else clean[:79] + "…"
-
-
-def _likely(layer: str, linetype: str, reaches: bool, straight: bool) -> Sequence[LineType]:
-    """Return plausible answers, best first, without repeats, where shape gives none.
-
-    A name says more than a line style, and that more than the place: what spans the whole drawing
-    is its outline, straight lines inside it are folds, arcs inside it are holes.
-    """
-    style = matching.folded(linetype)
-    named = hint(layer).kind
-    guesses = [] if named is None else [named]
-    if any(part in style for part in CENTRE_LINE):
-        guesses.append(LineType.IGNORED)
-    elif any(part in style for part in DASHED):
-        guesses.append(LineType.CREASE)
-    guesses.append(LineType.CREASE if straight and not reaches else LineType.CUT)
-    return tuple(dict.fromkeys(guesses))

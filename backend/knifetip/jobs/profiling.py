@@ -36,7 +36,7 @@ def preview(
         ``open``: how many no rule takes; ``changes``: edges that would become something else.
     """
     from knifetip import pipeline
-    from knifetip.classification.rules import rule_of_each_edge
+    from knifetip.classification.decision.profile_rules import matching_rules
 
     progress(Stage.READ, 0.0)
     drawing = read_drawing(content, interpretation.unit)
@@ -45,7 +45,7 @@ def preview(
     other = own.parsed("preview", text)
     before = pipeline.interpret(drawing, interpretation)
     after = pipeline.classify(drawing, other, given)
-    taken = rule_of_each_edge(drawing, other)
+    taken = matching_rules(drawing, other)
     lengths = drawing.lengths
     decided = taken >= 0
     edges = np.bincount(taken[decided], minlength=len(other.rules))
@@ -82,8 +82,8 @@ def learn(
         nothing that was decided; ``changes``: what else it would change, as in ``preview``.
     """
     from knifetip import pipeline
-    from knifetip.classification.learn import learned
-    from knifetip.classification.rules import rule_of_each_edge
+    from knifetip.classification.decision.profile_rules import matching_rules
+    from knifetip.classification.rule_proposals import propose_rules
 
     progress(Stage.READ, 0.0)
     drawing = read_drawing(content, interpretation.unit)
@@ -95,7 +95,7 @@ def learn(
     # A kind of line alone is no habit of a customer: it would take half of any other drawing.
     sure = [
         one
-        for one in learned(drawing, alone, given, mine)
+        for one in propose_rules(drawing, alone, given, mine)
         if one.rule.layer or one.rule.block or one.rule.colour or one.rule.true_colour
     ]
     explained = {row for one in sure for row in one.explains}
@@ -105,7 +105,7 @@ def learn(
     for rule in [*(one.rule for one in sure), *rest][:_MOST]:
         longer = LineRules(mine.name, mine.title, (rule, *mine.rules))
         after = pipeline.classify(drawing, longer, given)
-        met = rule_of_each_edge(drawing, LineRules("", "", (rule,))) == 0
+        met = matching_rules(drawing, LineRules("", "", (rule,))) == 0
         changes = _changes(before.line_type, after.line_type)
         proposed.append(
             {

@@ -164,6 +164,6 @@ def _new_overrides(stored: Interpretation, wanted: Interpretation) -> U8 | None:
 def _overridden(dieline: Dieline, overrides: U8) -> Dieline:
     if (overrides == NO_OVERRIDE).all():
         return dieline
-    from knifetip.classification import classify
+    from knifetip.classification.classify import apply_overrides
 
-    return classify.overridden(dieline, overrides)
+    return apply_overrides(dieline, overrides)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from knifetip.classification.arrows import arrows
+from knifetip.classification.shape.arrows import find_arrow_edges
 from knifetip.topology.planar_graph import build_graph
 
 
@@ -14,7 +14,7 @@ def found(lines: Sequence[tuple[float, ...]], unit: float = 1.0) -> list[bool]:
     ends = np.array(lines, np.float64).reshape(-1, 2, 2)
     graph = build_graph(ends, np.zeros(len(lines)), 0.05 * unit, 1.0 * unit)
     assert graph is not None
-    seen: list[bool] = arrows(graph, len(lines), unit).tolist()
+    seen: list[bool] = find_arrow_edges(graph, len(lines), unit).tolist()
     return seen
 
 

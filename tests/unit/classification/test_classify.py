@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from knifetip.classification.classify import KEEP, classify, overridden, questions
+from knifetip.classification.classify import apply_overrides, classify
+from knifetip.classification.questions import list_questions
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.profile import LineRule, LineRules
 from tests.support.classification import side_by_side, words
 from tests.support.drawings import Style
@@ -89,7 +91,7 @@ def test_an_empty_drawing_has_an_empty_dieline_and_no_questions() -> None:
     sheet = side_by_side([], ends=np.zeros((0, 2, 2)))
     dieline = classify(sheet, RULES)
     assert len(dieline) == 0
-    assert questions(sheet, dieline) == []
+    assert list_questions(sheet, dieline) == []
 
 
 def test_a_rule_may_leave_a_name_to_be_asked() -> None:
@@ -105,7 +107,7 @@ def test_a_rule_may_leave_a_name_to_be_asked() -> None:
     dieline = classify(sheet, rules)
     assert words(dieline) == ["unclassified", "cut"]
     assert dieline.confidence.tolist() == [0.0, 0.8]
-    assert [question.layer for question in questions(sheet, dieline)] == ["NoCut"]
+    assert [question.layer for question in list_questions(sheet, dieline)] == ["NoCut"]
 
 
 def test_a_hundred_thousand_edges_get_what_their_combination_gets() -> None:
@@ -122,8 +124,8 @@ def test_a_hundred_thousand_edges_get_what_their_combination_gets() -> None:
 
 def test_an_override_comes_last_and_says_so() -> None:
     dieline = classify(side_by_side([("die", 1, "C"), ("none", 9, "C"), ("die", 2, "C")]), RULES)
-    given = np.array([LineType.V_GROOVE, LineType.CUT, KEEP], np.uint8)
-    changed = overridden(dieline, given)
+    given = np.array([LineType.V_GROOVE, LineType.CUT, NO_OVERRIDE], np.uint8)
+    changed = apply_overrides(dieline, given)
     assert words(changed) == ["v-groove", "cut", "crease"]
     assert [str(changed.rules[row]) for row in changed.rule] == [
         "override",
@@ -136,22 +138,22 @@ def test_an_override_comes_last_and_says_so() -> None:
 
 def test_overriding_twice_names_the_rule_once() -> None:
     dieline = classify(side_by_side([("die", 1, "C")]), RULES)
-    once = overridden(dieline, np.array([LineType.CUT], np.uint8))
-    twice = overridden(once, np.array([LineType.CREASE], np.uint8))
+    once = apply_overrides(dieline, np.array([LineType.CUT], np.uint8))
+    twice = apply_overrides(once, np.array([LineType.CREASE], np.uint8))
     assert [str(rule) for rule in twice.rules].count("override") == 1
     assert words(twice) == ["crease"]
 
 
 def test_nothing_overridden_is_the_same_dieline() -> None:
     dieline = classify(side_by_side([("die", 1, "C")]), RULES)
-    assert overridden(dieline, np.array([KEEP], np.uint8)) is dieline
+    assert apply_overrides(dieline, np.array([NO_OVERRIDE], np.uint8)) is dieline
 
 
 @pytest.mark.parametrize(("given", "said"), [([1, 1], "overrides"), ([77], "not a line type")])
 def test_overrides_that_do_not_fit_are_refused(given: list[int], said: str) -> None:
     dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     with pytest.raises(ValueError, match=said):
-        overridden(dieline, np.array(given, np.uint8))
+        apply_overrides(dieline, np.array(given, np.uint8))
 
 
 # ── questions ────────────────────────────────────────────────────────────────────────────────────
@@ -159,7 +161,7 @@ def test_overrides_that_do_not_fit_are_refused(given: list[int], said: str) -> N
 
 def asked(*rows: Style, **more: Any) -> list[str]:
     sheet = side_by_side(rows, **more)
-    return [question.text for question in questions(sheet, classify(sheet, RULES))]
+    return [question.text for question in list_questions(sheet, classify(sheet, RULES))]
 
 
 def test_one_question_for_each_layer_colour_and_linetype() -> None:
@@ -173,7 +175,7 @@ def test_one_question_for_each_layer_colour_and_linetype() -> None:
             ("die", 1, "C"),
         ]
     )
-    put = questions(sheet, classify(sheet, RULES))
+    put = list_questions(sheet, classify(sheet, RULES))
     assert [(q.layer, q.colour, q.edges) for q in put] == [
         ("b", 2, (0, 2)),
         ("a", 2, (1,)),
@@ -209,7 +211,7 @@ def test_a_hostile_name_cannot_steer_a_terminal() -> None:
 
 def test_the_choices_are_all_line_types_but_unclassified() -> None:
     sheet = side_by_side([("b", 2, "C")])
-    (question,) = questions(sheet, classify(sheet, RULES))
+    (question,) = list_questions(sheet, classify(sheet, RULES))
     assert sorted(question.choices) == [
         "combi",
         "crease",
@@ -237,7 +239,7 @@ def test_the_choices_are_all_line_types_but_unclassified() -> None:
 )
 def test_a_telling_name_or_style_puts_its_answer_first(row: Style, first: str) -> None:
     sheet = side_by_side([row, ("die", 1, "C")])
-    (question,) = questions(sheet, classify(sheet, RULES))
+    (question,) = list_questions(sheet, classify(sheet, RULES))
     assert question.choices[0] == first
 
 
@@ -253,7 +255,7 @@ def test_the_outline_is_cut_and_what_lies_inside_is_asked_with_the_likeliest_fir
     dieline = classify(sheet, RULES)
     assert words(dieline)[:4] == ["cut"] * 4
     assert str(dieline.rules[dieline.rule[0]]) == "shape: it closes the outline of a blank"
-    put = questions(sheet, dieline)
+    put = list_questions(sheet, dieline)
     assert [(q.layer, q.choices[0]) for q in put] == [("b", "crease"), ("c", "cut")]
 
 

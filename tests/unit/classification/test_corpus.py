@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from knifetip import pipeline
-from knifetip.classification.classify import classify, questions
+from knifetip.classification.classify import classify
+from knifetip.classification.questions import list_questions
 from knifetip.cleaning.clean import clean
 from knifetip.dxf.read import read
 from knifetip.library import load
@@ -70,7 +71,7 @@ def test_a_crease_on_a_cut_is_not_asked_about(corpus: Path) -> None:
     """The 0200 has flaps at one side only: at the other its creases are drawn on the outline."""
     drawing = read((corpus / RSC / "f0200_B_300x200x150.dxf").read_bytes())
     dieline = classify(drawing, load.profile("default"), load.conventions())
-    assert questions(drawing, dieline) == []
+    assert list_questions(drawing, dieline) == []
     on_a_cut = [rule.code == "classification.on-cut" for rule in dieline.rules]
     rows = np.flatnonzero(np.array(on_a_cut)[dieline.rule])
     assert drawing.lengths[rows].sum() == pytest.approx(988.0)
@@ -85,7 +86,7 @@ def test_layers_named_after_colours_are_right_or_asked_about(corpus: Path) -> No
     truth = ["cut" if "BLACK" in drawing.layers[row] else "crease" for row in drawing.layer]
     for profile in ("default", "red-crease-black-cut"):
         dieline = classify(drawing, load.profile(profile), load.conventions())
-        put = questions(drawing, dieline)
+        put = list_questions(drawing, dieline)
         asked = {row for question in put for row in question.edges}
         for row, kind in enumerate(dieline.line_type):
             assert (row in asked) == (kind == LineType.UNCLASSIFIED)

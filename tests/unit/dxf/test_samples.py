@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 import shapely
 
-from knifetip.classification.classify import classify, questions
+from knifetip.classification.classify import classify
+from knifetip.classification.questions import list_questions
 from knifetip.dxf.read import read
 from knifetip.dxf.samples.cartons import (
     CREASE,
@@ -280,7 +281,7 @@ def test_a_sample_reads_back_classified_without_a_question(
     drawing = read(samples()[name])
     dieline = classify(drawing, load.profile("default"))
     assert drawing.unit == "mm"
-    assert questions(drawing, dieline) == []
+    assert list_questions(drawing, dieline) == []
     kinds, found = np.unique(dieline.line_type, return_counts=True)
     assert dict(zip([LineType(kind).word for kind in kinds], found, strict=True)) == counts
     np.testing.assert_allclose(drawing.bounds, [0.0, 0.0, *size], atol=1e-6)

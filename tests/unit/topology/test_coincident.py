@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from knifetip import pipeline
-from knifetip.classification.evidence import shape
+from knifetip.classification.shape.features import extract_shape_features
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from tests.support.writers.dxf_text import dxf, line
@@ -17,7 +17,7 @@ _MIDDLE = (100, 0, 100, 90)
 
 def _on(*lines: tuple[float, float, float, float]) -> list[int]:
     ends = np.array(lines, np.float64).reshape(-1, 2, 2)
-    found: list[int] = shape(ends, np.zeros(len(ends))).on.tolist()
+    found: list[int] = extract_shape_features(ends, np.zeros(len(ends))).coincident.tolist()
     return found
 
 

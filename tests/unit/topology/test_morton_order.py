@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from knifetip import pipeline
 from knifetip.classification.classify import classify
-from knifetip.classification.evidence import shape
-from knifetip.classification.role import Role
+from knifetip.classification.shape.features import extract_shape_features
+from knifetip.classification.shape.roles import Role
 from knifetip.geometry.columns import I64
 from knifetip.geometry.tolerance import GAP
 from knifetip.library import load
@@ -104,10 +104,13 @@ def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_th
     leap = np.abs(np.diff(whole[mixed][order, 0], axis=0)).max(axis=1)
     assert np.median(leap) <= 24.0
     straight = np.zeros(len(whole))
-    one, other = shape(whole, straight), shape(whole[mixed], straight)
+    one, other = (
+        extract_shape_features(whole, straight),
+        extract_shape_features(whole[mixed], straight),
+    )
     assert one.role.reshape(-1, 5).tolist() == [[Role.OUTLINE] * 4 + [Role.DIVIDER]] * 5000
     assert (one.role[mixed] == other.role).all()
-    assert np.bincount(other.part).tolist() == [5] * 5000
+    assert np.bincount(other.component).tolist() == [5] * 5000
     assert np.sort(other.area).tolist() == pytest.approx(np.sort(one.area).tolist())
     # The sides of each edge are those of its own carton.
     assert (np.abs(other.area[other.sides]) == np.abs(one.area[one.sides[mixed]])).all()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from knifetip.classification.words import hint, meaningless
+from knifetip.classification.vocabulary import is_meaningless, name_meaning
 from knifetip.model.dieline import LineType
 from tests.support.cartons.random_drawings import LANGUAGES
 
@@ -20,7 +20,7 @@ KINDS = (
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_names_are_understood_in_this_language(language: str) -> None:
-    assert [hint(name).kind for name in LANGUAGES[language]] == list(KINDS)
+    assert [name_meaning(name).kind for name in LANGUAGES[language]] == list(KINDS)
 
 
 @pytest.mark.parametrize(
@@ -41,7 +41,7 @@ def test_names_are_understood_in_this_language(language: str) -> None:
     ],
 )
 def test_words_inside_a_name_are_found(name: str, kind: LineType) -> None:
-    said = hint(name)
+    said = name_meaning(name)
     assert said.kind == kind
     assert not said.denied
 
@@ -50,30 +50,30 @@ def test_words_inside_a_name_are_found(name: str, kind: LineType) -> None:
     "name", ["SCHNITTKANTEN", "SCHNITTLINIEN", "Faltmarken", "Cutout", "Rillit"]
 )
 def test_a_false_friend_is_not_the_word_that_it_looks_like(name: str) -> None:
-    assert hint(name).kind is None
+    assert name_meaning(name).kind is None
 
 
 @pytest.mark.parametrize("name", ["NoCut", "no cut", "nicht schneiden", "не резать нож", "不切割"])
 def test_a_word_that_denies_is_heard(name: str) -> None:
-    assert hint(name).denied
+    assert name_meaning(name).denied
 
 
 def test_two_meanings_are_none() -> None:
-    assert hint("cut dimensions").kind is None
+    assert name_meaning("cut dimensions").kind is None
 
 
 @pytest.mark.parametrize("name", ["0", "", "Layer 12", "Design", "Ebene 3", "Слой_1", "DEFAULT"])
 def test_names_that_say_nothing_are_known(name: str) -> None:
-    assert meaningless(name)
+    assert is_meaningless(name)
 
 
 @pytest.mark.parametrize("name", ["CUT", "Kunde Meier", "die", "NoCut"])
 def test_other_names_say_something(name: str) -> None:
-    assert not meaningless(name)
+    assert not is_meaningless(name)
 
 
 def test_a_hostile_name_is_only_a_name() -> None:
-    assert hint("\x00[" * 1000 + "\ud800").kind is None
+    assert name_meaning("\x00[" * 1000 + "\ud800").kind is None
 
 
 @pytest.mark.parametrize(
@@ -95,4 +95,4 @@ def test_a_hostile_name_is_only_a_name() -> None:
     ],
 )
 def test_a_word_for_the_whole_die_or_half_of_it_is_not_the_cut(name: str, kind: LineType) -> None:
-    assert hint(name).kind == kind
+    assert name_meaning(name).kind == kind

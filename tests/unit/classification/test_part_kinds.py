@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from knifetip.classification.role import Role
+from knifetip.classification.shape.roles import Role
 from tests.support.classification import BLANK, box, roles, text
 
 
@@ -32,7 +32,7 @@ def test_a_ring_in_a_ring_has_no_bleed() -> None:
 def test_what_runs_round_a_carton_at_no_one_distance_is_asked_about() -> None:
     slanted = [(-3, -3, 340, -3), (340, -3, 303, 203), (303, 203, -3, 203), (-3, 203, -3, -3)]
     panels = [*BLANK, (0, 60, 300, 60), (0, 140, 300, 140)]
-    assert roles([*panels, *slanted])[8:] == [Role.AROUND] * 4
+    assert roles([*panels, *slanted])[8:] == [Role.ENCLOSING] * 4
 
 
 def letters(x: float, y: float) -> list[tuple[float, float, float, float]]:
@@ -70,7 +70,7 @@ def test_a_cross_in_a_ring_beside_the_blank_is_a_mark() -> None:
     ]
     ring = [(a, b, *around[(k + 1) % 12][:2]) for k, (a, b, _, _) in enumerate(around)]
     cross = [(325, 100, 335, 100), (330, 95, 330, 105)]
-    assert set(roles([*BLANK, *ring, *cross])[6:]) == {Role.SPECK}
+    assert set(roles([*BLANK, *ring, *cross])[6:]) == {Role.DEBRIS}
 
 
 def test_a_narrow_slot_is_told_from_a_window() -> None:

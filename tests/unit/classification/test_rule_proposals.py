@@ -7,10 +7,11 @@ import tomllib
 import numpy as np
 import pytest
 
-from knifetip.classification.classify import KEEP, classify
-from knifetip.classification.learn import learned
+from knifetip.classification.classify import classify
+from knifetip.classification.rule_proposals import propose_rules
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.profile import LineRule, LineRules, ProposedRule
 from tests.support.classification import side_by_side
 
@@ -22,10 +23,10 @@ def taught(
     rows: list[tuple[str, int, str]], said: dict[int, LineType], profile: LineRules = NONE
 ) -> list[ProposedRule]:
     sheet = side_by_side(rows)
-    overrides = np.full(len(rows), KEEP, np.uint8)
+    overrides = np.full(len(rows), NO_OVERRIDE, np.uint8)
     for row, kind in said.items():
         overrides[row] = kind
-    return learned(sheet, classify(sheet, profile), overrides, profile)
+    return propose_rules(sheet, classify(sheet, profile), overrides, profile)
 
 
 def test_the_layer_alone_is_the_rule_where_it_has_a_name() -> None:
@@ -98,4 +99,4 @@ def test_what_was_learned_gives_what_was_corrected_when_it_is_put_first() -> Non
 def test_overrides_of_another_length_are_refused() -> None:
     sheet = side_by_side([("X", 1, C)])
     with pytest.raises(ValueError, match="overrides"):
-        learned(sheet, classify(sheet, NONE), np.zeros(2, np.uint8), NONE)
+        propose_rules(sheet, classify(sheet, NONE), np.zeros(2, np.uint8), NONE)

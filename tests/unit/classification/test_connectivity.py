@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from knifetip.classification.classify import questions
+from knifetip.classification.questions import list_questions
 from tests.support.classification import drawn, plain, seen, words
 
 BOX = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
@@ -13,7 +13,7 @@ def test_a_cut_that_would_take_a_flap_off_is_asked() -> None:
     sheet = drawn(([*BOX, (30, 0, 30, 200)], plain("CUT")), ([(150, 0, 150, 200)], plain("CREASE")))
     dieline = seen(sheet)
     assert words(dieline) == ["cut"] * 4 + ["unclassified", "crease"]
-    (question,) = questions(sheet, dieline)
+    (question,) = list_questions(sheet, dieline)
     assert "it would cut a panel off its blank" in question.text
 
 

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import pytest
 
-from knifetip.classification.classify import classify, questions
+from knifetip.classification.classify import classify
+from knifetip.classification.questions import list_questions
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from tests.support.cartons.random_drawings import random_drawing
@@ -28,7 +29,7 @@ def test_where_layers_mean_nothing_shape_cuts_the_outline_and_asks_about_the_res
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
     assert dieline.alternatives[dieline.rule[4]][0] == LineType.CREASE
     assert 0.5 <= dieline.confidence[4] < 0.8
-    (question,) = questions(sheet, dieline)
+    (question,) = list_questions(sheet, dieline)
     assert question.edges == (4, 5)
     assert question.choices[0] == "crease"
     assert "divides two panels" in question.text
@@ -66,7 +67,7 @@ def test_cut_and_crease_exchanged_are_asked_with_what_shape_says_first() -> None
     dieline = seen(sheet)
     assert words(dieline) == ["unclassified"] * 6
     assert "close the outline" in why(dieline, 0)
-    put = questions(sheet, dieline)
+    put = list_questions(sheet, dieline)
     assert [question.choices[0] for question in put] == ["cut", "crease"]
 
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from knifetip.classification.evidence import shape
-from knifetip.classification.role import Role
+from knifetip.classification.shape.features import extract_shape_features
+from knifetip.classification.shape.roles import Role
 from tests.support.classification import BLANK, box, roles, text
 
 
@@ -42,7 +42,7 @@ def test_a_crease_that_stops_a_little_short_divides_all_the_same() -> None:
 def test_a_row_of_dashes_divides_like_the_line_that_it_stands_for() -> None:
     dashes = [(100.0, 9.0 * i, 100.0, 9.0 * i + 6.0) for i in range(22)]
     ends = np.array([*box(0, 0, 300, 198), *dashes], float).reshape(-1, 2, 2)
-    seen = shape(ends, np.zeros(len(ends)))
+    seen = extract_shape_features(ends, np.zeros(len(ends)))
     assert set(seen.role[4:]) == {Role.DIVIDER}
     assert seen.dashed[4:].all()
     assert not seen.dashed[:4].any()
@@ -86,7 +86,7 @@ def test_an_outline_that_does_not_close_tells_nothing_of_the_creases_it_leaves()
 
 def test_two_lines_close_together_are_a_pair() -> None:
     lines = [*BLANK, (103, 0, 103, 200)]
-    seen = shape(np.array(lines, float).reshape(-1, 2, 2), np.zeros(len(lines)))
+    seen = extract_shape_features(np.array(lines, float).reshape(-1, 2, 2), np.zeros(len(lines)))
     assert seen.paired.tolist() == [False] * 4 + [True, False, True]
 
 
@@ -100,13 +100,13 @@ def test_a_turned_blank_is_the_same_blank(turn: float) -> None:
     c, s = math.cos(turn), math.sin(turn)
     lines = [*BLANK, *box(20, 20, 40, 40), (100, 50, 140, 50)]
     turned = np.array(lines, float).reshape(-1, 2, 2) @ np.array([[c, s], [-s, c]])
-    seen = [Role(int(role)) for role in shape(turned, np.zeros(len(lines))).role]
+    seen = [Role(int(role)) for role in extract_shape_features(turned, np.zeros(len(lines))).role]
     assert seen == roles(lines)
 
 
 def test_without_a_unit_tolerances_go_by_the_size_of_the_drawing() -> None:
     metres = np.array(BLANK, float).reshape(-1, 2, 2) / 1000.0
-    seen = shape(metres, np.zeros(len(BLANK)), unit_known=False)
+    seen = extract_shape_features(metres, np.zeros(len(BLANK)), unit_known=False)
     assert [Role(int(role)) for role in seen.role] == roles(BLANK)
 
 
@@ -127,4 +127,4 @@ def test_a_hundred_blanks_on_a_sheet_are_a_hundred_blanks() -> None:
 
 
 def test_no_edges_have_no_roles() -> None:
-    assert len(shape(np.zeros((0, 2, 2)), np.zeros(0)).role) == 0
+    assert len(extract_shape_features(np.zeros((0, 2, 2)), np.zeros(0)).role) == 0

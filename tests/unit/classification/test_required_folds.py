@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from knifetip.classification.evidence import shape
+from knifetip.classification.shape.features import extract_shape_features
 from tests.support.cartons.kinds import crossed_case, mailer
 from tests.support.cartons.plan import Plan
 
@@ -12,9 +12,9 @@ from tests.support.cartons.plan import Plan
 def held(plan: Plan) -> dict[str, list[bool]]:
     """Return whether a panel hangs on each line, by what the line is."""
     ends = np.array([((s.x0, s.y0), (s.x1, s.y1)) for s in plan.strokes])
-    seen = shape(ends, np.array([s.bulge for s in plan.strokes]))
+    seen = extract_shape_features(ends, np.array([s.bulge for s in plan.strokes]))
     told: dict[str, list[bool]] = {}
-    for stroke, holds in zip(plan.strokes, seen.holds.tolist(), strict=True):
+    for stroke, holds in zip(plan.strokes, seen.must_fold.tolist(), strict=True):
         told.setdefault(stroke.part, []).append(holds)
     return told
 

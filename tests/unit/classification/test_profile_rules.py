@@ -4,22 +4,27 @@ from __future__ import annotations
 
 import pytest
 
-from knifetip.classification.rules import confidence, folded, matched, narrowed
+from knifetip.classification.decision.profile_rules import (
+    first_match,
+    fold_name,
+    narrow_rule,
+    rule_confidence,
+)
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule
 
 
 def test_no_patterns_match_everything() -> None:
-    assert matched((), ("CUT", "")).tolist() == [0, 0]
+    assert first_match((), ("CUT", "")).tolist() == [0, 0]
 
 
 def test_the_first_pattern_that_matches_is_told() -> None:
     names = ("cut", "outer_cut", "CREASE", "CUTS")
-    assert matched(("*_CUT", "Cuts", "C*"), names).tolist() == [2, 0, 2, 1]
+    assert first_match(("*_CUT", "Cuts", "C*"), names).tolist() == [2, 0, 2, 1]
 
 
 def test_a_plain_name_is_matched_whole_and_without_regard_to_case() -> None:
-    assert matched(("CUT",), ("cut", "Cut", " CUT ", "NoCut", "Cutout")).tolist() == [
+    assert first_match(("CUT",), ("cut", "Cut", " CUT ", "NoCut", "Cutout")).tolist() == [
         0,
         0,
         0,
@@ -29,22 +34,22 @@ def test_a_plain_name_is_matched_whole_and_without_regard_to_case() -> None:
 
 
 def test_brackets_in_a_layer_name_are_only_brackets() -> None:
-    assert matched(("[CUT]",), ("[CUT]", "C", "U")).tolist() == [-1, 0, 0]
-    assert matched(("[[]CUT]",), ("[CUT]", "CUT")).tolist() == [0, -1]
+    assert first_match(("[CUT]",), ("[CUT]", "C", "U")).tolist() == [-1, 0, 0]
+    assert first_match(("[[]CUT]",), ("[CUT]", "CUT")).tolist() == [0, -1]
 
 
 def test_a_star_crosses_dots_and_newlines_in_hostile_names() -> None:
-    assert matched(("*_cut",), ("a.b\nc_cut",)).tolist() == [0]
+    assert first_match(("*_cut",), ("a.b\nc_cut",)).tolist() == [0]
 
 
 def test_an_accent_may_be_a_sign_of_its_own() -> None:
     composed, apart = "bi\u00e7ak", "BIC\u0327AK"
     assert composed != apart.casefold()
-    assert folded(composed) == folded(apart)
+    assert fold_name(composed) == fold_name(apart)
 
 
 def test_many_stars_do_not_take_forever() -> None:
-    assert matched(("*a" * 30 + "b",), ("a" * 2000,)).tolist() == [-1]
+    assert first_match(("*a" * 30 + "b",), ("a" * 2000,)).tolist() == [-1]
 
 
 @pytest.mark.parametrize(
@@ -59,9 +64,9 @@ def test_many_stars_do_not_take_forever() -> None:
     ],
 )
 def test_a_name_and_a_colour_together_are_trusted_most(rule: LineRule, trust: float) -> None:
-    assert confidence(rule) == trust
+    assert rule_confidence(rule) == trust
 
 
 def test_a_rule_is_told_with_only_what_matched() -> None:
     rule = LineRule(LineType.CREASE, ("FOLD", "SCORE"), (1, 5), ("DASHED", "HIDDEN"))
-    assert narrowed(rule, 1, 5, 0, 0).words == 'layer "SCORE", colour 5, linetype "DASHED"'
+    assert narrow_rule(rule, 1, 5, 0, 0).words == 'layer "SCORE", colour 5, linetype "DASHED"'

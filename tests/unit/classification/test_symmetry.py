@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from knifetip.classification.classify import questions
+from knifetip.classification.questions import list_questions
 from tests.support.classification import drawn, plain, seen, words
 
 BOX = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
@@ -14,7 +14,7 @@ def test_a_cut_whose_mirror_image_is_a_crease_is_asked_with_it() -> None:
     # The second crease has no image on the right: nearly all of the length is symmetrical.
     dieline = seen(sheet)
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2 + ["crease"]
-    texts = [question.text for question in questions(sheet, dieline)]
+    texts = [question.text for question in list_questions(sheet, dieline)]
     assert "its mirror image is folded" in texts[0]
     assert "its mirror image is cut" in texts[1]
 

@@ -1,0 +1,83 @@
+"""conventions: which colour conventions of other companies fit a drawing.
+
+    StyleTable, StyleTotals, conventions -> FittingConvention of each that fits
+
+Red is a cut in one company and a crease in another.  Shape shows which convention a drawing uses:
+outlines must be cuts, and lines between panels creases.  A convention does not fit if it makes part
+of an outline a crease or leaves it open.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.classification.decision.profile_rules import StyleTable, match_rules
+from knifetip.classification.decision.style_totals import StyleTotals
+from knifetip.classification.shape.roles import Role
+from knifetip.geometry.columns import U8, Bool
+from knifetip.messages import Message
+from knifetip.model.dieline import LineType
+from knifetip.model.profile import LineRules
+
+#: Line types of fold lines.
+FOLD_TYPES: Final = (LineType.CREASE, LineType.V_GROOVE, LineType.PERFORATION, LineType.COMBI)
+#: Drawings with more styles than this are not tried.
+_MOST_STYLES: Final = 2000
+#: Least share of the outlines' length that a fitting convention cuts.
+_MIN_CUT: Final = 0.97
+#: Least share of the dividers' length, and of their number, that it creases.
+_MIN_CREASED: Final = 0.6
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class FittingConvention:
+    """A convention that fits the drawing, and the line types that it gives to c styles."""
+
+    name: str
+    line_type: U8  #: (c,) UNCLASSIFIED where it has no rule
+    message: Message  #: why it fits
+
+
+def find_fitting_conventions(
+    styles: StyleTable, unmatched: Bool, totals: StyleTotals, conventions: Sequence[LineRules]
+) -> list[FittingConvention]:
+    """Return the conventions that fit, the best first.
+
+    Parameters
+    ----------
+    unmatched : (c,)
+        Styles without a rule in the profile; only these are compared.
+    conventions
+        Profiles that hold only the rules that distinguish them.
+    """
+    outline = np.where(unmatched, totals.length[:, Role.OUTLINE], 0.0)
+    divider = np.where(unmatched, totals.length[:, Role.DIVIDER], 0.0)
+    if not outline.any() or not divider.any() or len(styles) > _MOST_STYLES:
+        return []
+    found: list[tuple[float, FittingConvention]] = []
+    for convention in conventions:
+        line_type = match_rules(styles, convention).line_type
+        cut = line_type == LineType.CUT
+        fold = np.isin(line_type, FOLD_TYPES)
+        creased = float(divider[line_type == LineType.CREASE].sum() / divider.sum())
+        closed = outline[cut].sum() / outline.sum()
+        folds = divider[fold].sum() / divider.sum()
+        contradicted = outline[~cut & (line_type != LineType.UNCLASSIFIED)].sum() / outline.sum()
+        folded = int(totals.edges[fold & unmatched, Role.DIVIDER].sum())
+        dividers = int(totals.edges[unmatched, Role.DIVIDER].sum())
+        # A convention with creases must crease most dividers, not only perforate them.
+        if closed < _MIN_CUT or contradicted > 0.0:
+            continue
+        if creased < _MIN_CREASED or folded < _MIN_CREASED * dividers:
+            continue
+        message = Message(
+            "classification.convention", name=convention.name, folds=folded, lines=dividers
+        )
+        score = closed + folds + creased
+        found.append((score, FittingConvention(convention.name, line_type, message)))
+    found.sort(key=lambda scored: -scored[0])
+    return [fit for _, fit in found]

@@ -1,0 +1,243 @@
+"""profile_rules: match the rules of a profile against the styles of a drawing.
+
+    Drawing                -> StyleTable     combinations of layer, colour, linetype, entity, block
+    StyleTable, LineRules  -> RuleMatches    the first rule that matches each combination
+
+A drawing of 100,000 edges has a few dozen combinations, called styles.  Rules are matched against
+the styles; each edge has the result of its style.
+
+Patterns are shell globs.  Names in a drawing are literal: a layer called ``[CUT]`` matches only
+itself.  Comparison ignores case and uses one Unicode form, since ``BIÇAK`` may be written with or
+without a combining mark.
+"""
+
+from __future__ import annotations
+
+import glob
+import re
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fnmatch import translate
+from functools import lru_cache
+from typing import Final
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I32, I64, U8
+from knifetip.geometry.distinct import distinct
+from knifetip.model.dieline import LineType
+from knifetip.model.drawing import Drawing
+from knifetip.model.profile import LineRule, LineRules
+from knifetip.model.words import numbered
+
+#: Confidence of a rule, by the most specific of its conditions.
+LAYER_AND_COLOUR: Final = 1.0
+LAYER: Final = 0.95
+COLOUR_OR_LINETYPE: Final = 0.8
+ENTITY_OR_NONE: Final = 0.5
+
+#: AutoCAD colour indices of true colours.  Other true colours have no index: a rule for "colour 1"
+#: does not match an orange edge, whatever index the file gives besides.
+_INDEX_BY_TRUE_COLOUR: Final = {
+    0xFF0000: 1,
+    0xFFFF00: 2,
+    0x00FF00: 3,
+    0x00FFFF: 4,
+    0x0000FF: 5,
+    0xFF00FF: 6,
+    0xFFFFFF: 7,
+    0x000000: 7,
+}
+#: True colours of AutoCAD colour indices; index 7 is black, as on paper.
+_TRUE_COLOUR_BY_INDEX: Final = {index: true for true, index in _INDEX_BY_TRUE_COLOUR.items()}
+#: The longest name that a message shows.
+_MOST_SHOWN: Final = 80
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class StyleTable:
+    """The c styles of a drawing's n edges, in the order in which they first occur."""
+
+    row: I64  #: (n,) style of each edge, as an index into the other columns
+    layer: tuple[str, ...]  #: (c,)
+    colour: I32  #: (c,) colour index for rules; 0 for a true colour without an index
+    true_colour: I32  #: (c,) 0xRRGGBB for rules; -1 for an index without a true colour
+    linetype: tuple[str, ...]  #: (c,)
+    entity: tuple[str, ...]  #: (c,)
+    block: tuple[str, ...]  #: (c,) "" outside blocks
+
+    def __len__(self) -> int:
+        return len(self.layer)
+
+
+def tabulate_styles(drawing: Drawing) -> StyleTable:
+    """Return the styles of a drawing: layer, colour, linetype, kind of entity and block."""
+    report = drawing.ledger
+    kinds, kind = numbered(report.kind)
+    blocks, block = numbered(report.block or ("",))
+    entity_key = np.zeros(len(report), np.int32)
+    entity_key[:] = kind if len(blocks) == 1 else kind * len(blocks) + block
+    # All traits but the colours are packed into one number.
+    key = (drawing.layer.astype(np.int64) * len(drawing.linetypes)) + drawing.linetype
+    key = key * (len(kinds) * len(blocks)) + entity_key[drawing.entity]
+    first, style = distinct(key, drawing.colour, drawing.true_colour)
+    true_colour, colour = drawing.true_colour[first], drawing.colour[first]
+    index = [_INDEX_BY_TRUE_COLOUR.get(value, 0) for value in true_colour.tolist()]
+    true = [_TRUE_COLOUR_BY_INDEX.get(value, -1) for value in colour.tolist()]
+    entity = drawing.entity[first]
+    return StyleTable(
+        style,
+        tuple(drawing.layers[row] for row in drawing.layer[first]),
+        np.where(true_colour < 0, colour, np.array(index, np.int32)).astype(np.int32),
+        np.where(true_colour < 0, np.array(true, np.int32), true_colour).astype(np.int32),
+        tuple(drawing.linetypes[row] for row in drawing.linetype[first]),
+        tuple(report.kind[row] for row in entity),
+        tuple(report.block[row] if report.block else "" for row in entity),
+    )
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RuleMatches:
+    """The rules of a profile that match c styles."""
+
+    line_type: U8  #: (c,) LineType; UNCLASSIFIED if no rule matches, or if the rule says so
+    rule: I32  #: (c,) index of the rule, -1 for none
+    confidence: F64  #: (c,) 0 … 1
+    words: tuple[str, ...]  #: (c,) the rule with only the patterns that matched, "" for none
+
+
+def matching_rules(drawing: Drawing, rules: LineRules) -> I32:
+    """Return the index of the first rule that matches each edge of a drawing, (n,); -1 for none."""
+    styles = tabulate_styles(drawing)
+    return match_rules(styles, rules).rule[styles.row]
+
+
+def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
+    """Return the first rule that matches each style."""
+    count = len(styles)
+    line_type = np.full(count, LineType.UNCLASSIFIED, np.uint8)
+    matched_rule = np.full(count, -1, np.int32)
+    confidence = np.zeros(count)
+    words = [""] * count
+    undecided = np.ones(count, bool)
+    for number, rule in enumerate(rules.rules):
+        layer = first_match(rule.layer, styles.layer)
+        linetype = first_match(rule.linetype, styles.linetype)
+        entity = first_match(rule.entity, styles.entity)
+        block = first_match(rule.block, styles.block)
+        hit = undecided & (layer >= 0) & (linetype >= 0) & (entity >= 0) & (block >= 0)
+        index = np.isin(styles.colour, rule.colour)
+        true = np.isin(styles.true_colour, rule.true_colour)
+        if rule.colour or rule.true_colour:
+            hit &= index | true
+        for row in np.flatnonzero(hit):
+            narrow = narrow_rule(
+                rule,
+                int(layer[row]),
+                int(styles.colour[row]) if index[row] else 0,
+                int(linetype[row]),
+                int(entity[row]),
+                int(styles.true_colour[row]) if true[row] and not index[row] else -1,
+                int(block[row]),
+            )
+            words[row] = narrow.words
+        line_type[hit] = rule.line_type
+        matched_rule[hit] = number
+        decides = rule.line_type != LineType.UNCLASSIFIED
+        confidence[hit] = rule_confidence(rule) if decides else 0.0
+        undecided &= ~hit
+    return RuleMatches(line_type, matched_rule, confidence, tuple(words))
+
+
+@lru_cache(maxsize=1 << 16)
+def fold_name(name: str) -> str:
+    """Return a name in the form in which names are compared: NFC, without case and margins."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name.strip()).casefold())
+
+
+def escape_pattern(name: str) -> str:
+    """Return the pattern that matches only this name."""
+    return glob.escape(name)
+
+
+def display_name(name: str) -> str:
+    """Return a name that is safe to print: control characters replaced, at most 80 characters."""
+    clean = "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in name)
+    return clean if len(clean) <= _MOST_SHOWN else clean[: _MOST_SHOWN - 1] + "…"
+
+
+def first_match(patterns: Sequence[str], names: Sequence[str]) -> I32:
+    """Return the first pattern that matches each name.
+
+    Parameters
+    ----------
+    patterns
+        p shell globs.
+    names
+        m names as the drawing writes them.
+
+    Returns
+    -------
+    (m,) int32
+        Index into ``patterns``, -1 where none matches.  Without patterns every name matches: 0.
+    """
+    if not patterns:
+        return np.zeros(len(names), np.int32)
+    literal: dict[str, int] = {}
+    globs: list[tuple[int, re.Pattern[str]]] = []
+    for index, pattern in enumerate(map(fold_name, patterns)):
+        if any(sign in pattern for sign in "*?["):
+            globs.append((index, re.compile(translate(pattern))))
+        else:
+            literal.setdefault(pattern, index)
+
+    def first(name: str) -> int:
+        found = literal.get(name, len(patterns))
+        for index, pattern in globs:
+            if index < found and pattern.match(name):
+                found = index
+                break
+        return found if found < len(patterns) else -1
+
+    by_name = {name: first(fold_name(name)) for name in set(names)}
+    return np.array([by_name[name] for name in names], np.int32)
+
+
+def rule_confidence(rule: LineRule) -> float:
+    """Return the confidence of a rule: highest if it names both a layer and a colour."""
+    coloured = bool(rule.colour or rule.true_colour)
+    if rule.layer or rule.block:
+        return LAYER_AND_COLOUR if coloured else LAYER
+    return COLOUR_OR_LINETYPE if coloured or rule.linetype else ENTITY_OR_NONE
+
+
+def narrow_rule(
+    rule: LineRule,
+    layer: int,
+    colour: int,
+    linetype: int,
+    entity: int,
+    true_colour: int = -1,
+    block: int = 0,
+) -> LineRule:
+    """Return a rule with only the patterns that matched, for messages.
+
+    Parameters
+    ----------
+    layer, linetype, entity, block
+        Indices of the patterns that matched.
+    colour
+        Colour index that matched, 0 for none.
+    true_colour
+        True colour that matched, -1 for none.
+    """
+    return replace(
+        rule,
+        layer=rule.layer[layer : layer + 1],
+        colour=(colour,) if rule.colour and colour else (),
+        true_colour=(true_colour,) if rule.true_colour and true_colour >= 0 else (),
+        linetype=rule.linetype[linetype : linetype + 1],
+        entity=rule.entity[entity : entity + 1],
+        block=rule.block[block : block + 1],
+    )

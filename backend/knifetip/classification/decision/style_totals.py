@@ -1,0 +1,156 @@
+"""style_totals: lengths and numbers of edges by style and role, and which edges share a decision.
+
+ShapeFeatures, style of each edge -> StyleTotals -> decision keys
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from knifetip.classification.shape.features import ShapeFeatures
+from knifetip.classification.shape.roles import Role
+from knifetip.geometry.columns import F64, I64
+from knifetip.kernels import (
+    F64_1,
+    I64_1,
+    U8_1,
+    Bool_1,
+    OutF64_1,
+    OutF64_2,
+    OutI64_1,
+    OutI64_2,
+    kernel,
+)
+
+#: Flags in a decision key, beside style and role.
+MIXED_ROLES: Final = 1  #: a third of the edge has another role
+NEAR_TEXT: Final = 2  #: a text is beside the edge
+MUST_FOLD: Final = 4  #: a panel is attached by the edge alone
+FLAG_COUNT: Final = 8
+_ROLES: Final = len(Role)
+_STRAY, _DIVIDER, _UNKNOWN = (int(role) for role in (Role.STRAY, Role.DIVIDER, Role.UNKNOWN))
+#: An edge with less than this share of its length in its main role has mixed roles.
+_MAIN_ROLE: Final = 0.7
+#: If more than this share of a style's necessary folds is dashed, all its dashes are folds.
+_MOSTLY_DASHED: Final = 0.9
+
+
+class StyleTotals(NamedTuple):
+    """Sums over the edges of each of c styles."""
+
+    edges: I64  #: (c, roles) number of edges
+    length: F64  #: (c, roles) their length
+    dashed: F64  #: (c,) length of dividers in rows of dashes
+    paired: F64  #: (c,) length of dividers with a parallel line beside them
+    must_fold: F64  #: (c,) length of dividers that must be folds
+    #: (c, 2) length of all edges that must be folds, and of those of them that are dashed
+    fold_lengths: F64
+
+    @classmethod
+    def sum(cls, style: I64, styles: int, features: ShapeFeatures, lengths: F64) -> StyleTotals:
+        """Return the sums, added in the order of the drawing.
+
+        Parameters
+        ----------
+        style : (n,)
+            Style of each edge.
+        styles
+            Number of styles, c.
+        lengths : (n,)
+            Length of each edge.
+        """
+        totals = cls(
+            np.zeros((styles, _ROLES), np.int64),
+            np.zeros((styles, _ROLES)),
+            np.zeros(styles),
+            np.zeros(styles),
+            np.zeros(styles),
+            np.zeros((styles, 2)),
+        )
+        _add(
+            style,
+            lengths,
+            features.role,
+            features.dashed,
+            features.paired,
+            features.must_fold,
+            *totals,
+        )
+        return totals
+
+    def decision_keys(self, style: I64, features: ShapeFeatures) -> I64:
+        """Return style × role × flags of each edge as one number, (n,).
+
+        Edges with equal keys share one decision.
+        """
+        all_folds, dashed_folds = self.fold_lengths.T
+        key = np.empty(len(style), np.int64)
+        _write_keys(
+            style,
+            features.role,
+            features.role_share,
+            features.near_text,
+            features.must_fold,
+            features.dashed,
+            (dashed_folds > _MOSTLY_DASHED * all_folds) & (all_folds > 0.0),
+            key,
+        )
+        return key
+
+
+@kernel(allocates=False)
+def _add(
+    style: I64_1,
+    lengths: F64_1,
+    role: U8_1,
+    dashed: Bool_1,
+    paired: Bool_1,
+    must_fold: Bool_1,
+    count: OutI64_2,
+    length: OutF64_2,
+    dashed_length: OutF64_1,
+    paired_length: OutF64_1,
+    must_fold_length: OutF64_1,
+    fold_lengths: OutF64_2,
+) -> None:
+    """Add the edges to the totals of their styles."""
+    for i in range(len(style)):
+        s, edge_length = style[i], lengths[i]
+        count[s, role[i]] += 1
+        length[s, role[i]] += edge_length
+        if must_fold[i]:
+            fold_lengths[s, 0] += edge_length
+            if dashed[i]:
+                fold_lengths[s, 1] += edge_length
+        if role[i] == _DIVIDER:
+            if dashed[i]:
+                dashed_length[s] += edge_length
+            if paired[i]:
+                paired_length[s] += edge_length
+            if must_fold[i]:
+                must_fold_length[s] += edge_length
+
+
+@kernel(allocates=False)
+def _write_keys(
+    style: I64_1,
+    role: U8_1,
+    role_share: F64_1,
+    near_text: Bool_1,
+    must_fold: Bool_1,
+    dashed: Bool_1,
+    dashes_fold: Bool_1,
+    key: OutI64_1,
+) -> None:
+    """Write the decision key of each edge; ``dashes_fold`` is by style."""
+    for i in range(len(style)):
+        flags = 0
+        if role_share[i] < _MAIN_ROLE and role[i] != _UNKNOWN:
+            flags += MIXED_ROLES
+        if near_text[i] and role[i] == _STRAY:
+            flags += NEAR_TEXT
+        if role[i] == _DIVIDER and (must_fold[i] or (dashed[i] and dashes_fold[style[i]])):
+            flags += MUST_FOLD
+        key[i] = (style[i] * _ROLES + role[i]) * FLAG_COUNT + flags

@@ -1,0 +1,116 @@
+"""symmetry: find cuts whose mirror image is a fold.
+
+    ShapeFeatures, line types -> edges that contradict their mirror image
+
+A line between two panels may be a fold or a slit, and often only its layer distinguishes the two.
+If a blank is its own mirror image, and such a line is cut while its image is folded, one of the two
+was drawn on the wrong layer.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from knifetip.classification.decision.conventions import FOLD_TYPES
+from knifetip.classification.shape.features import ShapeFeatures
+from knifetip.classification.shape.roles import Role
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.distinct import distinct
+from knifetip.model.dieline import LineType
+
+#: Lines nearer than this share of the blank's size are the same line.
+_TOLERANCE: Final = 1.0 / 500.0
+#: Whether each line type is a fold: a table is faster than ``isin``.
+_IS_FOLD: Final = np.isin(np.arange(256), FOLD_TYPES)
+#: A blank is symmetrical if at least this share of its length has a mirror image.
+_MIN_MIRRORED: Final = 0.9
+#: Most blanks that are checked.
+_MOST_BLANKS: Final = 50
+
+
+class _Blanks(NamedTuple):
+    """Edges by the blank that they belong to."""
+
+    ends: F64  #: (n, 2, 2)
+    blank: I32  #: (n,) number of the blank, -1 for none
+    centre: F64  #: (b, 2) of each blank's box
+    size: F64  #: (b,) longer side of each blank's box
+
+
+def find_asymmetric_edges(ends: F64, features: ShapeFeatures, line_type: U8, length: F64) -> Bool:
+    """Return which edges are cut while their mirror image is folded, or the reverse, (n,).
+
+    Parameters
+    ----------
+    ends, length : (n, 2, 2) and (n,)
+    line_type : (n,)
+        LineType as decided so far.
+    """
+    found = np.zeros(len(ends), np.bool_)
+    divider = features.role == Role.DIVIDER
+    cut = np.flatnonzero(divider & (line_type == LineType.CUT))
+    fold = np.flatnonzero(divider & _IS_FOLD[line_type])
+    if len(cut) == 0 or len(fold) == 0:
+        return found
+    blanks = _blanks_of(ends, features.component, cut)
+    rows = np.flatnonzero(blanks.blank >= 0)
+    fold = fold[blanks.blank[fold] >= 0]
+    for axis in range(2):
+        cuts, folds = _mirror_pairs(blanks, cut, fold, axis)
+        for number in np.unique(blanks.blank[cuts])[:_MOST_BLANKS].tolist():
+            own = rows[blanks.blank[rows] == number]
+            mirrored, _ = _mirror_pairs(blanks, own, own, axis)
+            if length[np.unique(mirrored)].sum() >= _MIN_MIRRORED * length[own].sum():
+                pairs = blanks.blank[cuts] == number
+                found[cuts[pairs]] = found[folds[pairs]] = True
+    return found
+
+
+def _blanks_of(ends: F64, component: I32, cut: I64) -> _Blanks:
+    """Return the components that have some of the given cuts, numbered from 0."""
+    number = np.full(int(component.max()) + 2, -1, np.int32)
+    number[component[cut]] = 0
+    wanted = np.flatnonzero(number == 0)
+    number[wanted] = np.arange(len(wanted), dtype=np.int32)
+    blank = number[component]
+    rows = np.flatnonzero(blank >= 0)
+    box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (len(wanted), 1))
+    points = ends[rows].reshape(-1, 2)
+    owner = np.repeat(blank[rows], 2)
+    np.minimum.at(box[:, :2], owner, points)
+    np.maximum.at(box[:, 2:], owner, points)
+    size = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
+    return _Blanks(ends, blank, 0.5 * (box[:, :2] + box[:, 2:]), size)
+
+
+def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tuple[I64, I64]:
+    """Return the rows that have a mirror image among the candidates, and that image, (k,) each."""
+    found: list[tuple[I64, I64]] = []
+    # Two grids, half a cell apart: lines near a border of one are inside a cell of the other.
+    for shift in (0.0, 0.5):
+        mirrored = _position_keys(blanks, rows, axis, -1.0, shift)
+        plain = _position_keys(blanks, candidates, axis, 1.0, shift)
+        first, key = distinct(np.concatenate([plain, mirrored]))
+        image = first[key[len(candidates) :]]
+        hit = image < len(candidates)
+        found.append((rows[hit], candidates[image[hit]]))
+    return (
+        np.concatenate([row for row, _ in found]),
+        np.concatenate([image for _, image in found]),
+    )
+
+
+def _position_keys(blanks: _Blanks, rows: I64, axis: int, sign: float, shift: float) -> I64:
+    """Return the grid cells of the middle and extent of each line, and its blank, (k, 5).
+
+    A line with ``sign`` 1 has the key of its mirror image with ``sign`` -1.
+    """
+    blank = blanks.blank[rows]
+    tolerance = _TOLERANCE * blanks.size[blank][:, None]
+    middle = blanks.ends[rows].mean(axis=1) - blanks.centre[blank]
+    middle[:, axis] *= sign
+    extent = np.abs(blanks.ends[rows, 1] - blanks.ends[rows, 0])
+    measures = np.hstack([middle, extent]) / tolerance
+    return np.column_stack([blank, np.floor(measures + shift)]).astype(np.int64)

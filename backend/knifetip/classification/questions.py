@@ -1,0 +1,109 @@
+"""questions: ask the user about the edges that are not classified.
+
+Drawing, Dieline -> list[Question]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from knifetip.classification.decision.profile_rules import display_name, fold_name
+from knifetip.classification.vocabulary import is_centre_linetype, is_dashed_linetype, name_meaning
+from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.distinct import distinct
+from knifetip.messages import Message
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, extents
+from knifetip.model.question import Question
+
+
+def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
+    """Return one question for each layer, colour, linetype and reason of unclassified edges.
+
+    Parameters
+    ----------
+    drawing, dieline
+        The same n edges.
+
+    Returns
+    -------
+    list of Question
+        In the order of their first edges.  ``edges`` are rows of the drawing; ``choices`` are the
+        words of all line types, the likeliest first.
+    """
+    rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
+    if len(rows) == 0:
+        return []
+    columns = (drawing.layer, drawing.colour, drawing.true_colour, drawing.linetype, dieline.rule)
+    first, group = distinct(*(column[rows] for column in columns))
+    count = np.bincount(group)
+    groups = np.split(rows[np.argsort(group, kind="stable")], np.cumsum(count)[:-1])
+    lengths, bounds = drawing.lengths, drawing.bounds
+    return [
+        _question(drawing, dieline, groups[number], lengths, bounds) for number in range(len(first))
+    ]
+
+
+def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, bounds: F64) -> Question:
+    """Return the question about the edges in some rows, which have one style and one reason."""
+    example = rows[0]
+    layer = drawing.layers[drawing.layer[example]]
+    linetype = drawing.linetypes[drawing.linetype[example]]
+    colour = int(drawing.colour[example])
+    true_colour = int(drawing.true_colour[example])
+    box = extents(drawing.ends[rows], drawing.bulge[rows])
+    width, height = box[2:] - box[:2]
+    message = Message(
+        "question.line-type",
+        edges=len(rows),
+        layer=display_name(layer),
+        colour=str(colour) if true_colour < 0 else f"#{true_colour:06x}",
+        linetype=display_name(linetype),
+        length=lengths[rows].sum(),
+        width=width,
+        height=height,
+        x=box[0],
+        y=box[1],
+        unit="mm" if drawing.unit else "",
+        guess=_guess_message(dieline, int(example)),
+    )
+    spans_drawing = bool((box[2:] - box[:2] >= 0.99 * (bounds[2:] - bounds[:2])).all())
+    straight = bool((drawing.bulge[rows] == 0).all())
+    guesses = dieline.alternatives[int(dieline.rule[example])]
+    likely = dict.fromkeys((*guesses, *_likely_types(layer, linetype, spans_drawing, straight)))
+    others = [kind for kind in LineType if kind not in (LineType.UNCLASSIFIED, *likely)]
+    choices = tuple(kind.word for kind in (*likely, *others))
+    return Question("line-type", message, choices, tuple(rows.tolist()), layer, colour)
+
+
+def _guess_message(dieline: Dieline, row: int) -> Message | None:
+    """Return the best guess for an unclassified edge, or its shape; None if nothing is known."""
+    rule = int(dieline.rule[row])
+    guesses, reason = dieline.alternatives[rule], dieline.rules[rule]
+    if guesses:
+        percent = round(100.0 * float(dieline.confidence[row]))
+        return Message("question.guess", type=guesses[0].word, percent=percent, reason=reason)
+    if reason.code == "classification.no-rule-but-shape":
+        return Message("question.shape", reason=reason.arguments["shape"])
+    return None
+
+
+def _likely_types(
+    layer: str, linetype: str, spans_drawing: bool, straight: bool
+) -> Sequence[LineType]:
+    """Return likely line types by name, linetype and extent, the likeliest first.
+
+    The layer's name is the best evidence, then the linetype, then the extent: edges that span the
+    drawing are its outline, straight lines inside it are folds, and arcs inside it are holes.
+    """
+    folded_linetype = fold_name(linetype)
+    named = name_meaning(layer).kind
+    guesses = [] if named is None else [named]
+    if is_centre_linetype(folded_linetype):
+        guesses.append(LineType.IGNORED)
+    elif is_dashed_linetype(folded_linetype):
+        guesses.append(LineType.CREASE)
+    guesses.append(LineType.CREASE if straight and not spans_drawing else LineType.CUT)
+    return tuple(dict.fromkeys(guesses))

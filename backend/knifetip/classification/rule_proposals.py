@@ -1,0 +1,161 @@
+"""rule_proposals: propose profile rules that would have given the user's overrides.
+
+    Drawing, Dieline, overrides, LineRules -> list[ProposedRule]
+
+A proposed rule contradicts nothing: it matches no edge that the user left with another line type,
+and no other override.  It may match edges that are not decided yet, and lists them.  A layer whose
+name has no meaning (``0``, ``Default``, ``Design``) is combined with a colour.  Overrides that the
+edges' attributes cannot separate, such as cuts and creases among the red lines of one layer, yield
+no rule.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import Final
+
+import numpy as np
+
+from knifetip.classification.decision.profile_rules import (
+    StyleTable,
+    escape_pattern,
+    fold_name,
+    match_rules,
+    tabulate_styles,
+)
+from knifetip.classification.vocabulary import is_meaningless
+from knifetip.geometry.columns import I64, U8, Bool
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing
+from knifetip.model.interpretation import NO_OVERRIDE
+from knifetip.model.profile import LineRule, LineRules, ProposedRule
+
+_TRAITS: Final = ("layer", "colour", "linetype", "entity", "block")
+_PREFERRED: Final[tuple[tuple[str, ...], ...]] = (
+    ("layer",),
+    ("layer", "colour"),
+    ("block",),
+    ("layer", "linetype"),
+    ("colour",),
+    ("colour", "linetype"),
+)
+#: Combinations of traits that a rule may name, the most natural first.
+_TRAIT_SETS: Final = (
+    *_PREFERRED,
+    *(
+        traits
+        for size in (1, 2, 3, 4, 5)
+        for traits in combinations(_TRAITS, size)
+        if traits not in _PREFERRED
+    ),
+)
+
+
+def propose_rules(
+    drawing: Drawing, dieline: Dieline, overrides: U8, profile: LineRules
+) -> list[ProposedRule]:
+    """Return rules that give the user's overrides, those that cover most overrides first.
+
+    Parameters
+    ----------
+    drawing, dieline
+        The same n edges as they were classified, with or without the overrides.
+    overrides : (n,) uint8
+        LineType, or ``NO_OVERRIDE`` (255) for edges that the user left as they are.
+    profile
+        The profile that classified the drawing.  Overrides that it already gives are left out.
+
+    Returns
+    -------
+    list of ProposedRule
+        To be inserted before the profile's own rules.
+
+    Raises
+    ------
+    ValueError
+        The column of overrides has another length.
+    """
+    given = np.asarray(overrides, np.uint8)
+    overridden = given != NO_OVERRIDE
+    if given.shape != (len(dieline),):
+        raise ValueError(f"{given.shape} overrides for {len(dieline)} edges")
+    styles = tabulate_styles(drawing)
+    by_profile = match_rules(styles, profile).line_type[styles.row]
+    wanted = np.where(overridden, given, dieline.line_type)
+    unexplained = overridden & (by_profile != given) & (given != LineType.UNCLASSIFIED)
+    undecided = ~overridden & (dieline.line_type == LineType.UNCLASSIFIED)
+    proposed: list[ProposedRule] = []
+    for value in np.unique(wanted[unexplained]).tolist():
+        different = ~undecided & (wanted != value)
+        excluded = np.bincount(styles.row[different], minlength=len(styles)) > 0
+        same = unexplained & (wanted == value)
+        remaining = np.bincount(styles.row[same], minlength=len(styles)) > 0
+        while (found := _best_rule(styles, remaining, excluded, LineType(value))) is not None:
+            rule, covered = found
+            remaining &= ~covered
+            rows = covered[styles.row]
+            explains = np.flatnonzero(rows & overridden)
+            changes = np.flatnonzero(rows & undecided)
+            proposed.append(ProposedRule(rule, tuple(explains.tolist()), tuple(changes.tolist())))
+    return sorted(proposed, key=lambda proposal: -len(proposal.explains))
+
+
+def _best_rule(
+    styles: StyleTable, remaining: Bool, excluded: Bool, kind: LineType
+) -> tuple[LineRule, Bool] | None:
+    """Return the rule that covers most remaining styles and no excluded one, and what it covers.
+
+    Of equally good rules it is the first by ``_TRAIT_SETS``; None if there is none.
+    """
+    best: tuple[int, LineRule, Bool] | None = None
+    codes = {trait: _trait_codes(styles, trait) for trait in _TRAITS}
+    for traits in _TRAIT_SETS:
+        tried = set()
+        for row in np.flatnonzero(remaining).tolist():
+            by_layer = "layer" in traits and "colour" not in traits
+            if by_layer and is_meaningless(styles.layer[row]):
+                continue
+            if "block" in traits and not styles.block[row]:
+                continue
+            key = tuple(int(codes[trait][row]) for trait in traits)
+            if key in tried:
+                continue
+            tried.add(key)
+            covered = np.ones(len(styles), np.bool_)
+            for trait in traits:
+                covered &= codes[trait] == codes[trait][row]
+            if (covered & excluded).any():
+                continue
+            count = int((covered & remaining).sum())
+            if best is None or count > best[0]:
+                best = count, _rule_for(styles, row, traits, kind), covered
+    return None if best is None else best[1:]
+
+
+def _trait_codes(styles: StyleTable, trait: str) -> I64:
+    """Return a number of each style, (c,), equal for styles in which the trait is equal."""
+    if trait == "colour":
+        values: list[object] = list(
+            zip(styles.colour.tolist(), styles.true_colour.tolist(), strict=True)
+        )
+    else:
+        values = [fold_name(name) for name in getattr(styles, trait)]
+    number: dict[object, int] = {}
+    return np.array([number.setdefault(value, len(number)) for value in values], np.int64)
+
+
+def _rule_for(styles: StyleTable, row: int, traits: tuple[str, ...], kind: LineType) -> LineRule:
+    """Return the rule that matches the given traits of one style."""
+    index, true = int(styles.colour[row]), int(styles.true_colour[row])
+    coloured = "colour" in traits
+    names = {
+        trait: (escape_pattern(getattr(styles, trait)[row]),)
+        for trait in traits
+        if trait != "colour"
+    }
+    return LineRule(
+        kind,
+        colour=(index,) if coloured and index else (),
+        true_colour=(true,) if coloured and not index else (),
+        **names,
+    )

@@ -1,0 +1,267 @@
+"""arrows: find dimension arrows, which annotate a carton and are never worked.
+
+    PlanarGraph -> which edges are arrowheads, their shafts, and extension lines
+
+An arrowhead is two short edges of equal length that meet at the end of a third, the shaft.  They
+lie back along the shaft, at equal angles on both sides, and their other ends are loose or joined to
+each other.  A notch at the end of a crease opens the other way, and its ends continue in the
+outline.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from knifetip.geometry.columns import Bool
+from knifetip.geometry.cores import each, runs
+from knifetip.kernels import F64_1, F64_2, I32_1, Bool_1, OutBool_1, kernel
+from knifetip.topology.intersections import MIN_CHUNK
+from knifetip.topology.planar_graph import PlanarGraph
+
+#: Greatest length of an arrowhead (mm), …
+_MAX_LENGTH: Final = 12.0
+#: … and as a share of its shaft.
+_MAX_SHARE: Final = 0.75
+#: Least and greatest angle between an edge of the head and the shaft (radians).
+_MIN_ANGLE: Final = math.radians(5.0)
+_MAX_ANGLE: Final = math.radians(50.0)
+#: Greatest difference between the angles of the two sides (radians).
+_ANGLE_TOLERANCE: Final = math.radians(4.0)
+#: Greatest difference between the lengths of the two sides, as a share.
+_LENGTH_TOLERANCE: Final = 0.05
+#: Greatest length of an extension line beyond the arrow's tip (mm).
+_EXTENSION: Final = 8.0
+#: Vertices with more pieces than this are not searched.
+_MAX_DEGREE: Final = 24
+
+
+class _Graph(NamedTuple):
+    """Columns of a ``PlanarGraph``: q vertices, p pieces, n edges."""
+
+    vertex: F64_2  #: (q, 2)
+    start: I32_1  #: (p,) vertex at which each piece starts
+    end: I32_1  #: (p,) vertex at which it ends
+    edge: I32_1  #: (p,) edge that it is a part of, -1 for none
+    first: I32_1  #: (n + 1,) index of the first piece of each edge
+
+
+class _Incidence(NamedTuple):
+    """Pieces by vertex, in CSR form."""
+
+    first: I32_1  #: (q + 1,) index of the first entry of each vertex
+    piece: I32_1  #: pieces that start or end at the vertex
+
+
+def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
+    """Return which of n edges belong to arrows, (n,).
+
+    Parameters
+    ----------
+    count
+        Number of edges, n.
+    unit
+        Number of drawing units in a millimetre.
+    """
+    found, tip = np.zeros(count, np.bool_), np.zeros(len(graph.vertex), np.bool_)
+    columns = _Graph(graph.vertex, graph.start, graph.end, graph.edge, graph.first)
+    incidence = _pieces_by_vertex(columns, graph.same)
+
+    def mark(chunk: tuple[int, int]) -> None:
+        _mark_arrowheads(columns, graph.bulge, incidence, unit, found, tip, *chunk)
+
+    each(mark, runs(len(tip), MIN_CHUNK))
+    _mark_extension_lines(columns, incidence, unit, found, tip)
+    if tip.any():
+        _mark_coincident(columns, graph.same, found)
+    return found
+
+
+@kernel
+def _pieces_by_vertex(graph: _Graph, same: I32_1) -> _Incidence:
+    """Return the pieces at each vertex; coincident pieces count once."""
+    vertex, start, end, edge, _ = graph
+    vertices, count = len(vertex), len(start)
+    first = np.zeros(vertices + 1, np.int32)
+    for p in range(count):
+        if same[p] == p and edge[p] >= 0:
+            first[start[p] + 1] += 1
+            first[end[p] + 1] += 1
+    for v in range(vertices):
+        first[v + 1] += first[v]
+    position = first[:-1].copy()
+    piece = np.empty(first[-1], np.int32)
+    for p in range(count):
+        if same[p] == p and edge[p] >= 0:
+            piece[position[start[p]]] = p
+            position[start[p]] += 1
+            piece[position[end[p]]] = p
+            position[end[p]] += 1
+    return _Incidence(first, piece)
+
+
+@kernel
+def _mark_arrowheads(
+    graph: _Graph, bulge: F64_1, incidence: _Incidence, unit: float, found: OutBool_1,
+    tip: OutBool_1, begin: int, stop: int,
+) -> None:  # fmt: skip
+    """Mark the arrowheads at vertices ``begin`` … ``stop`` - 1, and their shafts.
+
+    Parameters
+    ----------
+    found : (n,)
+        Set to True for edges of heads and shafts.
+    tip : (q,)
+        Set to True for vertices at the tip of an arrowhead.
+    """
+    vertex, start, end, edge, first_piece = graph
+    first, piece = incidence
+    max_length = _MAX_LENGTH * unit
+    side_edge = np.empty(_MAX_DEGREE, np.int32)
+    far_end = np.empty(_MAX_DEGREE, np.int32)
+    direction = np.empty(_MAX_DEGREE)
+    length = np.empty(_MAX_DEGREE)
+    for at in range(begin, stop):
+        degree = first[at + 1] - first[at]
+        if degree < 3 or degree > _MAX_DEGREE:
+            continue
+        sides = 0
+        for k in range(first[at], first[at + 1]):
+            p = piece[k]
+            i = edge[p]
+            if i < 0 or bulge[p] != 0.0:
+                continue
+            # The whole edge counts, although other lines may cross it.
+            far = _other_end(start, end, first_piece, i, at)
+            if far < 0:
+                continue
+            dx, dy = vertex[far, 0] - vertex[at, 0], vertex[far, 1] - vertex[at, 1]
+            chord = math.hypot(dx, dy)
+            # The far end is loose, or a corner of a closed head.
+            if not 0.0 < chord <= max_length or first[far + 1] - first[far] > 2:
+                continue
+            side_edge[sides], far_end[sides] = i, far
+            direction[sides], length[sides] = math.atan2(dy, dx), chord
+            sides += 1
+        if sides < 2:
+            continue
+        for a in range(sides):
+            for b in range(a + 1, sides):
+                if abs(length[a] - length[b]) > _LENGTH_TOLERANCE * length[a]:
+                    continue
+                one, two = far_end[a], far_end[b]
+                loose = first[one + 1] - first[one] == 1 and first[two + 1] - first[two] == 1
+                if not loose and not _connected(graph, incidence, one, two):
+                    continue
+                for k in range(first[at], first[at + 1]):
+                    shaft = piece[k]
+                    i = edge[shaft]
+                    if i < 0 or i in (side_edge[a], side_edge[b]) or bulge[shaft] != 0.0:
+                        continue
+                    to = end[shaft] if start[shaft] == at else start[shaft]
+                    dx, dy = vertex[to, 0] - vertex[at, 0], vertex[to, 1] - vertex[at, 1]
+                    if _chord_length(vertex, start, end, first_piece, i) * _MAX_SHARE < length[a]:
+                        continue
+                    along = math.atan2(dy, dx)
+                    left, right = _turn(along, direction[a]), _turn(along, direction[b])
+                    if left * right >= 0.0 or abs(abs(left) - abs(right)) > _ANGLE_TOLERANCE:
+                        continue
+                    if not _MIN_ANGLE <= abs(left) <= _MAX_ANGLE:
+                        continue
+                    tip[at] = True
+                    found[side_edge[a]] = found[side_edge[b]] = found[i] = True
+                    # Sides that were drawn twice with a small difference.
+                    for c in range(sides):
+                        turn = min(
+                            abs(_turn(direction[c], direction[a])),
+                            abs(_turn(direction[c], direction[b])),
+                        )
+                        if (
+                            turn <= _ANGLE_TOLERANCE
+                            and abs(length[c] - length[a]) <= _LENGTH_TOLERANCE * length[a]
+                        ):
+                            found[side_edge[c]] = True
+                    if not loose:
+                        for m in range(first[one], first[one + 1]):
+                            if edge[piece[m]] >= 0:
+                                found[edge[piece[m]]] = True
+
+
+@kernel(allocates=False)
+def _mark_extension_lines(
+    graph: _Graph, incidence: _Incidence, unit: float, found: OutBool_1, tip: Bool_1
+) -> None:
+    """Mark the lines at which arrows start: they end shortly beyond an arrow's tip."""
+    vertex, start, end, edge, first_piece = graph
+    first, piece = incidence
+    for at in range(len(vertex)):
+        if not tip[at]:
+            continue
+        for k in range(first[at], first[at + 1]):
+            p = piece[k]
+            if edge[p] < 0 or found[edge[p]]:
+                continue
+            i = edge[p]
+            for side in range(2):
+                last = first_piece[i] if side == 0 else first_piece[i + 1] - 1
+                outer = start[last] if side == 0 else end[last]
+                if first[outer + 1] - first[outer] == 1:
+                    dx = vertex[outer, 0] - vertex[at, 0]
+                    dy = vertex[outer, 1] - vertex[at, 1]
+                    beyond = math.hypot(dx, dy)
+                    whole = _chord_length(vertex, start, end, first_piece, i)
+                    ends_here = start[p] == at or end[p] == at
+                    if beyond <= _EXTENSION * unit or (ends_here and beyond >= whole):
+                        found[i] = True
+
+
+@kernel(allocates=False)
+def _mark_coincident(graph: _Graph, same: I32_1, found: OutBool_1) -> None:
+    """Mark the edges that coincide with marked edges along their whole length."""
+    for i in range(len(found)):
+        if found[i] or graph.first[i] == graph.first[i + 1]:
+            continue
+        covered = True
+        for p in range(graph.first[i], graph.first[i + 1]):
+            other = graph.edge[same[p]]
+            covered = covered and other >= 0 and found[other]
+        found[i] = covered
+
+
+@kernel(allocates=False)
+def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, at: int) -> int:
+    """Return the other end vertex of edge i if one of its ends is ``at``, otherwise -1."""
+    one, two = start[first_piece[i]], end[first_piece[i + 1] - 1]
+    if one == at:
+        far: int = two
+        return far
+    if two == at:
+        near: int = one
+        return near
+    return -1
+
+
+@kernel(allocates=False)
+def _connected(graph: _Graph, incidence: _Incidence, one: int, two: int) -> bool:
+    """Return whether an edge connects two vertices."""
+    for k in range(incidence.first[one], incidence.first[one + 1]):
+        i = graph.edge[incidence.piece[k]]
+        if i >= 0 and _other_end(graph.start, graph.end, graph.first, i, one) == two:
+            return True
+    return False
+
+
+@kernel(allocates=False)
+def _chord_length(vertex: F64_2, start: I32_1, end: I32_1, first_piece: I32_1, i: int) -> float:
+    """Return the distance between the end vertices of edge i."""
+    a, b = start[first_piece[i]], end[first_piece[i + 1] - 1]
+    return math.hypot(vertex[b, 0] - vertex[a, 0], vertex[b, 1] - vertex[a, 1])
+
+
+@kernel(allocates=False)
+def _turn(one: float, other: float) -> float:
+    """Return the angle from one direction to another, -π … π (radians)."""
+    turn = (other - one) % (2.0 * math.pi)
+    return turn - 2.0 * math.pi if turn > math.pi else turn

@@ -1,0 +1,112 @@
+"""lettering: find text that was converted to lines.
+
+    boxes of parts, lengths of their lines -> which parts are letters
+
+Letters are small parts in a row, at the distances of letters and with different shapes.  Five holes
+in a row have equal shapes, and are no word.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.kernels import F64_2, I64_1, OutBool_1, kernel
+
+#: Greatest height and width of a letter (mm).
+_LARGEST: Final = 25.0
+#: Least number of different shapes in a word.
+_FEWEST_SHAPES: Final = 3
+#: Drawings with more small parts than this are not searched.
+_MOST_PARTS: Final = 20_000
+#: Number of parts after each one among which the next letter is searched.
+_LOOKAHEAD: Final = 40
+
+
+def find_letters(box: F64, length: F64, pieces: I64, unit: float) -> Bool:
+    """Return which of c parts are letters, (c,).
+
+    Parameters
+    ----------
+    box : (c, 4)
+        x min, y min, x max, y max of each part.
+    length, pieces : (c,)
+        Total length and number of the pieces of each part.
+    unit
+        Number of drawing units in a millimetre.
+    """
+    count = len(box)
+    found = np.zeros(count, np.bool_)
+    width, height = box[:, 2] - box[:, 0], box[:, 3] - box[:, 1]
+    size = np.maximum(width, height)
+    small = np.flatnonzero((size <= _LARGEST * unit) & (size > 0.5 * unit))
+    if not _FEWEST_SHAPES <= len(small) <= _MOST_PARTS:
+        return found
+    shape = np.column_stack([np.minimum(width, height), size, length, pieces])[small]
+    letter = np.zeros(len(small), np.bool_)
+    for axis in range(2):
+        order = np.argsort(box[small, axis], kind="stable")
+        _mark_words(box[small], shape, order, axis, letter)
+    found[small[letter]] = True
+    return found
+
+
+@kernel
+def _mark_words(box: F64_2, shape: F64_2, order: I64_1, axis: int, letter: OutBool_1) -> None:
+    """Mark the parts in rows along an axis that have enough different shapes.
+
+    Parameters
+    ----------
+    box, shape : (k, 4)
+        Boxes; shorter and longer side, length and number of pieces.
+    order : (k,)
+        The parts sorted by the lower end of their boxes along the axis.
+    letter : (k,)
+        Set to True for letters.
+    """
+    across = 1 - axis
+    count = len(order)
+    following = np.full(count, -1, np.int64)
+    has_predecessor = np.zeros(count, np.bool_)
+    for k in range(count):
+        i = order[k]
+        height = max(box[i, across + 2] - box[i, across], shape[i, 1])
+        for m in range(k + 1, min(k + _LOOKAHEAD, count)):
+            j = order[m]
+            if box[j, axis] - box[i, axis + 2] > 1.0 * height:
+                break
+            overlap = min(box[i, across + 2], box[j, across + 2]) - max(
+                box[i, across], box[j, across]
+            )
+            similar_size = 0.4 * shape[i, 1] <= shape[j, 1] <= 2.5 * shape[i, 1]
+            if overlap >= 0.3 * shape[i, 1] and similar_size and box[j, axis] > box[i, axis]:
+                following[i] = j
+                has_predecessor[j] = True
+                break
+    for k in range(count):
+        head = order[k]
+        if has_predecessor[head]:
+            continue
+        different_shapes = 0
+        i = head
+        while i >= 0:
+            new = True
+            j = head
+            while j != i:
+                same = True
+                for n in range(4):
+                    if abs(shape[i, n] - shape[j, n]) > 0.02 * max(shape[i, n], shape[j, n]):
+                        same = False
+                if same:
+                    new = False
+                    break
+                j = following[j]
+            different_shapes += new
+            i = following[i]
+        i = head
+        while i >= 0:
+            if different_shapes >= _FEWEST_SHAPES:
+                letter[i] = True
+            i = following[i]

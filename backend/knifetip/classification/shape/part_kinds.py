@@ -1,0 +1,169 @@
+"""part_kinds: what each connected component of a drawing is: a blank, a frame, a word, a mark.
+
+    PlanarGraph, Faces, annotations -> PartKinds
+
+A component inside no other is a blank.  A rectangle round blanks is a frame; a contour that follows
+a blank at a constant distance is its bleed (``enclosing``).  A grid of boxes with texts is a title
+block, and small shapes in a row are letters (``measures``).  An outline with many dangling edges
+has a gap.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.classification.shape.enclosing import Enclosures
+from knifetip.classification.shape.measures import ComponentBoxes, Measures
+from knifetip.geometry.columns import F64, Bool
+from knifetip.geometry.cores import both, each, runs
+from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_1, kernel
+from knifetip.model.drawing import Inscription
+from knifetip.topology.faces import Faces
+from knifetip.topology.planar_graph import PlanarGraph
+
+#: A component smaller than this share of the largest is a mark or a letter, not a blank.
+_SMALL_SHARE: Final = 0.004
+#: An outline has a gap if the length of dangling edges exceeds this share of its own.
+_MAX_DANGLING: Final = 0.1
+#: Greatest size of debris (mm).
+_DEBRIS_SIZE: Final = 30.0
+#: Only this many open components are examined for what they enclose.
+_MAX_OPEN: Final = 300
+#: Fewest pairs of components in a chunk for one core.
+_MIN_PAIRS: Final = 300_000
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class PartKinds:
+    """What each of c connected components is: one mask per kind.  A blank is in none of them."""
+
+    inside: Bool  #: (c,) it lies inside a face of a blank
+    frame: Bool  #: (c,) it is a rectangle round blanks
+    table: Bool  #: (c,) it is a title block, a dimension or a label
+    small: Bool  #: (c,) it is a mark
+    doubtful: Bool  #: (c,) its outline does not close
+    near_text: Bool  #: (c,) a text is in its box or beside it
+    bleed: Bool  #: (c,) it follows the outline of its contents
+    letter: Bool  #: (c,) it is a letter
+    debris: Bool  #: (c,) it is short, encloses nothing, and lies outside all others
+    flat: Bool  #: (c,) it encloses no area
+    slot: Bool  #: (c,) it is a slot or a round hole in a panel, and empty
+    legend: Bool  #: (c,) it is a sample line beside the name of a line type
+    enclosing: Bool  #: (c,) it encloses a whole carton, and is neither frame nor bleed
+
+    @classmethod
+    def find(
+        cls,
+        graph: PlanarGraph,
+        faces: Faces,
+        length: F64,
+        boxes: ComponentBoxes,
+        annotations: Sequence[Inscription],
+        unit: float,
+    ) -> PartKinds:
+        """Return what the components of a graph are.
+
+        Parameters
+        ----------
+        length : (p,)
+            Length of each piece.
+        unit
+            Number of drawing units in a millimetre.
+        """
+        enclosures, measures = both(
+            lambda: Enclosures.find(graph, faces, boxes, unit),
+            lambda: Measures.measure(graph, faces, length, boxes.box, annotations, unit),
+        )
+        panels, parent = enclosures.panels, enclosures.parent
+        area, size, tiny = measures.area, measures.size, unit * unit
+        surrounding = enclosures.frame | enclosures.bleed | enclosures.carton
+        inside = (parent >= 0) & ~surrounding[parent]
+        separate = ~inside & ~surrounding
+        largest = area[separate].max(initial=0.0)
+        table = separate & boxes.rectilinear & (area < 0.25 * largest)
+        table &= (panels >= 1) & (measures.texts >= np.maximum(1, 0.4 * panels))
+        table |= separate & measures.near_text & (area > tiny) & (area < 0.25 * largest)
+        small = separate & ~table & (area > 0.0)
+        small &= area < max(_SMALL_SHARE * largest, 4.0 * tiny)
+        debris = separate & (area <= tiny) & (size <= _DEBRIS_SIZE * unit)
+        closed_length = measures.length[separate & (area > tiny)].sum()
+        if measures.length[debris].sum() > 0.25 * closed_length:
+            # So many open lines may be the rest of a carton.
+            debris[:] = False
+        # A registration mark: a cross in a ring.
+        debris |= (
+            separate & (panels >= 2) & (size <= 0.5 * _DEBRIS_SIZE * unit) & (area < 0.05 * largest)
+        )
+        legend = separate & (area <= tiny) & (size <= 2.0 * _DEBRIS_SIZE * unit)
+        empty = np.bincount(parent[parent >= 0], minlength=len(area)) == 0
+        outlines = separate & ~table & ~measures.is_letter
+        return cls(
+            inside=inside,
+            frame=enclosures.frame,
+            table=table,
+            small=small,
+            doubtful=_find_doubtful(measures, boxes.box, outlines, small, tiny),
+            near_text=measures.near_text,
+            bleed=enclosures.bleed,
+            letter=measures.is_letter,
+            debris=debris,
+            flat=separate & (area <= tiny),
+            slot=inside & (panels == 1) & empty & measures.is_slot,
+            legend=legend & measures.near_type_name,
+            enclosing=enclosures.carton,
+        )
+
+
+def _find_doubtful(measures: Measures, box: F64, outlines: Bool, small: Bool, tiny: float) -> Bool:
+    """Return which components have too many dangling edges for a closed outline, (c,).
+
+    Small components are never doubtful, but their edges may belong to the outline of another.
+
+    Parameters
+    ----------
+    outlines : (c,)
+        Components that may be blanks, or parts of the outline of one.
+    """
+    blank = outlines & ~small & (measures.area > tiny)
+    dangling = np.where(blank, measures.dangling, 0.0)
+    # An open component round a closed one is the rest of its outline.
+    box_area = (box[:, 2] - box[:, 0]) * (box[:, 3] - box[:, 1])
+    is_open = outlines & (measures.dangling > 0.5 * measures.outline) & (box_area > tiny)
+    rows = np.flatnonzero(is_open)
+    rows = rows[np.argsort(-box_area[rows], kind="stable")[:_MAX_OPEN]]
+    open_box, open_dangling = box[rows], measures.dangling[rows]
+    blanks = np.flatnonzero(blank)
+
+    def add(chunk: tuple[int, int]) -> None:
+        _add_open_outlines(
+            rows, open_box, open_dangling, box, box_area, blanks[slice(*chunk)], dangling
+        )
+
+    each(add, runs(len(blanks), _MIN_PAIRS // (len(rows) + 1)))
+    return blank & (dangling > _MAX_DANGLING * measures.outline)
+
+
+@kernel(allocates=False)
+def _add_open_outlines(
+    open_row: I64_1,
+    open_box: F64_2,
+    open_dangling: F64_1,
+    box: F64_2,
+    box_area: F64_1,
+    blank: I64_1,
+    dangling: OutF64_1,
+) -> None:
+    """Add to each blank's dangling length that of the open components round most of it."""
+    for m in range(len(blank)):
+        b = blank[m]
+        left, low, right, high = box[b, 0], box[b, 1], box[b, 2], box[b, 3]
+        most = 0.5 * box_area[b]
+        for k in range(len(open_row)):
+            width = min(right, open_box[k, 2]) - max(left, open_box[k, 0])
+            height = min(high, open_box[k, 3]) - max(low, open_box[k, 1])
+            if width * height > most and width > 0.0 and open_row[k] != b:
+                dangling[b] += open_dangling[k]

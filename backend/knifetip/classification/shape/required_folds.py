@@ -1,0 +1,365 @@
+"""required_folds: find the edges that must be folds because a panel is attached by them alone.
+
+    PlanarGraph, Faces, roles -> which edges must be folds
+
+A blank is cut out in one piece.  If one straight line alone connects a panel to the rest of the
+blank, it cannot be a cut.  If panels meet in a ring round a corner, one of the lines between them
+is a slit.  A slit starts at the rim, so a straight line between two inner corners is no slit.
+
+The result is empty for several equal blanks without space between them.  Faces framed by bends,
+such as tabs, slots and windows, do not count as panels.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from knifetip.classification.shape.roles import HOLES, Role
+from knifetip.geometry.columns import F64, I64, U8, Bool
+from knifetip.kernels import I64_1, I64_2, kernel
+from knifetip.topology.faces import Faces
+from knifetip.topology.planar_graph import PlanarGraph
+
+#: Greatest difference between the directions of two lines on one straight line (radians).
+_STRAIGHT: Final = math.radians(1.0)
+#: Greatest difference between the areas of equal panels, as a share.
+_AREA_TOLERANCE: Final = 0.003
+#: Fewer panels than this are a board, a cover or a card rather than a carton.
+_FEWEST_PANELS: Final = 6
+#: Greatest distance between the centres of equal panels, as a share of the largest panel's size.
+_CENTRE_TOLERANCE: Final = 0.01
+#: If more than this share of the panels repeats others, they may be those of further blanks: …
+_REPEATED: Final = 0.4
+#: … or of a row of blanks, if more than this share does and the rest is a carton.  The panels of
+#: a square carton are equal side by side too.
+_REPEATED_IN_ROW: Final = 0.55
+#: A carton has no more equal panels than this; a living hinge has, and so has a sheet of cards.
+_MOST_EQUAL: Final = 16
+#: Least share of the length of a carton's dividers that is straight from face to face.
+_STRAIGHT_SHARE: Final = 0.6
+#: Components with more panels than this are taken for several blanks.
+_MOST_PANELS: Final = 64
+#: Only this many components are examined.
+_MOST_COMPONENTS: Final = 200
+
+
+def find_required_folds(
+    graph: PlanarGraph, faces: Faces, role: U8, length: F64, count: int
+) -> Bool:
+    """Return which of n edges must be folds, (n,).
+
+    Parameters
+    ----------
+    role, length : (p,)
+        Role and length of each piece of the graph.
+    count
+        Number of edges, n.
+    """
+    divider = np.flatnonzero(role == Role.DIVIDER)
+    if len(divider) == 0:
+        return np.zeros(count, np.bool_)
+    outline = role == Role.OUTLINE
+    at_rim = np.zeros(len(faces.area), np.bool_)
+    at_rim[faces.left[outline]] = at_rim[faces.right[outline]] = True
+    degree, bent = _vertex_shapes(graph)
+    vertex_on_rim = np.zeros(len(graph.vertex), np.bool_)
+    for end in (graph.start, graph.end):
+        vertex_on_rim[end[outline | np.isin(role, HOLES)]] = True
+    panel = _find_panels(graph, faces, divider, at_rim, (degree == 2) & bent)
+    left, right = faces.left[divider], faces.right[divider]
+    pair, number = _face_pairs(left, right)
+    borders = _Borders(graph, divider, number, len(pair))
+    straight = borders.straight()
+    inner = straight & borders.between_inner_corners(vertex_on_rim, degree)
+    bridge = _find_bridges(pair, len(faces.area)) & straight
+    chosen = (bridge | inner)[number] & borders.longest(length, count)
+    carton = _find_single_cartons(graph, faces, length, at_rim, panel)
+    # Maps and floor plans have faces and dividers too, but few straight ones.
+    components, component = len(faces.outer_face), graph.component[divider]
+    total = np.bincount(component, length[divider], components)
+    straight_length = np.bincount(component, length[divider] * straight[number], components)
+    carton &= straight_length >= _STRAIGHT_SHARE * total
+    required = panel[left] & panel[right] & chosen & carton[component]
+    edge = graph.edge[divider]
+    real = edge >= 0
+    whole = np.bincount(edge[real], length[divider][real], count)
+    part = np.bincount(edge[real & required], length[divider][real & required], count)
+    return (part > 0.9 * whole) & (whole > 0.0)
+
+
+def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, bend: Bool) -> Bool:
+    """Return which faces are panels, (f,): bounded, and at the rim or not framed by bends.
+
+    Parameters
+    ----------
+    at_rim : (f,)
+        Faces at the outline of a blank.
+    bend : (q,)
+        Vertices at which exactly two pieces meet, at an angle.
+    """
+    framed = np.zeros(len(faces.area), np.bool_)
+    for side in (faces.left, faces.right):
+        for end in (graph.start, graph.end):
+            framed[side[divider][bend[end][divider]]] = True
+    framed &= ~at_rim
+    return ~framed & (faces.area > 0.0)
+
+
+def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
+    """Return the number of pieces at each vertex, and whether two pieces there bend, (q,) each."""
+    vertices = len(graph.vertex)
+    own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
+    ends = np.concatenate([graph.start[own], graph.end[own]])
+    degree = np.bincount(ends, minlength=vertices)
+    run = graph.vertex[graph.end[own]] - graph.vertex[graph.start[own]]
+    # Twice the angle is independent of the direction in which a line is drawn.
+    angle = np.arctan2(run[:, 1], run[:, 0]) * 2.0
+    turn = 4.0 * np.arctan(graph.bulge[own])
+    angles = np.concatenate([angle - turn, angle + turn])
+    x = np.bincount(ends, np.cos(angles), vertices)
+    y = np.bincount(ends, np.sin(angles), vertices)
+    straight = np.hypot(x, y) >= degree * math.cos(_STRAIGHT)
+    return degree, ~straight
+
+
+def _face_pairs(left: Any, right: Any) -> tuple[I64, I64]:
+    """Return the pairs of faces that pieces divide, (k, 2), and the pair of each piece, (d,)."""
+    low, high = np.minimum(left, right).astype(np.int64), np.maximum(left, right).astype(np.int64)
+    key = low * (int(high.max()) + 1) + high
+    known, number = np.unique(key, return_inverse=True)
+    return np.column_stack(np.divmod(known, int(high.max()) + 1)), number
+
+
+class _Borders(NamedTuple):
+    """The borders between k pairs of faces: d pieces of a graph, by pair."""
+
+    graph: PlanarGraph
+    piece: I64  #: (d,)
+    pair: I64  #: (d,) number of the pair of faces on the two sides of each piece
+    pairs: int  #: k
+
+    def straight(self) -> Bool:
+        """Return whether all pieces of a border lie on one straight line, (k,)."""
+        graph, rows, number = self.graph, self.piece, self.pair
+        start, end = graph.vertex[graph.start[rows]], graph.vertex[graph.end[rows]]
+        length = np.hypot(*(end - start).T)
+        first = np.searchsorted(np.sort(number), np.arange(self.pairs))
+        # The extreme points along the direction of the longest piece define the line: a dash is
+        # too short to define the direction of all.
+        longest = np.lexsort((-length, number))[first]
+        points = np.concatenate([start, end])
+        numbers = np.concatenate([number, number])
+        direction = (end - start)[longest][numbers]
+        along = (points * direction).sum(axis=1)
+        order = np.lexsort((along, numbers))
+        low = points[order[2 * first]][number]
+        high = points[order[np.append(2 * first[1:], len(order)) - 1]][number]
+        direction = (high - low) / np.maximum(np.hypot(*(high - low).T), 1e-12)[:, None]
+        off = np.abs(graph.bulge[rows]) > 1e-6
+        for point in (start, end):
+            away = point - low
+            distance = np.abs(away[:, 0] * direction[:, 1] - away[:, 1] * direction[:, 0])
+            off |= distance > math.sin(_STRAIGHT) * np.maximum(length, 10.0)
+        result: Bool = np.bincount(number[off], minlength=self.pairs) == 0
+        return result
+
+    def between_inner_corners(self, on_rim: Bool, degree: I64) -> Bool:
+        """Return whether a border starts and ends at corners that are not on the rim, (k,).
+
+        Parameters
+        ----------
+        on_rim, degree : (q,)
+            Whether each vertex is on the rim, and its number of pieces.
+        """
+        graph, vertices = self.graph, len(self.graph.vertex)
+        key = np.concatenate(
+            [
+                self.pair * vertices + graph.start[self.piece],
+                self.pair * vertices + graph.end[self.piece],
+            ]
+        )
+        known, count = np.unique(key, return_counts=True)
+        tip, pair = (known % vertices)[count == 1], (known // vertices)[count == 1]
+        loose = on_rim[tip] | (degree[tip] < 3)
+        result: Bool = (np.bincount(pair, minlength=self.pairs) == 2) & (
+            np.bincount(pair[loose], minlength=self.pairs) == 0
+        )
+        return result
+
+    def longest(self, length: F64, count: int) -> Bool:
+        """Return which pieces are of a border's longest edge, or are dashes of a dashed one, (d,).
+
+        Short edges at the ends of a fold may be slits that lock it.
+
+        Parameters
+        ----------
+        length : (p,)
+            Length of each piece.
+        count
+            Number of edges.
+        """
+        edge = self.graph.edge[self.piece]
+        whole = np.bincount(edge[edge >= 0], length[self.piece][edge >= 0], count)
+        own = np.where(edge >= 0, whole[edge], 0.0)
+        most = np.zeros(int(self.pair.max()) + 1)
+        np.maximum.at(most, self.pair, own)
+        dash = (edge >= 0) & self.graph.dashed[edge]
+        dashed = np.bincount(self.pair[dash], minlength=len(most)) > 0
+        result: Bool = np.where(dashed[self.pair], dash, own >= 0.99 * most[self.pair])
+        return result
+
+
+class _Panels(NamedTuple):
+    """Measures of the panels of one component, m of them, or of all faces."""
+
+    area: F64  #: (m,)
+    centre: F64  #: (m, 2) mean of the contour
+    box: F64  #: (m, 4) x min, y min, x max, y max
+    at_rim: Bool  #: (m,)
+
+    def take(self, rows: I64) -> _Panels:
+        """Return the panels in some rows."""
+        area, centre, box, at_rim = self
+        return _Panels(area[rows], centre[rows], box[rows], at_rim[rows])
+
+
+def _find_single_cartons(
+    graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool, panel: Bool
+) -> Bool:
+    """Return which components have enough panels for a carton, and are not several blanks, (c,).
+
+    Equal blanks lie beside each other, or head to tail: one translation, or one half-turn, maps
+    every panel at the rim onto another panel.  A single carton has a glue flap or a base without
+    such an image.
+    """
+    measured = _measure_faces(graph, faces, length, at_rim)
+    owner = faces.component
+    chosen = np.flatnonzero(panel)
+    single = np.zeros(len(faces.outer_face), np.bool_)
+    order = chosen[np.argsort(owner[chosen], kind="stable")]
+    bounds = np.flatnonzero(np.diff(owner[order], prepend=-1, append=-1))
+    for first, last in list(pairwise(bounds.tolist()))[:_MOST_COMPONENTS]:
+        rows = order[first:last]
+        single[owner[rows[0]]] = not _has_repeated_blanks(measured.take(rows))
+    panels = np.bincount(owner[panel], minlength=len(faces.outer_face))
+    return single & (panels >= _FEWEST_PANELS)
+
+
+def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) -> _Panels:
+    """Return the measures of all faces; coincident pieces count once."""
+    count = len(faces.area)
+    own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
+    start, end, length = graph.vertex[graph.start[own]], graph.vertex[graph.end[own]], length[own]
+    middle = 0.5 * (start + end)
+    centre = np.zeros((count, 2))
+    box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (count, 1))
+    weight = np.zeros(count)
+    for side in (faces.left[own], faces.right[own]):
+        weight += np.bincount(side, length, count)
+        for axis in range(2):
+            centre[:, axis] += np.bincount(side, length * middle[:, axis], count)
+        for point in (start, end):
+            np.minimum.at(box[:, :2], side, point)
+            np.maximum.at(box[:, 2:], side, point)
+    centre /= np.maximum(weight, 1e-12)[:, None]
+    return _Panels(faces.area, centre, box, at_rim)
+
+
+def _has_repeated_blanks(panels: _Panels) -> bool:
+    """Return whether panels repeat others under a translation or a half-turn."""
+    area, centre, box, at_rim = panels
+    if len(area) > _MOST_PANELS:
+        return True
+    equal = np.abs(area[:, None] - area) <= _AREA_TOLERANCE * np.maximum(area[:, None], area)
+    if equal.sum(axis=0).max() > _MOST_EQUAL:
+        return True
+    largest = int(area.argmax())
+    tolerance = _CENTRE_TOLERANCE * math.sqrt(float(area.max()))
+    sums = centre[:, None] + centre
+    differences = centre - centre[:, None]
+    for other in np.flatnonzero(equal[largest]).tolist():
+        if other == largest:
+            continue
+        translation = centre[other] - centre[largest]
+        mapped = equal & (np.abs(differences - translation) <= tolerance).all(axis=2)
+        image, source = mapped.any(axis=0), mapped.any(axis=1)
+        if (image | source)[at_rim].all():
+            return True
+        # Glue flaps look different where the next blank begins; other panels do not.  The front
+        # and back of a single carton are equal too, but the glue flap lies beyond their images.
+        if image.mean() > _REPEATED_IN_ROW and int((source & ~image).sum()) >= _FEWEST_PANELS:
+            return True
+        if image.mean() > _REPEATED and not image.all():
+            axis = int(np.abs(translation).argmax())
+            low, high = box[~image, axis].min(), box[~image, axis + 2].max()
+            if high - low <= 1.002 * abs(translation[axis]):
+                return True
+        centre_sum = centre[other] + centre[largest]
+        mapped = equal & (np.abs(sums - centre_sum) <= tolerance).all(axis=2)
+        if mapped.any(axis=0)[at_rim].all() and not mapped.diagonal().any():
+            return True
+    return False
+
+
+def _find_bridges(pair: I64, faces: int) -> Bool:
+    """Return which of k pairs of faces are bridges of the graph of faces, (k,)."""
+    ends = np.concatenate([pair[:, 0], pair[:, 1]])
+    order = np.argsort(ends, kind="stable")
+    first = np.searchsorted(ends[order], np.arange(faces + 1))
+    bridge: Bool = _mark_bridges(pair, first, order % len(pair), faces)
+    return bridge
+
+
+@kernel
+def _mark_bridges(pair: I64_2, first: I64_1, incident: I64_1, faces: int) -> Any:
+    """Find bridges by depth-first search (Tarjan 1974).
+
+    Parameters
+    ----------
+    pair : (k, 2)
+        Edges of the graph of faces.
+    first, incident : (faces + 1,) and (2k,)
+        Pairs of each face, in CSR form.
+    """
+    bridge = np.zeros(len(pair), np.bool_)
+    entered = np.full(faces, -1, np.int64)
+    lowest = np.zeros(faces, np.int64)
+    parent_pair = np.full(faces, -1, np.int64)
+    position = first[:-1].copy()
+    stack = np.empty(faces, np.int64)
+    time = 0
+    for root in range(faces):
+        if entered[root] >= 0 or first[root] == first[root + 1]:
+            continue
+        depth = 0
+        stack[0] = root
+        entered[root] = lowest[root] = time
+        time += 1
+        while depth >= 0:
+            face = stack[depth]
+            if position[face] < first[face + 1]:
+                k = incident[position[face]]
+                position[face] += 1
+                if k == parent_pair[face]:
+                    continue
+                other = pair[k, 1] if pair[k, 0] == face else pair[k, 0]
+                if entered[other] >= 0:
+                    lowest[face] = min(lowest[face], entered[other])
+                    continue
+                parent_pair[other] = k
+                entered[other] = lowest[other] = time
+                time += 1
+                depth += 1
+                stack[depth] = other
+                continue
+            depth -= 1
+            if depth >= 0:
+                parent = stack[depth]
+                lowest[parent] = min(lowest[parent], lowest[face])
+                if lowest[face] > entered[parent]:
+                    bridge[parent_pair[face]] = True
+    return bridge
