@@ -90,7 +90,7 @@ def test_what_was_learned_gives_what_was_corrected_when_it_is_put_first() -> Non
     base = load.profile("default")
     said = {0: LineType.CREASE, 1: LineType.CUT, 3: LineType.CREASE, 4: LineType.CUT}
     found = taught(rows, said, base)
-    own = LineRules("own", "", tuple(one.rule for one in found) + base.rules)
+    own = LineRules("own", "Ours", tuple(one.rule for one in found) + base.rules)
     assert classify(side_by_side(rows), own).line_type[[0, 1, 3, 4]].tolist() == [2, 1, 2, 1]
     again = load.parse_profile("own", tomllib.loads(load.profile_toml(own, "default")))
     assert again.rules == own.rules

@@ -111,7 +111,7 @@ def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_th
     assert one.role.reshape(-1, 5).tolist() == [[Role.OUTLINE] * 4 + [Role.DIVIDER]] * 5000
     assert (one.role[mixed] == other.role).all()
     assert np.bincount(other.component).tolist() == [5] * 5000
-    assert np.sort(other.area).tolist() == pytest.approx(np.sort(one.area).tolist())
+    assert np.sort(other.face_area).tolist() == pytest.approx(np.sort(one.face_area).tolist())
     # The sides of each edge are those of its own carton.
     assert (np.abs(other.area[other.sides]) == np.abs(one.area[one.sides[mixed]])).all()
 
