@@ -113,7 +113,7 @@ def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_th
     assert np.bincount(other.component).tolist() == [5] * 5000
     assert np.sort(other.face_area).tolist() == pytest.approx(np.sort(one.face_area).tolist())
     # The sides of each edge are those of its own carton.
-    assert (np.abs(other.area[other.sides]) == np.abs(one.area[one.sides[mixed]])).all()
+    assert (np.abs(other.face_area[other.faces]) == np.abs(one.face_area[one.faces[mixed]])).all()
 
 
 def test_few_edges_and_edges_at_one_point_keep_their_order() -> None:
