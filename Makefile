@@ -3,7 +3,6 @@
 PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
-WARM   := $(BIN)/python -m knifetip.warming
 # pip, carried out by uv where that runs.
 INSTALL := $(BIN)/python backend/install.py
 HOST   ?= 127.0.0.1
@@ -22,8 +21,8 @@ help:
 	@echo "make lock     resolve the dependencies anew"
 
 # Compiled code is kept beside the source, and does not see that what it calls, or a number that it
-# has from another file, has changed: when a file in a room with kernels is newer, all of them are
-# compiled anew.
+# has from another file, has changed: when a file in a room with kernels is newer, all of it is
+# removed.
 ROOMS   := $(sort backend/knifetip/kernels/ \
 	$(dir $(shell grep -rlE "^@(inline_)?kernel" backend/knifetip --include=*.py)))
 KERNELS := $(wildcard $(addsuffix *.py,$(ROOMS)))
@@ -40,11 +39,13 @@ $(VENV)/.runtime: backend/requirements.lock backend/pyproject.toml | $(BIN)/pyth
 	$(INSTALL) --no-deps --editable backend
 	@touch $@
 
-$(VENV)/.kernels: $(VENV)/.runtime $(KERNELS)
+$(VENV)/.caches: $(VENV)/.runtime $(KERNELS)
 	@find backend/knifetip -name "*.nb[ci]" -delete
+	@touch $@
+
+$(VENV)/.kernels: $(VENV)/.caches
 	@echo "Compiling what must be fast, this once: about one minute."
-	@# On two cores; what both need is compiled twice.
-	@$(WARM) jobs offsets & other=$$!; $(WARM) drawings && wait $$other
+	@$(BIN)/python -m knifetip.jobs.warm_up
 	@touch $@
 
 $(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.kernels
@@ -52,10 +53,12 @@ $(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.kernels
 	@touch $@
 
 # build.py looks at the sources itself and is quick when nothing has changed.
-page: install
+page: | $(BIN)/python
 	$(BIN)/python frontend/build.py
 
-run: install page
+# The environment and the page are made side by side. The server compiles the kernels while it runs.
+run:
+	@$(MAKE) --no-print-directory -j2 $(VENV)/.caches page
 	@mkdir -p $(dir $(DATA))
 	$(BIN)/knifetip serve --host $(HOST) --port $(PORT) --speed $(SPEED) --database sqlite:///$(DATA)
 

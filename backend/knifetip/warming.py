@@ -1,23 +1,17 @@
-"""warming: compile every kernel, so that no user waits for one.
+"""warming: which kernels have no machine code on disk yet, and compiling them.
 
-    group of kernels -> machine code beside the source, with progress
-
-    python -m knifetip.warming [GROUP …]
+    groups of kernels -> parts that are missing -> machine code beside the source
 
 A kernel declares its signature, so no drawing has to reach it.  The groups are in the order in
 which a server needs them.  Each kernel belongs to one of them; what it calls is compiled with it,
-whichever group that is in.  Compiling all takes minutes of processor time, loading them seconds.
+whichever group that is in.  Compiling all takes minutes of processor time, loading them seconds,
+finding that none is missing one second.  ``jobs.warm_up`` does it in several processes.
 """
 
 from __future__ import annotations
 
-import sys
-import time
 from collections.abc import Iterator, Mapping
 from typing import Final, NamedTuple
-
-from knifetip.kernels import Kernel
-from knifetip.kernels.walk import kernels_of
 
 #: The packages and modules of each group.
 GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
@@ -60,17 +54,18 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
 }
 
 
-class Progress(NamedTuple):
-    """One kernel has been compiled, or loaded."""
+class Part(NamedTuple):
+    """A module with kernels that have no machine code on disk."""
 
     group: str  #: name of its group
-    name: str  #: such as ``dxf.tagging.scan_tags``
-    done: int  #: number of kernels of all requested groups that are ready
-    total: int  #: number of kernels of all requested groups
+    module: str  #: full name
+    kernels: int  #: number of kernels without machine code
 
 
-def compile_kernels(*groups: str) -> Iterator[Progress]:
-    """Compile the kernels of some groups one after the other, or load those that are kept.
+def missing_parts(*groups: str) -> list[Part]:
+    """Return what must be compiled, in the order in which it is needed.
+
+    No machine code is loaded.
 
     Parameters
     ----------
@@ -82,34 +77,31 @@ def compile_kernels(*groups: str) -> Iterator[Progress]:
     KeyError
         There is no group of that name.
     """
-    chosen = groups or tuple(GROUPS)
-    work = [(group, each) for group in chosen for each in kernels_of(*GROUPS[group])]
-    for done, (group, each) in enumerate(work, 1):
-        each.compile()
-        yield Progress(group, _name(each), done, len(work))
+    from knifetip.kernels.walk import kernels_of  # numba: callers may only want the groups
+
+    parts = []
+    for group in groups or tuple(GROUPS):
+        missing: dict[str, int] = {}
+        for kernel in kernels_of(*GROUPS[group]):
+            if not kernel.is_cached:
+                module = kernel.py_func.__module__
+                missing[module] = missing.get(module, 0) + 1
+        parts += [Part(group, module, count) for module, count in missing.items()]
+    return parts
 
 
-def warm() -> None:
-    """Compile or load all kernels."""
-    for _ in compile_kernels():
-        pass
+def compile_module(module: str) -> Iterator[float]:
+    """Compile the kernels of a module that have no machine code on disk.
 
+    Yields
+    ------
+    float
+        Share of them that is compiled, after each.
+    """
+    from knifetip.kernels.walk import kernels_of
 
-def _name(each: Kernel) -> str:
-    return f"{each.py_func.__module__}.{each.py_func.__name__}".removeprefix("knifetip.")
-
-
-def main(groups: list[str]) -> int:
-    """Compile the kernels of some groups, all if none is given, and print what it took."""
-    if unknown := [group for group in groups if group not in GROUPS]:
-        print(f"There is no group {unknown[0]!r}. Give some of: {', '.join(GROUPS)}.")
-        return 2
-    for group in groups or GROUPS:
-        since = time.process_time()
-        total = sum(1 for _ in compile_kernels(group))
-        print(f"{group}: {total} kernels, {time.process_time() - since:.0f} s of processor time")
-    return 0
-
-
-if __name__ == "__main__":
-    raise SystemExit(main(sys.argv[1:]))
+    missing = [kernel for kernel in kernels_of(module) if not kernel.is_cached]
+    for done, kernel in enumerate(missing, 1):
+        # It may have been compiled with one that calls it.
+        kernel.compile()
+        yield done / len(missing)

@@ -28,13 +28,14 @@ from knifetip.api.headers import SecurityHeaders
 from knifetip.api.limits import Limits
 from knifetip.api.problems import PROBLEM, problem
 from knifetip.api.queue import WorkQueue
-from knifetip.api.schemas.common import Health, Problem
+from knifetip.api.schemas.common import Health, Problem, ServiceOut
 from knifetip.api.schemas.messages import describe_codes
 from knifetip.api.service import Here, Service, Settings
 from knifetip.api.site import Site
 from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.store import Store
+from knifetip.jobs.warm_up import WarmUp
 from knifetip.messages import Message
 
 _log = logging.getLogger("knifetip.api")
@@ -62,6 +63,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         store = Store(chosen.database)
         pool = ProcessPool(chosen.processes)
+        warm_up = WarmUp() if chosen.compiles else WarmUp(("drawings",))
         compiling = CompileService(
             store,
             pool,
@@ -70,10 +72,11 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             # One process is left to read drawings, for which a person waits.
             max(1, chosen.processes - 1),
             chosen.limit,
+            warm_up=warm_up,
         )
         # One more than the processes: while it reads a request, none of them is idle.
         work = WorkQueue(chosen.processes + 1, chosen.waiting)
-        service = Service(chosen, store, pool, work)
+        service = Service(chosen, store, pool, work, warm_up)
         app.state.service = service
         app.state.stream = events.Stream(service)
         await asyncio.to_thread(store.migrate)
@@ -107,6 +110,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         app.include_router(module.router, prefix="/api")
     app.add_api_route("/healthz", _health, response_model=Health, tags=["health"])
     app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])
+    app.add_api_route("/api/service", _status, response_model=ServiceOut, tags=["health"])
     app.router.default = Site(chosen.page)
     # The last one is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
@@ -145,6 +149,17 @@ async def _ready(here: Here, response: Response) -> Health:
     good = all(check == "ok" for check in checks.values())
     response.status_code = 200 if good else 503
     return Health(status="ok" if good else "starting", version=version("knifetip"), checks=checks)
+
+
+async def _status(here: Here) -> ServiceOut:
+    """Return what the server does besides serving: compiling itself after an installation."""
+    progress = here.warm_up.progress
+    return ServiceOut(
+        version=version("knifetip"),
+        preparing=not progress.finished,
+        parts_compiled=progress.compiled,
+        parts=progress.total,
+    )
 
 
 def status_of(error: errors.KnifetipError) -> int:

@@ -226,9 +226,7 @@ def get_ledger(here: Here, id: str, fate: FateWord | None = None) -> LedgerOut:
 def get_cleaning(here: Here, id: str) -> CleaningOut:
     """List what cleaning makes of the edges before they are planned: joined, moved, dropped."""
     edges = here.store.drawings.column(id, "edges")
-    return CleaningOut.model_validate(
-        here.pool.run(tasks.cleaned, edges, limit=here.settings.limit)
-    )
+    return CleaningOut.model_validate(here.run(tasks.cleaned, edges))
 
 
 @router.get("/{id}/file", response_class=Response, responses={200: BINARY})
@@ -254,9 +252,7 @@ def read(
         It cannot be read; the message begins with the drawing's name.
     """
     try:
-        return here.pool.run(
-            tasks.read, content, interpretation, handles, limit=here.settings.limit
-        )
+        return here.run(tasks.read, content, interpretation, handles)
     except TaskFailed as reason:
         raise NotADrawing("reading.crashed", name=name, reason=reason) from reason
     except KnifetipError as reason:

@@ -70,14 +70,13 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
     drawing = here.store.drawings.get_with(order.drawing, "content", "overrides", "edges")
     check_revision(order.revision, drawing)
     interpretation = _interpretation(here, order, drawing)
-    questions = here.pool.run(
+    questions = here.run(
         tasks.ask,
         StoredDrawing(
             drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
         ),
         interpretation,
         order.machine,
-        limit=here.settings.limit,
     )
     if questions:
         raise OpenQuestions(questions)

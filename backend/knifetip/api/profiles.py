@@ -115,12 +115,11 @@ def delete_profile(here: Here, name: str, match: IfMatch = None) -> None:
 def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
     """Say what a profile would do to a drawing; nothing is kept."""
     row = here.store.drawings.get_with(id, "content", "overrides")
-    found = here.pool.run(
+    found = here.run(
         profiling.preview,
         row.content,
         interpretation_of(row, row.overrides),
         own.written(profile.title[:80], fields_of(profile)),
-        limit=here.settings.limit,
     )
     return PreviewOut.model_validate(found)
 
@@ -130,11 +129,10 @@ def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
 def learn_from_corrections(here: Here, id: str) -> list[ProposalOut]:
     """Propose rules that would have said what somebody corrected by hand; nothing is kept."""
     row = here.store.drawings.get_with(id, "content", "overrides")
-    found = here.pool.run(
+    found = here.run(
         profiling.learn,
         row.content,
         interpretation_of(row, row.overrides),
-        limit=here.settings.limit,
     )
     return [ProposalOut.model_validate(one) for one in found]
 

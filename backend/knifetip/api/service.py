@@ -5,9 +5,10 @@ from __future__ import annotations
 import hashlib
 import re
 import threading
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 from fastapi import Depends, Header, Query, Request, Response
 
@@ -18,9 +19,11 @@ from knifetip.errors import LibraryError, WrongState
 from knifetip.jobs.compile_service import LIMIT
 from knifetip.jobs.process_pool import ProcessPool
 from knifetip.jobs.store import Store
+from knifetip.jobs.warm_up import WarmUp
 from knifetip.library import load
 
 MEGABYTE = 1 << 20
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +50,7 @@ class Service:
     store: Store
     pool: ProcessPool
     work: WorkQueue
+    warm_up: WarmUp
     threads: GatewayThreads = field(default_factory=GatewayThreads)
     stopping: threading.Event = field(default_factory=threading.Event)
     ready: bool = False
@@ -55,6 +59,17 @@ class Service:
         """End the requests that wait for something: event streams and long polls."""
         self.stopping.set()
         self.store.changes.notify()
+
+    def run(self, task: Callable[..., T], *arguments: object) -> T:
+        """Return what a task makes of a drawing in a worker process; blocks this thread.
+
+        Raises
+        ------
+        KnifetipError, TaskCancelled, TaskFailed
+            As for ``ProcessPool.run``.
+        """
+        self.warm_up.wait("drawings")
+        return self.pool.run(task, *arguments, limit=self.settings.limit)
 
 
 # Not a plain function: FastAPI would run it on a thread of the pool that everything else waits for.

@@ -27,7 +27,10 @@ from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
+from knifetip.jobs.warm_up import WarmUp
+from knifetip.library import load
 from knifetip.model.stage import Stage
+from knifetip.model.tool import Engine, kind_of
 
 LIMIT = 120.0  #: seconds that a reading or a compile may take
 _POLL = 0.5  # seconds between two looks for jobs that another process received
@@ -35,6 +38,12 @@ _RENEW = 0.2  # seconds between two renewals of a compile's lease
 _SWEEP = 1.0  # seconds between two sweeps
 
 _log = logging.getLogger("knifetip.jobs")
+
+
+def _kernels_for(machine: str) -> tuple[str, ...]:
+    """Return the groups of kernels that a compile for a machine of the library needs."""
+    engines = {kind_of(station.tool).engine for station in load.machine(machine).stations}
+    return ("drawings", "jobs", "offsets") if Engine.RADIUS in engines else ("drawings", "jobs")
 
 
 @dataclass(slots=True)
@@ -48,6 +57,7 @@ class CompileService:
     at_once: int = 1
     limit: float = LIMIT
     gateways: bool = True  #: False in a process that gateways do not report to
+    warm_up: WarmUp = field(default_factory=WarmUp)  #: started with the service
 
     _stopping: threading.Event = field(default_factory=threading.Event)
     _received: threading.Event = field(default_factory=threading.Event)
@@ -61,7 +71,7 @@ class CompileService:
             for number in range(self.at_once):
                 self._start_thread(self._compile_received, f"compile-{number + 1}")
         self._start_thread(self._sweep, "sweep")
-        threading.Thread(target=self._warm_up, name="warm-up", daemon=True).start()
+        self.warm_up.start(self.pool)
 
     def _start_thread(self, target: Callable[[], None], name: str) -> None:
         thread = threading.Thread(target=target, name=name, daemon=True)
@@ -72,6 +82,7 @@ class CompileService:
         """Stop at once: a compile under way is cancelled, and repeated at the next start."""
         self._stopping.set()
         self._received.set()
+        self.warm_up.close()
         self.pool.close()
         for thread in self._threads:
             thread.join()
@@ -105,13 +116,6 @@ class CompileService:
                     _log.exception("the sweep failed")
             self._stopping.wait(_SWEEP)
 
-    def _warm_up(self) -> None:
-        with contextlib.suppress(TaskCancelled):
-            try:
-                self.pool.run(tasks.warm_up, limit=self.limit)
-            except (KnifetipError, TaskFailed):
-                _log.exception("the warm-up failed")
-
     def compile(self, job: Job) -> None:
         """Compile a job that ``begin_compile`` returned."""
         id, epoch = job.id, job.epoch
@@ -131,6 +135,7 @@ class CompileService:
             drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
         )
         try:
+            self.warm_up.wait(*_kernels_for(job.machine), watch=watch)
             result = self.pool.run(
                 tasks.compile,
                 stored,

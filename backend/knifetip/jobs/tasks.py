@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -45,6 +46,7 @@ from knifetip.presentation.verdict import (
     finite_column,
     verdict_summary,
 )
+from knifetip.warming import Part, compile_module, missing_parts
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
@@ -289,11 +291,16 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
     )
 
 
-def warm_up(_progress: Progress) -> None:
-    """Run every kernel once: what is not compiled yet is, and cached on disk."""
-    from knifetip.warming import warm
+def missing_kernels(_progress: Progress, groups: Sequence[str]) -> list[Part]:
+    """Return the kernels of some groups that must be compiled, module by module."""
+    return missing_parts(*groups)
 
-    warm()
+
+def compile_kernels(progress: Progress, module: str, niceness: int) -> None:
+    """Compile the kernels of a module, in a process that yields the processor to others."""
+    os.setpriority(os.PRIO_PROCESS, 0, max(niceness, os.getpriority(os.PRIO_PROCESS, 0)))
+    for share in compile_module(module):
+        progress(Stage.PREPARE, share)
 
 
 def _tools(made: Compiled, machine: Machine) -> list[dict[str, Any]]:

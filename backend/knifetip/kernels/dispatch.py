@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from pathlib import Path
 from typing import Any, TypeVar, overload
 
 from numba import typeof
@@ -45,6 +46,19 @@ class Kernel(CPUDispatcher):
         numba passes the types of the arguments of a call, which are not needed here.
         """
         return super().compile(tuple(self.declared.values()))
+
+    @property
+    def is_cached(self) -> bool:
+        """Return whether machine code of this source is on disk for this processor.
+
+        The machine code is not loaded.
+        """
+        signature = tuple(self.declared.values())
+        self.targetctx.refresh()
+        key = self._cache._index_key(signature, self.targetctx.codegen())
+        file = self._cache._cache_file
+        data_name = file._load_index().get(key)
+        return data_name is not None and Path(file._data_path(data_name)).is_file()
 
     def get_call_template(self, args: Sequence[Any], kws: dict[str, Any]) -> Any:
         """Return the types of a call from another kernel (numba's protocol).

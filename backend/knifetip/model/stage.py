@@ -10,6 +10,7 @@ from typing import TypeAlias
 class Stage(StrEnum):
     """A step of reading or compiling a drawing, in the order in which they happen."""
 
+    PREPARE = "prepare"  #: kernels are compiled, once after an installation
     READ = "read"  #: the file becomes a Drawing
     CLASSIFY = "classify"  #: each edge gets its line type
     STORE = "store"  #: the reading is packed for the store

@@ -40,6 +40,7 @@ export type ReportGroup = Schemas["ReportGroup"];
 export type Retyped = Schemas["ChangeOut"];
 export type Rule = Schemas["RuleOut"];
 export type Question = Schemas["QuestionOut"];
+export type ServiceStatus = Schemas["ServiceOut"];
 export type Unit = NonNullable<Drawing["unit"]>;
 export type Verdict = Schemas["VerdictOut"];
 export type VerdictSummary = Schemas["VerdictSummary"];
@@ -209,6 +210,8 @@ export const service = {
   },
   programUrl: (id: string) => `/api/jobs/${encodeURIComponent(id)}/program`,
 
+  status: (signal?: AbortSignal): Promise<ServiceStatus> =>
+    dataOf(api.GET("/api/service", uncached(signal))),
   machines: (signal?: AbortSignal): Promise<Machine[]> =>
     dataOf(api.GET("/api/machines", uncached(signal))),
   formats: (signal?: AbortSignal): Promise<Format[]> =>

@@ -822,6 +822,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/service": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Status
+         * @description Return what the server does besides serving: compiling itself after an installation.
+         */
+        get: operations["status"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
 export type webhooks = Record<string, never>;
 export interface components {
@@ -2255,11 +2275,31 @@ export interface components {
             inherited: boolean;
         };
         /**
+         * ServiceOut
+         * @description The server and how far its preparation is, which takes a minute after an installation.
+         */
+        ServiceOut: {
+            /** Version */
+            version: string;
+            /**
+             * Preparing
+             * @description Uploads and jobs may have to wait until the parts that they need are compiled
+             */
+            preparing: boolean;
+            /** Parts Compiled */
+            parts_compiled: number;
+            /**
+             * Parts
+             * @description Parts that had to be compiled when the server started
+             */
+            parts: number;
+        };
+        /**
          * Stage
          * @description A step of reading or compiling a drawing, in the order in which they happen.
          * @enum {string}
          */
-        Stage: "read" | "classify" | "store" | "clean" | "plan" | "compensate" | "sequence" | "process" | "verify" | "done";
+        Stage: "prepare" | "read" | "classify" | "store" | "clean" | "plan" | "compensate" | "sequence" | "process" | "verify" | "done";
         /**
          * StationOut
          * @description A station: joint position = programmed position + datum.
@@ -7412,6 +7452,35 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Health"];
+                };
+            };
+            /** @description What went wrong, and what to do about it */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    status: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ServiceOut"];
                 };
             };
             /** @description What went wrong, and what to do about it */

@@ -12,6 +12,7 @@ import { LineTypesPanel } from "../panels/LineTypesPanel";
 import { MachinePanel } from "../panels/MachinePanel";
 import { NotificationList } from "../panels/NotificationList";
 import { OrderPanel } from "../panels/OrderPanel";
+import { PreparationBanner } from "../panels/PreparationBanner";
 import { ProfileEditor } from "../panels/ProfileEditor";
 import { ProgressOverlay } from "../panels/ProgressOverlay";
 import { QuestionsPanel } from "../panels/QuestionsPanel";
@@ -97,6 +98,7 @@ export function App() {
         <QueuePanel />
         <MachinePanel />
       </aside>
+      <PreparationBanner />
       <ProgressOverlay />
       <NotificationList />
       <ShortcutsDialog />

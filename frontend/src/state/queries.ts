@@ -81,6 +81,13 @@ export const queries = {
       staleTime: Number.POSITIVE_INFINITY,
       structuralSharing: false,
     }),
+  status: () =>
+    queryOptions({
+      queryKey: ["service"],
+      queryFn: ({ signal }) => service.status(signal),
+      // Once the server is prepared it remains so until it is started again.
+      refetchInterval: ({ state }) => (state.data?.preparing === false ? false : 1000),
+    }),
   machines: () =>
     queryOptions({
       queryKey: ["machines"],
@@ -102,6 +109,7 @@ export const useDrawings = () =>
   useInfiniteQuery({ ...queries.drawings(), select: flattenPages<DrawingSummary> });
 export const useJobs = () => useInfiniteQuery({ ...queries.jobs(), select: flattenPages<Job> });
 export const useMachines = () => useQuery(queries.machines());
+export const useServiceStatus = () => useQuery(queries.status());
 export const useFormats = () => useQuery(queries.formats());
 export const useBoards = () => useQuery(queries.boards());
 export const useProfiles = () => useQuery(queries.profiles());

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
 
@@ -11,6 +12,7 @@ import numpy as np
 
 from knifetip.errors import CurvedGroove
 from knifetip.model.stage import Progress, Stage
+from knifetip.warming import Part
 
 
 def double(progress: Progress, number: int) -> int:
@@ -20,6 +22,10 @@ def double(progress: Progress, number: int) -> int:
 
 def process_id(progress: Progress) -> int:
     return os.getpid()
+
+
+def nothing_missing(progress: Progress, groups: Sequence[str]) -> list[Part]:
+    return []
 
 
 def slow_process_id(progress: Progress) -> int:

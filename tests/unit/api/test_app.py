@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import itertools
 import json
+import threading
+import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -13,6 +15,7 @@ import pytest
 
 from knifetip import errors
 from knifetip.api.app import status_of
+from knifetip.jobs.warm_up import WarmUp, WarmUpProgress
 from tests.support.serving.server import square, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -324,3 +327,42 @@ def test_openapi_is_3_1_and_every_route_says_what_its_problems_look_like(
 def test_health_and_readiness(client: httpx.Client) -> None:
     assert client.get("/healthz").json()["status"] == "ok"
     assert client.get("/readyz").json()["checks"] == {"database": "ok", "workers": "ok"}
+
+
+def test_an_upload_waits_for_its_kernels_while_the_server_answers(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[tuple[str, ...]] = []
+    compiled = threading.Event()
+
+    def wait(_warm_up: WarmUp, *groups: str) -> None:
+        asked.append(groups)
+        assert compiled.wait(20.0)
+
+    monkeypatch.setattr(WarmUp, "wait", wait)
+    answers: list[int] = []
+    thread = threading.Thread(
+        target=lambda: answers.append(upload(client, square()).status_code), daemon=True
+    )
+    thread.start()
+    while not asked:
+        time.sleep(0.01)
+    assert client.get("/readyz").status_code == 200
+    assert answers == []
+    compiled.set()
+    thread.join(30.0)
+    assert answers == [201]
+    assert asked == [("drawings",)]
+
+
+def test_the_service_reports_its_preparation(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(WarmUp, "progress", WarmUpProgress(False, 43, 240))
+    status = client.get("/api/service").json()
+    assert {**status, "version": ""} == {
+        "version": "",
+        "preparing": True,
+        "parts_compiled": 43,
+        "parts": 240,
+    }

@@ -10,12 +10,14 @@ from typing import Any
 
 import pytest
 
-from knifetip.jobs import tasks
+from knifetip.jobs import compile_service, tasks
 from knifetip.jobs.compile_service import CompileService
-from knifetip.jobs.process_pool import ProcessPool
+from knifetip.jobs.process_pool import ProcessPool, Watch
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
+from knifetip.jobs.warm_up import WarmUp
 from knifetip.model.interpretation import Interpretation
+from knifetip.model.stage import Stage
 from tests.support.serving import crew_tasks
 
 pytestmark = pytest.mark.xdist_group("crew")
@@ -59,8 +61,7 @@ def ordered(store: Store) -> Job:
 @pytest.fixture
 def compiles_by(monkeypatch: pytest.MonkeyPatch) -> Callable[[object], None]:
     """Put another task in the place of the compile."""
-    # Compiling all kernels would take the only worker for minutes.
-    monkeypatch.setattr(tasks, "warm_up", crew_tasks.process_id)
+    monkeypatch.setattr(tasks, "missing_kernels", crew_tasks.nothing_missing)
     return lambda task: monkeypatch.setattr(tasks, "compile", task)
 
 
@@ -210,3 +211,32 @@ def test_only_a_process_that_gateways_reach_takes_jobs_from_them(
     service.gateways = gateways
     service._sweep()
     assert asked == [False, gateways]
+
+
+def test_a_job_waits_for_the_kernels_that_its_machine_needs(
+    store: Store,
+    service: CompileService,
+    job: Job,
+    compiles_by: Callable[[object], None],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    compiles_by(crew_tasks.refuse)
+    compiled = threading.Event()
+    groups: list[tuple[str, ...]] = []
+
+    def wait(_warm_up: WarmUp, *needed: str, watch: Watch) -> None:
+        groups.append(needed)
+        assert watch(Stage.PREPARE, 0.25)
+        assert compiled.wait(10.0)
+
+    monkeypatch.setattr(WarmUp, "wait", wait)
+    thread = threading.Thread(target=service.compile, args=(begin(store, service),))
+    thread.start()
+    while (waits := store.jobs.get(job.id)).stage != "prepare":
+        time.sleep(0.02)
+    assert (waits.state, waits.progress) == ("compiling", 0.25)
+    compiled.set()
+    thread.join(20.0)
+    assert store.jobs.get(job.id).state == "refused"
+    assert groups == [("drawings", "jobs")]
+    assert compile_service._kernels_for("router-table") == ("drawings", "jobs", "offsets")

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections import Counter
+from itertools import groupby
+from pathlib import Path
+
+import pytest
 
 from knifetip import warming
+from knifetip.kernels import Kernel
 from knifetip.kernels.walk import kernels_of
 
 
@@ -17,19 +23,43 @@ def test_every_kernel_is_in_exactly_one_group() -> None:
     assert Counter(grouped) == Counter(found)
 
 
-def test_the_kernels_of_a_group_are_compiled_with_progress() -> None:
-    progress = list(warming.compile_kernels("offsets"))
-    total = len(progress)
-    assert [each.done for each in progress] == list(range(1, total + 1))
-    assert {each.total for each in progress} == {total}
-    assert {each.group for each in progress} == {"offsets"}
-    assert "geometry.groups.offset_groups" in {each.name for each in progress}
-    for each in kernels_of(*warming.GROUPS["offsets"]):
-        assert len(each.signatures) == 1, each.py_func
+def test_parts_are_missing_in_the_order_of_the_groups(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Kernel, "is_cached", False)
+    parts = warming.missing_parts()
+    assert sum(part.kernels for part in parts) == len(list(kernels_of("knifetip")))
+    assert len({part.module for part in parts}) == len(parts)
+    groups = [group for group, _ in groupby(part.group for part in parts)]
+    assert groups == ["drawings", "jobs", "offsets"]
+    assert {part.group for part in warming.missing_parts("jobs")} == {"jobs"}
 
 
-def test_a_group_that_there_is_not_is_refused() -> None:
-    asked = [sys.executable, "-m", "knifetip.warming", "gloves"]
-    done = subprocess.run(asked, capture_output=True, text=True, check=False)
-    assert done.returncode == 2
-    assert "drawings, jobs, offsets" in done.stdout
+def test_a_module_is_compiled_with_progress_and_is_missing_no_more(tmp_path: Path) -> None:
+    (tmp_path / "two_kernels.py").write_text(
+        "from knifetip.kernels import kernel\n\n\n"
+        "@kernel\ndef half(x: float) -> float:\n    return x / 2\n\n\n"
+        "@kernel\ndef quarter(x: float) -> float:\n    return half(half(x))\n"
+    )
+    # Another process finds what this one left on disk.
+    program = (
+        "from knifetip import warming; warming.GROUPS = {'one': ('two_kernels',)}; "
+        "print(warming.missing_parts(), list(warming.compile_module('two_kernels')), "
+        "warming.missing_parts())"
+    )
+    command = [sys.executable, "-c", program]
+    runs = [
+        subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            check=True,
+            env={**os.environ, "PYTHONPATH": str(tmp_path)},
+        ).stdout.strip()
+        for _ in range(2)
+    ]
+    missing = "[Part(group='one', module='two_kernels', kernels=2)]"
+    assert runs == [f"{missing} [0.5, 1.0] []", "[] [] []"]
+
+
+def test_a_group_that_does_not_exist_is_an_error() -> None:
+    with pytest.raises(KeyError, match="gloves"):
+        warming.missing_parts("gloves")

@@ -49,6 +49,17 @@ class Problem(MessageOut):
     )
 
 
+class ServiceOut(BaseModel):
+    """The server and how far its preparation is, which takes a minute after an installation."""
+
+    version: str
+    preparing: bool = Field(
+        description="Uploads and jobs may have to wait until the parts that they need are compiled"
+    )
+    parts_compiled: int
+    parts: int = Field(description="Parts that had to be compiled when the server started")
+
+
 class Health(BaseModel):
     """Whether the service runs and is ready for requests."""
 

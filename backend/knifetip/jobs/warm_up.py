@@ -1,0 +1,230 @@
+"""warm_up: compiles the kernels that have no machine code yet, in processes beside the server.
+
+    installation -> drawings can be read -> jobs compiled -> contours offset
+
+    python -m knifetip.jobs.warm_up        all kernels, with progress on the terminal
+
+Two processes take module after module in the order of ``warming.GROUPS``.  Requests and compiles
+that need a group wait for it here; everything else is served meanwhile.  The processes end with the
+last module, since compiling leaves hundreds of megabytes in them.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import os
+import sys
+import threading
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from knifetip.errors import KnifetipError
+from knifetip.jobs import tasks
+from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed, Watch
+from knifetip.model.stage import Stage
+from knifetip.warming import GROUPS, Part
+
+NICENESS = 10  #: of compiling processes beside a server
+_AT_ONCE = min(2, os.cpu_count() or 1)  # processes; each compiles again what both need
+_LIMIT = 900.0  # seconds that the kernels of one module may take
+_LOOK = 0.5  # seconds between two reports to who waits
+
+_log = logging.getLogger("knifetip.jobs")
+
+
+@dataclass(frozen=True, slots=True)
+class WarmUpProgress:
+    """How far a warm-up is."""
+
+    finished: bool
+    compiled: int = 0  #: kernels
+    total: int = 0  #: kernels that had no machine code when it began
+
+
+class WarmUp:
+    """Compiles missing kernels once, and lets others wait for them.
+
+    Parameters
+    ----------
+    groups
+        Names of ``warming.GROUPS`` to compile, in order.
+    niceness
+        Of the compiling processes, as of ``nice``.
+    on_progress
+        Called after each change with the progress, on some thread.
+    """
+
+    def __init__(
+        self,
+        groups: tuple[str, ...] = tuple(GROUPS),
+        niceness: int = NICENESS,
+        on_progress: Callable[[WarmUpProgress], object] = lambda _progress: None,
+    ) -> None:
+        self._groups = groups
+        self._niceness = niceness
+        self._on_progress = on_progress
+        self._changed = threading.Condition()
+        # One that was never started keeps nobody waiting.
+        self._running = False
+        self._closed = False
+        self._parts: list[Part] | None = None  # None until it is known what is missing
+        self._waiting: deque[Part] = deque()
+        self._shares: dict[str, float] = {}  # of the kernels of each module that are compiled
+        self._compilers: ProcessPool | None = None
+
+    @property
+    def progress(self) -> WarmUpProgress:
+        """How far it is."""
+        with self._changed:
+            return self._progress()
+
+    def _progress(self, groups: tuple[str, ...] = ()) -> WarmUpProgress:
+        parts = [one for one in self._parts or () if not groups or one.group in groups]
+        compiled = sum(int(one.kernels * self._shares.get(one.module, 0.0)) for one in parts)
+        return WarmUpProgress(not self._running, compiled, sum(one.kernels for one in parts))
+
+    def start(self, pool: ProcessPool) -> None:
+        """Begin on a thread of its own.
+
+        Parameters
+        ----------
+        pool
+            Where it is found out what is missing: a process that does it can read drawings at once.
+        """
+        self._running = True
+        threading.Thread(target=self.run, args=(pool,), name="warm-up", daemon=True).start()
+
+    def run(self, pool: ProcessPool) -> None:
+        """Compile what is missing; parameters as for ``start``."""
+        self._running = True
+        try:
+            with contextlib.suppress(TaskCancelled):
+                parts = pool.run(tasks.missing_kernels, self._groups, limit=_LIMIT)
+                with self._changed:
+                    self._parts = parts
+                    self._waiting.extend(parts)
+                    self._changed.notify_all()
+                if parts:
+                    self._compile()
+        except (KnifetipError, TaskFailed):
+            # Each kernel is then compiled where it is first called.
+            _log.exception("the warm-up failed")
+        finally:
+            with self._changed:
+                self._running = False
+                self._changed.notify_all()
+            self._on_progress(self.progress)
+
+    def _compile(self) -> None:
+        compilers = ProcessPool(_AT_ONCE)
+        with self._changed:
+            self._compilers = compilers
+            if self._closed:
+                return
+        threads = [
+            threading.Thread(target=self._compile_parts, args=(compilers,), name="warm-up")
+            for _ in range(_AT_ONCE)
+        ]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        compilers.close()
+
+    def _compile_parts(self, compilers: ProcessPool) -> None:
+        while (part := self._next_part()) is not None:
+            module = part.module
+
+            def watch(_stage: Stage, share: float, module: str = module) -> bool:
+                # Only the end of its task makes a module ready.
+                self._set_share(module, min(share, 0.999))
+                return not self._closed
+
+            try:
+                compilers.run(
+                    tasks.compile_kernels, module, self._niceness, limit=_LIMIT, watch=watch
+                )
+            except TaskCancelled:
+                return
+            except (KnifetipError, TaskFailed):
+                _log.exception("the kernels of %s were not compiled", module)
+            self._set_share(module, 1.0)
+
+    def _next_part(self) -> Part | None:
+        with self._changed:
+            return self._waiting.popleft() if self._waiting and not self._closed else None
+
+    def _set_share(self, module: str, share: float) -> None:
+        with self._changed:
+            if self._shares.get(module) == share:
+                return
+            self._shares[module] = share
+            self._changed.notify_all()
+        self._on_progress(self.progress)
+
+    def wait(self, *groups: str, watch: Watch = lambda _stage, _fraction: True) -> None:
+        """Return when the kernels of these groups are compiled.
+
+        Parameters
+        ----------
+        watch
+            Called while it waits, with the stage ``PREPARE`` and the share that is compiled.
+            Returns False to wait no longer.
+
+        Raises
+        ------
+        TaskCancelled
+            ``watch`` returned False, or the warm-up was closed.
+        """
+        while True:
+            with self._changed:
+                ready = self._changed.wait_for(lambda: self._is_ready(groups), timeout=_LOOK)
+                if self._closed:
+                    raise TaskCancelled
+                if ready:
+                    return
+                progress = self._progress(groups)
+            if not watch(Stage.PREPARE, progress.compiled / max(progress.total, 1)):
+                raise TaskCancelled
+
+    def _is_ready(self, groups: tuple[str, ...]) -> bool:
+        if not self._running or self._closed:
+            return True
+        return self._parts is not None and all(
+            self._shares.get(part.module) == 1.0 for part in self._parts if part.group in groups
+        )
+
+    def close(self) -> None:
+        """End it; what waits is cancelled."""
+        with self._changed:
+            self._closed = True
+            compilers = self._compilers
+            self._changed.notify_all()
+        if compilers is not None:
+            compilers.close()
+
+
+def main() -> None:
+    """Compile all kernels with all there is, and print the progress."""
+    shown = -1
+
+    def show(progress: WarmUpProgress) -> None:
+        nonlocal shown
+        # A line for each twentieth: logs of builds keep them.
+        twentieth = 20 * progress.compiled // max(progress.total, 1)
+        if progress.total and twentieth != shown:
+            shown = twentieth
+            print(f"Compiled {progress.compiled} of {progress.total} kernels.", flush=True)
+
+    pool = ProcessPool(1)
+    warm_up = WarmUp(niceness=0, on_progress=show)
+    warm_up.run(pool)
+    pool.close()
+    if warm_up.progress.compiled < warm_up.progress.total:
+        sys.exit("Some kernels were not compiled. The messages above name them.")
+
+
+if __name__ == "__main__":
+    main()
