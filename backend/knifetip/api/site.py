@@ -46,7 +46,8 @@ class Site(StaticFiles):
         HTTPException
             404 for paths of the API and files that do not exist, 405 for other methods than GET.
         """
-        if path == "api" or path.startswith("api/") or "\0" in path:
+        # ``path`` is normalized: "/api/../page" would not be of the API any more.
+        if (scope["path"] + "/").startswith("/api/") or "\0" in path:
             raise HTTPException(404)
         if scope["method"] not in ("GET", "HEAD"):
             raise HTTPException(405, headers={"Allow": "GET, HEAD"})
