@@ -1,4 +1,4 @@
-"""Column types of this room, which borrows nothing from geometry."""
+"""Array types; this package imports nothing from ``geometry``, so it has its own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Findings: what the judge objects to, at most a thousand of them."""
+"""Collect the findings of one verification, at most a thousand."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import Final
 from knifetip.messages import Message
 from knifetip.model.verdict import Finding
 
-#: A program with more is wrong from end to end.
+#: Greatest number of findings that are kept.
 MAX_FINDINGS: Final = 1000
 
 
 class Findings:
-    """A list that remembers that something was found when it takes no more."""
+    """A list of findings with a limit; further findings are dropped."""
 
     def __init__(self) -> None:
         self._kept: list[Finding] = []
@@ -21,23 +21,23 @@ class Findings:
     def add(
         self, kind: str, message: Message, measure: float, *, edge: int = -1, line: int = -1
     ) -> None:
-        """Keep a finding, unless there are a thousand already."""
+        """Append a finding, unless the list is full."""
         if not self.full:
             self._kept.append(Finding(kind, message, float(measure), int(edge), int(line)))
 
     def program(self, faults: Iterable[tuple[int, Message]]) -> None:
-        """Keep faults of lines of the program: (1-based line, what is wrong)."""
+        """Append faults of lines of the program: (1-based line, message)."""
         for line, message in faults:
             self.add("program", message, 0.0, line=line)
 
     @property
     def full(self) -> bool:
-        """Whether no more are kept."""
+        """True if further findings are dropped."""
         return len(self._kept) >= MAX_FINDINGS
 
     def __len__(self) -> int:
         return len(self._kept)
 
     def sorted(self) -> tuple[Finding, ...]:
-        """Return them in the order of the program, those about no line last."""
+        """Return the findings in order of lines; findings without a line come last."""
         return tuple(sorted(self._kept, key=lambda finding: (finding.line < 0, finding.line)))

@@ -1,14 +1,14 @@
-"""Kinematics: where the tip goes when the joints move, and where it works.
+"""Poses of the tool tip for moves of the joints, and its paths in the board.
 
-    Moves, Machine, Board -> Tips (poses of the tip) -> Work (its ways in the board)
+    Moves, Machine, Board -> TipPoses -> TipPaths
 
-Written from the tools' drawings, not from the engines.  With u = (cos C, sin C) the direction of
-travel and v = (sin C, -cos C) to its right, the tip stands at
+The formulas are derived from the tools' drawings, independently of the compensation engines.  With
+the direction of travel u = (cos C, sin C) and v = (sin C, -cos C) to its right, the tip is at
 
-    knife, wheel    head - trail u           (a tangential knife trails nothing)
+    knife, wheel    head - trail u           (trail is 0 for a tangential knife)
     V-cutter        head - back v - half_width u
 
-and a V-cutter's tip moves along the leaning blade: by Δz tan θ to the right while it rises.
+The tip of a V-cutter moves along the tilted blade: by Δz tan θ to the right when it rises by Δz.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ from knifetip.verification.curves.curve import arc_curves, line_curves, point_at
 from knifetip.verification.reading.moves import Moves
 from knifetip.verification.tools import expected_tool
 
-#: Heights that differ by less are one height (mm).
+#: Heights that differ by less are equal (mm).
 LEVEL: Final = 1e-6
 
 
-#: The chords that stand for a curved way of the tip stay within this of it (mm).
+#: Greatest distance between a curved path of the tip and its chords (mm).
 CHORD: Final = 1e-4
 
 
@@ -38,7 +38,7 @@ _MAX_CHORDS: Final = 10_000
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPoses:
-    """Where the tip of the station in use is at both ends of n moves; NaN where nobody knows."""
+    """Poses of the tip of the station in use at both ends of n moves; NaN if unknown."""
 
     start: F64  #: (n, 4) x y z in mm on the sheet, heading in degrees
     end: F64  #: (n, 4)
@@ -49,28 +49,24 @@ class TipPoses:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPaths:
-    """n ways of the tip at one depth in the board: lines, arcs, and points where it goes down.
+    """n paths of the tip at constant depth in the board: lines, arcs, and points of plunges."""
 
-    A curve is a row: kind (0 a line, 1 an arc to the left, -1 to the right), then for a line its
-    start and unit direction, for an arc its centre, radius and first angle; last its length.
-    """
-
-    curve: F64  #: (n, 6)
-    z: F64  #: (n,) mm
+    curve: F64  #: (n, 6) rows as in ``curves.curve``
+    z: F64  #: (n,) height of the tip above the table, mm
     heading: F64  #: (n, 2) degrees, at start and end
-    operation: U8  #: (n,) Trade
-    station: I32  #: (n,)
-    track: I32  #: (n,) number of the stay in the board
-    line: I32  #: (n,)
-    blend: F64  #: (n,) mm
+    operation: U8  #: (n,) ``OperationKind``
+    station: I32  #: (n,) index into ``machine.stations``
+    track: I32  #: (n,) number of the track: paths without lifting have the same
+    line: I32  #: (n,) 1-based line of the program
+    blend: F64  #: (n,) mm, rounding of corners by the controller
 
     def ends(self) -> tuple[F64, F64]:
-        """Return where each way begins and ends, (n, 2) each."""
+        """Return start and end points of the paths, (n, 2) mm each."""
         return point_at(self.curve, np.zeros(len(self.z))), point_at(self.curve, self.curve[:, 5])
 
 
 def tip_offset(heading: F64, station: Station) -> F64:
-    """Return where the tip stands, seen from the head's axis, (n, 2) mm, at headings (degrees)."""
+    """Return the vectors from the head's axis to the tip, (n, 2) mm, for headings (degrees)."""
     cos, sin = np.cos(np.radians(heading)), np.sin(np.radians(heading))
     tool = expected_tool(station.tool)
     ahead, right = tool.ahead, tool.right
@@ -78,7 +74,7 @@ def tip_offset(heading: F64, station: Station) -> F64:
 
 
 def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
-    """Return where the tips are at the ends of the moves."""
+    """Return the poses of the tip at the ends of the moves."""
     start, end = moves.start.copy(), moves.end.copy()
     for index, station in enumerate(machine.stations):
         rows = moves.station == index
@@ -88,13 +84,13 @@ def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
     lowest = np.fmin(start[:, 2], end[:, 2])
     inside = (moves.station >= 0) & (lowest < board.caliper - LEVEL)
     beam = beam_moves(moves, machine)
-    # A beam works where it is on, whatever its height.
+    # A beam works wherever it is on, at any height.
     inside[beam] = moves.oscillating[beam]
     return TipPoses(start, end, moves.line, moves.station, inside)
 
 
 def beam_moves(moves: Moves, machine: Machine) -> Bool:
-    """Return which moves are those of a beam, (n,)."""
+    """Return a mask of the moves of stations with a beam, (n,)."""
     held = [expected_tool(station.tool).beam is not None for station in machine.stations]
     result: Bool = np.array([*held, False])[moves.station]
     return result
@@ -103,29 +99,29 @@ def beam_moves(moves: Moves, machine: Machine) -> Bool:
 def tip_paths(
     moves: Moves, tip: TipPoses, usable: Bool, machine: Machine, board: Board
 ) -> TipPaths:
-    """Return the ways of the tips in the board.
+    """Return the paths of the tip in the board.
 
     Parameters
     ----------
     usable : (n,)
-        Moves to look at: the others are refused elsewhere.
+        Mask of the moves to use; other checks report the rest.
 
     Notes
     -----
-    A tool that goes down works the point where it arrives, unless it travels on from there.
+    A plunge gives a path without length at its lower end, unless a level move follows it.
     """
     with np.errstate(invalid="ignore"):
         drop = tip.end[:, 2] - tip.start[:, 2]
     stay = usable & tip.inside & (moves.code > 0)
     flat = stay & (np.abs(drop) <= LEVEL)
     entered = stay & ~(tip.start[:, 2] < board.caliper - LEVEL) & ~beam_moves(moves, machine)
-    # A stay goes on as long as each move begins inside.
+    # A track continues while each move begins in the board.
     broken = np.ones(len(stay), np.bool_)
     broken[1:] = ~stay[:-1] | entered[1:] | (moves.station[1:] != moves.station[:-1])
     track = np.cumsum(stay & broken) - 1
 
-    way = np.hypot(*(tip.end - tip.start)[:, :2].T)
-    travels = flat & ((way > 1e-9) | (moves.sweep != 0.0))
+    distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    travels = flat & ((distance > 1e-9) | (moves.sweep != 0.0))
     goes_on = np.zeros(len(stay), np.bool_)
     goes_on[:-1] = travels[1:] & (track[1:] == track[:-1])
     point = stay & (drop < -LEVEL) & ~goes_on
@@ -150,7 +146,7 @@ def tip_paths(
 def _path_pieces(
     moves: Moves, tip: TipPoses, rows: I64, point: Bool, machine: Machine
 ) -> tuple[I64, F64, F64]:
-    """Return for moves the row, the curve and the first and last share of each piece of theirs."""
+    """Return pieces of moves: row of the move, curve, and start and end share of the move."""
     start, end = tip.start[rows, :2], tip.end[rows, :2]
     start = np.where(point[rows][:, None], end, start)
     turn = np.radians(np.abs(tip.end[rows, 3] - tip.start[rows, 3]))
@@ -161,7 +157,7 @@ def _path_pieces(
         reach[index] = np.hypot(*tip_offset(np.zeros(1), station)[0])
     offset = reach[tip.station[rows]]
     round_ = (moves.sweep[rows] != 0.0) & ~point[rows]
-    # Where the tip stands off the axis and C turns, its way is neither a line nor an arc.
+    # If the tip is off the axis and C turns, its path is neither a line nor an arc.
     bent = ((offset > 0.0) & ((turn > 0.0) | round_)) & ~point[rows]
 
     plain_lines = np.flatnonzero(~round_ & ~bent)
@@ -187,7 +183,7 @@ def _path_pieces(
 def _flatten_paths(
     moves: Moves, tip: TipPoses, rows: I64, bent: I64, offset: F64, machine: Machine
 ) -> tuple[I64, F64, F64]:
-    """Return chords of the tip's way where it is neither a line nor an arc."""
+    """Return chords of tip paths that are neither lines nor arcs, as in ``_path_pieces``."""
     own = rows[bent]
     turn = np.radians(tip.end[own, 3] - tip.start[own, 3])
     out = moves.start[own, :2] - moves.centre[own]
@@ -214,14 +210,14 @@ def _flatten_paths(
             heading = joints[mine, 3] - station.c
             xy[mine] = joints[mine, :2] - (station.x, station.y) + tip_offset(heading, station)
         sides.append(xy)
-    # Consecutive chords share their points to the last bit, and the first and last are the tip's.
+    # Consecutive chords share their points exactly.
     return bent[which], line_curves(sides[0], sides[1]), share
 
 
 def _operations(z: F64, station: I32, machine: Machine, board: Board) -> U8:
     held = [expected_tool(station.tool) for station in machine.stations]
     kinds = np.array([(tool.through, tool.partly) for tool in held], np.uint8).reshape(-1, 2)
-    # Of a knife's two depths the nearer one is meant.
+    # A knife has two depths; choose the operation with the nearer one.
     half = np.abs(z - (board.caliper - board.half_cut_depth)) < np.abs(z + machine.into_mat)
     result: U8 = kinds[station, half.astype(np.int64)]
     return result

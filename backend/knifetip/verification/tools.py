@@ -1,9 +1,10 @@
-"""tools: what the judge expects of each kind of tool.
+"""What the verifier expects of each kind of tool.
 
     Tool -> ExpectedTool
 
-Written from the tools' drawings and the machines' manuals, apart from what the stages do with them:
-only the dimensions in the records are shared.  To add a kind, add a row to ``_EXPECTED``.
+The values are derived from the tools' drawings and the machines' manuals, independently of the
+stages that make programs.  Only the dimensions in the tools' records are shared.  To add a kind of
+tool, add a row to ``_EXPECTED``.
 """
 
 from __future__ import annotations
@@ -17,22 +18,22 @@ from typing import Any, Final
 from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, Laser, Tool, VCutter
 
-#: Inside a pass C may turn alone by this, where a tool has no swivel angle of its own (degrees).
+#: Greatest turn of C in place in the board for tools without a swivel angle (degrees).
 MAX_TURN: Final = 1.01
-#: What a tool's swivel angle may be exceeded by: C is printed to 0.0001°.
+#: Tolerance of angles (degrees); C is printed to 0.0001°.
 ANGLE_TOLERANCE: Final = 0.01
-#: Where a cutter has no lead of its own, its offset is set up on so many radii.
+#: Length of the lead of a cutter without a lead setting, in radii.
 _ENTRY_RATIO: Final = 1.5
 
 
 class OperationKind(IntEnum):
-    """What a tool does at its depth."""
+    """Kind of operation: what a tool does to the board at its depth."""
 
-    CUT = 0  #: a knife through the board
-    HALF_CUT = 1  #: a knife part of the way
+    CUT = 0  #: knife, through the board
+    HALF_CUT = 1  #: knife, part of the way
     CREASE = 2
     GROOVE = 3
-    MILL = 4  #: a cutter that removes a disc, through the board
+    MILL = 4  #: router bit or laser, which removes a disc, through the board
 
     @property
     def tool(self) -> str:
@@ -42,44 +43,44 @@ class OperationKind(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Disc:
-    """What a rotating cutter or a beam removes."""
+    """The disc of board that a rotating cutter or a beam removes."""
 
     radius: float  #: mm
     step: float  #: deepest cut in one pass (mm); 0 for all at once
-    set_up: float  #: the longest way from where it enters to a contour (mm)
+    set_up: float  #: longest path from the entry point to a contour (mm)
 
 
 @dataclass(frozen=True, slots=True)
 class Beam:
-    """What is asked of a beam, which works wherever it is on, at any height."""
+    """Properties of a beam, which works wherever it is on, at any height."""
 
     focus: float  #: height of the focus above the board's top face (mm)
-    pierce: float  #: seconds that it stays where it is switched on
+    pierce: float  #: dwell at the point where it is switched on (s)
 
 
 @dataclass(frozen=True, slots=True)
 class ExpectedTool:
-    """What a program may do with a tool, and what the tool then does to the board."""
+    """Properties of a tool that a program must respect, and what it does to the board."""
 
     through: OperationKind
-    partly: OperationKind  #: where it goes only part of the way through
-    ahead: float = 0.0  #: from the head's axis to the tip, along C (mm)
-    right: float = 0.0  #: and to the right of C (mm)
+    partly: OperationKind  #: operation at a depth part of the way through
+    ahead: float = 0.0  #: from the head's axis to the tip, in the direction of C (mm)
+    right: float = 0.0  #: from the head's axis to the tip, to the right of C (mm)
     slope: float = 0.0  #: sideways travel per mm of depth
-    trails: bool = False  #: its head swings round the tip while C turns
-    swivel: float = MAX_TURN  #: C may turn by this in the board inside a pass (degrees)
-    most: float = 180.0  #: a turn in the board need never be wider (degrees)
-    follows: bool = True  #: C turns as the path does
+    trails: bool = False  #: the head moves round the tip while C turns
+    swivel: float = MAX_TURN  #: greatest turn of C in place in the board (degrees)
+    most: float = 180.0  #: greatest turn of C that is ever needed (degrees)
+    follows: bool = True  #: C follows the direction of the path
     speed: float = 1.0  #: S word of M3
-    turns: bool = False  #: M3 must be in force while it works; otherwise it must not
-    at_rest: str = ""  #: code of the message where it is not in force
-    wait: float = 0.0  #: seconds after it is switched, if longer than the machine's own
+    turns: bool = False  #: M3 must be in force while it works; if False, M3 must not be
+    at_rest: str = ""  #: code of the message if M3 is not in force
+    wait: float = 0.0  #: dwell after switching, if longer than the machine's (s)
     disc: Disc | None = None
     beam: Beam | None = None
-    outputs: tuple[int, ...] = ()  #: that must be on while it works, besides its station's
+    outputs: tuple[int, ...] = ()  #: outputs that must be on while it works, besides its station's
 
     def through_depth(self, caliper: float, into_mat: float) -> float:
-        """Return how deep below the top face its tip is where it cuts the board through (mm)."""
+        """Return the depth of the tip below the top face in a cut through the board (mm)."""
         return -self.beam.focus if self.beam else caliper + into_mat
 
 
@@ -147,17 +148,17 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], ExpectedTool]]] = {
 
 
 def extra_outputs(machine: Machine) -> tuple[int, ...]:
-    """Return the outputs that tools need besides their stations', ascending."""
+    """Return the outputs of tools, without those of stations, in ascending order."""
     return tuple(
         sorted({one for held in machine.stations for one in expected_tool(held.tool).outputs})
     )
 
 
 def has_beam(machine: Machine) -> bool:
-    """Return whether a station holds a beam."""
+    """Return True if a station carries a beam."""
     return any(expected_tool(held.tool).beam is not None for held in machine.stations)
 
 
 def expected_tool(tool: Tool) -> ExpectedTool:
-    """Return what the judge expects of a tool."""
+    """Return the expected properties of a tool."""
     return _EXPECTED[type(tool)](tool)

@@ -1,10 +1,10 @@
-"""verify: does this program cut what was drawn?
+"""Verify that a program makes the drawn edges.
 
     program bytes, Dieline, placement, Machine, Board -> Verdict
 
-The bytes are parsed back, the joints moved by them, the tool's tip followed, and its work compared
-with the dieline edge by edge.  Nothing here is shared with the stages that made the program: it
-could have come from anywhere.
+A reader converts the bytes to moves of the joints, kinematics computes the paths of the tool tip,
+and the checks compare them with each edge.  No code is shared with the stages that make programs,
+so programs from any source can be verified.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.kinematics import TipPaths, TipPoses, tip_paths, tip_poses
 from knifetip.verification.reading.moves import Moves, ProgramReader
 
-#: The map of a verdict has no more rows.
+#: Greatest number of rows in the map of deviations.
 MAX_SAMPLES: Final = 200_000
 
 __all__ = ["read_placement", "trace_program", "verify"]
@@ -56,41 +56,41 @@ def verify(
     dieline : Dieline
         Edges in the drawing's coordinates.
     placement : (x, y), mm
-        What was added to them to place them on the sheet.
+        Offset that places them on the sheet.
     machine, board
-        What the program is for.
+        Machine and board that the program is made for.
     tolerance : float, mm
-        How far the tip may be from its line, the controller's rounding (G64) included.  Where a
-        language prints coarse coordinates, their rounding is added: see the verdict.
+        Greatest distance of the tip from its line, including the controller's rounding of corners
+        (G64).  The rounding of coarse coordinates is added; the verdict contains the sum.
 
     Returns
     -------
     Verdict
-        Accepted if nothing was findings.  A text that is no program is refused, with its lines.
+        Accepted if there are no findings.  A text that is not a program gives findings too.
 
     Raises
     ------
     ProgramUnreadable
-        The text is not bytes, or too large to be read.
+        The text is not bytes, or is too large.
     ProgramError
-        The tolerance is not a length.
+        The tolerance is not a positive, finite number.
     GeometryError
-        The dieline or the placement has a coordinate that is not a number.
+        A coordinate of the dieline or the placement is not finite.
     """
     if not (math.isfinite(tolerance) and tolerance > 0.0):
         raise ProgramError("verify.bad-tolerance", tolerance=tolerance)
     edges = place_edges(dieline, placement)
     figures = EdgeFigures.zeros(len(dieline))
     findings = Findings()
-    moves, _, ways = _trace(text, machine, board, tolerance, findings)
+    moves, _, paths = _trace(text, machine, board, tolerance, findings)
     _check_placement(text, placement, machine, findings)
     _check_unclassified(dieline, findings)
     tolerance += moves.resolution
     context = CheckContext(
         edges, machine, board, tolerance, figures, findings, moves.programmed, moves.resolution
     )
-    check_edges(context, ways)
-    check_work_order(context, ways)
+    check_edges(context, paths)
+    check_work_order(context, paths)
     return Verdict(
         accepted=len(findings) == 0,
         tolerance=tolerance,
@@ -122,7 +122,7 @@ def _samples(context: CheckContext) -> Samples:
 
 
 def trace_program(text: bytes, machine: Machine, board: Board) -> tuple[Moves, TipPoses, TipPaths]:
-    """Return what the judge saw: the moves, where the tip went, and its ways in the board."""
+    """Return the moves of a program, the poses of the tip, and its paths in the board."""
     return _trace(text, machine, board, math.inf, Findings())
 
 
@@ -144,7 +144,7 @@ def _trace(
 
 
 def read_placement(text: bytes, machine: Machine) -> tuple[float, float] | None:
-    """Return the placement that a program states (mm), None where it states none."""
+    """Return the placement in the program's comments (mm), None if there is none."""
     return _reader(machine).placement(text)
 
 

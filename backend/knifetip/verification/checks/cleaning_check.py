@@ -67,9 +67,11 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
             found.append(Finding("uncut", message, measure, edge))
 
     # The stretches of each edge that is worked must add up to its length.
-    told = np.bincount(parts.row, (parts.end - parts.begin) * length[parts.row], len(drawn))
-    for edge in np.flatnonzero(np.abs(np.where(worked, length, 0.0) - told) > _ROUNDING).tolist():
-        report(edge, float(length[edge] - told[edge]), Message("verify.cleaning-incomplete"))
+    recorded = np.bincount(parts.row, (parts.end - parts.begin) * length[parts.row], len(drawn))
+    for edge in np.flatnonzero(
+        np.abs(np.where(worked, length, 0.0) - recorded) > _ROUNDING
+    ).tolist():
+        report(edge, float(length[edge] - recorded[edge]), Message("verify.cleaning-incomplete"))
     lost = parts.cleaned < 0
     gone = np.bincount(parts.row[lost], ((parts.end - parts.begin) * length[parts.row])[lost],
                        len(drawn))  # fmt: skip
@@ -111,9 +113,9 @@ def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
     half = 2.0 * np.arctan(bulge)
     bent = np.abs(bulge) > _BULGE
     # Complex numbers: the chord to the point is the whole chord, scaled and turned.
-    way = chord[:, 0] + 1j * chord[:, 1]
+    vector = chord[:, 0] + 1j * chord[:, 1]
     size = np.where(bent, np.sin(share * half) / np.sin(np.where(bent, half, 1.0)), share)
-    point = way * size * np.exp(1j * (share - 1.0) * half)
+    point = vector * size * np.exp(1j * (share - 1.0) * half)
     placed: F64 = start + np.column_stack([point.real, point.imag])
     return placed
 

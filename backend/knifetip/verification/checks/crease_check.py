@@ -56,9 +56,9 @@ class CreaseCheck(StationCheck):
                 np.tile(parts, 2),
             )
         self.set_edges(single)
-        asked = expected_creases(self.edges, self.context.board, wheel, around, parts)
-        self.low, self.high, self.depth = asked.low, asked.high, asked.depth
-        for edge in np.flatnonzero(asked.refused)[:MAX_FINDINGS]:
+        expected = expected_creases(self.edges, self.context.board, wheel, around, parts)
+        self.low, self.high, self.depth = expected.low, expected.high, expected.depth
+        for edge in np.flatnonzero(expected.refused)[:MAX_FINDINGS]:
             self.add_finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])
         rows = self.match_edges()
         self.check_position(rows)

@@ -75,8 +75,8 @@ class _MillingStationCheck(StationCheck):
         if held is None or expected_tool(held.tool).disc is None:
             self.check_uncut(self.match_edges(), np.arange(len(self.edges)))
             return
-        ways = CentrePaths(self.curve, self.z, self.track, self.line, self.blend)
-        check_milling(self.context, self.edges, ways, held, self.slack)
+        centres = CentrePaths(self.curve, self.z, self.track, self.line, self.blend)
+        check_milling(self.context, self.edges, centres, held, self.slack)
 
 
 _CHECKS: Final[dict[OperationKind, type[StationCheck]]] = {

@@ -57,8 +57,10 @@ class GrooveCheck(StationCheck):
         # The allowed extra run-out is not required.
         self.low, self.high = self.low + self.spare[:, 0], self.high - self.spare[:, 1]
         for forward in (True, False):
-            way = rows.place[:, 1] > rows.place[:, 0]
-            self.check_uncut(rows, np.arange(len(self.edges)), (way == forward) & final, forward)
+            direction = rows.place[:, 1] > rows.place[:, 0]
+            self.check_uncut(
+                rows, np.arange(len(self.edges)), (direction == forward) & final, forward
+            )
         if blade is None:
             return
         self.check_heading(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
@@ -84,9 +86,9 @@ class GrooveCheck(StationCheck):
         The tip must go no farther than necessary: the space past the board may be occupied.
         """
         half = self.context.board.groove_depth * blade.slope
-        asked = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)
-        boundary = asked.boundary.reshape(-1, 2)
-        least = asked.least.reshape(-1, 2)
+        required = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)
+        boundary = required.boundary.reshape(-1, 2)
+        least = required.least.reshape(-1, 2)
         # Chords run out in their own direction, so arcs are not lengthened here.
         straight_on = self.edges.curve[:, 0] == 0.0
         boundary &= straight_on[:, None]
@@ -109,13 +111,13 @@ class GrooveCheck(StationCheck):
         Earlier passes may be shallower; each pass must be at least as deep as the previous one.
         """
         deep = (self.context.board.caliper - self.z)[rows.curve]
-        way = 2 * rows.edge.astype(np.int64) + (rows.place[:, 1] > rows.place[:, 0])
+        pass_key = 2 * rows.edge.astype(np.int64) + (rows.place[:, 1] > rows.place[:, 0])
         deepest = np.zeros(2 * len(self.edges))
-        np.maximum.at(deepest, way[rows.best], deep[rows.best])
-        final: Bool = deep >= deepest[way] - DEPTH_TOLERANCE
+        np.maximum.at(deepest, pass_key[rows.best], deep[rows.best])
+        final: Bool = deep >= deepest[pass_key] - DEPTH_TOLERANCE
         order = np.flatnonzero(rows.best & (np.abs(np.diff(rows.place)[:, 0]) > SHORT))
-        order = order[np.lexsort((rows.curve[order], way[order]))]
-        same = way[order[1:]] == way[order[:-1]]
+        order = order[np.lexsort((rows.curve[order], pass_key[order]))]
+        same = pass_key[order[1:]] == pass_key[order[:-1]]
         back = same & (deep[order[1:]] < deep[order[:-1]] - DEPTH_TOLERANCE)
         for k in np.flatnonzero(back)[:MAX_FINDINGS]:
             row = order[k + 1]

@@ -399,8 +399,8 @@ class _MillingCheck:
         bad = np.flatnonzero(figure > self.tolerance + PRINT_ROUNDING)
         # Report only the worst place of each pair of edge and path.
         bad = bad[np.argsort(-into[bad], kind="stable")]
-        told = np.unique(np.stack([edge[bad], path[bad]], axis=1), axis=0, return_index=True)[1]
-        for k in bad[np.sort(told)][:MAX_FINDINGS]:
+        reported = np.unique(np.stack([edge[bad], path[bad]], axis=1), axis=0, return_index=True)[1]
+        for k in bad[np.sort(reported)][:MAX_FINDINGS]:
             self._add_finding(
                 "overcut",
                 int(edge[k]),

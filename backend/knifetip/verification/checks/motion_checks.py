@@ -33,12 +33,12 @@ MAX_BOW: Final = 1e-3
 
 def move_lengths(moves: Moves) -> F64:
     """Return the length of each move along X, Y and Z (mm); NaN if a position is unknown."""
-    way = moves.end - moves.start
+    vector = moves.end - moves.start
     radius = np.hypot(*(moves.start[:, :2] - moves.centre).T)
     flat = np.where(
-        moves.sweep != 0.0, radius * np.abs(moves.sweep), np.hypot(way[:, 0], way[:, 1])
+        moves.sweep != 0.0, radius * np.abs(moves.sweep), np.hypot(vector[:, 0], vector[:, 1])
     )
-    result: F64 = np.hypot(flat, way[:, 2])
+    result: F64 = np.hypot(flat, vector[:, 2])
     return result
 
 
@@ -132,8 +132,8 @@ def _resting_tips(moves: Moves, tip: TipPoses, machine: Machine) -> Bool:
     The head of a drag knife moves round its tip in such a move.
     """
     trails = np.array([expected_tool(station.tool).trails for station in machine.stations])
-    way = np.hypot(*(tip.end - tip.start)[:, :2].T)
-    result: Bool = (way < 1e-3) & ((moves.sweep == 0.0) | trails[moves.station])
+    distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    result: Bool = (distance < 1e-3) & ((moves.sweep == 0.0) | trails[moves.station])
     return result
 
 
@@ -231,11 +231,11 @@ def check_board_moves(
 def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, findings: Findings) -> None:
     """Check that a beam is off in rapids, and that its focus keeps its height while it is on."""
     on = beam & tip.inside
-    way = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
     drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
     for row in np.flatnonzero(on & (moves.code == 0))[:MAX_FINDINGS]:
-        message = Message("verify.beam-on-rapid", length=way[row])
-        findings.add("stray", message, way[row], line=moves.line[row])
+        message = Message("verify.beam-on-rapid", length=distance[row])
+        findings.add("stray", message, distance[row], line=moves.line[row])
     for row in np.flatnonzero(on & (moves.code > 0) & (drop > LEVEL))[:MAX_FINDINGS]:
         message = Message("verify.beam-refocused", height=drop[row])
         findings.add("depth", message, drop[row], line=moves.line[row])

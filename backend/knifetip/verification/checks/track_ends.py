@@ -6,6 +6,7 @@ StationCheck of a knife, KnifeEnds -> findings, and the overrun of every track
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,6 +23,19 @@ from knifetip.verification.expectation.edges import (
 )
 from knifetip.verification.expectation.expected_work import KnifeEnds
 from knifetip.verification.findings import MAX_FINDINGS
+
+
+class _RunStops(NamedTuple):
+    """Stops of k runs, and which of them are wrong."""
+
+    wrong: I64  #: indices of the runs to report
+    work: I64  #: (k,) last tip path
+    stop: F64  #: (k, 2) mm, where the knife leaves the board
+    ahead: F64  #: (k,) degrees, heading there
+    ring: F64  #: (k, 2) mm, planned stop of a closed run
+    gap: F64  #: (k,) mm between both
+    planned: I64  #: (k,) nearest end of an edge, -1 for none
+    distance: F64  #: (k,) mm to the planned stop of that end
 
 
 def check_track_ends(
@@ -105,35 +119,11 @@ def check_track_ends(
     together = pairs_within(ends.stop[planned[short]], ends.stop[free], JOIN_DISTANCE)[1]
     _record_setback(check, whole, solid, ends, np.unique(free[together]), lead)
 
-    for k in np.flatnonzero(~closed & ~right)[:MAX_FINDINGS]:
-        work = int(last[closes[k]])
-        edge = int(solid[planned[k] // 2]) if planned[k] >= 0 else -1
-        # A closed run with a wrong stop is compared with its own planned stop if that is nearest.
-        if gap[k] < min(distance[k], NEAR_EDGE):
-            target, measure, edge = ring[k], float(gap[k]), -1
-        elif planned[k] >= 0:
-            target, measure = ends.stop[planned[k]], float(distance[k])
-        else:
-            check.add_finding(
-                "uncut",
-                -1,
-                Message("verify.comes-out-anywhere"),
-                float(gap[k]),
-                work,
-            )
-            continue
-        angle = math.radians(float(ahead[closes[k]]))
-        x, y = stop[closes[k]] - target
-        past = x * math.cos(angle) + y * math.sin(angle) > 0.0
-        check.add_finding(
-            "overcut" if past else "uncut",
-            edge,
-            Message(
-                "verify.comes-out-past" if past else "verify.comes-out-short", distance=measure
-            ),
-            measure,
-            work,
-        )
+    runs = _RunStops(
+        np.flatnonzero(~closed & ~right), last[closes], stop[closes], ahead[closes], ring, gap,
+        planned, distance,
+    )  # fmt: skip
+    _report_wrong_stops(check, solid, ends, runs)
 
     begun = np.zeros(len(opens), np.bool_)
     begun[pairs_within(start[opens], whole.ends, TOUCH_DISTANCE)[0]] = True
@@ -146,6 +136,39 @@ def check_track_ends(
             int(first[opens[k]]),
         )
     return over
+
+
+def _report_wrong_stops(check: StationCheck, solid: I64, ends: KnifeEnds, runs: _RunStops) -> None:
+    """Add a finding for each run that stops neither at a planned stop nor at its own start."""
+    for k in runs.wrong[:MAX_FINDINGS]:
+        work = int(runs.work[k])
+        edge = int(solid[runs.planned[k] // 2]) if runs.planned[k] >= 0 else -1
+        # A closed run with a wrong stop is compared with its own planned stop if that is nearest.
+        if runs.gap[k] < min(runs.distance[k], NEAR_EDGE):
+            target, measure, edge = runs.ring[k], float(runs.gap[k]), -1
+        elif runs.planned[k] >= 0:
+            target, measure = ends.stop[runs.planned[k]], float(runs.distance[k])
+        else:
+            check.add_finding(
+                "uncut",
+                -1,
+                Message("verify.comes-out-anywhere"),
+                float(runs.gap[k]),
+                work,
+            )
+            continue
+        angle = math.radians(float(runs.ahead[k]))
+        x, y = runs.stop[k] - target
+        past = x * math.cos(angle) + y * math.sin(angle) > 0.0
+        check.add_finding(
+            "overcut" if past else "uncut",
+            edge,
+            Message(
+                "verify.comes-out-past" if past else "verify.comes-out-short", distance=measure
+            ),
+            measure,
+            work,
+        )
 
 
 def overrun_starts(check: StationCheck, over: F64) -> F64:

@@ -132,11 +132,11 @@ def _check_other_edges(
     long = np.flatnonzero(
         near.best & (size >= np.minimum(_MIN_LENGTH, work.curve[rows[near.curve], 5]))
     )
-    way, along = rows[near.curve[long]], near.along[long]
+    path, along = rows[near.curve[long]], near.along[long]
     until = np.full(len(long), math.inf)
     place = np.zeros((len(long), 2))
     for share in _PROBES:
-        points = point_at(work.curve[way], along @ (1.0 - share, share))
+        points = point_at(work.curve[path], along @ (1.0 - share, share))
         on = find_overlaps(
             line_curves(points, points),
             cuts.curve,
@@ -148,11 +148,11 @@ def _check_other_edges(
         held[on.curve] = math.inf
         sooner = held < until
         until[sooner], place[sooner] = held[sooner], points[sooner]
-    late = np.flatnonzero(work.line[way] > until)
-    late = late[np.unique(way[late], return_index=True)[1]]
+    late = np.flatnonzero(work.line[path] > until)
+    late = late[np.unique(path[late], return_index=True)[1]]
     for k in late[:MAX_FINDINGS]:
         row = int(edges.row[near.edge[long[k]]])
-        _add_finding(context, row, place[k], int(work.line[way[k]]), int(until[k]))
+        _add_finding(context, row, place[k], int(work.line[path[k]]), int(until[k]))
 
 
 def _add_finding(context: CheckContext, edge: int, place: F64, line: int, closed: int) -> None:
@@ -199,14 +199,14 @@ def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _Worked
         planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
         through = deep >= planned - DEPTH_TOLERANCE
         columns.append((beside.edge[near.edge], low, high, rows[near.curve], through))
-    edge, low, high, way, through = (np.concatenate(one) for one in zip(*columns, strict=True))
+    edge, low, high, path, through = (np.concatenate(one) for one in zip(*columns, strict=True))
     # Drop paths that only cross a cut or touch its end.
     long = np.flatnonzero(high - low >= np.minimum(_MIN_LENGTH, 0.5 * size[edge]))
-    long = long[np.lexsort((work.line[way[long]], edge[long]))]
-    way = way[long].astype(np.int64)
+    long = long[np.lexsort((work.line[path[long]], edge[long]))]
+    path = path[long].astype(np.int64)
     return _WorkedSpans(
-        edge[long].astype(np.int64), low[long], high[long], work.line[way].astype(np.int64),
-        through[long], way, widest,
+        edge[long].astype(np.int64), low[long], high[long], work.line[path].astype(np.int64),
+        through[long], path, widest,
     )  # fmt: skip
 
 

@@ -1,1 +1,1 @@
-"""Lines and arcs in rows, and where they run along each other."""
+"""Lines and arcs as rows of numbers, their overlaps, and unions of intervals on them."""

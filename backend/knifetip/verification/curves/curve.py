@@ -15,7 +15,7 @@ from knifetip.verification.columns import F64
 
 
 def point_at(curve: F64, along: F64) -> F64:
-    """Return the points at a distance (mm) along curves, (n, 2)."""
+    """Return the points at distances (mm) from the starts of curves, (n, 2) mm."""
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
     angle = curve[:, 4] + curve[:, 0] * along / radius
@@ -26,7 +26,7 @@ def point_at(curve: F64, along: F64) -> F64:
 
 
 def azimuth_at(curve: F64, along: F64) -> F64:
-    """Return the directions of travel (degrees) at a distance (mm) along curves."""
+    """Return the directions of travel (degrees) at distances (mm) from the starts of curves."""
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
     angle = curve[:, 4] + curve[:, 0] * (along / radius + math.pi / 2.0)
@@ -35,7 +35,14 @@ def azimuth_at(curve: F64, along: F64) -> F64:
 
 
 def left_distance(curve: F64, along: F64, edge: F64) -> F64:
-    """Return how far to the left of edges (mm) the points at a distance (mm) along curves lie."""
+    """Return the signed distances (mm) of points on curves from edges, positive to the left.
+
+    Parameters
+    ----------
+    curve, edge : (n, 6)
+    along : (n,) mm
+        Positions of the points on ``curve``.
+    """
     x, y = (point_at(curve, along) - edge[:, 1:3]).T
     straight = edge[:, 0] == 0.0
     off = np.where(straight, edge[:, 3] * y - edge[:, 4] * x, 0.0)
@@ -44,16 +51,16 @@ def left_distance(curve: F64, along: F64, edge: F64) -> F64:
 
 
 def line_curves(start: F64, end: F64) -> F64:
-    """Return straight curves between points, (n, 2) mm each; points are lines without length."""
-    way = end - start
-    length = np.hypot(way[:, 0], way[:, 1])
+    """Return the lines between points, (n, 2) mm each; a line between equal points has length 0."""
+    vector = end - start
+    length = np.hypot(vector[:, 0], vector[:, 1])
     safe = np.where(length > 0.0, length, 1.0)
-    direction = np.where(length[:, None] > 0.0, way / safe[:, None], (1.0, 0.0))
+    direction = np.where(length[:, None] > 0.0, vector / safe[:, None], (1.0, 0.0))
     return np.column_stack([np.zeros(len(start)), start, direction, length])
 
 
 def arc_curves(centre: F64, start: F64, sweep: F64) -> F64:
-    """Return round curves about centres, (n, 2) mm, from points, (n, 2), by radians."""
+    """Return the arcs with centres and start points, (n, 2) mm each, and sweeps in radians."""
     out = start - centre
     radius = np.hypot(out[:, 0], out[:, 1])
     first = np.arctan2(out[:, 1], out[:, 0])

@@ -1,9 +1,8 @@
-"""Stretches: which parts of ways lie on which parts of edges, which of them count, what is left.
+"""Overlaps of curves with edges: which of them count, and what remains uncovered.
 
-    pairs of curves and edges with the places where they share -> Overlaps -> gaps, leftovers
+    overlaps in any order -> Overlaps -> uncovered stretches of curves and of edges
 
-A way counts as work on the edge that it is nearest to: on the others only where it is on none
-nearer.  What no stretch covers is a gap of an edge, or a leftover of a way.
+Where a curve overlaps several edges, only the nearest one counts.
 """
 
 from __future__ import annotations
@@ -16,34 +15,34 @@ import numpy as np
 from knifetip.kernels import F64_1, F64_2, I32_1, OutF64_2, kernel
 from knifetip.verification.columns import F64, I32, I64, Bool
 
-#: Numbers that differ by less are one number (mm).
+#: Lengths that differ by less are equal (mm).
 EPSILON: Final = 1e-9
-#: A stretch that adds less than this belongs to the edge before it: paths may have gaps of
-#: 0.002 mm, and programs are printed to 0.0001 mm.
+#: An overlap that adds less than this does not count (mm): paths may have gaps of 0.002 mm, and
+#: programs are printed to 0.0001 mm.
 SHORT: Final = 0.005
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Overlaps:
-    """k stretches, ordered by curve and then by how far they are from the edge."""
+    """k overlaps, sorted by curve and then by distance from the edge."""
 
-    curve: I32  #: (k,)
-    edge: I32  #: (k,)
+    curve: I32  #: (k,) index of the curve
+    edge: I32  #: (k,) index of the edge
     along: F64  #: (k, 2) mm along the curve, ascending
-    place: F64  #: (k, 2) mm along the edge at those two
-    distance: F64  #: (k,) mm, the farthest within the stretch
-    best: Bool  #: (k,) some of the stretch is on no nearer edge
+    place: F64  #: (k, 2) mm along the edge at the same two points
+    distance: F64  #: (k,) mm, greatest distance within the overlap
+    best: Bool  #: (k,) part of the overlap is on no nearer edge
 
 
 def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
-    """Return rows from stretches in any order.
+    """Return sorted overlaps, with the nearest ones marked.
 
     Parameters
     ----------
     pairs : (k, 2)
-        Curve and edge.
+        Indices of curve and edge.
     spans : (k, 5) mm
-        From where to where along the curve, at which places of the edge, and how far off it.
+        Start and end along the curve, positions of both on the edge, greatest distance.
     """
     order = np.lexsort((spans[:, 4], pairs[:, 0]))
     pairs, spans = pairs[order], spans[order]
@@ -54,13 +53,13 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
 
 
 def mark_nearest(rows: Overlaps, curves: F64, until: F64) -> Overlaps:
-    """Return the rows with ``best`` for the first ``until`` mm, (n,), of each curve only."""
+    """Return the overlaps with ``best`` computed for the first ``until`` mm, (n,), of curves."""
     spans = np.column_stack([rows.along, rows.place, rows.distance])
     return replace(rows, best=_nearest_mask(rows.curve, spans, curves[:, 5].copy(), until))
 
 
 def within_limits(rows: Overlaps, limit: F64, curves: F64) -> Overlaps:
-    """Return the rows that stay within the limit, (m,) mm, of their own edge."""
+    """Return the overlaps whose distance is within the limit, (m,) mm, of their edge."""
     keep = rows.distance <= limit[rows.edge]
     kept = Overlaps(
         rows.curve[keep],
@@ -74,30 +73,30 @@ def within_limits(rows: Overlaps, limit: F64, curves: F64) -> Overlaps:
 
 
 def uncovered_curves(rows: Overlaps, curves: F64) -> tuple[I32, F64]:
-    """Return the stretches of curves on no edge: the curve (k,) and from where to where (k, 2) mm.
+    """Return the stretches of curves on no edge: curve (k,), start and end (k, 2) mm.
 
-    A point on no edge is a stretch without length.
+    A curve without length gives a stretch without length.
     """
     which, spans, count = _uncovered_spans(rows.curve, rows.along, curves[:, 5].copy())
     return which[:count], spans[:count]
 
 
 def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64, F64]:
-    """Return what stretches leave bare of edges: edge, from, to (mm).
+    """Return the stretches of edges that no interval covers: edge, start, end (mm).
 
     Parameters
     ----------
-    edge, low, high : (n,) index and mm
-        Stretches in any order.
+    edge, low, high : (n,) index, mm, mm
+        Intervals on edges in any order.
     size : (m,) mm
-        Length of every edge.
+        Length of each edge.
     """
     every = np.arange(len(size))
     edge = np.concatenate([edge, every])
     low, high = np.concatenate([low, size]), np.concatenate([high, size])
     order = np.lexsort((high, low, edge))
     edge, low, high = edge[order], np.maximum(low[order], 0.0), high[order]
-    # One running maximum for all edges: each stands on its own step.
+    # Offset each edge, so that one running maximum serves all edges.
     step = edge * (2.0 * float(size.max(initial=0.0)) + 1.0)
     reached = np.maximum.accumulate(np.minimum(high, size[edge]) + step) - step
     before = np.concatenate([[0.0], reached[:-1]])
@@ -110,7 +109,7 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
 
 @kernel
 def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) -> Any:
-    """A stretch counts where no nearer one of its curve has been: rows come nearest first."""
+    """Return a mask of the overlaps that add length; those of a curve come nearest first."""
     best = np.zeros(len(curve_of), np.bool_)
     begin = 0
     while begin < len(curve_of):
@@ -125,7 +124,7 @@ def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) ->
             right = min(spans[row, 1], until[curve])
             left = min(spans[row, 0], right)
             many, gained = add_interval(covered, many, left, right)
-            # An edge drawn twice is worked twice by one way.
+            # A curve works both copies of an edge that is drawn twice.
             twin = spans[row, 4] <= spans[begin, 4] + 1e-6
             whole = right - left > SHORT or (short and spans[row, 1] <= until[curve])
             best[row] = gained > SHORT or (twin and whole)
@@ -135,7 +134,7 @@ def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) ->
 
 @kernel
 def add_interval(covered: OutF64_2, many: int, left: float, right: float) -> Any:
-    """Put a stretch into a sorted list of disjoint ones; return their number and what was new."""
+    """Add an interval to sorted disjoint ones; return their number and the added length."""
     first = 0
     while first < many and covered[first, 1] < left:
         first += 1

@@ -1,9 +1,9 @@
-"""Overlap: which stretch of which way runs along which stretch of which edge, to the micrometre.
+"""Find the stretches of curves that lie within a distance of edges.
 
-    curves (n, 6), edges (m, 6), limit -> Overlaps: where they are within the limit of each other
+    curves (n, 6), edges (m, 6), limit -> Overlaps
 
-Curves are rows as ``kinematics.Work`` has them.  Between lines and circles the stretch within a
-distance has a closed form, so nothing is sampled; a grid over the edges finds who is near whom.
+Rows are as in ``curves.curve``.  The ends of a stretch have a closed form for lines and arcs; only
+the greatest distance within it is sampled.  A grid over the edges finds the candidates.
 """
 
 from __future__ import annotations
@@ -24,11 +24,12 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
     Parameters
     ----------
     curves : (n, 6)
-        A curve without length is a point; it may lie ``limit`` past an edge's ends.
+        A curve without length is a point; it may lie up to ``limit`` past the ends of an edge.
     edges : (m, 6)
     low, high : (m,) mm
-        The part of each edge that counts; none where high < low.
+        Start and end of the part of each edge that is searched; no part if high < low.
     limit : mm
+        Greatest distance of a curve from an edge.
     """
     if len(curves) == 0 or len(edges) == 0:
         pairs, spans = np.zeros((0, 2), np.int32), np.zeros((0, 5))
@@ -50,7 +51,7 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
 
 
 def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
-    """Return the corner, the cell size (mm) and the columns and rows of a grid over edges."""
+    """Return lower left corner (mm), cell size (mm), and columns and rows of a grid over edges."""
     straight = edges[:, 0] == 0.0
     reach = np.where(straight, 0.0, edges[:, 3])
     ends = edges[:, 1:3] + np.where(straight, edges[:, 5], 0.0)[:, None] * np.where(
@@ -71,7 +72,10 @@ def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
 def cells_near_curve(
     curve: F64_1, margin: float, corner: F64_1, size: float, wide: int, high: int, out: OutI64_1
 ) -> Any:
-    """Write the cells that a curve's surroundings touch to ``out``, repeats included."""
+    """Write the cells within ``margin`` mm of a curve to ``out``; a cell may occur repeatedly.
+
+    Returns ``out``, enlarged if necessary, and the number of cells.
+    """
     count = 0
     length = curve[5]
     step = size
@@ -114,7 +118,7 @@ def cells_near_curve(
 
 @kernel
 def _double_capacity(pairs: I32_2, spans: F64_2) -> Any:
-    """Return the arrays with room for twice the rows; loops compile faster than slices."""
+    """Return copies of the arrays with twice the capacity; loops compile faster than slices."""
     more_pairs = np.empty((2 * len(pairs), 2), np.int32)
     more_spans = np.empty((2 * len(pairs), 5))
     for row in range(len(pairs)):
@@ -142,7 +146,7 @@ def _search_grid(
     cells = np.empty(1024, np.int64)
     filled = np.empty(wide * tall, np.int64)
     listed = np.empty(0, np.int32)
-    # Counted first, and then written where the counts say.
+    # The first pass counts the edges of each cell, the second one lists them.
     for writes in range(2):
         for edge in range(len(edges)):
             if high[edge] < low[edge]:
@@ -194,13 +198,13 @@ def _search_grid(
 
 @kernel(checks_division=True)
 def _project(edge: F64_1, x: float, y: float) -> Any:
-    """Return the distance along the edge's line or circle (mm), and the signed one off it."""
+    """Return position along the edge's line or circle, and signed distance from it (mm)."""
     dx = x - edge[1]
     dy = y - edge[2]
     if edge[0] == 0.0:
         return dx * edge[3] + dy * edge[4], edge[3] * dy - edge[4] * dx
     turned = edge[0] * (math.atan2(dy, dx) - edge[4])
-    # Angles are told from the middle of the arc, so that both its ends have room beyond them.
+    # Centre the range of angles on the arc, so that it extends beyond both ends.
     half = 0.5 * edge[5] / edge[3]
     turned = (turned - half + math.pi) % (2.0 * math.pi) - math.pi + half
     return turned * edge[3], math.hypot(dx, dy) - edge[3]
@@ -218,7 +222,7 @@ def _point_on(curve: F64_1, along: float) -> Any:
 def _overlap_pair(
     curve: F64_1, edge: F64_1, low: float, high: float, limit: float, hits: OutF64_2
 ) -> int:
-    """Write the stretches of one curve along one edge to ``hits``: along, place, distance."""
+    """Write the overlaps of one curve and one edge to ``hits``; return their number."""
     near = np.empty((8, 2))
     if curve[0] == 0.0:
         pieces = _line_near_edge(curve, edge, limit, near)
@@ -235,8 +239,8 @@ def _overlap_pair(
         turns = 1
         whole = 0.0
         if edge[0] != 0.0:
-            # Round the circle: take the end that a way of this length leads to, and try the edge
-            # one turn earlier and later too.  Seen from outside a circle nothing goes half round.
+            # On a circle, choose the turn of the end that fits the curve's length, and try the edge
+            # one turn earlier and later.  A curve with its centre outside turns by less than π.
             whole = 2.0 * math.pi * edge[3]
             ahead = 0.0
             if curve[0] != 0.0 and math.hypot(curve[1] - edge[1], curve[2] - edge[2]) < curve[3]:
@@ -293,7 +297,7 @@ def _append_clipped(begin: float, end: float, length: float, near: OutF64_2, pie
 
 @kernel(checks_division=True)
 def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
-    """Where a line is within the limit of the edge's line or circle."""
+    """Write the stretches of a line within the limit of an edge's line or circle."""
     length = curve[5]
     if edge[0] == 0.0:
         _, off = _project(edge, curve[1], curve[2])
@@ -319,16 +323,16 @@ def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> 
 
 @kernel(checks_division=True)
 def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
-    """Where an arc is within the limit: where lowest ≤ sin(angle - shift) ≤ highest."""
+    """Write the stretches of an arc within the limit: lowest ≤ sin(angle - shift) ≤ highest."""
     radius = curve[3]
     if edge[0] == 0.0:
-        # Off the line by middle + r sin(angle - direction of the line).
+        # The distance from the line is middle + r sin(angle - direction of the line).
         _, middle = _project(edge, curve[1], curve[2])
         shift = math.atan2(edge[4], edge[3])
         lowest = (-limit - middle) / radius
         highest = (limit - middle) / radius
     else:
-        # Off the centre by √(r² + D² + 2 r D cos(angle - direction between the centres)).
+        # The distance from the centre is √(r² + D² + 2 r D cos(angle - direction of the centres)).
         dx = curve[1] - edge[1]
         dy = curve[2] - edge[2]
         apart = math.hypot(dx, dy)
@@ -357,7 +361,7 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
 
 @kernel
 def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, pieces: int) -> int:
-    """Keep where the arc runs between two angles, once for every turn that meets it."""
+    """Write the stretches of an arc between two angles, in every turn."""
     if curve[0] < 0.0:
         begin, end = -end, -begin
     a = begin - curve[0] * curve[4]

@@ -1,10 +1,10 @@
-"""Folds: the creases that a board is really to have, from those that were drawn.
+"""The crease lines that the wheel must make, derived from the drawn creases.
 
-    Edges (creases), Edges (cuts), Board, ways of the wheel -> Edges
+    Edges (creases), Edges (cuts), Board, paths of the wheel -> Edges
 
-A cut that runs through a crease parts it: both halves keep their own distance from it.  Three or
-more dashes in a line may be rolled as one crease; whether they were, their gaps tell.  A board with
-a double crease has two lines for each that is drawn, half of their distance to either side.
+A cut through a crease splits it, and the wheel keeps its clearance on both sides.  Three or more
+collinear dashes may be made as one crease; the work in their gaps shows whether they were.  On a
+board with double creases, each drawn line becomes two, half of their distance to either side.
 """
 
 from __future__ import annotations
@@ -28,16 +28,17 @@ from knifetip.verification.expectation.edges import (
     pairs_within,
 )
 
-#: Dashes are no farther apart than this (mm), nor than so many of their mean lengths.
+#: Greatest gap between dashes: mm, and ratio to their mean length.
 MAX_DASH_GAP: Final = 12.0
 MAX_GAP_RATIO: Final = 1.5
-#: A cut is on a crease where it is within this of it (mm), and through it where it soon is not.
+#: Greatest distance of a cut that is on a crease, and greatest length on it of one that crosses
+#: (mm).
 ON_DISTANCE: Final = 1e-4
 CROSSING_LENGTH: Final = 0.01
 
 
 def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
-    """Return creases parted where cuts run through them, and the places, (k, 2) mm."""
+    """Return creases split where cuts cross them, and the crossing points, (k, 2) mm."""
     crease, at = _cut_crossings(edges.curve, cuts)
     places = point_at(edges.curve[crease], at)
     within = (at > TOUCH_DISTANCE) & (at < edges.curve[crease, 5] - TOUCH_DISTANCE)
@@ -54,10 +55,10 @@ def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
 
 
 def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
-    """Return which curves cuts run through, and where (mm along them).
+    """Return the indices of curves that cuts cross, and the positions (mm along them).
 
-    A cut runs through in its own middle, or goes on as another where it ends on the curve: some
-    leave that place on either side of it.
+    A cut crosses between its ends, or several cuts end at one point of the curve and leave it on
+    both sides.
     """
     rows = find_overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON_DISTANCE)
     at, place = rows.along.mean(axis=1), rows.place.mean(axis=1)
@@ -86,7 +87,7 @@ def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
 
 
 def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
-    """Return the parts of edges between two places (mm)."""
+    """Return the parts of edges between two positions (mm)."""
     curve = edges.curve[row].copy()
     start, end = point_at(curve, low), point_at(curve, high)
     outward = np.stack([azimuth_at(curve, low) + 180.0, azimuth_at(curve, high)], axis=1)
@@ -105,20 +106,20 @@ def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
     )
 
 
-def creased_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
-    """Return the gaps between dashes that were rolled as one, as creases of the dash before.
+def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> Edges:
+    """Return the gaps between dashes that were made as one crease, with the row of a dash.
 
-    They were if the wheel has been in one of their gaps, or on only one of them.
+    Dashes were made as one if the wheel has worked in one of their gaps, or on only one dash.
 
     Parameters
     ----------
     cuts
-        What begins or ends on one of them is no dash there: the gap is a slot.  Where one runs
-        through a gap, the dashes on either side are not of one crease.
-    ways : (n, 6)
-        Where the wheel went.
+        A dash that touches a cut bounds a slot, not a gap.  A cut through a gap separates the
+        dashes on both sides.
+    wheel_paths : (n, 6)
+        Paths of the wheel.
     limit : mm
-        How far beside the dashes it may have gone.
+        Greatest distance of the wheel from the dashes.
     """
     plain = np.flatnonzero((edges.curve[:, 0] == 0.0) & (edges.line_type == LineType.CREASE))
     dash = edges.select(plain)
@@ -134,7 +135,7 @@ def creased_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
     if len(near) == 0:
         return edges.select(np.zeros(0, np.int64))
     gap = np.hypot(*(dash.ends[near] - dash.ends[far]).T)
-    # Dashes hang together by their gaps: how many, and how long on average.
+    # Group the dashes that gaps connect.
     name = np.arange(len(dash))
     for _ in range(len(dash)):
         least = name.copy()
@@ -152,12 +153,12 @@ def creased_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
     good = (many[row_] >= 3) & (widest[row_] * many[row_] <= MAX_GAP_RATIO * total[row_] + 1e-6)
     near, far = near[good], far[good]
     curve = line_curves(dash.ends[near], dash.ends[far])
-    rows = find_overlaps(ways, curve, np.zeros(len(curve)), curve[:, 5], limit)
+    rows = find_overlaps(wheel_paths, curve, np.zeros(len(curve)), curve[:, 5], limit)
     some = np.abs(np.diff(rows.place)[:, 0]) > JOIN_DISTANCE
     run = name[near // 2]
     rolled = np.zeros(len(dash), np.bool_)
     rolled[run[rows.edge[some]]] = True
-    met = find_overlaps(ways, dash.curve, np.zeros(len(dash)), dash.curve[:, 5], limit).edge
+    met = find_overlaps(wheel_paths, dash.curve, np.zeros(len(dash)), dash.curve[:, 5], limit).edge
     rolled |= np.bincount(name[np.unique(met)], minlength=len(dash)) == 1
     near, far, curve = near[rolled[run]], far[rolled[run]], curve[rolled[run]]
     heading = azimuth_at(curve, np.zeros(len(curve)))
@@ -172,7 +173,7 @@ def creased_gaps(edges: Edges, cuts: Edges, ways: F64, limit: float) -> Edges:
 
 
 def _facing_ends(dash: Edges) -> tuple[I64, I64]:
-    """Return the pairs of ends of dashes that face each other over a gap, each pair once."""
+    """Return the pairs of ends of dashes on both sides of a gap, each pair once."""
     ahead = np.radians(dash.outward)
     step = (MAX_DASH_GAP + 1.0) * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     rows = find_overlaps(
@@ -200,7 +201,7 @@ def _facing_ends(dash: Edges) -> tuple[I64, I64]:
 
 
 def concatenate_edges(edges: Edges, more: Edges) -> Edges:
-    """Return both edges and more of them."""
+    """Return the concatenation of two sets of edges."""
     return Edges(
         *(
             np.concatenate([getattr(edges, name), getattr(more, name)])
@@ -229,7 +230,7 @@ def double_lines(edges: Edges, distance: float) -> Edges:
 
 
 def ends_at(edges: Edges, places: F64) -> Bool:
-    """Return which ends of edges, (2n,), lie at one of these places."""
+    """Return a mask of the ends of edges, (2n,), at one of these points, (k, 2) mm."""
     result = np.zeros(len(edges.ends), np.bool_)
     result[pairs_within(edges.ends, places, TOUCH_DISTANCE)[0]] = True
     return result

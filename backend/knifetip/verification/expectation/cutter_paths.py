@@ -1,6 +1,6 @@
-"""Equidistants: where a cutter's centre should run beside every edge.
+"""Expected paths of a cutter's centre: the offset of each edge.
 
-    Edges, CutOutlines, reach -> CutterPaths: pieces of way, each beside a stretch of one edge
+    CutOutlines, reach -> CutterPaths: lines and arcs, each beside a stretch of one edge
 
 Source: the radius paper, equations 1-9.
 """
@@ -18,20 +18,20 @@ from knifetip.verification.curves.intervals import EPSILON
 from knifetip.verification.expectation.edges import Edges
 from knifetip.verification.expectation.outline import CutOutlines
 
-#: Chords of an equidistant that is no circle stay within this of it (mm).
+#: Greatest distance between an elliptic offset and its chords (mm).
 _CHORD_ERROR: Final = 1e-4
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutterPaths:
-    """Where the centre should run: k pieces, each beside a stretch of one edge."""
+    """k pieces of the path of a cutter's centre, each beside a stretch of one edge."""
 
-    curve: F64  #: (k, 6)
-    edge: I64  #: (k,)
-    place: F64  #: (k, 2) mm along the edge at both ends of the piece
+    curve: F64  #: (k, 6) rows as in ``curves.curve``
+    edge: I64  #: (k,) index of the edge
+    place: F64  #: (k, 2) mm, positions on the edge of both ends of the piece
 
     def edge_intervals(self, piece: I32, place: F64) -> tuple[F64, F64]:
-        """Return from where to where along its edge (mm) a stretch, (n, 2) mm, of a piece is."""
+        """Return start and end on the edge (mm) of stretches of pieces, (n, 2) mm."""
         share = place / np.maximum(self.curve[piece, 5], EPSILON)[:, None]
         first, last = self.place[piece, 0], self.place[piece, 1]
         at = first[:, None] + (last - first)[:, None] * share
@@ -39,12 +39,12 @@ class CutterPaths:
 
 
 def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
-    """Return the way of the centre beside every edge; an open cut is followed on its line.
+    """Return the path of the centre beside each edge; an open cut is followed on its line.
 
     Parameters
     ----------
     reach : (2,) mm
-        How far the disc takes board away from its centre, along X and along Y.
+        Half-axes of the removed disc along X and Y.
     """
     curve = bounds.edges.curve
     waste = np.where(bounds.board_left, -1.0, 1.0) * bounds.closing
@@ -56,14 +56,14 @@ def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
     edge = np.arange(len(curve))
     place = np.stack([np.zeros(len(curve)), curve[:, 5]], axis=1)
     bent = np.flatnonzero(curve[:, 0] != 0.0)
-    # To its left an arc to the left has its centre.
+    # The centre of an arc to the left lies on its left.
     grows = -curve[bent, 0] * waste[bent]
     if reach[0] == reach[1]:
         radius = curve[bent, 3] + grows * reach[0]
         moved[bent, 3] = radius
         moved[bent, 5] *= radius / curve[bent, 3]
         fits = np.ones(len(curve), np.bool_)
-        # No disc fits into an arc that is tighter than itself.
+        # A disc does not fit into an arc with a smaller radius.
         fits[bent[radius <= EPSILON]] = False
         return CutterPaths(moved[fits], edge[fits], place[fits])
     pieces = [CutterPaths(moved[straight], edge[straight], place[straight])]
@@ -77,7 +77,7 @@ def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
 
 
 def _elliptic_path(edges: Edges, row: int, grows: float, reach: F64) -> CutterPaths:
-    """Return chords of the ellipse that runs beside an arc where δx and δy differ."""
+    """Return chords of the elliptic offset of an arc for different reaches along X and Y."""
     curve = edges.curve[row]
     axes = curve[3] + grows * reach
     sweep = curve[5] / curve[3]

@@ -22,16 +22,16 @@ from knifetip.verification.expectation.edges import (
     pairs_within,
 )
 
-#: Edges that are one so far from their common end are drawn over each other (mm).
+#: Distance from a common end at which edges are compared for coincidence (mm).
 _COINCIDENT_PROBE: Final = 2.0
 
 
 def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64, Bool]:
-    """Return which end each end is joined to, -1 for none, and whether another goes straight on.
+    """Return the end that each end is linked to (-1 for none), and which ends continue straight.
 
-    Two ends that are alone are joined where they turn by no more than ``kink`` degrees; where
-    more meet, those that run straight through each other are, if neither has a second candidate.
-    Where two edges of a ``ring``, (n,), meet they go on as each other, whatever else ends there.
+    Two ends that meet alone are linked if they turn by at most ``kink`` degrees.  Where more ends
+    meet, two collinear ones are linked if neither has a second candidate.  Two edges of a closed
+    contour, given by the mask ``ring``, (n,), are always linked.
     """
     count = len(edges.ends)
     a, b = pairs_within(edges.ends, edges.ends, TOUCH_DISTANCE)
@@ -41,7 +41,7 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
     goes_on = np.zeros(count, np.bool_)
     goes_on[a[turn <= STRAIGHT_ANGLE]] = True
     joined = np.hypot(*(edges.ends[a] - edges.ends[b]).T) <= JOIN_DISTANCE
-    # One drawn over the other does not come back along it.
+    # Coincident edges are not linked back along each other.
     joined &= ~((turn >= 180.0 - STRAIGHT_ANGLE) & _are_coincident(edges, a, b))
     a, b, turn = a[joined], b[joined], turn[joined]
     if ring is not None:
@@ -63,7 +63,7 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
 
 
 def _are_coincident(edges: Edges, a: I64, b: I64) -> Bool:
-    """Return whether the edges of pairs of ends that lie together are drawn over each other."""
+    """Return a mask of the pairs of common ends whose edges are coincident."""
     size = np.minimum(edges.curve[a // 2, 5], edges.curve[b // 2, 5])
     inward = np.minimum(size, _COINCIDENT_PROBE)
     points = [
@@ -76,21 +76,22 @@ def _are_coincident(edges: Edges, a: I64, b: I64) -> Bool:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EdgePaths:
-    """n edges strung on c paths."""
+    """c paths of n edges that follow each other end to end."""
 
     path: I64  #: (n,) the path of each edge
-    begin: F64  #: (n,) mm from the path's first end to where the edge begins on it
+    begin: F64  #: (n,) mm from the start of the path to the edge
     flipped: Bool  #: (n,) the path runs from the edge's end to its start
-    length: F64  #: (c,) mm
-    first: I64  #: (c,) end at which the path begins, -1 where it is closed
-    last: I64  #: (c,) end at which it ends
+    length: F64  #: (c,) length of each path, mm
+    first: I64  #: (c,) end at which the path begins, -1 if it is closed
+    last: I64  #: (c,) end at which the path stops
 
     def intervals(self, low: F64, high: F64, curve: F64) -> tuple[F64, F64]:
-        """Return for each edge which part of it, in its own mm, lies between two places.
+        """Return start and end (mm along each edge) of its part between two positions.
 
         Parameters
         ----------
-        low, high : (c,) mm from the first end of each path
+        low, high : (c,) mm
+            Positions from the start of each path.
         """
         size = curve[:, 5]
         near = np.clip(low[self.path] - self.begin, 0.0, None)
@@ -100,7 +101,7 @@ class EdgePaths:
         return own_low, own_high
 
     def locate(self, path: I64, at: F64, curve: F64) -> tuple[I64, F64]:
-        """Return the edge, and the place in its own mm, at a distance along paths."""
+        """Return the edge at a position (mm) of each path, and the position on that edge (mm)."""
         order = np.lexsort((self.begin, self.path))
         widest = float(self.length.max(initial=0.0)) + 1.0
         key = self.path[order] * widest + self.begin[order]
@@ -110,17 +111,23 @@ class EdgePaths:
 
 
 def joined_ends(edges: Edges) -> I64:
-    """Return the end that each end is joined to, (2n,), -1 for none: alone, at any angle."""
+    """Return the end that each end is linked to at any angle, (2n,), or -1."""
     return link_ends(edges, 180.0)[0]
 
 
 def continues_straight(edges: Edges) -> Bool:
-    """Return for the ends of edges, (2n,), whether another one goes straight on."""
+    """Return a mask of the ends, (2n,), at which another edge continues straight."""
     return link_ends(edges, STRAIGHT_ANGLE)[1]
 
 
 def edge_paths(edges: Edges, link: I64) -> EdgePaths:
-    """Return the paths that linked ends make."""
+    """Return the paths of edges with linked ends.
+
+    Parameters
+    ----------
+    link : (2n,)
+        The end that each end is linked to, or -1.
+    """
     path, begin, flipped, length, first, last, count = _trace_paths(link, edges.curve[:, 5].copy())
     return EdgePaths(path, begin, flipped, length[:count], first[:count], last[:count])
 

@@ -15,36 +15,36 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
 
-#: Ends nearer than this are one path (mm).
+#: Ends nearer than this are one point (mm).
 JOIN_DISTANCE: Final = 0.002
 
 
-#: Ends nearer than this were meant to touch (mm).
+#: Ends nearer than this touch (mm).
 TOUCH_DISTANCE: Final = 0.05
 
 
-#: Straighter than this is straight on (degrees).
+#: Greatest turn of edges that continue straight (degrees).
 STRAIGHT_ANGLE: Final = 1.0
 
 
-#: More pairs of ends at one place are no dieline.
+#: Greatest number of pairs of near ends.
 MAX_PAIRS: Final = 20_000_000
 
 
-#: A bulge below this is a straight line.
+#: An edge with a smaller bulge is a straight line.
 _BULGE: Final = 1e-9
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Edges:
-    """n edges on the sheet."""
+    """n edges in sheet coordinates."""
 
     row: I32  #: (n,) row in Dieline
-    curve: F64  #: (n, 6) as in kinematics.Work
-    line_type: I32  #: (n,)
+    curve: F64  #: (n, 6) rows as in ``curves.curve``
+    line_type: I32  #: (n,) ``LineType``
     ends: F64  #: (2n, 2) mm, start and end of each edge in turn
-    outward: F64  #: (2n,) degrees, the direction in which each edge leaves its ends
-    chord: F64  #: (n,) degrees, from start to end
+    outward: F64  #: (2n,) degrees, direction out of the edge at each end
+    chord: F64  #: (n,) degrees, direction from start to end
 
     def __len__(self) -> int:
         return len(self.row)
@@ -54,7 +54,7 @@ class Edges:
         return self.select(np.flatnonzero(np.isin(self.line_type, types)))
 
     def select(self, where: I64) -> Edges:
-        """Return some of the edges, by row."""
+        """Return the edges with these indices."""
         twice = np.stack([2 * where, 2 * where + 1], axis=1).ravel()
         return Edges(
             self.row[where],
@@ -67,12 +67,12 @@ class Edges:
 
 
 def place_edges(dieline: Dieline, placement: tuple[float, float]) -> Edges:
-    """Return the dieline's edges with length, moved to where the sheet has them.
+    """Return the edges of a dieline in sheet coordinates, without those of zero length.
 
     Raises
     ------
     GeometryError
-        The placement or an edge has a coordinate that is not a number.
+        A coordinate of the placement or an edge is not finite.
     """
     bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
     if bad.any() or not np.isfinite(placement).all():
@@ -103,15 +103,15 @@ def place_edges(dieline: Dieline, placement: tuple[float, float]) -> Edges:
 
 
 def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
-    """Return the edges without those drawn again over another of their type.
+    """Return the edges without those that coincide with an earlier one of the same line type.
 
     Returns
     -------
-    edges, rows of what is left out, rows of what stays for each of those
+    edges, rows of the duplicates, row of the remaining edge for each duplicate
     """
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
     same = (a % 2 == 0) & (a // 2 > b // 2)
-    # Which end of the other lies at the start, and whether its other end lies at the end too.
+    # One end of the other lies at the start; its other end must lie at the end.
     first, other = a[same] // 2, b[same]
     away = edges.ends[2 * first + 1] - edges.ends[other ^ 1]
     middle = [point_at(edges.curve[row], 0.5 * edges.curve[row, 5]) for row in (first, other // 2)]
@@ -122,7 +122,7 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
     )
     stays = np.arange(len(edges))
     np.minimum.at(stays, first[twins], other[twins] // 2)
-    # The one that stays may itself be drawn over an earlier one.
+    # The remaining edge may itself duplicate an earlier one.
     while (stays[stays] != stays).any():
         stays = stays[stays]
     twin = np.flatnonzero(stays != np.arange(len(edges)))
@@ -131,7 +131,13 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
 
 
 def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
-    """Return the pairs of points, (n, 2) and (m, 2) mm, within a distance of each other."""
+    """Return the index pairs of points, (n, 2) and (m, 2) mm, within a distance (mm).
+
+    Raises
+    ------
+    GeometryError
+        There are more than ``MAX_PAIRS`` candidates.
+    """
     if len(points) == 0 or len(others) == 0:
         return np.zeros(0, np.int64), np.zeros(0, np.int64)
     low = np.minimum(points.min(axis=0), others.min(axis=0)) - distance
@@ -143,7 +149,7 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
     key = key[order]
     found_a, found_b = [], []
     for column in (-1, 0, 1):
-        # The three cells of a column lie next to each other in the keys.
+        # The keys of the three cells of a column are consecutive.
         wanted = (mine[:, 0] + column) * high + mine[:, 1]
         first = np.searchsorted(key, wanted - 1)
         many = np.searchsorted(key, wanted + 2) - first
@@ -159,7 +165,7 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
 
 
 def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
-    """Return the smaller angle between directions (degrees)."""
+    """Return the smaller angle between directions modulo ``turn`` (degrees)."""
     half = turn / 2.0
     result: F64 = np.abs((one - other + half) % turn - half)
     return result

@@ -1,14 +1,15 @@
-"""Intent: what each edge asks for: the depth, where the tip begins and stops, what it may run over.
+"""Expected work on creases, cuts and grooves: depths, and where the tip starts and stops.
 
-    Dieline, placement -> Edges (curves on the sheet) -> Creases, KnifeEnds, grooves that go on
+    Edges, Board, tools -> ExpectedCreases, KnifeEnds, ends at which grooves continue
 
-The rules are the trade's, told again from the board's and the tools' records:
+The rules are derived from the records of board and tools:
 
-* a wheel of radius R pressed in by δ touches ± s, s² = δ(2R − δ); at an end where no other crease
-  goes on it stops s and the board's end clearance early; what is too short for that is pressed in
-  one place at the depth whose contact fits;
-* a blade slanted by α is at the top face ahead of its tip by h tan α.  A cut that ends inside a
-  panel stops where the top face ends; one that ends on another cut, or on its own start, runs on.
+* A wheel of radius R at depth δ touches the board over ± s, s² = δ(2R − δ).  At an end where no
+  other crease continues, it stops before the end by s and the board's end clearance.  A crease that
+  is too short for that is pressed at one point, at the depth whose contact fits.
+* A blade slanted by α cuts the top face ahead of its tip by h tan α at depth h.  A cut that ends
+  inside a panel stops where the cut in the top face reaches the end.  A cut that ends on another
+  cut, or on its own start, overruns its end.
 """
 
 from __future__ import annotations
@@ -35,15 +36,15 @@ from knifetip.verification.expectation.edges import (
 )
 from knifetip.verification.tools import OperationKind
 
-#: So far ahead of its end a crease is looked for that goes on (mm).
+#: Distance past the end of a crease within which another may continue it (mm).
 _CONTINUATION_PROBE: Final = 0.5
 
 
-#: Grooves that differ less in direction are one groove (degrees).
+#: Greatest difference in direction of grooves that continue each other (degrees).
 _COLLINEAR_ANGLE: Final = 0.005
 
 
-#: The line types that each trade may work.
+#: Line types of each kind of operation.
 WORKED_TYPES: Final[dict[OperationKind, tuple[LineType, ...]]] = {
     OperationKind.CUT: (LineType.CUT, LineType.PERFORATION, LineType.COMBI),
     OperationKind.HALF_CUT: (LineType.HALF_CUT,),
@@ -55,14 +56,14 @@ WORKED_TYPES: Final[dict[OperationKind, tuple[LineType, ...]]] = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ExpectedCreases:
-    """What n creases ask of the wheel."""
+    """Expected depth and limits of the work on n creases."""
 
     edges: Edges
-    depth: F64  #: (n,) mm below the top face, of the tip
-    low: F64  #: (n,) mm along the edge where the tip may begin
-    high: F64  #: (n,) mm, below ``low`` where the tip has no business
-    pressed: Bool  #: (n,) the tip comes down in one place
-    refused: Bool  #: (n,) too short, and the board wants none pressed
+    depth: F64  #: (n,) mm, depth of the tip below the top face
+    low: F64  #: (n,) mm along the edge at which the tip may begin
+    high: F64  #: (n,) mm at which the tip must stop; less than ``low`` if there is no work
+    pressed: Bool  #: (n,) the wheel presses one point
+    refused: Bool  #: (n,) too short to roll, and the board's settings forbid pressing
 
 
 def expected_creases(
@@ -72,14 +73,15 @@ def expected_creases(
     around: Edges | None = None,
     parts: Bool | None = None,
 ) -> ExpectedCreases:
-    """Return where the wheel's lowest point goes, and how deep, for creases and combi lines.
+    """Return depth and limits of the wheel's lowest point for creases and combi lines.
 
     Parameters
     ----------
     around
-        All creases, those of other wheels too: where one of them goes on, no end is free.
+        All creases, including those of other wheels; an end that one of them continues is not
+        free.
     parts : (2n,)
-        The ends at which a cut runs through a crease: they are free.
+        Mask of the ends at which a cut splits a crease; they are free.
     """
     across = np.radians(edges.chord - board.grain)
     depth = board.crease_along + (board.crease_across - board.crease_along) * np.sin(across) ** 2
@@ -121,7 +123,7 @@ def expected_creases(
 
 
 def _continued_ends(edges: Edges, around: Edges) -> Bool:
-    """Return for the ends of edges, (2n,), whether one of those around lies on from there."""
+    """Return a mask of the ends of edges, (2n,), that an edge of ``around`` continues."""
     ahead = np.radians(edges.outward)
     step = _CONTINUATION_PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     probe = line_curves(edges.ends, edges.ends + step)
@@ -146,9 +148,9 @@ def _continued_ends(edges: Edges, around: Edges) -> Bool:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class KnifeEnds:
-    """Where a knife may stop at the 2n ends of n edges."""
+    """Planned stops of a knife at the 2n ends of n edges."""
 
-    stop: F64  #: (2n, 2) mm on the sheet
+    stop: F64  #: (2n, 2) mm in sheet coordinates, NaN if the knife does not stop
     free: Bool  #: (2n,) the end lies inside a panel
     meets: Bool  #: (2n,) the end lies on another through cut
     paths: EdgePaths
@@ -157,20 +159,21 @@ class KnifeEnds:
 def knife_ends(
     edges: Edges, cuts: Edges, lead: float, overrun: float, ring: Bool | None = None
 ) -> KnifeEnds:
-    """Return where the tip stops at each end of edges that a knife works.
+    """Return the planned stops of the tip at the ends of edges that a knife works.
 
     Parameters
     ----------
     edges
         Cuts or half-cuts.
     cuts
-        The through cuts, which an end may meet.
+        Through cuts on which an end may lie.
     lead : mm
-        How far the top face is cut ahead of the tip: an end inside a panel is cut short by it.
+        Length by which the cut in the top face is ahead of the tip, and by which the tip stops
+        before an end inside a panel.
     overrun : mm
-        How far the tip runs past an end that meets a cut.
+        Length by which the tip passes an end that meets a cut.
     ring : (n,)
-        Edges that are cut all round, past what else ends on them.
+        Mask of the edges of closed contours, which are cut without a stop.
     """
     count = len(edges)
     link, _ = link_ends(edges, 180.0, ring)
@@ -183,7 +186,7 @@ def knife_ends(
         TOUCH_DISTANCE,
     )
     own = edges.row[rows.curve // 2] == cuts.row[rows.edge]
-    # One that ends here too, from the same side, is the same cut drawn again.
+    # A cut that ends here from the same side is a duplicate.
     near = np.where(rows.place[:, 0] < 0.5 * cuts.curve[rows.edge, 5], 0, 1)
     twin = 2 * rows.edge.astype(np.int64) + near
     here = np.hypot(*(cuts.ends[twin] - edges.ends[rows.curve]).T) <= JOIN_DISTANCE
@@ -194,7 +197,7 @@ def knife_ends(
     ahead = np.radians(edges.outward)
     stop = edges.ends + overrun * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     stop[~meets & ~free] = np.nan
-    # Back from a free end along the path, round corners where its last edge is shorter.
+    # Go back by the lead from a free end along its path, over several edges if necessary.
     which = np.flatnonzero(free)
     if len(which):
         edge = which // 2
@@ -207,7 +210,7 @@ def knife_ends(
 
 
 def groove_continues(edges: Edges) -> Bool:
-    """Return for the ends of V-grooves, (2n,), whether another groove goes on in one line."""
+    """Return a mask of the ends of V-grooves, (2n,), that a collinear groove continues."""
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
     on = (a // 2 != b // 2) & (
         angle_between(edges.outward[a], edges.outward[b] + 180.0) <= _COLLINEAR_ANGLE

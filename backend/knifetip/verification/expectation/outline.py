@@ -1,15 +1,10 @@
-"""Outline: which cuts bound the blanks, on which side of each lies the board, and what it asks.
+"""The outlines of blanks and holes, and the side of each cut on which the board lies.
 
-    Edges (the cuts) -> Outline -> how far grooves that end on it must run out
+    Edges (cuts) -> CutOutlines
 
-Cuts that share their ends enclose faces.  A walk with the face on its left goes round a bounded one
-anticlockwise and round a whole component clockwise, so the sign of the area that it sweeps tells
-what lies outside.  A component inside another one is a hole, or the waste in it.
-
-A groove of width W at the top face has left the board when both points c ± (W/2) n have: along u
-past an edge with outward normal m, one of them has (W/2) |n·m| / (u·m) further to go.
-
-Source of the run-out: the turning paper, 1, on a flat board.
+Cuts with common ends enclose faces.  A cycle of half-edges with its face on the left is
+anticlockwise round a bounded face and clockwise round a whole component, so the sign of its area
+identifies the outside.  A component inside another one is a hole or a part in a hole.
 """
 
 from __future__ import annotations
@@ -29,54 +24,55 @@ from knifetip.verification.expectation.edges import (
     pairs_within,
 )
 
-#: A walk that sweeps less than this encloses nothing (mm²).
+#: A cycle that encloses less than this has no inside (mm²).
 _MIN_AREA: Final = 1e-6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutOutlines:
-    """What n cuts enclose."""
+    """Outlines that n cuts form."""
 
     edges: Edges
-    closing: Bool  #: (n,) a face lies on one side and what is outside its component on the other
-    depth: I64  #: (n,) in how many other components the edge's own lies
-    board_left: Bool  #: (n,) of a closing edge: the board that stays is on its left
-    component: I64  #: (n,)
+    closing: Bool  #: (n,) the edge separates a face from the outside of its component
+    depth: I64  #: (n,) number of components that enclose the edge's component
+    board_left: Bool  #: (n,) the part lies on the left of a closing edge
+    component: I64  #: (n,) number of the connected component
 
     @property
     def outer(self) -> Bool:
-        """(n,) Whether an edge bounds a blank, or a part inside a hole, from outside."""
+        """(n,) mask of the edges of outer contours, of blanks or of parts inside holes."""
         result: Bool = self.closing & (self.depth % 2 == 0)
         return result
 
 
 def find_outlines(edges: Edges) -> CutOutlines:
-    """Return what cuts enclose."""
+    """Return the outlines that cuts form."""
     count = len(edges)
     if count == 0:
         none = np.zeros(0, np.bool_)
         return CutOutlines(edges, none, np.zeros(0, np.int64), none, np.zeros(0, np.int64))
     cycle, swept, component = face_cycles(edges)
-    # A cycle is the outside of its component if it is clockwise, or encloses nothing.
+    # A cycle that is clockwise or has no area borders the outside of its component.
     outside = (swept < _MIN_AREA)[cycle].reshape(-1, 2)
     closing = outside[:, 0] != outside[:, 1]
     depth = _nesting_depths(edges.curve, closing, component)[component]
-    # Half-edge 0 has its face on the edge's left.  In a hole the board is outside.
+    # Half-edge 0 has its face on the edge's left.  The part round a hole lies outside of it.
     left = ~outside[:, 0] ^ (depth % 2 == 1)
     return CutOutlines(edges, closing, depth, left, component)
 
 
 def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
-    """Return the walks round the faces between edges that share their ends.
+    """Return the cycles of half-edges round the faces between edges.
 
     Returns
     -------
     cycle : (2n,)
-        The walk that goes along each half-edge, from start to end of an edge and back, with its
-        face on the left.
+        Cycle of each half-edge: first from start to end of an edge, then back.  The face is on
+        the left.
     swept : (w,)
-        Twice the area of each walk (mm²): not positive for the walk round a component.
+        Twice the signed area of each cycle (mm²); not positive for the outside of a component.
     component : (n,)
+        Connected component of each edge.
     """
     count = len(edges)
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
@@ -98,7 +94,7 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
 
 
 def _lowest_connected(a: I64, b: I64, count: int) -> I64:
-    """Return for each of ``count`` things the least one that it hangs together with."""
+    """Return the lowest index connected with each of ``count`` indices by the pairs (a, b)."""
     name = np.arange(count)
     while True:
         least = name.copy()
@@ -111,7 +107,7 @@ def _lowest_connected(a: I64, b: I64, count: int) -> I64:
 
 
 def _swept_areas(edges: Edges) -> F64:
-    """Return twice the area that each edge sweeps about the first end of all (mm²)."""
+    """Return twice the signed area between each edge and the first end of all edges (mm²)."""
     curve = edges.curve
     origin = edges.ends[0]
     start, end = edges.ends[::2] - origin, edges.ends[1::2] - origin
@@ -125,7 +121,7 @@ def _swept_areas(edges: Edges) -> F64:
 
 @kernel
 def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
-    """Return the cycle of every half-edge, and twice the area of every cycle."""
+    """Return the cycle of each half-edge, and twice the signed area of each cycle."""
     count = len(order)
     rank = np.empty(count, np.int64)
     for place in range(count):
@@ -142,7 +138,7 @@ def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
         while cycle[half] < 0:
             cycle[half] = cycles
             area[cycles] += swept[half // 2] if half % 2 == 0 else -swept[half // 2]
-            # Arrived along the twin: the next one clockwise keeps the face on the left.
+            # The next half-edge clockwise from the twin keeps the face on the left.
             place = rank[half ^ 1]
             first = place == 0 or node[place - 1] != node[place]
             half = order[last[place] if first else place - 1]
@@ -152,7 +148,7 @@ def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
 
 
 def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
-    """Return in how many other components' outlines each component lies."""
+    """Return the number of other components that enclose each component."""
     rows = np.flatnonzero(closing)
     rows = rows[np.argsort(component[rows], kind="stable")]
     count = int(component.max()) + 1
@@ -165,7 +161,7 @@ def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
 
 
 def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
-    """Return in how many outlines points, (n, 2) mm, lie."""
+    """Return the number of components that enclose each point, (n, 2) mm."""
     rows = np.flatnonzero(outlined.closing)
     rows = rows[np.argsort(outlined.component[rows], kind="stable")]
     around = outlined.edges.curve[rows]
@@ -191,7 +187,7 @@ def _bounding_boxes(around: F64, first: I64) -> F64:
 
 @kernel
 def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, own: bool) -> Any:
-    """Return how many outlines are crossed oddly by the rays from points along +X."""
+    """Return the number of outlines that a ray along +X from each point crosses oddly."""
     depth = np.zeros(len(points), np.int64)
     for i in range(len(points)):
         x = points[i, 0]
@@ -210,7 +206,7 @@ def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, 
 
 @kernel(checks_division=True)
 def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
-    """Return how often a ray along +X crosses a curve; an end counts where the curve is above."""
+    """Return the number of crossings of a curve with a ray along +X (half-open rule in y)."""
     if curve[0] == 0.0:
         y0 = curve[2]
         y1 = curve[2] + curve[4] * curve[5]
@@ -224,7 +220,7 @@ def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
     low = min(first, last)
     high = max(first, last)
     crossed = 0
-    # Between two of its highest and lowest points an arc rises or falls all the way.
+    # Between its highest and lowest points an arc is monotonic in y.
     piece = math.floor(low / math.pi - 0.5)
     begin = low
     while begin < high:

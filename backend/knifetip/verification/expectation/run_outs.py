@@ -2,8 +2,8 @@
 
     grooves, cuts, half the groove's width -> RunOuts
 
-A groove of width W at the top face has left the board when both points c ± (W/2) n have: along u
-past an edge with outward normal m, one of them has (W/2) |n·m| / (u·m) further to go.
+A groove of width W in the top face has left the board when both points c ± (W/2) n have.  In the
+direction u past an edge with outward normal m, one of them must go (W/2) |n·m| / (u·m) farther.
 
 Source of the run-out: the turning paper, 1, on a flat board.
 """
@@ -25,27 +25,27 @@ from knifetip.verification.expectation.edges import (
 )
 from knifetip.verification.expectation.outline import CutOutlines, find_outlines
 
-#: A groove nearer than 5° to the direction of the board's edge runs along it (sine).
+#: Sine of 5°; a groove at a smaller angle to the board's edge does not leave the board.
 _MIN_SINE: Final = math.sin(math.radians(5.0))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RunOuts:
-    """What the 2n ends of n straight grooves ask for."""
+    """Required run-outs at the 2n ends of n straight grooves."""
 
-    boundary: Bool  #: (2n,) the end lies on the board's edge, and the groove goes out there
-    least: F64  #: (2n,) mm that the tip must go on past it
+    boundary: Bool  #: (2n,) the groove leaves the board at this end
+    least: F64  #: (2n,) mm that the tip must go past the end
 
 
 def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
-    """Return how far grooves must run out where they end on the board's edge.
+    """Return the required run-outs of grooves that end on the board's edge.
 
     Parameters
     ----------
     grooves, cuts
-        Arcs among the grooves ask for nothing.
+        Arcs among the grooves need no run-out.
     half : mm
-        W/2 at the top face.
+        Half of the groove's width in the top face.
     """
     count = len(grooves.ends)
     boundary, least = np.zeros(count, np.bool_), np.zeros(count)
@@ -71,7 +71,7 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
     m = np.where(bounds.board_left[outer[edge]][:, None], -left, left)
     out = (u * m).sum(axis=1)
     leaves = out > _MIN_SINE
-    # Each point of the groove's width, from the end of its line: how far until it is past an edge.
+    # Distance from the end of the line until each side of the groove is past an edge.
     need = np.full((count, 2), np.inf)
     most = np.full((count, 2), -np.inf)
     n = np.stack([-u[:, 1], u[:, 0]], axis=1)
@@ -82,7 +82,7 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
         )
         np.minimum.at(need[:, side], end[leaves], go[leaves])
         np.maximum.at(most[:, side], end[leaves], go[leaves])
-    # Past an outward corner's one edge a place has left; in a notch it must be past both.
+    # At a convex corner being past one edge is enough; in a notch both edges must be passed.
     outward = _convex_corners(bounds, outer, end, edge, count)
     many = np.bincount(end, minlength=count)
     out_by = np.bincount(end[leaves], minlength=count)
@@ -93,7 +93,7 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
 
 
 def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64) -> F64:
-    """Return how far to an edge's own circle, where that is nearer than to its tangent (mm)."""
+    """Return the distance to an edge's circle if that is nearer than its tangent (mm)."""
     bent = curve[:, 0] != 0.0
     to = end + aside - curve[:, 1:3]
     b = (to * u).sum(axis=1)
@@ -105,7 +105,7 @@ def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64)
 
 
 def _convex_corners(bounds: CutOutlines, outer: I64, end: I64, edge: I64, count: int) -> Bool:
-    """Return which of ``count`` ends lie on a corner of the outline that stands out."""
+    """Return a mask of the ``count`` ends that lie on a convex corner of the outline."""
     outward = np.zeros(count, np.bool_)
     order = np.argsort(end, kind="stable")
     end, edge = end[order], edge[order]
@@ -114,7 +114,7 @@ def _convex_corners(bounds: CutOutlines, outer: I64, end: I64, edge: I64, count:
         a, b = outer[edge[first]], outer[edge[second]]
         heading = []
         for row, arrives in ((a, True), (b, False)):
-            # Walk with the board on the left: in along the first edge, out along the second.
+            # With the board on the left, arrive along the first edge and leave along the second.
             ahead = bounds.board_left[row]
             at_end = ahead if arrives else ~ahead
             curve = bounds.edges.curve[row]

@@ -1,12 +1,12 @@
-"""hpgl: the judge's reader of programs for plotters and flat cutters.
+"""Reader of HPGL programs for plotters and flat cutters.
 
     program bytes, Machine, Board -> Moves, and what is wrong with the lines
 
-Only what such a program needs is read: IN, PA, PU, PD, SP, VS, FS and comments (CO); everything
-else is a fault.  HPGL moves X and Y.  The device sets the depth of each pen and turns the tool
-along the path, so heights stand for tool up and down, and headings are those of the path.  What a
-device does at a corner is judged here: it must not turn the tool in the board by more than the
-tool's swivel angle.
+The reader accepts the instructions that such a program needs: IN, PA, PU, PD, SP, VS, FS and
+comments (CO).  All others are faults.  HPGL moves X and Y; the device sets the depth of each pen
+and turns the tool along the path.  So heights only distinguish tool up and tool down, and headings
+are the directions of the path.  At a corner the device must not turn the tool in the board by more
+than the tool's swivel angle; that is checked here.
 
 Source: Hewlett-Packard's interfacing manuals (syntax, pen state, absolute coordinates after IN).
 """
@@ -30,10 +30,10 @@ from knifetip.verification.columns import F64, I32, I64, U8, Bool
 from knifetip.verification.reading.moves import Moves, Switches
 from knifetip.verification.tools import expected_tool
 
-#: Longest text that is read (bytes), and most moves.
+#: Greatest size of a program: bytes and moves.
 MAX_BYTES: Final = 64 << 20
 MAX_MOVES: Final = 2_000_000
-#: Most digits of a number.
+#: Greatest number of digits in a number.
 MAX_DIGITS: Final = 9
 _MAX_FAULTS: Final = 1000
 _KNOWN: Final = ("IN", "PA", "PU", "PD", "SP", "VS", "FS")
@@ -46,40 +46,46 @@ _Faults = list[tuple[int, Message]]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Instructions:
-    """k instructions with their numbers."""
+    """k instructions and their numbers."""
 
     code: I64  #: (k,) index into ``_KNOWN``
     line: I64  #: (k,) 1-based
-    first: I64  #: (k + 1,) where the numbers of each begin
+    first: I64  #: (k + 1,) index of the first number of each instruction
     number: I64  #: all numbers
-    ended: bool  #: a terminator follows the last one
+    ended: bool  #: a terminator follows the last instruction
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Track:
-    """n moves, each along X and Y or of the tool up or down."""
+    """n moves, each either along X and Y or of the tool up or down."""
 
-    line: I64  #: (n,)
+    line: I64  #: (n,) 1-based
     x: I64  #: (n + 1,) plotter units, before the first move and after each
-    y: I64  #: (n + 1,)
-    known: Bool  #: (n + 1,) a line has stated the position
+    y: I64  #: (n + 1,) plotter units
+    known: Bool  #: (n + 1,) an instruction has set the position
     down: Bool  #: (n,) the tool is down after the move
-    upright: Bool  #: (n,) the tool goes down or up
-    pen: I64  #: (n,) number that SP has selected, 0 for none
+    upright: Bool  #: (n,) the move lowers or lifts the tool
+    pen: I64  #: (n,) pen number selected by SP, 0 for none
     speed: I64  #: (n,) VS in force, -1 for none
     force: I64  #: (n,) FS in force since the pen was selected, -1 for none
 
 
 class HpglReader:
-    """Reads programs for the device of the machine's file."""
+    """Reads HPGL programs for the device in the machine's file."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
-        """Return the placement of a comment (mm), None where there is none."""
+        """Return the placement in a comment (mm), None if there is none."""
         found = _PLACEMENT.search(text)
         return (float(found[1]), float(found[2])) if found else None
 
     def read(self, text: bytes, machine: Machine, board: Board) -> tuple[Moves, _Faults]:
-        """Return the moves, and what is wrong: (line, message)."""
+        """Return the moves and the faults: (line, message).
+
+        Raises
+        ------
+        ProgramUnreadable
+            The machine's file has no device, or the text is too large.
+        """
         plotter = machine.controller
         if not isinstance(plotter, Plotter):
             raise ProgramUnreadable("hpgl.no-device", machine=machine.title)
@@ -101,7 +107,7 @@ def _note(faults: _Faults, lines: I64, message: Message) -> None:
 
 
 def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instructions:
-    """Return the instructions, with a fault for every byte that belongs to none."""
+    """Return the instructions; bytes that belong to no instruction are faults."""
     if device.comments:
         text = _COMMENT.sub(lambda match: b" " * len(match[0]), bytes(text))
     raw = np.frombuffer(text, np.uint8)
@@ -137,7 +143,7 @@ def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instru
     value, head_at, bad = _parse_numbers(raw, digit, head)
     _note(faults, line_of[bad], Message("hpgl.bad-number"))
     owner = np.searchsorted(begin, head_at, side="right") - 1
-    # What follows a terminator belongs to no instruction.
+    # A number after a terminator belongs to no instruction.
     stops = np.concatenate([[0], np.cumsum(stop)])
     loose = owner < 0
     if len(begin):
@@ -154,7 +160,7 @@ def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instru
 
 
 def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
-    """Return whole numbers, where each begins, and where one is wrong."""
+    """Return the integers, the positions of their first bytes, and those of wrong numbers."""
     head_at = np.flatnonzero(head)
     if len(head_at) == 0:
         return np.zeros(0, np.int64), head_at, head_at
@@ -174,7 +180,7 @@ def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
 
 
 def _value_in_force(values: I64, where: Bool, before: int) -> I64:
-    """Return the value that is in force after each instruction."""
+    """Return the value in force after each instruction: the last one set, or ``before``."""
     if len(where) == 0:
         return np.zeros(0, np.int64)
     rows = np.maximum.accumulate(np.where(where, np.arange(len(where)), -1))
@@ -183,7 +189,7 @@ def _value_in_force(values: I64, where: Bool, before: int) -> I64:
 
 
 def _make_track(given: _Instructions, faults: _Faults) -> _Track:
-    """Return the moves that the instructions make."""
+    """Convert instructions to moves."""
     code, count = given.code, np.diff(given.first)
     single = np.zeros(len(code), np.int64)
     has = count > 0
@@ -231,7 +237,7 @@ def _make_track(given: _Instructions, faults: _Faults) -> _Track:
 
 
 def _check_state(given: _Instructions, track: _Track, plotter: Plotter, faults: _Faults) -> None:
-    """Note what is not stated before the first move, selected wrongly, or left on at the end."""
+    """Check the state before the first move, pens and values, and the end of the program."""
     code, device = given.code, plotter.device
     if len(code) == 0:
         faults.append((1, Message("hpgl.no-instruction")))
@@ -324,7 +330,7 @@ def _make_moves(
         lowered=np.zeros((count, len(stations)), np.bool_),
         oscillating=oscillating & track.down,
         extra=np.zeros((count, 0), np.bool_),
-        # The device switches its tools by itself, and IN has stated that they are up and off.
+        # The device switches its tools itself; after IN they are up and off.
         stated=np.ones((count, len(stations) + 1), np.bool_),
         blend=np.zeros(count),
         waited=np.full(count, np.inf),
@@ -344,7 +350,7 @@ def _make_moves(
 
 
 def _pen_height(pen: Pen, machine: Machine, board: Board) -> float:
-    """Return the height of the tip that stands for a lowered pen (mm)."""
+    """Return the height of the tip of a lowered pen (mm)."""
     if pen.work is Work.CUT:
         return -machine.into_mat
     if pen.work is Work.HALF_CUT:
@@ -353,7 +359,10 @@ def _pen_height(pen: Pen, machine: Machine, board: Board) -> float:
 
 
 def _headings(track: _Track, working: Bool) -> F64:
-    """Return the direction of each move at work (degrees); elsewhere of the next or last one."""
+    """Return the headings (degrees): of working moves, their directions.
+
+    Other moves have the heading of the next working move, and lifts that of the last one.
+    """
     if not working.any():
         return np.zeros(len(working))
     own = np.degrees(np.arctan2(np.diff(track.y), np.diff(track.x)))
@@ -373,9 +382,9 @@ def _check_corners(
     machine: Machine,
     faults: _Faults,
 ) -> None:
-    """Note corners at which the device would turn a tool in the board by too much.
+    """Check that the device turns no tool in the board by more than its swivel angle.
 
-    The direction of a short move is known only to what the rounding of its ends leaves.
+    The limit is widened by the uncertainty of short moves, whose ends are rounded.
     """
     swivel = np.array([*(expected_tool(held.tool).swivel for held in machine.stations), 360.0])
     length = np.hypot(np.diff(track.x), np.diff(track.y))

@@ -1,8 +1,8 @@
-"""moves: what a program does, in the terms that every controller language has in common.
+"""The moves of a program in a form that all controller languages share.
 
-    program bytes -> Moves, and what is wrong with the lines
+    program bytes -> Moves, faults of lines
 
-Each language has a reader of its own in this room, which shares no code with the emitter.
+Each language has its own reader in this package, which shares no code with the emitter.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from knifetip.verification.columns import F64, I32, I64, U8, Bool
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Switches:
-    """k lines that switch an output or the spindle, or call a station, in order."""
+    """k lines that switch an output or the spindle or call a station, in program order."""
 
     line: I32  #: (k,) 1-based line of the program
-    move: I64  #: (k,) the last move before it, -1 for none
-    lowers: I32  #: (k,) index into ``machine.stations`` of the station that it lowers, or -1
-    beside: Bool  #: (k, stations) which outputs are on, or not stated
-    at_end: Bool  #: (stations + e + 1,) what is stated when the program ends, as ``Moves.stated``
-    spindle: Bool  #: (k,) it switches the spindle and nothing else
+    move: I64  #: (k,) index of the last move before the line, -1 for none
+    lowers: I32  #: (k,) index into ``machine.stations`` of the station that the line lowers, or -1
+    beside: Bool  #: (k, stations) outputs that are on or unknown at the line
+    at_end: Bool  #: (stations + e + 1,) states known at the program's end, as ``Moves.stated``
+    spindle: Bool  #: (k,) the line switches only the spindle
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Moves:
-    """n moves of the joints, in the order of the program; NaN is a position that nobody stated."""
+    """n moves of the joints in program order; NaN marks an unknown position."""
 
     line: I32  #: (n,) 1-based line of the program
     code: U8  #: (n,) 0 rapid, 1 line, 2 arc clockwise, 3 arc counter-clockwise
@@ -38,41 +38,41 @@ class Moves:
     end: F64  #: (n, 4)
     centre: F64  #: (n, 2) mm, of arcs, in joints
     sweep: F64  #: (n,) radians, counter-clockwise positive, 0 for lines
-    feed: F64  #: (n,) the F in force, NaN where there is none
-    inverse: Bool  #: (n,) F is 1 / minutes (G93)
-    station: I32  #: (n,) index into ``machine.stations``, -1 while none is chosen
-    lowered: Bool  #: (n, stations) output on
-    oscillating: Bool  #: (n,) M3
-    extra: Bool  #: (n, e) output of ``tools.extra_outputs`` on
-    stated: Bool  #: (n, stations + e + 1) outputs as above, and last the spindle, on or off
-    blend: F64  #: (n,) mm, the larger of G64's P and Q; inf where the path is not bounded
-    waited: F64  #: (n,) seconds of G4 since something was last switched, inf if never
-    uses_tool_table: bool  #: stations are called by T words, so there is a tool table
-    dwell: float  #: seconds of all G4
+    feed: F64  #: (n,) F in force, NaN if there is none
+    inverse: Bool  #: (n,) F is 1 / duration in minutes (G93)
+    station: I32  #: (n,) index into ``machine.stations``, -1 for none
+    lowered: Bool  #: (n, stations) the station's output is on
+    oscillating: Bool  #: (n,) the spindle is on (M3)
+    extra: Bool  #: (n, e) outputs of ``tools.extra_outputs`` that are on
+    stated: Bool  #: (n, stations + e + 1) known states: stations, extra outputs, spindle
+    blend: F64  #: (n,) mm, the larger of G64's P and Q; inf without a limit
+    waited: F64  #: (n,) seconds of G4 since the last switching, inf before the first
+    uses_tool_table: bool  #: the controller has a tool table: T words select stations
+    dwell: float  #: sum of all G4 (s)
     switches: Switches
-    #: the axes that the program moves; the machine itself sets depth (Z) and heading (C) otherwise
+    #: axes that the program moves; the machine controls depth (Z) and heading (C) itself otherwise
     programmed: str = "XYZC"
-    #: how far rounding alone moves a printed point (mm), where that is not far below the tolerance
+    #: greatest shift of a point by the rounding of coordinates (mm); 0 if it is negligible
     resolution: float = 0.0
 
 
 class ProgramReader(Protocol):
-    """Reads programs of one language."""
+    """Interface of a reader for one controller language."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
-        """Return the placement that the program states (mm), None where it states none."""
+        """Return the placement in the program's comments (mm), None if there is none."""
         ...
 
     def read(
         self, text: bytes, machine: Machine, board: Board
     ) -> tuple[Moves, list[tuple[int, Message]]]:
-        """Return the moves, and what is wrong: (1-based line, message), ascending.
+        """Return the moves and the faults: (1-based line, message), ascending.
 
-        Nothing is assumed about who wrote the bytes.
+        The bytes may come from any source; wrong lines give faults, not exceptions.
 
         Raises
         ------
         ProgramUnreadable
-            The text is not bytes, or too large.
+            The text is not bytes, or is too large.
         """
         ...

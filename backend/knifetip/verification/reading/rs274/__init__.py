@@ -1,1 +1,1 @@
-"""The judge's reader of RS274/NGC, as LinuxCNC and grblHAL have it in common."""
+"""Reader of RS274/NGC programs, for the subset that LinuxCNC and grblHAL share."""

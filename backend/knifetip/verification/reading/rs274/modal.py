@@ -1,9 +1,9 @@
-"""Modal: words into moves, each with all that the controller remembers when it is made.
+"""Convert words to moves, each with the modal state of the controller.
 
-    ProgramWords, Machine -> Moves, and what is wrong with the lines
+    ProgramWords, Machine -> Moves, faults of lines
 
-The controller is the RS274/NGC machine that LinuxCNC and grblHAL have in common, cut down to what
-a sample-maker's program needs; whatever else a line says is a fault.
+The controller is the subset of RS274/NGC that LinuxCNC and grblHAL share, limited to the words that
+a sample-maker's program needs.  All other words are faults.
 
 Source: Kramer, Proctor & Messina, "The NIST RS274NGC interpreter", section 3 (modal groups, order
 of execution); grbl's own rules where they are stricter.
@@ -25,18 +25,18 @@ from knifetip.verification.reading.moves import Moves, Switches
 from knifetip.verification.reading.rs274.parse import ProgramWords
 from knifetip.verification.tools import expected_tool, extra_outputs, has_beam
 
-#: More lines than this are no program for one sheet.
+#: Greatest number of lines with words.
 MAX_BLOCKS: Final = 2_000_000
-#: The ends of an arc may differ in radius by this (mm).
+#: Greatest difference between the radii at both ends of an arc (mm).
 ARC_TOLERANCE: Final = 0.002
-#: Numbers that print alike are one number (mm).
+#: Numbers that differ by less are printed alike (mm).
 PRINT_ROUNDING: Final = 5e-5
 
 _MOTION, _DWELL, _PLANE, _UNITS, _DISTANCE, _CENTRES, _FEED, _RADIUS, _LENGTH, _SYSTEM, _PATH = (
     range(11)
 )
 _END, _SPINDLE, _CHANGE, _OUTPUT = range(11, 15)
-#: G word times ten -> modal group.
+#: Number of a G word times ten -> modal group.
 _G: Final = {
     0: _MOTION,
     10: _MOTION,
@@ -80,12 +80,12 @@ _AXES: Final = "XYZC"
 
 
 def interpret(words: ProgramWords, machine: Machine) -> tuple[Moves, list[tuple[int, Message]]]:
-    """Return the moves, and what is wrong: (line, message).
+    """Return the moves and the faults: (line, message).
 
     Raises
     ------
     ProgramUnreadable
-        More than two million lines.
+        The program has more than two million lines.
     """
     faults: list[tuple[int, Message]] = list(words.faults)
     blocks = _Blocks(words, faults)
@@ -95,7 +95,7 @@ def interpret(words: ProgramWords, machine: Machine) -> tuple[Moves, list[tuple[
 
 
 class _Blocks:
-    """The words of each line in columns, one row to a line that has any."""
+    """The words of each line in columns; one row for each line with words."""
 
     def __init__(self, words: ProgramWords, faults: list[tuple[int, Message]]) -> None:
         self.faults = faults
@@ -122,7 +122,7 @@ class _Blocks:
                 word = f"{letter}{words.value[row]:g}"
                 self._fault(block[row], Message("rs274.unknown-word", word=word))
             known_rows = rows[group >= 0]
-            # The first of two words of a group counts; the second is a fault below.
+            # If a line has two words of a group, use the first; the second is a fault below.
             groups[group[group >= 0][::-1], block[known_rows][::-1]] = codes[group >= 0][::-1]
             kind[rows] = np.where(group >= 0, 100 + group, -1)
         for letter, column in numbers.items():
@@ -132,13 +132,13 @@ class _Blocks:
         for row in np.flatnonzero(kind == 0)[:1000]:
             letter = chr(words.letter[row])
             self._fault(block[row], Message("rs274.unknown-letter", letter=letter))
-        said = np.flatnonzero(kind >= 100)
-        key = np.sort(block[said] * 1000 + kind[said])
+        words_used = np.flatnonzero(kind >= 100)
+        key = np.sort(block[words_used] * 1000 + kind[words_used])
         for twice in np.unique(key[1:][key[1:] == key[:-1]] // 1000)[:1000]:
             self._fault(twice, Message("rs274.repeated-word"))
         self.group = groups
         self.number = numbers
-        if len(said):
+        if len(words_used):
             self.axes: Bool = ~np.isnan(np.stack([numbers[letter] for letter in _AXES], axis=1))
         else:
             self.axes = np.zeros((count, 4), np.bool_)
@@ -147,30 +147,30 @@ class _Blocks:
         self.faults.append((int(self.line[block]), message))
 
     def fault(self, where: Bool, message: Message) -> None:
-        """Note for up to a thousand of these blocks what is wrong with them."""
+        """Add a fault for each of these blocks, at most a thousand."""
         for block in np.flatnonzero(where)[:1000]:
             self._fault(block, message)
 
     def has(self, letter: str) -> Bool:
-        """Return which blocks have this letter."""
+        """Return a mask of the blocks with this letter."""
         result: Bool = ~np.isnan(self.number[letter])
         return result
 
     def has_code(self, group: int, code: int | None = None) -> Bool:
-        """Return which blocks have a word of this group, or this word of it."""
+        """Return a mask of the blocks with a word of a modal group, or with one word of it."""
         column = self.group[group]
         result: Bool = column >= 0 if code is None else column == code
         return result
 
 
 def _latest_block(where: Bool) -> I64:
-    """Return for each block the last one up to it where this holds, -1 before the first."""
+    """Return for each block the last block up to it in the mask, -1 before the first."""
     rows: I64 = np.maximum.accumulate(np.where(where, np.arange(len(where)), -1))
     return rows
 
 
 def _value_in_force(values: F64, where: Bool, before: float = np.nan) -> F64:
-    """Return the value that is in force at each block."""
+    """Return the value in force at each block: the last one set, or ``before``."""
     rows = _latest_block(where)
     if len(rows) == 0:
         return np.zeros(0)
@@ -179,7 +179,7 @@ def _value_in_force(values: F64, where: Bool, before: float = np.nan) -> F64:
 
 
 class _ModalState:
-    """What the controller remembers after each block."""
+    """The modal state of the controller after each block."""
 
     def __init__(self, blocks: _Blocks, machine: Machine) -> None:
         count = blocks.count
@@ -190,7 +190,7 @@ class _ModalState:
         change = blocks.has_code(_CHANGE)
         self.loaded = _value_in_force(self.chosen, change)
         self.on = np.zeros((count, len(stations)), np.bool_)
-        # An output that no line has switched yet is as the job before has left it.
+        # An output is unknown until a line switches it: an earlier job may have left it on.
         extra = extra_outputs(machine)
         self.stated = np.ones((count, len(stations) + len(extra) + 1), np.bool_)
         self.extra = np.zeros((count, len(extra)), np.bool_)
@@ -245,7 +245,7 @@ class _ModalState:
         changed[1:] = self.inverse[1:] != self.inverse[:-1]
         has_feed = blocks.has("F")
         stated = _latest_block(has_feed)
-        # grbl forgets the feed when the feed mode changes, so it must be said again.
+        # grbl clears the feed when the feed mode changes, so F must follow.
         fresh = (stated >= 0) & (stated >= _latest_block(changed))
         fresh &= ~self.inverse | has_feed
         held = _value_in_force(number["F"], has_feed)
@@ -253,7 +253,7 @@ class _ModalState:
 
         blending = blocks.has_code(_PATH)
         bound = np.fmax(number["P"], number["Q"])
-        # LinuxCNC takes P0, and G64 without P, for no limit at all.
+        # For LinuxCNC P0, or G64 without P, means no limit.
         bound = np.where(blending & (number["P"] > 0.0), bound, np.inf)
         self.blend = _value_in_force(bound, blending, np.inf if self.uses_tool_table else 0.0)
 
@@ -261,7 +261,7 @@ class _ModalState:
         spent = np.cumsum(dwell)
         last = _latest_block(switched)
         self.waited = np.where(last >= 0, spent - spent[last], np.inf) if count else np.zeros(0)
-        #: (count,) the spindle was switched last, and no output after it
+        #: (count,) the last switching was of the spindle
         self.by_spindle: Bool = _latest_block(blocks.has_code(_SPINDLE)) > _latest_block(
             blocks.has_code(_OUTPUT)
         )
@@ -269,7 +269,17 @@ class _ModalState:
 
 
 def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None:
-    fault, has, has_code, number = blocks.fault, blocks.has, blocks.has_code, blocks.number
+    """Add the faults of all blocks."""
+    _check_words(blocks, state)
+    settle = _settle_times(state, machine)
+    _check_values(blocks, state, machine, settle)
+    _check_modes(blocks, state, settle)
+    _check_end(blocks, state)
+
+
+def _check_words(blocks: _Blocks, state: _ModalState) -> None:
+    """Check that the words of each block belong together."""
+    fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
     moving = has_code(_MOTION)
     any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
     curved = has_code(_MOTION, 20) | has_code(_MOTION, 30)
@@ -295,18 +305,27 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
     fault(has("Q") & ~has_code(_PATH), Message("rs274.stray-q"))
     if not state.uses_tool_table:
         fault(bounded, Message("rs274.g64-unsupported"))
-    # A dwell of nothing only ends a blend; any other is for what was switched.
-    # A spindle has its own speed, and its own time to come to it; an oscillation is at S1.
+
+
+def _settle_times(state: _ModalState, machine: Machine) -> F64:
+    """Return the dwell that each block needs after switching (s), (count,)."""
     tools = [expected_tool(held.tool) for held in machine.stations]
-    turns = np.array([*(tool.speed for tool in tools), 1.0])
     settle = np.maximum([*(tool.wait for tool in tools), 0.0], machine.settle)[state.station]
-    # A beam has nothing to settle: it stays until it has pierced the board.
+    # A beam need not settle; it dwells until it has pierced the board.
     unused = 0.0 if has_beam(machine) else -1.0
     pierce = np.array([*(tool.beam.pierce if tool.beam else -1.0 for tool in tools), unused])
     switched_beam = state.by_spindle & (pierce[state.station] >= 0.0)
-    settle = np.where(
+    result: F64 = np.where(
         switched_beam, np.where(state.oscillating, pierce[state.station], 0.0), settle
     )
+    return result
+
+
+def _check_values(blocks: _Blocks, state: _ModalState, machine: Machine, settle: F64) -> None:
+    """Check dwells, feeds, speeds, outputs, stations and line numbers."""
+    fault, has, has_code, number = blocks.fault, blocks.has, blocks.has_code, blocks.number
+    timed = has_code(_DWELL)
+    # A dwell of 0 only ends blending; all others are for settling after switching.
     waits = (number["P"] == 0.0) | (np.abs(number["P"] - settle) <= PRINT_ROUNDING)
     fault(timed & ~waits, Message("rs274.wrong-dwell", settle=machine.settle))
     fault(has("F") & ~(number["F"] > 0.0), Message("rs274.bad-feed"))
@@ -316,6 +335,8 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
         has_code(_OUTPUT) & ~np.isin(number["P"], outputs),
         Message("rs274.unknown-output", machine=machine.name),
     )
+    # A spindle has its own speed; an oscillating knife has S1.
+    turns = np.array([*(expected_tool(held.tool).speed for held in machine.stations), 1.0])
     fault(has("S") & ~has_code(_SPINDLE, 3), Message("rs274.speed-without-m3"))
     fault(
         has_code(_SPINDLE, 3) & (state.speed != np.rint(turns[state.station])),
@@ -336,6 +357,11 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
         Message("rs274.bad-line-number"),
     )
 
+
+def _check_modes(blocks: _Blocks, state: _ModalState, settle: F64) -> None:
+    """Check that moves come after the modes that they need, and after settling."""
+    fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
+    moving = has_code(_MOTION)
     first_move = int(np.argmax(moving)) if moving.any() else blocks.count
     for group, mode in _STATED.items():
         stated = has_code(group)
@@ -356,10 +382,14 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
         Message("rs274.no-feed"),
     )
     unready: Bool = moving & (state.waited < settle - 1e-9)
-    # One finding to a switching, not one to every move after it.
+    # One fault for each switching, not one for each move after it.
     unready[1:] &= ~(moving[:-1] & (state.waited[:-1] < settle[:-1] - 1e-9))
     fault(unready, Message("rs274.not-settled"))
 
+
+def _check_end(blocks: _Blocks, state: _ModalState) -> None:
+    """Check that the program ends, and that it ends in the safe state."""
+    fault, has_code = blocks.fault, blocks.has_code
     ends = has_code(_END)
     if not ends.any():
         blocks.faults.append((int(blocks.line[-1]) if blocks.count else 1, Message("rs274.no-end")))
@@ -375,7 +405,7 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
 
 
 def _switches(blocks: _Blocks, state: _ModalState, moving: I64) -> Switches:
-    """Return the lines that switch; ``moving`` are the rows of the moves."""
+    """Return the lines that switch; ``moving`` contains the blocks of the moves."""
     rows = np.flatnonzero(
         blocks.has_code(_OUTPUT) | blocks.has_code(_SPINDLE) | blocks.has_code(_CHANGE)
     )
@@ -395,8 +425,8 @@ def _make_moves(blocks: _Blocks, state: _ModalState) -> Moves:
     ended = np.cumsum(blocks.has_code(_END)) > 0
     any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
     rows = np.flatnonzero(blocks.has_code(_MOTION) & any_axis & ~ended)
-    said = np.stack([blocks.number[letter][rows] for letter in _AXES], axis=1)
-    joints = said + state.offset[rows]
+    stated = np.stack([blocks.number[letter][rows] for letter in _AXES], axis=1)
+    joints = stated + state.offset[rows]
     end = np.stack(
         [_value_in_force(joints[:, axis], ~np.isnan(joints[:, axis])) for axis in range(4)], axis=1
     ).reshape(-1, 4)
@@ -426,7 +456,7 @@ def _make_moves(blocks: _Blocks, state: _ModalState) -> Moves:
 
 
 def _make_arcs(blocks: _Blocks, rows: I64, code: U8, start: F64, end: F64) -> tuple[F64, F64]:
-    """Return the centres and the signed sweeps; what is no arc is a line, and a fault."""
+    """Return centres (mm) and signed sweeps (radians); an invalid arc is a fault, sweep 0."""
     curved = code >= 2
     from_start = np.stack([blocks.number["I"][rows], blocks.number["J"][rows]], axis=1)
     centre = np.where(curved[:, None], start[:, :2] + from_start, np.nan)
@@ -439,7 +469,7 @@ def _make_arcs(blocks: _Blocks, rows: I64, code: U8, start: F64, end: F64) -> tu
     with np.errstate(invalid="ignore"):
         angle = np.arctan2(back[:, 1], back[:, 0]) - np.arctan2(out[:, 1], out[:, 0])
     ahead = np.where(code == 3, angle, -angle) % (2.0 * np.pi)
-    # Ends that print alike make a whole turn, for LinuxCNC and for grbl.
+    # Equal printed ends mean a full circle, for LinuxCNC and for grbl.
     same = np.hypot(*(end - start)[:, :2].T) < PRINT_ROUNDING
     ahead = np.where(same, 2.0 * np.pi, ahead)
     sweep = np.where(good, np.where(code == 3, ahead, -ahead), 0.0)

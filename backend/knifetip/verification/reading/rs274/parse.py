@@ -1,8 +1,8 @@
-"""Parse: the bytes of a program into words, with every fault named by its line.
+"""Parse the bytes of a program into words, with a list of faults by line.
 
     bytes -> ProgramWords: line, letter and number of every word
 
-Nothing is assumed about who wrote the bytes.  A text that is no program gives faults, not errors.
+The bytes may come from any source.  Text that is not a program gives faults, not exceptions.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from knifetip.kernels import U8_1, kernel
 from knifetip.messages import Message
 from knifetip.verification.columns import F64, I32, U8
 
-#: Longest text that is looked at (bytes).
+#: Greatest size of a program (bytes).
 MAX_BYTES: Final = 64 << 20
-#: LinuxCNC reads no longer line (bytes).
+#: Longest line that LinuxCNC reads (bytes).
 MAX_LINE: Final = 255
-#: A number beyond this is a mistake, on any table.
+#: Greatest number; no table is that large.
 MAX_NUMBER: Final = 1e6
 
-#: By the code that the scanner reports; each takes the byte at fault.
+#: Messages by the scanner's fault code; the argument is the wrong byte.
 _FAULTS: Final[Mapping[int, Callable[[int], Message]]] = {
     1: lambda byte: Message("rs274.bad-character", character=chr(byte)),
     2: lambda _: Message("rs274.nested-comment"),
@@ -42,17 +42,17 @@ _PLACEMENT: Final = re.compile(rb"\(placement X(-?\d+\.\d+) Y(-?\d+\.\d+)\)")
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ProgramWords:
-    """n words in the order of the text."""
+    """n words in the order of the text, and the faults of its lines."""
 
     line: I32  #: (n,) 1-based, ascending
-    letter: U8  #: (n,) code of the capital letter
-    value: F64  #: (n,)
-    faults: tuple[tuple[int, Message], ...]  #: (line, what is wrong with it)
-    lines: int  #: in the text
+    letter: U8  #: (n,) ASCII code of the capital letter
+    value: F64  #: (n,) the number after the letter
+    faults: tuple[tuple[int, Message], ...]  #: (1-based line, message)
+    lines: int  #: number of lines in the text
 
 
 def comment_placement(text: bytes) -> tuple[float, float] | None:
-    """Return the placement that the program's header states, None where it states none."""
+    """Return the placement in the program's header (mm), None if there is none."""
     found = _PLACEMENT.search(text)
     return (float(found[1]), float(found[2])) if found else None
 
@@ -63,7 +63,7 @@ def parse_words(text: bytes) -> ProgramWords:
     Raises
     ------
     ProgramUnreadable
-        It is not bytes, or longer than 64 MB.
+        The text is not bytes, or is longer than 64 MB.
     """
     if not isinstance(text, bytes | bytearray | memoryview):
         raise ProgramUnreadable("program.not-bytes", type=type(text).__name__)
@@ -78,7 +78,7 @@ def parse_words(text: bytes) -> ProgramWords:
 
 
 def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
-    """Return the lines with a byte that grbl obeys wherever it stands, comments included."""
+    """Return the lines with a byte that grbl executes at once, even inside a comment."""
     raw = np.frombuffer(text, np.uint8)
     acts = np.isin(raw, np.frombuffer(b"!~?\x18", np.uint8)) | (raw >= 0x80)
     places = np.flatnonzero(acts)[:_MAX_FAULTS]
@@ -91,7 +91,11 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
 
 @kernel(checks_division=True)
 def _scan_words(raw: U8_1, longest: int, farthest: float) -> Any:
-    """One walk over the bytes; a line with a fault keeps the words that it has."""
+    """Scan all bytes once; a line with a fault keeps its other words.
+
+    Returns line, letter and value of the words, rows of faults (line, code, byte), and the number
+    of lines.
+    """
     letters = 0
     for byte in raw:
         if 65 <= byte <= 90 or 97 <= byte <= 122:
@@ -148,7 +152,7 @@ def _scan_words(raw: U8_1, longest: int, farthest: float) -> Any:
                 else:
                     digits += 1
                     if digits <= 15:
-                        # Below 2^53, so the quotient is the nearest number to the decimal.
+                        # Below 2^53, so the quotient is the float nearest to the decimal number.
                         whole = whole * 10 + (raw[at] - 48)
                         if point:
                             scale *= 10.0

@@ -1,4 +1,4 @@
-"""reader: the moves of an RS274/NGC program."""
+"""Read the moves of an RS274/NGC program."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from knifetip.verification.reading.rs274.parse import comment_placement, parse_w
 
 
 class Rs274Reader:
-    """Reads programs for LinuxCNC and grblHAL alike: T words make the difference."""
+    """Reads programs for LinuxCNC (with T words) and for grblHAL (without)."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
-        """Return the placement of the header's comment (mm), None where there is none."""
+        """Return the placement in the header's comment (mm), None if there is none."""
         return comment_placement(text)
 
     def read(
         self, text: bytes, machine: Machine, board: Board
     ) -> tuple[Moves, list[tuple[int, Message]]]:
-        """Return the moves, and what is wrong: (line, words)."""
-        del board  # every axis is programmed
+        """Return the moves and the faults: (1-based line, message), ascending."""
+        del board  # the program moves every axis
         moves, faults = interpret(parse_words(text), machine)
         if not moves.uses_tool_table:
             faults = sorted(faults + realtime_bytes(text), key=itemgetter(0))
