@@ -47,9 +47,9 @@ from knifetip.planning.placement import placement
 from knifetip.planning.plan import plan
 from knifetip.planning.questions import tool_questions
 from knifetip.post.emit import process
+from knifetip.sequencing.air_moves import with_full_retracts
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
-from knifetip.sequencing.turning import retracted
 from knifetip.units.evidence import find_unit
 from knifetip.units.likeliest_unit import choose_unit
 from knifetip.units.question import unit_question
@@ -198,7 +198,7 @@ def compile(
     progress(Stage.VERIFY, 0.7)
     verdict = _verdict(program.text, dieline, tidy, where, machine, board)
     progress(Stage.DONE, 1.0)
-    full = duration(retracted(toolpath, machine), machine)
+    full = duration(with_full_retracts(toolpath, machine), machine)
     return Compiled(toolpath, program, verdict, where, duration(toolpath, machine), full)
 
 

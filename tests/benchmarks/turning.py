@@ -25,10 +25,10 @@ from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.placement import placement
 from knifetip.planning.plan import plan
+from knifetip.sequencing.air_moves import with_full_retracts
 from knifetip.sequencing.duration import duration
-from knifetip.sequencing.order import greedy, link_times, shortest
+from knifetip.sequencing.order import greedy_order, link_times, short_order
 from knifetip.sequencing.sequence import sequence
-from knifetip.sequencing.turning import retracted
 from tests.support.shapes import closed, dieline
 from tests.support.truth.named import NAMED, SAMPLES, Named
 
@@ -61,8 +61,8 @@ def order_shortest() -> tuple[str, int, Callable[[], object], dict[str, Callable
     return (
         "reversible tracks, 2-opt + Or-opt + swaps",
         1000,
-        lambda: shortest(entry, leave, HOME, PACE, 180.0, Reversal.EITHER),
-        {"greedy": lambda: greedy(entry, leave, HOME, Reversal.EITHER)},
+        lambda: short_order(entry, leave, HOME, PACE, 180.0, Reversal.EITHER),
+        {"greedy": lambda: greedy_order(entry, leave, HOME, Reversal.EITHER)},
         3,
     )
 
@@ -73,7 +73,7 @@ def _saved(named: Named) -> Iterator[str]:
     placed = replace(drawn, ends=drawn.ends + np.array(placement(drawn, MACHINE)))
     toolpaths = [compensate(operation) for operation in plan(placed, MACHINE, board)]
     path = sequence(toolpaths, MACHINE)
-    full, least = duration(retracted(path, MACHINE), MACHINE), duration(path, MACHINE)
+    full, least = duration(with_full_retracts(path, MACHINE), MACHINE), duration(path, MACHINE)
     yield (
         f"| {named} | {_turns(path)} | {full:.1f} | {least:.1f} | "
         f"{full - least:.1f} | {100.0 * (full - least) / full:.0f} % |"
@@ -94,7 +94,7 @@ def _grooves() -> Iterator[str]:
     board = load.board("greyboard-2.0")
     work = [compensate(plan(dieline((LineType.V_GROOVE, lines)), MACHINE, board)[0])]
     above = sequence(work, MACHINE)
-    full, least = duration(retracted(above, MACHINE), MACHINE), duration(above, MACHINE)
+    full, least = duration(with_full_retracts(above, MACHINE), MACHINE), duration(above, MACHINE)
     outside = duration(sequence(work, MACHINE, outline), MACHINE)
     yield f"| full retract at every turn | {full:.2f} | |"
     yield f"| least lift above the board | {least:.2f} | {100 * (full - least) / full:.0f} % |"
@@ -114,12 +114,12 @@ def _orders() -> Iterator[str]:
     ):
         entry, leave = strokes(1000, way)
         for what, pace, unit in (("time", PACE, "s"), ("distance", DISTANCE, "m")):
-            shortest(entry, leave, HOME, pace, period, way)
+            short_order(entry, leave, HOME, pace, period, way)
             begin = time.perf_counter()
-            found = shortest(entry, leave, HOME, pace, period, way)
+            found = short_order(entry, leave, HOME, pace, period, way)
             took = time.perf_counter() - begin
             totals = []
-            for order, flip in (greedy(entry, leave, HOME, way), found):
+            for order, flip in (greedy_order(entry, leave, HOME, way), found):
                 side = flip.astype(np.int64)
                 into, out = entry[side, order], leave[side, order]
                 totals.append(
@@ -150,8 +150,8 @@ TEXT = """# Turning between tracks
 
 From the end of one track to the start of the next the head goes straight, C turns by the shorter
 way within its travel, and the tool is lifted along its own axis by what would else cut the board,
-and by the machine's clearance: `knifetip.sequencing.turning`, after the turning paper's sections 1
-to 3. It retracts fully only where the tool changes. `python -m tests.benchmarks.turning` writes
+and by the machine's clearance: `knifetip.sequencing.air_moves`, after the turning paper's sections
+1 to 3. It retracts fully only where the tool changes. `python -m tests.benchmarks.turning` writes
 this page.
 
 ## What the least lift saves

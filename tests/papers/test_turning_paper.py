@@ -17,11 +17,11 @@ from knifetip.compensation.vgroove import sideways_move
 from knifetip.errors import CompensationError
 from knifetip.geometry.leaving import run_out
 from knifetip.model.tool import TipCircle, VCutter
-from knifetip.sequencing.turning import (
-    axis,
+from knifetip.sequencing.air_moves import (
     interference,
-    interpolated,
-    lifted,
+    interpolate_turn,
+    lift_clear,
+    tool_axis,
 )
 
 
@@ -63,13 +63,13 @@ def test_1_then_both_corners_are_out_and_a_little_earlier_one_is_not(
 
 def test_2_centres_go_straight_and_the_axis_turns_in_as_many_steps() -> None:
     # ΔC 60 by 10 makes 6, 25 mm by 5 makes 5: N = 6, each 10° and 25/6 mm.
-    poses = interpolated(np.array([0.0, 0, 4, 30]), np.array([15.0, 20, 4, 90]), 10.0, 5.0)
+    poses = interpolate_turn(np.array([0.0, 0, 4, 30]), np.array([15.0, 20, 4, 90]), 10.0, 5.0)
     assert len(poses) == 7
     np.testing.assert_allclose(np.diff(poses, axis=0), [[2.5, 20 / 6, 0, 10]] * 6, atol=1e-12)
 
 
 def test_2_where_the_way_is_longer_it_counts_the_steps() -> None:
-    poses = interpolated(np.zeros(4), np.array([30.0, 40.0, 0.0, 20.0]), 10.0, 5.0)
+    poses = interpolate_turn(np.zeros(4), np.array([30.0, 40.0, 0.0, 20.0]), 10.0, 5.0)
     assert len(poses) == 11
 
 
@@ -89,12 +89,12 @@ def test_3_the_axis_leans_to_the_right_of_travel() -> None:
     # b = 30°: heading east it leans south by sin 30°, heading north east by as much.
     circle = TipCircle(1.0, 0.0, 30.0)
     expected = [[0.0, -0.5, sqrt(0.75)], [0.5, 0.0, sqrt(0.75)]]
-    np.testing.assert_allclose(axis(np.array([0.0, 90.0]), circle), expected, atol=1e-12)
+    np.testing.assert_allclose(tool_axis(np.array([0.0, 90.0]), circle), expected, atol=1e-12)
 
 
 def test_3_eq_1_the_lift_is_d_over_cos_b() -> None:
     # D = 1 at b = 60°: d' = 2, of which 1 is up and √3 aside.
-    up = lifted(np.zeros((1, 4)), np.ones(1), TipCircle(1.0, 0.0, 60.0))
+    up = lift_clear(np.zeros((1, 4)), np.ones(1), TipCircle(1.0, 0.0, 60.0))
     assert np.linalg.norm(up[0, :3]) == pytest.approx(2.0)
     np.testing.assert_allclose(up[0], [0.0, -sqrt(3.0), 1.0, 0.0], atol=1e-12)
     normal = np.array([0.0, 0.0, 1.0])
@@ -105,7 +105,7 @@ def test_3_eq_1_the_lift_is_d_over_cos_b() -> None:
 def test_3_eq_2_goes_out_of_the_board_and_keeps_the_axis() -> None:
     # The sign that the paper lost: with it the other way the tool would go deeper.
     pose = np.array([[10.0, 20.0, 1.0, 135.0]])
-    up = lifted(pose, np.array([0.5]), TipCircle(1.5, 6.0, 45.0))
+    up = lift_clear(pose, np.array([0.5]), TipCircle(1.5, 6.0, 45.0))
     assert up[0, 2] == pytest.approx(1.5)
     assert up[0, 3] == 135.0
     # Heading 135° the right hand is (√½, √½); 0.5 up is 0.5 tan 45° aside.
@@ -118,7 +118,7 @@ def test_3_lifting_a_v_cutter_along_itself_is_the_oblique_lift_of_the_samplemake
 ) -> None:
     cutter = VCutter(6.0, 1.5, tilt)
     pose = np.array([[0.0, 0.0, 0.0, c]])
-    up = lifted(pose, np.array([d]), cutter.tip_circle(d))
+    up = lift_clear(pose, np.array([d]), cutter.tip_circle(d))
     ahead = np.array([[cos(radians(c)), sin(radians(c))]])
     np.testing.assert_allclose(
         up[:, :2], sideways_move(np.zeros((1, 2)), ahead, cutter, np.array([d])), atol=1e-9
@@ -129,7 +129,7 @@ def test_3_lifting_a_v_cutter_along_itself_is_the_oblique_lift_of_the_samplemake
 def test_3_after_the_correction_nothing_interferes() -> None:
     circle = TipCircle(1.5, 6.0, 45.0)
     pose = np.array([[0.0, 0.0, z, 40.0] for z in (-1.0, 0.0, 1.0, 2.0, 3.0, 4.0)])
-    up = lifted(pose, interference(pose, circle, 2.0), circle)
+    up = lift_clear(pose, interference(pose, circle, 2.0), circle)
     np.testing.assert_allclose(interference(up, circle, 2.0), 0.0, atol=1e-12)
     # 1.5 sin 45° = 1.0607: the tip at 3.0 had 0.0607 to go, the one at 4.0 nothing.
     np.testing.assert_allclose(up[4:, 2], [3.0606602, 4.0])

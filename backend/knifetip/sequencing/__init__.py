@@ -1,1 +1,1 @@
-"""Floor 3: the order of the tracks, and the way between them."""
+"""Floor 3: order the tracks, and plan the air moves between them."""

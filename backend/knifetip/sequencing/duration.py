@@ -1,13 +1,13 @@
-"""duration: how long the machine will take.
+"""duration: estimate the time that the machine takes.
 
     Toolpath, Machine -> seconds of every row
 
-Every move is a trapezoid of speed within what its axes can do; look-ahead carries speed through
-tangent joints and stops at corners.  Dwells count where the post-processor writes them: while a
-piston or the oscillation settles, and where the controller must halt (see ``timing``).
+Every move has a trapezoidal speed profile within the limits of its axes.  Look-ahead keeps the
+speed at tangent joints and stops at corners.  Dwells are included: for pistons and the oscillation
+to settle, and where the controller halts (see ``timing``).
 
-Speed along a move is measured over all four axes, mm and degrees alike, as grblHAL does, but every
-limit is an axis's own, so that the time of a move does not depend on it.
+Like in grblHAL, the length of a move includes all four axes, mm and degrees alike.  The limits are
+those of the single axes, so the time of a move does not depend on this convention.
 """
 
 from __future__ import annotations
@@ -26,47 +26,48 @@ from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.timing import STILL, Timing
 
-#: At a joint the velocity of an axis may jump by what it gains in this time (s).
+#: At a joint the velocity of an axis may jump by its acceleration times this (s).
 JOLT: Final = 0.002
 
 
 def duration(toolpath: Toolpath, machine: Machine) -> float:
-    """Return how long the machine will take for all of a toolpath (s)."""
+    """Return the time that the machine takes for a toolpath (s)."""
     return float(durations(toolpath, machine).sum())
 
 
 def durations(toolpath: Toolpath, machine: Machine) -> F64:
-    """Return how long each row of a toolpath takes, (n,) s.
+    """Return the time of each row of a toolpath, (n,) s.
 
-    A station's change counts to its first row, a halt to the row that it ends.
+    A change of station belongs to its first row, a halt to the row before it.
 
     Parameters
     ----------
     toolpath : Toolpath
-        One chain of moves, as ``sequence`` makes it.
+        One chain of moves, as ``sequence`` returns it.
     machine : Machine
-        Velocities and accelerations of its axes, the time to settle, and what it speaks.
+        Its axes' velocities and accelerations, settling time and controller language.
 
     Notes
     -----
-    Per row, with Δᵢ the travel of axis i and L² = ΣΔᵢ²::
+    Per row, with Δᵢ the travel of axis i, L² = ΣΔᵢ², and t the time at the programmed feed::
 
-        v = min(L / t, vᵢ L / Δᵢ)      a = min aᵢ L / Δᵢ      t the time that the feed asks for
+        v = min(L / t, vᵢ L / Δᵢ)      a = min aᵢ L / Δᵢ
 
-    On an arc Δx = Δy = its length, and v² ≤ a R keeps the centripetal acceleration.  At a joint no
-    axis jumps by more than aᵢ · ``JOLT``.  The simulated table agrees within 2 %; LinuxCNC took
-    12 to 21 % longer on the samples, since only its halts are modelled, not how it blends.
+    On an arc Δx = Δy = its length, and v² ≤ a R limits the centripetal acceleration.  At a joint
+    the velocity of no axis jumps by more than aᵢ · ``JOLT``.  The simulated table agrees within
+    2 %; LinuxCNC took 12 to 21 % longer on the samples, since its halts are modelled but not its
+    blending.
     """
     if len(toolpath) == 0:
         return np.zeros(0)
     change = np.abs(np.diff(toolpath.pose, axis=0))
     start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
-    round_ = np.abs(toolpath.bulge) >= BULGE
+    is_arc = np.abs(toolpath.bulge) >= BULGE
     along = arc.length(start, end, toolpath.bulge)
     reach = change.copy()
-    reach[round_, :2] = along[round_, None]
-    flat = np.where(round_, along, np.hypot(change[:, 0], change[:, 1]))
-    # On an arc X and Y share its length: together they count once.
+    reach[is_arc, :2] = along[is_arc, None]
+    flat = np.where(is_arc, along, np.hypot(change[:, 0], change[:, 1]))
+    # On an arc X and Y share its length, which counts once.
     length = np.sqrt(flat**2 + change[:, 2] ** 2 + change[:, 3] ** 2)
     moving = length > STILL
     safe = np.where(moving, length, 1.0)
@@ -78,31 +79,33 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     with np.errstate(divide="ignore"):
         velocity = np.min(fastest / share, axis=1)
         acceleration = np.min(hardest / share, axis=1)
-    asked = _asked(toolpath, np.hypot(flat, change[:, 2]), change[:, 3])
-    velocity = np.minimum(velocity, np.divide(safe, asked, out=velocity.copy(), where=asked > 0.0))
-    size = np.where(round_, arc.radius(start, end, toolpath.bulge), 1.0)
+    feed_time = _feed_times(toolpath, np.hypot(flat, change[:, 2]), change[:, 3])
+    velocity = np.minimum(
+        velocity, np.divide(safe, feed_time, out=velocity.copy(), where=feed_time > 0.0)
+    )
+    size = np.where(is_arc, arc.radius(start, end, toolpath.bulge), 1.0)
     thrust = min(hardest[0], hardest[1])
-    bent = np.sqrt(thrust * size) * safe / np.where(round_, flat, 1.0)
-    velocity = np.where(round_, np.minimum(velocity, bent), velocity)
+    bent = np.sqrt(thrust * size) * safe / np.where(is_arc, flat, 1.0)
+    velocity = np.where(is_arc, np.minimum(velocity, bent), velocity)
 
-    first, last = _headings(toolpath, safe)
+    first, last = _axis_rates(toolpath, safe)
     stops = np.zeros(len(moving), np.bool_)
     changed = np.ones(len(moving), np.bool_)
     changed[1:] = toolpath.tool[1:] != toolpath.tool[:-1]
     stops |= changed
     timing: Timing = find_language(machine.dialect).part("timing")
-    seconds = np.maximum(asked, safe / velocity)
-    waits = timing(toolpath, np.hypot(flat, change[:, 2]), seconds, machine)
-    stops[1:] |= waits[:-1] > 0.0
-    switched, pierced = _beams(toolpath, machine)
+    seconds = np.maximum(feed_time, safe / velocity)
+    halts = timing(toolpath, np.hypot(flat, change[:, 2]), seconds, machine)
+    stops[1:] |= halts[:-1] > 0.0
+    switched, pierced = _beam_switching(toolpath, machine)
     stops |= switched
-    times: F64 = _travelled(length, velocity, acceleration, first, last, hardest * JOLT, stops)
-    times += changed * machine.settle + waits + pierced
+    times: F64 = _simulate(length, velocity, acceleration, first, last, hardest * JOLT, stops)
+    times += changed * machine.settle + halts + pierced
     return times
 
 
-def _beams(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
-    """Return the rows at whose start a beam is switched, and how long it pierces there (s)."""
+def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
+    """Return whether a beam is switched at the start of each row, and its piercing time (s)."""
     beams = np.zeros(256, np.bool_)
     pierce = np.zeros(256)
     for station in machine.stations:
@@ -113,31 +116,31 @@ def _beams(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
     return on != before, np.where(on & ~before, pierce[toolpath.tool], 0.0)
 
 
-def _asked(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:
-    """Return the time that each row's feed asks for (s); 0 for rapids."""
+def _feed_times(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:
+    """Return the time of each row at its programmed feed, (n,) s; 0 for rapids."""
     swivel = toolpath.motion == Motion.SWIVEL
     feed = np.where(toolpath.feed > 0.0, toolpath.feed, np.inf)
-    asked: F64 = 60.0 * np.where(swivel, degrees, travel) / feed
-    return np.where(toolpath.motion == Motion.RAPID, 0.0, asked)
+    feed_time: F64 = 60.0 * np.where(swivel, degrees, travel) / feed
+    return np.where(toolpath.motion == Motion.RAPID, 0.0, feed_time)
 
 
-def _headings(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
-    """Return how fast each axis changes per unit of length at both ends of each row, (n, 4)."""
+def _axis_rates(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
+    """Return the change of each axis per unit of length at both ends of each row, (n, 4) each."""
     change = np.diff(toolpath.pose, axis=0)
     first, last = change.copy(), change.copy()
-    round_ = np.abs(toolpath.bulge) >= BULGE
-    start, end = toolpath.pose[:-1, :2][round_], toolpath.pose[1:, :2][round_]
-    bulge = toolpath.bulge[round_]
-    # Tangents come as long as the chord, and a heading on an arc is as long as the arc.
+    is_arc = np.abs(toolpath.bulge) >= BULGE
+    start, end = toolpath.pose[:-1, :2][is_arc], toolpath.pose[1:, :2][is_arc]
+    bulge = toolpath.bulge[is_arc]
+    # Tangents are as long as the chord; scaled to the length of the arc.
     chord = np.hypot(*(end - start).T)
     stretch = (arc.length(start, end, bulge) / np.where(chord > 0.0, chord, 1.0))[:, None]
     begin, finish = arc.tangents(start, end, bulge)
-    first[round_, :2], last[round_, :2] = begin * stretch, finish * stretch
+    first[is_arc, :2], last[is_arc, :2] = begin * stretch, finish * stretch
     return first / length[:, None], last / length[:, None]
 
 
 @kernel(checks_division=True)
-def _travelled(
+def _simulate(
     length: F64_1,
     velocity: F64_1,
     acceleration: F64_1,
@@ -146,9 +149,18 @@ def _travelled(
     jolt: F64_1,
     stops: Bool_1,
 ) -> Any:
-    """Return the seconds of each row, (n,): joints, look-ahead backwards, trapezoids forwards.
+    """Return the time of each row, (n,) s: joint speeds, backward look-ahead, forward trapezoids.
 
-    ``stops`` are the rows that begin at rest; a row that moves nothing is passed over.
+    Parameters
+    ----------
+    length, velocity, acceleration : (n,)
+        Of each row; rows without length take no time.
+    first, last : (n, 4)
+        Change of each axis per unit of length at the start and the end of each row.
+    jolt : (4,)
+        Greatest jump of the velocity of each axis at a joint.
+    stops : (n,)
+        Whether each row starts at rest.
     """
     count = len(length)
     times = np.zeros(count)
@@ -180,14 +192,14 @@ def _travelled(
         while after < count and length[after] <= 1e-9:
             after += 1
         if length[row] > 1e-9:
-            hard, way = acceleration[row], length[row]
-            reach = math.sqrt(speed * speed + 2.0 * hard * way)
+            rate, distance = acceleration[row], length[row]
+            reach = math.sqrt(speed * speed + 2.0 * rate * distance)
             finish = min(entry[after] if after < count else 0.0, reach)
-            peak = math.sqrt(hard * way + (speed * speed + finish * finish) / 2.0)
+            peak = math.sqrt(rate * distance + (speed * speed + finish * finish) / 2.0)
             peak = max(min(peak, velocity[row]), speed, finish)
-            rise, fall = (peak - speed) / hard, (peak - finish) / hard
+            rise, fall = (peak - speed) / rate, (peak - finish) / rate
             ramps = (peak + speed) / 2.0 * rise + (peak + finish) / 2.0 * fall
-            times[row] = rise + fall + max(way - ramps, 0.0) / peak
+            times[row] = rise + fall + max(distance - ramps, 0.0) / peak
             speed = finish
         row = after
     return times

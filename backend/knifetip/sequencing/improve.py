@@ -1,10 +1,13 @@
-"""improve: a tour made shorter, link by link.
+"""improve: local search for a shorter tour of tracks.
 
-    a tour of tracks, what its links take, neighbours -> the same tracks in a shorter order
+    tour of tracks, link times, neighbours -> the same tracks in a shorter order
 
-2-opt and Or-opt until neither finds anything, then segments swapped at random and mended again.
+2-opt and Or-opt until neither improves the tour; then random segment swaps, each followed by the
+same local search and undone if the tour is not shorter.
 
-Source: Croes 1958 (2-opt), Or 1976, Martin, Otto & Felten 1991 (swap and mend); the rest is ours.
+A track is run forwards (side 0) or backwards (side 1).  ``reversal`` is a ``Reversal``.
+
+Source: Croes 1958 (2-opt), Or 1976, Martin, Otto & Felten 1991 (perturb and repair).
 """
 
 from __future__ import annotations
@@ -27,81 +30,85 @@ from knifetip.kernels import (
     kernel,
 )
 
-#: Longest run that is reversed where every link in it must be measured anew.
-_RUN: Final = 50
+#: Longest run that is reversed if the times of all links in it change.
+_LONGEST_RUN: Final = 50
 
 
 @kernel
-def _link(a: int, side_a: int, b: int, side_b: int, ends: F64_4A, rates: F64_2) -> float:
+def _travel_time(a: int, side_a: int, b: int, side_b: int, ends: F64_4A, rates: F64_2) -> float:
     """Return the time from the end of track a to the start of track b (s)."""
     x = abs(ends[side_b, 0, b, 0] - ends[side_a, 1, a, 0])
     y = abs(ends[side_b, 0, b, 1] - ends[side_a, 1, a, 1])
     c = abs(ends[side_b, 0, b, 2] - ends[side_a, 1, a, 2])
     c = min(c, rates[3, 0] - c)
     slowest = 0.0
-    for axis, way in ((0, x), (1, y), (2, c)):
-        if way < rates[axis, 0]:
-            time = math.sqrt(way * rates[axis, 1])
+    for axis, distance in ((0, x), (1, y), (2, c)):
+        if distance < rates[axis, 0]:
+            time = math.sqrt(distance * rates[axis, 1])
         else:
-            time = way * rates[axis, 2] + rates[axis, 3]
+            time = distance * rates[axis, 2] + rates[axis, 3]
         slowest = max(slowest, time)
     return slowest
 
 
 @kernel
-def _between(
+def _link_time(
     i: int, turn_i: int, j: int, turn_j: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return the time from place i to place j of the tour, each turned or not; 0 past its end."""
+    """Return the time from position i to position j of the tour (s); 0 beyond its end.
+
+    ``turn_i`` and ``turn_j`` are 1 if that track is run the other way round.
+    """
     if j >= len(tour):
         return 0.0
-    return _link(tour[i], side[i] ^ turn_i, tour[j], side[j] ^ turn_j, ends, rates)
+    return _travel_time(tour[i], side[i] ^ turn_i, tour[j], side[j] ^ turn_j, ends, rates)
 
 
 @kernel
-def _inside(
+def _inner_change(
     i: int, j: int, turn: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return what reversing the places i … j adds to the links inside."""
+    """Return the change of the links between positions i … j if these are reversed (s)."""
     if turn:
         return 0.0
     more = 0.0
     for place in range(i, j):
-        more += _between(place + 1, 0, place, 0, tour, side, ends, rates)
-        more -= _between(place, 0, place + 1, 0, tour, side, ends, rates)
+        more += _link_time(place + 1, 0, place, 0, tour, side, ends, rates)
+        more -= _link_time(place, 0, place + 1, 0, tour, side, ends, rates)
     return more
 
 
 @kernel
-def _reverse_gain(
+def _reversal_change(
     i: int, j: int, turn: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return what reversing the places i … j adds to the whole."""
-    if i < 1 or (not turn and j - i > _RUN):
+    """Return the change of the tour if positions i … j are reversed (s)."""
+    if i < 1 or (not turn and j - i > _LONGEST_RUN):
         return 0.0
-    more = _between(i - 1, 0, j, turn, tour, side, ends, rates)
-    more -= _between(i - 1, 0, i, 0, tour, side, ends, rates)
+    more = _link_time(i - 1, 0, j, turn, tour, side, ends, rates)
+    more -= _link_time(i - 1, 0, i, 0, tour, side, ends, rates)
     if j + 1 < len(tour):
-        more += _between(i, turn, j + 1, 0, tour, side, ends, rates)
-        more -= _between(j, 0, j + 1, 0, tour, side, ends, rates)
-    # What is lost at the ends is hardly ever won inside, and costs a look at every link.
+        more += _link_time(i, turn, j + 1, 0, tour, side, ends, rates)
+        more -= _link_time(j, 0, j + 1, 0, tour, side, ends, rates)
+    # A loss at the two ends is hardly ever regained inside, and computing that is costly.
     if more >= 0.0:
         return more
-    return more + _inside(i, j, turn, tour, side, ends, rates)
+    return more + _inner_change(i, j, turn, tour, side, ends, rates)
 
 
 @kernel
-def _freed(s: int, e: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2) -> float:
-    """Return what taking the places s … e out saves; 0 where that cannot be."""
+def _removal_gain(s: int, e: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2) -> float:
+    """Return the time saved by removing positions s … e (s); 0 if they cannot be removed."""
     if s < 1 or e >= len(tour):
         return 0.0
-    saved = _between(s - 1, 0, s, 0, tour, side, ends, rates)
-    saved += _between(e, 0, e + 1, 0, tour, side, ends, rates)
-    return saved - _between(s - 1, 0, e + 1, 0, tour, side, ends, rates)
+    saved = _link_time(s - 1, 0, s, 0, tour, side, ends, rates)
+    saved += _link_time(e, 0, e + 1, 0, tour, side, ends, rates)
+    return saved - _link_time(s - 1, 0, e + 1, 0, tour, side, ends, rates)
 
 
 @kernel
-def _reverse(i: int, j: int, turn: int, tour: OutI32_1, side: OutU8_1, where: OutI64_1) -> None:
+def _reverse(i: int, j: int, turn: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1) -> None:
+    """Reverse positions i … j in place; with ``turn`` 1 run their tracks the other way round."""
     low, high = i, j
     while low < high:
         tour[low], tour[high] = tour[high], tour[low]
@@ -110,74 +117,76 @@ def _reverse(i: int, j: int, turn: int, tour: OutI32_1, side: OutU8_1, where: Ou
         high -= 1
     for place in range(i, j + 1):
         side[place] ^= turn
-        where[tour[place]] = place
+        position[tour[place]] = place
 
 
 @kernel
-def _swap(s: int, m: int, e: int, tour: OutI32_1, side: OutU8_1, where: OutI64_1) -> None:
-    """Put the places m … e before the places s … m - 1."""
-    _reverse(s, m - 1, 0, tour, side, where)
-    _reverse(m, e, 0, tour, side, where)
-    _reverse(s, e, 0, tour, side, where)
+def _swap(s: int, m: int, e: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1) -> None:
+    """Move positions m … e before positions s … m - 1."""
+    _reverse(s, m - 1, 0, tour, side, position)
+    _reverse(m, e, 0, tour, side, position)
+    _reverse(s, e, 0, tour, side, position)
 
 
 @kernel
-def _better(
+def _improve_track(
     track: int,
     tour: OutI32_1,
     side: OutU8_1,
-    where: OutI64_1,
+    position: OutI64_1,
     ends: F64_4A,
     rates: F64_2,
-    way: int,
+    reversal: int,
     near: I32_2,
     floor: F64_2,
 ) -> Any:
-    """Make the first change for the better around a track.
+    """Make the first improving change near a track.
 
-    Returns the first and last place that changed, and by how much; (0, -1, 0) for none.
+    Return the first and last position that changed and the change (s); (0, -1, 0) for none.
     """
     last = len(tour) - 1
-    mirrored = 1 if way == 1 else 0
-    i = where[track]
-    if way == 2:
-        more = _between(i - 1, 0, i, 1, tour, side, ends, rates)
-        more -= _between(i - 1, 0, i, 0, tour, side, ends, rates)
+    symmetric = 1 if reversal == 1 else 0
+    i = position[track]
+    if reversal == 2:
+        more = _link_time(i - 1, 0, i, 1, tour, side, ends, rates)
+        more -= _link_time(i - 1, 0, i, 0, tour, side, ends, rates)
         if i < last:
-            more += _between(i, 1, i + 1, 0, tour, side, ends, rates)
-            more -= _between(i, 0, i + 1, 0, tour, side, ends, rates)
+            more += _link_time(i, 1, i + 1, 0, tour, side, ends, rates)
+            more -= _link_time(i, 0, i + 1, 0, tour, side, ends, rates)
         if more < -1e-9:
             side[i] ^= 1
             return i, i, more
-    # A change is found from the end where it puts a shorter link for a longer one.
-    longest = _between(i - 1, 0, i, 0, tour, side, ends, rates)
-    longest = max(longest, _between(i, 0, i + 1, 0, tour, side, ends, rates))
+    # Every improvement replaces, at one of its tracks, a longer link by a shorter one.
+    longest = _link_time(i - 1, 0, i, 0, tour, side, ends, rates)
+    longest = max(longest, _link_time(i, 0, i + 1, 0, tour, side, ends, rates))
     freed = np.empty(6)
     for place in range(6):
         s = i if place % 2 else i - place // 2
-        freed[place] = _freed(s, s + place // 2, tour, side, ends, rates) if place != 1 else 0.0
+        freed[place] = (
+            _removal_gain(s, s + place // 2, tour, side, ends, rates) if place != 1 else 0.0
+        )
     for rank in range(near.shape[1]):
         if floor[track, rank] >= longest:
             break
         other = near[track, rank]
-        j = where[other]
+        j = position[other]
         low, high = min(i, j), max(i, j)
-        more = _reverse_gain(low + 1, high, mirrored, tour, side, ends, rates)
+        more = _reversal_change(low + 1, high, symmetric, tour, side, ends, rates)
         if more < -1e-9:
-            _reverse(low + 1, high, mirrored, tour, side, where)
+            _reverse(low + 1, high, symmetric, tour, side, position)
             return low + 1, high, more
-        more = _reverse_gain(low, high - 1, mirrored, tour, side, ends, rates)
+        more = _reversal_change(low, high - 1, symmetric, tour, side, ends, rates)
         if more < -1e-9:
-            _reverse(low, high - 1, mirrored, tour, side, where)
+            _reverse(low, high - 1, symmetric, tour, side, position)
             return low, high - 1, more
         for place in range(6):
-            # Runs of one to three that begin at the track, or end at it.
+            # Runs of one to three tracks that start or end at this track.
             size, ahead = place // 2 + 1, place % 2
             s = i if ahead else i - size + 1
             e = s + size - 1
             if freed[place] <= 1e-9 or s <= j <= e:
                 continue
-            # After the neighbour or before it, and turned so that the two are joined.
+            # After or before the neighbour, reversed if needed to put the two side by side.
             for before in range(2):
                 k = j - before
                 back = before if ahead else 1 - before
@@ -185,29 +194,29 @@ def _better(
                     back = 0
                 if k < 0 or s - 1 <= k <= e:
                     continue
-                for _ in range(2 if size == 1 and way != 0 else 1):
-                    turn = back if (mirrored or size == 1) else 0
+                for _ in range(2 if size == 1 and reversal != 0 else 1):
+                    turn = back if (symmetric or size == 1) else 0
                     head, tail = (e, s) if back else (s, e)
-                    more = _between(k, 0, head, turn, tour, side, ends, rates)
-                    more -= _between(k, 0, k + 1, 0, tour, side, ends, rates) + freed[place]
+                    more = _link_time(k, 0, head, turn, tour, side, ends, rates)
+                    more -= _link_time(k, 0, k + 1, 0, tour, side, ends, rates) + freed[place]
                     if more < -1e-9 and k < last:
-                        more += _between(tail, turn, k + 1, 0, tour, side, ends, rates)
+                        more += _link_time(tail, turn, k + 1, 0, tour, side, ends, rates)
                     if more < -1e-9 and back and not turn:
-                        more += _inside(s, e, 0, tour, side, ends, rates)
+                        more += _inner_change(s, e, 0, tour, side, ends, rates)
                     if more < -1e-9:
                         if back:
-                            _reverse(s, e, turn, tour, side, where)
+                            _reverse(s, e, turn, tour, side, position)
                         if k > e:
-                            _swap(s, e + 1, k, tour, side, where)
+                            _swap(s, e + 1, k, tour, side, position)
                             return s, k, more
-                        _swap(k + 1, s, e, tour, side, where)
+                        _swap(k + 1, s, e, tour, side, position)
                         return k + 1, e, more
                     back = 1
     return 0, -1, 0.0
 
 
 @kernel(checks_division=True)
-def _settle(
+def _improve_queued(
     queue: OutI32_1,
     waiting: OutBool_1,
     head: int,
@@ -215,14 +224,17 @@ def _settle(
     most: int,
     tour: OutI32_1,
     side: OutU8_1,
-    where: OutI64_1,
+    position: OutI64_1,
     ends: F64_4A,
     rates: F64_2,
-    way: int,
+    reversal: int,
     near: I32_2,
     floor: F64_2,
 ) -> Any:
-    """Better the tracks in the queue, and those beside a change, until nothing more is found."""
+    """Improve around the queued tracks and those next to each change, until nothing improves.
+
+    Return the total change (s), and the first and last position that changed.
+    """
     count = len(queue)
     gained = 0.0
     low, high = len(tour), 0
@@ -232,7 +244,9 @@ def _settle(
         size -= 1
         waiting[track] = False
         while most > 0:
-            first, last, more = _better(track, tour, side, where, ends, rates, way, near, floor)
+            first, last, more = _improve_track(
+                track, tour, side, position, ends, rates, reversal, near, floor
+            )
             if last < first:
                 break
             most -= 1
@@ -249,24 +263,54 @@ def _settle(
 
 
 @kernel(checks_division=True)
-def improve(
+def improve_tour(
     tour: OutI32_1,
     side: OutU8_1,
     ends: F64_4A,
     rates: F64_2,
-    way: int,
+    reversal: int,
     near: I32_2,
     floor: F64_2,
     trials: int,
 ) -> None:
-    """Shorten the tour in place: 2-opt and Or-opt, then swaps of near segments, mended."""
+    """Shorten the tour in place.
+
+    Parameters
+    ----------
+    tour, side : (t + 1,) and (t + 1,)
+        Tracks in their order, the origin first, and whether each is run backwards.
+    ends : (2, 2, t + 1, 3)
+        x, y, c at the start (0) and the end (1) of each track, for each side.
+    rates : (4, 4)
+        Rates of the axes, see ``short_order``.
+    reversal : int
+        ``Reversal``: which tracks may be run backwards.
+    near, floor : (t, k) and (t, k)
+        Neighbours of each track, and lower bounds of the link times to them (s).
+    trials : int
+        Number of random swaps.
+    """
     last = len(tour) - 1
-    where = np.empty(len(tour), np.int64)
+    position = np.empty(len(tour), np.int64)
     for place in range(len(tour)):
-        where[tour[place]] = place
+        position[tour[place]] = place
     queue = tour[1:].copy()
     waiting = np.ones(last, np.bool_)
-    _settle(queue, waiting, 0, last, 100 * last, tour, side, where, ends, rates, way, near, floor)
+    _improve_queued(
+        queue,
+        waiting,
+        0,
+        last,
+        100 * last,
+        tour,
+        side,
+        position,
+        ends,
+        rates,
+        reversal,
+        near,
+        floor,
+    )
     kept, kept_side = tour.copy(), side.copy()
     state = 12345
     for _ in range(trials if last >= 3 else 0):
@@ -281,26 +325,26 @@ def improve(
         s, m, e = cut[0], cut[1], cut[2]
         if s == m or m == e:
             continue
-        # The places s … m - 1 and m … e - 1 change places.
+        # Positions s … m - 1 and m … e - 1 are swapped.
         e -= 1
         gained = (
-            _between(s - 1, 0, m, 0, tour, side, ends, rates)
-            - _between(s - 1, 0, s, 0, tour, side, ends, rates)
-            + _between(e, 0, s, 0, tour, side, ends, rates)
-            - _between(m - 1, 0, m, 0, tour, side, ends, rates)
+            _link_time(s - 1, 0, m, 0, tour, side, ends, rates)
+            - _link_time(s - 1, 0, s, 0, tour, side, ends, rates)
+            + _link_time(e, 0, s, 0, tour, side, ends, rates)
+            - _link_time(m - 1, 0, m, 0, tour, side, ends, rates)
         )
         if e < last:
-            gained += _between(m - 1, 0, e + 1, 0, tour, side, ends, rates)
-            gained -= _between(e, 0, e + 1, 0, tour, side, ends, rates)
+            gained += _link_time(m - 1, 0, e + 1, 0, tour, side, ends, rates)
+            gained -= _link_time(e, 0, e + 1, 0, tour, side, ends, rates)
         size = 0
         for place in (s - 1, s, m - 1, m, e, e + 1):
             if 1 <= place <= last and not waiting[tour[place]]:
                 waiting[tour[place]] = True
                 queue[size] = tour[place]
                 size += 1
-        _swap(s, m, e, tour, side, where)
-        more, low, high = _settle(
-            queue, waiting, 0, size, 200, tour, side, where, ends, rates, way, near, floor
+        _swap(s, m, e, tour, side, position)
+        more, low, high = _improve_queued(
+            queue, waiting, 0, size, 200, tour, side, position, ends, rates, reversal, near, floor
         )
         low, high = min(low, s), max(high, e)
         if gained + more < 0.0:
@@ -309,4 +353,4 @@ def improve(
         else:
             for place in range(low, high + 1):
                 tour[place], side[place] = kept[place], kept_side[place]
-                where[tour[place]] = place
+                position[tour[place]] = place

@@ -1,4 +1,4 @@
-"""linuxcnc: where a LinuxCNC program halts, and what that costs (ADR 0008)."""
+"""linuxcnc: the halts of a LinuxCNC program, and their time (ADR 0008)."""
 
 from __future__ import annotations
 
@@ -11,17 +11,18 @@ from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.timing import STILL
 
-#: What an exact stop costs besides slowing down (s): measured, ADR 0008.
+#: Time of an exact stop in addition to the deceleration (s): measured, ADR 0008.
 HALT: Final = 0.015
-#: How far the tip may leave the path where C begins or ends to turn, before a halt (mm).
+#: Deviation of the tip, where C starts or ends to turn, above which the program halts (mm).
 BLENDED: Final = 0.005
 
 
 def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-    """Return how long the controller halts after each row, (n,) s: the estimate of ADR 0008.
+    """Return the time for which LinuxCNC halts after each row, (n,) s; parameters as ``Timing``.
 
-    Where C begins or ends to turn, its planner overlaps both rows for the time t in which the
-    slower axis changes its speed, and the tip is off by Δκ (v t)² / 2, κ the turn of C per mm.
+    Where C starts or ends to turn, the trajectory planner overlaps both rows for the time t in
+    which the slower axis changes its speed.  The tip then deviates by Δκ (v t)² / 2, where κ is the
+    turn of C per mm (ADR 0008).
     """
     turn = np.radians(np.diff(toolpath.pose[:, 3]))
     moves = travel > STILL

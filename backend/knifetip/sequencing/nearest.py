@@ -1,6 +1,6 @@
-"""nearest: what lies near, by a grid: the next track each time, and the neighbours of every one.
+"""nearest: nearest-neighbour tours and lists of neighbours, by a grid of cells.
 
-where tracks begin and end (mm) -> an order that always takes the nearest; lists of neighbours
+starts and ends of tracks (mm) -> order of tracks; neighbours of each track
 """
 
 from __future__ import annotations
@@ -15,20 +15,23 @@ from knifetip.kernels import F64_1, F64_2, F64_2A, I64_1, OutF64_1, OutI32_1, Ou
 
 
 def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
-    """Return the order of tracks, (t,), beginning with the one nearest to ``origin``.
+    """Return the nearest-neighbour order of tracks, (t,), from ``origin``.
 
     Parameters
     ----------
     start, end : (t, 2) mm
-        Where the head begins and ends each track.
+        Positions of the head at the start and the end of each track.
     origin : (2,) mm
     """
-    order: I32 = walk(start, end, origin, len(start))
+    order: I32 = nearest_walk(start, end, origin, len(start))
     return order
 
 
-def walk(start: F64, end: F64, origin: F64, count: int) -> Any:
-    """Return the nearest candidate each time; candidates ``count`` apart are one track."""
+def nearest_walk(start: F64, end: F64, origin: F64, count: int) -> Any:
+    """Return the nearest-neighbour tour of ``count`` tracks, (count,) candidates.
+
+    Candidates i and i + ``count`` are one track, run forwards and backwards; one is visited.
+    """
     if count == 0:
         return np.zeros(0, np.int32)
     low = start.min(axis=0)
@@ -39,11 +42,11 @@ def walk(start: F64, end: F64, origin: F64, count: int) -> Any:
     key = cell[:, 0] * side + cell[:, 1]
     listed = np.argsort(key, kind="stable")
     first = np.searchsorted(key[listed], np.arange(side * side + 1))
-    return _walked(start, end, origin, low, size, side, listed, first, key, count)
+    return _search_rings(start, end, origin, low, size, side, listed, first, key, count)
 
 
 @kernel(checks_division=True)
-def _walked(
+def _search_rings(
     start: F64_2A,
     end: F64_2A,
     origin: F64_1,
@@ -55,7 +58,7 @@ def _walked(
     key: I64_1,
     count: int,
 ) -> Any:
-    """Search the grid in growing rings; a found track is struck from its cells."""
+    """Search the grid in growing rings; a track that is found is removed from its cells."""
     left = first[1:] - first[:-1]
     order = np.empty(count, np.int32)
     x = origin[0]
@@ -96,8 +99,11 @@ def _walked(
 
 
 @kernel(checks_division=True)
-def neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
-    """Return the tracks with the ends nearest to either end of each, and how near, (t, wanted)."""
+def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
+    """Return the nearest other tracks of each track, (t, wanted), and their distances (mm).
+
+    The distance of two tracks is that of their nearest ends.
+    """
     count = len(start)
     point = np.concatenate((start, end))
     low_x, low_y = point[:, 0].min(), point[:, 1].min()
@@ -133,15 +139,15 @@ def neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
                                 distance = math.hypot(
                                     point[listed[place], 0] - x, point[listed[place], 1] - y
                                 )
-                                found = _listed(near[track], best, found, other, distance)
+                                found = _insert_nearest(near[track], best, found, other, distance)
                         j += 1 if edge or ring == 0 else 2 * ring
                 ring += 1
     return near, far
 
 
 @kernel
-def _listed(near: OutI32_1, best: OutF64_1, found: int, other: int, distance: float) -> int:
-    """Put a track into a list of the nearest, once, and return how long the list is."""
+def _insert_nearest(near: OutI32_1, best: OutF64_1, found: int, other: int, distance: float) -> int:
+    """Insert a track into a sorted list of the nearest ones; return the length of the list."""
     at = found
     for place in range(found):
         if near[place] == other:

@@ -1,11 +1,11 @@
-"""sequence: one way through all tracks.
+"""sequence: join the toolpaths of all operations into one.
 
     Toolpaths in working order, Machine -> Toolpath
 
-Toolpaths keep their order, which is the order of trades; the tracks of each are put in a short one,
-and run from their far end where that is as good.  Between tracks the head goes through the air,
-turning as it goes, at the least height that clears the board; where the tool changes, at the
-machine's travel height.
+Toolpaths keep their order, which is the working order of the operations.  The tracks of each are
+put into a short order, and run from their far end where the tool permits it.  In air moves between
+tracks the head turns while it travels, at the least height that clears the board.  When the tool
+changes, it travels at the machine's travel height.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from knifetip.geometry.path import Paths
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.sequencing.order import shortest
+from knifetip.sequencing.air_moves import interference, lift_clear, turns_outside_board, unwind
+from knifetip.sequencing.order import short_order
 from knifetip.sequencing.travel import check_travel
-from knifetip.sequencing.turning import clear_ways, interference, lifted, unwound
 
-#: What a motion is when it is run backwards.
-_BACKWARDS: Final = np.arange(len(Motion), dtype=np.uint8)
-_BACKWARDS[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
+#: Motion of each kind of move when it is run backwards.
+_REVERSED: Final = np.arange(len(Motion), dtype=np.uint8)
+_REVERSED[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
     Motion.PLUNGE,
     Motion.LEAD_OUT,
     Motion.LEAD_IN,
@@ -37,7 +37,7 @@ _BACKWARDS[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """Columns of moves, each with the pose that it ends at."""
+    """Columns of moves; ``pose`` is the one at the end of each move."""
 
     pose: F64
     bulge: F64
@@ -51,20 +51,20 @@ class _Moves:
 def sequence(
     toolpaths: Sequence[Toolpath], machine: Machine, outline: Paths | None = None
 ) -> Toolpath:
-    """Return one toolpath that begins and ends parked, with the tip at travel height.
+    """Return one toolpath that starts and ends at the parking position, at travel height.
 
     Parameters
     ----------
     toolpaths
-        In working order; each lifts to the machine's clearance above the board at its tracks' ends.
+        In working order; each ends its tracks at the machine's clearance above the board.
     outline : closed Paths, holes included
-        Of the board itself.  Given, a tool that has left the board turns without a lift.  A dieline
-        is no such thing: around the blank lies the rest of the sheet.
+        Outline of the board, not of the blank: around a blank lies the rest of the sheet.  If it is
+        given, a tool that has left the board turns without a lift.
 
     Raises
     ------
     PlanError
-        There is nothing to do.
+        There is no work in the toolpaths.
     TravelExceeded
         A head would leave the machine's travel.
     """
@@ -72,39 +72,39 @@ def sequence(
     if not work:
         raise PlanError("job.no-work")
     tool = int(work[0].tool[0])
-    home = _parked(machine.station(tool), machine)
-    here, parts, count = home, [], 0
+    home = _parking_pose(machine.station(tool), machine)
+    current, parts, count = home, [], 0
     for toolpath in work:
         station = machine.station(int(toolpath.tool[0]))
         if tool != station.number:
-            here = _at(here, machine.travel_z)
-            parts.append(_air(here, tool))
-        moves = _ordered(toolpath, station, machine, here, count)
-        if here[2] == machine.travel_z:
-            parts.append(_air(_at(moves.pose[0], machine.travel_z), station.number))
+            current = _at_height(current, machine.travel_z)
+            parts.append(_air_move(current, tool))
+        moves = _order_tracks(toolpath, station, machine, current, count)
+        if current[2] == machine.travel_z:
+            parts.append(_air_move(_at_height(moves.pose[0], machine.travel_z), station.number))
         parts.append(moves)
-        tool, here = station.number, moves.pose[-1]
+        tool, current = station.number, moves.pose[-1]
         count = int(moves.track.max()) + 1
-    parts.append(_air(_at(here, machine.travel_z), tool))
-    parts.append(_air(_parked(machine.station(tool), machine), tool))
+    parts.append(_air_move(_at_height(current, machine.travel_z), tool))
+    parts.append(_air_move(_parking_pose(machine.station(tool), machine), tool))
     columns = {
         field.name: np.concatenate([getattr(part, field.name) for part in parts])
         for field in fields(_Moves)
     }
     columns["pose"] = np.concatenate([home[None], columns["pose"]])
-    result = _least_lift(Toolpath(**columns), machine, outline)
+    result = _lower_turns(Toolpath(**columns), machine, outline)
     check_travel(result, machine)
     return result
 
 
-def _at(pose: F64, height: float) -> F64:
-    """Return the pose with its tip at a height (mm)."""
+def _at_height(pose: F64, height: float) -> F64:
+    """Return the pose with the tip at a height (mm)."""
     raised = pose.copy()
     raised[2] = height
     return raised
 
 
-def _parked(station: Station, machine: Machine) -> F64:
+def _parking_pose(station: Station, machine: Machine) -> F64:
     """Return the pose nearest to the table's corner that the station can reach."""
     return np.array(
         [
@@ -116,8 +116,8 @@ def _parked(station: Station, machine: Machine) -> F64:
     )
 
 
-def _air(pose: F64, tool: int) -> _Moves:
-    """Return one move through the air."""
+def _air_move(pose: F64, tool: int) -> _Moves:
+    """Return one rapid to a pose."""
     return _Moves(
         pose=pose[None],
         bulge=np.zeros(1),
@@ -129,15 +129,20 @@ def _air(pose: F64, tool: int) -> _Moves:
     )
 
 
-def _ordered(
-    toolpath: Toolpath, station: Station, machine: Machine, here: F64, count: int
+def _order_tracks(
+    toolpath: Toolpath, station: Station, machine: Machine, current: F64, count: int
 ) -> _Moves:
-    """Return the tracks of a toolpath in a short order, a link through the air before each.
+    """Return the tracks of a toolpath in a short order, with an air move before each.
 
-    ``count`` is the number of the first track.
+    Parameters
+    ----------
+    current : (4,)
+        Pose of the head before the first track.
+    count
+        Number of the first track.
     """
-    # A stay is a run of rows from one rapid to the next, a track the stays with one number; rows
-    # between tracks are jumps.  Rapids are laid anew, to where the next stay begins.
+    # A pass is a run of rows between two rapids; the passes with one track number are one track.
+    # Old rapids are dropped; new ones lead to the start of each pass.
     inner = np.flatnonzero((toolpath.track >= 0) & (toolpath.motion != Motion.RAPID))
     number = toolpath.track[inner]
     breaks = np.flatnonzero((np.diff(inner) > 1) | (np.diff(number) != 0)) + 1
@@ -145,58 +150,60 @@ def _ordered(
     last = inner[np.concatenate([breaks - 1, [len(inner) - 1]])]
     number = toolpath.track[first]
     opens = np.flatnonzero(np.concatenate([[True], number[1:] != number[:-1]]))
-    stays = np.diff(np.append(opens, len(first)))
-    closes = opens + stays - 1
+    passes = np.diff(np.append(opens, len(first)))
+    closes = opens + passes - 1
 
-    way, turned = station.tool.reversal
-    if way == Reversal.SIDES and (stays % 2).any():
-        way = Reversal.ONE
+    reversal, rotation = station.tool.reversal
+    if reversal == Reversal.SIDES and (passes % 2).any():
+        reversal = Reversal.ONE
     period = station.tool.period
     columns = [0, 1, 3]
     entry, leave = toolpath.pose[first[opens]], toolpath.pose[last[closes] + 1]
-    if way == Reversal.SIDES:
+    if reversal == Reversal.SIDES:
         far, near = toolpath.pose[first[opens + 1]], toolpath.pose[last[closes - 1] + 1]
     else:
-        about = np.array([0.0, 0.0, 0.0, turned])
-        far, near = leave + about, entry + about
+        rotate = np.array([0.0, 0.0, 0.0, rotation])
+        far, near = leave + rotate, entry + rotate
     axes = (machine.x, machine.y, machine.c)
-    order, flip = shortest(
+    order, flip = short_order(
         np.stack([entry, far])[..., columns],
         np.stack([leave, near])[..., columns],
-        here[columns],
+        current[columns],
         np.array([[axis.velocity for axis in axes], [axis.acceleration for axis in axes]]),
         period,
-        way,
+        reversal,
     )
-    # The stays in their new order: a track from its far end has them reversed, or swapped in pairs.
-    owner = np.repeat(np.arange(len(order)), stays[order])
-    place = np.arange(len(first)) - np.repeat(np.cumsum(stays[order]) - stays[order], stays[order])
-    other = place ^ 1 if way == Reversal.SIDES else stays[order][owner] - 1 - place
-    stay = opens[order][owner] + np.where(flip[owner], other, place)
-    back = flip[owner] & (way == Reversal.EITHER)
-    # Row 0 of each stay is the rapid to where it begins.
-    size = last[stay] - first[stay] + 2
-    run = np.repeat(np.arange(len(stay)), size)
+    # The passes in new order: those of a reversed track are reversed, or swapped in pairs.
+    owner = np.repeat(np.arange(len(order)), passes[order])
+    place = np.arange(len(first)) - np.repeat(
+        np.cumsum(passes[order]) - passes[order], passes[order]
+    )
+    other = place ^ 1 if reversal == Reversal.SIDES else passes[order][owner] - 1 - place
+    pass_of = opens[order][owner] + np.where(flip[owner], other, place)
+    back = flip[owner] & (reversal == Reversal.EITHER)
+    # Row 0 of each pass is the rapid to its start.
+    size = last[pass_of] - first[pass_of] + 2
+    run = np.repeat(np.arange(len(pass_of)), size)
     step = np.arange(len(run)) - np.repeat(np.cumsum(size) - size, size)
     head = step == 0
     reverse = back[run]
-    ends = np.where(reverse, last[stay][run] + 1 - step, first[stay][run] + step)
+    ends = np.where(reverse, last[pass_of][run] + 1 - step, first[pass_of][run] + step)
     rows = np.where(reverse, ends, ends - 1)
-    rows[head] = first[stay]
-    motion = np.where(reverse, _BACKWARDS[toolpath.motion[rows]], toolpath.motion[rows])
-    # Of a way back only the last plunge comes out of the board: others are steps on the way.
+    rows[head] = first[pass_of]
+    motion = np.where(reverse, _REVERSED[toolpath.motion[rows]], toolpath.motion[rows])
+    # On a reversed pass only the last plunge leaves the board: the others are steps within it.
     up = reverse & (step == size[run] - 1) & (toolpath.motion[rows] == Motion.PLUNGE)
     motion = np.where(head, Motion.RAPID, np.where(up, Motion.LIFT, motion)).astype(np.uint8)
     pose = toolpath.pose[ends]
-    pose[:, 3] += np.where(reverse, turned, 0.0)
-    # In the air C may take any equivalent turn, so it is unwound at every rapid.
+    pose[:, 3] += np.where(reverse, rotation, 0.0)
+    # In the air C may take any equivalent angle, so it is unwound at every rapid.
     begin = np.flatnonzero(head)
-    shift = unwound(
+    shift = unwind(
         pose[begin, 3],
         pose[np.append(begin[1:], len(rows)) - 1, 3],
         np.minimum.reduceat(pose[:, 3], begin),
         np.maximum.reduceat(pose[:, 3], begin),
-        float(here[3]),
+        float(current[3]),
         machine.c.low - station.c,
         machine.c.high - station.c,
         period,
@@ -215,11 +222,11 @@ def _ordered(
     )
 
 
-def _least_lift(toolpath: Toolpath, machine: Machine, outline: Paths | None) -> Toolpath:
-    """Return the toolpath with its turns lifted as far as they must be, and no further.
+def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) -> Toolpath:
+    """Return the toolpath with every turn at the least height that clears the board.
 
-    A turn is a rapid between a lift and a plunge.  The board's face is the machine's clearance
-    below where they meet it.  Outside the board only the mat is in the way.
+    A turn is a rapid between a lift and a plunge.  The face of the board is the machine's clearance
+    below the turn.  Outside the board the tool only has to clear the mat.
     """
     rapid = np.flatnonzero(toolpath.motion[1:-1] == Motion.RAPID) + 1
     turns = rapid[
@@ -233,22 +240,22 @@ def _least_lift(toolpath: Toolpath, machine: Machine, outline: Paths | None) -> 
         face = float(pose[own, 2].min()) - machine.clearance
         circle = station.tool.tip_circle(0.0)
         for end in (own, own + 1):
-            pose[end] = lifted(pose[end], interference(pose[end], circle, face), circle)
+            pose[end] = lift_clear(pose[end], interference(pose[end], circle, face), circle)
         if outline is None:
             continue
         low, high = toolpath.pose[own - 1], toolpath.pose[own + 2]
         depth = face - float(min(low[:, 2].min(), high[:, 2].min()))
         circle = station.tool.tip_circle(depth)
-        clear = _unbroken(toolpath, own) & clear_ways(low, high, circle, outline)
-        for end, stand in ((own[clear], low[clear]), (own[clear] + 1, high[clear])):
+        clear = _has_own_lift(toolpath, own) & turns_outside_board(low, high, circle, outline)
+        for end, untouched in ((own[clear], low[clear]), (own[clear] + 1, high[clear])):
             over = np.minimum(pose[end, 2], machine.clearance)
-            rise = np.where(stand[:, 2] < 0.0, over - stand[:, 2], 0.0)
-            pose[end] = lifted(stand, rise, circle)
-    # A lift that goes nowhere is none.
-    still = np.zeros(len(toolpath), np.bool_)
+            rise = np.where(untouched[:, 2] < 0.0, over - untouched[:, 2], 0.0)
+            pose[end] = lift_clear(untouched, rise, circle)
+    # Drop lifts and plunges that do not move.
+    idle = np.zeros(len(toolpath), np.bool_)
     ends = np.concatenate([turns - 1, turns + 1])
-    still[ends] = (pose[ends + 1] == pose[ends]).all(axis=1)
-    kept = np.flatnonzero(~still)
+    idle[ends] = (pose[ends + 1] == pose[ends]).all(axis=1)
+    kept = np.flatnonzero(~idle)
     return Toolpath(
         pose=np.concatenate([pose[:1], pose[kept + 1]]),
         bulge=toolpath.bulge[kept],
@@ -260,8 +267,8 @@ def _least_lift(toolpath: Toolpath, machine: Machine, outline: Paths | None) -> 
     )
 
 
-def _unbroken(toolpath: Toolpath, turns: I64) -> Bool:
-    """Return which turns have their lift and their plunge with the same tool, C standing still."""
+def _has_own_lift(toolpath: Toolpath, turns: I64) -> Bool:
+    """Return the turns whose lift and plunge use the same tool and do not move C."""
     c, tool = toolpath.pose[:, 3], toolpath.tool
     same: Bool = (tool[turns - 1] == tool[turns]) & (tool[turns + 1] == tool[turns])
     same &= (c[turns - 1] == c[turns]) & (c[turns + 1] == c[turns + 2])

@@ -1,4 +1,4 @@
-"""timing: what a controller adds to the time that the axes need.
+"""timing: the time for which a controller halts between moves.
 
 Toolpath -> seconds of rest at the end of every row
 """
@@ -13,7 +13,7 @@ from knifetip.geometry.columns import F64
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Toolpath
 
-#: A move shorter than this moves nothing (mm or degrees).
+#: A shorter move is no move (mm or degrees).
 STILL: Final = 1e-9
 
 
@@ -21,19 +21,19 @@ class Timing(Protocol):
     """The halts of one controller language."""
 
     def __call__(self, toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-        """Return how long the controller halts after each row, (n,) s; 0 where it moves on.
+        """Return the time for which the controller halts after each row, (n,) s.
 
         Parameters
         ----------
         travel : (n,) mm
-            Along XYZ.
+            Length of each row along XYZ.
         seconds : (n,)
-            That each row takes at its feed.
+            Time of each row at its feed.
         """
         ...
 
 
 def no_halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-    """Return the halts of a controller that needs none, (n,) s."""
+    """Return zeros, (n,) s: the controller never halts between moves."""
     del travel, seconds, machine
     return np.zeros(len(toolpath))

@@ -1,6 +1,6 @@
-"""travel: no head leaves the machine.
+"""travel: check that the axes stay within their limits.
 
-Joint position = programmed position + datum of the station, so each head has limits of its own.
+Joint position = programmed position + datum of the station, so each station has its own limits.
 """
 
 from __future__ import annotations
@@ -13,17 +13,17 @@ from knifetip.messages import Message
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Toolpath
 
-#: A joint may stand this far past its limit by rounding (mm or degrees).
+#: Excess over a limit that is rounding (mm or degrees).
 _ROUNDING = 1e-6
 
 
 def check_travel(toolpath: Toolpath, machine: Machine) -> None:
-    """Refuse a toolpath that would take a joint past its limits.
+    """Raise an error if a toolpath takes an axis beyond its limits.
 
     Raises
     ------
     TravelExceeded
-        Names the axis, the station, the measure and the edge.
+        Reports the axis, the station, the excess and the edge.
     """
     boxes = arc.bounds(toolpath.pose[:-1, :2], toolpath.pose[1:, :2], toolpath.bulge)
     low = np.minimum(toolpath.pose[:-1], toolpath.pose[1:])

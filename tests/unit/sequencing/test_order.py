@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.model.tool import Reversal
 from knifetip.sequencing.nearest import nearest_neighbour
-from knifetip.sequencing.order import greedy, link_times, shortest
+from knifetip.sequencing.order import greedy_order, link_times, short_order
 
 PACE = np.array([[1500.0, 1500.0, 3600.0], [8000.0, 8000.0, 36000.0]])
 HOME = np.zeros(3)
@@ -67,7 +67,7 @@ def test_a_link_takes_as_long_as_its_slowest_axis() -> None:
 @pytest.mark.parametrize("seed", range(6))
 def test_of_five_tracks_the_best_order_of_all_is_found(way: Reversal, seed: int) -> None:
     entry, leave = tracks(seed, 5, way)
-    order, flip = shortest(entry, leave, HOME, PACE, 360.0, way)
+    order, flip = short_order(entry, leave, HOME, PACE, 360.0, way)
     sides = [(0,)] * 5 if way == Reversal.ONE else [(0, 1)] * 5
     best = min(
         total(entry, leave, np.array(tour), np.array(side))
@@ -84,11 +84,13 @@ def test_every_track_comes_once_and_never_later_than_greedily(
     way: Reversal, seed: int, count: int
 ) -> None:
     entry, leave = tracks(seed, count, way)
-    order, flip = shortest(entry, leave, HOME, PACE, 360.0, way)
+    order, flip = short_order(entry, leave, HOME, PACE, 360.0, way)
     assert sorted(order) == list(range(count))
     assert way != Reversal.ONE or not flip.any()
-    assert total(entry, leave, order, flip) <= total(entry, leave, *greedy(entry, leave, HOME, way))
-    again = shortest(entry, leave, HOME, PACE, 360.0, way)
+    assert total(entry, leave, order, flip) <= total(
+        entry, leave, *greedy_order(entry, leave, HOME, way)
+    )
+    again = short_order(entry, leave, HOME, PACE, 360.0, way)
     np.testing.assert_array_equal(order, again[0])
     np.testing.assert_array_equal(flip, again[1])
 
@@ -98,9 +100,9 @@ def test_two_hundred_tracks_are_linked_well_faster_than_greedily(
     way: Reversal, share: float
 ) -> None:
     entry, leave = tracks(1, 200, way)
-    order, flip = shortest(entry, leave, HOME, PACE, 360.0, way)
+    order, flip = short_order(entry, leave, HOME, PACE, 360.0, way)
     best = total(entry, leave, order, flip)
-    first = total(entry, leave, *greedy(entry, leave, HOME, way))
+    first = total(entry, leave, *greedy_order(entry, leave, HOME, way))
     assert best < share * first
 
 
@@ -110,11 +112,11 @@ def test_a_thousand_tracks_are_linked_about_as_fast_as_they_ever_were(
 ) -> None:
     # Greedily 117.6, 108.7 and 115.1 s.
     entry, leave = tracks(1, 1000, way)
-    assert total(entry, leave, *shortest(entry, leave, HOME, PACE, 360.0, way)) < seconds
+    assert total(entry, leave, *short_order(entry, leave, HOME, PACE, 360.0, way)) < seconds
 
 
 @pytest.mark.parametrize("way", Reversal)
 def test_tracks_on_one_point_are_no_trouble(way: Reversal) -> None:
     entry = np.zeros((2, 40, 3))
-    order, _ = shortest(entry, entry, HOME, PACE, 360.0, way)
+    order, _ = short_order(entry, entry, HOME, PACE, 360.0, way)
     assert sorted(order) == list(range(40))

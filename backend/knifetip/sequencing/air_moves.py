@@ -1,12 +1,12 @@
-"""turning: from the end of one track to the start of the next.
+"""air_moves: moves of the head from the end of one track to the start of the next.
 
-    poses of the head, its tool, the board's face and outline -> the lift that a turn needs
+    poses of the head, its tool, face and outline of the board -> the lift that a turn needs
 
-The head goes straight, C turns by the shorter way meanwhile, and the tool is lifted along its own
-axis by just what would else cut the board: not at all where the turn runs outside the board.
+The head moves straight while C turns by the smaller angle.  The tool is lifted along its own axis
+by exactly the depth at which it would cut the board; not at all if the turn is outside the board.
 
 Source: "A new method of turning processing in multi axis linkage NC machining", sections 1 to 3.
-What concerns C's travel, leaning blades and the proof of an empty way is our derivation.
+The travel of C, tilted blades and the proof that a turn is free are our derivation.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ from knifetip.model.machine import Machine
 from knifetip.model.tool import TipCircle
 from knifetip.model.toolpath import Motion, Toolpath
 
-#: A tool that leans further is not lifted by moving along its axis (degrees).
+#: A tool that is tilted further cannot be lifted along its axis (degrees).
 _FLATTEST: Final = 89.0
 
 
-def axis(c: F64, circle: TipCircle) -> F64:
-    """Return a, the unit vectors from the tip into the tool, (n, 3), at headings c (degrees)."""
+def tool_axis(c: F64, circle: TipCircle) -> F64:
+    """Return the unit vectors a from the tip into the tool, (n, 3), at headings c, (n,) degrees."""
     tilt, heading = math.radians(circle.tilt), np.radians(c)
     sideways = math.sin(tilt)
     return np.column_stack(
@@ -42,29 +42,29 @@ def axis(c: F64, circle: TipCircle) -> F64:
     )
 
 
-def interpolated(start: F64, end: F64, step_c: float, step: float) -> F64:
-    """Return the poses of a turn, (N + 1, 4): place and heading in the same number of steps.
+def interpolate_turn(start: F64, end: F64, step_c: float, step: float) -> F64:
+    """Return poses along a turn, (N + 1, 4): position and heading change in equal steps.
 
     N = max(⌈|ΔC| / δ_c⌉, ⌈|Δc| / δ_s⌉), section 2.  One G0 with X Y Z C passes through all of them.
 
     Parameters
     ----------
-    start, end : (4,) x y z in mm, c in degrees; C already by the shorter way
+    start, end : (4,) x y z in mm, c in degrees
+        C of the end is already the one that the smaller angle leads to.
     step_c, step : degrees, mm
-        δ_c and δ_s, the most between two poses.
+        δ_c and δ_s, the greatest distances between two poses.
     """
     turn = abs(end[3] - start[3])
-    way = math.dist(start[:3], end[:3])
-    count = max(math.ceil(turn / step_c), math.ceil(way / step), 1)
+    travel = math.dist(start[:3], end[:3])
+    count = max(math.ceil(turn / step_c), math.ceil(travel / step), 1)
     poses: F64 = start + (end - start) * np.linspace(0.0, 1.0, count + 1)[:, None]
     return poses
 
 
 def interference(pose: F64, circle: TipCircle, face: float, outline: Paths | None = None) -> F64:
-    """Return D, how deep the lowest point of the tip circle stands below the face, (n,) mm.
+    """Return D, the depth of the lowest point of the tip circle below the board's face, (n,) mm.
 
-    0 where it is above, or where the circle is wholly outside the board; a circle that is partly
-    outside counts as inside.
+    It is 0 above the face, and where the whole circle is outside the board.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def interference(pose: F64, circle: TipCircle, face: float, outline: Paths | Non
     face : mm
         Height of the board's top face.
     outline : closed Paths
-        Of the board, holes included; None for a board without end.
+        Outline of the board with its holes; None for an infinite board.
     """
     below: F64 = face - (pose[:, 2] - circle.radius * math.sin(math.radians(circle.tilt)))
     deep = np.maximum(below, 0.0)
@@ -80,18 +80,18 @@ def interference(pose: F64, circle: TipCircle, face: float, outline: Paths | Non
         return deep
     heading = np.radians(pose[:, 3])
     centre = pose[:, :2] + circle.aside * np.column_stack([-np.sin(heading), np.cos(heading)])
-    off = _outside(centre, outline.start, outline.end, outline.bulge) > circle.radius
+    off = _distances_outside(centre, outline.start, outline.end, outline.bulge) > circle.radius
     return np.where(off, 0.0, deep)
 
 
-def lifted(pose: F64, depth: F64, circle: TipCircle) -> F64:
-    """Return the poses lifted along the tool's axis until the interference is gone, (n, 4).
+def lift_clear(pose: F64, depth: F64, circle: TipCircle) -> F64:
+    """Return the poses lifted along the tool's axis by an interference depth, (n, 4).
 
     ::
 
         d' = D / cos b        r' = r + d' a                        eqs 1, 2
 
-    Equation 2 is printed without its sign; a points from the tip into the tool.
+    Equation 2 is printed without its sign; a points from the tip into the tool.  b is the tilt.
 
     Parameters
     ----------
@@ -102,17 +102,19 @@ def lifted(pose: F64, depth: F64, circle: TipCircle) -> F64:
     Raises
     ------
     CompensationError
-        A tool that lies nearly flat is not lifted by moving along its axis.
+        The tool is tilted by more than 89°, so that moving along its axis does not lift it.
     """
     if circle.tilt > _FLATTEST:
         raise CompensationError("tool.tilted", tilt=circle.tilt, limit=_FLATTEST)
     up = pose.copy()
-    up[:, :3] += axis(pose[:, 3], circle) * (depth / math.cos(math.radians(circle.tilt)))[:, None]
+    up[:, :3] += (
+        tool_axis(pose[:, 3], circle) * (depth / math.cos(math.radians(circle.tilt)))[:, None]
+    )
     return up
 
 
-def clear_ways(start: F64, end: F64, circle: TipCircle, outline: Paths) -> Bool:
-    """Return which turns keep the whole tip circle outside the board all the way, (n,).
+def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths) -> Bool:
+    """Return the turns on which the whole tip circle is always outside the board, (n,).
 
     Parameters
     ----------
@@ -121,10 +123,10 @@ def clear_ways(start: F64, end: F64, circle: TipCircle, outline: Paths) -> Bool:
 
     Notes
     -----
-    A proof, not a sample: from a place where the circle is off the board by g, the head may go on
-    until its centre could have come nearer by g.
+    This is a proof, not a sample: where the circle is outside the board by g, the next pose that
+    is tested is the first at which its centre could be nearer by g.
     """
-    result: Bool = _clear_ways(
+    result: Bool = _turns_outside(
         np.ascontiguousarray(start),
         np.ascontiguousarray(end),
         circle.radius,
@@ -136,10 +138,10 @@ def clear_ways(start: F64, end: F64, circle: TipCircle, outline: Paths) -> Bool:
     return result
 
 
-def retracted(toolpath: Toolpath, machine: Machine) -> Toolpath:
-    """Return the toolpath with a full retract at every turn, as the paper's rivals do it.
+def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
+    """Return the toolpath with a full retract at every turn, for comparison with the paper.
 
-    Every rapid below the machine's travel height goes up to it first, and comes down after.
+    Every rapid below the machine's travel height goes up to that height first, and down last.
     """
     rapid = toolpath.motion == Motion.RAPID
     height = machine.travel_z
@@ -165,7 +167,7 @@ def retracted(toolpath: Toolpath, machine: Machine) -> Toolpath:
 
 
 @kernel(checks_division=True)
-def unwound(
+def unwind(
     start: F64_1,
     end: F64_1,
     least: F64_1,
@@ -175,27 +177,27 @@ def unwound(
     high: float,
     period: float,
 ) -> Any:
-    """Return what to add to the headings of each run of moves, in order, so that C turns little.
+    """Return the multiples of the period to add to the headings of runs of moves, (t,) degrees.
 
-    C goes by the smaller angle; where both ways are half a period the one that leaves it nearer to
-    the middle of its travel is taken.
+    Between runs C turns by the smaller angle.  If both angles are half a period, the one is taken
+    that leaves C nearer to the middle of its travel.
 
     Parameters
     ----------
     start, end, least, most : (t,) degrees
-        Headings where each run begins and ends, and its extremes.
+        Headings at the start and the end of each run, and its extremes.
     here : degrees
         Heading before the first run.
     low, high : degrees
-        Travel of C; a run that cannot stay within it is left where it is nearest.
+        Travel of C; a run that does not fit into it is placed nearest to it.
     period : degrees
-        After which the tool is the same again: 360, or 180 for one that is symmetric.
+        Rotation after which the tool is the same: 360, or 180 if it is symmetric.
     """
     shift = np.empty(len(start))
     for run in range(len(start)):
         wanted = (here - start[run]) / period
         turns = np.floor(wanted + 0.5)
-        # Half a period, to the rounding of what engines compute.
+        # Half a period, within the rounding of the compensation.
         if abs(wanted - np.floor(wanted) - 0.5) < 1e-9:
             below = np.floor(wanted)
             middle = (low + high) / 2.0 - (least[run] + most[run]) / 2.0
@@ -209,11 +211,11 @@ def unwound(
 
 
 @kernel(checks_division=True)
-def _off(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1) -> float:
-    """Return how far a point is outside closed chains of lines and arcs (mm), negative inside.
+def _distance_outside(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1) -> float:
+    """Return the distance of a point from closed chains of lines and arcs (mm), negative inside.
 
-    Inside is what an odd number of crossings parts from far away: of the chords, and then once
-    more for every arc between whose chord and bow the point lies.
+    A point is inside if a ray from it crosses the chords an odd number of times; every arc with
+    the point between its chord and itself counts as one more crossing.
     """
     nearest = np.inf
     inside = False
@@ -235,9 +237,9 @@ def _off(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1) -> float:
         cx, cy = (ax + bx) / 2.0 - uy * rise, (ay + by) / 2.0 + ux * rise
         radius = math.hypot(ax - cx, ay - cy)
         away = math.hypot(x - cx, y - cy)
-        # The bow lies to the right of its chord for an arc to the left, and the other way round.
-        beside = ux * (y - ay) - uy * (x - ax)
-        if away < radius and (beside < 0.0) == (b > 0.0) and beside != 0.0:
+        # An arc that turns left lies to the right of its chord, and vice versa.
+        side = ux * (y - ay) - uy * (x - ax)
+        if away < radius and (side < 0.0) == (b > 0.0) and side != 0.0:
             inside = not inside
         sweep = 4.0 * math.atan(b)
         turned = math.atan2(y - cy, x - cx) - math.atan2(ay - cy, ax - cx)
@@ -250,31 +252,31 @@ def _off(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1) -> float:
 
 
 @kernel
-def _outside(point: F64_2, start: F64_2, end: F64_2, bulge: F64_1) -> Any:
-    """Return how far points are outside, (n,) mm, negative inside."""
+def _distances_outside(point: F64_2, start: F64_2, end: F64_2, bulge: F64_1) -> Any:
+    """Return the distances of points from closed chains, (n,) mm, negative inside."""
     off = np.empty(len(point))
     for row in range(len(point)):
-        off[row] = _off(point[row, 0], point[row, 1], start, end, bulge)
+        off[row] = _distance_outside(point[row, 0], point[row, 1], start, end, bulge)
     return off
 
 
 @kernel(checks_division=True)
-def _clear_ways(
+def _turns_outside(
     start: F64_2, end: F64_2, radius: float, aside: float, first: F64_2, last: F64_2, bulge: F64_1
 ) -> Any:
-    """Return which ways stay off the board: each goes on by what it is off."""
+    """Return the turns that are outside the board, (n,): sphere tracing along each turn."""
     clear = np.zeros(len(start), np.bool_)
     for row in range(len(start)):
-        way = end[row] - start[row]
-        fastest = math.hypot(way[0], way[1]) + aside * abs(math.radians(way[3]))
+        travel = end[row] - start[row]
+        fastest = math.hypot(travel[0], travel[1]) + aside * abs(math.radians(travel[3]))
         done = 0.0
         while True:
-            pose = start[row] + way * done
+            pose = start[row] + travel * done
             heading = math.radians(pose[3])
             x = pose[0] - aside * math.sin(heading)
             y = pose[1] + aside * math.cos(heading)
-            gap = _off(x, y, first, last, bulge) - radius
-            # Nearer than a hundredth of a millimetre is no proof that ends in time.
+            gap = _distance_outside(x, y, first, last, bulge) - radius
+            # Below 0.01 mm the steps would become too short.
             if not gap > 0.01:
                 break
             if done >= 1.0 or gap >= fastest * (1.0 - done):

@@ -14,13 +14,13 @@ from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.model.tool import TipCircle
 from knifetip.model.toolpath import Motion
-from knifetip.sequencing.turning import (
-    clear_ways,
+from knifetip.sequencing.air_moves import (
     interference,
-    interpolated,
-    lifted,
-    retracted,
-    unwound,
+    interpolate_turn,
+    lift_clear,
+    turns_outside_board,
+    unwind,
+    with_full_retracts,
 )
 from tests.support.shapes import CUTTER, KNIFE, MACHINE, WHEEL, closed, rotation, toolpath
 
@@ -59,13 +59,13 @@ def over_board(xy: F64) -> Bool:
 
 def test_headings_take_the_nearest_equivalent_turn() -> None:
     start = np.array([350.0, 10.0, 350.0])
-    shift = unwound(start, start, start, start, 0.0, -1080.0, 1080.0, 360.0)
+    shift = unwind(start, start, start, start, 0.0, -1080.0, 1080.0, 360.0)
     np.testing.assert_array_equal(start + shift, [-10.0, 10.0, -10.0])
 
 
 def test_headings_come_back_before_the_limit() -> None:
     start, end = np.array([0.0, 0.0]), np.array([300.0, 300.0])
-    shift = unwound(start, end, start, end, 0.0, -100.0, 400.0, 360.0)
+    shift = unwind(start, end, start, end, 0.0, -100.0, 400.0, 360.0)
     np.testing.assert_array_equal(shift, [0.0, 0.0])
 
 
@@ -75,13 +75,13 @@ def test_at_exactly_half_a_turn_c_goes_away_from_its_limit(
     here: float, goes: float, off: float
 ) -> None:
     start = np.array([160.0 if here > 0 else -160.0]) + off
-    shift = unwound(start, start, start, start, here, -1080.0, 1080.0, 360.0)
+    shift = unwind(start, start, start, start, here, -1080.0, 1080.0, 360.0)
     assert start[0] + shift[0] == pytest.approx(goes)
 
 
 def test_a_wheel_is_the_same_after_half_a_turn() -> None:
     start = np.array([170.0])
-    assert unwound(start, start, start, start, 0.0, -1080.0, 1080.0, 180.0)[0] == -180.0
+    assert unwind(start, start, start, start, 0.0, -1080.0, 1080.0, 180.0)[0] == -180.0
 
 
 def test_tip_circles_come_from_the_tools_drawings() -> None:
@@ -105,15 +105,15 @@ def test_a_tip_that_swings_over_the_board_while_the_head_stands_beside_it_is_see
     here = np.array([[-8.0, 30.0, 1.0, 90.0]])
     turn = np.array([0.0, 0.0, 0.0, 360.0])
     round_, quarter = here + turn, here + turn / 8.0
-    assert not clear_ways(here, round_, circle, BOARD)[0]
-    assert clear_ways(here, quarter, circle, BOARD)[0]
+    assert not turns_outside_board(here, round_, circle, BOARD)[0]
+    assert turns_outside_board(here, quarter, circle, BOARD)[0]
 
 
 def test_a_way_across_the_board_is_not_clear_though_both_its_ends_are() -> None:
     circle = TipCircle(1.0, 0.0, 0.0)
     start = np.array([[-20.0, 30.0, 1.0, 0.0], [-20.0, -5.0, 1.0, 0.0], [-20.0, -5.0, 1.0, 0.0]])
     end = np.array([[150.0, 30.0, 1.0, 0.0], [150.0, -5.0, 1.0, 0.0], [150.0, 7.0, 1.0, 0.0]])
-    assert clear_ways(start, end, circle, BOARD).tolist() == [False, True, False]
+    assert turns_outside_board(start, end, circle, BOARD).tolist() == [False, True, False]
 
 
 def test_a_hole_in_the_board_is_outside() -> None:
@@ -141,8 +141,8 @@ def test_no_pose_of_a_corrected_turn_dips_the_tip_circle_below_the_face(
     share: float,
 ) -> None:
     ends = np.array([start, end])
-    if not clear_ways(ends[:1], ends[1:], circle, BOARD)[0]:
-        ends = lifted(ends, interference(ends, circle, FACE), circle)
+    if not turns_outside_board(ends[:1], ends[1:], circle, BOARD)[0]:
+        ends = lift_clear(ends, interference(ends, circle, FACE), circle)
     pose = ends[0] + share * (ends[1] - ends[0])
     points = dots(pose, circle)
     over = points[over_board(points[:, :2])]
@@ -156,7 +156,7 @@ def test_the_lift_is_the_least_that_clears(
 ) -> None:
     ends = np.array([pose])
     depth = interference(ends, circle, FACE)
-    up = lifted(ends, depth, circle)
+    up = lift_clear(ends, depth, circle)
     if depth[0] > 0.0:
         # The circle's lowest point now lies on the face; 4 × 12 dots meet it at a quarter.
         assert dots(up[0], circle)[:, 2].min() == pytest.approx(FACE, abs=1e-9)
@@ -180,11 +180,13 @@ def test_turning_the_board_turns_everything(
     board = Paths(BOARD.start @ turn.T, BOARD.end @ turn.T, BOARD.bulge, BOARD.first)
     depth = interference(ends, circle, FACE)
     np.testing.assert_allclose(interference(moved, circle, FACE), depth, atol=1e-9)
-    up, up_moved = lifted(ends, depth, circle), lifted(moved, depth, circle)
+    up, up_moved = lift_clear(ends, depth, circle), lift_clear(moved, depth, circle)
     np.testing.assert_allclose(up_moved[:, :2], up[:, :2] @ turn.T, atol=1e-8)
     np.testing.assert_allclose(up_moved[:, 2], up[:, 2], atol=1e-9)
-    near = clear_ways(ends[:1], ends[1:], TipCircle(circle.radius + 0.02, *_rest(circle)), BOARD)
-    far = clear_ways(moved[:1], moved[1:], circle, board)
+    near = turns_outside_board(
+        ends[:1], ends[1:], TipCircle(circle.radius + 0.02, *_rest(circle)), BOARD
+    )
+    far = turns_outside_board(moved[:1], moved[1:], circle, board)
     # What is clear with two hundredths to spare is clear whichever way the board lies.
     assert far[0] or not near[0]
 
@@ -194,13 +196,13 @@ def _rest(circle: TipCircle) -> tuple[float, float]:
 
 
 def test_a_tool_that_lies_down_is_not_lifted_along_itself() -> None:
-    with pytest.raises(CompensationError, match=r"leans by 89\.50°"):
-        lifted(np.zeros((1, 4)), np.ones(1), TipCircle(1.0, 0.0, 89.5))
+    with pytest.raises(CompensationError, match=r"tilted by 89\.50°"):
+        lift_clear(np.zeros((1, 4)), np.ones(1), TipCircle(1.0, 0.0, 89.5))
 
 
 def test_steps_of_a_turn_are_no_longer_than_asked() -> None:
     # 90° by 4° are 23 steps, 30 mm by 2 mm are 15: the same 23 for both.
-    pose = interpolated(np.zeros(4), np.array([30.0, 0.0, 0.0, 90.0]), 4.0, 2.0)
+    pose = interpolate_turn(np.zeros(4), np.array([30.0, 0.0, 0.0, 90.0]), 4.0, 2.0)
     assert len(pose) == 24
     np.testing.assert_allclose(pose[12], [30 * 12 / 23, 0, 0, 90 * 12 / 23])
 
@@ -209,7 +211,7 @@ def test_a_full_retract_goes_up_along_and_down() -> None:
     pose = np.array([[0, 0, 1, 0], [0, 0, 4, 0], [50, 0, 4, 90], [50, 0, 1, 90]], float)
     moves = [(Motion.LIFT, 6000.0, 1), (Motion.RAPID, 0.0, 1), (Motion.PLUNGE, 6000.0, 1)]
     path = toolpath(pose, moves, source=[0, -1, 1], track=[0, -1, 1])
-    full = retracted(path, MACHINE)
+    full = with_full_retracts(path, MACHINE)
     np.testing.assert_allclose(
         full.pose[1:],
         [[0, 0, 4, 0], [0, 0, 20, 0], [50, 0, 20, 90], [50, 0, 4, 90], [50, 0, 1, 90]],
