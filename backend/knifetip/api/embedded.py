@@ -190,7 +190,7 @@ class _Table(threading.Thread):
         self._loop = asyncio.get_running_loop()
         self._work = asyncio.current_task()
         machine = load.machine(MACHINE)
-        dial = find_language(machine.dialect).dial()
+        dial = find_language(machine.dialect).load_driver()
         # A proxy for the world outside must not come between two parts of one process.
         async with (
             httpx.AsyncClient(trust_env=False) as client,

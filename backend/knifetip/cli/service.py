@@ -130,7 +130,7 @@ def register(app: typer.Typer) -> None:
         from knifetip.languages.registry import find_language
 
         table = load.machine(machine)
-        dial = find_language(table.dialect).dial()
+        dial = find_language(table.dialect).load_driver()
         print_stderr(f"{table.title}: controller {controller}, server {server}")
         headers = {"Authorization": f"Bearer {key}"} if key else {}
         asyncio.run(

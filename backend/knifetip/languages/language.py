@@ -1,8 +1,8 @@
 """language: the record that describes one controller language.
 
-A record is light: it names its parts as "module:attribute", and each is imported when it is first
-used.  The protocols say what the parts must be; their types are those of ``model``, but for the
-judge's moves, which belong to ``verification``.
+A record names its parts as "module:attribute"; a part is imported when it is first used.  Protocols
+define the interfaces of the parts.  They use types of ``model``, except the moves of the judge,
+which belong to ``verification``.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from knifetip.model.machine import Machine
 
 @dataclass(frozen=True, slots=True)
 class Language:
-    """One controller language.
+    """Name and parts of one controller language.
 
     Examples
     --------
-    A package of its own declares its record as an entry point::
+    Another package declares its record as an entry point::
 
         [project.entry-points."knifetip.languages"]
         example = "knifetip_example:LANGUAGE"
@@ -30,40 +30,40 @@ class Language:
 
     name: str  #: ``dialect`` in the machine's TOML
     title: str  #: name for operators
-    suffix: str  #: of a program's file, with its dot
+    suffix: str  #: suffix of program files, with its dot
     emitter: str  #: a ``knifetip.post.emit.Emitter``
     reader: str  #: a ``knifetip.verification.reading.moves.ProgramReader``
     timing: str  #: a ``knifetip.sequencing.timing.Timing``
-    driver: str = ""  #: a ``knifetip.gateway.controller.Driver``; empty: programs are not streamed
-    no_driver: str = ""  #: hint where there is no driver: how a program gets to the machine
-    settings: str = ""  #: reads ``[controller]`` of a machine's TOML; empty: there is no such table
+    driver: str = ""  #: a ``knifetip.gateway.controller.Driver``; empty if none
+    no_driver: str = ""  #: hint if there is no driver: how to send a program to the machine
+    settings: str = ""  #: reads ``[controller]`` of a machine's TOML; empty if none
 
-    def part(self, role: str) -> Any:
-        """Return the ``emitter``, ``reader`` or ``timing`` of this language."""
+    def load_part(self, role: str) -> Any:
+        """Import and return the ``emitter``, ``reader`` or ``timing`` of this language."""
         return pkgutil.resolve_name(getattr(self, role))
 
-    def dial(self) -> Any:
-        """Return the gateway driver.
+    def load_driver(self) -> Any:
+        """Import and return the gateway driver.
 
         Raises
         ------
         ControllerError
-            The language has none.
+            The language has no driver.
         """
         if not self.driver:
             raise ControllerError("language.no-driver", language=self.title, advice=self.no_driver)
-        return self.part("driver")
+        return self.load_part("driver")
 
     def read_settings(self, fields: Mapping[str, Any], machine: Machine) -> object:
-        """Return what ``[controller]`` of a machine's TOML says, checked by the language.
+        """Return the settings in ``[controller]`` of a machine's TOML, checked by the language.
 
         Raises
         ------
         ValueError
-            The table is wrong, the language has none, or it cannot drive such a machine.
+            The table is invalid, the language has no settings, or it cannot drive the machine.
         """
         if self.settings:
-            return self.part("settings")(fields, machine)
+            return self.load_part("settings")(fields, machine)
         if fields:
             raise ValueError(f"{self.title} has no settings, so there is no [controller]")
         return None

@@ -2,8 +2,8 @@
 
     "grblhal" -> Language
 
-A module of this room with a ``LANGUAGE`` is a language.  Languages of other packages are found as
-entry points; they are looked up only for names that are not found here, since that takes longer.
+A module of this room with a ``LANGUAGE`` is a language.  Languages of other packages are entry
+points; these are searched only for names that are not found here, since that takes longer.
 """
 
 from __future__ import annotations
@@ -18,30 +18,30 @@ from knifetip.errors import LibraryError
 from knifetip.languages.language import Language
 from knifetip.model.machine import Machine
 
-#: Entry points under this name are controller languages.
+#: Group of the entry points of controller languages.
 GROUP = "knifetip.languages"
 
 
-def names() -> list[str]:
+def language_names() -> list[str]:
     """Return the names of all languages."""
-    return sorted({*_shipped(), *entry_points(group=GROUP).names})
+    return sorted({*_own_names(), *entry_points(group=GROUP).names})
 
 
 @cache
 def find_language(name: str) -> Language:
-    """Return the language of this name.
+    """Return the language with a name.
 
     Raises
     ------
     LibraryError
         There is no such language.
     """
-    if name in _shipped():
+    if name in _own_names():
         language = importlib.import_module(f"{__package__}.{name}").LANGUAGE
     else:
         found = tuple(entry_points(group=GROUP, name=name))
         if not found:
-            raise LibraryError("language.unknown", name=name[:80], known=names())
+            raise LibraryError("language.unknown", name=name[:80], known=language_names())
         language = found[0].load()
     if not isinstance(language, Language) or language.name != name:
         raise LibraryError("language.bad-entry-point", name=name, group=GROUP)
@@ -49,12 +49,12 @@ def find_language(name: str) -> Language:
 
 
 def with_language(machine: Machine, name: str) -> Machine:
-    """Return the machine as if its controller read another language; the same for an empty name.
+    """Return the machine with another controller language; unchanged if the name is empty.
 
     Raises
     ------
     LibraryError
-        There is no such language, or it needs settings that the machine's file does not have.
+        There is no such language, or it needs settings that the machine's file lacks.
     """
     if name in ("", machine.dialect):
         return machine
@@ -73,7 +73,8 @@ def with_language(machine: Machine, name: str) -> Machine:
 
 
 @cache
-def _shipped() -> frozenset[str]:
+def _own_names() -> frozenset[str]:
+    """Return the names of the languages of this package."""
     package = importlib.import_module(__package__)
     modules = {module.name for module in pkgutil.iter_modules(package.__path__)}
     return frozenset(modules - {"language", "registry"})

@@ -14,7 +14,7 @@ from typing import Annotated, Any, Final, Literal, get_type_hints
 from pydantic import Field, ValidationInfo, create_model, field_validator, model_validator
 
 from knifetip.errors import LibraryError
-from knifetip.languages.registry import find_language, names
+from knifetip.languages.registry import find_language, language_names
 from knifetip.library.files import Table
 from knifetip.model.machine import Axis, Machine, Station
 from knifetip.model.tool import KINDS, Kind, Tool
@@ -129,7 +129,9 @@ class MachineFile(Table):
         try:
             return find_language(value).name
         except LibraryError:
-            raise ValueError(f"is {value[:80]!r}: it is one of {', '.join(names())}") from None
+            raise ValueError(
+                f"is {value[:80]!r}: it is one of {', '.join(language_names())}"
+            ) from None
 
     @field_validator("station")
     @classmethod

@@ -1,1 +1,1 @@
-"""Floor 3: writes the program in the controller's words."""
+"""Floor 3: write programs in the languages of controllers."""

@@ -1,6 +1,6 @@
-"""check: whether a toolpath can be written at all, in any language.
+"""check: checks of a toolpath that hold for all controller languages.
 
-Toolpath -> nothing, or an error that names the first row that is wrong
+Toolpath -> nothing, or an error that reports the first wrong row
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ from knifetip.geometry.columns import Bool
 from knifetip.messages import Message
 from knifetip.model.toolpath import Motion, Toolpath
 
-#: Coordinates beyond this are a mistake, on any table (mm, degrees).
+#: Greatest coordinate; no table is larger (mm, degrees).
 FARTHEST: Final = 1e6
-#: The slowest feed that says something (mm/min).
+#: Least feed (mm/min).
 SLOWEST: Final = 1e-3
-#: Any faster is a mistake (mm/min, degrees/min).
+#: Greatest feed (mm/min, degrees/min).
 FASTEST: Final = 1e8
 
 
-def place_of(toolpath: Toolpath, row: int) -> Message:
-    """Return the row of a toolpath, its motion and its edge, for a message."""
+def describe_row(toolpath: Toolpath, row: int) -> Message:
+    """Return a message that names a row of a toolpath, its motion and its edge."""
     edge = int(toolpath.source[row])
     motion = int(toolpath.motion[row])
     name = Motion(motion).name if motion in set(Motion) else f"motion {motion}"
@@ -33,13 +33,13 @@ def place_of(toolpath: Toolpath, row: int) -> Message:
 
 
 def check_toolpath(toolpath: Toolpath) -> None:
-    """Refuse a toolpath that cannot be printed, naming the first row that is wrong.
+    """Raise an error if a toolpath cannot be written; it reports the first wrong row.
 
     Raises
     ------
     ProgramError
-        It is empty, or a row has a number that is none, a feed that does not move, or is an arc
-        where there may be none.
+        The toolpath is empty, or a row has a number that is not finite or out of range, an unknown
+        motion, no feed, or an arc that is a rapid or longer than half a turn.
     """
     if len(toolpath) == 0:
         raise ProgramError("toolpath.empty")
@@ -48,13 +48,13 @@ def check_toolpath(toolpath: Toolpath) -> None:
         if wrong.any():
             row = int(np.argmax(wrong))
             edge = int(toolpath.source[row])
-            here, there = (
+            start, end = (
                 ", ".join(f"{value:g}" for value in pose) for pose in toolpath.pose[row : row + 2]
             )
             raise ProgramError(
                 code,
-                place=place_of(toolpath, row),
-                move=f"from ({here}) to ({there}), bulge {toolpath.bulge[row]:g}, "
+                place=describe_row(toolpath, row),
+                move=f"from ({start}) to ({end}), bulge {toolpath.bulge[row]:g}, "
                 f"feed {toolpath.feed[row]:g}",
                 source=[str(edge)] if edge >= 0 else [],
                 **measures,

@@ -1,4 +1,4 @@
-"""chords: moves split into equal shares, for controllers that cannot follow their arcs."""
+"""chords: split moves into equal pieces, for controllers that cannot follow an arc."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 
 
-def split(pose: F64, bulge: F64, pieces: I64) -> tuple[F64, I64]:
-    """Return the poses between the pieces of moves, (m + 1, k), and the move of each piece, (m,).
+def split_moves(pose: F64, bulge: F64, pieces: I64) -> tuple[F64, I64]:
+    """Split moves; return the poses between the pieces, (m + 1, k), and the move of each, (m,).
 
     Parameters
     ----------
     pose : (n + 1, k) float64
-        X and Y first, then axes that turn or lift evenly along each move.
+        X and Y first, then axes that change linearly along each move.
     bulge : (n,) float64
         tan(sweep / 4) of each move in XY.
     pieces : (n,) int64
-        How many pieces to make of each, 1 or more.
+        Number of pieces of each move, at least 1.
     """
     rows = np.repeat(np.arange(len(bulge)), pieces)
     if len(rows) == len(bulge):

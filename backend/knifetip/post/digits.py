@@ -1,7 +1,7 @@
-"""digits: numbers as columns of characters, 0 where nothing is printed.
+"""digits: format numbers as columns of characters.
 
-A line of a program is a row of characters in a matrix, so that all lines are written at once;
-leaving out the zeros makes the text.
+The lines of a program are rows of a matrix of characters, so that all lines are formatted at once.
+Zeros stand for no character; the text is the matrix without them.
 """
 
 from __future__ import annotations
@@ -16,8 +16,16 @@ from knifetip.geometry.columns import I64
 Characters: TypeAlias = NDArray[np.uint8]
 
 
-def digits(values: I64, decimals: int, *, brief: bool) -> Characters:
-    """Return the digits of numbers in units of their last place; ``brief`` drops end zeros."""
+def digit_columns(values: I64, decimals: int, *, brief: bool) -> Characters:
+    """Return the characters of numbers, (n, k), with a fixed number of decimals.
+
+    Parameters
+    ----------
+    values : (n,)
+        Numbers in units of their last decimal place.
+    brief
+        Whether to leave out zeros at the end of the decimals.
+    """
     rest = np.abs(values)
     whole = max(1, len(str(int(rest.max(initial=0)))) - decimals)
     field = np.zeros((len(values), 2 + whole + decimals), np.uint8)

@@ -1,4 +1,4 @@
-"""emit: the program of a toolpath, in the language of the machine's controller.
+"""emit: write the program of a toolpath in the language of the machine's controller.
 
 Toolpath, Machine -> Program
 """
@@ -23,9 +23,12 @@ class Emitter(Protocol):
     ) -> Program:
         """Return the program of a checked toolpath.
 
-        Raises ProgramError where the language cannot express it.
+        The same input gives the same bytes: no dates, no host names.
 
-        The same input gives the same bytes: no dates, no names of hosts.
+        Raises
+        ------
+        ProgramError
+            The language cannot express the toolpath.
         """
         ...
 
@@ -45,14 +48,14 @@ def process(
     toolpath : Toolpath
         One chain of moves; each station's first move is a rapid.
     machine : Machine
-        Its stations' datums and outputs, and the height for rapids.
+        Datums and outputs of its stations, and the travel height.
     dialect : str
-        Name of a controller language; that of the machine where it is empty.
+        Name of a controller language; if empty, that of the machine.
     tolerance : float, mm
-        How far the tip may be from the line, what the controller adds included.
+        Greatest deviation of the tip from the path, including that of the controller.
     notes : sequence of str
-        Comments at the top, where the language has comments.  One of them is
-        ``placement X… Y…``: what was added to the drawing's coordinates to place it on the sheet.
+        Comments at the top, if the language has comments.  One of them is ``placement X… Y…``, the
+        shift of the drawing on the table.
 
     Raises
     ------
@@ -62,5 +65,5 @@ def process(
         The toolpath cannot be written in this language.
     """
     check_toolpath(toolpath)
-    emitter: Emitter = find_language(dialect or machine.dialect).part("emitter")
+    emitter: Emitter = find_language(dialect or machine.dialect).load_part("emitter")
     return emitter(toolpath, machine, tolerance=tolerance, notes=notes)

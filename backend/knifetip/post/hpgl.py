@@ -5,14 +5,14 @@
 One instruction to a line::
 
     IN;PA;               initialise, absolute coordinates
-    PU;SP1;FS30;VS40;    pen up, select a tool, its force and its speed
+    PU;SP1;FS30;VS40;    pen up; select a tool, its force and its speed
     PU800,800;           move with the tool up (plotter units)
-    PD;PD1200,800;       lower the tool, work
-    PU;SP0;              end: tool up and put away
+    PD;PD1200,800;       lower the tool; move with the tool down
+    PU;SP0;              end: pen up, no tool selected
 
-HPGL has neither depths nor headings: each kind of work of a station is a pen with a force of its
-own, and the device turns the tool along the path.  Arcs become chords, and every point is rounded
-to whole plotter units by itself, so that roundings never add up.
+HPGL has neither depths nor headings: each kind of work of a station is a pen with its own force,
+and the device turns the tool along the path.  Arcs become chords.  Every point is rounded to whole
+plotter units independently, so that rounding errors do not accumulate.
 """
 
 from __future__ import annotations
@@ -31,20 +31,20 @@ from knifetip.model.machine import Machine
 from knifetip.model.program import Program
 from knifetip.model.tool import Engine, kind_of
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.post.check import place_of
-from knifetip.post.chords import split
-from knifetip.post.digits import Characters, digits
+from knifetip.post.check import describe_row
+from knifetip.post.chords import split_moves
+from knifetip.post.digits import Characters, digit_columns
 
-#: Share of the tolerance that chords may deviate from their arc.
+#: Fraction of the tolerance by which chords may deviate from their arc.
 CHORD: Final = 0.5
-#: Heights that differ by less are one height (mm).
+#: Heights that differ by less are equal (mm).
 LEVEL: Final = 1e-6
-#: Longest comment.
+#: Greatest length of a comment (characters).
 COMMENT: Final = 66
-#: Lines that are composed together, which bounds the memory.
+#: Number of lines that are formatted together; it bounds the memory.
 BATCH: Final = 1 << 15
 
-#: What a row becomes: nothing, a move with the tool up, a move at work, tool down, tool up.
+#: Kinds of instructions: none, move with the tool up, move with the tool down, lower, lift.
 _NOTHING, _TRAVEL, _WORK, _DOWN, _UP = range(5)
 _MNEMONICS: Final = np.frombuffer(b"\0\0PUPDPDPU", np.uint8).reshape(5, 2)
 
@@ -54,8 +54,8 @@ class _Moves:
     """n moves between n + 1 points."""
 
     point: I64  #: (n + 1, 2) plotter units
-    kind: U8  #: (n,) what each becomes
-    speed: I64  #: (n,) cm/s of working moves, 0 for the others
+    kind: U8  #: (n,) kind of instruction of each move
+    speed: I64  #: (n,) cm/s of moves with the tool down, 0 for others
     pen: I64  #: (n,) index into the plotter's pens
     row: I32  #: (n,) row in Toolpath
 
@@ -68,13 +68,13 @@ def emit(
     Parameters
     ----------
     tolerance : float, mm
-        Half of it is left to chords; the rounding to plotter units comes on top of it.
+        Half of it is used for chords; the rounding to plotter units is not included.
 
     Raises
     ------
     ProgramError
-        A move that needs a depth, a heading or a speed that HPGL does not have, or work for which
-        the machine has no pen.
+        A move needs a depth, a heading or a speed that HPGL cannot express, or the machine has no
+        pen for a kind of work.
     """
     plotter = machine.controller
     if not isinstance(plotter, Plotter):
@@ -83,28 +83,29 @@ def emit(
     moves = _moves(toolpath, machine, plotter, tolerance)
     texts, sources = [], []
 
-    def put(lines: Sequence[str]) -> None:
+    def append_lines(lines: Sequence[str]) -> None:
         texts.append("".join(f"{line}\n" for line in lines).encode("ascii"))
         sources.append(np.full(len(lines), -1, np.int32))
 
     comments = [_comment(note) for note in notes] if plotter.device.comments else []
-    put(["IN;", *comments, "PA;"])
+    append_lines(["IN;", *comments, "PA;"])
     changes = np.flatnonzero(np.diff(moves.pen)) + 1
     for rows in np.split(np.arange(len(moves.pen)), changes):
-        put(_select(plotter.pens[moves.pen[rows[0]]], moves.speed[rows], plotter))
-        stated = _changes(moves.speed[rows])
-        # After a change of the tool the first move is stated, wherever the head is.
+        append_lines(_select(plotter.pens[moves.pen[rows[0]]], moves.speed[rows], plotter))
+        with_speed = _speed_changes(moves.speed[rows])
+        # After a tool change the first position is written even if the head is there already.
         moves.kind[rows[0]] = _TRAVEL
         for at in range(0, len(rows), BATCH):
             batch = slice(at, at + BATCH)
-            text, source = _lines(moves, rows[batch], stated[batch])
+            text, source = _lines(moves, rows[batch], with_speed[batch])
             texts.append(text)
             sources.append(source)
-    put(["PU;", "SP0;"])
+    append_lines(["PU;", "SP0;"])
     return Program(b"".join(texts), machine.dialect, np.concatenate(sources))
 
 
 def _comment(note: str) -> str:
+    """Return a note as a CO instruction, without characters that would end it."""
     clean = " ".join(re.sub(r"[^ -~]|[\";]", " ", note).split())[:COMMENT].rstrip()
     return f'CO"{clean}";'
 
@@ -117,8 +118,8 @@ def _select(pen: Pen, speed: I64, plotter: Plotter) -> list[str]:
     return ["PU;", f"SP{pen.number};", *force, *first]
 
 
-def _changes(speed: I64) -> Bool:
-    """Return the moves at work before which the speed changes, (n,)."""
+def _speed_changes(speed: I64) -> Bool:
+    """Return whether the speed changes before each move with the tool down, (n,)."""
     working = np.flatnonzero(speed)
     result = np.zeros(len(speed), np.bool_)
     result[working[1:]] = np.diff(speed[working]) != 0
@@ -126,7 +127,7 @@ def _changes(speed: I64) -> Bool:
 
 
 def _check_motions(toolpath: Toolpath) -> None:
-    """Refuse what HPGL cannot express, naming the first row."""
+    """Raise ``ProgramError`` for the first row that HPGL cannot express."""
     motion, change = toolpath.motion, np.diff(toolpath.pose, axis=0)
     beside = np.hypot(change[:, 0], change[:, 1]) > LEVEL
     upright = np.isin(motion, (Motion.PLUNGE, Motion.LIFT))
@@ -156,17 +157,18 @@ def _check_motions(toolpath: Toolpath) -> None:
             row = int(np.argmax(where))
             edge = int(toolpath.source[row])
             raise ProgramError(
-                code, place=place_of(toolpath, row), source=[str(edge)] if edge >= 0 else []
+                code, place=describe_row(toolpath, row), source=[str(edge)] if edge >= 0 else []
             )
 
 
 def _moves(toolpath: Toolpath, machine: Machine, plotter: Plotter, tolerance: float) -> _Moves:
+    """Return the moves in plotter units, with arcs as chords within the tolerance."""
     device = plotter.device
     start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
-    # A piece of an arc bows by the square of its share.
+    # The sagitta of a part of an arc is proportional to the square of its length.
     bow = np.abs(toolpath.bulge) * np.hypot(*(end - start).T) / 2.0
     pieces = np.ceil(np.sqrt(bow / (CHORD * tolerance))).astype(np.int64).clip(1)
-    pose, row = split(toolpath.pose[:, :2], toolpath.bulge, pieces)
+    pose, row = split_moves(toolpath.pose[:, :2], toolpath.bulge, pieces)
     point = np.rint((pose - device.zero) * device.units).astype(np.int64)
     moved: Bool = (point[1:] != point[:-1]).any(axis=1)
     motion = toolpath.motion[row]
@@ -176,50 +178,52 @@ def _moves(toolpath: Toolpath, machine: Machine, plotter: Plotter, tolerance: fl
     works = kind == _WORK
     speed = np.zeros(len(row), np.int64)
     if device.speed:
-        asked = toolpath.feed[row] / CM_PER_SECOND
-        speed[works] = np.rint(asked[works]).astype(np.int64)
-        off = works & (np.abs(asked - speed) > 1e-6)
+        wanted_speed = toolpath.feed[row] / CM_PER_SECOND
+        speed[works] = np.rint(wanted_speed[works]).astype(np.int64)
+        off = works & (np.abs(wanted_speed - speed) > 1e-6)
         off |= works & ((speed < device.speed[0]) | (speed > device.speed[1]))
         if off.any():
             at = int(row[np.argmax(off)])
             raise ProgramError(
                 "hpgl.bad-feed",
-                place=place_of(toolpath, at),
+                place=describe_row(toolpath, at),
                 feed=toolpath.feed[at],
                 device=device.title,
                 slowest=device.speed[0],
                 fastest=device.speed[1],
                 step=CM_PER_SECOND,
             )
-    pen = _pens(toolpath, machine, plotter)[row]
+    pen = _pens_of_rows(toolpath, machine, plotter)[row]
     return _Moves(point, kind.astype(np.uint8), speed, pen, row.astype(np.int32))
 
 
-def _pens(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64:
-    """Return the pen of every row: that of the work that its stay on the board, or the next, does.
+def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64:
+    """Return the pen of every row, (n,) indices into the plotter's pens.
 
-    What leads to a stay belongs to it, so that the tool is changed before the head goes there.
+    A pass on the board has the pen of its work.  The rapids before a pass have the same pen, so
+    that the tool is changed before the head travels there.
     """
     rapid = toolpath.motion == Motion.RAPID
     new = np.concatenate([[False], rapid[1:] & ~rapid[:-1]])
     new |= np.concatenate([[False], toolpath.tool[1:] != toolpath.tool[:-1]])
-    stay = np.cumsum(new)
+    pass_number = np.cumsum(new)
     plunge = np.flatnonzero(toolpath.motion == Motion.PLUNGE)
     if len(plunge) == 0:
         raise ProgramError("hpgl.never-down")
     through = np.abs(toolpath.pose[plunge + 1, 2] + machine.into_mat) <= LEVEL
     key = toolpath.tool[plunge].astype(np.int64) * 2 + through
-    listed, which = np.unique(key, return_inverse=True)
-    pens = np.array([_pen(int(one), machine, plotter) for one in listed])[which]
-    # Rapids at the end of a station belong to no stay of their own: they keep the last tool.
-    at = np.searchsorted(stay[plunge], np.arange(stay[-1] + 1), side="right") - 1
-    first = np.searchsorted(stay[plunge], np.arange(stay[-1] + 1))
+    distinct_keys, which = np.unique(key, return_inverse=True)
+    pens = np.array([_find_pen(int(one), machine, plotter) for one in distinct_keys])[which]
+    # Rapids at the end of a station have no pass after them: they keep the last pen.
+    at = np.searchsorted(pass_number[plunge], np.arange(pass_number[-1] + 1), side="right") - 1
+    first = np.searchsorted(pass_number[plunge], np.arange(pass_number[-1] + 1))
     own = np.where(first <= at, first, np.maximum(at, 0))
-    result: I64 = pens[own][stay]
+    result: I64 = pens[own][pass_number]
     return result
 
 
-def _pen(key: int, machine: Machine, plotter: Plotter) -> int:
+def _find_pen(key: int, machine: Machine, plotter: Plotter) -> int:
+    """Return the index of the pen of a key: twice the station's number, plus 1 for through cuts."""
     station = machine.station(key // 2)
     work = Work.CUT if key % 2 else Work.HALF_CUT
     if kind_of(station.tool).engine is Engine.CREASE:
@@ -230,28 +234,29 @@ def _pen(key: int, machine: Machine, plotter: Plotter) -> int:
     raise ProgramError("hpgl.no-pen", machine=machine.title, work=work, station=station.number)
 
 
-def _lines(moves: _Moves, rows: I64, stated: Bool) -> tuple[bytes, I32]:
-    """Return the lines of some moves, with their speed where it is stated, and the row of each."""
+def _lines(moves: _Moves, rows: I64, with_speed: Bool) -> tuple[bytes, I32]:
+    """Return the lines of some moves, with VS where ``with_speed``, and the row of each line."""
     shown = moves.kind[rows] != _NOTHING
-    rows, stated = rows[shown], stated[shown]
+    rows, with_speed = rows[shown], with_speed[shown]
     kind, speed = moves.kind[rows], moves.speed[rows]
     located = (kind == _TRAVEL) | (kind == _WORK)
     point = moves.point[rows + 1] * located[:, None]
     blocks = [
-        _shown(b"VS", stated),
-        digits(speed * stated, 0, brief=True) * stated[:, None],
-        _shown(b";\n", stated),
+        _text_columns(b"VS", with_speed),
+        digit_columns(speed * with_speed, 0, brief=True) * with_speed[:, None],
+        _text_columns(b";\n", with_speed),
         _MNEMONICS[kind],
-        digits(point[:, 0], 0, brief=True) * located[:, None],
-        _shown(b",", located),
-        digits(point[:, 1], 0, brief=True) * located[:, None],
-        _shown(b";\n", np.ones(len(rows), np.bool_)),
+        digit_columns(point[:, 0], 0, brief=True) * located[:, None],
+        _text_columns(b",", located),
+        digit_columns(point[:, 1], 0, brief=True) * located[:, None],
+        _text_columns(b";\n", np.ones(len(rows), np.bool_)),
     ]
     characters = np.hstack(blocks)
     text: bytes = characters[characters != 0].tobytes()
-    return text, np.insert(moves.row[rows], np.flatnonzero(stated), np.int32(-1))
+    return text, np.insert(moves.row[rows], np.flatnonzero(with_speed), np.int32(-1))
 
 
-def _shown(text: bytes, where: Bool) -> Characters:
+def _text_columns(text: bytes, where: Bool) -> Characters:
+    """Return the columns of a text in the rows given by a mask, (n, k)."""
     result: Characters = np.frombuffer(text, np.uint8) * where[:, None]
     return result

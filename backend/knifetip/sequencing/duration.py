@@ -93,7 +93,7 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     changed = np.ones(len(moving), np.bool_)
     changed[1:] = toolpath.tool[1:] != toolpath.tool[:-1]
     stops |= changed
-    timing: Timing = find_language(machine.dialect).part("timing")
+    timing: Timing = find_language(machine.dialect).load_part("timing")
     seconds = np.maximum(feed_time, safe / velocity)
     halts = timing(toolpath, np.hypot(flat, change[:, 2]), seconds, machine)
     stops[1:] |= halts[:-1] > 0.0

@@ -149,7 +149,7 @@ def read_placement(text: bytes, machine: Machine) -> tuple[float, float] | None:
 
 
 def _reader(machine: Machine) -> ProgramReader:
-    reader: ProgramReader = find_language(machine.dialect).part("reader")
+    reader: ProgramReader = find_language(machine.dialect).load_part("reader")
     return reader
 
 

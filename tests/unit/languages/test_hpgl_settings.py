@@ -80,4 +80,4 @@ def test_a_machine_without_a_device_cannot_be_driven_with_hpgl() -> None:
 
 def test_programs_are_downloaded_and_not_streamed() -> None:
     with pytest.raises(ControllerError, match=r"HPGL cannot be streamed.*Download the program"):
-        find_language("hpgl").dial()
+        find_language("hpgl").load_driver()

@@ -21,13 +21,13 @@ PARTS = ("emitter", "reader", "timing")
 ROOM = Path(registry.__file__).parent
 
 
-@pytest.mark.parametrize("name", registry.names())
+@pytest.mark.parametrize("name", registry.language_names())
 def test_every_part_of_a_language_can_be_imported(name: str) -> None:
     language = find_language(name)
     for part in PARTS:
-        assert language.part(part) is not None
+        assert language.load_part(part) is not None
     if language.driver:
-        assert callable(language.dial())
+        assert callable(language.load_driver())
     else:
         assert language.no_driver
 
@@ -42,7 +42,7 @@ def test_an_unknown_name_is_refused_with_the_known_ones() -> None:
 
 def test_a_language_without_a_driver_has_a_hint_instead() -> None:
     with pytest.raises(ControllerError, match=r"LinuxCNC.*Download the program"):
-        find_language("linuxcnc").dial()
+        find_language("linuxcnc").load_driver()
 
 
 def test_a_machine_with_an_unknown_language_is_refused_when_it_is_read(tmp_path: Path) -> None:
@@ -103,9 +103,9 @@ def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Install
 
 def test_a_language_of_another_package_is_found_by_its_entry_point(package: Install) -> None:
     package("elsewhere", "elsewhere")
-    assert "elsewhere" in registry.names()
+    assert "elsewhere" in registry.language_names()
     machine = with_language(load.machine("demo-table"), "elsewhere")
-    emitter = find_language(machine.dialect).part("emitter")
+    emitter = find_language(machine.dialect).load_part("emitter")
     assert emitter(None, machine, tolerance=0.01, notes=()) == "elsewhere"
 
 
@@ -129,10 +129,10 @@ def test_the_language_reaches_the_time_estimate() -> None:
     assert (halting.seconds, halting.program.text) == (own.seconds, own.program.text)
 
 
-def test_a_record_imports_none_of_its_parts() -> None:
+def test_reading_a_record_does_not_import_its_parts() -> None:
     code = (
         "import sys; from knifetip.languages import registry\n"
-        f"[registry.find_language(name) for name in {registry.names()!r}]\n"
+        f"[registry.find_language(name) for name in {registry.language_names()!r}]\n"
         "rooms = {'knifetip.post', 'knifetip.verification', 'knifetip.gateway', 'numba'}\n"
         "sys.exit(' '.join(rooms & set(sys.modules)) or None)"
     )
@@ -147,6 +147,6 @@ def test_no_other_room_names_a_language() -> None:
         if own & set(file.relative_to(package).parts):
             continue
         text = file.read_text("utf-8")
-        for name in registry.names():
+        for name in registry.language_names():
             assert f'"{name}"' not in text, f"{file} names {name}"
         assert "grbl.dial" not in text, f"{file} names the driver of grblHAL"

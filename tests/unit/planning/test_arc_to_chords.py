@@ -22,7 +22,7 @@ def grooved(bulge: float, span: float, error: float) -> Operation:
     return plan(line, MACHINE, replace(BOARD, groove_curve=error))[0]
 
 
-def test_a_board_that_does_not_say_refuses_arcs() -> None:
+def test_a_board_without_groove_curve_refuses_arcs() -> None:
     with pytest.raises(CurvedGroove, match="straight blade"):
         vgroove(grooved(0.1, 400.0, 0.0))
 
@@ -37,7 +37,7 @@ def test_an_arc_too_tight_for_the_blade_is_refused() -> None:
     bulge=st.floats(0.05, 1.0), span=st.floats(600.0, 2000.0), error=st.floats(0.05, 0.5),
     left=st.booleans(),
 )  # fmt: skip
-def test_neither_a_chord_nor_the_blade_past_its_end_leaves_the_arc_by_more(
+def test_chords_and_blade_ends_stay_within_the_error_of_the_arc(
     bulge: float, span: float, error: float, left: bool
 ) -> None:
     operation = grooved(bulge if left else -bulge, span, error)

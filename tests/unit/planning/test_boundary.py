@@ -24,7 +24,7 @@ def out(
     bulge: ArrayLike | None = None,
     width: float = 2.0,
 ) -> tuple[float, bool]:
-    """Run-out and whether the end lies on the edge, for one groove that leaves at ``point``."""
+    """Return the run-out of a groove that ends at ``point``, and whether it ends on the edge."""
     bent = np.zeros(len(ends)) if bulge is None else np.array(bulge, float)
     outline = BoardOutline.from_cuts(ends, bent, cut_sides(ends, bent).waste)
     ahead = np.array([towards], float) / np.hypot(*towards)
@@ -32,12 +32,12 @@ def out(
     return float(size[0]), bool(on_edge[0])
 
 
-def test_square_to_the_edge_nothing_is_run_out_and_the_end_is_on_the_edge() -> None:
+def test_a_groove_square_to_the_edge_has_no_run_out_and_ends_on_the_edge() -> None:
     assert out((100, 50), (1, 0)) == pytest.approx((0.0, True), abs=1e-12)
 
 
 @pytest.mark.parametrize(("degrees", "extra"), [(45.0, 1.0), (30.0, 1.7320508), (60.0, 0.5773503)])
-def test_at_an_angle_to_the_edge_the_far_corner_has_the_cotangent_further_to_go(
+def test_run_out_at_an_angle_to_the_edge_grows_with_the_cotangent(
     degrees: float, extra: float
 ) -> None:
     # The groove is 2 wide; it meets the top edge at this angle.
@@ -45,26 +45,26 @@ def test_at_an_angle_to_the_edge_the_far_corner_has_the_cotangent_further_to_go(
     assert out((50, 100), towards) == pytest.approx((extra, True))
 
 
-def test_an_end_inside_or_one_that_points_into_the_board_does_not_run_out() -> None:
+def test_an_end_inside_the_board_has_no_run_out() -> None:
     assert out((100 - 0.06, 50), (1, 1)) == (0.0, False)
     assert out((100, 50), (-1, 1)) == (0.0, False)
 
 
-def test_an_end_short_of_the_edge_within_the_gap_goes_that_much_further() -> None:
+def test_a_gap_before_the_edge_is_added_to_the_run_out() -> None:
     assert out((100 - 0.04, 50), (1, 1))[0] == pytest.approx(1.0 + 0.04 * 2**0.5)
 
 
-def test_along_the_edge_is_refused() -> None:
+def test_a_groove_along_the_edge_is_refused() -> None:
     with pytest.raises(FlankOutside, match=r"edge 7 meets the board's edge at 4\.0°"):
         out((50, 100), (np.cos(np.radians(4)), np.sin(np.radians(4))))
 
 
-def test_out_of_an_outer_corner_along_the_diagonal_both_flanks_leave_at_once() -> None:
+def test_both_flanks_leave_together_on_the_diagonal_of_an_outer_corner() -> None:
     # Each flank is 1 beside the diagonal, and so 1 behind the edge on its side.
     assert out((100, 100), (1, 1)) == pytest.approx((-1.0 + 1.0, True))
 
 
-def test_out_of_an_outer_corner_each_flank_needs_only_its_nearer_edge() -> None:
+def test_at_an_outer_corner_each_flank_leaves_over_its_nearer_edge() -> None:
     # At 10° above due east the lower flank is past x = 100 after tan 10° mm, never past y = 100.
     towards = (np.cos(np.radians(10)), np.sin(np.radians(10)))
     size, on_edge = out((100, 100), towards)
@@ -81,7 +81,7 @@ PLUS = closed(
 )  # fmt: skip
 
 
-def test_into_a_notch_both_halves_go_on_until_they_are_past_its_sides() -> None:
+def test_in_a_notch_both_halves_of_the_tool_pass_its_sides() -> None:
     # 1 mm beside the middle a side of the notch is 2 mm above its bottom.
     assert out((50, 80), (0, 1), NOTCHED) == pytest.approx((2.0, True))
     # At tan⁻¹ ¼ off the middle the left side is nearer in angle, and later to leave.
@@ -93,11 +93,11 @@ def test_into_a_notch_both_halves_go_on_until_they_are_past_its_sides() -> None:
     assert 2.0 * left_corner[0] + left_corner[1] == pytest.approx(180.0)
 
 
-def test_into_an_inner_corner_along_its_diagonal_both_halves_leave_together() -> None:
+def test_both_halves_leave_together_on_the_diagonal_of_an_inner_corner() -> None:
     assert out((200, 100), (1, -1), PLUS) == pytest.approx((1.0, True))
 
 
-def test_where_an_inner_corner_has_board_ahead_the_groove_stops() -> None:
+def test_a_groove_stops_at_an_inner_corner_with_board_ahead() -> None:
     # Along y = 100 the upper half of the groove would cut into the right arm for ever.
     assert out((200, 100), (1, 0), PLUS) == (0.0, False)
     # So it would 4° below it; at 6° it leaves, after 1 / tan 6°.
@@ -136,7 +136,7 @@ def test_a_round_edge_adds_its_sagitta() -> None:
     assert size == pytest.approx(1.0 + 0.02 * 2**0.5)
 
 
-def test_no_cuts_bound_nothing() -> None:
+def test_without_cuts_there_is_no_board_edge() -> None:
     assert out((50, 100), (0, 1), edges(((0, 100), (100, 100)))) == (0.0, False)
 
 
@@ -148,7 +148,7 @@ def test_no_cuts_bound_nothing() -> None:
     backwards=st.booleans(),
     width=st.floats(0.2, 5.0),
 )
-def test_both_corners_of_the_tool_are_past_the_edge_and_one_of_them_just(
+def test_the_run_out_is_the_least_with_both_corners_past_the_edge(
     side: int, share: float, angle: float, degrees: float, backwards: bool, width: float
 ) -> None:
     turn = rotation(degrees)

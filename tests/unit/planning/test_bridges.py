@@ -1,4 +1,4 @@
-"""Bridges: how many, how far apart, and clear of what."""
+"""Number and positions of bridges."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def cut(ends: F64, board: Board = HELD, bulge: dict[int, float] | None = None) -
 
 
 def gaps(operation: Operation) -> tuple[F64, F64]:
-    """The middles and widths of the bridges of one contour."""
+    """Return the middles and widths of the bridges of one contour."""
     end, start = operation.paths.end[operation.paths.first[1:] - 1], operation.paths.start
     begin = np.roll(start[operation.paths.first[:-1]], -1, axis=0)
     return (end + begin) / 2.0, np.hypot(*(begin - end).T)
@@ -46,11 +46,11 @@ def test_a_blank_of_600_mm_is_held_by_four_bridges_of_half_a_millimetre() -> Non
     assert operation.paths.lengths.sum() == pytest.approx(600.0 - 4 * 0.5)
 
 
-def test_no_contour_is_held_by_fewer_than_two() -> None:
+def test_a_contour_has_at_least_two_bridges() -> None:
     assert len(cut(closed((0, 0), (30, 0), (30, 20), (0, 20))).paths) == 2
 
 
-def test_a_bridge_due_on_a_corner_moves_five_millimetres_off_it() -> None:
+def test_a_bridge_on_a_corner_is_moved_five_millimetres_away() -> None:
     # Of 4 × 100 the bridges are due at 50, 150 …; of a square begun in a side's middle at corners.
     square = edges(((50, 0), (100, 0)), ((100, 0), (100, 100)), ((100, 100), (0, 100)),
                    ((0, 100), (0, 0)), ((0, 0), (50, 0)))  # fmt: skip
@@ -77,14 +77,14 @@ def test_holes_slits_and_open_outlines_have_no_bridges() -> None:
     assert cut(OUTLINE[:3]).start.tolist() == [End.FREE]
 
 
-def test_a_disc_is_held_on_its_arcs_because_it_has_no_straight_piece() -> None:
+def test_a_disc_has_bridges_on_its_arcs() -> None:
     disc = edges(((0, 0), (100, 0)), ((100, 0), (0, 0)))
     operation = cut(disc, bulge={0: 1.0, 1: 1.0})
     # Round by 314 mm: three.
     assert len(operation.paths) == 3
 
 
-def test_a_rounded_blank_is_held_on_its_straight_pieces() -> None:
+def test_a_rounded_blank_has_bridges_on_its_straight_segments() -> None:
     quarter = np.tan(np.pi / 8)
     ends = edges(((10, 0), (90, 0)), ((90, 0), (100, 10)), ((100, 10), (100, 90)),
                  ((100, 90), (90, 100)), ((90, 100), (10, 100)), ((10, 100), (0, 90)),
@@ -94,7 +94,7 @@ def test_a_rounded_blank_is_held_on_its_straight_pieces() -> None:
     assert (np.minimum(np.abs(middle), np.abs(middle - 100)).min(axis=1) < 1e-9).all()
 
 
-def test_where_there_is_no_room_the_contour_is_refused() -> None:
+def test_a_contour_without_room_for_bridges_is_refused() -> None:
     with pytest.raises(NoRoomForBridges, match=r"12\.0 mm long and has no places for 2 bridges"):
         cut(closed((0, 0), (3, 0), (3, 3), (0, 3)), replace(HELD, bridge_width=2.0))
 
@@ -104,7 +104,7 @@ def test_where_there_is_no_room_the_contour_is_refused() -> None:
     bridge=st.floats(0.2, 2.0), spacing=st.floats(60.0, 300.0), degrees=st.floats(0.0, 360.0),
     start=st.integers(0, 3),
 )  # fmt: skip
-def test_at_least_two_never_too_far_apart_and_clear_of_corners(
+def test_bridges_keep_their_spacing_and_their_distance_from_corners(
     width: float,
     height: float,
     slant: float,
@@ -137,7 +137,7 @@ def test_bridges_stay_clear_of_slit_mouths_and_ends_of_creases() -> None:
     assert np.abs(upper - 125.0).min() == pytest.approx(5.25)
 
 
-def test_where_creases_end_all_along_a_contour_it_is_held_all_the_same() -> None:
+def test_a_contour_with_crease_ends_everywhere_still_gets_bridges() -> None:
     creases = edges(*[((x, 0), (x, 100)) for x in range(8, 200, 8)],
                     *[((0, y), (200, y)) for y in range(8, 100, 8)])  # fmt: skip
     operation = plan(dieline((LineType.CUT, OUTLINE), (LineType.CREASE, creases)), MACHINE, HELD)[
@@ -146,7 +146,7 @@ def test_where_creases_end_all_along_a_contour_it_is_held_all_the_same() -> None
     assert len(operation.paths) == 4
 
 
-def test_no_bridge_is_one_too_many() -> None:
+def test_there_is_no_superfluous_bridge() -> None:
     # At 160 mm six would do by their number, but not all where they are due.
     long = closed((0, 0), (400, 0), (400, 8), (0, 8))
     middle, _ = gaps(cut(long, replace(HELD, bridge_spacing=170.0)))

@@ -1,4 +1,4 @@
-"""Which corner is which of those that somebody chose a type for."""
+"""Corner choices of the user, matched with the corners of contours."""
 
 from __future__ import annotations
 
@@ -33,19 +33,19 @@ def at(operation: Operation, x: float, y: float) -> tuple[int, float]:
     return int(operation.corner_at[row]), float(operation.k_at[row])
 
 
-def test_without_a_choice_corners_are_left_to_the_machine() -> None:
+def test_without_a_choice_corners_have_the_type_of_the_operation() -> None:
     operation = plan(LINE, ROUTER, BOARD)[-1]
     assert (operation.corner, operation.k, operation.interference) == ("auto", 0.5, "trim")
     assert (operation.corner_at == AS_OTHERS).all()
 
 
-def test_type_knob_and_interference_are_those_of_every_operation_that_mills() -> None:
+def test_type_k_and_interference_apply_to_every_milling_operation() -> None:
     operations = plan(LINE, ROUTER, BOARD, Corners("D", 0.3, "refuse"))
     said = {(one.corner, one.k, one.interference) for one in operations}
     assert said == {("D", 0.3, "refuse")}
 
 
-def test_a_choice_finds_its_corner_and_no_other() -> None:
+def test_a_choice_applies_to_its_corner_only() -> None:
     operation = outer(Corners("D", at=(CornerAt(300.2, 99.8, "C", 0.25), CornerAt(100, 250, "B"))))
     assert at(operation, 300, 100) == (1, 0.25)
     kind, k = at(operation, 100, 250)
@@ -53,25 +53,25 @@ def test_a_choice_finds_its_corner_and_no_other() -> None:
     assert (operation.corner_at == AS_OTHERS).sum() == 4
 
 
-def test_a_place_is_the_drawings_and_not_the_sheets() -> None:
+def test_positions_are_in_drawing_coordinates() -> None:
     moved = replace(LINE, ends=LINE.ends + np.array([20.0, 30.0]))
     corners = Corners(at=(CornerAt(300, 100, "C"),), placement=(20.0, 30.0))
     operation = plan(moved, ROUTER, BOARD, corners)[-1]
     assert at(operation, 320, 130)[0] == 1
 
 
-def test_a_place_with_no_corner_is_refused_with_the_nearest_ones() -> None:
+def test_a_position_without_a_corner_is_refused_with_the_nearest_corners() -> None:
     with pytest.raises(PlanError, match=r"within 0\.5 mm of \(299, 100\).* 1\.00 mm away") as said:
         outer(Corners(at=(CornerAt(299, 100, "C"),)))
     assert "(300.00, 100.00)" in said.value.hint
 
 
-def test_an_inside_corner_has_nothing_to_choose() -> None:
+def test_a_choice_for_an_inner_corner_is_refused() -> None:
     with pytest.raises(PlanError, match=r"\(200, 200\) is an inside corner"):
         outer(Corners(at=(CornerAt(200, 200, "C"),)))
 
 
-def test_every_corner_of_a_hole_is_an_inside_corner() -> None:
+def test_every_corner_of_a_hole_is_an_inner_corner() -> None:
     with pytest.raises(PlanError, match="inside corner"):
         outer(Corners(at=(CornerAt(120, 120, "D"),)))
 
@@ -88,7 +88,7 @@ def test_every_corner_of_a_hole_is_an_inside_corner() -> None:
         (Corners(at=(CornerAt(float("inf"), 100, "D"),)), "no valid position"),
     ],
 )
-def test_a_choice_that_is_none_is_refused(corners: Corners, words: str) -> None:
+def test_an_invalid_choice_is_refused(corners: Corners, words: str) -> None:
     with pytest.raises(PlanError, match=words):
         outer(corners)
 

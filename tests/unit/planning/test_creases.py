@@ -35,7 +35,7 @@ def rolled(
     return plan(dieline(*groups, bulge=bulge), machine, board)[0]
 
 
-def test_a_crease_that_a_cut_crosses_is_two_with_free_ends() -> None:
+def test_a_crease_crossed_by_a_cut_becomes_two_with_free_ends() -> None:
     operation = rolled(ACROSS, edges(((40, -10), (40, 10))))
     np.testing.assert_allclose(operation.paths.end, [[40, 0], [100, 0]])
     np.testing.assert_allclose(operation.paths.start, [[0, 0], [40, 0]])
@@ -48,7 +48,7 @@ def test_a_crease_that_a_cut_crosses_is_two_with_free_ends() -> None:
     [((40, 0), (40, 10)), ((0, -10), (0, 10)), ((40, 1), (40, 10)), ((20, 0), (80, 0))],
     ids=["ends on it", "runs through its end", "stops before it", "runs along it"],
 )
-def test_a_cut_that_does_not_cross_splits_nothing(
+def test_a_cut_that_does_not_cross_does_not_split(
     cut: tuple[tuple[int, int], tuple[int, int]],
 ) -> None:
     assert len(rolled(ACROSS, edges(cut)).paths) == 1
@@ -76,7 +76,7 @@ def test_a_crease_is_split_where_a_cut_goes_through_it_at_a_vertex(
     assert operation.start.tolist() == operation.finish.tolist() == [End.FREE, End.FREE]
 
 
-def test_cuts_that_end_on_a_crease_from_one_side_split_nothing() -> None:
+def test_cuts_that_end_on_a_crease_from_one_side_do_not_split_it() -> None:
     vee = edges(((30, 10), (40, 0)), ((40, 0), (50, 10)))
     assert len(rolled(ACROSS, vee).paths) == 1
     # Nor does one that is drawn a hundredth too long, in two pieces.

@@ -1,4 +1,4 @@
-"""Which cuts bound the blank."""
+"""Which cuts bound a part, and on which side the waste lies."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SHEET = np.concatenate([OUTLINE, SLIT, HOLE, NEIGHBOUR])
 EXPECTED = np.array([True] * 5 + [False] * 5 + [True] * 4)
 
 
-def test_outlines_are_outer_and_slits_and_holes_are_not() -> None:
+def test_only_outlines_bound_parts() -> None:
     np.testing.assert_array_equal(cut_sides(SHEET, np.zeros(len(SHEET))).waste != 0, EXPECTED)
 
 
@@ -37,7 +37,7 @@ def test_order_direction_and_turn_do_not_matter(seed: int, degrees: float) -> No
 
 
 @given(degrees=st.floats(0, 360), backwards=st.booleans())
-def test_the_waste_is_right_of_an_outline_drawn_counter_clockwise(
+def test_the_waste_is_on_the_right_of_a_counter_clockwise_outline(
     degrees: float, backwards: bool
 ) -> None:
     turned = OUTLINE @ rotation(degrees).T
@@ -45,15 +45,15 @@ def test_the_waste_is_right_of_an_outline_drawn_counter_clockwise(
     assert side.tolist() == [1 if backwards else -1] * 5
 
 
-def test_a_circle_of_two_arcs_is_outer_and_the_one_inside_it_is_not() -> None:
+def test_only_the_outer_of_two_circles_bounds_a_part() -> None:
     circles = edges(((0, 0), (20, 0)), ((20, 0), (0, 0)), ((5, 0), (9, 0)), ((9, 0), (5, 0)))
     assert (cut_sides(circles, np.ones(4)).waste != 0).tolist() == [True, True, False, False]
 
 
-def test_a_lone_slit_bounds_nothing() -> None:
+def test_a_slit_bounds_no_part() -> None:
     assert (cut_sides(SLIT, np.zeros(1)).waste != 0).tolist() == [False]
 
 
-def test_a_line_between_two_cells_is_inner() -> None:
+def test_a_line_between_two_parts_has_no_waste_side() -> None:
     cells = np.concatenate([OUTLINE, edges(((100, 50), (0, 100)))])
     assert (cut_sides(cells, np.zeros(6)).waste != 0).tolist() == [True] * 5 + [False]

@@ -1,4 +1,4 @@
-"""Creases drawn as dashes become one, and what is drawn twice is made once."""
+"""Dashed creases are merged; repeated edges are removed."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_three_dashes_become_one_line_with_its_gaps_filled() -> None:
     [(2, 4.0, 3.0), (5, 4.0, 6.1), (5, 20.0, 12.1), (5, 4.0, 0.001)],
     ids=["only two", "gaps of more than 1.5 dashes", "gaps of more than 12 mm", "no gaps"],
 )
-def test_what_is_no_row_of_dashes_stays_as_it_is(count: int, length: float, gap: float) -> None:
+def test_pieces_that_are_no_row_of_dashes_are_kept(count: int, length: float, gap: float) -> None:
     drawn = dashes(count, length, gap)
     new, row = stretches(drawn)
     np.testing.assert_array_equal(new, drawn)
@@ -70,13 +70,13 @@ def test_dashes_on_either_side_of_a_cut_are_two_creases() -> None:
     assert (24.0 in filled, 42.0 in filled) == (True, True)
 
 
-def test_a_piece_beside_the_line_is_no_dash_of_it() -> None:
+def test_a_piece_beside_the_line_is_no_dash() -> None:
     drawn = dashes(4, 4.0, 3.0)
     drawn[1, :, 1] += 0.01
     np.testing.assert_array_equal(stretches(drawn)[0], drawn)
 
 
-def test_a_line_drawn_twice_is_made_once_and_an_overlap_too() -> None:
+def test_repeated_and_overlapping_lines_are_merged() -> None:
     drawn = edges(((0, 0), (50, 0)), ((50, 0), (0, 0)), ((40, 0), (70, 0)), ((60, 5), (90, 5)))
     new, row = stretches(drawn)
     np.testing.assert_array_equal(
@@ -85,7 +85,7 @@ def test_a_line_drawn_twice_is_made_once_and_an_overlap_too() -> None:
     assert row == [0, 2, 3]
 
 
-def test_an_arc_drawn_twice_is_made_once() -> None:
+def test_a_repeated_arc_is_merged() -> None:
     arcs = edges(((0, 0), (10, 0)), ((10, 0), (0, 0)), ((0, 0), (10, 0)))
     # The second is the first one backwards; the third bends the other way.
     assert stretches(arcs, bulge=[0.5, -0.5, -0.5])[1] == [0, 2]
@@ -96,7 +96,7 @@ def test_an_arc_drawn_twice_is_made_once() -> None:
     degrees=st.floats(0.0, 360.0),
     seed=st.integers(0, 99),
 )
-def test_each_stretch_is_covered_once_and_nothing_else(
+def test_each_stretch_is_covered_exactly_once(
     cuts: list[tuple[int, int]], degrees: float, seed: int
 ) -> None:
     turn = rotation(degrees)

@@ -22,11 +22,11 @@ def planned(
     return plan(dieline(OUTLINE, (LineType.V_GROOVE, groove), *more, bulge=bulge), MACHINE, BOARD)
 
 
-def test_a_groove_across_the_board_may_run_out_at_its_ends() -> None:
+def test_a_groove_across_the_board_runs_out_at_both_ends() -> None:
     assert planned(edges(((50, 0), (60, 100))))
 
 
-def test_a_groove_beside_the_edge_is_refused_where_its_flank_would_leave() -> None:
+def test_a_groove_is_refused_if_its_flank_would_leave_the_board() -> None:
     assert planned(edges(((0, 1.1), (200, 1.1))))
     slanted = edges(((10, 0.5), (190, 2.0)))
     with pytest.raises(FlankOutside, match=r"edge 4 is 2\.00 mm wide"):
@@ -43,7 +43,7 @@ def test_a_hole_beside_a_groove_is_refused() -> None:
 
 @pytest.mark.parametrize("aside", [0.1, 0.5, 0.95, 0.99])
 @pytest.mark.parametrize("far", [False, True])
-def test_a_groove_along_a_cut_is_refused_with_the_cut_and_by_how_much(
+def test_a_groove_along_a_cut_is_refused_with_the_cut_and_the_distance(
     aside: float, far: bool
 ) -> None:
     y = 100.0 - aside if far else aside
@@ -72,7 +72,7 @@ def test_a_groove_of_any_length_along_the_edge_is_refused(
         planned(edges(groove))
 
 
-def test_a_slit_inside_the_strip_is_refused_although_it_crosses_no_flank() -> None:
+def test_a_slit_between_the_flanks_along_the_groove_is_refused() -> None:
     groove = edges(((20, 50), (180, 50)))
     for slit in (((60, 50.5), (90, 50.5)), ((90, 49.5), (60, 49.5)), ((60, 49.6), (90, 50.4))):
         with pytest.raises(FlankOutside, match="cut at edge 5"):
@@ -92,14 +92,14 @@ def test_a_slit_inside_the_strip_is_refused_although_it_crosses_no_flank() -> No
         ((181, 50.5), (190, 50.5)),
     ],
 )
-def test_a_groove_may_end_on_a_cut_cross_one_or_run_well_beside(
+def test_a_groove_may_end_on_a_cut_cross_it_or_run_far_beside_it(
     slit: tuple[tuple[float, float], tuple[float, float]],
 ) -> None:
     assert planned(edges(((20, 50), (180, 50))), (LineType.CUT, edges(slit)))
 
 
 @pytest.mark.parametrize(("gap", "fine"), [(0.99, False), (1.01, True)])
-def test_a_round_cut_counts_by_its_belly_and_not_by_its_chord(gap: float, fine: bool) -> None:
+def test_the_distance_to_a_round_cut_is_measured_to_its_arc(gap: float, fine: bool) -> None:
     # A hole of r 30, whose chords of 45° would stand 2.3 mm off it.
     hole = (LineType.CUT, edges(((70, 65), (130, 65)), ((130, 65), (70, 65))))
     groove = edges(((20, 35 - gap), (180, 35 - gap)))
@@ -110,6 +110,6 @@ def test_a_round_cut_counts_by_its_belly_and_not_by_its_chord(gap: float, fine: 
             planned(groove, hole, bulge={5: 1.0, 6: 1.0})
 
 
-def test_a_groove_that_is_shorter_than_its_ends_may_end_on_cuts_at_both() -> None:
+def test_a_short_groove_may_end_on_cuts_at_both_ends() -> None:
     slits = edges(((100, 40), (100, 60)), ((102, 45), (102, 55)), ((101, 51.2), (103, 51.2)))
     assert planned(edges(((100, 50), (102, 50))), (LineType.CUT, slits))

@@ -1,4 +1,4 @@
-"""Which cuts are made before which: layers from the outside inwards, on contours with gaps."""
+"""Order of cuts: layers of nested contours, also of contours with gaps."""
 
 from __future__ import annotations
 
@@ -36,9 +36,7 @@ PANEL, WINDOW, PART, HOLE = (
 
 
 @given(seed=st.integers(0, 1000), degrees=st.floats(0, 360))
-def test_nested_contours_are_of_a_layer_each_however_they_are_drawn(
-    seed: int, degrees: float
-) -> None:
+def test_each_nested_contour_has_its_own_layer(seed: int, degrees: float) -> None:
     chance = np.random.default_rng(seed)
     ends = np.concatenate([PANEL, WINDOW, PART, HOLE]) @ rotation(degrees).T
     order = chance.permutation(len(ends))
@@ -51,14 +49,14 @@ def test_nested_contours_are_of_a_layer_each_however_they_are_drawn(
     np.testing.assert_array_equal(found.waste != 0, order // 4 % 2 == 0)
 
 
-def test_circles_are_nested_by_their_arcs_and_not_by_chords() -> None:
+def test_nesting_of_circles_is_decided_by_arcs() -> None:
     # The inner one comes within 0.05 mm of the outer one, whose chords of 16 stand 2 mm off.
     outer = edges(((-500, 0), (500, 0)), ((500, 0), (-500, 0)))
     inner = edges(((-499.95, 0), (499.95, 0)), ((499.95, 0), (-499.95, 0)))
     assert layers(inner, outer, bulge=np.ones(4)) == [[1], [0]]
 
 
-def test_slits_are_of_the_piece_of_board_that_they_lie_in() -> None:
+def test_slits_have_the_layer_of_the_board_around_them() -> None:
     inside, outside = edges(((70, 60), (90, 60))), edges(((-50, 0), (-20, 0)))
     assert layers(PANEL, WINDOW, PART, inside, outside) == [[0], [1], [2], [3], [0]]
 
@@ -72,7 +70,7 @@ def test_gaps_at_corners_and_in_the_middle_are_closed(gap: float) -> None:
     assert layers(blank, box(20, 20, 10, 10)) == [[0], [1]]
 
 
-def test_a_corner_that_both_edges_stop_short_of_is_closed_and_a_wider_gap_is_not() -> None:
+def test_a_corner_is_closed_unless_the_gap_is_too_wide() -> None:
     for gap, layer in ((1.5, 1), (2.0, 0)):
         blank = edges(
             ((0, 0), (100 - gap, 0)), ((100, gap), (100, 100)), ((100, 100), (0, 100)),
@@ -88,7 +86,7 @@ def test_an_end_short_of_the_middle_of_an_edge_closes_a_contour() -> None:
     assert layers(wall, hook, box(20, 20, 10, 10)) == [[0], [0], [1]]
 
 
-def test_two_outlines_with_gaps_beside_each_other_are_both_closed() -> None:
+def test_two_close_outlines_with_gaps_are_both_closed() -> None:
     # The nearest point to each loose end is on the neighbour, 0.6 mm away.
     def blank(x: float, side: float) -> F64:
         return edges(
@@ -100,7 +98,7 @@ def test_two_outlines_with_gaps_beside_each_other_are_both_closed() -> None:
     assert layers(*groups) == [[0], [1], [0], [1]]
 
 
-def test_a_short_end_is_not_linked_to_the_corner_that_it_comes_from() -> None:
+def test_an_end_is_not_linked_to_its_own_corner() -> None:
     hook = edges(((0, 0), (50, 0)), ((50, 0), (50, 0.8)))
     assert len(closing_links(hook, np.zeros(2))) == 0
 
@@ -111,7 +109,7 @@ def test_dense_ends_have_few_links() -> None:
     assert len(closing_links(comb, np.zeros(400))) <= 4 * 400
 
 
-def test_what_is_between_two_parts_comes_before_the_outline_of_both() -> None:
+def test_a_line_between_two_parts_comes_before_their_outline() -> None:
     rungs = edges(*(((0, y), (310, y)) for y in (60, 120, 180)))
     assert layers(PANEL, rungs, box(20, 70, 10, 10)) == [[0], [1], [1]]
 
@@ -134,7 +132,7 @@ def test_lines_drawn_across_each_other_are_cut_from_the_inside() -> None:
     assert layers(*up, *across) == [[0], [1], [1], [0]] * 2
 
 
-def test_lines_that_hold_each_other_in_a_ring_are_all_put_in_a_layer() -> None:
+def test_lines_in_a_cycle_all_get_a_layer() -> None:
     # Each ends on the next: the ring round the middle is of four pieces, each of another line.
     ring = edges(
         ((-60, 0), (40, 0)), ((40, -60), (40, 40)), ((100, 40), (0, 40)), ((0, 100), (0, 0))
@@ -145,19 +143,19 @@ def test_lines_that_hold_each_other_in_a_ring_are_all_put_in_a_layer() -> None:
     assert found[2][0] > found[1][0]
 
 
-def test_edges_that_lie_on_each_other_leave_the_faces_true() -> None:
+def test_coincident_edges_do_not_change_the_faces() -> None:
     found = layers(PANEL, PANEL[:2], WINDOW, HOLE)
     assert found[0] == found[1] == [0]
     assert found[2:] == [[1], [2]]
 
 
-def test_crossings_without_number_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_too_many_crossings_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(noding, "_MOST_PAIRS", 10)
     with pytest.raises(PlanError, match="pairs of cuts cross"):
         layers(PANEL, WINDOW, PART, HOLE)
 
 
-def test_many_contours_side_by_side_and_nested_take_time_in_proportion() -> None:
+def test_layers_of_many_contours_take_linear_time() -> None:
     import time
 
     def seconds(count: int) -> float:

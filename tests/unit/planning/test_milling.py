@@ -1,4 +1,4 @@
-"""What a cutter is told: which side, which way round, how deep in how many passes."""
+"""Operations of a cutter: side, direction, depth and number of passes."""
 
 from __future__ import annotations
 
@@ -32,9 +32,7 @@ def area(paths: Paths) -> float:
 
 @pytest.mark.parametrize("blank", [BLANK, BLANK[::-1, ::-1]], ids=["left", "right"])
 @pytest.mark.parametrize("hole", [HOLE, HOLE[::-1, ::-1]], ids=["left", "right"])
-def test_the_tool_is_left_of_travel_in_the_waste_however_it_was_drawn(
-    blank: F64, hole: F64
-) -> None:
+def test_the_tool_is_in_the_waste_on_the_left_of_travel(blank: F64, hole: F64) -> None:
     line = dieline((LineType.CUT, blank), (LineType.CUT, hole))
     inner, outer = plan(line, ROUTED, BOARD)
     assert (inner.side, outer.side) == (1, 1)
@@ -45,7 +43,7 @@ def test_the_tool_is_left_of_travel_in_the_waste_however_it_was_drawn(
 
 
 @pytest.mark.parametrize("turned", range(16))
-def test_the_side_is_right_whichever_edges_were_drawn_the_other_way(turned: int) -> None:
+def test_the_side_does_not_depend_on_the_direction_of_edges(turned: int) -> None:
     mixed = BLANK.copy()
     for edge in range(4):
         if turned >> edge & 1:
@@ -56,7 +54,7 @@ def test_the_side_is_right_whichever_edges_were_drawn_the_other_way(turned: int)
 
 
 @pytest.mark.parametrize("turned", range(16))
-def test_the_side_is_right_where_a_contour_is_left_open_and_begins_with_any_of_its_edges(
+def test_the_side_does_not_depend_on_the_first_edge_of_an_open_contour(
     turned: int,
 ) -> None:
     # A slit begins half-way between two ends 0.003 apart, which only together with it are one.
@@ -138,7 +136,7 @@ def test_a_slit_from_the_outline_is_no_shared_edge() -> None:
     assert [one.side for one in plan(line, ROUTED, BOARD)] == [0, 1]
 
 
-def test_a_contour_drawn_with_gaps_within_the_joining_is_closed_to_the_bit() -> None:
+def test_a_contour_with_gaps_within_the_tolerance_is_closed_exactly() -> None:
     loose = BLANK.copy()
     loose[1, 0] += [0.0008, -0.0009]
     loose[3, 1] += [0.0005, 0.0005]
@@ -158,7 +156,7 @@ def test_passes_are_even_and_none_is_deeper_than_the_step() -> None:
     np.testing.assert_allclose(operation.depth[0], [2.3])
 
 
-def test_the_operation_knows_the_machines_acceleration_and_the_boards_deflection() -> None:
+def test_the_operation_has_the_acceleration_and_the_deflection() -> None:
     measured = replace(
         BOARD, deflection=(Deflection("Other", 9, 9), Deflection("Router", 0.1, 0.2))
     )
@@ -169,13 +167,13 @@ def test_the_operation_knows_the_machines_acceleration_and_the_boards_deflection
     assert operation.deflection == (0.0, 0.0)
 
 
-def test_a_knife_comes_first_where_there_are_both() -> None:
+def test_a_knife_is_preferred_to_a_cutter() -> None:
     both = replace(MACHINE, stations=(HELD, *MACHINE.stations))
     (operation,) = plan(dieline((LineType.CUT, BLANK)), both, BOARD)
     assert operation.station == 1
 
 
-def test_a_cutter_makes_cuts_and_nothing_else_of_a_knifes_work() -> None:
+def test_a_cutter_makes_only_cuts() -> None:
     assert not lacks_tool(ROUTED, LineType.CUT)
     for kind in (LineType.PERFORATION, LineType.HALF_CUT, LineType.COMBI):
         assert lacks_tool(ROUTED, kind)
@@ -194,7 +192,7 @@ def test_a_cutter_leaves_bridges_on_blanks_and_none_on_holes() -> None:
     assert plan(dieline((LineType.CUT, BLANK)), ROUTED, BOARD)[0].bridges.shape == (0, 2)
 
 
-def test_a_bridge_is_not_due_where_the_disc_does_not_come_into_an_inner_corner() -> None:
+def test_there_is_no_bridge_where_the_disc_does_not_reach() -> None:
     # Into a corner of 30° a disc of 3 mm does not come nearer than 3 / tan 15° = 11.2 mm.
     deep = 30.0 / np.tan(np.radians(15.0))
     notched = closed(

@@ -1,4 +1,4 @@
-"""Which tool, how deep, in what order, and what the ends meet."""
+"""Tool, depth and order of operations, and the kinds of their ends."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_creases_come_first_and_the_outline_last() -> None:
     assert sorted(set(operations[4].source.tolist())) == [0, 1, 2, 3]
 
 
-def test_depths_are_the_boards() -> None:
+def test_depths_come_from_the_board() -> None:
     line = dieline(
         (LineType.CUT, OUTLINE),
         (LineType.HALF_CUT, edges(((50, 10), (50, 90)))),
@@ -74,7 +74,7 @@ def test_a_groove_that_ends_on_a_hole_or_on_a_slit_does_not_run_out() -> None:
     assert not plan(line, MACHINE, BOARD)[0].run_out.any()
 
 
-def test_a_groove_that_meets_the_edge_at_ten_degrees_runs_out_and_is_no_flank_outside() -> None:
+def test_a_groove_at_ten_degrees_to_the_edge_runs_out() -> None:
     reach = 30.0 / np.tan(np.radians(10.0))
     line = dieline(
         (LineType.CUT, OUTLINE), (LineType.V_GROOVE, edges(((10, 70), (10 + reach, 100))))
@@ -83,7 +83,7 @@ def test_a_groove_that_meets_the_edge_at_ten_degrees_runs_out_and_is_no_flank_ou
     assert plan(line, MACHINE, BOARD)[0].run_out[0, 1] == pytest.approx(5.67128, abs=1e-5)
 
 
-def test_a_cut_drawn_twice_is_cut_once() -> None:
+def test_a_repeated_cut_is_cut_once() -> None:
     line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, OUTLINE[:2, ::-1]))
     operation = only(plan(line, MACHINE, BOARD))
     assert sorted(set(operation.source.tolist())) == [0, 1, 2, 3]
@@ -91,7 +91,7 @@ def test_a_cut_drawn_twice_is_cut_once() -> None:
 
 
 @pytest.mark.parametrize(("end", "depth"), [((0, 50), 0.4), ((50, 0), 0.6), ((50, 50), 0.5)])
-def test_a_crease_is_as_deep_as_its_angle_to_the_grain_asks(
+def test_the_depth_of_a_crease_depends_on_its_angle_to_the_grain(
     end: tuple[int, int], depth: float
 ) -> None:
     operation = only(plan(dieline((LineType.CREASE, edges(((0, 0), end)))), MACHINE, BOARD))
@@ -138,7 +138,7 @@ def test_a_combi_edge_is_creased_and_perforated() -> None:
     assert [operation.station for operation in operations] == [2, 1]
 
 
-def test_ignored_and_unclassified_edges_are_left_alone() -> None:
+def test_ignored_and_unclassified_edges_are_skipped() -> None:
     line = dieline(
         (LineType.IGNORED, edges(((0, 0), (23, 0)))),
         (LineType.UNCLASSIFIED, edges(((0, 10), (23, 10)))),

@@ -58,7 +58,7 @@ def test_one_cut() -> None:
     ]  # fmt: skip
 
 
-def test_each_line_has_the_row_that_it_came_from() -> None:
+def test_each_line_has_its_row() -> None:
     program = process(toolpath(*SQUARE), MACHINE)
     assert program.source.tolist() == [-1] * 6 + [0, 1, 2, 3] + [-1, -1]
     assert program.dialect == "hpgl"
@@ -136,13 +136,13 @@ def test_a_device_has_only_the_instructions_that_its_record_names() -> None:
     ]  # fmt: skip
 
 
-def test_the_origin_is_where_the_device_has_it() -> None:
+def test_the_origin_is_that_of_the_device() -> None:
     centred = with_device(zero=(650.0, 450.0), area=(-26000, -18000, 26000, 18000))
     lines = instructions(toolpath(*SQUARE), centred)
     assert lines[6:9] == ["PU-25200,-17200;", "PD;", "PD-21200,-17200;"]
 
 
-def test_the_speed_is_stated_where_it_changes() -> None:
+def test_the_speed_is_written_where_it_changes() -> None:
     slower = [*SQUARE[:3], (1, F, 120, 60, -0.3, 0, 12000.0), (1, F, 60, 60, -0.3, 0, 12000.0)]
     lines = instructions(toolpath(*slower, (1, L, 60, 60, 2.4, 0, 6000)))
     assert lines[5:12] == [

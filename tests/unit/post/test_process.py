@@ -1,4 +1,4 @@
-"""process, against programs that a reader can check by hand."""
+"""``process``, compared with programs that can be checked by hand."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def feed(
 
 
 def moves(program: Program) -> list[str]:
-    """The lines that came from the toolpath."""
+    """Return the lines of the moves of the toolpath."""
     rows = zip(program.lines(), program.source, strict=True)
     return [line.decode() for line, row in rows if row >= 0]
 
@@ -208,14 +208,14 @@ def test_leaving_the_oscillating_knife_stops_it_and_lifts_its_piston() -> None:
     assert lines[at + 1 : at + 6] == ["M65 P0", "M5", "T3 M6 G43", "M64 P2", "G4 P0.15"]
 
 
-def test_a_station_without_a_piston_and_a_machine_without_settling_say_nothing_of_them() -> None:
+def test_no_words_for_missing_pistons_and_settling_time() -> None:
     bare = replace(TABLE, stations=(replace(TABLE.stations[1], output=-1),), settle=0.0)
     text = process(toolpath(rapid(1, 1, station=2)), bare, "linuxcnc").text
     for word in (b"M64", b"M65", b"G4 ", b"M3"):
         assert word not in text
 
 
-def test_the_first_move_of_a_station_says_all_axes_although_nothing_changed() -> None:
+def test_the_first_move_of_a_station_has_words_for_all_axes() -> None:
     rows = [rapid(0, 0), feed(5, 0), rapid(5, 0), rapid(5, 0, station=2)]
     assert linuxcnc(*rows)[-1] == "G0 X5.0000 Y0.0000 Z20.0000 C0.0000"
     assert grblhal(*rows)[-1] == "G0 X65.0000 Y0.0000 Z18.5000 C0.0000"
@@ -261,13 +261,13 @@ def test_an_arc_is_consistent_with_its_rounded_ends() -> None:
     assert line == "G3 X10.0001 Y10.0000 C90.0000 I0.0000 J10.0000"
 
 
-def test_an_arc_to_the_right_is_g2_and_says_c_even_where_it_stays() -> None:
+def test_an_arc_to_the_right_is_g2_and_always_has_c() -> None:
     rows = [rapid(0, 0, c=30), feed(0, 0, c=30), feed(0, -20, c=30, bulge=-1)]
     assert linuxcnc(*rows)[-1] == "G2 X0.0000 Y-20.0000 C30.0000 I0.0000 J-10.0000"
     assert grblhal(*rows)[-1] == "G2 X0.0000 Y-20.0000 C30.0000 I0.0000 J-10.0000"
 
 
-def test_an_arc_that_climbs_says_z() -> None:
+def test_a_helical_arc_has_z() -> None:
     rows = [rapid(0, 0), feed(0, 0), feed(0, 20, z=0.7, c=180, bulge=1)]
     assert linuxcnc(*rows)[-1] == "G3 X0.0000 Y20.0000 Z0.7000 C180.0000 I0.0000 J10.0000"
 
@@ -298,7 +298,7 @@ def test_a_tiny_arc_becomes_a_line_or_a_turn_on_the_spot() -> None:
     assert turn == "G93 G1 C180.0000 F2400"
 
 
-def test_a_line_along_which_c_turns_goes_by_inverse_time() -> None:
+def test_a_line_with_a_turn_of_c_uses_inverse_time() -> None:
     # 60 mm at 24,000 mm/min are 1 / 400 of a minute.
     rows = [rapid(0, 0), feed(0, 0), feed(60, 0, c=10), feed(60, 30, c=10)]
     for lines in (linuxcnc(*rows), grblhal(*rows)):
@@ -318,7 +318,7 @@ def test_rapids_leave_inverse_time_too_and_a_run_never_ends_in_it() -> None:
     assert b"G93 G1 C90.0000 F400\nG94\nG0 Z20.0000\n" in text
 
 
-def test_the_feed_is_said_again_after_inverse_time_although_its_number_is_the_same() -> None:
+def test_the_feed_is_repeated_after_inverse_time() -> None:
     swivel = (1, Motion.SWIVEL, (0, 0, 20, 90), 0.0, 36000.0)
     slow = (1, Motion.FEED, (10, 0, 20, 90), 0.0, 400.0)
     lines = linuxcnc(rapid(0, 0), swivel, slow)
@@ -331,7 +331,7 @@ def test_the_end_lifts_the_last_tool_by_its_own_datum() -> None:
 
 
 def halts(*rows: Row) -> list[int]:
-    """The rows after which LinuxCNC must halt."""
+    """Return the rows after which LinuxCNC must stop exactly."""
     program = process(toolpath(*rows), TABLE, "linuxcnc")
     lines = program.lines()
     return [int(program.source[n - 1]) for n, line in enumerate(lines) if line == b"G4 P0"]
@@ -355,7 +355,7 @@ def test_linuxcnc_halts_between_arcs_that_bend_to_different_sides() -> None:
     assert halts(rapid(0, 0), feed(0, 0), *wave) == [1, 2]
 
 
-def test_linuxcnc_blends_where_slow_and_slight_bends_stay_within_its_share() -> None:
+def test_linuxcnc_blends_slow_and_slight_bends() -> None:
     # From a line into an arc of r = 1,000 mm at v: aside = (v² / a)² / 2r, a = 8,000 mm/s².
     # 5 micrometres of it, half the tolerance, come with 159.05 mm/s.
     c = np.degrees(4 * np.arctan(0.1))
@@ -367,12 +367,12 @@ def test_linuxcnc_blends_where_slow_and_slight_bends_stay_within_its_share() -> 
         assert halts(*rows) == expected
 
 
-def test_a_tool_turns_before_it_goes_down_but_rapids_flow_into_each_other() -> None:
+def test_a_tool_turns_before_it_goes_down_but_rapids_are_blended() -> None:
     rows = [rapid(0, 0), rapid(50, 50, c=90), rapid(50, 50, c=180), feed(50, 50, c=180)]
     assert halts(*rows) == [2]
 
 
-def test_a_drag_knife_swings_its_arc_in_the_time_of_its_turn() -> None:
+def test_a_drag_knife_swivels_at_its_swivel_feed() -> None:
     swing = (1, Motion.SWIVEL, (5.0, 5.0, -0.3, 90.0), QUARTER, 36000.0)
     for lines in (
         linuxcnc(rapid(0, 0, -0.3), swing),
@@ -424,7 +424,7 @@ def test_no_tolerance_is_refused_because_p0_means_no_limit(tolerance: float) -> 
         process(toolpath(rapid(1, 1)), TABLE, "linuxcnc", tolerance=tolerance)
 
 
-def test_notes_cannot_speak_to_a_controller() -> None:
+def test_notes_cannot_contain_commands() -> None:
     notes = [
         "(PY,import os)",
         "hold! now? ~",
@@ -446,7 +446,7 @@ def test_notes_cannot_speak_to_a_controller() -> None:
         ]
 
 
-def test_the_name_of_a_station_cannot_speak_either() -> None:
+def test_station_names_cannot_contain_commands() -> None:
     station = replace(TABLE.stations[0], name="knife)\nG0 Z-50 (PY,x")
     odd = replace(TABLE, stations=(station,))
     text = process(toolpath(rapid(1, 1)), odd, "linuxcnc").text.decode()
@@ -476,7 +476,7 @@ def test_the_name_of_a_station_cannot_speak_either() -> None:
     ],
 )
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_a_move_that_cannot_be_printed_is_refused_with_its_place(
+def test_a_move_that_cannot_be_written_is_refused_with_its_row(
     row: Row,
     words: str,
     dialect: str,
@@ -491,22 +491,22 @@ def test_no_moves_are_refused() -> None:
         process(empty, TABLE, "grblhal")
 
 
-def test_an_unknown_dialect_is_refused_with_those_that_there_are() -> None:
+def test_an_unknown_dialect_is_refused_with_the_known_ones() -> None:
     with pytest.raises(LibraryError, match=r"fanuc.*grblhal, .*linuxcnc"):
         process(toolpath(rapid(1, 1)), TABLE, "fanuc")
 
 
-def test_an_unknown_station_is_refused_with_those_that_there_are() -> None:
+def test_an_unknown_station_is_refused_with_the_known_ones() -> None:
     with pytest.raises(ProgramError, match=r"demo-table does not have\. Its stations are 1, 2, 3"):
         process(toolpath(rapid(1, 1, station=7)), TABLE, "grblhal")
 
 
-def test_a_station_that_begins_in_its_work_is_refused() -> None:
+def test_a_station_that_does_not_start_with_a_rapid_is_refused() -> None:
     with pytest.raises(ProgramError, match=r"Row 1 .* begins the work of station 2"):
         process(toolpath(rapid(1, 1), feed(2, 2, station=2)), TABLE, "linuxcnc")
 
 
-def test_a_rotating_cutter_is_refused_because_nothing_says_its_speed() -> None:
+def test_a_rotating_cutter_without_a_speed_is_refused() -> None:
     router = replace(TABLE.stations[0], tool=Cutter(3.0, 1000.0, 500.0))
     with pytest.raises(ProgramError, match="no spindle speed"):
         process(toolpath(rapid(1, 1)), replace(TABLE, stations=(router,)), "grblhal")
@@ -525,14 +525,14 @@ def test_a_router_turns_at_its_speed_before_it_goes_down_and_stops_after(dialect
     assert head.index(b"M5\n") < head.index(b"M64")
 
 
-def test_the_pause_of_the_pistons_stands_where_the_spindle_is_quicker() -> None:
+def test_the_longer_of_piston_and_spindle_time_is_used() -> None:
     router = Cutter(3.0, 1000.0, 500.0, speed=18000.0, spin_up=0.05)
     table = replace(TABLE, stations=(replace(TABLE.stations[0], tool=router),))
     text = process(toolpath(rapid(1, 1), feed(5, 1, -0.3)), table, "linuxcnc").text
     assert b"M3 S18000\nG4 P0.15\n" in text
 
 
-def test_a_line_that_grbl_cannot_read_is_refused() -> None:
+def test_a_line_too_long_for_grbl_is_refused() -> None:
     # A climbing arc with every number at its longest.
     rows = [
         rapid(-1234.5678, -1234.5678, c=-1080.1234),
@@ -556,7 +556,7 @@ steps = st.tuples(
 
 @settings(max_examples=60, deadline=None)
 @given(walk=st.lists(steps, min_size=1, max_size=20))
-def test_what_grbl_reads_is_the_toolpath_within_half_a_unit(
+def test_the_program_for_grbl_matches_the_toolpath_within_half_a_unit(
     walk: list[tuple[float, float, float, float, float, float]],
 ) -> None:
     rows = [rapid(*walk[0][:2], c=walk[0][3], station=2)]

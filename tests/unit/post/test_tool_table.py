@@ -23,6 +23,6 @@ def test_the_mounting_angle_and_a_negative_zero_are_written_plainly() -> None:
     assert "X0.0000 Y0.0000 Z0.0000 C-0.5000" in tool_table(odd)
 
 
-def test_a_name_stays_on_its_line() -> None:
+def test_a_name_is_written_on_one_line() -> None:
     odd = replace(TABLE, stations=(replace(TABLE.stations[0], name="knife\nT9 P9 X99"),))
     assert len(tool_table(odd).splitlines()) == 1

@@ -1,4 +1,4 @@
-"""Turns: C by the shorter way, the tip circle off the board, lifts no higher than they must be."""
+"""Turns: C takes the smaller angle, the tip circle clears the board, lifts are minimal."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ FACE = 2.0
 
 
 def dots(pose: F64, circle: TipCircle, count: int = 48) -> F64:
-    """Points of the tip circle by its drawing: an orthogonal triad about the leaning axis."""
+    """Return points of the tip circle, from an orthogonal triad about the tilted axis."""
     c, b = math.radians(pose[3]), math.radians(circle.tilt)
     ahead = np.array([math.cos(c), math.sin(c), 0.0])
     right = np.array([math.sin(c), -math.cos(c), 0.0])
@@ -71,7 +71,7 @@ def test_headings_come_back_before_the_limit() -> None:
 
 @pytest.mark.parametrize(("here", "goes"), [(700.0, 520.0), (-700.0, -520.0)])
 @pytest.mark.parametrize("off", [0.0, 1e-8, -1e-8])
-def test_at_exactly_half_a_turn_c_goes_away_from_its_limit(
+def test_c_turns_away_from_its_limit_at_exactly_half_a_turn(
     here: float, goes: float, off: float
 ) -> None:
     start = np.array([160.0 if here > 0 else -160.0]) + off
@@ -91,7 +91,7 @@ def test_tip_circles_come_from_the_tools_drawings() -> None:
     assert WHEEL.tip_circle(0.4).radius == pytest.approx(math.hypot(3.4409, 0.35), abs=1e-4)
 
 
-def test_a_bow_belongs_to_the_board_and_what_lies_beside_it_does_not() -> None:
+def test_the_board_ends_at_its_arcs() -> None:
     circle = TipCircle(1.0, 0.0, 0.0)
     # 28 mm from the bow's centre, at 45° 28 mm, 31.5 mm; a corner that the bow leaves free.
     xy = [(128, 30), (100 + 28 * 0.7071, 30 + 28 * 0.7071), (131.5, 30), (129, 59)]
@@ -99,7 +99,7 @@ def test_a_bow_belongs_to_the_board_and_what_lies_beside_it_does_not() -> None:
     np.testing.assert_allclose(interference(pose, circle, FACE, BOARD), [0.75, 0.75, 0.0, 0.0])
 
 
-def test_a_tip_that_swings_over_the_board_while_the_head_stands_beside_it_is_seen() -> None:
+def test_a_tip_that_swings_over_the_board_is_detected() -> None:
     # The tip's circle is 10 mm to the left of a head at x = -8: at C 90 at x = -18, at 270 at 2.
     circle = TipCircle(1.0, 10.0, 0.0)
     here = np.array([[-8.0, 30.0, 1.0, 90.0]])
@@ -109,7 +109,7 @@ def test_a_tip_that_swings_over_the_board_while_the_head_stands_beside_it_is_see
     assert turns_outside_board(here, quarter, circle, BOARD)[0]
 
 
-def test_a_way_across_the_board_is_not_clear_though_both_its_ends_are() -> None:
+def test_a_turn_across_the_board_is_not_free() -> None:
     circle = TipCircle(1.0, 0.0, 0.0)
     start = np.array([[-20.0, 30.0, 1.0, 0.0], [-20.0, -5.0, 1.0, 0.0], [-20.0, -5.0, 1.0, 0.0]])
     end = np.array([[150.0, 30.0, 1.0, 0.0], [150.0, -5.0, 1.0, 0.0], [150.0, 7.0, 1.0, 0.0]])
@@ -195,19 +195,19 @@ def _rest(circle: TipCircle) -> tuple[float, float]:
     return circle.aside, circle.tilt
 
 
-def test_a_tool_that_lies_down_is_not_lifted_along_itself() -> None:
+def test_a_nearly_flat_tool_cannot_be_lifted_along_its_axis() -> None:
     with pytest.raises(CompensationError, match=r"tilted by 89\.50°"):
         lift_clear(np.zeros((1, 4)), np.ones(1), TipCircle(1.0, 0.0, 89.5))
 
 
-def test_steps_of_a_turn_are_no_longer_than_asked() -> None:
+def test_steps_of_a_turn_are_within_their_limits() -> None:
     # 90° by 4° are 23 steps, 30 mm by 2 mm are 15: the same 23 for both.
     pose = interpolate_turn(np.zeros(4), np.array([30.0, 0.0, 0.0, 90.0]), 4.0, 2.0)
     assert len(pose) == 24
     np.testing.assert_allclose(pose[12], [30 * 12 / 23, 0, 0, 90 * 12 / 23])
 
 
-def test_a_full_retract_goes_up_along_and_down() -> None:
+def test_a_full_retract_goes_up_across_and_down() -> None:
     pose = np.array([[0, 0, 1, 0], [0, 0, 4, 0], [50, 0, 4, 90], [50, 0, 1, 90]], float)
     moves = [(Motion.LIFT, 6000.0, 1), (Motion.RAPID, 0.0, 1), (Motion.PLUNGE, 6000.0, 1)]
     path = toolpath(pose, moves, source=[0, -1, 1], track=[0, -1, 1])

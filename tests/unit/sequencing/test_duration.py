@@ -1,4 +1,4 @@
-"""Durations: worked by hand where that can be done, and against the simulated table."""
+"""Durations, compared with results worked out by hand and with the simulated table."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_a_short_rapid_is_a_triangle() -> None:
     assert duration(path((R, 50, 0, 0, 0, 0)), QUICK) == pytest.approx(0.158113883)
 
 
-def test_a_diagonal_has_both_axes_to_push_it() -> None:
+def test_both_axes_accelerate_a_diagonal() -> None:
     # √2 · 8000 along the way, 400 mm/s: 565.685/400 + 400/11313.7.
     expected = 565.685425 / 400.0 + 400.0 / 11313.70850
     assert duration(path((F, 400, 400, 0, 0, 24000)), QUICK) == pytest.approx(expected)
@@ -78,7 +78,7 @@ def test_a_swivel_has_its_feed_in_degrees() -> None:
     assert duration(turn, QUICK) == pytest.approx(0.1)
 
 
-def test_c_holds_back_an_arc_that_would_turn_it_too_fast() -> None:
+def test_c_limits_the_speed_of_an_arc() -> None:
     # A half circle of 100 mm turns C by 180° and would take 0.0785 · 10 s; C at 90°/s takes 2 s.
     slow = replace(QUICK, c=replace(QUICK.c, velocity=90.0))
     half = path((F, 0, 200, 0, 180, 24000), bulge=[1.0])
@@ -104,7 +104,7 @@ def test_linuxcnc_halts_where_c_begins_to_turn() -> None:
     assert linuxcnc > grbl + 0.015
 
 
-def test_rows_that_move_nothing_take_no_time_and_stop_nobody() -> None:
+def test_rows_without_motion_take_no_time_and_do_not_stop() -> None:
     still = path((F, 400, 0, 0, 0, 24000), (F, 400, 0, 0, 0, 24000), (F, 800, 0, 0, 0, 24000))
     seconds = durations(still, QUICK)
     assert seconds[1] == 0.0

@@ -1,4 +1,4 @@
-"""The order of tracks: greedy first, then shorter, always the same, never longer."""
+"""The order of tracks: shorter than greedy, and always the same."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ HOME = np.zeros(3)
 
 
 def tracks(seed: int, count: int, way: Reversal) -> tuple[F64, F64]:
-    """Strokes of 30 mm at every heading, and what they are from their far ends."""
+    """Return starts and ends of random tracks of 30 mm, run forwards and from their far ends."""
     random = np.random.default_rng(seed)
     start, azimuth = random.uniform(0, 800, (count, 2)), random.uniform(0, 360, count)
     end = start + 30.0 * np.column_stack([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
@@ -65,7 +65,7 @@ def test_a_link_takes_as_long_as_its_slowest_axis() -> None:
 
 @pytest.mark.parametrize("way", Reversal)
 @pytest.mark.parametrize("seed", range(6))
-def test_of_five_tracks_the_best_order_of_all_is_found(way: Reversal, seed: int) -> None:
+def test_the_best_order_of_five_tracks_is_found(way: Reversal, seed: int) -> None:
     entry, leave = tracks(seed, 5, way)
     order, flip = short_order(entry, leave, HOME, PACE, 360.0, way)
     sides = [(0,)] * 5 if way == Reversal.ONE else [(0, 1)] * 5
@@ -80,7 +80,7 @@ def test_of_five_tracks_the_best_order_of_all_is_found(way: Reversal, seed: int)
 @pytest.mark.parametrize("way", Reversal)
 @settings(deadline=None, max_examples=25)
 @given(seed=st.integers(0, 10_000), count=st.integers(1, 60))
-def test_every_track_comes_once_and_never_later_than_greedily(
+def test_every_track_comes_once_and_the_order_is_no_longer_than_greedy(
     way: Reversal, seed: int, count: int
 ) -> None:
     entry, leave = tracks(seed, count, way)
@@ -96,9 +96,7 @@ def test_every_track_comes_once_and_never_later_than_greedily(
 
 
 @pytest.mark.parametrize(("way", "share"), list(zip(Reversal, (0.93, 0.92, 0.92), strict=True)))
-def test_two_hundred_tracks_are_linked_well_faster_than_greedily(
-    way: Reversal, share: float
-) -> None:
+def test_links_of_two_hundred_tracks_are_faster_than_greedy(way: Reversal, share: float) -> None:
     entry, leave = tracks(1, 200, way)
     order, flip = short_order(entry, leave, HOME, PACE, 360.0, way)
     best = total(entry, leave, order, flip)
@@ -107,16 +105,14 @@ def test_two_hundred_tracks_are_linked_well_faster_than_greedily(
 
 
 @pytest.mark.parametrize(("way", "seconds"), list(zip(Reversal, (102, 90, 92.5), strict=True)))
-def test_a_thousand_tracks_are_linked_about_as_fast_as_they_ever_were(
-    way: Reversal, seconds: float
-) -> None:
+def test_links_of_a_thousand_tracks_keep_their_time(way: Reversal, seconds: float) -> None:
     # Greedily 117.6, 108.7 and 115.1 s.
     entry, leave = tracks(1, 1000, way)
     assert total(entry, leave, *short_order(entry, leave, HOME, PACE, 360.0, way)) < seconds
 
 
 @pytest.mark.parametrize("way", Reversal)
-def test_tracks_on_one_point_are_no_trouble(way: Reversal) -> None:
+def test_tracks_at_one_point_are_ordered(way: Reversal) -> None:
     entry = np.zeros((2, 40, 3))
     order, _ = short_order(entry, entry, HOME, PACE, 360.0, way)
     assert sorted(order) == list(range(40))

@@ -1,4 +1,4 @@
-"""One way through all tracks: order, links, headings, travel."""
+"""The joined toolpath: order of tracks, air moves, headings, travel."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def sequenced(*groups: tuple[LineType, F64], machine: Machine = MACHINE) -> Tool
     return sequence([compensate(operation) for operation in operations], machine)
 
 
-def test_the_way_begins_and_ends_parked() -> None:
+def test_the_toolpath_starts_and_ends_at_the_parking_position() -> None:
     path = sequenced((LineType.CUT, edges(((10, 10), (90, 10)))))
     np.testing.assert_array_equal(path.pose[0], [0, 0, 20, 0])
     np.testing.assert_array_equal(path.pose[-1], [0, 0, 20, 0])
@@ -75,7 +75,7 @@ def test_the_wheel_turns_by_less_than_a_quarter_between_creases() -> None:
     assert np.abs(np.diff(path.pose[:, 3]))[rapid].max() <= 90.0
 
 
-def test_c_stays_within_its_travel_though_the_work_winds_up() -> None:
+def test_c_stays_within_its_travel() -> None:
     squares = np.concatenate(
         [closed((x, 0), (x + 9, 0), (x + 9, 9), (x, 9)) for x in range(0, 400, 20)]
     )
@@ -84,7 +84,7 @@ def test_c_stays_within_its_travel_though_the_work_winds_up() -> None:
     assert path.pose[:, 3].max() <= 1080
 
 
-def test_c_unwinds_in_the_air_inside_a_track_too() -> None:
+def test_c_also_unwinds_in_the_air_within_a_track() -> None:
     # Sixty right angles to the left would be fifteen turns.
     size = np.arange(300.0, 0.0, -5.0)
     turns = np.array([[1, 0], [0, 1], [-1, 0], [0, -1]])[np.arange(60) % 4]
@@ -95,7 +95,7 @@ def test_c_unwinds_in_the_air_inside_a_track_too() -> None:
     assert (path.motion == Motion.FEED).sum() == 60
 
 
-def test_a_head_that_would_leave_the_machine_is_named() -> None:
+def test_the_error_names_the_head_that_would_leave_the_machine() -> None:
     narrow = replace(MACHINE, x=Axis(-500.0, 100.0, 1500.0, 8000.0))
     with pytest.raises(
         TravelExceeded, match=r"Wheel \(station 2\) would go 10\.00 mm above .* axis X"
@@ -103,8 +103,8 @@ def test_a_head_that_would_leave_the_machine_is_named() -> None:
         sequenced((LineType.CREASE, edges(((50, 10), (50, 90)))), machine=narrow)
 
 
-def test_nothing_to_do_is_said() -> None:
-    with pytest.raises(PlanError, match="Nothing in this drawing"):
+def test_a_job_without_work_is_refused() -> None:
+    with pytest.raises(PlanError, match="There is nothing to make in this drawing"):
         sequence([], MACHINE)
 
 
@@ -123,7 +123,7 @@ def test_a_crease_is_rolled_from_the_end_that_is_nearer() -> None:
         assert path.pose[row + 2, 2] > path.pose[row + 1, 2]
 
 
-def test_a_way_back_bends_the_other_way_and_keeps_the_wheel_on_the_tangent() -> None:
+def test_a_reversed_arc_has_the_opposite_bulge_and_a_tangent_wheel() -> None:
     # A half circle over (0, 50) … (100, 50), drawn from its far end: bulge 1 becomes -1.
     line = dieline((LineType.CREASE, edges(((100, 50), (0, 50)))), bulge={0: 1.0})
     path = sequence([compensate(plan(line, MACHINE, BOARD)[0])], MACHINE)
@@ -157,7 +157,7 @@ def test_a_slanted_blade_is_never_run_backwards() -> None:
         assert path.pose[row + 1, 0] < path.pose[row, 0]
 
 
-def test_an_upright_blade_is_and_turns_round_for_it() -> None:
+def test_an_upright_blade_is_run_backwards_and_turned() -> None:
     upright = replace(
         MACHINE,
         stations=(
@@ -173,7 +173,7 @@ def test_an_upright_blade_is_and_turns_round_for_it() -> None:
     np.testing.assert_allclose(np.cos(np.radians(path.pose[fed, 3])), way, atol=1e-9)
 
 
-def test_two_runs_give_the_same_way() -> None:
+def test_two_runs_give_the_same_toolpath() -> None:
     random = np.random.default_rng(3)
     ends = random.uniform(0, 500, (60, 2, 2))
     one, two = (sequenced((LineType.CREASE, ends)) for _ in range(2))
@@ -219,7 +219,7 @@ def test_a_knife_beside_the_board_is_lifted_off_the_mat() -> None:
     assert len(link) == 1
 
 
-def test_a_blade_so_wide_that_its_circle_would_dip_is_lifted_further_along_itself() -> None:
+def test_a_wide_tilted_blade_is_lifted_further_along_its_axis() -> None:
     wide = VCutter(back=4.0, half_width=6.0, tilt=45.0)
     machine = replace(MACHINE, stations=(replace(MACHINE.stations[2], tool=wide),))
     board = replace(BOARD, groove_overcut=20.0)

@@ -1,4 +1,4 @@
-"""Two heads on one beam: each has its own datum, and so its own reach."""
+"""Two heads on one beam: each has its own datum and its own limits."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ def travelled(kind: LineType, left: float, right: float) -> Toolpath:
     return sequence([compensate(plan(line, BEAM, BOARD)[0])], BEAM)
 
 
-def test_what_the_knife_reaches_on_the_left_the_v_cutter_does_not() -> None:
+def test_the_v_cutter_does_not_reach_the_left_edge() -> None:
     travelled(LineType.CUT, 10, 200)
     # Its tip at 10 on the way back, the head 1.5 further left: joint 10 - 1.5 - 60.
     with pytest.raises(TravelExceeded, match=r"V-cutter \(station 3\) would go 51\.50 mm below"):
         travelled(LineType.V_GROOVE, 10, 200)
 
 
-def test_what_the_v_cutter_reaches_on_the_right_the_knife_does_not() -> None:
+def test_the_knife_does_not_reach_the_right_edge() -> None:
     travelled(LineType.V_GROOVE, 300, 550)
     with pytest.raises(TravelExceeded, match=r"Knife \(station 1\) would go 47\.70 mm above"):
         travelled(LineType.CUT, 300, 550)

@@ -1,4 +1,4 @@
-"""hpgl: Hewlett-Packard's plotter language, as flat cutters with pen-like tools read it."""
+"""hpgl: Hewlett-Packard's plotter language, for flat cutters with pen-like tools."""
 
 from knifetip.languages.language import Language
 
@@ -9,7 +9,7 @@ LANGUAGE = Language(
     emitter="knifetip.post.hpgl:emit",
     reader="knifetip.verification.reading.hpgl:READER",
     timing="knifetip.sequencing.timing:no_halts",
-    # Open loop: no answer says what has been executed, and nothing stops what is buffered (ADR 27).
+    # Open loop: the device does not report progress and cannot be stopped (ADR 27).
     no_driver="Download the program and send it with the software of the cutter, where a person "
     "can stop it.",
     settings="knifetip.languages.hpgl.plotter:read_settings",

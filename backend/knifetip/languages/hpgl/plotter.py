@@ -1,8 +1,8 @@
-"""plotter: what a machine's file says of an HPGL device and its pens.
+"""plotter: the settings of an HPGL device and its pens in a machine's file.
 
     [controller] of a machine's TOML -> Plotter
 
-Facts only: the emitter and the judge's reader compute with them each in its own way.
+It contains data only: emitter and judge's reader share no computation.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ CM_PER_SECOND: Final = 600.0
 
 
 class Work(StrEnum):
-    """What a pen does: its pressure is set at the device, or by FS."""
+    """Kind of work of a pen; its force is set at the device or by FS."""
 
     CUT = "cut"  #: through the board
     HALF_CUT = "half-cut"
@@ -32,26 +32,26 @@ class Work(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Device:
-    """A plotter or cutter."""
+    """A type of plotter or cutter."""
 
     title: str
-    units: float  #: plotter units to a millimetre
-    area: tuple[int, int, int, int]  #: x0 y0 x1 y1 that it reaches (plotter units)
-    zero: tuple[float, float]  #: where unit 0, 0 lies on the table (mm)
-    pens: int  #: how many SP can select
-    speed: tuple[int, int] | None  #: least and greatest VS (cm/s); None: it has no VS
-    force: tuple[int, int] | None  #: least and greatest FS; None: it has no FS
-    comments: bool  #: reads CO
+    units: float  #: plotter units per millimetre
+    area: tuple[int, int, int, int]  #: x0 y0 x1 y1 of the reachable area (plotter units)
+    zero: tuple[float, float]  #: position of unit 0, 0 on the table (mm)
+    pens: int  #: number of pens that SP can select
+    speed: tuple[int, int] | None  #: least and greatest VS (cm/s); None if it lacks VS
+    force: tuple[int, int] | None  #: least and greatest FS; None if it lacks FS
+    comments: bool  #: whether it supports CO
 
 
 @dataclass(frozen=True, slots=True)
 class Pen:
-    """One of the device's tools, doing one kind of work."""
+    """A tool of the device for one kind of work."""
 
-    number: int  #: that SP selects
+    number: int  #: argument of SP
     station: int  #: number of the machine's station
     work: Work
-    force: int  #: FS; 0 where the device has none
+    force: int  #: argument of FS; 0 if the device lacks FS
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,10 +68,10 @@ def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
     Raises
     ------
     ValueError
-        The table is wrong, or the machine has what HPGL cannot express.
+        The table is invalid, or HPGL cannot drive such a machine.
     """
-    device = _device(fields.get("device", ""), machine)
-    pens = tuple(_pen(row, device) for row in fields.get("pen", ()))
+    device = _read_device(fields.get("device", ""), machine)
+    pens = tuple(_read_pen(row, device) for row in fields.get("pen", ()))
     numbers = [pen.number for pen in pens]
     if len(set(numbers)) != len(numbers):
         raise ValueError(f"pen numbers {numbers} must differ")
@@ -97,20 +97,22 @@ def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
 
 
 @cache
-def _devices() -> Mapping[str, Mapping[str, Any]]:
+def _shipped_devices() -> Mapping[str, Mapping[str, Any]]:
+    """Return the shipped devices by name."""
     text = (resources.files(__package__) / "devices.toml").read_text("utf-8")
     return tomllib.loads(text)
 
 
-def _device(value: Any, machine: Machine) -> Device:
+def _read_device(value: Any, machine: Machine) -> Device:
+    """Return the device of a name or of a table; raise ``ValueError`` if it is invalid."""
     if not isinstance(value, Mapping):
-        if value not in _devices():
-            known = ", ".join(sorted(_devices()))
+        if value not in _shipped_devices():
+            known = ", ".join(sorted(_shipped_devices()))
             raise ValueError(
                 f"controller.device is {value!r}: it is one of {known}, or a table with the same "
                 "fields"
             )
-        value = _devices()[value]
+        value = _shipped_devices()[value]
     units = float(value["units"])
     x0, y0, x1, y1 = (int(edge) for edge in value["area"])
     if not units > 0.0 or x0 >= x1 or y0 >= y1:
@@ -124,13 +126,14 @@ def _device(value: Any, machine: Machine) -> Device:
         area=(x0, y0, x1, y1),
         zero=(machine.width / 2.0, machine.height / 2.0) if centred else (0.0, 0.0),
         pens=int(value["pens"]),
-        speed=_range(value.get("speed"), "speed"),
-        force=_range(value.get("force"), "force"),
+        speed=_read_range(value.get("speed"), "speed"),
+        force=_read_range(value.get("force"), "force"),
         comments=bool(value.get("comments", False)),
     )
 
 
-def _range(value: Any, name: str) -> tuple[int, int] | None:
+def _read_range(value: Any, name: str) -> tuple[int, int] | None:
+    """Return the least and greatest value of a setting, None if it is absent."""
     if value is None:
         return None
     least, greatest = int(value[0]), int(value[1])
@@ -139,7 +142,8 @@ def _range(value: Any, name: str) -> tuple[int, int] | None:
     return least, greatest
 
 
-def _pen(row: Mapping[str, Any], device: Device) -> Pen:
+def _read_pen(row: Mapping[str, Any], device: Device) -> Pen:
+    """Return the pen of one row of the table; raise ``ValueError`` if it is invalid."""
     number, force = int(row["number"]), int(row.get("force", 0))
     if not 1 <= number <= device.pens:
         raise ValueError(f"pen {number}: {device.title} has pens 1 to {device.pens}")
@@ -158,6 +162,7 @@ def _pen(row: Mapping[str, Any], device: Device) -> Pen:
 
 
 def _check_station(station: Station, device: Device) -> None:
+    """Raise ``ValueError`` if HPGL cannot drive the tool of a station."""
     where = f"station {station.number}"
     tool = station.tool
     if kind_of(tool).engine not in (Engine.KNIFE, Engine.CREASE):
@@ -178,6 +183,7 @@ def _check_station(station: Station, device: Device) -> None:
 
 
 def _check_pen(pen: Pen, machine: Machine) -> None:
+    """Raise ``ValueError`` if the station of a pen does not exist or cannot do its work."""
     try:
         tool = machine.station(pen.station).tool
     except KeyError:

@@ -17,7 +17,7 @@ DIALECT: Final = Dialect(
     inverse_arcs=True,
     eager_outputs=True,
     comments=False,
-    # Its numbers are of 32 bits: at a radius of 16 m the last place is worth 0.002 mm.
+    # grbl computes with 32-bit floats: at a radius of 16 m their resolution is 0.002 mm.
     radius=16e3,
     line_limit=80,
     end="M30",

@@ -1,8 +1,8 @@
-"""tool_table: the stations of a machine as LinuxCNC's tool table.
+"""tool_table: write the stations of a machine as LinuxCNC's tool table.
 
-    Machine -> text of tool.tbl, what ``Tn M6 G43`` looks up
+    Machine -> text of tool.tbl, which ``Tn M6 G43`` reads
 
-LinuxCNC adds X Y Z C to the programmed position while G43 is in force: joint = programmed + datum.
+While G43 is active, LinuxCNC adds X Y Z C to the programmed position: joint = programmed + datum.
 """
 
 from __future__ import annotations
@@ -12,12 +12,13 @@ from knifetip.post.rs274 import gcode
 
 
 def tool_table(machine: Machine) -> str:
-    """Return LinuxCNC's tool table of a machine, one line to a station (mm and degrees)."""
-    # D is for the operator: programs never ask LinuxCNC for cutter compensation.
+    """Return LinuxCNC's tool table of a machine, one line per station (mm and degrees)."""
+    # D is information for the operator: programs never use cutter compensation of LinuxCNC.
     return "".join(
         f"T{station.number} P{station.number}"
-        f" X{gcode.plain(station.x)} Y{gcode.plain(station.y)} Z{gcode.plain(station.z)}"
-        f" C{gcode.plain(station.c)} D{gcode.plain(station.tool.diameter)}"
-        f" ;{gcode.comment(station.name)[1:-1]}\n"
+        f" X{gcode.format_number(station.x)} Y{gcode.format_number(station.y)}"
+        f" Z{gcode.format_number(station.z)}"
+        f" C{gcode.format_number(station.c)} D{gcode.format_number(station.tool.diameter)}"
+        f" ;{gcode.format_comment(station.name)[1:-1]}\n"
         for station in machine.stations
     )
