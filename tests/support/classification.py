@@ -1,4 +1,4 @@
-"""Small sheets for tests of classification, and what is read off the result."""
+"""Small drawings for tests of classification, and their results."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ BLANK = [*box(0, 0, 300, 200), (100, 0, 100, 200), (200, 0, 200, 200)]
 
 
 def text(x: float, y: float, words: str = "A") -> Inscription:
-    """Return a text of 4 mm at a place."""
+    """Return a text of 4 mm at a position."""
     return Inscription(words, x, y, 4.0, math.nan, "TEXT", "0")
 
 
@@ -70,12 +70,12 @@ def drawn(*parts: tuple[Sequence[Line], Style]) -> Drawing:
 
 
 def plain(layer: str = "0", colour: int = 7, linetype: str = "CONTINUOUS") -> Style:
-    """Return the style of a line about which the file says nothing else."""
+    """Return a style: black and continuous on layer 0 by default."""
     return layer, colour, linetype
 
 
 def seen(sheet: Drawing, profile: str = "default") -> Dieline:
-    """Return the sheet classified by a profile of the library."""
+    """Return the dieline of a drawing by a profile of the library."""
     return classify(sheet, load.profile(profile), load.conventions())
 
 

@@ -1,1 +1,1 @@
-"""Floor 2: the records that travel down the corridor, frozen columns that decide nothing."""
+"""Records that the stages exchange: frozen columns and values without behaviour of a stage."""

@@ -1,4 +1,4 @@
-"""Dieline: the drawing's edges, each with its line type and the rule that decided it."""
+"""Dieline: the edges of a drawing, each with its line type and the reason for it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from knifetip.messages import Message
 
 
 class LineType(IntEnum):
-    """What is to be done along an edge."""
+    """What an edge is made as."""
 
     UNCLASSIFIED = 0
     CUT = 1
@@ -25,12 +25,12 @@ class LineType(IntEnum):
 
     @property
     def word(self) -> str:
-        """The name used in files, in JSON and on the page: ``v-groove``, ``half-cut`` …"""
+        """Name in files, in JSON and on the page: ``v-groove``, ``half-cut`` …"""
         return self.name.lower().replace("_", "-")
 
     @classmethod
     def of(cls, word: str) -> LineType:
-        """Return the line type of a word.
+        """Return the line type with a name; case, ``-``, ``_`` and spaces do not matter.
 
         Raises
         ------
@@ -46,7 +46,7 @@ class LineType(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Dieline:
-    """n loose edges, still in drawing order."""
+    """n edges in the order of the drawing, not yet connected to paths."""
 
     ends: F64  #: (n, 2, 2) mm
     bulge: F64  #: (n,) tan(sweep / 4)
@@ -54,8 +54,8 @@ class Dieline:
     source: I32  #: (n,) row in Drawing
     rule: I32  #: (n,) index into ``rules``
     confidence: F64  #: (n,) 0 … 1
-    rules: tuple[Message, ...]  #: what decided, in words: ``layer "FOLDS"``, ``override`` …
-    #: what else an edge that a rule decided could be, the likeliest first; as long as ``rules``
+    rules: tuple[Message, ...]  #: reasons: ``layer "FOLDS"``, ``override`` …
+    #: for each of ``rules``, other line types of its edges, the likeliest first
     alternatives: tuple[tuple[LineType, ...], ...] = ()
 
     def __post_init__(self) -> None:

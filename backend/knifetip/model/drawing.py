@@ -1,4 +1,4 @@
-"""Drawing: what the file said, entity by entity, as loose segments in millimetres."""
+"""Drawing: the contents of a file as edges in millimetres, with the entity of each."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ NO_BOXES: Final = LocationBoxes(
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Ledger:
-    """One row for every entity of the file: nothing vanishes without a reason.
+    """The import report: one row for every entity of the file, with its outcome and the reason.
 
-    An entity inside an INSERT has the row of that INSERT's expansion: its handle is
-    ``INSERT/CHILD``, its kind the child's.
+    An entity inside a block has one row for each INSERT of the block: its handle is
+    ``INSERT/CHILD``, its kind that of the child.
     """
 
     handle: Sequence[str]  #: (m,) the file's handle, or ``#17`` (17th entity) where it has none
@@ -70,18 +70,18 @@ class Ledger:
 
 
 class Inscription(NamedTuple):
-    """Words on the sheet: what the drawing says of itself.  They are never cut."""
+    """A text or a dimension of the drawing.  Annotations are never worked."""
 
-    text: str  #: without codes of fonts and colours; of a dimension what stands for its measure
-    x: float  #: where the words stand (mm; file units while the unit is unknown)
+    text: str  #: without codes for fonts and colours; of a dimension, its text override
+    x: float  #: insertion point (mm; file units while the unit is unknown)
     y: float
-    height: float  #: of the letters, 0 where the file is silent
-    measure: float  #: the length that a dimension measures; NaN of all else, and of angles
+    height: float  #: of the letters, 0 where the file does not give it
+    measure: float  #: the length that a dimension measures; NaN for angles and all other kinds
     kind: str  #: TEXT, MTEXT, ATTRIB, DIMENSION …
     layer: str
 
     def scaled(self, divisor: float, factor: float) -> Inscription:
-        """Return the same words in another unit: every length divided, then multiplied."""
+        """Return the annotation in another unit: all lengths are divided, then multiplied."""
         if divisor == factor == 1.0:
             return self
         return Inscription(
@@ -97,23 +97,23 @@ class Inscription(NamedTuple):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Drawing:
-    """n segments, lines and arcs of at most half a turn, in the order of the file."""
+    """n edges in the order of the file: lines, and arcs of at most half a turn."""
 
     ends: F64  #: (n, 2, 2) mm; in file units while ``unit`` is empty
     bulge: F64  #: (n,) tan(sweep / 4), |bulge| ≤ 1
     entity: I32  #: (n,) row in ``ledger``
     layer: I32  #: (n,) index into ``layers``
-    colour: I32  #: (n,) AutoCAD colour index 1 … 255, BYLAYER and BYBLOCK resolved; 7 where silent
+    colour: I32  #: (n,) AutoCAD colour index 1 … 255, BYLAYER and BYBLOCK resolved; 7 by default
     true_colour: I32  #: (n,) 0xRRGGBB, -1 where there is none
     linetype: I32  #: (n,) index into ``linetypes``, BYLAYER resolved
     layers: tuple[str, ...]
     linetypes: tuple[str, ...]
     ledger: Ledger
-    unit: str  #: "mm", "cm", "m", "in", "ft"; empty while nobody has said it
-    evidence: Message  #: how the unit is known: "$INSUNITS = 4", "given", or why it is not
-    stated: str = ""  #: the unit that the file's header states, whatever was decided
-    inscriptions: tuple[Inscription, ...] = ()  #: those of the sheet itself, in file order
-    hints: tuple[UnitHint, ...] = ()  #: what else the header says that has to do with the unit
+    unit: str  #: "mm", "cm", "m", "in", "ft"; empty while it is unknown
+    evidence: Message  #: source of the unit: "$INSUNITS = 4", "given", or why it is unknown
+    stated: str = ""  #: the unit in the file's header, even if another one is used
+    inscriptions: tuple[Inscription, ...] = ()  #: those of model space, in file order
+    hints: tuple[UnitHint, ...] = ()  #: other entries of the header that concern the unit
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -128,23 +128,23 @@ class Drawing:
 
     @property
     def handles(self) -> list[str]:
-        """(n,) The handle of the entity that each segment came from."""
+        """(n,) The handle of each edge's entity."""
         every = list(self.ledger.handle)
         return [every[row] for row in self.entity.tolist()]
 
     @property
     def lengths(self) -> F64:
-        """(n,) Length along each segment (mm)."""
+        """(n,) Length of each edge (mm)."""
         return arc.length(self.ends[:, 0], self.ends[:, 1], self.bulge)
 
     @property
     def bounds(self) -> F64:
-        """(4,) x min, y min, x max, y max of all segments; zeros for an empty drawing."""
+        """(4,) x min, y min, x max, y max of all edges; zeros for an empty drawing."""
         return extents(self.ends, self.bulge)
 
 
 def extents(ends: F64, bulge: F64) -> F64:
-    """Return the box around segments, (4,): x min, y min, x max, y max; zeros for none."""
+    """Return the bounding box of edges, (4,): x min, y min, x max, y max; zeros for none."""
     if len(ends) == 0:
         return np.zeros(4)
     boxes = arc.bounds(ends[:, 0], ends[:, 1], bulge)

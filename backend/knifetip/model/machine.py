@@ -1,4 +1,4 @@
-"""Machine: its axes, its tool stations and where each stands."""
+"""Machine: its axes, and its tool stations with their datums."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from knifetip.model.tool import KINDS, Planner, Switching, Tool, kind_of
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """One axis: its travel and how fast it can go (mm or degrees, and seconds)."""
+    """One axis: its travel and its limits of speed (mm or degrees, and seconds)."""
 
     low: float  #: least joint position
     high: float  #: greatest joint position
@@ -20,7 +20,7 @@ class Axis:
 
 @dataclass(frozen=True, slots=True)
 class Station:
-    """A place on the beam that holds one tool.
+    """A place on the head that holds one tool.
 
     Joint position = programmed position + datum.
     """
@@ -32,15 +32,15 @@ class Station:
     y: float  #: datum (mm)
     z: float  #: datum (mm)
     c: float  #: mounting angle (degrees)
-    output: int  #: digital output of the piston that lowers the station; -1 where it has none
+    output: int  #: digital output of the piston that lowers the station; -1 for none
 
     @property
     def beams(self) -> bool:
-        """Whether its tool is switched on only while it cuts."""
+        """Whether its tool is switched on only while it cuts, like a laser."""
         return kind_of(self.tool).switching == Switching.CUT
 
     def planner(self, line_type: LineType) -> Planner:
-        """Return how its tool makes a line type that it makes."""
+        """Return the planner for a line type that its tool makes."""
         return kind_of(self.tool).planners[line_type]
 
 
@@ -58,37 +58,37 @@ class Machine:
     c: Axis
     stations: tuple[Station, ...]
     dialect: str  #: name of its controller's language
-    origin: tuple[float, float]  #: where a drawing's lower left corner is placed (mm)
-    travel_z: float  #: height of the tip for rapids, above the mat (mm)
+    origin: tuple[float, float]  #: position of a drawing's lower left corner (mm)
+    travel_z: float  #: height of the tip above the mat in air moves (mm)
     clearance: float  #: height of the tip above the board where plunging begins (mm)
-    into_mat: float  #: how deep a through cut goes into the mat (mm)
-    settle: float  #: seconds to wait after a piston or the oscillation is switched
-    feed: str = "manual"  #: how a sheet gets onto the table: ``manual`` or ``automatic``
-    controller: object = None  #: settings of the controller, as its language reads them
+    into_mat: float  #: depth of a through cut in the mat (mm)
+    settle: float  #: dwell after a piston or the oscillation is switched (s)
+    feed: str = "manual"  #: loading of sheets: ``manual`` or ``automatic``
+    controller: object = None  #: settings of the controller; their type depends on its language
 
     @property
     def outputs(self) -> tuple[int, ...]:
-        """All digital outputs, of pistons and of what the tools need besides, ascending."""
+        """All digital outputs of the pistons and of the tools, ascending."""
         pistons = {station.output for station in self.stations if station.output >= 0}
         others = {output for station in self.stations for output in station.tool.outputs}
         return tuple(sorted(pistons | others))
 
     @property
     def has_beam(self) -> bool:
-        """Whether a station holds a beam, which must be off for every rapid."""
+        """Whether a station holds a beam, which must be off in all air moves."""
         return any(station.beams for station in self.stations)
 
     @property
     def offset_cuts(self) -> bool:
-        """Whether cuts run beside their line, round corners of several types."""
+        """Whether cuts are offset from their line, so that corner types apply."""
         station = self.station_for(LineType.CUT)
         return station is not None and station.planner(LineType.CUT) == Planner.OFFSET_CUTS
 
     def station_for(self, line_type: LineType, caliper: float | None = None) -> Station | None:
-        """Return the station that makes a line type, None where there is none.
+        """Return the station for a line type, None if there is none.
 
-        Of several with one kind of tool it is the one that suits the board, if its caliper (mm) is
-        given.
+        Of several stations with one kind of tool, the tool that suits the board is chosen if the
+        board's caliper (mm) is given, and otherwise the first.
         """
         for kind in KINDS:
             held = [station for station in self.stations if type(station.tool) is kind.tool]

@@ -1,4 +1,4 @@
-"""Operation: one tool along many paths."""
+"""Operation: paths that one tool works with one line type."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from knifetip.model.tool import Tool
 
 
 class End(IntEnum):
-    """What an end of a path meets, and so where the tool must stop."""
+    """What lies at the end of a path, which decides where the tool must stop."""
 
-    FREE = 0  #: nothing: the tool must leave nothing past it
-    CONTINUED = 1  #: another path of the same tool goes on in the same direction
-    MEETS = 2  #: another cut: the tool may run over
-    CLOSED = 3  #: its own other end
-    BRIDGE = 4  #: a bridge that holds the part: the tool must leave it whole
+    FREE = 0  #: nothing: the tool must not work beyond it
+    CONTINUED = 1  #: another path of the same tool that continues in the same direction
+    MEETS = 2  #: another cut: the tool may work beyond the end
+    CLOSED = 3  #: the other end of the same path
+    BRIDGE = 4  #: a bridge that holds the part: the tool must not work it
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Operation:
-    """One tool along p paths, in sheet coordinates."""
+    """One tool on p paths, in sheet coordinates."""
 
     paths: Paths  #: p paths of n segments: the line that the tip must follow
     line_type: LineType
@@ -40,24 +40,24 @@ class Operation:
     plunge: float  #: mm/min
     swivel: float  #: degrees/min of C while the tool is in the board
     end_clearance: float  #: mm, for creases
-    overcut: float  #: the most that a V-groove's blade may run past its ends (mm)
+    overcut: float  #: greatest overcut of a V-groove's blade at its ends (mm)
     short_crease: str  #: "press" or "refuse"
     start: U8  #: (p,) End, where each path begins
     finish: U8  #: (p,) End, where it ends
     source: I32  #: (n,) row in Dieline
-    #: (p, 2) mm past start and end, off the board's edge; zeros unless given
+    #: (p, 2) length beyond start and end, past the edge of the board (mm); default 0
     run_out: F64 = field(default_factory=lambda: np.zeros((0, 2)))
-    side: int = 0  #: of the material that stays: +1 tool left of travel, -1 right, 0 on the line
-    corner: str = "B"  #: convex corners of a cutter: B, C, D or auto
-    k: float = 0.5  #: knob of the D type
-    #: (n,) knob at the corner where each segment begins; NaN for ``k``; all NaN unless given
+    side: int = 0  #: of the tool: +1 left of travel, -1 right, 0 on the line
+    corner: str = "B"  #: type of convex corners: B, C, D or auto
+    k: float = 0.5  #: parameter of type D
+    #: (n,) parameter of type D at the start of each segment; NaN for ``k``; default NaN
     k_at: F64 = field(default_factory=lambda: np.zeros(0))
-    #: (n,) the corner where each segment begins: index into ``corners.TYPES``, or ``AS_OTHERS``
+    #: (n,) corner type at the start of each segment: index into ``corners.TYPES``, or ``AS_OTHERS``
     corner_at: U8 = field(default_factory=lambda: np.zeros(0, np.uint8))
     acceleration: float = math.inf  #: of the slower of X and Y (mm/s²), for corners "auto"
-    interference: str = "trim"  #: leave uncut what a cutter cannot reach, or "refuse"
+    interference: str = "trim"  #: "trim" leaves uncut what a cutter cannot reach, or "refuse"
     deflection: tuple[float, float] = (0.0, 0.0)  #: δx, δy of a cutter under load (mm)
-    #: (k, 2) segment, and mm along it, of the middle of each bridge that a cutter leaves
+    #: (k, 2) segment, and position along it (mm), of the middle of each bridge
     bridges: F64 = field(default_factory=lambda: np.zeros((0, 2)))
     bridge_width: float = 0.0  #: of each of them (mm)
 

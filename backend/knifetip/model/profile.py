@@ -1,4 +1,4 @@
-"""LineRules: a classification profile, the customer's words for cut, crease and the rest."""
+"""LineRules: a classification profile, a customer's rules from styles to line types."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from knifetip.model.dieline import LineType
 
 @dataclass(frozen=True, slots=True)
 class LineRule:
-    """If everything that it names matches, the edge has its line type.
+    """A rule: edges that match all its conditions have its line type.
 
-    Patterns are shell globs, matched without regard to case; an empty tuple matches all.  A colour
-    is met by an index or by a true colour, whichever of the two the rule and the edge have.
+    Patterns are shell globs that ignore case; an empty tuple matches all edges.  The condition on
+    colour matches by colour index or by true colour.
     """
 
     line_type: LineType
@@ -25,7 +25,7 @@ class LineRule:
 
     @property
     def words(self) -> str:
-        """The rule in words, as the page shows it: ``layer "FOLDS", colour 3``."""
+        """The conditions as text: ``layer "FOLDS", colour 3``."""
         parts = []
         if self.layer:
             parts.append("layer " + " or ".join(f'"{name}"' for name in self.layer))
@@ -44,7 +44,7 @@ class LineRule:
 
 @dataclass(frozen=True, slots=True)
 class LineRules:
-    """The rules of a profile, in order: the first that matches decides."""
+    """The rules of a profile, in order: the first rule that matches an edge applies."""
 
     name: str
     title: str
@@ -53,8 +53,8 @@ class LineRules:
 
 @dataclass(frozen=True, slots=True)
 class ProposedRule:
-    """A rule that would have given what somebody corrected by hand, and contradicts nothing."""
+    """A rule that gives the user's overrides and contradicts no other edge."""
 
     rule: LineRule
-    explains: tuple[int, ...]  #: corrected rows that it covers
-    changes: tuple[int, ...]  #: further rows that it would decide, which nobody has yet
+    explains: tuple[int, ...]  #: overridden rows that it covers
+    changes: tuple[int, ...]  #: undecided rows that it would decide

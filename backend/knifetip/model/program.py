@@ -1,4 +1,4 @@
-"""Program: the controller's lines, and which row of the Toolpath each came from."""
+"""Program: the bytes for a controller, and the row of the toolpath for each line."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class Program:
 
     text: bytes  #: all lines, each ended by a newline
     dialect: str
-    source: I32  #: (lines,) row in Toolpath, -1 for lines that move nothing
+    source: I32  #: (lines,) row in Toolpath, -1 for lines without a move
 
     def __post_init__(self) -> None:
         count = self.text.count(b"\n")

@@ -1,4 +1,4 @@
-"""Question: what the machine will not guess."""
+"""Question: a decision that the user must make."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from knifetip.messages import Message, printable
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """Something that somebody must decide before anything is cut."""
+    """A decision that the user must make before a drawing can be compiled."""
 
     kind: str  #: "unit", "line-type" or "tool"
-    message: Message  #: the question, with the measures that help to answer it
+    message: Message  #: the question, with measures that help to answer it
     choices: tuple[str, ...]  #: possible answers
-    edges: tuple[int, ...] = ()  #: rows of the drawing that it is about
-    layer: str = ""  #: the layer that it is about, if it is about one
-    colour: int = 0  #: the colour index that it is about, 0 if none
+    edges: tuple[int, ...] = ()  #: rows of the drawing that it concerns
+    layer: str = ""  #: the layer that it concerns, "" for none
+    colour: int = 0  #: the colour index that it concerns, 0 for none
 
     @property
     def text(self) -> str:

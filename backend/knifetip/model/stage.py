@@ -28,4 +28,4 @@ Progress: TypeAlias = Callable[[Stage, float], None]
 
 
 def no_progress(_stage: Stage, _share: float) -> None:
-    """Report progress to nobody."""
+    """Ignore progress."""

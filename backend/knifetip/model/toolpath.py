@@ -1,4 +1,4 @@
-"""Toolpath: where the head goes, compensated."""
+"""Toolpath: moves of the head's axis after compensation."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from knifetip.geometry.columns import F64, I32, U8, frozen
 
 
 class Motion(IntEnum):
-    """What a move is for."""
+    """The purpose of a move."""
 
-    RAPID = 0  #: in the air, as fast as the machine can
+    RAPID = 0  #: air move at full speed
     PLUNGE = 1  #: down into the board
     LEAD_IN = 2
     FEED = 3  #: along an edge
-    SWIVEL = 4  #: C alone, tool in the board
+    SWIVEL = 4  #: rotation of C alone, with the tool in the board
     LEAD_OUT = 5
     LIFT = 6  #: up out of the board
 
@@ -26,9 +26,9 @@ class Motion(IntEnum):
 class Toolpath:
     """n moves between n + 1 poses of the head's axis (x, y, c) and the tool's tip (z).
 
-    Moves with ``track`` ≥ 0 belong together and keep their order; between tracks lie RAPIDs with
-    ``track`` -1.  Before ``sequence`` the tracks stand in drawing order and those RAPIDs are
-    only jumps, which ``sequence`` replaces.
+    Moves with the same ``track`` ≥ 0 form one track and keep their order; RAPIDs with ``track`` -1
+    connect the tracks.  Before sequencing the tracks are in drawing order, and these RAPIDs are
+    placeholders, which ``sequence`` replaces.
     """
 
     pose: F64  #: (n + 1, 4) x y z in mm, c in degrees, unwrapped
@@ -37,7 +37,7 @@ class Toolpath:
     feed: F64  #: (n,) mm/min along XYZ; degrees/min for a SWIVEL; 0 for RAPID
     source: I32  #: (n,) row in Dieline, -1 between edges
     tool: U8  #: (n,) station number
-    track: I32  #: (n,) which track, -1 between tracks
+    track: I32  #: (n,) number of the track, -1 between tracks
 
     def __post_init__(self) -> None:
         put = object.__setattr__

@@ -1,6 +1,6 @@
-"""words: columns of words that are as long as a file, and take no object for each row.
+"""words: columns of strings without one Python object for each row.
 
-names and numbers, or one text and where each word ends -> a sequence of words
+distinct strings and their numbers, or one text and the ends of its parts -> Sequence[str]
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from knifetip.geometry.columns import I32, I64
 
 
 class _Column(Sequence[str]):
-    """A sequence of words that is equal to any other of the same words."""
+    """A sequence of strings that compares equal to a tuple or list of the same strings."""
 
     @overload
     def __getitem__(self, row: int) -> str: ...
@@ -45,12 +45,12 @@ class _Column(Sequence[str]):
 
 
 class Repeated(_Column):
-    """m words, of which there are few: the number of each.
+    """m strings with few distinct values: each is an index into the distinct ones.
 
     Parameters
     ----------
     number : (m,)
-        Indices into ``names``, -1 for the last.
+        Indices into ``names``; -1 is the last.
     """
 
     def __init__(self, names: Sequence[str], number: I32) -> None:
@@ -73,7 +73,7 @@ class Repeated(_Column):
 
 
 def numbered(words: Sequence[str]) -> tuple[list[str], I32]:
-    """Return the words without repeats, and the number of each, (m,)."""
+    """Return the distinct strings, and the index of each string among them, (m,)."""
     number: dict[str, int] = {}
     if isinstance(words, Repeated):
         names = [number.setdefault(name, len(number)) for name in words.names]
@@ -83,14 +83,14 @@ def numbered(words: Sequence[str]) -> tuple[list[str], I32]:
 
 
 class Spelled(_Column):
-    """m words, each another: one text that holds them all.
+    """m mostly distinct strings, as slices of one text.
 
     Parameters
     ----------
     text
         UTF-8.
     end : (m,)
-        Where each word ends, and the next begins.
+        End of each string, which is the start of the next.
     """
 
     def __init__(self, text: bytes, end: I64) -> None:

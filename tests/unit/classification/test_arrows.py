@@ -1,4 +1,4 @@
-"""arrows: arrowheads are found, notches and corners are not."""
+"""Arrows are found, notches and corners are not."""
 
 from __future__ import annotations
 
@@ -18,45 +18,45 @@ def found(lines: Sequence[tuple[float, ...]], unit: float = 1.0) -> list[bool]:
     return seen
 
 
-#: A line of 50 mm with two heads of 3 mm, between two that it begins at and ends at.
+#: A shaft of 50 mm with two heads of 3 mm, between two extension lines.
 DIMENSION = [
     (0, 0, 50, 0), (0, 0, 3, 1), (0, 0, 3, -1), (50, 0, 47, 1), (50, 0, 47, -1),
     (0, 20, 0, -3), (50, 20, 50, -3),
 ]  # fmt: skip
 
 
-def test_a_dimension_is_its_line_its_heads_and_what_it_begins_at() -> None:
+def test_a_dimension_has_a_shaft_heads_and_extension_lines() -> None:
     assert found(DIMENSION) == [True] * 7
 
 
-def test_the_same_in_any_unit() -> None:
+def test_arrows_are_found_in_any_unit() -> None:
     inches = [tuple(value / 25.4 for value in line) for line in DIMENSION]
     assert found(inches, 1.0 / 25.4) == [True] * 7
 
 
-def test_a_crease_that_an_arrow_begins_at_is_no_arrow() -> None:
+def test_a_crease_at_the_tip_of_an_arrow_is_no_arrow() -> None:
     creases = [(0, 90, 0, -90), (50, 90, 50, -90)]
     assert found([*DIMENSION[:5], *creases]) == [True] * 5 + [False] * 2
 
 
-def test_a_head_drawn_as_a_triangle_counts_with_its_back() -> None:
+def test_a_triangular_head_includes_its_back() -> None:
     assert found([(0, 0, 50, 0), (0, 0, 3, 1), (0, 0, 3, -1), (3, 1, 3, -1)]) == [True] * 4
 
 
-def test_a_notch_at_the_end_of_a_crease_opens_the_other_way() -> None:
+def test_a_notch_at_the_end_of_a_crease_is_no_arrow() -> None:
     assert found([(0, 0, 50, 0), (0, 0, -3, 1), (0, 0, -3, -1)]) == [False] * 3
 
 
-def test_heads_of_two_lengths_or_angles_are_none() -> None:
+def test_sides_of_different_lengths_or_angles_are_no_head() -> None:
     assert found([(0, 0, 50, 0), (0, 0, 3, 1), (0, 0, 5, -1.7)]) == [False] * 3
     assert found([(0, 0, 50, 0), (0, 0, 3, 1), (0, 0, 2, -2.45)]) == [False] * 3
 
 
-def test_the_tip_of_a_flap_goes_on_in_the_outline() -> None:
+def test_the_tip_of_a_flap_is_no_arrow() -> None:
     flap = [(0, 0, 50, 0), (0, 0, 8, 4), (0, 0, 8, -4), (8, 4, 50, 30), (8, -4, 50, -30)]
     assert found(flap) == [False] * 5
 
 
-def test_an_arrow_drawn_twice_and_not_quite_alike_is_one_as_well() -> None:
+def test_an_arrow_drawn_twice_with_small_differences_is_found() -> None:
     again = [(47, 1.02, 50, 0.01), (3.01, -1, 0.02, 0), (50, 0, 0, 0)]
     assert found([*DIMENSION, *again]) == [True] * 10

@@ -1,4 +1,4 @@
-"""fusion: rules, shape, names and colours together, on blanks drawn by hand."""
+"""Decisions from rules, shape, names and colours together, on simple blanks."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def why(dieline: Dieline, row: int) -> str:
     return str(dieline.rules[dieline.rule[row]])
 
 
-def test_where_layers_mean_nothing_shape_cuts_the_outline_and_asks_about_the_rest() -> None:
+def test_with_meaningless_layers_shape_decides_the_outline_and_asks_the_rest() -> None:
     sheet = drawn((BLANK + FOLDS, plain()))
     dieline = seen(sheet)
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
@@ -36,19 +36,19 @@ def test_where_layers_mean_nothing_shape_cuts_the_outline_and_asks_about_the_res
 
 
 @pytest.mark.parametrize(("cut", "crease"), [(1, 5), (7, 1), (1, 3), (7, 3)])
-def test_the_house_whose_colours_fit_the_shape_decides(cut: int, crease: int) -> None:
+def test_the_convention_that_fits_the_shape_decides(cut: int, crease: int) -> None:
     dieline = seen(drawn((BLANK, plain(colour=cut)), (FOLDS, plain(colour=crease))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
     assert "fits: the outline closes, 2 of 2 dividing lines are folds" in why(dieline, 4)
     assert dieline.confidence[4] < dieline.confidence[0]
 
 
-def test_colours_of_no_house_are_asked() -> None:
+def test_colours_of_no_convention_are_asked() -> None:
     dieline = seen(drawn((BLANK, plain(colour=30)), (FOLDS, plain(colour=40))))
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
 
 
-def test_a_name_that_the_profile_does_not_know_and_shape_decide_together() -> None:
+def test_an_unknown_layer_name_and_shape_decide_together() -> None:
     dieline = seen(drawn((BLANK, plain("Découpe")), (FOLDS, plain("Plis (2)"))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
     assert 'its layer name contains "plis"' in why(dieline, 4)
@@ -56,13 +56,13 @@ def test_a_name_that_the_profile_does_not_know_and_shape_decide_together() -> No
     assert words(seen(drawn((FOLDS, plain("Plis (2)"))))) == ["unclassified"] * 2
 
 
-def test_a_name_that_denies_is_asked() -> None:
+def test_a_negated_name_is_asked() -> None:
     dieline = seen(drawn((BLANK, plain("NoCut")), (FOLDS, plain("CREASE"))))
     assert words(dieline) == ["unclassified"] * 4 + ["crease"] * 2
     assert dieline.alternatives[dieline.rule[0]][0] == LineType.CUT
 
 
-def test_cut_and_crease_exchanged_are_asked_with_what_shape_says_first() -> None:
+def test_swapped_cut_and_crease_are_asked_with_the_types_by_shape_first() -> None:
     sheet = drawn((BLANK, plain("CREASE")), (FOLDS, plain("CUT")))
     dieline = seen(sheet)
     assert words(dieline) == ["unclassified"] * 6
@@ -71,21 +71,21 @@ def test_cut_and_crease_exchanged_are_asked_with_what_shape_says_first() -> None
     assert [question.choices[0] for question in put] == ["cut", "crease"]
 
 
-def test_a_profile_whose_colours_are_another_houses_is_found_out() -> None:
+def test_a_profile_with_the_wrong_colours_is_detected() -> None:
     sheet = drawn((BLANK, plain(colour=7)), (FOLDS, plain(colour=1)))
     assert words(seen(sheet, "red-crease-black-cut")) == ["cut"] * 4 + ["crease"] * 2
     wrong = seen(sheet, "red-cut-blue-crease")
     assert words(wrong)[4:] == ["unclassified"] * 2
 
 
-def test_one_crease_on_the_outline_is_asked_and_the_others_stand() -> None:
+def test_one_crease_on_the_outline_is_asked_and_the_others_are_creases() -> None:
     dieline = seen(drawn((BLANK[1:], plain("CUT")), (BLANK[:1] + FOLDS, plain("CREASE"))))
     assert words(dieline) == ["cut"] * 3 + ["unclassified"] + ["crease"] * 2
     assert "the board ends there" in why(dieline, 3)
 
 
 def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts() -> None:
-    """What divides panels in the outline's style, where another style has the folds, is cut."""
+    """Dividers in the style of the outline are cuts if another style has the folds."""
     slit = [(150, 0, 150, 40)]
     across = [(100, 40, 200, 40)]
     dieline = seen(drawn((BLANK + slit, plain(colour=1)), (FOLDS + across, plain(colour=5))))
@@ -109,7 +109,7 @@ def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer
     assert words(named) == ["ignored"] * 4 + ["cut"] * 4 + ["crease"] * 2
 
 
-def test_rules_that_shape_does_not_contradict_keep_their_words_and_confidence() -> None:
+def test_rules_without_contradiction_keep_their_words_and_confidence() -> None:
     dieline = seen(drawn((BLANK + SLIT, plain("CUT")), (FOLDS, plain("CREASE"))))
     said = {str(rule) for rule in dieline.rules}
     assert said == {'profile default: layer "CUT"', 'profile default: layer "CREASE"'}

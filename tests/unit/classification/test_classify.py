@@ -1,4 +1,4 @@
-"""classify: a drawing made by hand, the rules that decide, and what is asked."""
+"""Line types by the rules of a profile, overrides, and questions."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def test_the_dieline_keeps_the_edges_of_the_drawing_in_their_order() -> None:
     np.testing.assert_array_equal(dieline.source, [0, 1, 2])
 
 
-def test_the_kind_of_entity_can_decide() -> None:
+def test_a_rule_may_match_the_kind_of_entity() -> None:
     sheet = side_by_side([("x", 3, "C"), ("x", 3, "C")], kinds=["CIRCLE", "LINE"])
     assert words(classify(sheet, RULES)) == ["ignored", "unclassified"]
 
@@ -94,7 +94,7 @@ def test_an_empty_drawing_has_an_empty_dieline_and_no_questions() -> None:
     assert list_questions(sheet, dieline) == []
 
 
-def test_a_rule_may_leave_a_name_to_be_asked() -> None:
+def test_a_rule_may_leave_edges_unclassified() -> None:
     rules = LineRules(
         "careful",
         "",
@@ -110,7 +110,7 @@ def test_a_rule_may_leave_a_name_to_be_asked() -> None:
     assert [question.layer for question in list_questions(sheet, dieline)] == ["NoCut"]
 
 
-def test_a_hundred_thousand_edges_get_what_their_combination_gets() -> None:
+def test_a_hundred_thousand_edges_have_the_type_of_their_style() -> None:
     n = 100_000
     rows = [("die", 1, "C"), ("die", 2, "C"), ("none", 9, "C"), ("none", 4, "C")] * (n // 4)
     dieline = classify(side_by_side(rows), RULES)
@@ -122,7 +122,7 @@ def test_a_hundred_thousand_edges_get_what_their_combination_gets() -> None:
 # ── overrides ────────────────────────────────────────────────────────────────────────────────────
 
 
-def test_an_override_comes_last_and_says_so() -> None:
+def test_an_override_comes_last_and_is_the_reason() -> None:
     dieline = classify(side_by_side([("die", 1, "C"), ("none", 9, "C"), ("die", 2, "C")]), RULES)
     given = np.array([LineType.V_GROOVE, LineType.CUT, NO_OVERRIDE], np.uint8)
     changed = apply_overrides(dieline, given)
@@ -136,7 +136,7 @@ def test_an_override_comes_last_and_says_so() -> None:
     assert words(dieline) == ["cut", "unclassified", "crease"]
 
 
-def test_overriding_twice_names_the_rule_once() -> None:
+def test_overriding_twice_adds_one_reason() -> None:
     dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     once = apply_overrides(dieline, np.array([LineType.CUT], np.uint8))
     twice = apply_overrides(once, np.array([LineType.CREASE], np.uint8))
@@ -185,7 +185,7 @@ def test_one_question_for_each_layer_colour_and_linetype() -> None:
     assert {q.kind for q in put} == {"line-type"}
 
 
-def test_a_question_says_how_many_how_long_and_where() -> None:
+def test_a_question_gives_number_length_and_position() -> None:
     assert asked(("b", 2, "C"), ("b", 2, "C")) == [
         '2 edges on layer "b", colour 2, linetype C, total length 20.0 mm, in a box of '
         "30.0 × 0.0 mm at (0.0, 0.0): what are they?"
@@ -237,7 +237,7 @@ def test_the_choices_are_all_line_types_but_unclassified() -> None:
         (("b", 2, "HIDDEN"), "crease"),
     ],
 )
-def test_a_telling_name_or_style_puts_its_answer_first(row: Style, first: str) -> None:
+def test_a_name_or_linetype_with_a_meaning_is_the_first_choice(row: Style, first: str) -> None:
     sheet = side_by_side([row, ("die", 1, "C")])
     (question,) = list_questions(sheet, classify(sheet, RULES))
     assert question.choices[0] == first
@@ -288,13 +288,13 @@ DEFAULT = {
     ("name", "kind"),
     [(name, kind) for kind, names in DEFAULT.items() for name in names.split()],
 )
-def test_the_default_knows_this_name_in_any_colour(name: str, kind: str) -> None:
+def test_the_default_matches_this_name_in_any_colour(name: str, kind: str) -> None:
     rows = [(name, colour, "CONTINUOUS") for colour in (1, 2, 3, 5, 7)]
     assert under("default", *rows) == [kind] * 5
 
 
 @pytest.mark.parametrize("name", ["Kiss Cut", "kiss cut"])
-def test_the_default_knows_names_of_two_words(name: str) -> None:
+def test_the_default_matches_names_of_two_words(name: str) -> None:
     assert under("default", (name, 7, "CONTINUOUS")) == ["half-cut"]
 
 
@@ -413,14 +413,14 @@ S, D = "CONTINUOUS", "DASHED"
         ("solid-cut-dashed-crease", {(9, S): "cut", (9, D): "crease"}),
     ],
 )
-def test_a_named_profile_reads_colours_its_own_way(
+def test_a_named_profile_has_its_own_colours(
     profile: str, expected: dict[tuple[int, str], str]
 ) -> None:
     assert under(profile, *[("0", *style) for style in expected]) == list(expected.values())
 
 
 @pytest.mark.parametrize("profile", load.names("profiles"))
-def test_in_every_profile_a_layer_that_says_what_it_is_outweighs_its_colour(
+def test_in_every_profile_a_meaningful_layer_name_outweighs_its_colour(
     profile: str,
 ) -> None:
     rows = [("CREASE", 1, S), ("CREASE", 7, S), ("CUT", 5, D), ("DIMENSION", 7, S)]

@@ -1,4 +1,4 @@
-"""apart: cuts that would part a panel from its blank, and slits that do not."""
+"""Cuts that would separate a panel from its blank, and slits that do not."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from tests.support.classification import drawn, plain, seen, words
 BOX = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 
 
-def test_a_cut_that_would_take_a_flap_off_is_asked() -> None:
+def test_a_cut_that_would_separate_a_flap_is_asked() -> None:
     """A glue flap of 30 mm on the left, its fold drawn on the layer of the cuts."""
     sheet = drawn(([*BOX, (30, 0, 30, 200)], plain("CUT")), ([(150, 0, 150, 200)], plain("CREASE")))
     dieline = seen(sheet)
@@ -17,13 +17,13 @@ def test_a_cut_that_would_take_a_flap_off_is_asked() -> None:
     assert "it would cut a panel off its blank" in question.text
 
 
-def test_a_slit_between_flaps_that_hang_on_their_creases_stands() -> None:
+def test_a_slit_between_flaps_attached_by_creases_is_cut() -> None:
     flaps = [(100, 150, 100, 200), (200, 150, 200, 200)]
     sheet = drawn((BOX + flaps, plain("CUT")), ([(0, 150, 300, 150)], plain("CREASE")))
     assert words(seen(sheet)) == ["cut"] * 6 + ["crease"]
 
 
-def test_a_hole_on_a_crease_may_fall_out() -> None:
+def test_a_hole_on_a_crease_is_cut() -> None:
     hole = [(140, 90, 160, 90), (160, 90, 160, 110), (160, 110, 140, 110), (140, 110, 140, 90)]
     folds = [(150, 0, 150, 90), (150, 110, 150, 200)]
     assert words(seen(drawn((BOX + hole, plain("CUT")), (folds, plain("CREASE"))))) == (

@@ -1,4 +1,4 @@
-"""classify, on drawings by other hands: which of them need no question, and which profile helps."""
+"""Classification of public drawings: which need no question, and which profile helps."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ RWLF = "generated__eridur-de__mightyscape-inkpacking/box_rwlf.dxf"
 
 
 def types_on(path: Path, profile: str) -> dict[tuple[str, int], set[str]]:
-    """The line types of each pair of layer and colour."""
+    """Return the line types of each pair of layer and colour."""
     drawing = read(path.read_bytes())
     dieline = classify(drawing, load.profile(profile))
     assert len(dieline) == len(drawing) > 0

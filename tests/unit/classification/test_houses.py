@@ -1,4 +1,4 @@
-"""Cartons as other houses draw them, read from their files: right or asked about, never wrong."""
+"""Cartons in the conventions of other companies: each edge is right or asked, never wrong."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""folding: which lines hold a panel, of a tray, a case and several at once."""
+"""Edges that must be folds, of a mailer, a case and several blanks."""
 
 from __future__ import annotations
 
@@ -9,44 +9,46 @@ from tests.support.cartons.kinds import crossed_case, mailer
 from tests.support.cartons.plan import Plan
 
 
-def held(plan: Plan) -> dict[str, list[bool]]:
-    """Return whether a panel hangs on each line, by what the line is."""
+def required_folds(plan: Plan) -> dict[str, list[bool]]:
+    """Return whether each line must be a fold, by the kind of line in the plan."""
     ends = np.array([((s.x0, s.y0), (s.x1, s.y1)) for s in plan.strokes])
-    seen = extract_shape_features(ends, np.array([s.bulge for s in plan.strokes]))
-    told: dict[str, list[bool]] = {}
-    for stroke, holds in zip(plan.strokes, seen.must_fold.tolist(), strict=True):
-        told.setdefault(stroke.part, []).append(holds)
-    return told
+    features = extract_shape_features(ends, np.array([s.bulge for s in plan.strokes]))
+    required: dict[str, list[bool]] = {}
+    for stroke, must_fold in zip(plan.strokes, features.must_fold.tolist(), strict=True):
+        required.setdefault(stroke.part, []).append(must_fold)
+    return required
 
 
-def test_every_flap_of_a_mailer_hangs_on_its_crease() -> None:
-    told = held(mailer(np.random.default_rng(1)))
-    assert told["crease"] == [True] * 14
-    assert not any([*told["outer"], *told["inner"]])
+def test_every_crease_of_a_mailer_must_be_a_fold() -> None:
+    required = required_folds(mailer(np.random.default_rng(1)))
+    assert required["crease"] == [True] * 14
+    assert not any([*required["outer"], *required["inner"]])
 
 
 def test_slits_between_the_flaps_of_a_case_are_left_open() -> None:
     # Of ten creases and slits that reach the rim only the glue flap's must be a fold.
-    told = held(crossed_case(np.random.default_rng(1)))
-    assert not any([*told["inner"], *told["outer"]])
-    assert sum(told["crease"]) == 4
+    required = required_folds(crossed_case(np.random.default_rng(1)))
+    assert not any([*required["inner"], *required["outer"]])
+    assert sum(required["crease"]) == 4
 
 
-def test_nothing_is_said_of_cases_that_share_a_cut() -> None:
+def test_no_folds_are_required_in_cases_that_share_a_cut() -> None:
     plan = crossed_case(np.random.default_rng(1))
     _, y0, _, y1 = plan.bounds
     plan.strokes += plan.moved(0.0, y1 - y0)
-    assert not any(holds for told in held(plan).values() for holds in told)
+    assert not any(
+        must_fold for required in required_folds(plan).values() for must_fold in required
+    )
 
 
-def test_a_card_of_two_panels_may_be_two_cards() -> None:
+def test_no_folds_are_required_in_a_card_of_two_panels() -> None:
     plan = Plan()
     plan.rectangle(0.0, 0.0, 100.0, 60.0, "outer")
     plan.line(50.0, 0.0, 50.0, 60.0, "crease")
-    assert held(plan)["crease"] == [False]
+    assert required_folds(plan)["crease"] == [False]
 
 
-def test_of_a_fold_with_slits_at_its_ends_only_the_middle_holds() -> None:
+def test_slits_at_the_ends_of_a_fold_are_no_folds() -> None:
     # Eight flaps round a base, the first with a lock: 6 mm slit, fold, 6 mm slit.
     plan = Plan()
     plan.polyline(
@@ -70,24 +72,24 @@ def test_of_a_fold_with_slits_at_its_ends_only_the_middle_holds() -> None:
         x += wide
     plan.line(0.0, 0.0, 0.0, 120.0, "outer")
     plan.line(x, 0.0, x, 120.0, "outer")
-    told = held(plan)
-    assert told["inner"] == [False, False]
-    assert told["crease"] == [True] * 5
+    required = required_folds(plan)
+    assert required["inner"] == [False, False]
+    assert required["crease"] == [True] * 5
 
 
-def test_the_strips_of_a_living_hinge_are_no_panels() -> None:
+def test_a_living_hinge_has_no_required_folds() -> None:
     plan = Plan()
     plan.rectangle(0.0, 0.0, 200.0, 60.0, "outer")
     for k in range(30):
         plan.line(50.0 + 3.0 * k, 0.0, 50.0 + 3.0 * k, 60.0, "inner")
-    assert not any(held(plan)["inner"])
+    assert not any(required_folds(plan)["inner"])
 
 
-def test_the_borders_on_a_map_are_no_folds() -> None:
+def test_the_borders_on_a_map_are_no_required_folds() -> None:
     # Six countries in a row, each border with a bend in it.
     plan = Plan()
     plan.rectangle(0.0, 0.0, 350.0, 60.0, "outer")
     for k in range(1, 7):
         at = 50.0 * k + k * k / 2.0
         plan.polyline([(at, 0.0), (at + 5.0, 30.0), (at, 60.0)], "inner", closed=False)
-    assert not any(held(plan)["inner"])
+    assert not any(required_folds(plan)["inner"])

@@ -1,4 +1,4 @@
-"""learn: what somebody's corrections teach, and what they do not."""
+"""Rules that are proposed for overrides, and overrides that yield none."""
 
 from __future__ import annotations
 
@@ -19,77 +19,77 @@ C = "CONTINUOUS"
 NONE = LineRules("none", "", ())
 
 
-def taught(
-    rows: list[tuple[str, int, str]], said: dict[int, LineType], profile: LineRules = NONE
+def proposals(
+    rows: list[tuple[str, int, str]], overridden: dict[int, LineType], profile: LineRules = NONE
 ) -> list[ProposedRule]:
     sheet = side_by_side(rows)
     overrides = np.full(len(rows), NO_OVERRIDE, np.uint8)
-    for row, kind in said.items():
+    for row, kind in overridden.items():
         overrides[row] = kind
     return propose_rules(sheet, classify(sheet, profile), overrides, profile)
 
 
-def test_the_layer_alone_is_the_rule_where_it_has_a_name() -> None:
+def test_a_layer_with_a_name_is_a_rule_by_itself() -> None:
     rows = [("Rille", 1, C), ("Rille", 1, C), ("other", 7, C)]
-    (one,) = taught(rows, {0: LineType.CREASE, 1: LineType.CREASE})
+    (one,) = proposals(rows, {0: LineType.CREASE, 1: LineType.CREASE})
     assert one.rule == LineRule(LineType.CREASE, layer=("Rille",))
     assert (one.explains, one.changes) == ((0, 1), ())
 
 
-def test_a_layer_that_means_nothing_is_named_with_its_colour() -> None:
+def test_a_meaningless_layer_is_combined_with_a_colour() -> None:
     rows = [("Design", 1, C), ("Design", 7, C)]
-    (one,) = taught(rows, {0: LineType.CREASE})
+    (one,) = proposals(rows, {0: LineType.CREASE})
     assert one.rule.words == 'layer "Design", colour 1'
 
 
-def test_edges_that_nobody_has_decided_are_counted_as_changed() -> None:
+def test_undecided_edges_are_listed_as_changes() -> None:
     rows = [("X", 1, C), ("X", 1, C), ("X", 1, C)]
-    (one,) = taught(rows, {0: LineType.CREASE})
+    (one,) = proposals(rows, {0: LineType.CREASE})
     assert (one.explains, one.changes) == ((0,), (1, 2))
 
 
-def test_what_was_left_as_it_is_may_not_be_contradicted() -> None:
-    """Layer X holds an edge that the profile cuts and nobody corrected: only the colour is left."""
+def test_rules_do_not_contradict_edges_without_override() -> None:
+    """Layer X has an edge that stays cut, so the rule must name the colour too."""
     rows = [("X", 1, C), ("X", 7, C)]
     profile = LineRules("own", "", (LineRule(LineType.CUT, layer=("X",)),))
-    (one,) = taught(rows, {0: LineType.CREASE}, profile)
+    (one,) = proposals(rows, {0: LineType.CREASE}, profile)
     assert one.rule.words == 'layer "X", colour 1'
 
 
-def test_what_attributes_cannot_tell_apart_teaches_nothing() -> None:
-    assert taught([("X", 1, C), ("X", 1, C)], {0: LineType.CREASE, 1: LineType.CUT}) == []
+def test_overrides_that_attributes_cannot_separate_yield_no_rule() -> None:
+    assert proposals([("X", 1, C), ("X", 1, C)], {0: LineType.CREASE, 1: LineType.CUT}) == []
 
 
 def test_one_colour_on_many_layers_is_one_rule() -> None:
     rows = [("a1", 1, C), ("b1", 1, C), ("d1", 1, C), ("e1", 7, C)]
-    (one,) = taught(rows, dict.fromkeys(range(3), LineType.CREASE))
+    (one,) = proposals(rows, dict.fromkeys(range(3), LineType.CREASE))
     assert one.rule == LineRule(LineType.CREASE, colour=(1,))
 
 
-def test_what_the_profile_says_already_is_not_proposed() -> None:
+def test_rules_of_the_profile_are_not_proposed() -> None:
     profile = LineRules("own", "", (LineRule(LineType.CUT, layer=("X",)),))
-    assert taught([("X", 1, C)], {0: LineType.CUT}, profile) == []
+    assert proposals([("X", 1, C)], {0: LineType.CUT}, profile) == []
 
 
-def test_two_types_make_two_rules_those_that_explain_most_first() -> None:
+def test_rules_that_explain_most_overrides_come_first() -> None:
     rows = [("a1", 1, C), ("b1", 3, C), ("b1", 3, C)]
-    first, second = taught(rows, {0: LineType.CUT, 1: LineType.CREASE, 2: LineType.CREASE})
+    first, second = proposals(rows, {0: LineType.CUT, 1: LineType.CREASE, 2: LineType.CREASE})
     assert (first.rule.line_type, first.explains) == (LineType.CREASE, (1, 2))
     assert (second.rule.line_type, second.explains) == (LineType.CUT, (0,))
 
 
-def test_a_layer_named_like_a_pattern_is_only_itself() -> None:
+def test_a_layer_named_like_a_pattern_matches_only_itself() -> None:
     rows = [("[CUT]*", 1, C), ("CUT x", 7, C)]
-    (one,) = taught(rows, {0: LineType.CREASE})
+    (one,) = proposals(rows, {0: LineType.CREASE})
     profile = LineRules("own", "", (one.rule,))
     assert classify(side_by_side(rows), profile).line_type.tolist() == [LineType.CREASE, 0]
 
 
-def test_what_was_learned_gives_what_was_corrected_when_it_is_put_first() -> None:
+def test_proposed_rules_give_the_overrides_when_they_come_first() -> None:
     rows = [("Design", colour, C) for colour in (1, 2, 3, 1, 2)]
     base = load.profile("default")
-    said = {0: LineType.CREASE, 1: LineType.CUT, 3: LineType.CREASE, 4: LineType.CUT}
-    found = taught(rows, said, base)
+    overridden = {0: LineType.CREASE, 1: LineType.CUT, 3: LineType.CREASE, 4: LineType.CUT}
+    found = proposals(rows, overridden, base)
     own = LineRules("own", "Ours", tuple(one.rule for one in found) + base.rules)
     assert classify(side_by_side(rows), own).line_type[[0, 1, 3, 4]].tolist() == [2, 1, 2, 1]
     again = load.parse_profile("own", tomllib.loads(load.profile_toml(own, "default")))

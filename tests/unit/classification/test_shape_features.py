@@ -1,4 +1,4 @@
-"""evidence: what shape alone tells of edges drawn by hand."""
+"""Roles and other features that edges have by their shape alone."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def test_a_closed_line_in_a_panel_is_a_hole_whether_lines_or_arcs() -> None:
     assert seen[6:] == [Role.HOLE] * 4 + [Role.SLOT] * 2
 
 
-def test_a_line_that_ends_in_a_panel_is_a_slit_and_one_that_touches_nothing_lies_free() -> None:
+def test_a_line_that_ends_in_a_panel_is_a_slit_and_an_isolated_one_is_free() -> None:
     seen = roles([*BLANK, (100, 50, 140, 50), (20, 50, 60, 50)])
     assert seen[6:] == [Role.SLIT, Role.FREE]
 
@@ -33,13 +33,13 @@ def test_a_line_outside_belongs_to_no_blank() -> None:
     assert roles([*BLANK, (0, -30, 300, -30)])[6:] == [Role.STRAY]
 
 
-def test_a_crease_that_stops_a_little_short_divides_all_the_same() -> None:
+def test_a_crease_that_ends_a_little_short_divides_panels() -> None:
     short = [*box(0, 0, 300, 200), (100, 0.7, 100, 199.3)]
     assert roles(short)[4] == Role.DIVIDER
     assert roles([*box(0, 0, 300, 200), (100, 3, 100, 197)])[4] == Role.FREE
 
 
-def test_a_row_of_dashes_divides_like_the_line_that_it_stands_for() -> None:
+def test_a_row_of_dashes_divides_panels() -> None:
     dashes = [(100.0, 9.0 * i, 100.0, 9.0 * i + 6.0) for i in range(22)]
     ends = np.array([*box(0, 0, 300, 198), *dashes], float).reshape(-1, 2, 2)
     seen = extract_shape_features(ends, np.zeros(len(ends)))
@@ -75,7 +75,7 @@ def test_a_small_closed_shape_outside_is_a_mark() -> None:
     assert roles([*BLANK, *box(-20, 0, -15, 5)])[6:] == [Role.MARK] * 4
 
 
-def test_an_outline_that_does_not_close_tells_nothing_of_the_creases_it_leaves() -> None:
+def test_creases_inside_an_open_outline_are_no_outline() -> None:
     """A tray whose outline lacks a piece: its creases close, and are no outline."""
     walls = [(-40, -40, 340, -40), (340, -40, 340, 240), (340, 240, -40, 240), (-40, 240, -40, 20)]
     creases = [*box(0, 0, 300, 200), (0, 0, 0, -40), (300, 0, 300, -40)]
@@ -90,13 +90,13 @@ def test_two_lines_close_together_are_a_pair() -> None:
     assert seen.paired.tolist() == [False] * 4 + [True, False, True]
 
 
-def test_edges_drawn_twice_are_what_they_would_be_once() -> None:
+def test_edges_drawn_twice_have_the_roles_of_single_ones() -> None:
     twice = [(x1, y1, x0, y0) for x0, y0, x1, y1 in BLANK]
     assert roles([*BLANK, *twice]) == roles(BLANK) * 2
 
 
 @pytest.mark.parametrize("turn", [0.3, 1.1, 2.0])
-def test_a_turned_blank_is_the_same_blank(turn: float) -> None:
+def test_a_rotated_blank_has_the_same_roles(turn: float) -> None:
     c, s = math.cos(turn), math.sin(turn)
     lines = [*BLANK, *box(20, 20, 40, 40), (100, 50, 140, 50)]
     turned = np.array(lines, float).reshape(-1, 2, 2) @ np.array([[c, s], [-s, c]])
@@ -104,13 +104,13 @@ def test_a_turned_blank_is_the_same_blank(turn: float) -> None:
     assert seen == roles(lines)
 
 
-def test_without_a_unit_tolerances_go_by_the_size_of_the_drawing() -> None:
+def test_without_a_unit_tolerances_are_relative_to_the_drawing() -> None:
     metres = np.array(BLANK, float).reshape(-1, 2, 2) / 1000.0
     seen = extract_shape_features(metres, np.zeros(len(BLANK)), unit_known=False)
     assert [Role(int(role)) for role in seen.role] == roles(BLANK)
 
 
-def test_edges_too_short_to_be_a_piece_go_with_the_one_before() -> None:
+def test_very_short_edges_have_the_role_of_the_previous_edge() -> None:
     steps = [(0.02 * i, 0.0, 0.02 * (i + 1), 0.0) for i in range(5)]
     lines = [(-100, 0, 0, 0), *steps, (0.1, 0, 200, 0), (200, 0, 200, 150), (200, 150, -100, 150),
              (-100, 150, -100, 0)]  # fmt: skip

@@ -1,4 +1,4 @@
-"""mirror: a line on the wrong layer gives itself away by its image."""
+"""A line on the wrong layer is detected by its mirror image."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ def test_a_cut_whose_mirror_image_is_a_crease_is_asked_with_it() -> None:
     assert "its mirror image is cut" in texts[1]
 
 
-def test_pairs_that_agree_are_left_alone() -> None:
+def test_equal_pairs_are_not_asked() -> None:
     for left, right in (("CUT", "CUT"), ("CREASE", "CREASE")):
         sheet = drawn((BOX, plain("CUT")), ([LEFT], plain(left)), ([RIGHT], plain(right)))
         assert "unclassified" not in words(seen(sheet))
 
 
-def test_a_blank_that_is_not_symmetrical_is_left_alone() -> None:
+def test_an_asymmetric_blank_is_not_asked() -> None:
     corner = [(100, 60, 200, 60), (100, 120, 0, 120), (200, 150, 300, 150), (30, 0, 30, 120)]
     sheet = drawn(
         ([*BOX, LEFT], plain("CUT")), ([RIGHT, *corner, (240, 0, 240, 150)], plain("CREASE"))

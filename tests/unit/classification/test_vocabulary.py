@@ -1,4 +1,4 @@
-"""words: names that say what they are, names that only seem to, and names that say nothing."""
+"""Names with a meaning, names that only resemble them, and names without meaning."""
 
 from __future__ import annotations
 
@@ -41,38 +41,38 @@ def test_names_are_understood_in_this_language(language: str) -> None:
     ],
 )
 def test_words_inside_a_name_are_found(name: str, kind: LineType) -> None:
-    said = name_meaning(name)
-    assert said.kind == kind
-    assert not said.denied
+    meaning = name_meaning(name)
+    assert meaning.kind == kind
+    assert not meaning.denied
 
 
 @pytest.mark.parametrize(
     "name", ["SCHNITTKANTEN", "SCHNITTLINIEN", "Faltmarken", "Cutout", "Rillit"]
 )
-def test_a_false_friend_is_not_the_word_that_it_looks_like(name: str) -> None:
+def test_a_false_friend_has_no_meaning(name: str) -> None:
     assert name_meaning(name).kind is None
 
 
 @pytest.mark.parametrize("name", ["NoCut", "no cut", "nicht schneiden", "не резать нож", "不切割"])
-def test_a_word_that_denies_is_heard(name: str) -> None:
+def test_a_negating_word_is_found(name: str) -> None:
     assert name_meaning(name).denied
 
 
-def test_two_meanings_are_none() -> None:
+def test_two_contradictory_words_have_no_meaning() -> None:
     assert name_meaning("cut dimensions").kind is None
 
 
 @pytest.mark.parametrize("name", ["0", "", "Layer 12", "Design", "Ebene 3", "Слой_1", "DEFAULT"])
-def test_names_that_say_nothing_are_known(name: str) -> None:
+def test_these_names_are_meaningless(name: str) -> None:
     assert is_meaningless(name)
 
 
 @pytest.mark.parametrize("name", ["CUT", "Kunde Meier", "die", "NoCut"])
-def test_other_names_say_something(name: str) -> None:
+def test_other_names_are_not_meaningless(name: str) -> None:
     assert not is_meaningless(name)
 
 
-def test_a_hostile_name_is_only_a_name() -> None:
+def test_a_hostile_name_has_no_meaning() -> None:
     assert name_meaning("\x00[" * 1000 + "\ud800").kind is None
 
 
@@ -94,5 +94,7 @@ def test_a_hostile_name_is_only_a_name() -> None:
         ("CRE", LineType.CREASE),
     ],
 )
-def test_a_word_for_the_whole_die_or_half_of_it_is_not_the_cut(name: str, kind: LineType) -> None:
+def test_words_for_the_whole_die_and_for_partial_cuts_are_not_cuts(
+    name: str, kind: LineType
+) -> None:
     assert name_meaning(name).kind == kind

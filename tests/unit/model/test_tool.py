@@ -1,4 +1,4 @@
-"""Kinds of tools: what the registry binds, and what the tools answer."""
+"""Kinds of tools: the registry, and the behaviour of each tool."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def number_for(table: Machine, line_type: LineType, caliper: float | None = None
     return station.number if station else None
 
 
-def test_a_row_of_the_registry_belongs_to_one_class_and_one_name() -> None:
+def test_each_row_of_the_registry_has_its_own_class_and_name() -> None:
     assert len({kind.name for kind in KINDS}) == len({kind.tool for kind in KINDS}) == len(KINDS)
     assert [kind_of(tool).name for tool in (KNIFE, WHEEL, V_CUTTER, CUTTER)] == [
         "knife",
@@ -42,7 +42,7 @@ def test_a_row_of_the_registry_belongs_to_one_class_and_one_name() -> None:
     ]
 
 
-def test_a_knife_cuts_where_there_is_one_and_else_a_router() -> None:
+def test_a_knife_is_preferred_to_a_router_for_cuts() -> None:
     both, router = machine(CUTTER, KNIFE), machine(WHEEL, CUTTER)
     assert number_for(both, LineType.CUT) == 2
     assert number_for(router, LineType.CUT) == 2

@@ -8,7 +8,7 @@ from knifetip.model.words import Repeated, Spelled
 LAYERS = ("CUT", "CREASE", "0")
 
 
-def test_words_that_repeat_are_kept_once_and_read_like_a_tuple() -> None:
+def test_a_column_of_distinct_strings_behaves_like_a_tuple() -> None:
     column = Repeated(LAYERS, np.array([0, 0, 1, -1], np.int32))
     assert column == ("CUT", "CUT", "CREASE", "0")
     assert list(column) == ["CUT", "CUT", "CREASE", "0"]
@@ -17,7 +17,7 @@ def test_words_that_repeat_are_kept_once_and_read_like_a_tuple() -> None:
     assert np.array(column, dtype=object).tolist() == ["CUT", "CUT", "CREASE", "0"]
 
 
-def test_words_in_one_text_are_parted_where_they_end() -> None:
+def test_a_column_of_one_text_is_split_at_the_ends() -> None:
     column = Spelled("A1#17ÄA1/B2".encode(), np.array([2, 5, 7, 12], np.int64))
     assert column == ("A1", "#17", "Ä", "A1/B2")
     assert list(column) == [column[row] for row in range(4)]
@@ -25,7 +25,7 @@ def test_words_in_one_text_are_parted_where_they_end() -> None:
     assert column != ("A1",)
 
 
-def test_there_is_no_word_behind_the_last() -> None:
+def test_an_index_past_the_end_is_an_error() -> None:
     column = Repeated(LAYERS, np.array([0], np.int32))
     assert len(column) == 1
     with pytest.raises(IndexError):

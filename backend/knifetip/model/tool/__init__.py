@@ -1,4 +1,4 @@
-"""tool: the kinds of tools, with their dimensions as the makers print them and their behaviour.
+"""tool: the kinds of tools, with their dimensions as manufacturers give them, and behaviour.
 
 All tools: ``feed`` and ``plunge`` are mm/min.
 """

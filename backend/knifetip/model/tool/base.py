@@ -1,4 +1,4 @@
-"""base: what every kind of tool answers, and the records that it answers with."""
+"""base: the interface of all tools, and the records that it returns."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from annotated_types import Ge, Gt
 
 from knifetip.messages import Message
 
-#: Limits of dimensions, which the library checks where it reads them.
+#: Limits of dimensions; the library checks them when it reads a machine's file.
 Positive: TypeAlias = Annotated[float, Gt(0)]
 NotNegative: TypeAlias = Annotated[float, Ge(0)]
 
 
 class Reversal(IntEnum):
-    """From which of its ends a track may be run."""
+    """From which of its ends a track may be worked."""
 
     ONE = 0  #: only from its start
-    EITHER = 1  #: from either end, and back along the same poses
-    SIDES = 2  #: from either end, and not along the same poses
+    EITHER = 1  #: from either end, with the same poses in reverse order
+    SIDES = 2  #: from either end, with other poses
 
 
 class Switching(StrEnum):
@@ -34,16 +34,16 @@ class Switching(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class TipCircle:
-    """The circle that holds every point of a tool's tip, about the tool's own axis."""
+    """Circle about the tool's own axis that contains every point of its tip."""
 
     radius: float  #: mm
-    aside: float  #: its centre, to the left of the head's axis (mm)
-    tilt: float  #: b, of the tool's axis from the vertical, to the right of travel (degrees)
+    aside: float  #: distance of its centre to the left of the head's axis (mm)
+    tilt: float  #: b, angle of the tool's axis from the vertical, to the right of travel (degrees)
 
 
 @dataclass(frozen=True, slots=True)
 class Footprint:
-    """What a tool takes of the board or presses, and where its tip lies: for a drawing of it.
+    """Shape of a tool's mark on the board, and position of its tip, for the page to draw.
 
     ``line``: no wider than its line.  ``disc``: ``radius`` about its tip.  ``groove``: sideways by
     ``slope`` per mm of depth, along ``blade``.  ``wheel``: a rim ``width`` wide on ``radius``.
@@ -60,7 +60,7 @@ class Footprint:
 
 
 class Tool(ABC):
-    """A tool of one kind: its dimensions, and what the stages ask about every tool.
+    """A tool: its dimensions, and the behaviour on which the stages depend.
 
     Subclasses are frozen dataclasses of dimensions.  A kind is registered as one row of
     ``knifetip.model.tool.KINDS``.
@@ -68,9 +68,9 @@ class Tool(ABC):
 
     __slots__: tuple[str, ...] = ()
 
-    #: After so many degrees of C the tool is the same again.
+    #: Period of the tool's symmetry about C (degrees).
     period: ClassVar[float] = 360.0
-    #: It gives way under load, by what the board's file says.
+    #: Whether it deflects under load, by the values in the board's file.
     yields: ClassVar[bool] = False
 
     # Declared for the type checker only: a dataclass would take a property for a field's default.
@@ -90,17 +90,17 @@ class Tool(ABC):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """From which ends its tracks may be run, and by how much C differs from the far one."""
+        """From which ends tracks may be worked, and the difference of C there (degrees)."""
         return Reversal.ONE, 0.0
 
     @property
     def spindle(self) -> int:
-        """S word while its spindle, oscillation or beam is on; 0 where it has none."""
+        """S word while its spindle, oscillation or beam is on; 0 if it has none."""
         return 0
 
     @property
     def fault(self) -> str:
-        """Why its dimensions do not fit together, or ""."""
+        """Why its dimensions are inconsistent, or ""."""
         return ""
 
     @property
@@ -115,7 +115,7 @@ class Tool(ABC):
 
     @property
     def pierce_time(self) -> float:
-        """Seconds that it stays where a cut begins before it moves on."""
+        """Dwell at the start of a cut (s)."""
         return 0.0
 
     @property
@@ -125,7 +125,7 @@ class Tool(ABC):
 
     @property
     def footprint(self) -> Footprint:
-        """What the page draws."""
+        """Shape of the tool's mark, for the page."""
         return Footprint()
 
     @property
@@ -139,7 +139,7 @@ class Tool(ABC):
         return {}
 
     def settle(self, usual: float) -> float:
-        """Return how long to wait after it is switched on (s); ``usual`` is the machine's."""
+        """Return the dwell after it is switched on (s); ``usual`` is the machine's."""
         return usual
 
     def clearance(self, usual: float) -> float:
@@ -148,6 +148,6 @@ class Tool(ABC):
 
     @classmethod
     def best_for(cls, held: Sequence[Tool], caliper: float) -> int:
-        """Return which of several tools of this kind suits a board; ``caliper`` in mm."""
-        del held, caliper  # one is as good as another
+        """Return the index of the tool of this kind that suits a board; ``caliper`` in mm."""
+        del held, caliper  # all are equally good
         return 0

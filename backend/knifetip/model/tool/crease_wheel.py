@@ -23,7 +23,7 @@ class CreaseWheel(Tool):
     plunge: Positive
 
     def contact(self, depth: float) -> float:
-        """Return s, half the length over which it touches the board at a depth (mm).
+        """Return s, half the length of its contact with the board at a depth (mm).
 
         Our derivation: s² = δ(2R − δ).
         """
@@ -52,9 +52,8 @@ class CreaseWheel(Tool):
     def best_for(cls, held: Sequence[Tool], caliper: float) -> int:
         """Return the wheel that suits a board.
 
-        The trade's rule: a rim at least as wide as the board is thick, so that the fold has room
-        for the board on its inside, and no wider than that needs; the widest where none is wide
-        enough.
+        The trade's rule: the narrowest rim that is at least as wide as the board is thick, so that
+        the inside of the fold has room for the board; the widest rim if none is wide enough.
         """
         rims = [wheel.width for wheel in held if isinstance(wheel, CreaseWheel)]
         enough = [rim for rim in rims if rim >= caliper - POINT]

@@ -12,7 +12,7 @@ from knifetip.messages import Message
 from knifetip.model.tool.base import NotNegative, Positive
 from knifetip.model.tool.disc import DiscTool
 
-#: More passes than this are a mistake in the tool's ``step``.
+#: Greatest number of passes; more are an error in the tool's ``step``.
 _MOST: Final = 200
 
 
@@ -39,15 +39,15 @@ class Cutter(DiscTool):
 
     @property
     def spindle_missing(self) -> Message | None:
-        """A cutter that does not turn does not cut."""
+        """Why it cannot cut: its speed is 0."""
         return None if self.spindle >= 1 else Message("tool.without-speed")
 
     def settle(self, usual: float) -> float:
-        """Return the time in which the spindle comes to its speed, if that is longer."""
+        """Return the time until the spindle has its full speed, if that is longer."""
         return max(usual, self.spin_up)
 
     def passes(self, through: float) -> F64:
-        """Return the depths of equal passes, none deeper at once than ``step``."""
+        """Return the depths of equal passes (mm), each at most ``step`` deeper than the last."""
         count = 1 if self.step == 0.0 else min(_MOST, int(np.ceil(through / self.step - 1e-9)))
         depths: F64 = through * np.arange(1, count + 1) / count
         return depths

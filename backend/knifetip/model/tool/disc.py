@@ -1,4 +1,4 @@
-"""disc: what removes a disc about its axis, a router or a beam."""
+"""disc: tools that remove a disc about their axis: routers and beams."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from knifetip.model.tool.base import Footprint, TipCircle, Tool
 
 
 class DiscTool(Tool):
-    """A tool that removes a disc of radius r: its centre runs r beside the line, in the waste."""
+    """A tool that removes a disc of radius r; its path is offset by r, on the waste side."""
 
     __slots__ = ()
 
@@ -24,30 +24,30 @@ class DiscTool(Tool):
 
         @property
         def lead(self) -> float:
-            """Straight way on which the offset is set up (mm); 0 for 1.5 r."""
+            """Length of the straight lead-in (mm); 0 for 1.5 r."""
 
         @property
         def approach(self) -> float:
-            """Of that way to the contour (degrees): 0 in line, −90 round outside."""
+            """Angle of the lead-in to the contour (degrees): 0 in line, −90 round outside."""
 
         @property
         def dwell(self) -> float:
-            """Longest touch of one corner before it burns (s); 0 for no limit."""
+            """Longest contact with one corner before it burns (s); 0 for no limit."""
 
     @property
     def set_up(self) -> float:
-        """Length of the straight way on which the offset is set up (mm), longer than r."""
+        """Length of the straight lead-in on which the offset starts (mm), greater than r."""
         return self.lead or 1.5 * self.radius
 
     @property
     def fault(self) -> str:
-        """A lead no longer than r has no room for the disc."""
+        """A lead-in no longer than r has no room for the disc."""
         if 0.0 < self.lead <= self.radius:
             return f"has a lead of {self.lead}, which must be more than the radius, or 0"
         return ""
 
     def passes(self, through: float) -> F64:
-        """Return the depth of the tip on each pass (mm), where ``through`` cuts the board."""
+        """Return the depth of each pass (mm); ``through`` is the depth of a through cut."""
         return np.array([through])
 
     def tip_circle(self, depth: float) -> TipCircle:

@@ -1,6 +1,6 @@
-"""kinds: the registry of tools: one row binds a kind to all that the stages do with it.
+"""kinds: the registry of tools: one row binds a kind to its planners and its engine.
 
-To add a kind, write its class and its row here, and what the judge expects of it in
+To add a kind, write its class and its row here, and its checks in
 ``knifetip.verification.tools``.
 """
 
@@ -21,7 +21,7 @@ from knifetip.model.tool.v_cutter import VCutter
 
 
 class Planner(StrEnum):
-    """How edges become operations: the functions are in ``planning.plan``."""
+    """Which function of ``planning.plan`` turns edges into operations."""
 
     CREASES = "creases"
     GROOVES = "grooves"
@@ -32,7 +32,7 @@ class Planner(StrEnum):
 
 
 class Engine(StrEnum):
-    """How an operation becomes the head's path: the functions are in ``compensation``."""
+    """Which function of ``compensation`` turns an operation into the path of the head."""
 
     KNIFE = "knife"
     CREASE = "crease"
@@ -44,14 +44,14 @@ class Engine(StrEnum):
 class Kind:
     """One kind of tool."""
 
-    name: str  #: in the files of machines and in REST
+    name: str  #: name in machines' files and in REST
     tool: type[Tool]
     planners: Mapping[LineType, Planner]  #: the line types that it makes
     engine: Engine
     switching: Switching = Switching.STATION
 
 
-#: Where a machine has several that make a line type, the first of these does.
+#: If several tools of a machine make a line type, the first in this order is used.
 KINDS: Final = (
     Kind(
         "knife",

@@ -17,8 +17,8 @@ class Knife(Tool):
 
     #: slant of the leading edge from the vertical (degrees)
     blade_angle: Annotated[float, Ge(0), Lt(80)]
-    blade_width: float  #: of the blade along the cut: a wrong heading widens the cut by it (mm)
-    swivel: float  #: a corner sharper than this is turned in the air (degrees)
+    blade_width: float  #: along the cut: a wrong heading widens the cut by it (mm)
+    swivel: float  #: swivel angle: corners sharper than this are turned above the board (degrees)
     feed: Positive
     plunge: Positive
     oscillating: bool = False
@@ -28,11 +28,11 @@ class Knife(Tool):
 
     @property
     def led(self) -> bool:
-        """Whether it begins or ends outer contours in the waste."""
+        """Whether outer contours have a lead-in or a lead-out in the waste."""
         return self.lead_in > 0.0 or self.lead_out > 0.0
 
     def lead(self, thickness: float) -> float:
-        """Return how far the top of the cut runs ahead of its bottom (mm) over a thickness (mm)."""
+        """Return the lead of the cut at the top over the bottom (mm) for a board thickness (mm)."""
         return thickness * math.tan(math.radians(self.blade_angle))
 
     def tip_circle(self, depth: float) -> TipCircle:
@@ -42,14 +42,14 @@ class Knife(Tool):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """A blade that slants or trails makes another cut the other way."""
+        """A slanted or trailing blade cuts differently in the other direction."""
         if self.blade_angle == 0.0 and self.trail == 0.0:
             return Reversal.EITHER, 180.0
         return Reversal.ONE, 0.0
 
     @property
     def spindle(self) -> int:
-        """The oscillation has one speed, but at S0 a controller takes M3 for off."""
+        """1 for an oscillating knife, although it has one speed: controllers treat M3 S0 as off."""
         return int(self.oscillating)
 
     @property

@@ -33,7 +33,7 @@ class Laser(DiscTool):
 
     @property
     def plunge(self) -> float:
-        """It does not plunge: the head moves at the height of the focus."""
+        """The feed: a laser does not plunge; the head stays at the height of the focus."""
         return self.feed
 
     @property
@@ -43,12 +43,12 @@ class Laser(DiscTool):
 
     @property
     def spindle_missing(self) -> Message | None:
-        """At S0 a controller takes M3 for off."""
+        """Why it cannot cut: controllers treat M3 S0 as off."""
         return None if self.spindle >= 1 else Message("tool.without-power")
 
     @property
     def pierce_time(self) -> float:
-        """Seconds that the beam stays where a cut begins."""
+        """Dwell at the start of a cut (s)."""
         return self.pierce
 
     @property
@@ -62,7 +62,7 @@ class Laser(DiscTool):
         return Footprint("disc", radius=self.radius, any_height=True)
 
     def clearance(self, usual: float) -> float:
-        """Return the height of the focus: between cuts it stays there."""
+        """Return the height of the focus, at which the tip stays between cuts."""
         del usual
         return self.focus
 

@@ -15,8 +15,8 @@ from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, T
 class VCutter(Tool):
     """A leaning blade that cuts one flank of a V-groove on each of two passes.
 
-    Seen from its tip the head's axis stands ``back`` to the right of travel and ``half_width``
-    ahead; the other end of the blade's edge is 2 ``half_width`` ahead of the tip.
+    From its tip, the head's axis lies ``back`` to the right of travel and ``half_width`` ahead.
+    The other end of the blade's edge is 2 ``half_width`` ahead of the tip.
     """
 
     back: Positive  #: d, tip to head axis, square to the edge (mm)
@@ -42,7 +42,7 @@ class VCutter(Tool):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The two flanks may be cut in either order: the groove begun at its other end."""
+        """The two flanks may be cut in either order, starting at either end of the groove."""
         return Reversal.SIDES, 0.0
 
     @property
