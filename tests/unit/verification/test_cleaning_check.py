@@ -1,4 +1,4 @@
-"""tidied: what cleaning must not do, done on purpose."""
+"""Errors of cleaning, made on purpose, and the findings about them."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ LINE = dieline(
 )
 
 
-def bent(made: Cleaned, **changes: Any) -> Cleaned:
+def with_changes(made: Cleaned, **changes: Any) -> Cleaned:
     return replace(made, dieline=replace(made.dieline, **changes))
 
 
-def told(made: Cleaned, line: Dieline = LINE) -> str:
+def findings_text(made: Cleaned, line: Dieline = LINE) -> str:
     return " ".join(finding.text for finding in check_cleaning(line, made))
 
 
@@ -39,11 +39,11 @@ def test_what_cleaning_does_is_accepted() -> None:
     assert check_cleaning(LINE, made) == []
 
 
-def test_an_edge_moved_by_two_hundredths_is_found_and_its_measure_told() -> None:
+def test_an_edge_moved_by_two_hundredths_is_found_with_its_measure() -> None:
     made = clean(LINE)
     ends = made.dieline.ends.copy()
     ends[1] += (0.02, 0.0)
-    findings = check_cleaning(LINE, bent(made, ends=ends))
+    findings = check_cleaning(LINE, with_changes(made, ends=ends))
     assert [finding.edge for finding in findings] == [1]
     assert findings[0].measure == pytest.approx(0.02)
 
@@ -52,15 +52,15 @@ def test_a_line_that_became_an_arc_is_found() -> None:
     made = clean(LINE)
     bulge = made.dieline.bulge.copy()
     bulge[1] = 0.001
-    assert "moved the edge by 0.0500 mm" in told(bent(made, bulge=bulge))
+    assert "moved the edge by 0.0500 mm" in findings_text(with_changes(made, bulge=bulge))
 
 
 def test_an_edge_that_is_ignored_is_found() -> None:
     made = clean(LINE)
     kinds = made.dieline.line_type.copy()
     kinds[2] = LineType.IGNORED
-    assert "Edge 2: Cleaning: the edge is cut and is worked as ignored" in told(
-        bent(made, line_type=kinds)
+    assert "Edge 2: Cleaning: the edge is cut and is worked as ignored" in findings_text(
+        with_changes(made, line_type=kinds)
     )
 
 
@@ -68,12 +68,12 @@ def test_a_cut_that_became_a_crease_is_found() -> None:
     made = clean(LINE)
     kinds = made.dieline.line_type.copy()
     kinds[1] = CREASE
-    assert "Edge 1: Cleaning: the edge is cut and is worked as crease" in told(
-        bent(made, line_type=kinds)
+    assert "Edge 1: Cleaning: the edge is cut and is worked as crease" in findings_text(
+        with_changes(made, line_type=kinds)
     )
 
 
-def test_an_edge_that_nobody_drew_is_found() -> None:
+def test_an_edge_that_was_not_drawn_is_found() -> None:
     made = clean(LINE)
     line = made.dieline
     more = replace(
@@ -85,33 +85,38 @@ def test_an_edge_that_nobody_drew_is_found() -> None:
         rule=np.append(line.rule, 0),
         confidence=np.append(line.confidence, 1.0),
     )
-    assert told(replace(made, dieline=more)) == "Edge 3: Cleaning: no part of the edge was drawn."
-
-
-def test_an_edge_drawn_out_is_found() -> None:
-    made = clean(LINE)
-    ends = made.dieline.ends.copy()
-    ends[1, 1] = (100, 103)
-    assert "Edge 1: Cleaning: the edge is worked where nothing was drawn" in told(
-        bent(made, ends=ends)
+    assert (
+        findings_text(replace(made, dieline=more))
+        == "Edge 3: Cleaning: no part of the edge was drawn."
     )
 
 
-def test_an_edge_cut_short_is_found() -> None:
+def test_a_lengthened_edge_is_found() -> None:
+    made = clean(LINE)
+    ends = made.dieline.ends.copy()
+    ends[1, 1] = (100, 103)
+    assert "Edge 1: Cleaning: the edge is worked where nothing was drawn" in findings_text(
+        with_changes(made, ends=ends)
+    )
+
+
+def test_a_shortened_edge_is_found() -> None:
     made = clean(LINE)
     ends = made.dieline.ends.copy()
     ends[1, 1] = (100, 99.9)
-    assert "Edge 1: Cleaning moved the edge by 0.1000 mm" in told(bent(made, ends=ends))
+    assert "Edge 1: Cleaning moved the edge by 0.1000 mm" in findings_text(
+        with_changes(made, ends=ends)
+    )
 
 
-def test_a_stretch_that_is_not_told_of_is_found() -> None:
+def test_a_stretch_without_a_record_is_found() -> None:
     made = clean(LINE)
     parts = made.stretches
     keep = np.arange(len(parts)) != np.flatnonzero(parts.row == 6)[-1]
     short = Stretches(
         parts.row[keep], parts.begin[keep], parts.end[keep], parts.cleaned[keep], parts.given[keep]
     )
-    assert "Edge 6: Cleaning: the stretches of the edge do not add up" in told(
+    assert "Edge 6: Cleaning: the stretches of the edge do not add up" in findings_text(
         replace(made, stretches=short)
     )
 
@@ -122,5 +127,5 @@ def test_an_edge_that_was_dropped_is_found() -> None:
     kinds = made.dieline.line_type.copy()
     kinds[1] = LineType.IGNORED
     gone = replace(parts, cleaned=np.where(parts.row == 1, -1, parts.cleaned))
-    lost = replace(bent(made, line_type=kinds), stretches=gone)
-    assert "Edge 1: Cleaning dropped 100.000 mm" in told(lost)
+    lost = replace(with_changes(made, line_type=kinds), stretches=gone)
+    assert "Edge 1: Cleaning dropped 100.000 mm" in findings_text(lost)

@@ -27,23 +27,23 @@ from tests.support.programs.handwritten import (
 )
 
 
-def judged(text: bytes) -> Verdict:
+def verdict_of(text: bytes) -> Verdict:
     return verify(text, DIELINE, PLACEMENT, MACHINE, BOARD)
 
 
-def found(old: str, new: str) -> list[Finding]:
+def findings_of(old: str, new: str) -> list[Finding]:
     """Findings of the hand-written program with one line changed."""
-    return list(judged(changed(LINUXCNC, old, new)).findings)
+    return list(verdict_of(changed(LINUXCNC, old, new)).findings)
 
 
-def told(kind: str, edge: int, findings: list[Finding]) -> Finding:
+def find_finding(kind: str, edge: int, findings: list[Finding]) -> Finding:
     chosen = [finding for finding in findings if (finding.kind, finding.edge) == (kind, edge)]
     assert len(chosen) >= 1, findings
     return chosen[0]
 
 
 def test_a_crease_that_stops_early_is_short_by_as_much() -> None:
-    finding = told("uncut", FOLD, found("G1 Y65.6000 F30000", "G1 Y64.7600 F30000"))
+    finding = find_finding("uncut", FOLD, findings_of("G1 Y65.6000 F30000", "G1 Y64.7600 F30000"))
     assert finding.measure == pytest.approx(0.84)
     assert finding.text == (
         "Edge 10, line 18: 0.840 mm of the edge are not creased, beginning 34.760 mm from its "
@@ -51,61 +51,59 @@ def test_a_crease_that_stops_early_is_short_by_as_much() -> None:
     )
 
 
-def test_a_crease_that_goes_on_too_far_is_past_where_it_should_stop() -> None:
-    verdict = judged(changed(LINUXCNC, "G1 Y65.6000 F30000", "G1 Y65.7000 F30000"))
-    finding = told("overcut", FOLD, list(verdict.findings))
+def test_a_crease_that_is_too_long_has_an_overcut() -> None:
+    verdict = verdict_of(changed(LINUXCNC, "G1 Y65.6000 F30000", "G1 Y65.7000 F30000"))
+    finding = find_finding("overcut", FOLD, list(verdict.findings))
     assert finding.measure == pytest.approx(0.1)
     # It still ends 0.1 before the edge does.
     assert verdict.overcut[FOLD] == 0.0
-    past = judged(changed(LINUXCNC, "G1 Y65.6000 F30000", "G1 Y66.0000 F30000"))
+    past = verdict_of(changed(LINUXCNC, "G1 Y65.6000 F30000", "G1 Y66.0000 F30000"))
     assert past.overcut[FOLD] == pytest.approx(0.2)
 
 
 @pytest.mark.parametrize(("z", "measure"), [("1.3940", 0.006), ("1.4060", 0.006)])
-def test_a_wheel_pressed_six_micrometres_too_deep_or_not_enough_is_found(
-    z: str, measure: float
-) -> None:
-    finding = told("depth", FOLD, found("G1 Z1.4000 F6000", f"G1 Z{z} F6000"))
+def test_a_wheel_six_micrometres_too_deep_or_too_shallow_is_found(z: str, measure: float) -> None:
+    finding = find_finding("depth", FOLD, findings_of("G1 Z1.4000 F6000", f"G1 Z{z} F6000"))
     assert finding.measure == pytest.approx(measure)
 
 
-def test_a_wheel_pressed_four_micrometres_too_deep_is_let_pass() -> None:
-    assert found("G1 Z1.4000 F6000", "G1 Z1.3960 F6000") == []
+def test_a_wheel_four_micrometres_too_deep_is_accepted() -> None:
+    assert findings_of("G1 Z1.4000 F6000", "G1 Z1.3960 F6000") == []
 
 
 def test_a_line_beside_its_edge_is_a_deviation() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0300").encode()
-    finding = told("deviation", SLIT, list(judged(text).findings))
+    finding = find_finding("deviation", SLIT, list(verdict_of(text).findings))
     assert finding.measure == pytest.approx(0.03)
     assert "The knife is 0.030 mm off the line" in finding.text
 
 
-def test_what_the_controller_rounds_is_added_to_what_is_measured() -> None:
+def test_the_rounding_of_the_controller_is_added_to_the_distance() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0040").encode()
-    assert judged(text).accepted
-    assert judged(text).deviation[SLIT] == pytest.approx(0.009)
+    assert verdict_of(text).accepted
+    assert verdict_of(text).deviation[SLIT] == pytest.approx(0.009)
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0060").encode()
-    finding = told("deviation", SLIT, list(judged(text).findings))
+    finding = find_finding("deviation", SLIT, list(verdict_of(text).findings))
     assert finding.measure == pytest.approx(0.011)
     wide = changed(LINUXCNC, "G64 P0.0050 Q0.0050", "G64 P0.0110 Q0.0050")
-    assert {finding.kind for finding in judged(wide).findings} == {"deviation"}
+    assert {finding.kind for finding in verdict_of(wide).findings} == {"deviation"}
 
 
 def test_work_far_from_every_edge_is_a_stray() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y38.0000").encode()
-    findings = list(judged(text).findings)
+    findings = list(verdict_of(text).findings)
     assert any(
         finding.kind == "stray" and "X40.000 Y38.000 of the sheet" in finding.text
         for finding in findings
     )
-    assert told("uncut", SLIT, findings).measure == pytest.approx(20.0)
+    assert find_finding("uncut", SLIT, findings).measure == pytest.approx(20.0)
 
 
-def test_a_knife_on_a_crease_is_a_stray_that_names_it() -> None:
+def test_a_knife_on_a_crease_is_a_stray_with_the_edge() -> None:
     text = knife_program(
         "G0 X90 Y34.4 Z20 C90", "G0 Z4", "G1 Z-0.3 F6000", "G1 Y60 F24000", "G1 Z4 F6000"
     )
-    strays = [finding for finding in judged(text).findings if finding.kind == "stray"]
+    strays = [finding for finding in verdict_of(text).findings if finding.kind == "stray"]
     assert "along edge 10, which is crease" in strays[0].text
 
 
@@ -113,28 +111,30 @@ def test_work_on_an_ignored_edge_is_a_stray() -> None:
     text = knife_program(
         "G0 X20 Y90 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", "G1 X60 F24000", "G1 Z4 F6000"
     )
-    strays = [finding for finding in judged(text).findings if finding.kind == "stray"]
+    strays = [finding for finding in verdict_of(text).findings if finding.kind == "stray"]
     assert "along edge 13, which is ignored" in strays[0].text
 
 
-def test_a_slit_must_stop_where_its_top_face_ends() -> None:
-    far = told("overcut", SLIT, found("G1 X59.5944 F24000", "G1 X60.0000 F24000"))
+def test_a_slit_must_stop_where_the_cut_in_the_top_face_ends() -> None:
+    far = find_finding("overcut", SLIT, findings_of("G1 X59.5944 F24000", "G1 X60.0000 F24000"))
     assert far.measure == pytest.approx(0.4056, abs=1e-4)
     assert "0.406 mm past where it should" in far.text
-    short = told("uncut", SLIT, found("G1 X59.5944 F24000", "G1 X59.5000 F24000"))
+    short = find_finding("uncut", SLIT, findings_of("G1 X59.5944 F24000", "G1 X59.5000 F24000"))
     assert short.measure == pytest.approx(0.0944, abs=1e-4)
 
 
 def test_a_cut_that_meets_another_must_run_over_by_its_slant() -> None:
-    assert judged(LINUXCNC).overcut[RUN_OUT] == pytest.approx(2.0 * math.tan(math.radians(10.0)))
+    assert verdict_of(LINUXCNC).overcut[RUN_OUT] == pytest.approx(
+        2.0 * math.tan(math.radians(10.0))
+    )
     for y, kind, measure in (("80.4527", "overcut", 0.1), ("80.2527", "uncut", 0.1)):
-        finding = told(kind, RUN_OUT, found("G1 Y80.3527 F24000", f"G1 Y{y} F24000"))
+        finding = find_finding(kind, RUN_OUT, findings_of("G1 Y80.3527 F24000", f"G1 Y{y} F24000"))
         assert finding.measure == pytest.approx(measure, abs=1e-4)
 
 
 def test_a_closed_contour_must_run_over_its_start() -> None:
     for x, past, measure in (("70.4527", "past", 0.1), ("70.2527", "short of", 0.1)):
-        findings = found("G1 X70.3527\n", f"G1 X{x}\n")
+        findings = findings_of("G1 X70.3527\n", f"G1 X{x}\n")
         assert [finding.kind for finding in findings] == ["overcut" if past == "past" else "uncut"]
         assert f"0.100 mm {past} where it should" in findings[0].text
         assert findings[0].measure == pytest.approx(measure, abs=1e-4)
@@ -143,10 +143,10 @@ def test_a_closed_contour_must_run_over_its_start() -> None:
 def test_a_contour_may_start_anywhere_on_itself() -> None:
     text = LINUXCNC.decode().replace("G0 X70.0000 Y20.0000 C0", "G0 X33.3000 Y20.0000 C0")
     text = text.replace("G1 X70.0000\nG1 X70.3527", "G1 X33.6527")
-    assert judged(text.encode()).accepted
+    assert verdict_of(text.encode()).accepted
 
 
-def test_a_contour_may_be_cut_the_other_way_round_with_the_corners_turned_in_the_air() -> None:
+def test_a_contour_may_be_cut_in_reverse_with_turns_above_the_board() -> None:
     drawn = dieline(
         (CUT, 0, 0, 40, 0, 0.0), (CUT, 40, 0, 40, 40, 0.0), (CUT, 40, 40, 0, 40, 0.0),
         (CUT, 0, 40, 0, 0, 0.0),
@@ -174,14 +174,14 @@ def test_a_groove_needs_both_its_passes() -> None:
         "G1 X38.5000 F12000\n"
         "G1 Y59.3000 Z4.0000 F3000\n"
     )
-    findings = found(back, "")
-    finding = told("uncut", GROOVE, findings)
+    findings = findings_of(back, "")
+    finding = find_finding("uncut", GROOVE, findings)
     assert finding.measure == pytest.approx(40.0)
     assert "not grooved from its end" in finding.text
 
 
 def test_the_blade_runs_past_both_ends_of_a_groove_by_its_width() -> None:
-    assert judged(LINUXCNC).overcut[GROOVE] == 3.0
+    assert verdict_of(LINUXCNC).overcut[GROOVE] == 3.0
     strict = replace(BOARD, groove_overcut=2.5)
     findings = verify(LINUXCNC, DIELINE, PLACEMENT, MACHINE, strict).findings
     assert [(finding.kind, finding.edge) for finding in findings] == [("overcut", GROOVE)]
@@ -193,14 +193,14 @@ def test_a_groove_whose_tip_is_mirrored_is_refused() -> None:
     text = LINUXCNC.decode()
     for old, new in (("Y40.7", "Y59.3"), ("Y44.0", "Y56.0")):
         text = text.replace(old, new)
-    kinds = {finding.kind for finding in judged(text.encode()).findings}
+    kinds = {finding.kind for finding in verdict_of(text.encode()).findings}
     assert {"stray", "uncut", "deviation"} <= kinds
 
 
 def test_a_half_cut_at_the_depth_of_a_cut_is_a_stray() -> None:
-    findings = found("G1 Z1.0000 F6000", "G1 Z-0.3000 F6000")
+    findings = findings_of("G1 Z1.0000 F6000", "G1 Z-0.3000 F6000")
     assert any("which is half-cut" in finding.text for finding in findings)
-    assert told("uncut", HALF, findings).measure == pytest.approx(40.0)
+    assert find_finding("uncut", HALF, findings).measure == pytest.approx(40.0)
 
 
 @pytest.mark.parametrize(
@@ -208,22 +208,22 @@ def test_a_half_cut_at_the_depth_of_a_cut_is_a_stray() -> None:
     # 3 mm of blade swing 0.01 mm at 2 arcsin(0.01 / 6) = 0.19099°.
     [(0.19, True), (0.192, False), (-0.19, True), (-0.192, False), (179.0, False)],
 )
-def test_a_knife_may_be_turned_off_its_line_by_as_much_as_swings_a_hundredth(
-    degrees: float, fine: bool
-) -> None:
+def test_a_knife_may_be_turned_until_it_swings_by_a_hundredth(degrees: float, fine: bool) -> None:
     text = LINUXCNC.decode().replace("Y70.0000 C90.0000\n", f"Y70.0000 C{90 + degrees:.4f}\n", 1)
-    findings = list(judged(text.encode()).findings)
+    findings = list(verdict_of(text.encode()).findings)
     if fine:
         assert findings == []
     else:
-        assert told("heading", RUN_OUT, findings).measure == pytest.approx(abs(degrees), abs=1e-3)
+        assert find_finding("heading", RUN_OUT, findings).measure == pytest.approx(
+            abs(degrees), abs=1e-3
+        )
 
 
-def test_a_wheel_is_the_same_from_both_sides() -> None:
-    assert found("Y34.4000 Z20.0000 C90.0000", "Y34.4000 Z20.0000 C-90.0000") == []
+def test_a_wheel_may_be_turned_by_half_a_turn() -> None:
+    assert findings_of("Y34.4000 Z20.0000 C90.0000", "Y34.4000 Z20.0000 C-90.0000") == []
     # Its contact of 4.2 mm swings 0.01 mm at 0.1364°.
-    findings = found("Y34.4000 Z20.0000 C90.0000", "Y34.4000 Z20.0000 C-89.8600")
-    assert told("heading", FOLD, findings).measure == pytest.approx(0.14)
+    findings = findings_of("Y34.4000 Z20.0000 C90.0000", "Y34.4000 Z20.0000 C-89.8600")
+    assert find_finding("heading", FOLD, findings).measure == pytest.approx(0.14)
 
 
 def test_a_short_crease_is_pressed_at_the_depth_that_fits() -> None:
@@ -243,7 +243,7 @@ def test_a_short_crease_is_pressed_at_the_depth_that_fits() -> None:
     assert {finding.kind for finding in pressed(depth, y=33.4).findings} == {"overcut", "uncut"}
 
 
-def test_creases_in_one_line_may_be_rolled_in_one_go_and_at_their_own_depths() -> None:
+def test_collinear_creases_may_be_rolled_together_or_at_their_own_depths() -> None:
     drawn = dieline((CREASE, 0, 0, 30, 0, 0.0), (CREASE, 60, 0, 30, 0, 0.0))
     back = math.sqrt(0.8 * 29.2) + 0.2
     text = wheel_program(
@@ -255,11 +255,11 @@ def test_creases_in_one_line_may_be_rolled_in_one_go_and_at_their_own_depths() -
     np.testing.assert_allclose(verdict.setback, [back, back], atol=1e-9)
 
 
-def test_a_perforation_is_cut_in_pieces_with_gaps() -> None:
+def test_a_perforation_has_cuts_and_gaps() -> None:
     drawn = dieline((LineType.PERFORATION, 0, 0, 18, 0, 0.0))
     lead = 2.3 * math.tan(math.radians(10.0))
 
-    def torn(pieces: list[tuple[float, float]]) -> Verdict:
+    def perforated(pieces: list[tuple[float, float]]) -> Verdict:
         lines = ["G0 Z4"]
         for begin, end in pieces:
             lines += [
@@ -269,9 +269,11 @@ def test_a_perforation_is_cut_in_pieces_with_gaps() -> None:
         text = knife_program("G0 X0 Y0 Z20 C0", *lines)
         return verify(text, drawn, (0.0, 0.0), MACHINE, BOARD)
 
-    assert torn([(0, 3), (5, 8), (10, 13), (15, 18)]).findings == ()
-    assert {f.kind for f in torn([(0, 3), (5, 8), (15, 18)]).findings} == {"uncut"}
-    assert {f.kind for f in torn([(0, 3), (5, 8), (10, 13.2), (15, 18)]).findings} == {"uncut"}
+    assert perforated([(0, 3), (5, 8), (10, 13), (15, 18)]).findings == ()
+    assert {f.kind for f in perforated([(0, 3), (5, 8), (15, 18)]).findings} == {"uncut"}
+    assert {f.kind for f in perforated([(0, 3), (5, 8), (10, 13.2), (15, 18)]).findings} == {
+        "uncut"
+    }
     # 18.5 less the lead is 0.0944 past the end, and the gap before 15.5 is 2.9 of at most 2.4.
-    past = torn([(0, 3), (5, 8), (10, 13), (15.5, 18.5)]).findings
+    past = perforated([(0, 3), (5, 8), (10, 13), (15.5, 18.5)]).findings
     assert {(f.kind, round(f.measure, 4)) for f in past} == {("overcut", 0.0944), ("uncut", 2.9056)}

@@ -1,4 +1,4 @@
-"""Rules for what the engines of issue 3 emit, each with a program worked out by hand."""
+"""Rules for grooves, creases and bridges, each with a program worked out by hand."""
 
 import math
 from dataclasses import replace
@@ -29,7 +29,7 @@ from tests.support.programs.handwritten import (
 GROOVE = LineType.V_GROOVE
 
 
-def judged(
+def verdict_of(
     text: bytes, drawn: Dieline, board: Board = BOARD, machine: Machine = MACHINE
 ) -> Verdict:
     return verify(text, drawn, (0.0, 0.0), machine, board)
@@ -42,7 +42,7 @@ def kinds(verdict: Verdict) -> set[tuple[str, int]]:
 # -- V-grooves: cutter d 6, r 1.5, 45°; 1.3 deep, so 2.6 wide at the top face, web 0.7
 
 
-def grooved(x0: float, x1: float, y: float, *depths: float, aside: float = 0.0) -> list[str]:
+def groove_passes(x0: float, x1: float, y: float, *depths: float, aside: float = 0.0) -> list[str]:
     """Return out and back along y from x0 to x1; ``aside`` moves the way out to the right."""
     lines = []
     for depth in depths:
@@ -63,30 +63,34 @@ def grooved(x0: float, x1: float, y: float, *depths: float, aside: float = 0.0) 
 INSIDE = dieline((GROOVE, 20, 30, 60, 30, 0.0))
 
 
-def test_the_width_the_web_and_the_flanks_of_a_groove_are_told() -> None:
-    verdict = judged(cutter_program(*grooved(20, 60, 30, 1.3)), INSIDE)
+def test_the_verdict_has_width_web_and_flanks_of_a_groove() -> None:
+    verdict = verdict_of(cutter_program(*groove_passes(20, 60, 30, 1.3)), INSIDE)
     assert verdict.findings == ()
     np.testing.assert_allclose(
         [verdict.width[0], verdict.web[0], verdict.flank[0]], [2.6, 0.7, 0.0], atol=1e-9
     )
 
 
-def test_a_flank_beside_its_place_widens_the_groove_by_as_much() -> None:
+def test_a_flank_error_widens_the_groove_by_the_same_length() -> None:
     # 0.004 to the right and 0.003 too deep: at 45° the flank is out by 0.007.
-    verdict = judged(cutter_program(*grooved(20, 60, 30, 1.303, aside=0.004)), INSIDE)
+    verdict = verdict_of(cutter_program(*groove_passes(20, 60, 30, 1.303, aside=0.004)), INSIDE)
     assert verdict.findings == ()
     np.testing.assert_allclose([verdict.flank[0], verdict.width[0]], [0.007, 2.61], atol=1e-9)
     # Each of 0.005 and 0.0049 is let pass by itself, and together they are 0.0109 in 0.01.
-    far = judged(cutter_program(*grooved(20, 60, 30, 1.3049, aside=0.006)), INSIDE).findings
+    far = verdict_of(
+        cutter_program(*groove_passes(20, 60, 30, 1.3049, aside=0.006)), INSIDE
+    ).findings
     assert any("flank comes out 0.0109 mm outside" in finding.text for finding in far)
 
 
 def test_a_groove_may_be_cut_in_passes_that_go_deeper() -> None:
-    assert judged(cutter_program(*grooved(20, 60, 30, 0.5, 1.0, 1.3)), INSIDE).findings == ()
-    back = judged(cutter_program(*grooved(20, 60, 30, 1.0, 0.5, 1.3)), INSIDE)
+    assert (
+        verdict_of(cutter_program(*groove_passes(20, 60, 30, 0.5, 1.0, 1.3)), INSIDE).findings == ()
+    )
+    back = verdict_of(cutter_program(*groove_passes(20, 60, 30, 1.0, 0.5, 1.3)), INSIDE)
     assert kinds(back) == {("depth", 0)}
     assert back.findings[0].measure == pytest.approx(0.5)
-    shallow = judged(cutter_program(*grooved(20, 60, 30, 0.5, 1.0)), INSIDE)
+    shallow = verdict_of(cutter_program(*groove_passes(20, 60, 30, 0.5, 1.0)), INSIDE)
     # At 45° flanks that are 0.3 less deep come out 0.3 further in.
     assert kinds(shallow) == {("depth", 0), ("deviation", 0)}
     assert shallow.flank[0] == pytest.approx(0.3)
@@ -101,7 +105,7 @@ BLANK = dieline(
 
 
 def groove_findings(x0: float, x1: float) -> list[Finding]:
-    verdict = judged(cutter_program(*grooved(x0, x1, 30, 1.3)), BLANK)
+    verdict = verdict_of(cutter_program(*groove_passes(x0, x1, 30, 1.3)), BLANK)
     return [finding for finding in verdict.findings if finding.edge == 4]
 
 
@@ -144,13 +148,13 @@ def test_where_grooves_must_run_out_and_where_not() -> None:
     np.testing.assert_allclose(asked.least, [0, 0, 0, 0, 0.78, 0.78, 0, 0], atol=1e-9)
 
 
-def test_a_curved_groove_is_refused_unless_the_board_lets_it_leave_its_arc() -> None:
+def test_a_curved_groove_is_refused_unless_the_board_allows_chords() -> None:
     # A chord of 40 over an arc with a sagitta of 0.1: bulge 0.1 / 20.
     drawn = dieline((GROOVE, 20, 30, 60, 30, 0.1 / 20.0))
-    text = cutter_program(*grooved(20, 60, 30, 1.3))
-    assert ("deviation", 0) in kinds(judged(text, drawn))
-    assert judged(text, drawn, replace(BOARD, groove_curve=0.11)).findings == ()
-    assert not judged(text, drawn, replace(BOARD, groove_curve=0.08)).accepted
+    text = cutter_program(*groove_passes(20, 60, 30, 1.3))
+    assert ("deviation", 0) in kinds(verdict_of(text, drawn))
+    assert verdict_of(text, drawn, replace(BOARD, groove_curve=0.11)).findings == ()
+    assert not verdict_of(text, drawn, replace(BOARD, groove_curve=0.08)).accepted
 
 
 # -- creases: R 15; across the grain 0.8 deep, so s = √(0.8 · 29.2) and 0.2 clear
@@ -158,7 +162,7 @@ def test_a_curved_groove_is_refused_unless_the_board_lets_it_leave_its_arc() -> 
 BACK = math.sqrt(0.8 * 29.2) + 0.2
 
 
-def rolled(*ways: tuple[float, float, float]) -> bytes:
+def rolled_creases(*ways: tuple[float, float, float]) -> bytes:
     lines = ["G0 C0"]
     for x0, x1, y in ways:
         lines += [f"G0 X{x0:.4f} Y{y:.4f}", "G0 Z4", "G1 Z1.2 F6000", f"G1 X{x1:.4f} F30000",
@@ -168,13 +172,13 @@ def rolled(*ways: tuple[float, float, float]) -> bytes:
 
 def test_a_double_crease_needs_both_its_lines() -> None:
     drawn, board = dieline((CREASE, 0, 0, 60, 0, 0.0)), replace(BOARD, double_crease=2.0)
-    both = judged(rolled((BACK, 60 - BACK, 1), (BACK, 60 - BACK, -1)), drawn, board)
+    both = verdict_of(rolled_creases((BACK, 60 - BACK, 1), (BACK, 60 - BACK, -1)), drawn, board)
     assert both.findings == ()
     assert both.setback[0] == pytest.approx(2 * BACK)
-    one = judged(rolled((BACK, 60 - BACK, 1)), drawn, board)
+    one = verdict_of(rolled_creases((BACK, 60 - BACK, 1)), drawn, board)
     assert kinds(one) == {("uncut", 0)}
     assert {"uncut", "deviation"} == {
-        f.kind for f in judged(rolled((BACK, 60 - BACK, 0)), drawn, board).findings
+        f.kind for f in verdict_of(rolled_creases((BACK, 60 - BACK, 0)), drawn, board).findings
     }
 
 
@@ -182,40 +186,40 @@ DASHES = dieline(*((CREASE, 20 * k, 0, 20 * k + 12, 0, 0.0) for k in range(4)))
 
 
 def test_dashes_may_be_rolled_as_one_crease() -> None:
-    assert judged(rolled((BACK, 72 - BACK, 0)), DASHES).findings == ()
+    assert verdict_of(rolled_creases((BACK, 72 - BACK, 0)), DASHES).findings == ()
     # One by one each keeps its own distance.
     alone = [(20 * k + BACK, 20 * k + 12 - BACK, 0.0) for k in range(4)]
-    assert judged(rolled(*alone), DASHES).findings == ()
+    assert verdict_of(rolled_creases(*alone), DASHES).findings == ()
     # Two are no dashes.
     two = dieline((CREASE, 0, 0, 30, 0, 0.0), (CREASE, 38, 0, 68, 0, 0.0))
-    assert not judged(rolled((BACK, 68 - BACK, 0)), two).accepted
+    assert not verdict_of(rolled_creases((BACK, 68 - BACK, 0)), two).accepted
     # A gap with a cut on it is a slot.
     slot = dieline(*((CREASE, 20 * k, 0, 20 * k + 12, 0, 0.0) for k in range(4)),
                    (CUT, 12, -5, 12, 5, 0.0))  # fmt: skip
-    assert ("stray", -1) in kinds(judged(rolled((BACK, 72 - BACK, 0)), slot))
+    assert ("stray", -1) in kinds(verdict_of(rolled_creases((BACK, 72 - BACK, 0)), slot))
     # And gaps of 19 between pieces of 12 are more than one and a half.
     wide = dieline(*((CREASE, 31 * k, 0, 31 * k + 12, 0, 0.0) for k in range(4)))
-    assert not judged(rolled((BACK, 105 - BACK, 0)), wide).accepted
+    assert not verdict_of(rolled_creases((BACK, 105 - BACK, 0)), wide).accepted
 
 
 def test_a_crease_drawn_twice_in_part_is_rolled_once() -> None:
     drawn = dieline((CREASE, 0, 0, 60, 0, 0.0), (CREASE, 100, 0, 57, 0, 0.0),
                     (CREASE, 0, 20, 50, 20, 0.0), (CREASE, 50, 20, 0, 20, 0.0))  # fmt: skip
-    verdict = judged(rolled((BACK, 100 - BACK, 0), (BACK, 50 - BACK, 20)), drawn)
+    verdict = verdict_of(rolled_creases((BACK, 100 - BACK, 0), (BACK, 50 - BACK, 20)), drawn)
     assert verdict.findings == ()
     np.testing.assert_allclose(verdict.setback, [BACK, BACK, 2 * BACK, 2 * BACK])
 
 
-def test_a_crease_that_a_cut_runs_through_keeps_off_it_on_both_sides() -> None:
+def test_a_crease_that_a_cut_crosses_has_clearance_on_both_sides() -> None:
     drawn = dieline((CREASE, 0, 0, 60, 0, 0.0), (CUT, 30, -20, 30, 20, 0.0))
-    kept = judged(rolled((BACK, 30 - BACK, 0), (30 + BACK, 60 - BACK, 0)), drawn)
+    kept = verdict_of(rolled_creases((BACK, 30 - BACK, 0), (30 + BACK, 60 - BACK, 0)), drawn)
     assert {finding.edge for finding in kept.findings} == {1}
     assert kept.setback[0] == pytest.approx(4 * BACK)
-    through = judged(rolled((BACK, 60 - BACK, 0)), drawn)
+    through = verdict_of(rolled_creases((BACK, 60 - BACK, 0)), drawn)
     assert ("overcut", 0) in kinds(through)
 
 
-def test_each_crease_is_judged_by_the_wheel_that_rolls_it() -> None:
+def test_each_crease_is_checked_for_the_wheel_that_rolls_it() -> None:
     # A second wheel of R 10 in station 4: s = √(0.8 · 19.2) = 3.9192.
     small = Station(4, "Small", CreaseWheel(10.0, 0.7, 30000.0, 6000.0), 0, 0, 0, 0, 3)
     machine = replace(MACHINE, stations=(*MACHINE.stations, small))
@@ -223,7 +227,7 @@ def test_each_crease_is_judged_by_the_wheel_that_rolls_it() -> None:
     back = math.sqrt(0.8 * 19.2) + 0.2
 
     def program(other: float) -> bytes:
-        first = rolled((BACK, 60 - BACK, 0)).replace(b"M65 P2\n", b"M65 P2\nM65 P3\n")
+        first = rolled_creases((BACK, 60 - BACK, 0)).replace(b"M65 P2\n", b"M65 P2\nM65 P3\n")
         change = f"""G0 Z20
 M65 P1
 T4 M6 G43
@@ -238,8 +242,8 @@ G0 Z20.0000
 M65 P3"""
         return first.replace(b"G0 Z20.0000\nM65 P1", change.encode())
 
-    assert judged(program(back), drawn, machine=machine).findings == ()
-    assert kinds(judged(program(BACK), drawn, machine=machine)) == {("uncut", 1)}
+    assert verdict_of(program(back), drawn, machine=machine).findings == ()
+    assert kinds(verdict_of(program(BACK), drawn, machine=machine)) == {("uncut", 1)}
 
 
 # -- bridges: the lead over 2.3 mm is 0.4056
@@ -252,7 +256,7 @@ LEAD = 2.3 * math.tan(math.radians(10.0))
 NICKED = replace(BOARD, bridge_width=0.5, bridge_spacing=110.0)
 
 
-def nicked(first: float = 30.0, second: float = 30.0, stop: float = 0.25) -> bytes:
+def square_with_bridges(first: float = 30.0, second: float = 30.0, stop: float = 0.25) -> bytes:
     """Return a square with bridges about ``first`` below and ``second`` above."""
     down, up = "G1 Z-0.3 F6000", "G1 Z4 F6000"
     return knife_program(
@@ -266,27 +270,27 @@ def nicked(first: float = 30.0, second: float = 30.0, stop: float = 0.25) -> byt
 
 
 def test_bridges_of_the_board_s_width_in_the_top_face_are_accepted() -> None:
-    verdict = judged(nicked(), SQUARE, NICKED)
+    verdict = verdict_of(square_with_bridges(), SQUARE, NICKED)
     assert verdict.findings == ()
     np.testing.assert_allclose(verdict.setback, [0.5 + LEAD, 0, 0.5 + LEAD, 0], atol=1e-3)
-    # Nobody else may leave one.
-    assert not judged(nicked(), SQUARE).accepted
+    # Without bridges in the board's settings none is allowed.
+    assert not verdict_of(square_with_bridges(), SQUARE).accepted
 
 
 @pytest.mark.parametrize(("stop", "kind"), [(0.2, "overcut"), (0.3, "uncut")])
 def test_a_bridge_too_narrow_or_too_wide_is_refused(stop: float, kind: str) -> None:
-    verdict = judged(nicked(stop=stop), SQUARE, NICKED)
+    verdict = verdict_of(square_with_bridges(stop=stop), SQUARE, NICKED)
     assert kinds(verdict) == {(kind, 0)}
     assert verdict.findings[0].measure == pytest.approx(0.05, abs=1e-3)
 
 
 def test_bridges_too_far_apart_too_near_a_corner_or_too_few_are_refused() -> None:
     # Half way round is 100: moved by 12 mm each the longer way is 124.
-    far = judged(nicked(18.0, 42.0 + 0.0), SQUARE, NICKED).findings
+    far = verdict_of(square_with_bridges(18.0, 42.0 + 0.0), SQUARE, NICKED).findings
     assert far == ()
-    wide = judged(nicked(18.0, 18.0), SQUARE, NICKED)
+    wide = verdict_of(square_with_bridges(18.0, 18.0), SQUARE, NICKED)
     assert any("124.000 mm to the next" in finding.text for finding in wide.findings)
-    corner = judged(nicked(4.0, 56.0), SQUARE, NICKED)
+    corner = verdict_of(square_with_bridges(4.0, 56.0), SQUARE, NICKED)
     assert kinds(corner) == {("deviation", 0), ("deviation", 2)}
     assert corner.findings[0].measure == pytest.approx(5.25 - 4.0, abs=1e-3)
     none = knife_program(
@@ -295,8 +299,8 @@ def test_bridges_too_far_apart_too_near_a_corner_or_too_few_are_refused() -> Non
         "G1 X0 F24000", "G1 Z4 F6000", "G0 C270", "G1 Z-0.3", "G1 Y0 F24000", "G1 Z4 F6000",
         "G0 C360", "G1 Z-0.3", "G1 X30.3527 F24000", "G1 Z4 F6000",
     )  # fmt: skip
-    assert judged(none, SQUARE).findings == ()
-    assert "0 bridges hold the part" in judged(none, SQUARE, NICKED).findings[0].text
+    assert verdict_of(none, SQUARE).findings == ()
+    assert "0 bridges hold the part" in verdict_of(none, SQUARE, NICKED).findings[0].text
 
 
 # -- cuts drawn over each other
@@ -308,7 +312,7 @@ def test_a_slit_drawn_twice_is_cut_once(again: tuple[int, int, int, int]) -> Non
     text = knife_program(
         "G0 X0 Y0 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", f"G1 X{50 - LEAD:.4f} F24000", "G1 Z4 F6000"
     )
-    verdict = judged(text, drawn)
+    verdict = verdict_of(text, drawn)
     assert verdict.findings == ()
     np.testing.assert_allclose(verdict.setback, LEAD, atol=1e-4)
 
@@ -316,21 +320,21 @@ def test_a_slit_drawn_twice_is_cut_once(again: tuple[int, int, int, int]) -> Non
 # -- the map
 
 
-def test_the_map_says_where_on_which_edge_how_far_off_the_work_is() -> None:
+def test_the_samples_have_edge_position_and_deviation() -> None:
     # From 0.006 to the left to 0.002 to the right of an edge that is drawn westward.
     drawn = dieline((CUT, 50, 0, 0, 0, 0.0))
     text = knife_program(
         "G0 X0 Y0.006 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", f"G1 X{50 - LEAD:.4f} Y-0.002 F24000",
         "G1 Z4 F6000",
     )  # fmt: skip
-    told = judged(text.replace(b"P0.0050 Q0.0050", b"P0.0010 Q0.0010"), drawn).samples
+    told = verdict_of(text.replace(b"P0.0050 Q0.0050", b"P0.0010 Q0.0010"), drawn).samples
     assert told.edge.tolist() == [0, 0, 0]
     low = LEAD / 50
     np.testing.assert_allclose(told.place, [low, (1.0 + low) / 2.0, 1.0], atol=1e-5)
     np.testing.assert_allclose(told.deviation, [0.002, -0.002, -0.006], atol=1e-6)
 
 
-def test_the_faces_of_the_board_are_told_apart() -> None:
+def test_both_faces_of_the_board_have_figures() -> None:
     # A slit that ends inside: the bottom face lacks 2 tan 10°, the top none.
     drawn = dieline((CUT, 0, 0, 50, 0, 0.0), (CUT, 0, 30, 50, 30, 0.0), (CUT, 50, 30, 50, 20, 0.0))
     text = knife_program(
@@ -338,7 +342,7 @@ def test_the_faces_of_the_board_are_told_apart() -> None:
         "G0 Y30 X0", "G1 Z-0.3", "G1 X50 F24000", "G1 Z4 F6000",
         "G0 C-90", "G1 Z-0.3", f"G1 Y{20 + LEAD:.4f} F24000", "G1 Z4 F6000",
     )  # fmt: skip
-    verdict = judged(text, drawn)
+    verdict = verdict_of(text, drawn)
     assert verdict.findings == ()
     slant = math.tan(math.radians(10.0))
     np.testing.assert_allclose(verdict.bottom_uncut, [2 * slant, 0, 2 * slant], atol=1e-4)

@@ -35,44 +35,44 @@ def wheel() -> CreaseWheel:
 WHEEL = wheel()
 
 
-def asked(*edges: tuple[float, float, float, float]) -> ExpectedCreases:
+def expected_of(*edges: tuple[float, float, float, float]) -> ExpectedCreases:
     drawn = dieline(*((CREASE, *edge, 0.0) for edge in edges))
     return expected_creases(place_edges(drawn, (0.0, 0.0)), BOARD, WHEEL)
 
 
 def test_a_crease_along_the_grain_is_shallower_than_one_across_it() -> None:
     # 0.6 along, 0.8 across, and at 45° half way between: sin² 45° = 1/2.
-    found = asked((0, 0, 0, 50), (10, 0, 60, 0), (100, 0, 130, 30))
+    found = expected_of((0, 0, 0, 50), (10, 0, 60, 0), (100, 0, 130, 30))
     np.testing.assert_allclose(found.depth, [0.6, 0.8, 0.7])
 
 
 def test_a_free_crease_is_set_back_by_its_contact_and_the_clearance() -> None:
-    found = asked((0, 0, 0, 50))
+    found = expected_of((0, 0, 0, 50))
     # √(0.6 (30 - 0.6)) + 0.2 = 4.4
     np.testing.assert_allclose([found.low[0], found.high[0]], [4.4, 45.6])
 
 
 def test_a_crease_that_another_continues_is_not_set_back_there() -> None:
-    found = asked((0, 0, 0, 50), (0, 80, 0, 50), (0, 80, 30, 80))
+    found = expected_of((0, 0, 0, 50), (0, 80, 0, 50), (0, 80, 30, 80))
     np.testing.assert_allclose(found.low[:2], [4.4, 4.4])
     np.testing.assert_allclose(found.high[:2], [50.0, 30.0])
 
 
 def test_a_crease_that_turns_by_more_than_a_degree_does_not_continue() -> None:
     bend = math.radians(2.0)
-    found = asked((0, 0, 0, 50), (0, 50, 30 * math.sin(bend), 50 + 30 * math.cos(bend)))
+    found = expected_of((0, 0, 0, 50), (0, 50, 30 * math.sin(bend), 50 + 30 * math.cos(bend)))
     np.testing.assert_allclose(found.high[0], 45.6)
 
 
-def test_a_setback_goes_on_into_the_next_edge_where_the_last_one_is_shorter() -> None:
-    found = asked((0, 0, 0, 50), (0, 50, 0, 53))
+def test_a_setback_longer_than_the_last_edge_continues_in_the_next_one() -> None:
+    found = expected_of((0, 0, 0, 50), (0, 50, 0, 53))
     np.testing.assert_allclose(found.high[0], 48.6)
     assert found.high[1] <= found.low[1]
 
 
 def test_a_short_crease_is_pressed_in_its_middle_at_the_depth_that_fits() -> None:
     # 6.4 long: ± 3 between the clearances, and 3² = δ (30 - δ) gives δ = 15 - √216 = 0.3031.
-    found = asked((0, 0, 0, 6.4))
+    found = expected_of((0, 0, 0, 6.4))
     assert found.pressed[0]
     assert not found.refused[0]
     np.testing.assert_allclose(found.depth, [15.0 - math.sqrt(216.0)])
@@ -80,7 +80,7 @@ def test_a_short_crease_is_pressed_in_its_middle_at_the_depth_that_fits() -> Non
 
 
 def test_a_crease_shorter_than_its_clearances_is_refused() -> None:
-    assert asked((0, 0, 0, 0.3)).refused[0]
+    assert expected_of((0, 0, 0, 0.3)).refused[0]
 
 
 def test_knife_ends_of_the_hand_written_dieline() -> None:
@@ -100,14 +100,14 @@ def test_knife_ends_of_the_hand_written_dieline() -> None:
     np.testing.assert_allclose(ends.stop[2 * run_out + 1], [70.0, 80.35265], atol=1e-5)
 
 
-def test_a_free_end_is_found_back_round_a_corner() -> None:
+def test_the_stop_before_a_free_end_may_lie_round_a_corner() -> None:
     drawn = dieline((CUT, 0, 0, 10, 0, 0.0), (CUT, 10, 0, 10, 0.25, 0.0))
     edges = place_edges(drawn, (0.0, 0.0))
     ends = knife_ends(edges, edges, 0.4, 0.3)
     np.testing.assert_allclose(ends.stop[3], [9.85, 0.0], atol=1e-12)
 
 
-def test_a_groove_goes_on_only_in_one_line() -> None:
+def test_only_a_collinear_groove_continues_another() -> None:
     groove = LineType.V_GROOVE
     drawn = dieline(
         (groove, 0, 0, 10, 0, 0.0), (groove, 20, 0, 10, 0, 0.0), (groove, 20, 0, 30, 0.01, 0.0)
@@ -133,11 +133,11 @@ def test_pairs_are_those_that_all_distances_find() -> None:
     assert len(a) == len(set(zip(a.tolist(), b.tolist(), strict=True)))
 
 
-def test_a_thousand_edges_out_of_one_point_are_counted_before_they_are_paired() -> None:
+def test_too_many_edges_at_one_point_raise_an_error() -> None:
     with pytest.raises(GeometryError, match="pairs of line ends"):
         pairs_within(np.zeros((5000, 2)), np.zeros((5000, 2)), 0.05)
 
 
-def test_edges_without_length_ask_for_nothing() -> None:
+def test_edges_without_length_are_left_out() -> None:
     edges = place_edges(dieline((CUT, 1, 1, 1, 1, 0.0), (CUT, 0, 0, 1, 0, 0.0)), (0.0, 0.0))
     assert edges.row.tolist() == [1]

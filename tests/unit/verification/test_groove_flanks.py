@@ -1,4 +1,4 @@
-"""Cuts beside V-grooves, as the judge sees them."""
+"""Cuts beside V-grooves that a flank damages."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ GROOVE = LineType.V_GROOVE
 REACH = 1.3
 
 
-def torn(
+def damaged_beside_groove(
     *edges: tuple[LineType, float, float, float, float, float], out: float = 0.0
 ) -> DamagedCuts:
     """Cuts inside the strip of a groove from (0, 0) to (100, 0), or of the grooves given."""
@@ -31,25 +31,25 @@ def torn(
 @pytest.mark.parametrize("aside", [0.1, 0.5, 1.0, 1.25, -0.1, -1.25])
 def test_a_parallel_cut_inside_the_strip_is_found_on_either_side(aside: float) -> None:
     # Drawn backwards, and longer than the groove.
-    found = torn((CUT, 120, aside, -20, aside, 0.0))
+    found = damaged_beside_groove((CUT, 120, aside, -20, aside, 0.0))
     assert found.nearest == pytest.approx([abs(aside)])
 
 
 @pytest.mark.parametrize("aside", [1.31, -1.31, 5.0])
 def test_a_parallel_cut_outside_the_strip_is_not(aside: float) -> None:
-    assert len(torn((CUT, 120, aside, -20, aside, 0.0)).cut) == 0
+    assert len(damaged_beside_groove((CUT, 120, aside, -20, aside, 0.0)).cut) == 0
 
 
 def test_the_place_is_where_the_cut_is_nearest() -> None:
-    found = torn((CUT, 40, 1.2, 60, 0.6, 0.0))
+    found = damaged_beside_groove((CUT, 40, 1.2, 60, 0.6, 0.0))
     assert found.nearest == pytest.approx([0.6])
     assert found.place == pytest.approx([60.0])
 
 
 @pytest.mark.parametrize(("top", "through"), [(1.29, 0.01), (0.3, 1.0), (1.31, None)])
-def test_a_round_cut_counts_by_its_belly(top: float, through: float | None) -> None:
+def test_an_arc_counts_by_its_nearest_point(top: float, through: float | None) -> None:
     # A semicircle of r 20 whose lowest point is at (50, top).
-    found = torn((CUT, 30, 20 + top, 70, 20 + top, 1.0))
+    found = damaged_beside_groove((CUT, 30, 20 + top, 70, 20 + top, 1.0))
     if through is None:
         assert len(found.cut) == 0
     else:
@@ -68,7 +68,7 @@ def test_a_round_groove_has_a_round_strip() -> None:
             for s in (30.0, 60.0)
         )
         cut = (CUT, *a, *b, math.tan(math.radians(30.0) / 4.0))
-        assert torn(groove, cut).nearest == pytest.approx(near, abs=2e-3)
+        assert damaged_beside_groove(groove, cut).nearest == pytest.approx(near, abs=2e-3)
 
 
 @pytest.mark.parametrize(
@@ -86,31 +86,31 @@ def test_a_round_groove_has_a_round_strip() -> None:
         (CUT, 110, 0.5, 160, 0.5, 0.0),  # beside what is no longer groove
     ],
 )
-def test_what_a_groove_ends_on_or_crosses_is_not_torn(
+def test_a_cut_that_a_groove_ends_on_or_crosses_is_not_damaged(
     cut: tuple[LineType, float, float, float, float, float],
 ) -> None:
-    assert len(torn(cut).cut) == 0
+    assert len(damaged_beside_groove(cut).cut) == 0
 
 
-def test_only_as_much_as_a_groove_runs_out_is_left_out_where_it_meets_an_edge_flatly() -> None:
+def test_at_a_flat_angle_only_the_run_out_is_left_out() -> None:
     # An edge at 10° through the end: the flanks leave it 1.3 / tan 10° = 7.37 mm before.
     flat = (CUT, 100 - 50, -50 * math.tan(math.radians(10.0)), 100 + 9, 1.587, 0.0)
-    assert len(torn(flat).cut) == 1
-    assert len(torn(flat, out=REACH / math.tan(math.radians(10.0))).cut) == 0
+    assert len(damaged_beside_groove(flat).cut) == 1
+    assert len(damaged_beside_groove(flat, out=REACH / math.tan(math.radians(10.0))).cut) == 0
 
 
-def test_where_a_groove_ends_on_a_cut_another_beside_it_is_still_found() -> None:
-    found = torn((CUT, 100, -20, 100, 20, 0.0), (CUT, 60, 0.5, 90, 0.5, 0.0))
+def test_a_cut_beside_a_groove_is_found_although_another_ends_it() -> None:
+    found = damaged_beside_groove((CUT, 100, -20, 100, 20, 0.0), (CUT, 60, 0.5, 90, 0.5, 0.0))
     assert found.cut.tolist() == [1]
 
 
 def test_a_short_groove_beside_a_cut_is_found_although_it_is_shorter_than_its_ends() -> None:
-    found = torn((GROOVE, 10, 0, 14, 0, 0.0), (CUT, 0, 0.5, 100, 0.5, 0.0))
+    found = damaged_beside_groove((GROOVE, 10, 0, 14, 0, 0.0), (CUT, 0, 0.5, 100, 0.5, 0.0))
     assert found.nearest == pytest.approx([0.5])
 
 
-def test_each_groove_and_cut_is_told_once() -> None:
-    found = torn(
+def test_each_pair_of_groove_and_cut_is_reported_once() -> None:
+    found = damaged_beside_groove(
         (GROOVE, 0, 0, 100, 0, 0.0),
         (GROOVE, 0, 50, 100, 50, 0.0),
         (CUT, 10, 0.5, 20, 0.5, 0.2),
@@ -119,7 +119,7 @@ def test_each_groove_and_cut_is_told_once() -> None:
     assert list(zip(found.groove.tolist(), found.cut.tolist(), strict=True)) == [(0, 0), (1, 1)]
 
 
-def test_the_verdict_names_both_edges_and_the_measure() -> None:
+def test_the_finding_has_both_edges_and_the_measure() -> None:
     drawn = dieline((GROOVE, 20, 30, 60, 30, 0.0), (CUT, 10, 30.5, 70, 30.5, 0.0))
     found = verify(b"M2\n", drawn, PLACEMENT, MACHINE, BOARD).findings
     (finding,) = [finding for finding in found if "flank" in finding.text]

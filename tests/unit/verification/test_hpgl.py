@@ -1,4 +1,4 @@
-"""The judge's reader of HPGL, on programs written by hand."""
+"""The reader of HPGL, with programs written by hand."""
 
 from __future__ import annotations
 

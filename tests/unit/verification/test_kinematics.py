@@ -18,21 +18,19 @@ from tests.support.programs.handwritten import (
 )
 
 
-def test_the_tip_of_a_v_cutter_is_six_north_and_one_and_a_half_west_of_a_head_that_goes_east() -> (
-    None
-):
+def test_the_tip_of_a_v_cutter_has_its_offset_from_the_head() -> None:
     station = MACHINE.station(3)
     np.testing.assert_allclose(tip_offset(np.array([0.0]), station), [[-1.5, 6.0]], atol=1e-12)
     np.testing.assert_allclose(tip_offset(np.array([90.0]), station), [[-6.0, -1.5]], atol=1e-12)
     np.testing.assert_allclose(tip_offset(np.array([180.0]), station), [[1.5, -6.0]], atol=1e-12)
 
 
-def test_a_drag_knife_trails_its_axis() -> None:
+def test_the_tip_of_a_drag_knife_is_behind_its_axis() -> None:
     drag = Station(1, "Drag", Knife(10.0, 1.0, 15.0, 1.0, 1.0, trail=2.0), 0, 0, 0, 0, -1)
     np.testing.assert_allclose(tip_offset(np.array([90.0]), drag), [[0.0, -2.0]], atol=1e-12)
 
 
-def test_the_tips_of_the_hand_written_program_stand_where_its_author_put_them() -> None:
+def test_the_tips_of_the_hand_written_program_are_at_the_planned_points() -> None:
     _, tip, work = trace_program(LINUXCNC, MACHINE, BOARD)
     row = {int(line): index for index, line in enumerate(tip.line)}
     np.testing.assert_allclose(tip.end[row[18]], [90.0, 65.6, 1.4, 90.0], atol=1e-9)
@@ -47,7 +45,7 @@ def test_the_tips_of_the_hand_written_program_stand_where_its_author_put_them() 
     np.testing.assert_allclose(ends[0][0], [90.0, 34.4], atol=1e-9)
 
 
-def test_a_tool_that_only_goes_down_and_up_works_one_point() -> None:
+def test_a_plunge_and_a_lift_give_one_point() -> None:
     text = knife_program("G0 X50 Y60 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", "G1 Z4")
     _, _, work = trace_program(text, MACHINE, BOARD)
     assert len(work.z) == 1
@@ -55,13 +53,13 @@ def test_a_tool_that_only_goes_down_and_up_works_one_point() -> None:
     np.testing.assert_array_equal(work.ends()[1], [[50.0, 60.0]])
 
 
-def test_every_stay_in_the_board_is_a_track() -> None:
+def test_each_stretch_without_lifting_is_a_track() -> None:
     _, _, work = trace_program(LINUXCNC, MACHINE, BOARD)
     assert len(np.unique(work.track)) == 7
     assert (np.diff(work.track) >= 0).all()
 
 
-def test_a_v_cutter_that_turns_on_its_way_is_followed_within_a_tenth_of_a_micrometre() -> None:
+def test_the_chords_of_a_turning_v_cutter_are_within_a_tenth_of_a_micrometre() -> None:
     text = cutter_program(
         "G0 X0 Y0 Z20 C0", "G0 Z4", "G1 Y3.3 Z0.7 F3000", "G93 G1 X10 C90 F100", "G94 G1 Z4 F3000"
     )

@@ -63,7 +63,7 @@ def program(*lines: str) -> bytes:
     return f"{head}\nT1 M6 G43\n{down}\n{body}\nG0 Z20.0000\n{up}\nG49\nM2\n".encode()
 
 
-def judged(text: bytes, drawn: Dieline = PART, board: Board = BOARD) -> Verdict:
+def verdict_of(text: bytes, drawn: Dieline = PART, board: Board = BOARD) -> Verdict:
     return verify(text, drawn, (0.0, 0.0), ROUTER, board)
 
 
@@ -71,7 +71,7 @@ def judged(text: bytes, drawn: Dieline = PART, board: Board = BOARD) -> Verdict:
 def test_a_part_cut_from_outside_and_its_hole_from_inside_is_accepted(
     outside: tuple[str, ...],
 ) -> None:
-    verdict = judged(program(*HOLE, *outside))
+    verdict = verdict_of(program(*HOLE, *outside))
     assert verdict.findings == ()
     np.testing.assert_allclose(verdict.deviation, 0.005)
     np.testing.assert_allclose(verdict.overcut, 0.0, atol=1e-9)
@@ -79,7 +79,7 @@ def test_a_part_cut_from_outside_and_its_hole_from_inside_is_accepted(
     np.testing.assert_allclose(verdict.unreached, [0, 0, 0, 0, 6, 6, 6, 6], atol=0.03)
 
 
-def test_what_the_disc_sweeps_leaves_the_part_whole_says_shapely_too() -> None:
+def test_the_swept_area_does_not_intersect_the_part_in_shapely() -> None:
     rectangle = shapely.box(0, 0, 100, 80) - shapely.box(30, 30, 60, 50)
     way = shapely.union_all(
         [
@@ -93,7 +93,7 @@ def test_what_the_disc_sweeps_leaves_the_part_whole_says_shapely_too() -> None:
     hole = shapely.box(30, 30, 60, 50)
     kept = (hole - swept).area - shapely.box(36, 36, 54, 44).area
     assert kept == pytest.approx(4 * (1 - math.pi / 4) * 9, rel=1e-4)
-    assert judged(program(*HOLE, *SQUARE)).accepted
+    assert verdict_of(program(*HOLE, *SQUARE)).accepted
 
 
 @pytest.mark.parametrize(
@@ -104,58 +104,58 @@ def test_what_the_disc_sweeps_leaves_the_part_whole_says_shapely_too() -> None:
         ("G0 X50 Y-3\n", "G0 X50 Y-2.98\n", 0, 0.02),
     ],
 )
-def test_a_disc_that_cuts_into_the_part_is_refused_with_the_edge_and_how_far(
+def test_a_disc_that_cuts_into_the_part_is_refused_with_edge_and_depth(
     old: str, new: str, edge: int, measure: float
 ) -> None:
-    findings = judged(changed(program(*HOLE, *ROUND), old, new)).findings
+    findings = verdict_of(changed(program(*HOLE, *ROUND), old, new)).findings
     mine = [finding for finding in findings if (finding.kind, finding.edge) == ("overcut", edge)]
     assert mine[0].measure == pytest.approx(measure, abs=1e-6)
     assert f"takes {measure:.3f} mm off the part" in mine[0].text
 
 
-def test_a_corner_cut_across_is_refused() -> None:
+def test_a_chord_across_a_corner_is_refused() -> None:
     # From B0 straight to E0: the chord is 3 / √2 = 2.1213 from the corner.
     text = changed(program(*HOLE, *ROUND), "G2 X-3 Y0 I0 J3", "G1 X-3 Y0")
-    findings = judged(text).findings
+    findings = verdict_of(text).findings
     assert max(finding.measure for finding in findings) == pytest.approx(3 - 3 / math.sqrt(2))
     assert {finding.kind for finding in findings} == {"overcut"}
 
 
 def test_an_edge_that_is_not_touched_is_uncut() -> None:
     text = program(*HOLE, *(line.replace("-3", "-3.03") for line in SQUARE))
-    findings = {(finding.kind, finding.edge): finding for finding in judged(text).findings}
+    findings = {(finding.kind, finding.edge): finding for finding in verdict_of(text).findings}
     assert set(findings) == {("uncut", 0), ("uncut", 3)}
     assert findings["uncut", 0].measure == pytest.approx(100.0)
 
 
 def test_a_hole_left_out_and_a_hole_cut_from_outside_are_refused() -> None:
-    assert {f.edge for f in judged(program(*SQUARE)).findings} == {4, 5, 6, 7}
+    assert {f.edge for f in verdict_of(program(*SQUARE)).findings} == {4, 5, 6, 7}
     outside = ("G0 X45 Y27 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 X63 F6000", "G1 Y53", "G1 X27",
                "G1 Y27", "G1 X45", "G1 Z4 F1200")  # fmt: skip
-    kinds = {finding.kind for finding in judged(program(*outside, *SQUARE)).findings}
+    kinds = {finding.kind for finding in verdict_of(program(*outside, *SQUARE)).findings}
     assert kinds == {"uncut", "stray"}
 
 
-def test_an_edge_left_early_is_uncut_by_as_much() -> None:
+def test_a_path_that_stops_early_leaves_that_length_uncut() -> None:
     text = changed(program(*HOLE, *SQUARE), "G1 X50\n", "G1 X80\n")
-    (finding,) = judged(text).findings
+    (finding,) = verdict_of(text).findings
     assert (finding.kind, finding.edge) == ("uncut", 0)
     assert finding.measure == pytest.approx(30.0)
 
 
 def test_a_cutter_that_is_not_through_is_refused() -> None:
     text = program(*HOLE, *SQUARE).replace(b"Z-0.3", b"Z0.1")
-    assert {"depth", "uncut"} == {finding.kind for finding in judged(text).findings}
+    assert {"depth", "uncut"} == {finding.kind for finding in verdict_of(text).findings}
 
 
 def test_a_cutter_at_rest_is_refused() -> None:
     text = program(*HOLE, *SQUARE).replace(b"M3 S20000\n", b"")
-    assert any("does not turn" in finding.text for finding in judged(text).findings)
+    assert any("does not turn" in finding.text for finding in verdict_of(text).findings)
 
 
 def test_work_far_off_in_the_waste_is_a_stray() -> None:
     text = program(*HOLE, *SQUARE, "G0 X200 Y200", "G1 Z-0.3 F1200", "G1 X220 F6000", "G1 Z4 F1200")
-    assert [finding.kind for finding in judged(text).findings] == ["stray"]
+    assert [finding.kind for finding in verdict_of(text).findings] == ["stray"]
 
 
 def test_a_machine_with_a_knife_has_no_work_for_its_cutter() -> None:
@@ -175,11 +175,11 @@ def test_a_round_part_and_a_hole_too_tight_for_the_disc() -> None:
         "G0 X63 Y40 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G2 X17 Y40 I-23 J0 F6000",
         "G2 X63 Y40 I23 J0", "G1 Z4 F1200",
     )  # fmt: skip
-    verdict = judged(text, drawn)
+    verdict = verdict_of(text, drawn)
     assert verdict.findings == ()
     np.testing.assert_allclose(verdict.unreached, [0, 0, 2.5 * math.pi, 2.5 * math.pi])
     smaller = text.replace(b"X63", b"X62.98").replace(b"X17", b"X17.02").replace(b"23", b"22.98")
-    finding = judged(smaller, drawn).findings[0]
+    finding = verdict_of(smaller, drawn).findings[0]
     assert finding.kind == "overcut"
     assert finding.measure == pytest.approx(0.02)
 
@@ -195,7 +195,7 @@ def test_a_round_hole_is_milled_from_inside() -> None:
                 f"G3 X{50 - radius:.4f} Y40 I{-radius:.4f} J0 F6000",
                 f"G3 X{50 + radius:.4f} Y40 I{radius:.4f} J0",
                 "G1 Z4 F1200")  # fmt: skip
-        return judged(program(*hole, *SQUARE), drawn)
+        return verdict_of(program(*hole, *SQUARE), drawn)
 
     assert milled(7.0).findings == ()
     assert {finding.kind for finding in milled(6.98).findings} == {"uncut"}
@@ -215,10 +215,10 @@ def test_a_slot_narrower_than_the_disc_is_unreached_and_one_that_is_wider_is_not
 
     over = program("G0 X50 Y-3 Z20", "G0 Z4", "G1 Z-0.3 F1200", "G1 X-3 F6000", "G1 Y43",
                    "G1 X103", "G1 Y-3", "G1 X50", "G1 Z4 F1200")  # fmt: skip
-    narrow = judged(over, slotted(5.0))
+    narrow = verdict_of(over, slotted(5.0))
     assert narrow.findings == ()
     np.testing.assert_allclose(narrow.unreached[[3, 4, 5]], [20, 5, 20], atol=0.01)
-    wide = judged(over, slotted(8.0))
+    wide = verdict_of(over, slotted(8.0))
     # Of the 20 mm of each side, 17 can be touched; of the bottom 2.
     assert {(f.kind, f.edge) for f in wide.findings} == {("uncut", 3), ("uncut", 4), ("uncut", 5)}
     np.testing.assert_allclose(wide.uncut[[3, 4, 5]], [17, 2, 17], atol=0.05)
@@ -229,7 +229,7 @@ def test_an_open_cut_is_followed_on_its_line_from_end_to_end() -> None:
 
     def kinds(x: float, y: float, until: float) -> set[str]:
         cut = ("G0 Z4", "G1 Z-0.3 F1200", f"G1 X{until:.4f} F6000", "G1 Z4 F1200")
-        verdict = judged(program(f"G0 X{x:.4f} Y{y:.4f} Z20", *cut), drawn)
+        verdict = verdict_of(program(f"G0 X{x:.4f} Y{y:.4f} Z20", *cut), drawn)
         return {finding.kind for finding in verdict.findings}
 
     assert kinds(10, 10, 60) == set()
@@ -239,7 +239,7 @@ def test_an_open_cut_is_followed_on_its_line_from_end_to_end() -> None:
     assert kinds(10, 10, 80) == {"overcut", "stray"}
 
 
-def test_a_cutter_that_gives_way_is_led_nearer_and_round_its_corners_on_an_ellipse() -> None:
+def test_a_deflected_cutter_runs_nearer_and_on_ellipses_round_corners() -> None:
     # δx = 0.2, δy = 0.1: 2.8 from the edges at the sides, 2.9 above and below.
     board = replace(BOARD, deflection=(Deflection("Router", 0.2, 0.1),))
     hole = [line.replace("57", "57.2").replace("33", "32.8" if "X33" in line else "32.9")
@@ -255,15 +255,15 @@ def test_a_cutter_that_gives_way_is_led_nearer_and_round_its_corners_on_an_ellip
            *ellipse(0, 80, 180), "G1 X100", *ellipse(100, 80, 90), "G1 Y0", *ellipse(100, 0, 0),
            "G1 X50", "G1 Z4 F1200")  # fmt: skip
     text = program(*hole, *way)
-    assert judged(text, PART, board).findings == ()
-    stiff = {finding.kind for finding in judged(text).findings}
+    assert verdict_of(text, PART, board).findings == ()
+    stiff = {finding.kind for finding in verdict_of(text).findings}
     assert "overcut" in stiff
     # And the way for a stiff tool leaves what the tool gives way.
-    soft = {finding.kind for finding in judged(program(*HOLE, *ROUND), PART, board).findings}
+    soft = {finding.kind for finding in verdict_of(program(*HOLE, *ROUND), PART, board).findings}
     assert soft == {"uncut"}
 
 
-def test_a_round_part_is_cut_on_an_ellipse_where_x_and_y_give_way_differently() -> None:
+def test_a_round_part_is_cut_on_an_ellipse_if_deflections_differ() -> None:
     board = replace(BOARD, deflection=(Deflection("Router", 0.2, 0.1),))
     drawn = dieline((CUT, 60, 40, 20, 40, 1.0), (CUT, 20, 40, 60, 40, 1.0))
 
@@ -274,12 +274,12 @@ def test_a_round_part_is_cut_on_an_ellipse_where_x_and_y_give_way_differently() 
                        *(f"G1 {point}" for point in points[2:]), "G1 Z4 F1200")  # fmt: skip
 
     # Chords of one degree run inside a circle of 23 by 0.0009.
-    assert judged(way(22.8, 22.9), drawn, board).findings == ()
-    assert not judged(way(22.9, 22.8), drawn, board).accepted
-    assert not judged(way(22.78, 22.9), drawn, board).accepted
+    assert verdict_of(way(22.8, 22.9), drawn, board).findings == ()
+    assert not verdict_of(way(22.9, 22.8), drawn, board).accepted
+    assert not verdict_of(way(22.78, 22.9), drawn, board).accepted
 
 
-def test_one_digit_changed_is_caught_where_it_moves_the_disc() -> None:
+def test_a_changed_digit_that_moves_the_disc_is_refused() -> None:
     text = program(*HOLE, *ROUND)
     chance = np.random.default_rng(3)
     raw = np.frombuffer(text, np.uint8)
@@ -292,13 +292,13 @@ def test_one_digit_changed_is_caught_where_it_moves_the_disc() -> None:
             mutant = bytearray(text)
             mutant[place] = 48 + (raw[place] - 48 + chance.integers(1, 10)) % 10
             total += 1
-            caught += not judged(bytes(mutant)).accepted
+            caught += not verdict_of(bytes(mutant)).accepted
     # What only shortens the beginning and the end, which lie on one line, cuts the same.
     assert total > 40
     assert caught >= total - 6
 
 
-def test_gaps_are_what_stretches_leave_bare() -> None:
+def test_uncovered_edges_are_the_rest_of_the_intervals() -> None:
     edge, begin, end = uncovered_edges(
         np.array([1, 0, 1]), np.array([2.0, 0.0, 1.0]), np.array([5.0, 4.0, 3.0]),
         np.array([4.0, 9.0, 2.0]),
@@ -308,7 +308,7 @@ def test_gaps_are_what_stretches_leave_bare() -> None:
     np.testing.assert_array_equal(end, [1.0, 9.0, 2.0])
 
 
-def test_where_a_line_is_within_a_distance_of_a_point() -> None:
+def test_the_span_of_a_line_near_a_point() -> None:
     line: F64 = line_curves(np.array([[0.0, 0.0]]), np.array([[10.0, 0.0]]))
     low, high = spans_near_points(line, np.array([[5.0, 3.0]]), 5.0)
     np.testing.assert_allclose([low[0], high[0]], [1.0, 9.0])

@@ -28,7 +28,7 @@ def test_a_joint_is_the_number_plus_the_datum_of_the_station_in_force() -> None:
     np.testing.assert_array_equal(moves.end[1], [70.0, 20.0, 18.5, 5.0])
 
 
-def test_an_axis_that_is_not_said_stays_where_the_joint_is() -> None:
+def test_an_axis_without_a_word_keeps_its_position() -> None:
     moves, _ = moves_of(HEADER + "G0 X10 Y20 Z20 C5\nT2 M6 G43\nG0 X0\nM2\n")
     # The wheel's datum moves X by 60 and lowers Z by 1.5; only X is said anew.
     np.testing.assert_array_equal(moves.end[1], [60.0, 20.0, 20.0, 5.0])
@@ -52,7 +52,7 @@ def test_the_sweep_of_an_arc_has_the_sign_of_its_turn() -> None:
     np.testing.assert_allclose(moves.centre[1:], [[0, 0], [0, 0], [5, 0]], atol=1e-12)
 
 
-def test_a_feed_is_forgotten_when_the_feed_mode_changes() -> None:
+def test_the_feed_is_cleared_when_the_feed_mode_changes() -> None:
     start = HEADER + "G0 X0 Y0 Z20 C0\nG1 X1 F600\nG93 G1 X2 F10\n"
     assert moves_of(start + "G94 G1 X3 F600\nM2\n")[1] == []
     assert faults_of(start + "G94 G1 X3\nM2\n") == ["5: rs274.no-feed"]
@@ -94,7 +94,7 @@ def test_a_feed_is_forgotten_when_the_feed_mode_changes() -> None:
         ("N-1", "rs274.bad-line-number"),
     ],
 )
-def test_a_line_that_says_something_else_is_a_fault(line: str, code: str) -> None:
+def test_a_line_with_other_words_is_a_fault(line: str, code: str) -> None:
     faults = faults_of(HEADER + f"G0 X10 Y0 Z20 C0\n{line}\nG0 X0\nM2\n")
     assert f"3: {code}" in faults, faults
 
@@ -112,19 +112,17 @@ def test_a_line_that_says_something_else_is_a_fault(line: str, code: str) -> Non
         (" G54", "rs274.mode-g54"),
     ],
 )
-def test_what_the_controller_may_remember_must_be_stated_before_the_first_move(
-    word: str, mode: str
-) -> None:
+def test_modes_must_be_set_before_the_first_move(word: str, mode: str) -> None:
     _, faults = moves_of(HEADER.replace(word, "") + "G0 X0 Y0 Z20 C0\nM2\n")
     assert faults == [(2, Message("rs274.moves-unstated", mode=Message(mode)))]
 
 
-def test_a_piston_needs_its_time_before_anything_moves() -> None:
+def test_a_move_must_wait_for_a_piston_to_settle() -> None:
     text = LINUXCNC.decode().replace("M64 P1\nG4 P0.15\n", "M64 P1\n")
     assert any("rs274.not-settled" in fault for fault in faults_of(text))
 
 
-def test_the_end_leaves_nothing_switched_on() -> None:
+def test_everything_must_be_off_at_the_end() -> None:
     text = LINUXCNC.decode()
     end = "M65 P0\nM5\nG49\nM2\n"
     assert faults_of(text) == []
@@ -152,5 +150,5 @@ def test_a_tool_table_without_a_bound_for_rounded_corners_is_a_fault() -> None:
     assert any("rs274.unbounded-rounding" in fault for fault in faults_of(zero))
 
 
-def test_no_lines_are_no_program() -> None:
+def test_an_empty_text_is_a_fault() -> None:
     assert faults_of("") == ["1: rs274.no-end"]

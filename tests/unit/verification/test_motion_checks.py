@@ -27,8 +27,8 @@ def findings(text: bytes) -> list[Finding]:
     return list(verify(text, DIELINE, PLACEMENT, MACHINE, BOARD).findings)
 
 
-def of_nothing(text: bytes) -> list[Finding]:
-    """Findings about a program alone, with no dieline to compare it with."""
+def findings_without_dieline(text: bytes) -> list[Finding]:
+    """Return the findings about a program with an empty dieline."""
     return list(verify(text, dieline(), PLACEMENT, MACHINE, BOARD).findings)
 
 
@@ -77,19 +77,19 @@ def test_a_lift_that_stays_in_the_board_lets_the_next_rapid_be_found() -> None:
     assert any(finding.kind == "stray" and finding.line == 20 for finding in found)
 
 
-def test_a_plunge_that_leaves_the_blades_own_line_is_found() -> None:
+def test_a_plunge_across_the_tilted_blade_is_found() -> None:
     # Straight down instead of along the blade: 1.3 mm deep at 45° is 1.3 mm sideways.
     text = cutter_program(
         "G0 X41.5 Y44 Z20 C0", "G0 Z4", "G1 Z0.7 F3000", "G1 X81.5 F12000", "G1 Z4 F3000"
     )
-    found = [finding for finding in of_nothing(text) if finding.kind == "deviation"]
+    found = [finding for finding in findings_without_dieline(text) if finding.kind == "deviation"]
     assert [finding.line for finding in found] == [13, 15]
     assert [finding.measure for finding in found] == pytest.approx([1.3, 1.3])
 
 
 def test_a_knife_that_travels_while_it_plunges_is_found() -> None:
     text = knife_program("G0 X41.5 Y44 Z20 C0", "G0 Z4", "G1 X42 Z-0.3 F6000", "G1 Z4")
-    found = [finding for finding in of_nothing(text) if finding.kind == "deviation"]
+    found = [finding for finding in findings_without_dieline(text) if finding.kind == "deviation"]
     # 2.3 of the 4.3 mm down are in the board, and so are as much of the 0.5 mm across.
     assert found[0].measure == pytest.approx(0.5 * 2.3 / 4.3)
 
@@ -104,13 +104,15 @@ def test_a_knife_may_turn_in_the_board_by_its_swivel_angle_and_no_more() -> None
             f"G93 G1 C{degrees} F{216000.0 / degrees:.4f}",
             "G94 G1 Z4 F6000",
         )
-        return [finding.kind for finding in of_nothing(text) if finding.kind != "stray"]
+        return [
+            finding.kind for finding in findings_without_dieline(text) if finding.kind != "stray"
+        ]
 
     assert turned(15.0) == []
     assert turned(16.0) == ["heading"]
 
 
-def test_a_wheel_does_not_turn_in_one_place() -> None:
+def test_a_wheel_must_not_turn_in_place() -> None:
     text = wheel_program(
         "G0 X90 Y40 Z20 C90",
         "G0 Z4",
@@ -118,7 +120,7 @@ def test_a_wheel_does_not_turn_in_one_place() -> None:
         "G93 G1 C85 F43200",
         "G94 G1 Z4 F6000",
     )
-    assert "heading" in [finding.kind for finding in of_nothing(text)]
+    assert "heading" in [finding.kind for finding in findings_without_dieline(text)]
 
 
 @pytest.mark.parametrize(
@@ -147,31 +149,31 @@ def test_outputs_must_be_those_of_the_station_at_work(old: str, new: str, said: 
     ],
 )
 def test_a_joint_past_its_travel_is_found(line: str, axis: str, past: float) -> None:
-    found = of_nothing(knife_program(line))
+    found = findings_without_dieline(knife_program(line))
     assert [finding.kind for finding in found] == ["travel"]
     assert f"Joint {axis}" in found[0].text
     assert found[0].measure == pytest.approx(past)
 
 
-def test_the_datum_counts_in_the_travel() -> None:
+def test_the_travel_includes_the_datum() -> None:
     # 860 + 60 for the wheel's station is 20 past 900.
-    found = of_nothing(wheel_program("G0 X860 Y0 Z20 C0"))
+    found = findings_without_dieline(wheel_program("G0 X860 Y0 Z20 C0"))
     assert [finding.kind for finding in found] == ["travel"]
     assert found[0].measure == pytest.approx(20.0)
 
 
-def test_the_belly_of_an_arc_counts_in_the_travel() -> None:
+def test_the_travel_includes_the_extreme_points_of_arcs() -> None:
     text = knife_program("G0 X895 Y100 Z20 C-90", "G3 X895 Y120 C90 I0 J10 F24000")
-    found = [finding for finding in of_nothing(text) if finding.kind == "travel"]
+    found = [finding for finding in findings_without_dieline(text) if finding.kind == "travel"]
     assert [round(finding.measure, 6) for finding in found] == [5.0]
 
 
-def test_a_feed_from_a_place_that_nobody_stated_is_found() -> None:
-    found = of_nothing(knife_program("G1 X5 F24000"))
+def test_a_feed_from_an_unknown_position_is_found() -> None:
+    found = findings_without_dieline(knife_program("G1 X5 F24000"))
     assert any("no line before it states" in finding.text for finding in found)
 
 
-def test_the_time_is_lengths_over_feeds_rapids_and_waits() -> None:
+def test_the_time_is_the_sum_of_feeds_rapids_and_dwells() -> None:
     text = knife_program("G0 X0 Y0 Z20 C0", "G0 X150 Y30", "G1 X550 F24000")
     verdict = verify(text, dieline(), PLACEMENT, MACHINE, BOARD)
     # 150 mm at 1,500 mm/s, 400 mm at 400 mm/s, 0.15 s for the piston.
@@ -179,14 +181,14 @@ def test_the_time_is_lengths_over_feeds_rapids_and_waits() -> None:
 
 
 def headings(text: bytes, machine: Machine = MACHINE) -> list[Finding]:
-    """Findings about headings, of a program that has nothing drawn to follow."""
+    """Return the findings about headings of a program with an empty dieline."""
     found = verify(text, dieline(), PLACEMENT, machine, BOARD).findings
     return [finding for finding in found if finding.kind == "heading"]
 
 
 @pytest.mark.parametrize("turns", [360, -360, 720])
 @pytest.mark.parametrize("end", ["C90.0000 I0", "C180.0000 I-10", "C270.0000 I0", "C360.0000 I10"])
-def test_a_blade_does_not_turn_further_than_the_arc_that_it_cuts(end: str, turns: int) -> None:
+def test_a_blade_turns_by_the_same_angle_as_its_arc(end: str, turns: int) -> None:
     word, _ = end.split()
     turned = end.replace(word, f"C{float(word[1:]) + turns:.4f}")
     found = findings(changed(LINUXCNC, end, turned))
@@ -231,9 +233,7 @@ def test_a_tool_does_not_turn_along_a_line(
 
 
 @pytest.mark.parametrize(("end", "fine"), [(90.0, True), (-90.0, False), (270.0, False)])
-def test_a_wheel_turns_with_its_arc_although_both_of_its_sides_are_alike(
-    end: float, fine: bool
-) -> None:
+def test_a_wheel_turns_by_the_same_angle_as_its_arc(end: float, fine: bool) -> None:
     text = wheel_program(
         "G0 X40 Y40 Z20 C0",
         "G0 Z4",
@@ -244,7 +244,7 @@ def test_a_wheel_turns_with_its_arc_although_both_of_its_sides_are_alike(
     assert bool(headings(text)) != fine
 
 
-def test_a_knife_turns_the_short_way_round_in_the_board_whatever_its_swivel_angle() -> None:
+def test_a_knife_turns_by_at_most_half_a_turn_in_the_board() -> None:
     free = with_dimensions(MACHINE.stations[0].tool, swivel=360.0)
     machine = replace(
         MACHINE, stations=(replace(MACHINE.stations[0], tool=free), *MACHINE.stations[1:])
@@ -264,7 +264,7 @@ def test_a_knife_turns_the_short_way_round_in_the_board_whatever_its_swivel_angl
     assert "270.000° in the board; at most 180.01°" in swivelled(270.0)[0].text
 
 
-def test_a_short_line_is_no_place_to_turn_either_unless_it_stands_for_a_tiny_arc() -> None:
+def test_a_tool_may_turn_along_a_short_line_only_if_it_replaces_a_tiny_arc() -> None:
     def turned(length: float) -> list[Finding]:
         text = knife_program(
             "G0 X40 Y40 Z20 C0",

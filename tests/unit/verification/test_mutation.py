@@ -1,4 +1,4 @@
-"""One digit changed, a few hundred times: what moves the working tip is always refused."""
+"""Programs with one changed digit: a change that moves the working tip is refused."""
 
 import pytest
 
@@ -20,7 +20,7 @@ def refused(text: bytes) -> bool:
 
 
 @pytest.mark.parametrize(("text", "seed"), [(LINUXCNC, 1), (GRBLHAL, 2)], ids=["linuxcnc", "grbl"])
-def test_every_digit_that_moves_the_working_tip_by_more_than_a_hundredth_is_caught(
+def test_every_digit_that_moves_the_working_tip_by_over_a_hundredth_is_refused(
     text: bytes, seed: int
 ) -> None:
     everything, caught, missed = digit_mutation.shares(
@@ -57,7 +57,9 @@ def test_every_digit_that_moves_the_working_tip_by_more_than_a_hundredth_is_caug
         ("J10.0000", "J10.0001", "smaller"),
     ],
 )
-def test_what_a_change_does_is_told_without_the_judge(old: str, new: str, kind: str) -> None:
+def test_the_effect_of_a_change_is_computed_without_the_verifier(
+    old: str, new: str, kind: str
+) -> None:
     mutant = changed(LINUXCNC, old, new)
     place = next(i for i, (a, b) in enumerate(zip(LINUXCNC, mutant, strict=True)) if a != b)
     assert digit_mutation.effect(LINUXCNC, place, mutant, MACHINE, BOARD) == kind

@@ -1,4 +1,4 @@
-"""What a job before may have left on: lowered stations, a running spindle, a tool in the board."""
+"""States that an earlier job may have left: lowered stations, a spindle that runs."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ HEAD = "G0 Z20.0000\nM65 P0\nM65 P1\nM65 P2\nM5\n"
 BOTH = pytest.mark.parametrize("program", [LINUXCNC, GRBLHAL], ids=["linuxcnc", "grblhal"])
 
 
-def said(text: bytes, machine: Machine = MACHINE, *, drawn: bool = True) -> list[str]:
+def program_findings(text: bytes, machine: Machine = MACHINE, *, drawn: bool = True) -> list[str]:
     line = DIELINE if drawn else dieline()
     findings = verify(text, line, PLACEMENT, machine, BOARD).findings
     return [f"{finding.text} {hint(finding.message)}".strip() for finding in findings]
@@ -49,12 +49,14 @@ def with_head(program: bytes, head: str) -> bytes:
     ],
 )
 def test_each_line_of_the_head_is_needed(program: bytes, gone: str, what: str) -> None:
-    assert said(program) == []
+    assert program_findings(program) == []
     # The first station's own output is stated again by the line that lowers it.
     if gone == "M65 P1\n":
-        lines = said(with_head(program, HEAD.replace(gone, "").replace("Z20", "Z20.0\nG0 X1 Z20")))
+        lines = program_findings(
+            with_head(program, HEAD.replace(gone, "").replace("Z20", "Z20.0\nG0 X1 Z20"))
+        )
     else:
-        lines = said(with_head(program, HEAD.replace(gone, "")))
+        lines = program_findings(with_head(program, HEAD.replace(gone, "")))
     assert any(what in line for line in lines), lines
 
 
@@ -74,22 +76,22 @@ def test_each_line_of_the_head_is_needed(program: bytes, gone: str, what: str) -
         (HEAD.replace("M65 P2\n", "M64 P2\n"), "lowers station 3 while"),
     ],
 )
-def test_until_everything_is_stated_a_program_may_only_lift(
+def test_only_lifts_may_come_before_all_states_are_set(
     program: bytes, head: str, what: str
 ) -> None:
     if head.endswith("M64 P2\nM5\n"):
         what = "lowers station 2 while station 3 may be lowered"
-    lines = said(with_head(program, head))
+    lines = program_findings(with_head(program, head))
     assert any(what in line for line in lines), lines
 
 
 def test_the_first_lift_clears_the_longest_station() -> None:
     long = replace(MACHINE, stations=(replace(MACHINE.stations[0], z=6.0), *MACHINE.stations[1:]))
     lift = "G21 G90 G91.1 G17 G40 G49 G94 G54\n" + HEAD + "G49\nM2\n"
-    low = said(lift.encode(), long, drawn=False)
+    low = program_findings(lift.encode(), long, drawn=False)
     assert "lift only, straight up to joint Z 26.000 mm or higher" in low[0]
     assert "Line 3: The line switches at joint Z 20.000 mm. Lift to 26.000 mm first." in low
-    assert said(lift.replace("Z20.0000", "Z26.0000").encode(), long, drawn=False) == []
+    assert program_findings(lift.replace("Z20.0000", "Z26.0000").encode(), long, drawn=False) == []
 
 
 @BOTH
@@ -99,26 +101,27 @@ def test_a_station_is_changed_at_the_travel_height(program: bytes, lift: str | N
     at = text.index("G0 Z", text.index("F30000"))
     line = text[at : text.index("\n", at) + 1]
     mutant = text[:at] + ("" if lift is None else lift + "\n") + text[at + len(line) :]
-    assert any("switches at joint Z" in found for found in said(mutant.encode()))
+    assert any("switches at joint Z" in found for found in program_findings(mutant.encode()))
 
 
 @BOTH
 def test_the_lift_before_the_last_release_is_needed(program: bytes) -> None:
     text = program.decode()
     at = text.rindex("G0 Z20.0000\n")
-    lines = said((text[:at] + text[at + 12 :]).encode())
+    lines = program_findings((text[:at] + text[at + 12 :]).encode())
     assert lines == [lines[0]]
     assert "switches at joint Z 4.000 mm. Lift to 20.000 mm first." in lines[0]
 
 
 @BOTH
-def test_the_next_station_comes_down_after_the_one_before_is_released(program: bytes) -> None:
+def test_a_station_is_lowered_after_the_previous_one_is_raised(program: bytes) -> None:
     text = program.decode()
     at = text.index("M65 P1\n", text.index("F30000"))
     down = text.index("M64 P2\n")
     swapped = text[:at] + "M64 P2\n" + text[at + 7 : down] + "M65 P1\n" + text[down + 7 :]
     assert any(
-        "lowers station 3 while station 2 may be lowered" in f for f in said(swapped.encode())
+        "lowers station 3 while station 2 may be lowered" in f
+        for f in program_findings(swapped.encode())
     )
 
 
@@ -126,13 +129,13 @@ def test_the_next_station_comes_down_after_the_one_before_is_released(program: b
 def test_a_spindle_is_not_started_again_in_the_board(program: bytes) -> None:
     plunge = "G1 Z1.0000 F6000\nG1 X79.8237 F24000"
     again = "G1 Z1.0000 F6000\nM5\nM3 S1\nG4 P0.15\nG1 X79.8237 F24000"
-    lines = said(changed(program, plunge, again))
+    lines = program_findings(changed(program, plunge, again))
     assert any("switches at joint Z 1.000 mm" in line for line in lines), lines
 
 
-def test_a_program_without_work_states_everything_too() -> None:
+def test_a_program_without_work_must_set_all_states() -> None:
     bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM2\n"
-    assert said(bare, drawn=False) == [
+    assert program_findings(bare, drawn=False) == [
         "The program ends without stating output 0 (M65 P0).",
         "The program ends without stating output 1 (M65 P1).",
         "The program ends without stating output 2 (M65 P2).",
@@ -140,7 +143,7 @@ def test_a_program_without_work_states_everything_too() -> None:
     ]
 
 
-def test_a_station_without_an_output_has_none_to_state() -> None:
+def test_a_station_without_an_output_needs_no_state() -> None:
     fixed = replace(MACHINE, stations=(replace(MACHINE.stations[0], output=-1),))
     bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM5\nG4 P0.15\nG0 X5 Y5\nM2\n"
-    assert said(bare, fixed, drawn=False) == []
+    assert program_findings(bare, fixed, drawn=False) == []

@@ -25,29 +25,29 @@ def rows(curve: F64, edge: F64, limit: float = 0.01) -> Overlaps:
     return find_overlaps(curve, edge, np.zeros(len(edge)), edge[:, 5], limit)
 
 
-def test_a_line_shares_with_an_edge_what_lies_between_the_ends_of_both() -> None:
+def test_the_overlap_of_collinear_lines_lies_between_the_ends_of_both() -> None:
     found = rows(line(0, 0, 10, 0), line(4, 0.005, 20, 0.005))
     np.testing.assert_allclose(found.along, [[4.0, 10.0]])
     np.testing.assert_allclose(found.place, [[0.0, 6.0]])
     np.testing.assert_allclose(found.distance, [0.005])
 
 
-def test_the_way_back_runs_down_the_edge() -> None:
+def test_a_reversed_line_has_descending_positions() -> None:
     found = rows(line(10, 0, 0, 0), line(0, 0, 10, 0))
     np.testing.assert_allclose(found.place, [[10.0, 0.0]])
 
 
-def test_a_line_farther_off_than_the_limit_shares_nothing() -> None:
+def test_a_line_beyond_the_limit_has_no_overlap() -> None:
     assert len(rows(line(0, 0, 10, 0), line(0, 0.0101, 10, 0.0101)).curve) == 0
 
 
-def test_a_line_that_crosses_shares_no_more_than_it_is_near() -> None:
+def test_a_crossing_line_overlaps_only_within_the_limit() -> None:
     found = rows(line(5, -5, 5, 5), line(0, 0, 10, 0))
     np.testing.assert_allclose(found.along, [[4.99, 5.01]])
     np.testing.assert_allclose(found.place, [[5.0, 5.0]])
 
 
-def test_an_arc_shares_with_the_same_arc_drawn_the_other_way() -> None:
+def test_an_arc_overlaps_the_reversed_arc() -> None:
     found = rows(arc(3, 4, 10, 350, 90), arc(3, 4, 10, 60, -90))
     # From 350° to 80°, and from 60° down to -30°: shared from 350° to 60°.
     np.testing.assert_allclose(found.along, [[0.0, 10 * math.radians(70)]], atol=1e-9)
@@ -55,7 +55,7 @@ def test_an_arc_shares_with_the_same_arc_drawn_the_other_way() -> None:
     np.testing.assert_allclose(found.distance, [0.0], atol=1e-12)
 
 
-def test_a_full_circle_shares_both_ends_of_an_arc_through_its_start() -> None:
+def test_a_full_circle_overlaps_both_ends_of_an_arc_through_its_start() -> None:
     found = rows(arc(0, 0, 10, 0, 360), arc(0, 0, 10, -30, 60))
     pieces = sorted(found.along.tolist())
     np.testing.assert_allclose(
@@ -63,7 +63,7 @@ def test_a_full_circle_shares_both_ends_of_an_arc_through_its_start() -> None:
     )
 
 
-def test_a_chord_shares_with_an_arc_only_where_it_is_near() -> None:
+def test_a_chord_overlaps_an_arc_only_within_the_limit() -> None:
     # The sagitta of a 2 mm chord at radius 10 is 0.0501: near the arc at its ends alone.
     half = math.asin(0.1)
     chord = line(-1, 10 * math.cos(half), 1, 10 * math.cos(half))
@@ -75,7 +75,7 @@ def test_a_chord_shares_with_an_arc_only_where_it_is_near() -> None:
     )
 
 
-def test_what_lies_on_no_edge_is_left_over() -> None:
+def test_stretches_on_no_edge_are_uncovered() -> None:
     curve = line(0, 0, 10, 0)
     found = rows(curve, np.vstack([line(1, 0, 4, 0), line(3, 0, 6, 0)]))
     which, spans = uncovered_curves(found, curve)
@@ -83,20 +83,20 @@ def test_what_lies_on_no_edge_is_left_over() -> None:
     np.testing.assert_allclose(spans, [[0, 1], [6, 10]])
 
 
-def test_a_point_is_on_an_edge_or_left_over() -> None:
+def test_a_point_is_on_an_edge_or_uncovered() -> None:
     points = np.vstack([line(5, 0.004, 5, 0.004), line(5, 0.02, 5, 0.02)])
     found = rows(points, line(0, 0, 10, 0))
     np.testing.assert_allclose(found.place, [[5.0, 5.0]])
     assert uncovered_curves(found, points)[0].tolist() == [1]
 
 
-def test_the_nearest_edge_is_the_best_and_a_twin_of_it_too() -> None:
+def test_the_nearest_edge_and_its_duplicate_are_marked() -> None:
     edges = np.vstack([line(0, 0.004, 10, 0.004), line(0, 0, 10, 0), line(10, 0, 0, 0)])
     found = rows(line(0, 0, 10, 0), edges)
     assert sorted(found.edge[found.best].tolist()) == [1, 2]
 
 
-def test_the_empty_part_of_an_edge_is_not_there() -> None:
+def test_an_edge_with_an_empty_part_has_no_overlap() -> None:
     edge = line(0, 0, 10, 0)
     found = find_overlaps(line(0, 0, 10, 0), edge, np.array([4.0]), np.array([6.0]), 0.01)
     np.testing.assert_allclose(found.along, [[4.0, 6.0]])
@@ -109,7 +109,7 @@ def test_the_empty_part_of_an_edge_is_not_there() -> None:
     kinds=st.tuples(st.booleans(), st.booleans()),
     limit=st.sampled_from([0.01, 0.3]),
 )
-def test_the_shared_stretches_are_those_that_sampling_finds(
+def test_the_overlaps_equal_those_found_by_sampling(
     seed: int, kinds: tuple[bool, bool], limit: float
 ) -> None:
     chance = np.random.default_rng(seed)

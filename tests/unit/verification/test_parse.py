@@ -39,7 +39,7 @@ def test_a_decimal_is_the_nearest_number_as_python_reads_it() -> None:
     assert parse_words(text).value.tolist() == [float(number) for number in numbers]
 
 
-def test_comments_say_nothing() -> None:
+def test_comments_give_no_words() -> None:
     assert read(b"(G1 X1) G0 (X2) Y3 ; Z4 (\n;G1\nC5\n") == [
         (1, "G", 0.0),
         (1, "Y", 3.0),
@@ -47,7 +47,7 @@ def test_comments_say_nothing() -> None:
     ]
 
 
-def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all() -> None:
+def test_lines_may_end_with_crlf_and_the_last_one_without_an_end() -> None:
     words = parse_words(b"G0 X1\r\nM2")
     assert words.faults == ()
     assert words.lines == 2
@@ -71,7 +71,7 @@ def test_a_line_may_end_as_windows_ends_it_and_the_last_one_not_at_all() -> None
         (b"(" + b"a" * 260 + b")", "longer than 255"),
     ],
 )
-def test_what_is_wrong_with_a_line_is_said_with_its_number(text: bytes, said: str) -> None:
+def test_a_fault_has_the_number_of_its_line(text: bytes, said: str) -> None:
     _, faults = interpret(parse_words(b"\n" + text), MACHINE)
     assert any(line == 2 and said in render(fault) for line, fault in faults), faults
 
@@ -82,7 +82,7 @@ def test_any_bytes_are_read_without_an_error() -> None:
         parse_words(chance.integers(0, 256, size, dtype=np.uint8).tobytes())
 
 
-def test_what_is_not_bytes_or_too_large_is_refused() -> None:
+def test_other_types_and_too_large_texts_raise_an_error() -> None:
     with pytest.raises(ProgramUnreadable, match="a str, not bytes"):
         parse_words(cast(bytes, "G0 X1\n"))
     with pytest.raises(ProgramUnreadable, match="at most 67,108,864"):
@@ -94,5 +94,5 @@ def test_the_placement_is_read_from_the_header() -> None:
     assert comment_placement(b"G21\n") is None
 
 
-def test_bytes_that_grbl_obeys_at_once_are_found_in_comments_too() -> None:
+def test_realtime_bytes_of_grbl_are_faults_in_comments_too() -> None:
     assert [line for line, _ in realtime_bytes(b"(ok)\n(carton!)\nG0 X1\n(\x85)\n")] == [2, 4]

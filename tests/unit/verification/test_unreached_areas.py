@@ -1,4 +1,4 @@
-"""Areas that a disc does not get to, worked by hand and held against shapely."""
+"""Areas that a disc cannot reach, computed by hand and compared with shapely."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ HOLE = closed((150, 150), (200, 150), (200, 190), (150, 190))
 BLANK = closed((100, 100), (300, 100), (300, 250), (100, 250))
 
 
-def judged(
+def verdict_of(
     *shapes: F64,
     bulge: dict[int, float] | None = None,
     board: Board = BOARD,
@@ -47,7 +47,7 @@ def by_engine(work: list[Operation]) -> float:
 
 
 def by_shapely(*waste: shapely.Polygon) -> float:
-    """What an opening with the disc loses."""
+    """Return the area that morphological opening with the disc removes."""
     total: float = sum(
         shape.area - shape.buffer(-R, quad_segs=400).buffer(R, quad_segs=400).area
         for shape in waste
@@ -55,15 +55,15 @@ def by_shapely(*waste: shapely.Polygon) -> float:
     return total
 
 
-def test_a_square_hole_keeps_four_corners() -> None:
-    verdict, work = judged(HOLE, BLANK)
+def test_a_square_hole_has_four_unreached_corners() -> None:
+    verdict, work = verdict_of(HOLE, BLANK)
     assert verdict.accepted
     np.testing.assert_allclose(verdict.areas.area, [SQUARE] * 4, atol=0.02)
     assert by_engine(work) == pytest.approx(4 * SQUARE, abs=1e-9)
 
 
 def test_each_loop_goes_from_the_disc_to_the_corner_and_back_along_the_disc() -> None:
-    areas = judged(HOLE, BLANK)[0].areas
+    areas = verdict_of(HOLE, BLANK)[0].areas
     assert list(np.diff(areas.first)) == [3, 3, 3, 3]
     loop = next(
         slice(a, b)
@@ -79,18 +79,18 @@ def test_each_loop_goes_from_the_disc_to_the_corner_and_back_along_the_disc() ->
     assert min(bulge) == pytest.approx(-math.tan(math.pi / 8), abs=0.005)
 
 
-def test_areas_are_told_in_the_drawings_millimetres() -> None:
-    areas = judged(HOLE, BLANK, at=(50.0, 20.0))[0].areas
+def test_areas_are_in_drawing_coordinates() -> None:
+    areas = verdict_of(HOLE, BLANK, at=(50.0, 20.0))[0].areas
     assert areas.ends.min(axis=(0, 1)) == pytest.approx((150.0, 150.0), abs=1e-9)
 
 
-def test_a_blank_of_outside_corners_keeps_nothing() -> None:
-    verdict, _ = judged(BLANK)
+def test_convex_corners_have_no_unreached_area() -> None:
+    verdict, _ = verdict_of(BLANK)
     assert len(verdict.areas) == 0
 
 
 @pytest.mark.parametrize("wide", [2.0, 4.0, 5.9])
-def test_a_slot_too_narrow_for_the_cutter_stays_whole_but_for_the_bulge_of_the_disc(
+def test_a_slot_too_narrow_for_the_cutter_is_unreached_except_for_the_rim_of_the_disc(
     wide: float,
 ) -> None:
     low, high = 200 - wide / 2, 200 + wide / 2
@@ -98,7 +98,7 @@ def test_a_slot_too_narrow_for_the_cutter_stays_whole_but_for_the_bulge_of_the_d
         (100, 100), (300, 100), (300, 250), (high, 250), (high, 220), (low, 220), (low, 250),
         (100, 250),
     )  # fmt: skip
-    verdict, _ = judged(notched)
+    verdict, _ = verdict_of(notched)
     assert verdict.accepted
     # The disc hangs on both corners of the mouth: its segment reaches into the slot.
     half = math.asin(wide / 2 / R)
@@ -107,13 +107,13 @@ def test_a_slot_too_narrow_for_the_cutter_stays_whole_but_for_the_bulge_of_the_d
     assert area == pytest.approx(30 * wide - segment, rel=2e-3)
 
 
-def test_a_hole_with_a_neck_is_left_uncut_on_both_of_its_sides() -> None:
+def test_a_neck_is_unreached_on_both_sides() -> None:
     # Two chambers joined by a neck of 4 mm: no disc of 6 mm goes through.
     hole = closed(
         (130, 130), (160, 130), (160, 148), (180, 148), (180, 130), (210, 130), (210, 170),
         (180, 170), (180, 152), (160, 152), (160, 170), (130, 170),
     )  # fmt: skip
-    verdict, _ = judged(hole, BLANK)
+    verdict, _ = verdict_of(hole, BLANK)
     assert verdict.accepted
     want = by_shapely(shapely.Polygon(hole[:, 0]))
     # A corner each, four to a chamber, and the neck between two discs.
@@ -122,12 +122,12 @@ def test_a_hole_with_a_neck_is_left_uncut_on_both_of_its_sides() -> None:
 
 
 @pytest.mark.parametrize("turn", [30, 60, 120, 150])
-def test_a_corner_of_any_angle_keeps_what_the_formula_says(turn: int) -> None:
+def test_the_area_in_a_corner_equals_the_formula(turn: int) -> None:
     phi = math.radians(turn)
     # A triangle whose corner at (150, 150) turns the disc by φ.
     inner = math.pi - phi
     hole = closed((150, 150), (210, 150), (150 + 60 * math.cos(inner), 150 + 60 * math.sin(inner)))
-    verdict, work = judged(hole + 10.0, closed((60, 60), (400, 60), (400, 400), (60, 400)))
+    verdict, work = verdict_of(hole + 10.0, closed((60, 60), (400, 60), (400, 400), (60, 400)))
     assert verdict.accepted
     want = by_shapely(shapely.Polygon(hole[:, 0]))
     assert verdict.areas.area.sum() == pytest.approx(want, rel=0.02)
@@ -136,10 +136,10 @@ def test_a_corner_of_any_angle_keeps_what_the_formula_says(turn: int) -> None:
     assert by_engine(work) == pytest.approx(want, rel=5e-3)
 
 
-def test_a_corner_of_a_line_and_an_arc_too() -> None:
+def test_the_area_between_a_line_and_an_arc() -> None:
     # A half disc of 20 mm radius, standing on its diameter.
     hole = closed((150, 150), (190, 150))
-    verdict, work = judged(hole, BLANK, bulge={1: 1.0})
+    verdict, work = verdict_of(hole, BLANK, bulge={1: 1.0})
     assert verdict.accepted
     full = shapely.Point(170, 150).buffer(20, quad_segs=400)
     want = by_shapely(shapely.intersection(full, shapely.box(140, 150, 200, 180)))
@@ -148,20 +148,20 @@ def test_a_corner_of_a_line_and_an_arc_too() -> None:
     assert by_engine(work) == pytest.approx(want, rel=0.01)
 
 
-def test_two_corners_on_one_short_edge_keep_what_each_would() -> None:
+def test_two_corners_on_a_short_edge_have_the_areas_of_both() -> None:
     # The bevel between two panels: 45° twice, 3.11 mm apart.
     bevelled = closed(
         (100, 100), (300, 100), (300, 200), (202.2, 200), (200, 202.2), (200, 250), (100, 250)
     )
-    verdict, work = judged(bevelled)
+    verdict, work = verdict_of(bevelled)
     assert verdict.accepted
     corner = R**2 * (math.tan(math.pi / 8) - math.pi / 8)
     np.testing.assert_allclose(verdict.areas.area, [corner] * 2, rtol=0.05)
     assert by_engine(work) == pytest.approx(2 * corner, rel=1e-6)
 
 
-def test_a_cutter_that_gives_way_leaves_what_it_leaves_at_rest() -> None:
+def test_deflection_does_not_change_the_unreached_area() -> None:
     board = replace(BOARD, deflection=(Deflection("Router", 0.08, 0.05),))
-    verdict, _ = judged(HOLE, BLANK, board=board)
+    verdict, _ = verdict_of(HOLE, BLANK, board=board)
     assert verdict.accepted
     np.testing.assert_allclose(verdict.areas.area, [SQUARE] * 4, rtol=0.06)

@@ -38,7 +38,7 @@ def test_the_hand_written_programs_are_accepted(text: bytes) -> None:
 
 
 @BOTH
-def test_the_figures_are_those_that_were_worked_out_by_hand(text: bytes) -> None:
+def test_the_figures_equal_those_computed_by_hand(text: bytes) -> None:
     verdict = verify(text, DIELINE, PLACEMENT, MACHINE, BOARD)
     rounds = 0.005 if text is LINUXCNC else 0.0
     worked = np.arange(len(DIELINE)) < 13
@@ -88,14 +88,14 @@ def test_a_tool_table_brings_its_own_datum() -> None:
     assert verify(LINUXCNC, DIELINE, PLACEMENT, machine, BOARD).accepted
 
 
-def test_another_placement_is_refused_with_both_told() -> None:
+def test_another_placement_is_refused_with_both_in_the_message() -> None:
     verdict = verify(LINUXCNC, DIELINE, (20.0, 21.0), MACHINE, BOARD)
     assert not verdict.accepted
     assert any("X20.0000 Y20.0000; the job has X20.0000 Y21.0000" in finding.text
                for finding in verdict.findings)  # fmt: skip
 
 
-def test_an_edge_that_nobody_classified_is_refused() -> None:
+def test_an_unclassified_edge_is_refused() -> None:
     kinds = DIELINE.line_type.copy()
     kinds[13] = LineType.UNCLASSIFIED
     verdict = verify(LINUXCNC, replace(DIELINE, line_type=kinds), PLACEMENT, MACHINE, BOARD)
@@ -106,13 +106,13 @@ def test_an_edge_that_nobody_classified_is_refused() -> None:
     "text",
     [b"", b"\n", b"()", b"M2\n", b"G0 X1\n", bytes(range(256)), b"G1 " * 10_000, b"\xff" * 1000],
 )
-def test_a_text_that_is_no_program_is_refused_and_raises_nothing(text: bytes) -> None:
+def test_a_text_that_is_not_a_program_is_refused_without_an_exception(text: bytes) -> None:
     verdict = verify(text, DIELINE, PLACEMENT, MACHINE, BOARD)
     assert not verdict.accepted
     assert verdict.uncut[0] == 80.0
 
 
-def test_scrambled_programs_raise_nothing() -> None:
+def test_scrambled_programs_raise_no_exception() -> None:
     chance = np.random.default_rng(11)
     for _ in range(150):
         raw = np.frombuffer(LINUXCNC, np.uint8).copy()
@@ -121,7 +121,7 @@ def test_scrambled_programs_raise_nothing() -> None:
         verify(raw.tobytes(), DIELINE, PLACEMENT, MACHINE, BOARD)
 
 
-def test_what_cannot_be_judged_raises_an_error_that_says_why() -> None:
+def test_invalid_arguments_raise_an_error_with_the_reason() -> None:
     with pytest.raises(ProgramUnreadable):
         verify(cast(bytes, "G0"), DIELINE, PLACEMENT, MACHINE, BOARD)
     with pytest.raises(GeometryError, match="The placement"):
@@ -141,13 +141,13 @@ def test_at_most_a_thousand_findings_are_kept() -> None:
     assert verdict.uncut[1499] == 5.0
 
 
-def test_a_wider_tolerance_lets_more_pass() -> None:
+def test_a_wider_tolerance_accepts_greater_deviations() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0300").encode()
     assert not verify(text, DIELINE, PLACEMENT, MACHINE, BOARD).accepted
     assert verify(text, DIELINE, PLACEMENT, MACHINE, BOARD, tolerance=0.05).accepted
 
 
-def test_findings_come_in_the_order_of_the_lines() -> None:
+def test_findings_are_sorted_by_line() -> None:
     text = changed(LINUXCNC, "G1 X59.5944 F24000", "G1 X59.4000 F24000")
     text = changed(text, "G1 Y65.6000 F30000", "G1 Y65.0000 F30000")
     lines = [finding.line for finding in verify(text, DIELINE, PLACEMENT, MACHINE, BOARD).findings]
