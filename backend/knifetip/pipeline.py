@@ -27,7 +27,7 @@ from knifetip.errors import CompensationError, OpenQuestions, PlanError
 from knifetip.formats import read_file
 from knifetip.geometry.columns import I32, U8
 from knifetip.languages.registry import with_language
-from knifetip.library import load, own
+from knifetip.library import custom_profiles, load
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.cleaned import Cleaned
@@ -134,7 +134,7 @@ def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:
 def rules_of(interpretation: Interpretation) -> LineRules:
     """Return the profile of an interpretation: a customer's own, or one of the library."""
     if interpretation.rules:
-        return own.parsed(interpretation.profile, interpretation.rules)
+        return custom_profiles.parse_text(interpretation.profile, interpretation.rules)
     return load.profile(interpretation.profile, files=False)
 
 

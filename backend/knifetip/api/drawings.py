@@ -56,7 +56,7 @@ from knifetip.jobs.columns import unpacked
 from knifetip.jobs.interpretations import drawing_columns, interpretation_of
 from knifetip.jobs.process_pool import TaskFailed
 from knifetip.jobs.tables import Drawing
-from knifetip.library import own
+from knifetip.library import custom_profiles
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
@@ -163,9 +163,9 @@ def change_drawing(
         profile, rules = row.profile, row.rules
         if patch.rules:
             profile, rules = patch.profile or row.profile, patch.rules
-            own.checked_name(profile)
+            custom_profiles.check_name(profile)
             not_shipped(here, profile)
-            own.parsed(profile, rules)
+            custom_profiles.parse_text(profile, rules)
         elif patch.profile is not None:
             profile, rules = patch.profile, rules_named(here, patch.profile)
         why = f"unit {unit or 'open'}, profile {profile}"

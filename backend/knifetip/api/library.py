@@ -11,7 +11,7 @@ from knifetip.api.schemas.machines import StationTool
 from knifetip.api.service import on_shelf
 from knifetip.formats import FORMATS
 from knifetip.library import deflection, load
-from knifetip.library.load import cutter_of
+from knifetip.library.load import find_cutter
 from knifetip.model.board import Deflection
 from knifetip.model.tool import kind_of
 
@@ -48,7 +48,7 @@ def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
     board's.
     """
     on_shelf("boards", name)
-    station = cutter_of(load.machine(on_shelf("machines", order.machine)), order.tool)
+    station = find_cutter(load.machine(on_shelf("machines", order.machine)), order.tool)
     # The engines import numba, which listing the library does not need.
     from knifetip.compensation.calibration import calibrate as fit_deflection
 
@@ -65,7 +65,7 @@ def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
         x=made.x,
         y=made.y,
         residual=made.residual,
-        toml=deflection.table(kept),
+        toml=deflection.deflection_toml(kept),
     )
 
 

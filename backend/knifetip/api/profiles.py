@@ -19,7 +19,7 @@ from knifetip.errors import ProfileError, RequestError
 from knifetip.jobs import profiling
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.tables import Profile
-from knifetip.library import load, own
+from knifetip.library import custom_profiles, load
 
 router = APIRouter(tags=["profiles"])
 
@@ -64,7 +64,7 @@ def list_profiles(here: Here) -> list[ProfileOut]:
 def export_profile(here: Here, request: Request, name: str) -> Response:
     """Return a profile as TOML, to be kept, edited and sent back."""
     row = here.store.profiles.get(name)
-    text = own.text_of(on_shelf("profiles", name)) if row is None else row.text
+    text = custom_profiles.library_text(on_shelf("profiles", name)) if row is None else row.text
     tag = str(row.version if row is not None else 0)
     return bytes_answer(request, text.encode(), tag, f"{TOML}; charset=utf-8", f"{name}.toml")
 
@@ -86,17 +86,17 @@ def keep_profile(
 
     A new one needs no If-Match; to change one, say which version it was made from.
     """
-    own.checked_name(name)
+    custom_profiles.check_name(name)
     not_shipped(here, name)
     version, anyway = _version(match)
     if "json" in request.headers.get("content-type", "").lower():
         given = _profile_in(body)
         if match is None:
             version = given.version
-        text = own.written(name, fields_of(given))
+        text = custom_profiles.profile_text(name, fields_of(given))
     else:
         text = _text(name, body)
-    title = own.parsed(name, text).title
+    title = custom_profiles.parse_text(name, text).title
     row = here.store.profiles.save(name, title, text, version, anyway=anyway)
     response.status_code = 201 if row.version == 1 else 200
     response.headers["ETag"] = f'"{row.version}"'
@@ -119,7 +119,7 @@ def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
         profiling.preview,
         row.content,
         interpretation_of(row, row.overrides),
-        own.written(profile.title[:80], fields_of(profile)),
+        custom_profiles.profile_text(profile.title[:80], fields_of(profile)),
     )
     return PreviewOut.model_validate(found)
 
@@ -184,9 +184,12 @@ def _place(loc: tuple[int | str, ...]) -> tuple[str, ...]:
 
 
 def _text(name: str, body: bytes) -> str:
-    if len(body) > own.LONGEST:
+    if len(body) > custom_profiles.MAX_BYTES:
         raise ProfileError(
-            "profile.too-long", name=name, size=len(body) >> 10, limit=own.LONGEST >> 10
+            "profile.too-long",
+            name=name,
+            size=len(body) >> 10,
+            limit=custom_profiles.MAX_BYTES >> 10,
         )
     try:
         return body.decode("utf-8-sig")
@@ -195,7 +198,7 @@ def _text(name: str, body: bytes) -> str:
 
 
 def _shipped_out(name: str) -> ProfileOut:
-    return _out(name, own.text_of(name), shipped=True)
+    return _out(name, custom_profiles.library_text(name), shipped=True)
 
 
 def _kept_out(row: Profile) -> ProfileOut:
@@ -214,9 +217,9 @@ def _kept_out(row: Profile) -> ProfileOut:
 
 
 def _out(name: str, text: str, *, shipped: bool = False, **more: Any) -> ProfileOut:
-    rules = load.profile(name, files=False) if shipped else own.parsed(name, text)
-    fields = own.parts(text)
-    inherited = own.inherited(fields, rules)
+    rules = load.profile(name, files=False) if shipped else custom_profiles.parse_text(name, text)
+    fields = custom_profiles.parse_fields(text)
+    inherited = custom_profiles.inherited_rules(fields, rules)
     return ProfileOut.model_validate(
         {
             "name": name,

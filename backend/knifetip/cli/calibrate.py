@@ -93,7 +93,7 @@ def register(app: typer.Typer) -> None:
         contour from the drawn one.  Measure points on edges along X, along Y, and at 45°.
         """
         table = load.machine(machine)
-        text = load.text_of_board(board)
+        text = load.board_toml(board)
         cutters = [station.name for station in table.stations if station.tool.yields]
         if tool is None and len(cutters) > 1:
             raise LibraryError(
@@ -102,13 +102,13 @@ def register(app: typer.Typer) -> None:
                 count=len(cutters),
                 cutters=cutters,
             )
-        station = load.cutter_of(table, tool or next(iter(cutters), ""))
+        station = load.find_cutter(table, tool or next(iter(cutters), ""))
         azimuths, offsets = read_points(file.name, read_bytes(file))
         fitted = fit_deflection(azimuths, offsets, 1 if side is Side.LEFT else -1)
         result = Deflection(station.name, fitted.x, fitted.y)
-        lines = deflection.table(result)
+        lines = deflection.deflection_toml(result)
         if store is not None:
-            write_bytes(store, deflection.stored(text, result).encode())
+            write_bytes(store, deflection.replace_deflection(text, result).encode())
         if json:
             print_json({"tool": station.name, **asdict(fitted), "toml": lines})
             return

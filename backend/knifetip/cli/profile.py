@@ -22,7 +22,7 @@ from knifetip.cli.rules import (
 )
 from knifetip.cli.terminal import print_json, read_bytes, write_bytes
 from knifetip.errors import LibraryError, ProfileError
-from knifetip.library import load, own
+from knifetip.library import custom_profiles, load
 from knifetip.model.profile import LineRules
 
 Name = Annotated[str, typer.Argument(metavar="NAME", help="Name of a profile, or its TOML file.")]
@@ -51,7 +51,10 @@ def register(app: typer.Typer) -> None:
     def list_profiles(database: Database = None, json: Json = False) -> None:
         """List the profiles of the library and of a server's database."""
         stored = stored_profiles(database)
-        rows = [(name, own.parsed(name, text).title, "kept") for name, text in stored.items()]
+        rows = [
+            (name, custom_profiles.parse_text(name, text).title, "kept")
+            for name, text in stored.items()
+        ]
         rows += [
             (name, load.profile(name).title, "shipped")
             for name in load.names("profiles")
@@ -104,12 +107,12 @@ def register(app: typer.Typer) -> None:
         ] = False,
     ) -> None:
         """Check a profile file, and store it in a server's database if there is one."""
-        profile_name = own.checked_name(name or file.stem.lower())
+        profile_name = custom_profiles.check_name(name or file.stem.lower())
         try:
             text = read_bytes(file).decode("utf-8-sig")
         except UnicodeDecodeError as reason:
             raise ProfileError("profile.not-utf8", name=file) from reason
-        rules = own.parsed(profile_name, text)
+        rules = custom_profiles.parse_text(profile_name, text)
         typer.echo(f"{profile_name}: {rules.title}, {len(rules.rules)} rules")
         url = database_of(database)
         if url is None:

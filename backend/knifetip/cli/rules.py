@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from knifetip.errors import LibraryError
-from knifetip.library import load, own
+from knifetip.library import custom_profiles, load
 from knifetip.model.profile import LineRules
 
 #: Environment variable with the URL of the database, and the file that is used without one.
@@ -45,7 +45,7 @@ def profile_toml(name: str, database: str | None = None) -> str:
         There is no such profile, or it cannot be read.
     """
     if name in load.names("profiles"):
-        return own.text_of(name)
+        return custom_profiles.library_text(name)
     if name.endswith(".toml"):
         load.profile(name)
         return Path(name).read_text("utf-8")
@@ -60,4 +60,4 @@ def find_profile(name: str, database: str | None = None) -> LineRules:
     """Return a profile from a file, the library or the database."""
     if name in load.names("profiles") or name.endswith(".toml"):
         return load.profile(name)
-    return own.parsed(name, profile_toml(name, database))
+    return custom_profiles.parse_text(name, profile_toml(name, database))

@@ -13,7 +13,7 @@ import numpy as np
 
 from knifetip.geometry.columns import U8
 from knifetip.jobs.readings import read_drawing
-from knifetip.library import own
+from knifetip.library import custom_profiles
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
@@ -42,7 +42,7 @@ def preview(
     drawing = read_drawing(content, interpretation.unit)
     given = np.frombuffer(interpretation.overrides, np.uint8)
     progress(Stage.CLASSIFY, 0.6)
-    other = own.parsed("preview", text)
+    other = custom_profiles.parse_text("preview", text)
     before = pipeline.interpret(drawing, interpretation)
     after = pipeline.classify(drawing, other, given)
     taken = matching_rules(drawing, other)
@@ -50,7 +50,7 @@ def preview(
     decided = taken >= 0
     edges = np.bincount(taken[decided], minlength=len(other.rules))
     length = np.bincount(taken[decided], weights=lengths[decided], minlength=len(other.rules))
-    inherited = own.inherited(own.parts(text), other)
+    inherited = custom_profiles.inherited_rules(custom_profiles.parse_fields(text), other)
     return {
         "rules": [
             {

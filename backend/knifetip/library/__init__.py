@@ -1,1 +1,1 @@
-"""What is shipped: machines, boards and classification profiles, each a TOML file."""
+"""library: machines, boards and classification profiles, each a TOML file."""

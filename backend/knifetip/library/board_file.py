@@ -1,4 +1,4 @@
-"""board_file: a board's TOML."""
+"""board_file: the fields of a board in TOML."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from knifetip.library.files import Table
 from knifetip.model.board import Board, Deflection
 from knifetip.model.tool.base import NotNegative, Positive
 
-#: More passes along one groove than this, or bridges nearer than this (mm), are a slip of the pen.
+#: Largest number of passes along one groove, and least spacing of bridges (mm); other values are
+#: refused as typing errors.
 _MOST_PASSES: Final = 50
 _LEAST_SPACING: Final = 10.0
 
 
 class DeflectionTable(Table):
-    """How far a tool gives way in this board."""
+    """The deflection of a tool in this board."""
 
-    x: NotNegative = Field(description="the most in X (mm)")
-    y: NotNegative = Field(description="the most in Y (mm)")
+    x: NotNegative = Field(description="greatest deflection in X (mm)")
+    y: NotNegative = Field(description="greatest deflection in Y (mm)")
 
 
 class BoardFile(Table):
@@ -28,46 +29,59 @@ class BoardFile(Table):
     title: str
     material: str = Field(description="greyboard, corrugated or folding boxboard")
     caliper: Positive = Field(description="thickness (mm)")
-    grain: float = Field(description="azimuth of flute or grain on the sheet (degrees)")
+    grain: float = Field(description="direction of flute or grain on the sheet (degrees)")
     crease_along: Positive = Field(description="depth of a crease along flute or grain (mm)")
-    crease_across: Positive = Field(description="depth of a crease across it (mm)")
-    end_clearance: NotNegative = Field(description="a crease stops this far before its end (mm)")
-    groove_depth: Positive = Field(description="of a V-groove below the top face (mm)")
-    groove_overcut: NotNegative = Field(description="the most by which a groove overruns (mm)")
-    half_cut_depth: Positive = Field(description="below the top face (mm)")
+    crease_across: Positive = Field(description="depth of a crease across flute or grain (mm)")
+    end_clearance: NotNegative = Field(
+        description="distance between the end of a crease and the end of its line (mm)"
+    )
+    groove_depth: Positive = Field(description="depth of a V-groove below the top face (mm)")
+    groove_overcut: NotNegative = Field(description="largest overcut of a V-groove (mm)")
+    half_cut_depth: Positive = Field(description="depth of a half-cut below the top face (mm)")
     perforation: list[Positive] = Field(
-        min_length=2, max_length=2, description="length of cut and of gap (mm)"
+        min_length=2, max_length=2, description="length of cuts and of gaps (mm)"
     )
     short_crease: Literal["press", "refuse"] = Field(
-        description="press it in place at the depth that fits, or refuse it"
+        description="whether a crease too short for the wheel is pressed at a smaller depth, "
+        "or refused"
     )
-    bridge_width: NotNegative = Field(0.0, description="of a nick that holds the part (mm)")
-    bridge_spacing: NotNegative = Field(0.0, description="the longest way between two (mm)")
-    double_crease: NotNegative = Field(0.0, description="between its lines (mm); 0: single")
-    groove_pass: NotNegative = Field(0.0, description="deepest pass of a groove (mm); 0: one")
-    groove_curve: NotNegative = Field(0.0, description="how far chords may leave an arc (mm)")
-    deflection: dict[str, DeflectionTable] = Field({}, description="by name of the station")
+    bridge_width: NotNegative = Field(0.0, description="width of a bridge that holds the part (mm)")
+    bridge_spacing: NotNegative = Field(
+        0.0, description="largest distance between two bridges (mm)"
+    )
+    double_crease: NotNegative = Field(
+        0.0, description="distance between the two lines of a double crease (mm); 0: single"
+    )
+    groove_pass: NotNegative = Field(
+        0.0, description="largest depth of one pass of a groove (mm); 0: one pass"
+    )
+    groove_curve: NotNegative = Field(
+        0.0, description="largest distance between an arc and its chords in a groove (mm)"
+    )
+    deflection: dict[str, DeflectionTable] = Field(
+        {}, description="deflection of each tool, by the name of its station"
+    )
 
     @field_validator("crease_along", "crease_across", "groove_depth", "half_cut_depth")
     @classmethod
-    def _within(cls, value: float, info: ValidationInfo) -> float:
+    def _below_caliper(cls, value: float, info: ValidationInfo) -> float:
         caliper = info.data.get("caliper")
         if caliper is not None and value >= caliper:
-            raise ValueError(f"is {value}, and must be less than the caliper {caliper}")
+            raise ValueError(f"is {value}, but must be less than the caliper {caliper}")
         return value
 
     @field_validator("groove_pass")
     @classmethod
-    def _few_passes(cls, value: float, info: ValidationInfo) -> float:
+    def _limit_passes(cls, value: float, info: ValidationInfo) -> float:
         if value and info.data.get("groove_depth", 0.0) / value > _MOST_PASSES:
-            raise ValueError(f"is {value}, and would take more than {_MOST_PASSES} passes")
+            raise ValueError(f"is {value}, which needs more than {_MOST_PASSES} passes")
         return value
 
     @field_validator("bridge_spacing")
     @classmethod
-    def _far_apart(cls, value: float) -> float:
+    def _check_spacing(cls, value: float) -> float:
         if 0.0 < value < _LEAST_SPACING:
-            raise ValueError(f"is {value}, and must be {_LEAST_SPACING:g} or more, or 0")
+            raise ValueError(f"is {value}, but must be 0, or at least {_LEAST_SPACING:g}")
         return value
 
     def record(self, name: str) -> Board:

@@ -1,6 +1,6 @@
-"""deflection: how far a tool gives way, as a board's TOML keeps it.
+"""deflection: write the deflection of a tool into the TOML of a board.
 
-Deflection -> the lines of its table; the text of a board -> the same with that table in it
+Deflection -> the lines of its table; text of a board -> text with that table
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ import re
 from knifetip.model.board import Deflection
 
 
-def table(deflection: Deflection) -> str:
-    """Return the lines of a deflection in a board's file.
+def deflection_toml(deflection: Deflection) -> str:
+    """Return the TOML table of a deflection.
 
     Examples
     --------
-    >>> print(table(Deflection("Router", 0.08, 0.05)), end="")
+    >>> print(deflection_toml(Deflection("Router", 0.08, 0.05)), end="")
     [deflection.Router]
     x = 0.0800
     y = 0.0500
@@ -24,8 +24,8 @@ def table(deflection: Deflection) -> str:
     return f"[deflection.{_key(deflection.tool)}]\nx = {deflection.x:.4f}\ny = {deflection.y:.4f}\n"
 
 
-def stored(text: str, deflection: Deflection) -> str:
-    """Return the text of a board's file with this deflection, in place of an earlier one."""
+def replace_deflection(text: str, deflection: Deflection) -> str:
+    """Return the TOML of a board with the deflection of a tool added or replaced."""
     name = re.escape(deflection.tool)
     quoted = re.escape(json.dumps(deflection.tool, ensure_ascii=False))
     head = re.compile(rf"\[\s*deflection\s*\.\s*(?:{name}|{quoted}|'{name}')\s*\]")
@@ -35,7 +35,7 @@ def stored(text: str, deflection: Deflection) -> str:
             inside = head.match(line.strip()) is not None
         if not inside:
             kept.append(line)
-    return "\n".join(kept).rstrip() + "\n\n" + table(deflection)
+    return "\n".join(kept).rstrip() + "\n\n" + deflection_toml(deflection)
 
 
 def _key(name: str) -> str:

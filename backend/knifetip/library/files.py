@@ -1,8 +1,8 @@
-"""files: TOML of the user's own, checked field by field.
+"""files: validate the fields of TOML files.
 
-    fields of a document, model -> the checked model, or an error that names field, fault and hint
+    fields of a document, model -> validated model, or an error with the path and fault of the field
 
-Numbers are finite, and no other type is taken for one; a field that means nothing is an error.
+Numbers must be finite, and types are not converted.  Unknown fields are errors.
 """
 
 from __future__ import annotations
@@ -17,33 +17,33 @@ from pydantic_core import ErrorDetails
 from knifetip.errors import KnifetipError, LibraryError
 from knifetip.messages import Message
 
-File = TypeVar("File", bound="Table")
+Model = TypeVar("Model", bound="Table")
 
-#: So many faults of one file are listed.
+#: Largest number of faults of one file in an error.
 _MOST = 5
 
 
 class Table(BaseModel):
-    """A table of a TOML document."""
+    """Base class of the models of TOML tables."""
 
     model_config = ConfigDict(
         strict=True, extra="forbid", frozen=True, allow_inf_nan=False, hide_input_in_errors=True
     )
 
 
-def checked(
-    model: type[File],
+def validate_fields(
+    model: type[Model],
     fields: Mapping[str, Any],
     shelf: str,
     name: str,
     error: type[KnifetipError] = LibraryError,
-) -> File:
-    """Return the fields of a document as a model.
+) -> Model:
+    """Return the validated model of a TOML document.
 
     Parameters
     ----------
     shelf, name
-        What the file describes, and its name, for the error.
+        Kind and name of the file, for the error.
     error
         Class of the error.
 
@@ -55,7 +55,7 @@ def checked(
     try:
         return model.model_validate(fields)
     except ValidationError as reason:
-        # Beside a missing field a misspelt one is what to look at.
+        # Unknown fields first: a missing field is often a misspelt one.
         faults = sorted(
             reason.errors(include_url=False), key=lambda fault: fault["type"] != "extra_forbidden"
         )
@@ -69,13 +69,13 @@ def checked(
 
 
 def _path(fault: ErrorDetails) -> tuple[str, ...]:
-    """Return the tables and the field that a fault is in: ("station 2", "tool", "tilt")."""
+    """Return the path of the wrong field: ("station 2", "tool", "tilt")."""
     path: list[str] = []
     before: int | str = ""
     for key in fault["loc"]:
         if isinstance(key, int) and path:
             path[-1] += f" {key + 1}"
-        # Below a tool pydantic names its kind, which is no table of the file.
+        # pydantic adds the kind of a tool to the path, which is not a table of the file.
         elif before != "tool":
             path.append(str(key))
         before = key
@@ -83,7 +83,7 @@ def _path(fault: ErrorDetails) -> tuple[str, ...]:
 
 
 def _message(model: type[Table], fault: ErrorDetails) -> Message:
-    """Return what is wrong with a field."""
+    """Return the message for a fault of a field."""
     path = " → ".join(_path(fault))[:200] or "the file"
     if fault["type"] == "missing":
         return Message("field.missing", path=path)
@@ -97,35 +97,36 @@ def _message(model: type[Table], fault: ErrorDetails) -> Message:
     return Message("field.invalid", path=path, fault=_text(fault))
 
 
-#: What is wrong, by pydantic's type of error; the limits of an error fill in the braces.
+#: Text of each error type of pydantic, formatted with the input and the context of the error.
 _TEXTS = {
     "float_type": "is {input}, not a number",
     "int_type": "is {input}, not a whole number",
     "int_from_float": "is {input}, not a whole number",
     "finite_number": "is {input}, not a number",
-    "bool_type": "is {input}: it is true or false",
+    "bool_type": "is {input}, not true or false",
     "string_type": "is {input}, not text",
     "list_type": "is {input}, not a list",
     "tuple_type": "is {input}, not a list",
     "dict_type": "is {input}, not a table",
     "model_type": "is {input}, not a table",
     "model_attributes_type": "is {input}, not a table",
-    "greater_than": "is {input}, and must be more than {gt:g}",
-    "greater_than_equal": "is {input}, and must not be less than {ge:g}",
-    "less_than": "is {input}, and must be less than {lt:g}",
-    "less_than_equal": "is {input}, and must not be more than {le:g}",
-    "literal_error": "is {input}: it is {expected}",
+    "greater_than": "is {input}, but must be greater than {gt:g}",
+    "greater_than_equal": "is {input}, but must be at least {ge:g}",
+    "less_than": "is {input}, but must be less than {lt:g}",
+    "less_than_equal": "is {input}, but must be at most {le:g}",
+    "literal_error": "is {input}, but must be {expected}",
     "union_tag_not_found": "has no {discriminator}",
-    "union_tag_invalid": "is of kind {tag!r}, which there is not; there are {expected_tags}",
-    "too_short": "has {actual_length} values, and must have {min_length} or more",
-    "too_long": "has too many values: it may have {max_length}",
-    "string_pattern_mismatch": "is {input}, which says nothing",
+    "union_tag_invalid": "has the unknown kind {tag!r}; known kinds are {expected_tags}",
+    "too_short": "has {actual_length} values, but needs at least {min_length}",
+    "too_long": "has more than {max_length} values",
+    "string_pattern_mismatch": "is {input}, but must contain visible characters",
     "string_too_long": "is longer than {max_length} characters",
     "value_error": "{error}",
 }
 
 
 def _text(fault: ErrorDetails) -> str:
+    """Return the text of a fault, that of pydantic for unlisted error types."""
     text = _TEXTS.get(fault["type"])
     if text is None:
         return fault["msg"]
@@ -133,7 +134,7 @@ def _text(fault: ErrorDetails) -> str:
 
 
 def _names(model: type[BaseModel]) -> Iterator[str]:
-    """Yield the names of all fields of a model and of the tables in it."""
+    """Yield the names of all fields of a model and of its tables."""
     schema = model.model_json_schema()
     for table in (schema, *schema.get("$defs", {}).values()):
         yield from table.get("properties", {})

@@ -1,4 +1,4 @@
-"""load: machines, boards and profiles by name, or from a TOML file of the user's own.
+"""load: load machines, boards and profiles of the library, or from TOML files of the user.
 
 "demo-table" -> Machine        "e-flute" -> Board        "default" -> LineRules
 """
@@ -17,17 +17,17 @@ from typing import Any, TypeVar
 
 from knifetip.errors import LibraryError, ProfileError
 from knifetip.languages.registry import find_language
-from knifetip.library.files import checked
+from knifetip.library.files import validate_fields
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
 from knifetip.model.profile import LineRules
 
-Made = TypeVar("Made")
+Record = TypeVar("Record")
 
 
 def names(shelf: str) -> list[str]:
-    """Return the names on a shelf: ``machines``, ``boards`` or ``profiles``."""
+    """Return the names in a folder of the library: ``machines``, ``boards`` or ``profiles``."""
     return list(_names(shelf))
 
 
@@ -39,72 +39,73 @@ def _names(shelf: str) -> tuple[str, ...]:
 
 
 def machine(name: str, files: bool = True) -> Machine:
-    """Return a machine of the library, or of a TOML file; see ``profile`` for ``files``.
+    """Return a machine from the library or from a TOML file; see ``profile`` for ``files``.
 
     Raises
     ------
     LibraryError
-        There is no such machine, or its file is wrong.
+        The machine does not exist, or its file is invalid.
     """
     return (
         _machine(name)
         if name in names("machines")
-        else _own("machines", name, files, parse_machine)
+        else _load_file("machines", name, files, parse_machine)
     )
 
 
 def board(name: str, files: bool = True) -> Board:
-    """Return a board of the library, or of a TOML file; see ``profile`` for ``files``.
+    """Return a board from the library or from a TOML file; see ``profile`` for ``files``.
 
     Raises
     ------
     LibraryError
-        There is no such board, or its file is wrong.
+        The board does not exist, or its file is invalid.
     """
-    return _board(name) if name in names("boards") else _own("boards", name, files, parse_board)
+    return (
+        _board(name) if name in names("boards") else _load_file("boards", name, files, parse_board)
+    )
 
 
 def profile(name: str, files: bool = True) -> LineRules:
-    """Return a classification profile of the library, or of a TOML file.
+    """Return a classification profile from the library or from a TOML file.
 
-    What is shipped is read once.  A file of the user's own is read each time: it may be edited.
+    Files of the library are cached.  Files of the user are read each time, since they may change.
 
     Parameters
     ----------
     files
-        Whether ``name`` may be the path of a TOML file; never say so for a name that comes from
-        another machine.
+        Whether ``name`` may be the path of a TOML file.  Must be False for names from the network.
 
     Raises
     ------
     LibraryError, ProfileError
-        There is no such profile, or its file is wrong.
+        The profile does not exist, or its file is invalid.
     """
     if name in names("profiles"):
         return _profile(name)
-    return _own("profiles", name, files, parse_profile)
+    return _load_file("profiles", name, files, parse_profile)
 
 
 @cache
 def _machine(name: str) -> Machine:
-    return _made("machines", _shipped("machines", name), name, parse_machine)
+    return _parse_file("machines", _library_file("machines", name), name, parse_machine)
 
 
 @cache
 def _board(name: str) -> Board:
-    return _made("boards", _shipped("boards", name), name, parse_board)
+    return _parse_file("boards", _library_file("boards", name), name, parse_board)
 
 
 @cache
 def _profile(name: str) -> LineRules:
-    return _made("profiles", _shipped("profiles", name), name, parse_profile)
+    return _parse_file("profiles", _library_file("profiles", name), name, parse_profile)
 
 
 @cache
 def conventions() -> tuple[LineRules, ...]:
-    """Return what makes each profile of the library differ from the default: its house's colours.
+    """Return the rules of each profile of the library that the default profile does not have.
 
-    Classification tries them where the chosen profile says nothing.
+    Classification tries them for styles that match no rule of the chosen profile.
     """
     common = set(profile("default", files=False).rules)
     own = []
@@ -116,27 +117,27 @@ def conventions() -> tuple[LineRules, ...]:
     return tuple(own)
 
 
-def _shipped(shelf: str, name: str) -> Traversable:
+def _library_file(shelf: str, name: str) -> Traversable:
     return resources.files(__package__) / shelf / f"{name}.toml"
 
 
-def _own(
-    shelf: str, name: str, files: bool, parse: Callable[[str, Mapping[str, Any], str], Made]
-) -> Made:
-    """Return what a file of the user's own says."""
+def _load_file(
+    shelf: str, name: str, files: bool, parse: Callable[[str, Mapping[str, Any], str], Record]
+) -> Record:
+    """Return the record in a TOML file of the user."""
     if files and name.endswith(".toml"):
-        return _made(shelf, Path(name), name, parse)
+        return _parse_file(shelf, Path(name), name, parse)
     raise LibraryError(
         "library.unknown", shelf=shelf.removesuffix("s"), name=name[:200], known=names(shelf)
     )
 
 
-def _made(
+def _parse_file(
     shelf: str,
     file: Path | Traversable,
     name: str,
-    parse: Callable[[str, Mapping[str, Any], str], Made],
-) -> Made:
+    parse: Callable[[str, Mapping[str, Any], str], Record],
+) -> Record:
     word = shelf.removesuffix("s")
     failure = ProfileError if shelf == "profiles" else LibraryError
     try:
@@ -156,13 +157,13 @@ def _made(
     return parse(file.name.removesuffix(".toml"), fields, name)
 
 
-def cutter_of(machine: Machine, tool: str) -> Station:
-    """Return the station of a machine's cutter, by its name.
+def find_cutter(machine: Machine, tool: str) -> Station:
+    """Return the station of a cutter or beam by its name.
 
     Raises
     ------
     LibraryError
-        The machine has no such station, or it holds another kind of tool.
+        The machine has no station of this name with such a tool.
     """
     cutters = [station for station in machine.stations if station.tool.yields]
     for station in cutters:
@@ -176,13 +177,13 @@ def cutter_of(machine: Machine, tool: str) -> Station:
     )
 
 
-def text_of_board(name: str) -> str:
-    """Return the TOML of a board of the library, or of a file.
+def board_toml(name: str) -> str:
+    """Return the TOML of a board from the library or from a file.
 
     Raises
     ------
     LibraryError
-        There is no such board, or its file is wrong.
+        The board does not exist, or its file is invalid.
     """
     board(name)
     if name in names("boards"):
@@ -191,23 +192,23 @@ def text_of_board(name: str) -> str:
 
 
 def parse_machine(name: str, fields: Mapping[str, Any], file: str = "") -> Machine:
-    """Return the machine of a TOML document.
+    """Return the machine in a TOML document.
 
-    ``file`` is its name in errors, where that is not the name of the record.
+    ``file`` is the name of the file in errors; the default is ``name``.
 
     Raises
     ------
     LibraryError
-        A field is wrong.
+        A field is missing, invalid or unknown.
     """
     from knifetip.library.machine_file import MachineFile
 
-    table = checked(MachineFile, fields, "machine", file or name)
+    table = validate_fields(MachineFile, fields, "machine", file or name)
     machine = table.record(name)
     try:
         settings = find_language(machine.dialect).read_settings(table.controller, machine)
     except ValueError as reason:
-        fault = Message("field.invalid", path="controller", fault=f"is wrong: {reason}")
+        fault = Message("field.invalid", path="controller", fault=f"is invalid: {reason}")
         raise LibraryError(
             "library.invalid",
             shelf="machine",
@@ -219,37 +220,37 @@ def parse_machine(name: str, fields: Mapping[str, Any], file: str = "") -> Machi
 
 
 def parse_board(name: str, fields: Mapping[str, Any], file: str = "") -> Board:
-    """Return the board of a TOML document.
+    """Return the board in a TOML document.
 
-    ``file`` is its name in errors, where that is not the name of the record.
+    ``file`` is the name of the file in errors; the default is ``name``.
 
     Raises
     ------
     LibraryError
-        A field is wrong.
+        A field is missing, invalid or unknown.
     """
     from knifetip.library.board_file import BoardFile
 
-    return checked(BoardFile, fields, "board", file or name).record(name)
+    return validate_fields(BoardFile, fields, "board", file or name).record(name)
 
 
 def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineRules:
-    """Return the profile of a TOML document: a title and a list of ``[[rule]]``.
+    """Return the profile in a TOML document: a title and a list of ``[[rule]]``.
 
-    With ``extends`` the rules of that profile of the library come first: a layer's name says more
-    than the colour that most of these profiles add.  With ``overrules = true`` they come last:
-    so do profiles that somebody's corrections made.
+    With ``extends``, the rules of that profile of the library come first, because the name of a
+    layer is better evidence than the colours that most profiles add.  With ``overrules = true``
+    they come last, as in profiles that were made from corrections.
 
     Raises
     ------
     ProfileError
-        A field is wrong; ``source`` names the rule and the field.
+        A field is missing, invalid or unknown; ``source`` is its path.
     """
     from knifetip.library.profile_file import ProfileFile
 
-    table = checked(ProfileFile, fields, "profile", file or name, ProfileError)
+    table = validate_fields(ProfileFile, fields, "profile", file or name, ProfileError)
     if table.extends is not None and table.extends not in names("profiles"):
-        text = f"is {table.extends[:80]!r}, which is no profile of the library"
+        text = f"is {table.extends[:80]!r}, which is not a profile of the library"
         raise ProfileError(
             "library.invalid",
             shelf="profile",
@@ -264,20 +265,20 @@ def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineR
 
 
 def profile_toml(rules: LineRules, extends: str | None = None) -> str:
-    """Return a profile as TOML, which ``parse_profile`` reads back as the same rules.
+    """Return the TOML of a profile, from which ``parse_profile`` returns the same rules.
 
     Parameters
     ----------
     extends
-        A profile of the library that these rules begin or end with, so that only the others are
-        written; None writes all of them.
+        A profile of the library whose rules these rules begin or end with, and which are not
+        written; None writes all rules.
 
     Raises
     ------
     LibraryError
-        There is no such profile on the shelf.
+        The profile ``extends`` does not exist.
     ProfileError
-        The rules neither begin nor end with those that they are said to extend.
+        The rules neither begin nor end with those of ``extends``.
     """
     own = rules.rules
     lines = [f"title = {_quoted(rules.title)}"]
@@ -310,6 +311,6 @@ def profile_toml(rules: LineRules, extends: str | None = None) -> str:
 
 
 def _quoted(text: str) -> str:
-    # Half a surrogate pair cannot be written as UTF-8: ? stands for any one sign in a pattern.
+    # A lone surrogate has no UTF-8: it becomes ?, which matches any character in a pattern.
     clean = text.encode("utf-8", "replace").decode("utf-8")
     return json.dumps(clean, ensure_ascii=False).replace("\x7f", "\\u007f")

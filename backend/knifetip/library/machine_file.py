@@ -1,7 +1,7 @@
-"""machine_file: a machine's TOML, and the tools in it.
+"""machine_file: the fields of a machine and its tools in TOML.
 
-The tables of tools are made of the records of ``knifetip.model.tool``, so that a new kind of tool
-needs nothing here.
+The models of tools are generated from the records in ``knifetip.model.tool``, so a new kind of tool
+needs no change here.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from knifetip.model.tool.base import NotNegative, Positive
 
 
 class AxisTable(Table):
-    """One axis: its travel and how fast it can go (mm or degrees, and seconds)."""
+    """One axis: travel, velocity and acceleration (mm or degrees, and seconds)."""
 
     low: float = Field(description="least joint position")
     high: float = Field(description="greatest joint position")
-    velocity: Positive = Field(description="per second")
-    acceleration: Positive = Field(description="per second squared")
+    velocity: Positive = Field(description="greatest velocity, per second")
+    acceleration: Positive = Field(description="greatest acceleration, per second squared")
 
     @field_validator("high")
     @classmethod
     def _above_low(cls, value: float, info: ValidationInfo) -> float:
         low = info.data.get("low")
         if low is not None and value <= low:
-            raise ValueError(f"is {value}, and must be more than low, {low}")
+            raise ValueError(f"is {value}, but must be greater than low, {low}")
         return value
 
 
@@ -48,7 +48,7 @@ class Axes(Table):
 
 
 class Datum(Table):
-    """Where a station stands: joint position = programmed position + datum."""
+    """The offset of a station: joint position = programmed position + datum."""
 
     x: float = Field(description="mm")
     y: float = Field(description="mm")
@@ -88,12 +88,15 @@ _AnyTool: Any = reduce(or_, map(_tool_table, KINDS))
 
 
 class StationTable(Table):
-    """A place on the beam that holds one tool."""
+    """A place on the head that carries one tool."""
 
-    number: int = Field(gt=0, lt=256, description="the T word")
+    number: int = Field(gt=0, lt=256, description="tool number in programs (T word)")
     name: str
     datum: Datum
-    output: int = Field(-1, description="digital output that lowers it; -1 where it has none")
+    output: int = Field(
+        -1,
+        description="digital output that lowers the station or switches its tool on; -1 for none",
+    )
     tool: Annotated[_AnyTool, Field(discriminator="kind")]
 
     def record(self) -> Station:
@@ -103,21 +106,25 @@ class StationTable(Table):
 
 
 class MachineFile(Table):
-    """A flatbed sample-maker.  Z0 is the top of the cutting mat, up is positive."""
+    """A flatbed sample-maker.  Z0 is the top of the cutting mat; up is positive."""
 
     title: str
-    width: Positive = Field(description="of the table, along X (mm)")
-    height: Positive = Field(description="of the table, along Y (mm)")
-    dialect: str = Field(description="the language of its controller")
+    width: Positive = Field(description="width of the table, along X (mm)")
+    height: Positive = Field(description="height of the table, along Y (mm)")
+    dialect: str = Field(description="controller language")
     origin: list[float] = Field(
-        min_length=2, max_length=2, description="where a drawing's lower left corner lies (mm)"
+        min_length=2,
+        max_length=2,
+        description="default position of the lower left corner of a drawing (mm)",
     )
-    travel_z: Positive = Field(description="height of the tip for rapids, above the mat (mm)")
-    clearance: Positive = Field(description="height above the board where plunging begins (mm)")
-    into_mat: NotNegative = Field(description="how deep a through cut goes into the mat (mm)")
-    settle: NotNegative = Field(description="seconds to wait after a piston is switched")
+    travel_z: Positive = Field(
+        description="travel height: height of the tip above the mat in air moves (mm)"
+    )
+    clearance: Positive = Field(description="height above the board at which plunging starts (mm)")
+    into_mat: NotNegative = Field(description="depth of a through cut in the mat (mm)")
+    settle: NotNegative = Field(description="waiting time after an output is switched (s)")
     feed: Literal["manual", "automatic"] = Field(
-        "manual", description="how a sheet gets onto the table"
+        "manual", description="whether an operator or a feeder loads the sheet"
     )
     axes: Axes
     station: list[StationTable]
@@ -125,17 +132,17 @@ class MachineFile(Table):
 
     @field_validator("dialect")
     @classmethod
-    def _known(cls, value: str) -> str:
+    def _check_language(cls, value: str) -> str:
         try:
             return find_language(value).name
         except LibraryError:
             raise ValueError(
-                f"is {value[:80]!r}: it is one of {', '.join(language_names())}"
+                f"is {value[:80]!r}, but must be one of {', '.join(language_names())}"
             ) from None
 
     @field_validator("station")
     @classmethod
-    def _numbered(cls, value: list[StationTable]) -> list[StationTable]:
+    def _check_numbers(cls, value: list[StationTable]) -> list[StationTable]:
         numbers = [station.number for station in value]
         if len(set(numbers)) != len(numbers):
             raise ValueError(f"numbers {numbers} must differ")

@@ -1,6 +1,6 @@
-"""profile_file: a classification profile's TOML: a title and a list of ``[[rule]]``.
+"""profile_file: the fields of a classification profile in TOML: a title and a list of ``[[rule]]``.
 
-It comes from anywhere, so it is short, and names nothing outside the library.
+Profiles are untrusted, so their size is limited, and they can refer only to the library.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from knifetip.library.files import Table
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule
 
-MOST_RULES: Final = 500
-MOST_PATTERNS: Final = 500  #: of one condition
-LONGEST_PATTERN: Final = 255  #: as long as a layer's name may be
-LONGEST_TITLE: Final = 200
+MAX_RULES: Final = 500
+MAX_PATTERNS: Final = 500  #: of one condition
+MAX_PATTERN_LENGTH: Final = 255  #: the longest layer name in a DXF
+MAX_TITLE_LENGTH: Final = 200
 
 
 def _as_list(value: Any) -> Any:
@@ -36,10 +36,10 @@ def _colour(value: Any) -> int | str:
     if isinstance(value, str) and re.fullmatch("#[0-9a-fA-F]{6}", value):
         return value
     if isinstance(value, bool) or not isinstance(value, int):
-        # pydantic collects ValueErrors; a TypeError would be ours.
+        # pydantic collects only ValueErrors.
         raise ValueError(f'is {repr(value)[:80]}, not a whole number or "#rrggbb"')  # noqa: TRY004
     if not 0 < value < 256:
-        raise ValueError(f"is {value}, and must lie in 1 … 255")
+        raise ValueError(f"is {value}, but must lie in 1 … 255")
     return value
 
 
@@ -57,22 +57,22 @@ _COLOUR_SCHEMA: Final = {
     ]
 }
 Colour = Annotated[Any, PlainValidator(_colour), WithJsonSchema(_COLOUR_SCHEMA)]
-Pattern = Annotated[str, StringConstraints(max_length=LONGEST_PATTERN)]
+Pattern = Annotated[str, StringConstraints(max_length=MAX_PATTERN_LENGTH)]
 #: One value, or a list of them.
 Patterns = Annotated[
     list[Pattern],
     BeforeValidator(_as_list, json_schema_input_type=Pattern | list[Pattern]),
-    Field(max_length=MOST_PATTERNS),
+    Field(max_length=MAX_PATTERNS),
 ]
 Colours = Annotated[
     list[Colour],
     BeforeValidator(_as_list, json_schema_input_type=Colour | list[Colour]),
-    Field(max_length=MOST_PATTERNS),
+    Field(max_length=MAX_PATTERNS),
 ]
 
 
 class RuleTable(Table):
-    """If all that it names matches, an edge has its line type."""
+    """A rule: an edge that matches all its conditions gets its line type."""
 
     type: Annotated[str, AfterValidator(_line_type)] = Field(
         json_schema_extra={"enum": [kind.word for kind in LineType]}
@@ -81,7 +81,7 @@ class RuleTable(Table):
     colour: Colours = Field([])
     linetype: Patterns = Field([])
     entity: Patterns = Field([], description="LINE, ARC, TEXT …")
-    block: Patterns = Field([], description="the block that holds the entity")
+    block: Patterns = Field([], description="name of the block that contains the entity")
 
     def record(self) -> LineRule:
         """Return the rule."""
@@ -97,11 +97,11 @@ class RuleTable(Table):
 
 
 class ProfileFile(Table):
-    """A classification profile: the words that a customer has for cut, crease and the rest."""
+    """A classification profile: rules from the layers, colours and linetypes of a customer."""
 
-    title: Annotated[str, StringConstraints(pattern=r"\S", max_length=LONGEST_TITLE)]
-    extends: str | None = Field(None, description="a shipped profile whose rules these extend")
+    title: Annotated[str, StringConstraints(pattern=r"\S", max_length=MAX_TITLE_LENGTH)]
+    extends: str | None = Field(None, description="profile of the library whose rules these extend")
     overrules: bool = Field(
-        False, description="the rules come before those that they extend, not after"
+        False, description="whether the rules come before those of the extended profile"
     )
-    rule: list[RuleTable] = Field(max_length=MOST_RULES)
+    rule: list[RuleTable] = Field(max_length=MAX_RULES)

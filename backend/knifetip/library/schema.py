@@ -1,4 +1,4 @@
-"""schema: JSON Schema of the library's files, for editors that complete and check TOML.
+"""schema: generate the JSON Schema of TOML files, for completion and checks in editors.
 
 "machine" -> JSON Schema, draft 2020-12
 """
@@ -21,9 +21,9 @@ FILES: Final[dict[str, type[Table]]] = {
     "profile": ProfileFile,
 }
 
-#: A field with its comment, behind it or on the line before.
-_BEHIND: Final = re.compile(r"^    (\w+): [^#\n]*#: (.+)$", re.MULTILINE)
-_BEFORE: Final = re.compile(r"^    #: (.+)\n    (\w+): ", re.MULTILINE)
+#: A field with its comment, on the same line or on the line before.
+_SAME_LINE: Final = re.compile(r"^    (\w+): [^#\n]*#: (.+)$", re.MULTILINE)
+_LINE_BEFORE: Final = re.compile(r"^    #: (.+)\n    (\w+): ", re.MULTILINE)
 
 
 def json_schema(file: str) -> dict[str, Any]:
@@ -40,5 +40,5 @@ def json_schema(file: str) -> dict[str, Any]:
 def _comments(tool: type[Tool]) -> dict[str, str]:
     """Return the comments that describe the fields of a kind of tool."""
     source = inspect.getsource(tool)
-    behind = dict(_BEHIND.findall(source))
-    return {name: text for text, name in _BEFORE.findall(source)} | behind
+    same_line = dict(_SAME_LINE.findall(source))
+    return {name: text for text, name in _LINE_BEFORE.findall(source)} | same_line

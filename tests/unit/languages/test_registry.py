@@ -49,7 +49,9 @@ def test_a_machine_with_an_unknown_language_is_refused_when_it_is_read(tmp_path:
     text = (Path(load.__file__).parent / "machines" / "demo-table.toml").read_text("utf-8")
     file = tmp_path / "table.toml"
     file.write_text(text.replace('"grblhal"', '"fanuc"'), "utf-8")
-    with pytest.raises(LibraryError, match=r"dialect is 'fanuc': it is one of grblhal, .*linuxcnc"):
+    with pytest.raises(
+        LibraryError, match=r"dialect is 'fanuc', but must be .*grblhal, .*linuxcnc"
+    ):
         load.machine(str(file))
 
 

@@ -1,4 +1,4 @@
-"""load: what is on the shelves, and how a wrong file is told."""
+"""load: files of the library, and errors of invalid files."""
 
 from __future__ import annotations
 
@@ -93,24 +93,24 @@ def put(tmp_path: Path) -> Put:
 
 
 @pytest.mark.parametrize("name", load.names("machines"))
-def test_every_shipped_machine_can_be_read(name: str) -> None:
+def test_every_machine_of_the_library_is_valid(name: str) -> None:
     assert load.machine(name).name == name
     assert load.machine(name).stations
 
 
 @pytest.mark.parametrize("name", load.names("boards"))
-def test_every_shipped_board_can_be_read(name: str) -> None:
+def test_every_board_of_the_library_is_valid(name: str) -> None:
     assert load.board(name).name == name
     assert 0.0 < load.board(name).groove_depth < load.board(name).caliper
 
 
 @pytest.mark.parametrize("name", load.names("profiles"))
-def test_every_shipped_profile_can_be_read(name: str) -> None:
+def test_every_profile_of_the_library_is_valid(name: str) -> None:
     assert load.profile(name).name == name
     assert load.profile(name).rules
 
 
-def test_the_shelves_hold_what_the_first_release_promises() -> None:
+def test_the_library_contains_the_files_of_the_first_release() -> None:
     assert "demo-table" in load.names("machines")
     assert {
         "greyboard-1.5",
@@ -123,12 +123,12 @@ def test_the_shelves_hold_what_the_first_release_promises() -> None:
     assert "default" in load.names("profiles")
 
 
-def test_a_board_of_ones_own_is_named_after_its_file(put: Put) -> None:
+def test_a_custom_board_is_named_after_its_file(put: Put) -> None:
     board = load.board(put(BOARD, "house.toml"))
     assert (board.name, board.caliper, board.perforation) == ("house", 2.0, (3.0, 2.0))
 
 
-def test_a_machine_of_ones_own_keeps_its_figures(put: Put) -> None:
+def test_a_custom_machine_has_the_values_of_its_file(put: Put) -> None:
     machine = load.machine(put(MACHINE))
     (station,) = machine.stations
     assert station.tool == VCutter(6.0, 1.5, 45.0)
@@ -141,7 +141,7 @@ def test_a_machine_of_ones_own_keeps_its_figures(put: Put) -> None:
     assert (machine.x.high, machine.origin) == (1400.0, (20.0, 20.0))
 
 
-def test_a_machine_is_fed_by_hand_unless_its_file_states_otherwise(put: Put) -> None:
+def test_a_machine_is_fed_by_hand_by_default(put: Put) -> None:
     assert load.machine(put(MACHINE)).feed == "manual"
     own = MACHINE.replace("into_mat = 0.3", 'into_mat = 0.3\nfeed = "automatic"')
     assert own != MACHINE
@@ -149,7 +149,7 @@ def test_a_machine_is_fed_by_hand_unless_its_file_states_otherwise(put: Put) -> 
     assert {load.machine(name).feed for name in load.names("machines")} == {"manual"}
 
 
-def test_a_profile_of_ones_own_keeps_the_order_of_its_rules(put: Put) -> None:
+def test_a_custom_profile_keeps_the_order_of_its_rules(put: Put) -> None:
     first, second = load.profile(put(PROFILE)).rules
     assert (first.line_type, first.layer, first.colour) == (
         LineType.CUT,
@@ -174,15 +174,15 @@ def test_a_profile_that_extends_another_has_its_rules_first(put: Put) -> None:
         (Cutter(3.0, 1.0, 1.0), "cutter"),
     ],
 )
-def test_each_tool_has_its_word(tool: Knife | CreaseWheel | VCutter | Cutter, word: str) -> None:
+def test_each_tool_has_a_kind_name(tool: Knife | CreaseWheel | VCutter | Cutter, word: str) -> None:
     assert kind_of(tool).name == word
 
 
-# ── what is wrong with a file ────────────────────────────────────────────────────────────────────
+# ── Invalid files ─────────────────────────────────────────────────────────────────────────────────
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "expected"),
     [
         ("caliper = 2.0\n", "", "caliper is missing"),
         ('title = "A board"\n', "", "title is missing"),
@@ -190,88 +190,92 @@ def test_each_tool_has_its_word(tool: Knife | CreaseWheel | VCutter | Cutter, wo
         ("caliper = 2.0", "caliper = true", "caliper is True, not a number"),
         ("caliper = 2.0", "caliper = nan", "caliper is nan, not a number"),
         ("caliper = 2.0", "caliper = inf", "caliper is inf, not a number"),
-        ("caliper = 2.0", "caliper = 0", "caliper is 0, and must be more than 0"),
-        ("caliper = 2.0", "caliper = -2.0", "caliper is -2.0, and must be more than 0"),
+        ("caliper = 2.0", "caliper = 0", "caliper is 0, but must be greater than 0"),
+        ("caliper = 2.0", "caliper = -2.0", "caliper is -2.0, but must be greater than 0"),
         (
             "groove_depth = 1.3",
             "groove_depth = 2.5",
-            "groove_depth is 2.5, and must be less than",
+            "groove_depth is 2.5, but must be less than",
         ),
         (
             "end_clearance = 0.2",
             "end_clearance = -1",
-            "end_clearance is -1, and must not be less",
+            "end_clearance is -1, but must be at least",
         ),
-        ("[3.0, 2.0]", "[3.0]", "perforation has 1 values, and must have 2 or more"),
+        ("[3.0, 2.0]", "[3.0]", "perforation has 1 values, but needs at least 2"),
         ("[3.0, 2.0]", "3.0", "perforation is 3.0, not a list"),
         ("[3.0, 2.0]", "[3.0, nan]", "perforation 2 is nan"),
-        ('"press"', '"maybe"', "short_crease is 'maybe': it is 'press' or 'refuse'"),
+        ('"press"', '"maybe"', "short_crease is 'maybe', but must be 'press' or 'refuse'"),
         ("caliper = 2.0", "caliper = = 2", "Invalid value"),
     ],
 )
-def test_a_wrong_board_says_what_is_wrong(put: Put, old: str, new: str, told: str) -> None:
+def test_the_fault_of_an_invalid_board_is_reported(
+    put: Put, old: str, new: str, expected: str
+) -> None:
     assert old in BOARD
     with pytest.raises(LibraryError, match=r"cannot be (read|used)") as caught:
         load.board(put(BOARD.replace(old, new)))
-    assert told in caught.value.text
+    assert expected in caught.value.text
     assert caught.value.hint
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "expected"),
     [
         (
             '"v-cutter"',
             '"axe"',
-            "station 1 → tool is of kind 'axe', which there is not; there are 'knife', 'crease",
+            "station 1 → tool has the unknown kind 'axe'; known kinds are 'knife', 'crease",
         ),
         ('kind = "v-cutter"\n', "", "station 1 → tool has no 'kind'"),
-        ("tilt = 45.0", "tilt = 90.0", "station 1 → tool → tilt is 90.0, and must be less than 90"),
+        ("tilt = 45.0", "tilt = 90.0", "station 1 → tool → tilt is 90.0, but must be less than 90"),
         ("tilt = 45.0", "tilt = nan", "tilt is nan, not a number"),
         ("tilt = 45.0", "", "tilt is missing"),
-        ("back = 6.0", "back = 0.0", "back is 0.0, and must be more than 0"),
+        ("back = 6.0", "back = 0.0", "back is 0.0, but must be greater than 0"),
         ("back = 6.0", "", "back"),
         ("back = 6.0", "back = 6.0\nlength = 9.0", "station 1 → tool → length is not a field"),
         (
             "number = 3",
             "number = 0",
-            "station 1 → number is 0, and must be more than 0",
+            "station 1 → number is 0, but must be greater than 0",
         ),
         ("number = 3", "number = 1.5", "number is 1.5, not a whole number"),
         ("number = 3", 'number = "three"', "number is 'three', not a whole number"),
         ("width = 1300.0", "width = inf", "width is inf"),
         ("origin = [20.0, 20.0]", "origin = 20.0", "origin is 20.0, not a list"),
-        ("high = 1400.0", "high = -1.0", "axes → x → high is -1.0, and must be more than low"),
+        ("high = 1400.0", "high = -1.0", "axes → x → high is -1.0, but must be greater than low"),
         (
             "velocity = 500.0",
             "velocity = 0.0",
-            "axes → z → velocity is 0.0, and must be more than 0",
+            "axes → z → velocity is 0.0, but must be greater than 0",
         ),
         ("x = { low", "u = { low", "axes → x is missing"),
         (
             "into_mat = 0.3",
             "into_mat = -0.3",
-            "into_mat is -0.3, and must not be less than 0",
+            "into_mat is -0.3, but must be at least 0",
         ),
         (
             "into_mat = 0.3",
             'into_mat = 0.3\nfeed = "robot"',
-            "feed is 'robot': it is 'manual' or 'automatic'",
+            "feed is 'robot', but must be 'manual' or 'automatic'",
         ),
         ("into_mat = 0.3", "into_mat = 0.3\nfeed = [1]", "feed is [1]"),
         ("[[station]]", "[station]", ""),
         ("datum = {", "datum = 5 # {", ""),
     ],
 )
-def test_a_wrong_machine_says_what_is_wrong(put: Put, old: str, new: str, told: str) -> None:
+def test_the_fault_of_an_invalid_machine_is_reported(
+    put: Put, old: str, new: str, expected: str
+) -> None:
     assert old in MACHINE
     with pytest.raises(LibraryError, match=r"cannot be (read|used)") as caught:
         load.machine(put(MACHINE.replace(old, new)))
-    assert told in caught.value.text
+    assert expected in caught.value.text
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "expected"),
     [
         ("travel_z =", "travelz =", "travelz is not a field; did you mean travel_z?"),
         (
@@ -282,12 +286,12 @@ def test_a_wrong_machine_says_what_is_wrong(put: Put, old: str, new: str, told: 
         ("into_mat = 0.3", "into_mat = 0.3\nzebra = 1", "zebra is not a field."),
     ],
 )
-def test_a_misspelt_field_is_refused_with_the_name_that_was_meant(
-    put: Put, old: str, new: str, told: str
+def test_a_misspelt_field_is_refused_with_the_nearest_name(
+    put: Put, old: str, new: str, expected: str
 ) -> None:
     with pytest.raises(LibraryError, match="is not a field") as caught:
         load.machine(put(MACHINE.replace(old, new)))
-    assert told in caught.value.text
+    assert expected in caught.value.text
 
 
 def test_an_error_names_the_file_and_the_path_of_its_field(put: Put) -> None:
@@ -298,19 +302,19 @@ def test_an_error_names_the_file_and_the_path_of_its_field(put: Put) -> None:
     assert caught.value.source == ("station 1", "tool", "tilt")
 
 
-def test_a_machine_of_an_unknown_language_is_refused_when_it_is_loaded(put: Put) -> None:
-    with pytest.raises(LibraryError, match=r"dialect is 'fanuc': it is one of .*grblhal"):
+def test_a_machine_with_an_unknown_language_is_refused(put: Put) -> None:
+    with pytest.raises(LibraryError, match=r"dialect is 'fanuc', but must be one of .*grblhal"):
         load.machine(put(re.sub('dialect = ".*"', 'dialect = "fanuc"', MACHINE)))
 
 
-def test_two_stations_of_one_number_are_refused(put: Put) -> None:
+def test_two_stations_with_one_number_are_refused(put: Put) -> None:
     station = MACHINE[MACHINE.index("[[station]]") :]
     with pytest.raises(LibraryError, match=r"station numbers \[3, 3\] must differ"):
         load.machine(put(MACHINE + station))
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "expected"),
     [
         ('title = "Ours"', "", "title is missing"),
         ('type = "cut"', "", "rule 1 → type is missing"),
@@ -343,7 +347,7 @@ def test_two_stations_of_one_number_are_refused(put: Put) -> None:
         (
             "colour = [1, 7]",
             "colour = 256",
-            "rule 1 → colour 1 is 256, and must lie in 1 … 255",
+            "rule 1 → colour 1 is 256, but must lie in 1 … 255",
         ),
         (
             "colour = [1, 7]",
@@ -353,7 +357,7 @@ def test_two_stations_of_one_number_are_refused(put: Put) -> None:
         (
             'title = "Ours"',
             'title = "Ours"\nextends = "mine"',
-            "extends is 'mine', which is no profile",
+            "extends is 'mine', which is not a profile",
         ),
         (
             'title = "Ours"',
@@ -362,11 +366,13 @@ def test_two_stations_of_one_number_are_refused(put: Put) -> None:
         ),
     ],
 )
-def test_a_wrong_profile_says_what_is_wrong(put: Put, old: str, new: str, told: str) -> None:
+def test_the_fault_of_an_invalid_profile_is_reported(
+    put: Put, old: str, new: str, expected: str
+) -> None:
     assert old in PROFILE
     with pytest.raises(ProfileError, match=r"cannot be used|extends") as caught:
         load.profile(put(PROFILE.replace(old, new)))
-    assert told in caught.value.text
+    assert expected in caught.value.text
 
 
 @pytest.mark.parametrize(
@@ -398,7 +404,7 @@ def test_a_file_that_is_not_utf8_is_refused(tmp_path: Path) -> None:
     "name",
     ["", "nope", "../boards/e-flute", "nowhere.toml", "x" * 5000 + ".toml", "\0.toml"],
 )
-def test_an_unknown_name_is_told_what_there_is(shelf: Callable[..., Any], name: str) -> None:
+def test_an_unknown_name_raises_an_error_with_a_hint(shelf: Callable[..., Any], name: str) -> None:
     with pytest.raises(KnifetipError) as caught:
         shelf(name)
     assert caught.value.hint
@@ -416,30 +422,30 @@ def routed(text: str) -> str:
     return MACHINE[: MACHINE.index('kind = "v-cutter"')] + text
 
 
-def test_a_router_keeps_its_figures_and_sets_up_on_one_and_a_half_radii(put: Put) -> None:
+def test_a_router_has_a_default_lead_of_one_and_a_half_radii(put: Put) -> None:
     (station,) = load.machine(put(routed(CUTTER))).stations
     assert station.tool == Cutter(3.0, 9000.0, 1500.0, speed=18000.0)
     assert station.tool.set_up == 4.5
 
 
 @pytest.mark.parametrize(
-    ("line", "told"),
+    ("line", "expected"),
     [
-        ("speed = -1.0", "speed is -1.0, and must not be less than 0"),
+        ("speed = -1.0", "speed is -1.0, but must be at least 0"),
         ("lead = 3.0", "has a lead of 3.0, which must be more than the radius"),
         ("step = nan", "step is nan, not a number"),
-        ("dwell = -0.1", "dwell is -0.1, and must not be less than 0"),
+        ("dwell = -0.1", "dwell is -0.1, but must be at least 0"),
         ("teeth = 2", "tool → teeth is not a field"),
     ],
 )
-def test_a_wrong_router_says_what_is_wrong(put: Put, line: str, told: str) -> None:
+def test_the_fault_of_an_invalid_router_is_reported(put: Put, line: str, expected: str) -> None:
     text = CUTTER.replace("speed = 18000.0\n", "") + line + "\n"
     with pytest.raises(LibraryError, match=r"cannot be (read|used)") as caught:
         load.machine(put(routed(text)))
-    assert told in caught.value.text
+    assert expected in caught.value.text
 
 
-def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put: Put) -> None:
+def test_a_board_has_the_deflection_of_each_tool(put: Put) -> None:
     given = '\n[deflection.Router]\nx = 0.08\ny = 0.05\n[deflection."Router 6"]\nx = 0.1\ny = 0\n'
     board = load.board(put(BOARD + given))
     assert board.deflection == (Deflection("Router", 0.08, 0.05), Deflection("Router 6", 0.1, 0.0))
@@ -447,23 +453,25 @@ def test_a_board_keeps_how_far_each_tool_gives_way_in_it(put: Put) -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "expected"),
     [
         ("[deflection.Router]\nx = 0.08", "deflection → Router → y is missing"),
         (
             "[deflection.Router]\nx = -0.08\ny = 0.0",
-            "deflection → Router → x is -0.08, and must not be",
+            "deflection → Router → x is -0.08, but must be",
         ),
         ("[deflection]\nRouter = 3", "deflection → Router is 3, not a table"),
     ],
 )
-def test_a_wrong_deflection_says_what_is_wrong(put: Put, given: str, told: str) -> None:
+def test_the_fault_of_an_invalid_deflection_is_reported(
+    put: Put, given: str, expected: str
+) -> None:
     with pytest.raises(LibraryError) as caught:
         load.board(put(BOARD + "\n" + given + "\n"))
-    assert told in caught.value.text
+    assert expected in caught.value.text
 
 
-# ── profiles written out, and read again ─────────────────────────────────────────────────────────
+# ── Profiles that are written and read again ──────────────────────────────────────────────────────
 
 
 def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put: Put) -> None:
@@ -474,12 +482,12 @@ def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put: Put) -> None
 
 
 @pytest.mark.parametrize("colour", ['"#00AEE"', '"red"', '["#gggggg"]', '[1, "#12345"]'])
-def test_a_true_colour_that_is_none_is_refused(put: Put, colour: str) -> None:
+def test_an_invalid_true_colour_is_refused(put: Put, colour: str) -> None:
     with pytest.raises(ProfileError, match="rule 3 → colour"):
         load.profile(put(PROFILE + f'[[rule]]\ntype = "cut"\ncolour = {colour}\n'))
 
 
-def test_a_profile_that_overrules_has_the_rules_that_it_extends_last(put: Put) -> None:
+def test_a_profile_that_overrules_has_inherited_rules_last(put: Put) -> None:
     own = load.profile(put('extends = "default"\noverrules = true\n' + PROFILE))
     assert own.rules[2:] == load.profile("default").rules
     assert own.rules[1].layer == ("RIEFE",)
@@ -488,13 +496,13 @@ def test_a_profile_that_overrules_has_the_rules_that_it_extends_last(put: Put) -
 
 
 @pytest.mark.parametrize("name", load.names("profiles"))
-def test_every_shipped_profile_is_the_same_when_it_is_written_out_and_read(name: str) -> None:
+def test_every_profile_of_the_library_is_equal_after_writing_and_reading(name: str) -> None:
     rules = load.profile(name)
     again = load.parse_profile(name, tomllib.loads(load.profile_toml(rules)))
     assert again == rules
 
 
-def test_only_what_is_ones_own_is_written_where_a_profile_extends_another() -> None:
+def test_inherited_rules_are_not_written() -> None:
     default = load.profile("default")
     mine = LineRule(LineType.CREASE, layer=('say "x" \\ \x7f ü',), true_colour=(0x0A0B0C,))
     for rules in ((mine, *default.rules), (*default.rules, mine)):
@@ -511,12 +519,12 @@ def test_a_profile_without_rules_of_its_own_can_be_written() -> None:
     assert load.parse_profile("own", tomllib.loads(load.profile_toml(own))) == own
 
 
-def test_a_name_that_is_not_text_for_utf_8_is_written_as_a_pattern_that_matches_it() -> None:
+def test_a_name_with_a_lone_surrogate_is_written_as_a_matching_pattern() -> None:
     text = load.profile_toml(LineRules("own", "", (LineRule(LineType.CUT, layer=("a\udcffb",)),)))
     assert tomllib.loads(text)["rule"][0]["layer"] == ["a?b"]
 
 
-def test_names_from_elsewhere_open_no_file(put: Put) -> None:
+def test_names_from_the_network_open_no_file(put: Put) -> None:
     path = put(PROFILE)
     assert load.profile(path).rules
     for shelf in (load.profile, load.machine, load.board):
@@ -524,13 +532,13 @@ def test_names_from_elsewhere_open_no_file(put: Put) -> None:
             shelf(path, files=False)
 
 
-def test_a_file_of_ones_own_is_read_again_after_it_was_edited(put: Put) -> None:
+def test_a_changed_file_is_read_again(put: Put) -> None:
     assert load.profile(put(PROFILE)).title == "Ours"
     assert load.profile(put(PROFILE.replace("Ours", "Mine"))).title == "Mine"
     assert load.profile("default") is load.profile("default")
 
 
-def test_conventions_are_what_profiles_add_to_the_default() -> None:
+def test_conventions_are_the_rules_that_the_default_profile_lacks() -> None:
     found = {one.name: one.rules for one in load.conventions()}
     assert "default" not in found
     assert found["lightburn"] == load.profile("lightburn").rules[-2:]

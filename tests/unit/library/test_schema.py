@@ -1,4 +1,4 @@
-"""The JSON Schema that editors are given."""
+"""The JSON Schema of TOML files."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def test_the_command_prints_the_schema_of_each_file(file: str) -> None:
     assert json_schema(file)["additionalProperties"] is False
 
 
-def test_every_dimension_of_a_tool_has_its_limits_and_its_comment() -> None:
+def test_fields_of_tools_have_limits_and_descriptions() -> None:
     tables = json_schema("machine")["$defs"]
     for kind in KINDS:
         fields = tables[f"{kind.tool.__name__}Table"]["properties"]
@@ -36,6 +36,6 @@ def test_every_dimension_of_a_tool_has_its_limits_and_its_comment() -> None:
     assert tables["KnifeTable"]["properties"]["blade_angle"]["description"].startswith("slant")
 
 
-def test_a_rule_may_name_one_pattern_or_a_list() -> None:
+def test_a_condition_is_one_pattern_or_a_list() -> None:
     layer = json_schema("profile")["$defs"]["RuleTable"]["properties"]["layer"]
     assert [one["type"] for one in layer["anyOf"]] == ["string", "array"]

@@ -8,7 +8,7 @@ from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.common import LineTypeWord, Name, QuestionOut, Strict
 from knifetip.api.schemas.messages import MessageOut
-from knifetip.library.own import LONGEST
+from knifetip.library.custom_profiles import MAX_BYTES
 
 FateWord = Literal["kept", "merged", "dropped"]
 Unit = Literal["mm", "cm", "m", "in", "ft", "pt", "px"]
@@ -263,7 +263,7 @@ class DrawingPatch(Strict):
     profile: Name | None = Field(
         default=None, description="The same name again applies the current version of the profile"
     )
-    rules: Annotated[str, Field(max_length=LONGEST)] = Field(
+    rules: Annotated[str, Field(max_length=MAX_BYTES)] = Field(
         default="",
         description="Earlier or deleted version of the profile (TOML). Default: the current one",
     )

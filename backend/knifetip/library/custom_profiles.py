@@ -1,0 +1,98 @@
+"""custom_profiles: parse and write the profiles of customers, which are stored as TOML text.
+
+    name, TOML text -> LineRules                 fields of a form -> TOML text
+
+The text is untrusted: its size is limited, it cannot refer to files, and it is either valid or
+refused with the path of the wrong field.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from functools import lru_cache
+from importlib import resources
+from typing import Any
+
+from knifetip.errors import ProfileError
+from knifetip.library import load
+from knifetip.model.profile import LineRules
+
+MAX_BYTES = 256 << 10  #: largest size of the text of a profile
+
+#: Names contain no dot, since names that end in .toml refer to files on the command line.
+_NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}")
+
+
+def check_name(name: str) -> str:
+    """Return the name of a profile if it is valid.
+
+    Raises
+    ------
+    ProfileError
+        The name is not valid.
+    """
+    if not _NAME.fullmatch(name):
+        raise ProfileError("profile.bad-name", name=name[:80], source=("name",))
+    return name
+
+
+def parse_text(name: str, text: str) -> LineRules:
+    """Return the profile in a TOML text.
+
+    Raises
+    ------
+    ProfileError
+        The text is not a profile; ``source`` is the path of the wrong field.
+    """
+    # The size is checked first, so that large texts do not enter the cache.
+    if len(text) > MAX_BYTES or len(text.encode("utf-8", "replace")) > MAX_BYTES:
+        raise ProfileError(
+            "profile.too-long", name=name, size=len(text) >> 10, limit=MAX_BYTES >> 10
+        )
+    return _parse_cached(name, text)
+
+
+@lru_cache(maxsize=64)
+def _parse_cached(name: str, text: str) -> LineRules:
+    try:
+        return load.parse_profile(name, tomllib.loads(text))
+    except tomllib.TOMLDecodeError as reason:
+        raise ProfileError("profile.not-toml", name=name, reason=reason) from reason
+    except RecursionError as reason:
+        raise ProfileError("profile.nested-too-deep", name=name) from reason
+
+
+def profile_text(name: str, fields: Mapping[str, Any]) -> str:
+    """Return the TOML text of a profile from its fields.
+
+    Parameters
+    ----------
+    fields
+        ``title``, ``extends`` (a shipped profile or None), ``overrules``, and ``rule``: a list of
+        tables, each with ``type`` and its conditions.
+
+    Raises
+    ------
+    ProfileError
+        The fields are not a profile; ``source`` is the path of the wrong one.
+    """
+    return load.profile_toml(load.parse_profile(name, fields), fields.get("extends"))
+
+
+def library_text(name: str) -> str:
+    """Return the TOML text of a profile of the library."""
+    return (resources.files(__package__) / "profiles" / f"{name}.toml").read_text("utf-8")
+
+
+def parse_fields(text: str) -> dict[str, Any]:
+    """Return the fields of a TOML text, as ``profile_text`` expects them."""
+    return tomllib.loads(text)
+
+
+def inherited_rules(fields: Mapping[str, Any], rules: LineRules) -> list[bool]:
+    """Return for each rule of a profile whether it comes from the profile that it extends."""
+    own = [False] * len(fields["rule"])
+    base = [True] * (len(rules.rules) - len(own))
+    return own + base if fields.get("overrules") else base + own
