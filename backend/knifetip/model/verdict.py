@@ -1,4 +1,4 @@
-"""Verdict: does the program cut what was drawn?"""
+"""Verdict: the verifier's result for a program, edge by edge."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from knifetip.messages import Message, render
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One thing that is wrong, with its place and measure."""
+    """A fault of a program, with its place and measure."""
 
     #: deviation, overcut, uncut, stray, depth, heading, order, feed, travel or program
     kind: str
-    message: Message  #: what is wrong, without its place
+    message: Message  #: the fault, without its place
     measure: float  #: mm, or degrees for a heading
-    edge: int = -1  #: row in Dieline, -1 where it is about none
-    line: int = -1  #: 1-based line of the program, -1 where it is about none
+    edge: int = -1  #: row in Dieline, -1 for none
+    line: int = -1  #: 1-based line of the program, -1 for none
 
     @property
     def located(self) -> Message:
-        """What is wrong, with its edge and line."""
+        """The fault with its edge and line."""
         if self.edge >= 0 and self.line >= 0:
             return Message(
                 "finding.at-edge-and-line", edge=self.edge, line=self.line, fault=self.message
@@ -36,7 +36,7 @@ class Finding:
 
     @property
     def text(self) -> str:
-        """What is wrong and where, in English."""
+        """The fault and its place, in English."""
         return render(self.located)
 
 
@@ -46,7 +46,7 @@ def _none() -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Samples:
-    """A map of deviations along the edges, for a viewer to colour: at most 200,000 rows."""
+    """Deviations at points along the edges, for display: at most 200,000 rows."""
 
     edge: I32 = field(default_factory=lambda: np.zeros(0, np.int32))  #: (m,) row in Dieline
     place: F64 = field(default_factory=_none)  #: (m,) share of the edge's length, 0 … 1
@@ -61,11 +61,13 @@ class Samples:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Unreached:
-    """Areas in the waste beside the parts that no cutter gets to: m lines and arcs in q loops."""
+    """Areas that the cutter cannot reach: q contours of m lines and arcs, in the waste."""
 
     ends: F64 = field(default_factory=lambda: np.zeros((0, 2, 2)))  #: (m, 2, 2) mm, in the drawing
     bulge: F64 = field(default_factory=_none)  #: (m,) tan(sweep / 4)
-    first: I32 = field(default_factory=lambda: np.zeros(1, np.int32))  #: (q + 1,) of each loop
+    first: I32 = field(
+        default_factory=lambda: np.zeros(1, np.int32)
+    )  #: (q + 1,) first row of each contour
     area: F64 = field(default_factory=_none)  #: (q,) mm²
 
     def __post_init__(self) -> None:
@@ -81,26 +83,26 @@ class Unreached:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Verdict:
-    """The judge's answer, edge by edge."""
+    """The verifier's result: accepted or refused, with figures for each of n edges."""
 
     accepted: bool
     tolerance: float  #: mm
-    deviation: F64  #: (n,) the farthest that the tip is from the edge while working it (mm)
-    overcut: F64  #: (n,) how far the tool works past the edge's ends (mm)
-    uncut: F64  #: (n,) length of the edge that is not worked and was not planned so (mm)
+    deviation: F64  #: (n,) greatest distance of the tip from the edge while it works it (mm)
+    overcut: F64  #: (n,) length worked beyond the edge's ends (mm)
+    uncut: F64  #: (n,) length not worked, against the plan (mm)
     setback: F64  #: (n,) length not worked as planned: crease ends, slanted blades (mm)
     findings: tuple[Finding, ...]
     seconds: float  #: nominal machine time of the program: lengths over feeds
     width: F64 = field(default_factory=_none)  #: (n,) of a V-groove at the top face (mm), else 0
     web: F64 = field(default_factory=_none)  #: (n,) of board left below a V-groove (mm), else 0
-    flank: F64 = field(default_factory=_none)  #: (n,) the farthest that a flank is off there (mm)
-    unreached: F64 = field(default_factory=_none)  #: (n,) length that no cutter can touch (mm)
+    flank: F64 = field(default_factory=_none)  #: (n,) greatest deviation of its flanks (mm)
+    unreached: F64 = field(default_factory=_none)  #: (n,) length that no cutter can reach (mm)
     bottom_uncut: F64 = field(default_factory=_none)  #: (n,) length not cut in the bottom face (mm)
     top_overcut: F64 = field(default_factory=_none)  #: (n,) cut past the ends in the top face (mm)
-    #: (n,) how far cleaning took the edge from where it was drawn, before it was judged (mm)
+    #: (n,) greatest distance by which cleaning moved the edge (mm)
     tidied: F64 = field(default_factory=_none)
     samples: Samples = field(default_factory=lambda: Samples())
-    areas: Unreached = field(default_factory=lambda: Unreached())  #: where no cutter gets to
+    areas: Unreached = field(default_factory=lambda: Unreached())  #: that no cutter can reach
 
     def __post_init__(self) -> None:
         put = object.__setattr__
