@@ -26,8 +26,8 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.units",
         "knifetip.geometry.capacity",
         "knifetip.geometry.chain",
-        "knifetip.geometry.distinct",
-        "knifetip.geometry.sets",
+        "knifetip.geometry.unique_rows",
+        "knifetip.geometry.union_find",
     ),
     # Make a program of it for a table with knives, wheels and V-cutters, and verify it.
     "jobs": (
@@ -40,17 +40,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.geometry.intersect",
     ),
     # Offset contours by the radius of a router bit.
-    "offsets": (
-        "knifetip.geometry.beside",
-        "knifetip.geometry.clearance",
-        "knifetip.geometry.groups",
-        "knifetip.geometry.pieces",
-        "knifetip.geometry.region",
-        "knifetip.geometry.shortened",
-        "knifetip.geometry.swept",
-        "knifetip.geometry.transition",
-        "knifetip.geometry.whole",
-    ),
+    "offsets": ("knifetip.offset",),
 }
 
 

@@ -1,6 +1,6 @@
 """The picture of B, C and D round one corner: `python -m tests.benchmarks.corner_picture`.
 
-Draws what ``geometry.transition`` makes, with arcs as arcs, into backend/docs/corners.svg.
+Draws what ``offset.transition`` makes, with arcs as arcs, into backend/docs/corners.svg.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.transition import Corner, transitions
+from knifetip.offset.transition import Corner, transitions
 
 RADIUS, SIDE, TURN = 30.0, 60.0, 120.0
 COLOURS = {Corner.B: "#e8590c", Corner.C: "#1c7ed6", Corner.D: "#2b8a3e"}

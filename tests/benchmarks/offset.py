@@ -21,8 +21,8 @@ import shapely
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
-from knifetip.geometry.offset import equidistant
 from knifetip.geometry.path import Paths
+from knifetip.offset.offset_paths import offset_paths
 
 Bench: TypeAlias = tuple[str, int, Callable[[], object], dict[str, Callable[[], object]], int]
 
@@ -120,7 +120,7 @@ def _bench(subject: str, paths: Paths, distance: float, runs: int) -> Bench:
     return (
         subject,
         len(paths.bulge),
-        lambda: equidistant(paths, distance, -1),
+        lambda: offset_paths(paths, distance, -1),
         _peers(paths, distance),
         runs,
     )
@@ -146,4 +146,4 @@ def offset_one() -> Bench:
 def offset_million() -> Bench:
     """One contour of a million segments."""
     paths = stars(1, 1_000_000, 400_000.0, 400_002.0)
-    return "1 contour of 1,000,000 lines, B", 1_000_000, lambda: equidistant(paths, 1.0, -1), {}, 1
+    return "1 contour of 1,000,000 lines, B", 1_000_000, lambda: offset_paths(paths, 1.0, -1), {}, 1

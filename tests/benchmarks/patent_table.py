@@ -23,9 +23,9 @@ import numpy as np
 from knifetip.compensation.corner import durations, lengths
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
-from knifetip.geometry.offset import equidistant
 from knifetip.geometry.path import Paths
-from knifetip.geometry.transition import Corner
+from knifetip.offset.offset_paths import offset_paths
+from knifetip.offset.transition import Corner
 from tests.controllers import linuxcnc_machine
 
 DOCS = Path(__file__).resolve().parents[2] / "backend" / "docs"
@@ -106,7 +106,7 @@ def centre(shape: Shape, radius: float, corner: Corner) -> Paths:
     start = np.concatenate([middle, corners[1:], corners[:1]])
     end = np.concatenate([corners[1:], corners[:1], middle])
     contour = Paths(start, end, np.zeros(len(start)), np.array([0, len(start)]))
-    beside = equidistant(contour, radius, -1, corner=corner, k=KNOB)
+    beside = offset_paths(contour, radius, -1, corner=corner, k=KNOB)
     assert len(beside.paths) == 1
     return beside.paths
 

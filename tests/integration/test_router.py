@@ -80,8 +80,10 @@ def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is
     soft = replace(BOARD, deflection=(Deflection("Router", 0.08, 0.05),))
     result = verdict(soft)
     assert result.accepted, result.findings[:3]
-    right = original(radius, "deflected")
-    monkeypatch.setattr(radius, "deflected", lambda paths, side, x, y: right(paths, -side, x, y))
+    right = original(radius, "shift_centres")
+    monkeypatch.setattr(
+        radius, "shift_centres", lambda paths, side, x, y: right(paths, -side, x, y)
+    )
     assert not verdict(soft).accepted
 
 

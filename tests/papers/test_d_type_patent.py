@@ -15,7 +15,7 @@ from knifetip.compensation.corner import extension, lengths
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
-from knifetip.geometry.transition import Corner, transitions
+from knifetip.offset.transition import Corner, transitions
 
 A = np.array([[10.0, 0.0]])
 EAST = np.array([[1.0, 0.0]])

@@ -18,8 +18,8 @@ from knifetip.errors import CompensationError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth, left, unit
 from knifetip.geometry.curve import Ellipse
-from knifetip.geometry.offset import equidistant
 from knifetip.geometry.path import Paths, chained
+from knifetip.offset.offset_paths import offset_paths
 
 QUARTER = np.tan(np.pi / 8)
 ELLIPSE = Ellipse(np.zeros(2), np.array([40.0, 0.0]), np.array([0.0, 20.0]), 0.0, 2 * np.pi)
@@ -80,7 +80,7 @@ def test_5_at_three_points_of_the_ellipse_by_hand() -> None:
 @pytest.mark.parametrize("side", [1, -1])
 def test_5_a_line_is_shifted(side: int) -> None:
     paths = chained(np.array([[0.0, 0.0], [30.0, 40.0]]), np.zeros(1))
-    beside = equidistant(paths, 5.0, side).paths
+    beside = offset_paths(paths, 5.0, side).paths
     np.testing.assert_allclose(beside.start, [[-4.0 * side, 3.0 * side]], atol=1e-12)
     np.testing.assert_allclose(beside.end, [[30 - 4.0 * side, 40 + 3.0 * side]], atol=1e-12)
 
@@ -89,7 +89,7 @@ def test_5_a_line_is_shifted(side: int) -> None:
 def test_5_an_arc_keeps_its_centre_and_gains_or_loses_r(side: int, size: float) -> None:
     # A quarter to the left about (0, 10): its left is the centre's side.
     paths = chained(np.array([[0.0, 0.0], [10.0, 10.0]]), np.array([QUARTER]))
-    beside = equidistant(paths, 3.0, side).paths
+    beside = offset_paths(paths, 3.0, side).paths
     np.testing.assert_allclose(arc.radius(beside.start, beside.end, beside.bulge), size)
     np.testing.assert_allclose(
         arc.centre(beside.start, beside.end, beside.bulge), [[0, 10]], atol=1e-9
@@ -102,7 +102,7 @@ def test_5_a_fitted_ellipse_offset_as_arcs_lies_on_the_paper_s_curve(side: int) 
     # Fitted within 0.001 mm, then moved by r: no farther from (5) than the fit, in the normal.
     start, end, bulge = ELLIPSE.fitted(0.001)
     paths = Paths(start, end, bulge, np.array([0, len(bulge)]))
-    beside = equidistant(paths, 3.0, side).paths
+    beside = offset_paths(paths, 3.0, side).paths
     points = arc.points_along(beside.start, beside.end, beside.bulge, 9).reshape(-1, 2)
     t = np.linspace(0.0, 2 * np.pi, 20_001)
     x, y, df, dg = 40 * np.cos(t), 20 * np.sin(t), -40 * np.sin(t), 20 * np.cos(t)
@@ -120,11 +120,11 @@ def test_5_is_regular_only_while_one_minus_sigma_r_kappa_is_positive() -> None:
         np.array([[10.0, 0.0], [-10.0, 0.0]]), np.array([[-10.0, 0.0], [10.0, 0.0]]),
         np.ones(2), np.array([0, 2]),
     )  # fmt: skip
-    small = equidistant(circle, 9.9, 1).paths
+    small = offset_paths(circle, 9.9, 1).paths
     np.testing.assert_allclose(arc.radius(small.start, small.end, small.bulge), 0.1, rtol=1e-9)
-    assert len(equidistant(circle, 10.1, 1).paths) == 0
+    assert len(offset_paths(circle, 10.1, 1).paths) == 0
     with pytest.raises(CompensationError):
-        equidistant(circle, 10.1, 1, interference="refuse")
+        offset_paths(circle, 10.1, 1, interference="refuse")
 
 
 @pytest.mark.parametrize("degrees", [30.0, 60.0, 90.0, 120.0])
@@ -132,5 +132,5 @@ def test_inside_corners_are_shortened_to_where_the_equidistants_meet(degrees: fl
     # East for 40, then left by φ, tool on the left: r tan(φ/2) is lost before the corner.
     a = radians(degrees)
     xy = np.array([[0.0, 0.0], [40.0, 0.0], [40 + 40 * cos(a), 40 * sin(a)]])
-    beside = equidistant(chained(xy, np.zeros(2)), 3.0, 1).paths
+    beside = offset_paths(chained(xy, np.zeros(2)), 3.0, 1).paths
     np.testing.assert_allclose(beside.end[0], [40 - 3 * np.tan(a / 2), 3.0], atol=1e-9)

@@ -37,8 +37,8 @@ from knifetip.classification.shape.features import ShapeFeatures, extract_shape_
 from knifetip.classification.shape.roles import Role
 from knifetip.classification.vocabulary import name_meaning
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
-from knifetip.geometry.cores import both
-from knifetip.geometry.distinct import distinct
+from knifetip.geometry.parallel import parallel_pair
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
@@ -67,7 +67,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         the evidence, 0 if there is none.  An edge that needs a question is unclassified, and its
         confidence is that of the best guess: the first of the ``alternatives`` of its reason.
     """
-    lengths, styles = both(lambda: drawing.lengths, lambda: tabulate_styles(drawing))
+    lengths, styles = parallel_pair(lambda: drawing.lengths, lambda: tabulate_styles(drawing))
     matches = match_rules(styles, rules)
     features = _relevant_features(drawing, styles, matches)
     totals = StyleTotals.sum(styles.row, len(styles), features, lengths)
@@ -118,7 +118,7 @@ class _EdgeDecisions:
 
 def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
     """Return the decision of each edge; edges with equal keys, (n,), share a decision."""
-    first, row = distinct(keys)
+    first, row = unique_rows(keys)
     decisions = [_decide(classifier, key) for key in keys[first].tolist()]
     kinds = np.array([decision.kind for decision in decisions], np.uint8)
     asked = np.array([decision.asked for decision in decisions], np.bool_)
@@ -178,7 +178,7 @@ def _withdraw_contradicted(
     edges: _EdgeDecisions, ends: F64, features: ShapeFeatures, lengths: F64
 ) -> None:
     """Make questions of decisions that symmetry or connectivity contradicts."""
-    asymmetric, separating = both(
+    asymmetric, separating = parallel_pair(
         lambda: find_asymmetric_edges(ends, features, edges.line_type, lengths),
         lambda: find_separating_cuts(features, edges.line_type),
     )

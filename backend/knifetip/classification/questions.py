@@ -12,7 +12,7 @@ import numpy as np
 from knifetip.classification.decision.profile_rules import display_name, fold_name
 from knifetip.classification.vocabulary import is_centre_linetype, is_dashed_linetype, name_meaning
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.distinct import distinct
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
@@ -37,7 +37,7 @@ def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     if len(rows) == 0:
         return []
     columns = (drawing.layer, drawing.colour, drawing.true_colour, drawing.linetype, dieline.rule)
-    first, group = distinct(*(column[rows] for column in columns))
+    first, group = unique_rows(*(column[rows] for column in columns))
     count = np.bincount(group)
     groups = np.split(rows[np.argsort(group, kind="stable")], np.cumsum(count)[:-1])
     lengths, bounds = drawing.lengths, drawing.bounds

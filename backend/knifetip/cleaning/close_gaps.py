@@ -23,8 +23,8 @@ import numpy as np
 from knifetip.cleaning.end_points import CROWD, EndPoints
 from knifetip.geometry.chain import outward
 from knifetip.geometry.columns import F64, U8, Bool
-from knifetip.geometry.sets import root, unite
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN, SAME
+from knifetip.geometry.union_find import find, union
 from knifetip.kernels import F64_1, F64_2, I64_1, I64_2, Bool_1, kernel
 
 #: Two edges whose directions differ by less than this end side by side (degrees).
@@ -90,14 +90,14 @@ def _find_debris(
     # Groups of short edges that touch only each other.
     for edge in range(count):
         if length[edge] < gap:
-            unite(group, place[2 * edge], place[2 * edge + 1])
+            union(group, place[2 * edge], place[2 * edge + 1])
     box = np.empty((len(place), 4))
     box[:, :2] = np.inf
     box[:, 2:] = -np.inf
     whole = np.ones(len(place), np.bool_)
     for end in range(len(place)):
         if length[end // 2] < gap:
-            g = root(group, place[end])
+            g = find(group, place[end])
             box[g, 0] = min(box[g, 0], points[end, 0])
             box[g, 1] = min(box[g, 1], points[end, 1])
             box[g, 2] = max(box[g, 2], points[end, 0])
@@ -123,7 +123,7 @@ def _find_debris(
             # Smaller than the tolerance as a whole.
             debris[edge] = True
             continue
-        g = root(group, a)
+        g = find(group, a)
         if whole[g]:
             if math.hypot(box[g, 2] - box[g, 0], box[g, 3] - box[g, 1]) < gap:
                 debris[edge] = not linked[edge]

@@ -14,8 +14,8 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.sets import root, settle, unite
 from knifetip.geometry.tolerance import JOIN
+from knifetip.geometry.union_find import find, flatten, union
 from knifetip.kernels import F64_2, U64, kernel
 
 #: Largest number of points in a cell that a point is compared with: it bounds the time for crowded
@@ -74,7 +74,7 @@ def _find(points: F64_2, near: float, join: float) -> Any:
         while j >= 0 and seen < CROWD:
             seen += 1
             if points[j, 0] == points[i, 0] and points[j, 1] == points[i, 1]:
-                parent[i] = root(parent, j)
+                parent[i] = find(parent, j)
                 alike = True
                 break
             j = after[j]
@@ -92,7 +92,7 @@ def _find(points: F64_2, near: float, join: float) -> Any:
                         y = points[i, 1] - points[j, 1]
                         apart = x * x + y * y
                         if apart <= join * join:
-                            unite(parent, i, j)
+                            union(parent, i, j)
                         elif apart <= near * near and beside < CROWD:
                             beside += 1
                             if pairs == len(pair):
@@ -105,7 +105,7 @@ def _find(points: F64_2, near: float, join: float) -> Any:
                     j = after[j]
         after[i] = head[slot]
         head[slot] = i
-    settle(parent)
+    flatten(parent)
     # Drop pairs whose ends are at one point after all.
     kept = 0
     for k in range(pairs):

@@ -21,8 +21,8 @@ from knifetip.errors import DrawingTooLarge
 from knifetip.geometry import arc
 from knifetip.geometry.capacity import reserve_f64_2, reserve_i64_2
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
-from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE, POINT, SAME
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.kernels import F64_2, I64_1, Bool_2, kernel
 
 #: Limits of stretches, in total and per edge: if each edge overlaps hundreds of others, their
@@ -131,7 +131,7 @@ def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
     left = np.arange(count)
     # A crease is not covered by a perforation, but by another crease: hence two passes.
     for _ in range(2):
-        first, group = distinct(grid[left], np.where(back, -turn, turn)[left])
+        first, group = unique_rows(grid[left], np.where(back, -turn, turn)[left])
         if len(first) == len(left):
             break
         order = np.lexsort((left, -PRIORITY[kind[left]], group))

@@ -20,10 +20,10 @@ from knifetip.errors import CompensationError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, U8
 from knifetip.geometry.path import Paths
-from knifetip.geometry.transition import Corner
 from knifetip.model.corners import AS_OTHERS, TYPES
 from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
+from knifetip.offset.transition import Corner
 
 #: Largest turn with two lines (extension); beyond it a third line is inserted (radians).
 _SQUARE: Final = np.pi / 2.0

@@ -27,13 +27,13 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left, unit
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.grid import touching
-from knifetip.geometry.offset import equidistant
 from knifetip.geometry.path import Paths, begun_in_middle, interrupted, reversed_where
 from knifetip.geometry.tolerance import JOIN, POINT
 from knifetip.messages import Message
 from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
 from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.offset.offset_paths import offset_paths
 
 #: Number of points on a lead that are checked for other contours.
 _LOOKS: Final = 8
@@ -71,7 +71,7 @@ def centres(operation: Operation) -> Centres:
         # Open paths are offset one by one: the side beyond their ends is undefined.
         group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
         try:
-            beside = equidistant(
+            beside = offset_paths(
                 paths, cutter.radius, operation.side,
                 corner=kind, k=k, interference=operation.interference, group=group,
             )  # fmt: skip

@@ -19,8 +19,8 @@ from knifetip.drawing_builder.report import ReportRows
 from knifetip.formats.limits import REACH
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
-from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import POINT
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.kernels import F64_1, F64_3, I64_1, Bool_1, OutI64_1, OutU64_1, kernel
 from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger, LocationBoxes
@@ -75,7 +75,7 @@ def assemble(
     speck = ~(length >= point)
     layers, linetypes, attributes = _attributes(styles)
     # Styles that differ only in upper and lower case of the layer are equal.
-    _, alike = distinct(attributes[:, 1:])
+    _, alike = unique_rows(attributes[:, 1:])
     first = _survivors(found.ends, found.bulge, alike[found.style], speck, point)
     twice = first != np.arange(len(first))
     fate, reason = _fates(sheet, found, length, speck, twice, first)

@@ -1,1 +1,1 @@
-"""Floor 1: plane geometry on NumPy columns.  No state, no I/O, nothing of cartons."""
+"""Plane geometry on NumPy columns: lines, arcs, paths.  No state, no I/O, nothing about cartons."""

@@ -1,4 +1,4 @@
-"""Arcs as bulges: a chord and tan(sweep / 4), positive to the left, 0 a straight line.
+"""arc: arcs as a chord and a bulge = tan(sweep / 4), positive to the left, 0 for a line.
 
 All functions take columns, lines and arcs mixed: ``start`` and ``end`` (n, 2) mm, ``bulge`` (n,).
 """
@@ -40,14 +40,14 @@ def radius(start: F64, end: F64, bulge: F64) -> F64:
 
 
 def length(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the lengths along lines and arcs (mm), of coordinates whose squares are numbers."""
-    # By columns: rows of two are slow.
+    """Return the lengths of lines and arcs (mm).  The squares of coordinates must be finite."""
+    # Column by column: operations on rows of two are slow.
     x, y = end[:, 0] - start[:, 0], end[:, 1] - start[:, 1]
     return over(np.sqrt(x * x + y * y), bulge)
 
 
 def over(chord: F64, bulge: F64) -> F64:
-    """Return the lengths along lines and arcs over chords of a length, (n,) mm each."""
+    """Return the lengths of lines and arcs with given chord lengths, (n,) mm."""
     result = chord.copy()
     curved = np.flatnonzero(bulge != 0.0)
     size = np.abs(bulge[curved])
@@ -63,7 +63,7 @@ def _turned(vectors: F64, angle: F64) -> F64:
 
 
 def tangents(start: F64, end: F64, bulge: F64) -> tuple[F64, F64]:
-    """Return the directions of travel at start and end, (n, 2) each, as long as the chord."""
+    """Return the tangents at start and end, (n, 2) each, with the length of the chord."""
     half = sweep(bulge) / 2.0
     chord = end - start
     return _turned(chord, -half), _turned(chord, half)
@@ -80,12 +80,12 @@ def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
 
 
 def tangent_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
-    """Return the direction of travel at a fraction of the length, (n, 2), as long as the chord."""
+    """Return the tangents at a fraction of the length, (n, 2), with the length of the chord."""
     return _turned(end - start, sweep(bulge) * (fraction - 0.5))
 
 
 def nearest(start: F64, end: F64, bulge: F64, point: F64) -> F64:
-    """Return which fraction of each segment's length is nearest to a point (n, 2) mm, (n,)."""
+    """Return the fraction of each segment's length nearest to a point (n, 2) mm, (n,)."""
     chord = end - start
     along: F64 = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)
     straight = np.abs(bulge) < BULGE
@@ -95,14 +95,14 @@ def nearest(start: F64, end: F64, bulge: F64, point: F64) -> F64:
         turned = np.arctan2(
             first[:, 0] * spoke[:, 1] - first[:, 1] * spoke[:, 0], (first * spoke).sum(axis=1)
         )
-        # Measured from the arc's middle, so that a point beside either end is nearest to that end.
+        # Measured from the middle of the arc, so that points beyond an end map to that end.
         turned = (turned - theta / 2.0 + np.pi) % (2.0 * np.pi) - np.pi
         along = np.where(straight, along, 0.5 + turned / np.where(straight, 1.0, theta))
     return np.clip(along, 0.0, 1.0)
 
 
 def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
-    """Return points at equal distances along each segment, both ends among them, (n, count, 2)."""
+    """Return ``count`` equidistant points of each segment, including both ends, (n, count, 2)."""
     share = np.tile(np.linspace(0.0, 1.0, count), len(bulge))
     points = point_at(
         np.repeat(start, count, axis=0),
@@ -114,7 +114,7 @@ def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
 
 
 def part(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, F64, F64]:
-    """Return the pieces between two fractions of the length: new start, end and bulge."""
+    """Return start, end and bulge of the pieces between two fractions of the length."""
     return (
         point_at(start, end, bulge, first),
         point_at(start, end, bulge, last),
@@ -123,7 +123,7 @@ def part(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, 
 
 
 def bounds(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the boxes, (n, 4): x min, y min, x max, y max, arcs with their bellies."""
+    """Return the bounding boxes of lines and arcs, (n, 4): x min, y min, x max, y max."""
     low = np.minimum(start, end)
     high = np.maximum(start, end)
     round_ = np.abs(bulge) >= BULGE

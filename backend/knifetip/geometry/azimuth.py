@@ -1,7 +1,7 @@
-"""Azimuth: the direction of a segment, in degrees, counter-clockwise from +x.
+"""azimuth: directions in degrees, counter-clockwise from +x.
 
 Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker", 4.1:
-five cases of arctan, which are one arctan2.
+five cases of arctan, which are equal to one arctan2.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def unit(vectors: F64) -> F64:
         A vector shorter than ``tolerance.POINT`` has no direction.
     """
     length = np.hypot(vectors[..., 0], vectors[..., 1])
-    short = ~(length >= POINT)  # so that NaN is caught too
+    short = ~(length >= POINT)  # written so that NaN is refused too
     if short.any():
         raise ZeroLengthEdge(np.flatnonzero(short))
     result: F64 = vectors / length[..., None]
@@ -32,7 +32,7 @@ def unit(vectors: F64) -> F64:
 def azimuth(vectors: F64) -> F64:
     """Return the azimuth, (n,), in [0, 360) degrees, of vectors (n, 2)."""
     degrees = np.degrees(np.arctan2(vectors[..., 1], vectors[..., 0])) % 360.0
-    # Just below the x axis the remainder rounds up to 360.0: that is 0.
+    # Just below the x axis the remainder may round up to 360.0.
     folded: F64 = np.where(degrees >= 360.0, 0.0, degrees)
     return folded
 

@@ -1,27 +1,24 @@
-"""boxes: which segments are near each other, without looking at every pair.
+"""boxes: find segments whose bounding boxes meet, with a packed tree of boxes.
 
-    boxes of segments -> those whose boxes meet
+    boxes of segments -> pairs whose boxes meet
 
-A tree of boxes, eight to a node, over the segments in the order of their path, or along a curve
-through the plane where there are many paths: n log n altogether.  Short paths are compared with
-themselves moved on by two, three, … rows: that is few instructions for many pairs.
-
-numba keeps what it has compiled beside each module and looks at that module alone: who changes a
-kernel here deletes ``__pycache__`` or runs the modules that call it anew.
+Each node of the tree has eight boxes.  Rows are in the order of their path, or of a space-filling
+curve for many paths, so building and searching take O(n log n).  Short paths are compared with
+themselves shifted by two, three, … rows, which takes few instructions for many pairs.
 """
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
-from knifetip.geometry.contours import CheckedSegments, Scratch
 from knifetip.geometry.intersect import TOUCH, crossing
 from knifetip.kernels import (
     F64_1,
     F64_2,
     I64_1,
+    Bool_1,
     OutF64_1,
     OutF64_2,
     OutI64_1,
@@ -32,17 +29,33 @@ from knifetip.kernels import (
 #: Children of a node in the tree of boxes.
 FAN_BITS: Final = 3
 FAN: Final = 1 << FAN_BITS
-#: Up to this many rows every pair of boxes is looked at; beyond it a tree finds those that meet.
+#: Largest number of rows for which all pairs of boxes are compared; above it a tree is used.
 FEW: Final = 256
-#: Rows in a block, where there are few.
+#: Rows of a block, for few rows.
 BLOCK: Final = 4
-#: Room on the stack for every level of a tree.
+#: Size of the stack, enough for all levels of a tree.
 STACK: Final = 16 * FAN
+
+
+class CheckedSegments(NamedTuple):
+    """m segments that may intersect."""
+
+    start: F64_2  #: (m, 2) mm
+    end: F64_2  #: (m, 2) mm
+    bulge: F64_1  #: (m,)
+    inserted: Bool_1  #: (m,) whether it belongs to a transition
+
+
+class Scratch(NamedTuple):
+    """Room for the intersections of two segments, and for one transition."""
+
+    pair: OutF64_2  #: (4, 5) rows
+    found: OutF64_2  #: (4, 4) x, y and the shares along both
 
 
 @kernel(allocates=False)
 def tree_size(count: int) -> int:
-    """How many boxes a tree over so many rows has."""
+    """Return the number of boxes of a tree over ``count`` rows."""
     total = count
     while count > 1:
         count = (count + FAN - 1) // FAN
@@ -52,7 +65,7 @@ def tree_size(count: int) -> int:
 
 @kernel(allocates=False)
 def tree(boxes: OutF64_2, count: int, level: OutI64_1) -> int:
-    """Over the first ``count`` boxes, boxes of eight each; level[h] is where height h begins."""
+    """Build the tree above the first ``count`` boxes; level[h] is the first box of height h."""
     level[0] = 0
     height = 0
     begin = 0
@@ -91,9 +104,9 @@ def next_near(
     y1: float,
     after: int,
 ) -> tuple[int, int]:
-    """The next leaf beyond ``after`` whose box meets this one, and the depth of the stack; or -1.
+    """Return the next leaf after ``after`` whose box meets the given one, or -1, and the depth.
 
-    The stack has rows of (height, number at that height); start it with the root.
+    The stack has rows of (height, number at that height) and starts with the root.
     """
     while depth > 0:
         depth -= 1
@@ -103,7 +116,7 @@ def next_near(
             if number > after:
                 return number, depth
             continue
-        # A row of the height below is over this many leaves.
+        # Number of leaves below a node of the next height.
         width = 1 << (FAN_BITS * (height - 1))
         low = level[height - 1]
         first = number * FAN
@@ -121,7 +134,7 @@ def next_near(
 
 @kernel(allocates=False)
 def _meeting(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) -> int:
-    """How many of the first ``count`` boxes meet the one ``step`` further on."""
+    """Return how many of the first ``count`` boxes meet the box ``step`` rows later."""
     ahead_x0 = x0[step : step + count]
     ahead_y0 = y0[step : step + count]
     ahead_x1 = x1[step : step + count]
@@ -150,9 +163,9 @@ def _apart(
     ey: float,
     other: float,
 ) -> bool:
-    """Whether the rectangles of a segment and another's lie apart across the first one's chord.
+    """Return whether the rectangles around two segments are separated across the first chord.
 
-    That of an arc of up to half a turn has its chord and its height as sides.
+    The rectangle of an arc of up to half a turn has its chord and its height as sides.
     """
     rise = -0.5 * b * (dx * dx + dy * dy)
     fx = ex - ox
@@ -179,7 +192,7 @@ def apart(
     ey: float,
     other: float,
 ) -> bool:
-    """Whether two segments cannot meet, as far as the rectangles around them tell."""
+    """Return whether the rectangles around two segments show that they cannot meet."""
     if abs(b) > 1.0 or abs(other) > 1.0:
         return False
     return _apart(x0, y0, x1 - x0, y1 - y0, b, ox, oy, ex, ey, other) or _apart(
@@ -189,11 +202,11 @@ def apart(
 
 @kernel(allocates=False)
 def _meet(segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch: Scratch) -> bool:
-    """Whether segments i and j, whose boxes meet, have a point in common."""
+    """Return whether segments i and j, whose boxes meet, have a common point."""
     start, end, bulge, pair = segments.start, segments.end, segments.bulge, scratch.pair
     b, other = bulge[i], bulge[j]
     if round_corner and b == 0.0 and other == 0.0:
-        # Two lines on either side of a convex corner run away from each other.
+        # Two lines at a convex corner diverge.
         return False
     x0, y0, x1, y1 = start[i, 0], start[i, 1], end[i, 0], end[i, 1]
     ox, oy, ex, ey = start[j, 0], start[j, 1], end[j, 0], end[j, 1]
@@ -216,12 +229,12 @@ def boxed(
     x1: OutF64_1,
     y1: OutF64_1,
 ) -> None:
-    """Write boxes of segments low … high - 1 that hold them with TOUCH to spare, by columns."""
+    """Compute boxes of segments low … high - 1, enlarged by TOUCH, by columns."""
     for i in range(low, high):
         sx, sy, ex, ey, b = start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i]
         at = i - low
         if abs(b) <= 1.0:
-            # Up to half a turn, an arc lies in the rectangle of its chord and its height.
+            # An arc of up to half a turn lies in the rectangle of its chord and its height.
             rise_x = 0.5 * b * (ey - sy)
             rise_y = 0.5 * b * (sx - ex)
             x0[at] = min(sx, ex) + min(rise_x, 0.0) - TOUCH
@@ -243,9 +256,9 @@ def boxed(
 def meets_itself(
     segments: CheckedSegments, low: int, high: int, boxes: OutF64_2, scratch: Scratch
 ) -> bool:
-    """Whether segments of a closed path have a point in common that are no neighbours.
+    """Return whether two segments of a closed path that are not neighbours have a common point.
 
-    The path has the segments low … high - 1; boxes (4, m) are room for half as many again.
+    The path has the segments low … high - 1; ``boxes`` (4, m) has room for half as many again.
     """
     start, end, bulge, inserted = segments
     count = high - low
@@ -276,7 +289,7 @@ def meets_itself(
                     return True
     if near == half:
         return False
-    # What is further apart, block against block; the blocks' boxes stand behind those of the rows.
+    # Rows farther apart are compared by blocks, whose boxes follow those of the rows.
     blocks = (count + BLOCK - 1) // BLOCK
     for a in range(blocks):
         at = count + a
@@ -304,7 +317,7 @@ def meets_itself(
 
 @kernel
 def any_meet(start: F64_2, end: F64_2, bulge: F64_1, scratch: Scratch) -> bool:
-    """Whether two of some segments have a point in common."""
+    """Return whether two of the segments have a common point."""
     count = len(bulge)
     boxes = np.empty((4, count))
     boxed(start, end, bulge, 0, count, boxes[0], boxes[1], boxes[2], boxes[3])
@@ -317,7 +330,7 @@ def any_meet(start: F64_2, end: F64_2, bulge: F64_1, scratch: Scratch) -> bool:
 def where_met(
     start: F64_2, end: F64_2, bulge: F64_1, low: int, high: int
 ) -> tuple[int, int, float, float]:
-    """Two segments of a closed path that meet and are no neighbours, or -1, and a point of both."""
+    """Return two segments of a closed path that meet but are not neighbours, or -1, and where."""
     boxes = np.empty((4, high - low))
     boxed(start, end, bulge, low, high, boxes[0], boxes[1], boxes[2], boxes[3])
     segments = CheckedSegments(start, end, bulge, np.zeros(high, np.bool_))
@@ -331,7 +344,7 @@ def where_met(
 def _meets_in_tree(
     segments: CheckedSegments, low: int, high: int, step: int, columns: F64_2, scratch: Scratch
 ) -> tuple[int, int]:
-    """Two segments that meet ``step`` apart, or more, or -1; with 2 the path is closed."""
+    """Return two segments at least ``step`` apart that meet, or -1; 2 for a closed path."""
     count = high - low
     boxes = np.empty((tree_size(count), 4))
     for i in range(count):

@@ -1,9 +1,10 @@
-"""chain: loose edges joined into paths.
+"""chain: connect edges into paths.
 
-    ends, bulge -> which edge follows which, and which of them must be reversed
+    ends, bulge -> which edge follows which, and which of them are reversed
 
-Where two ends meet they are joined.  Where three or more meet only those that run straight through
-each other are, and only when neither has a second candidate: better an open end than a wrong join.
+Ends that meet are connected.  Where three or more ends meet, only those that continue each other
+straight are connected, and only if neither has a second candidate: an open end is better than a
+wrong connection.
 """
 
 from __future__ import annotations
@@ -17,8 +18,8 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
-from knifetip.geometry.sets import settle, unite
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN
+from knifetip.geometry.union_find import flatten, union
 from knifetip.kernels import F64_2, I64_1, I64_2, OutI64_1, kernel
 
 
@@ -27,11 +28,11 @@ class Chains:
     """n edges in the order of their paths."""
 
     order: I32  #: (n,) rows of the edges
-    flipped: Bool  #: (n,) whether the edge is travelled from its end to its start
-    first: I32  #: (p + 1,) the first place in ``order`` of each path, and n
+    flipped: Bool  #: (n,) whether the edge is traversed from its end to its start
+    first: I32  #: (p + 1,) start of each path in ``order``, and n
 
     def paths(self, ends: F64, bulge: F64) -> Paths:
-        """Return the edges as paths; ends (m, 2, 2) mm and bulge (m,) as they were chained."""
+        """Return the edges, ends (m, 2, 2) mm and bulge (m,) as they were chained, as paths."""
         ordered = ends[self.order]
         turned = np.where(self.flipped[:, None, None], ordered[:, ::-1], ordered)
         bent = np.where(self.flipped, -bulge[self.order], bulge[self.order])
@@ -51,7 +52,7 @@ def outward(ends: F64, bulge: F64) -> F64:
 
 
 def nodes(points: F64, gap: float = JOIN) -> I32:
-    """Return for points (n, 2) mm the number of the place that each stands on, (n,)."""
+    """Return the vertex number of each point, (n,), for points (n, 2) mm."""
     if len(points) == 0:
         return np.zeros(0, np.int32)
     cell = np.floor((points - points.min(axis=0)) / gap).astype(np.int64)
@@ -106,7 +107,7 @@ def chain(
 
 
 def run_on(points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP) -> Bool:
-    """Return for ends of paths whether another one leaves the same place straight on.
+    """Return for ends of paths whether another path continues straight from the same point.
 
     Parameters
     ----------
@@ -115,9 +116,9 @@ def run_on(points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP)
     directions : (m, 2)
         Unit directions in which each path leaves its end.
     angle : degrees
-        How straight is straight on.
+        Largest angle that counts as straight.
     gap : mm
-        How near is the same place.
+        Largest distance of ends at the same point.
     """
     if len(points) == 0:
         return np.zeros(0, np.bool_)
@@ -130,7 +131,7 @@ def run_on(points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP)
 
 @kernel
 def _clustered(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
-    """Union-find over a grid whose cells, sorted by column and row, are found by bisection."""
+    """Merge near points by union-find over a grid; cells, sorted, are found by bisection."""
     n = len(points)
     parent = np.arange(n)
     column = cell[order, 0]
@@ -138,7 +139,7 @@ def _clustered(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
     for place in range(n):
         i = order[place]
         for dx in range(2):
-            # Own and next column, in the own one only what comes later: each pair is seen once.
+            # Own and next column; in the own column later cells only, so each pair is tested once.
             wanted = cell[i, 0] + dx
             low = place + 1
             if dx == 1:
@@ -150,17 +151,17 @@ def _clustered(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
                 x = points[i, 0] - points[j, 0]
                 y = points[i, 1] - points[j, 1]
                 if x * x + y * y <= gap * gap:
-                    unite(parent, i, j)
+                    union(parent, i, j)
                 low += 1
-    settle(parent)
+    flatten(parent)
     return parent.astype(np.int32)
 
 
 @kernel
 def _linked(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight: float) -> Any:
-    """Which half-edge end is joined to which, -1 for open ends.
+    """Return the end connected to each end, -1 for open ends.
 
-    Two ends run on into each other when their outward directions oppose: the cosine of the turn is
+    Two ends continue each other if their outward directions are opposite: the cosine of the turn is
     minus their product.
     """
     link = np.full(len(out), -1, np.int64)
@@ -209,21 +210,21 @@ def _run_on(out: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
 
 @kernel
 def walked(link: I64_1) -> Any:
-    """Follow links from end to end.
+    """Follow links from end to end, and return runs of edges.
 
     Parameters
     ----------
     link : (2k,)
-        End 2i is the start of edge i, end 2i + 1 its end: the end that each goes on in, or -1.
+        The end connected to each end, or -1; end 2i is the start of edge i, end 2i + 1 its end.
 
     Returns
     -------
     order : (k,)
-        The edges, run after run, a run where its first edge is due.
+        The edges, run after run; runs are in the order of their first edges.
     flipped : (k,)
-        Whether each is run through backwards.
+        Whether each edge is traversed backwards.
     first : (r + 1,)
-        Where the runs begin.
+        Start of each run.
     closed : (r,)
     """
     count = len(link) // 2
@@ -237,7 +238,7 @@ def walked(link: I64_1) -> Any:
     for edge in range(count):
         if seen[edge]:
             continue
-        # Back to the open end, or once round a closed run.
+        # Go back to the open end, or once around a closed run.
         tail = 2 * edge
         while link[tail] >= 0:
             tail = link[tail] ^ 1

@@ -1,6 +1,6 @@
-"""Columns: the array types of every record, checked and frozen on the way in.
+"""columns: array types of the columns of records, checked and frozen on creation.
 
-A record owns its arrays: what comes in writeable is copied, and nobody writes to it after.
+A record owns its arrays: writable input is copied, and the result is read-only.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ Bool: TypeAlias = NDArray[np.bool_]
 
 
 def frozen(values: ArrayLike, dtype: DTypeLike, *shape: int) -> NDArray[Any]:
-    """Return the values as a contiguous array of this type and shape that nobody can write to.
+    """Return the values as a contiguous read-only array of a type and shape.
 
-    A -1 in ``shape`` stands for any length.  An empty input takes the shape with 0 for -1.
+    -1 in ``shape`` matches any length.  An empty input gets the shape with 0 for -1.
 
     Raises
     ------

@@ -1,11 +1,11 @@
-"""curve: ellipses and splines as lines and arcs that stay within a tolerance of them.
+"""curve: approximate ellipses and splines by lines and arcs within a tolerance.
 
     point(t), tangent(t), breakpoints -> start (n, 2), end (n, 2), bulge (n,)
 
-Each piece is a biarc: two arcs that touch, with the curve's own points and directions at its
-ends, so that the result turns no corner where the curve turns none.  The deviation of a biarc grows
-with |κ′| h³ over its length h, so pieces are spread with a density of |κ′|^⅓ and deviate nearly
-alike; every piece is then measured against the true curve, and halved where it is too far off.
+Each piece is a biarc: two tangent arcs with the curve's points and directions at its ends, so a
+smooth curve gives a smooth result.  The deviation of a biarc of length h grows with |κ′| h³, so
+pieces are distributed with a density of |κ′|^⅓.  Every piece is then measured against the curve,
+and halved if it deviates too much.
 
 Source: biarc with equal tangent lengths, Bolton, "Biarc curves", Computer-Aided Design 7 (1975);
 order of its error, Meek & Walton, "Approximating smooth planar curves by arc splines", J. Comput.
@@ -27,24 +27,24 @@ from knifetip.geometry.tolerance import BULGE, CURVE
 
 #: Parameters (m,) -> points or directions (m, 2).
 Evaluate: TypeAlias = Callable[[F64], F64]
-#: Numbers of curves (m,), how far along each (m,) -> points or directions (m, 2).
+#: Numbers of curves (m,), parameters on them (m,) -> points or directions (m, 2).
 EvaluateEach: TypeAlias = Callable[[I64, F64], F64]
 #: Segments: start (n, 2), end (n, 2), bulge (n,).
 Segments: TypeAlias = tuple[F64, F64, F64]
 
-#: Points of the true curve, evenly spaced inside a piece, at which its biarc is measured.
+#: Number of points of the curve, evenly spaced in a piece, at which its biarc is measured.
 _PROBES: Final = np.linspace(0.0, 1.0, 26)[1:-1]
-#: What is measured may fall short of the true maximum between probes by this share.
+#: Largest relative error of the measured maximum, which may lie between probes.
 _MARGIN: Final = 0.97
-#: Deviation of a biarc = |κ′| h³ / this, as measured on ellipses from 1 : 1.01 to 1 : 100.
+#: The deviation of a biarc is |κ′| h³ divided by this; measured on ellipses 1 : 1.01 to 1 : 100.
 _ERROR: Final = 150.0
-#: A bulge beyond this (an arc of 106°) is halved: longer pieces are not measured reliably.
+#: Largest bulge of a piece (an arc of 106°); longer pieces are not measured reliably.
 _LONGEST: Final = 0.5
-#: A piece halved this often and still too far off is no curve.
+#: Largest number of halvings of a piece.
 _HALVINGS: Final = 40
-#: A fit of more pieces than this is refused.
+#: Largest number of pieces of a fit.
 _MOST: Final = 100_000
-#: Pieces or spans that are worked on at once, so that a long curve does not need all memory.
+#: Pieces or spans processed at once, to limit the memory for long curves.
 _BLOCK: Final = 4096
 
 
@@ -92,12 +92,12 @@ def fit(
 def each(
     point: EvaluateEach, tangent: EvaluateEach, count: int, tolerance: float = CURVE
 ) -> tuple[F64, F64, F64, I64]:
-    """Fit arcs and lines to many smooth curves at once: a thousand take as long as ten of them do.
+    """Fit arcs and lines to many smooth curves at once.
 
     Parameters
     ----------
     point, tangent
-        Map the number of a curve (m,), 0 … ``count`` - 1, and how far along it (m,), 0 … 1, to
+        Map the number of a curve (m,), 0 … ``count`` - 1, and a parameter (m,), 0 … 1, to
         points (m, 2), and to the derivative there (any length).
     tolerance : float, mm
         No point of a curve is farther than this from its segments.
@@ -127,7 +127,7 @@ def each(
 def _block(
     point: EvaluateEach, tangent: EvaluateEach, low: int, count: int, tolerance: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Fit the curves from ``low`` on as one, in which curve k runs from 2k to 2k + 1."""
+    """Fit the curves from ``low`` on as one curve, with parameters 2k to 2k + 1 for curve k."""
 
     def apart(t: F64) -> tuple[I64, F64]:
         k = np.minimum(t // 2.0, count - 1.0)
@@ -153,7 +153,7 @@ def _block(
 def _pieces(
     point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
 ) -> tuple[F64, F64, F64, F64]:
-    """Halve pieces until each is near its biarc.
+    """Halve pieces until each is within tolerance of its biarc.
 
     Returns
     -------
@@ -192,8 +192,8 @@ def _pieces(
 def _tidied(
     start: F64, end: F64, bulge: F64, which: I64, speck: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Return the segments without specks, and lines that go straight on as one line."""
-    # A piece that is one arc, or one line, has its joint at its end: nothing comes after.
+    """Remove segments shorter than ``speck`` and merge collinear lines."""
+    # A piece of a single arc or line has its joint at its end.
     length = np.hypot(*(end - start).T)
     some = length > speck
     start, end, bulge, length = start[some], end[some], bulge[some], length[some]
@@ -212,7 +212,7 @@ def _tidied(
 
 
 def _spread(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
-    """Return parameters that cut each span into pieces of nearly equal deviation."""
+    """Return parameters that split each span into pieces of nearly equal deviation."""
     cells = 32
     if len(knots) - 1 > _MOST:
         raise GeometryError("curve.too-many-spans", spans=len(knots) - 1, limit=_MOST)
@@ -236,7 +236,7 @@ def _spread(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) ->
         )
         curvature = np.nan_to_num(turn / along, nan=0.0, posinf=0.0, neginf=0.0)
         change = np.abs(np.gradient(curvature, axis=1))
-        # |κ′|^⅓ ds with κ′ = Δκ / Δs; at least a piece to every 90° of turning.
+        # |κ′|^⅓ ds with κ′ = Δκ / Δs; at least one piece per 90° of turning.
         wanted = np.cbrt(change * along**2 / (_ERROR * tolerance))
         wanted = np.maximum(np.nan_to_num(wanted), np.abs(np.nan_to_num(turn)) / (np.pi / 2.0))
         wanted += wanted.max(axis=1, keepdims=True) * 1e-6 + 1e-12
@@ -254,9 +254,9 @@ def _spread(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) ->
 def _biarcs(
     point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
 ) -> tuple[F64, F64, Bool]:
-    """Return the joints (m, 2) and bulges (m, 2) of each piece, and which are near enough."""
+    """Return joint (m, 2) and bulges (m, 2) of each piece, and whether it is within tolerance."""
     a, b = point(first), point(last)
-    # Just before its end, a piece that ends in a corner still has its own direction.
+    # A piece that ends in a corner has its own direction just before its end.
     u, v = _direction(tangent(first)), _direction(tangent(np.nextafter(last, first)))
     chord = b - a
     # Equal tangent lengths d: |chord|² - 2 d chord·(u + v) - 2 d² (1 - u·v) = 0, Bolton.
@@ -267,7 +267,7 @@ def _biarcs(
     joint = ((a + d[:, None] * u) + (b - d[:, None] * v)) / 2.0
     bulge = np.stack([_half_angle(u, joint - a), _half_angle(b - joint, v)], axis=1)
 
-    # Where one arc serves as well as two (a circle, a straight stretch), one it is.
+    # Use one arc where it fits as well as two (circles, straight parts).
     whole = _half_angle(u, chord)
     alike = np.abs(whole - _half_angle(chord, v)) < 1e-9
     joint[alike] = b[alike]
@@ -282,7 +282,7 @@ def _biarcs(
     near[two] = np.minimum(near[two], _off(joint[two], b[two], bulge[two, 1], probes[two]))
     good = (near.max(axis=1) <= allowed) & (np.abs(bulge) <= _LONGEST).all(axis=1)
 
-    # Beside a cusp there is no direction to follow; a chord that is near enough will do.
+    # At a cusp the direction is undefined; use the chord if it is within tolerance.
     flat = ~good & (_off(a, b, np.zeros(len(a)), probes).max(axis=1) <= allowed)
     blunt = flat & (~np.isfinite(bulge).all(axis=1) | (square <= (4.0 * tolerance) ** 2))
     joint[blunt], bulge[blunt] = b[blunt], 0.0
@@ -296,7 +296,7 @@ def _direction(vectors: F64) -> F64:
 
 
 def _half_angle(before: F64, after: F64) -> F64:
-    """Return tan of half the angle from one vector to the next: the bulge, seen at an end."""
+    """Return tan of half the angle between two vectors: the bulge, from tangent and chord."""
     cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     dot = (before * after).sum(axis=1)
     result: F64 = cross / (np.hypot(cross, dot) + dot)
@@ -331,7 +331,7 @@ def _off(start: F64, end: F64, bulge: F64, probes: F64) -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Ellipse:
-    """c + u cos t + v sin t for t from ``first`` to ``last``; u and v need not be square."""
+    """c + u cos t + v sin t for t from ``first`` to ``last``; u and v need not be perpendicular."""
 
     centre: F64  #: (2,) mm
     u: F64  #: (2,) from the centre to t = 0 (mm)
@@ -352,8 +352,8 @@ class Ellipse:
     def fitted(self, tolerance: float = CURVE) -> Segments:
         """Return lines and arcs within a tolerance (mm) of the ellipse.
 
-        Circles give exact arcs; else each quarter between the ends of the axes is fitted.  An
-        ellipse without width is the line, there and back.
+        Circles give exact arcs; otherwise each quarter between the ends of the axes is fitted.  An
+        ellipse without width gives a line in both directions.
 
         Raises
         ------
@@ -408,7 +408,7 @@ def ellipse(
     centre, major : (2,) mm
         ``major`` goes from the centre to the end of an axis.
     ratio : float
-        Of the other axis to this one; negative turns clockwise.
+        Length of the other axis divided by this one; negative for clockwise.
     first, last : float, radians
         Parameters (not angles), counted from ``major``.
     tolerance : float, mm
@@ -430,7 +430,7 @@ def ellipse(
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Spline:
-    """A rational B-spline; all weights 1 where it is not rational."""
+    """A rational B-spline; all weights are 1 if it is not rational."""
 
     control: F64  #: (k, 2) mm
     weights: F64  #: (k,) > 0
@@ -456,7 +456,7 @@ class Spline:
 
     @property
     def breaks(self) -> F64:
-        """The parameters between which it is smooth."""
+        """Parameters between which the spline is smooth."""
         inside = self.knots[self.degree : len(self.control) + 1]
         return np.unique(inside)
 
@@ -464,7 +464,7 @@ class Spline:
         """Return a polynomial B-spline (m, columns) at t by de Boor's recurrence."""
         count = len(rows)
         span = np.clip(np.searchsorted(knots, t, side="right") - 1, degree, count - 1)
-        # A span of no length has no points; step back to the one that ends there.
+        # Empty spans have no points; use the span that ends there.
         filled = np.flatnonzero(knots[degree:count] < knots[degree + 1 : count + 1]) + degree
         span = filled[np.searchsorted(filled, span, side="right") - 1]
         d = rows[span[:, None] - degree + np.arange(degree + 1)]
@@ -488,7 +488,7 @@ class Spline:
         return result
 
     def tangent(self, t: F64) -> F64:
-        """Return the derivatives at parameters (m,), (m, 2); at a corner, of the side after it."""
+        """Return the derivatives at parameters (m,), (m, 2); at a corner, that after it."""
         p = self.degree
         rows = self._homogeneous()
         value = self._evaluated(t, rows, self.knots, p)
@@ -505,7 +505,7 @@ class Spline:
         Raises
         ------
         GeometryError
-            It cannot be followed, or needs more than a hundred thousand pieces.
+            It cannot be fitted, or needs more than 100,000 pieces.
         """
         breaks = self.breaks
         if self.degree == 1:

@@ -1,4 +1,4 @@
-"""What is near: an index over the boxes of segments."""
+"""grid: test whether points lie on segments, with a uniform grid of cells."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ def touching(points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float
     ----------
     points : (m, 2) mm
     own : (m,)
-        The segment that each point belongs to, which does not count.
+        Segment that each point belongs to and that is ignored.
     start, end, bulge : (n, 2), (n, 2) mm and (n,)
     gap : mm
-        How near is on.
+        Largest distance of a point that lies on a segment.
     """
     if len(points) == 0 or len(bulge) == 0:
         return np.zeros(len(points), np.bool_)
@@ -100,7 +100,7 @@ def _distance(
     first: float,
     sweep: float,
 ) -> float:
-    """Distance from a point to a line or an arc (mm)."""
+    """Return the distance from a point to a line or an arc (mm)."""
     if abs(sweep) >= 4.0 * BULGE:
         angle = math.atan2(point[1] - middle[1], point[0] - middle[0]) - first
         if sweep < 0:

@@ -1,9 +1,9 @@
-"""intersect: where two segments, lines or arcs, have points in common.
+"""intersect: common points of two segments, lines or arcs.
 
-    two segments -> the points, and how far along each of both they are
+    two segments -> the points, and their parameters on both
 
-Touching counts, and where two segments run along each other the ends of the shared stretch do, so
-that whoever cuts both at these points has pieces that are the same or apart.
+Touching counts as common.  If two segments overlap, the ends of the common stretch are returned, so
+that after splitting at these points pieces are either equal or apart.
 """
 
 from __future__ import annotations
@@ -18,22 +18,22 @@ from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_2, OutF64_2, OutF64_3, OutI32_1, kernel
 
-#: Two segments share at most this many points: two arcs of one circle may overlap twice.
+#: Largest number of common points of two segments: two arcs of one circle may overlap twice.
 MOST: Final = 4
-#: What rounding alone leaves of a length, as a share of it.
+#: Relative rounding error of a length.
 ROUNDING: Final = 1e-15
-#: Within this of each other is touching (mm).
+#: Distance within which segments touch (mm).
 TOUCH: Final = 1e-9
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Crossings:
-    """What n pairs of segments share."""
+    """Common points of n pairs of segments."""
 
-    count: I32  #: (n,) points of each pair
+    count: I32  #: (n,) number of points of each pair
     points: F64  #: (n, 4, 2) mm, NaN beyond ``count``
-    first: F64  #: (n, 4) how far along the first segment, 0 to 1 of its length
-    second: F64  #: (n, 4) how far along the second
+    first: F64  #: (n, 4) parameter on the first segment, 0 to 1 of its length
+    second: F64  #: (n, 4) parameter on the second segment
 
 
 def crossings(
@@ -45,14 +45,14 @@ def crossings(
     other_bulge: F64,
     touch: float = TOUCH,
 ) -> Crossings:
-    """Return the points that each pair of segments shares.
+    """Return the common points of each pair of segments.
 
     Parameters
     ----------
     start, end, bulge : (n, 2), (n, 2) mm and (n,)
     other_start, other_end, other_bulge : the same of the second segments
     touch : mm
-        Within this of each other is touching.
+        Distance within which segments touch.
     """
     one = np.column_stack([start, end, bulge]).astype(np.float64, copy=False)
     two = np.column_stack([other_start, other_end, other_bulge]).astype(np.float64, copy=False)
@@ -70,7 +70,7 @@ def _pairs(one: F64_2, two: F64_2, touch: float, count: OutI32_1, found: OutF64_
 
 @kernel(allocates=False)
 def circle(rows: F64_2, i: int) -> tuple[float, float, float]:
-    """Centre and radius of the arc in row i of (x0, y0, x1, y1, bulge)."""
+    """Return centre and radius of the arc in row i of (x0, y0, x1, y1, bulge)."""
     dx = rows[i, 2] - rows[i, 0]
     dy = rows[i, 3] - rows[i, 1]
     b = rows[i, 4]
@@ -84,9 +84,9 @@ def circle(rows: F64_2, i: int) -> tuple[float, float, float]:
 
 @kernel(allocates=False)
 def box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
-    """Write a box that holds row i as boxes[at]: x min, y min, x max, y max.
+    """Write a box around row i to boxes[at]: x min, y min, x max, y max.
 
-    That of an arc is not the least.
+    The box of an arc may be larger than necessary.
     """
     x0 = rows[i, 0]
     y0 = rows[i, 1]
@@ -104,7 +104,7 @@ def box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
         high_x = cx + radius
         high_y = cy + radius
     elif b != 0.0:
-        # Up to half a turn, an arc lies in the rectangle of its chord and its height.
+        # An arc of up to half a turn lies in the rectangle of its chord and its height.
         rise_x = 0.5 * b * (y1 - y0)
         rise_y = 0.5 * b * (x0 - x1)
         low_x += min(rise_x, 0.0)
@@ -119,7 +119,7 @@ def box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
 
 @kernel(allocates=False)
 def along(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
-    """How far along row i the point (x, y), which is on its line or circle, is; -1 if outside."""
+    """Return the parameter on row i of a point on its line or circle; -1 if outside."""
     x0 = rows[i, 0]
     y0 = rows[i, 1]
     dx = rows[i, 2] - x0
@@ -156,7 +156,7 @@ def along(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
 
 @kernel(allocates=False)
 def point_on(rows: F64_2, i: int, share: float) -> tuple[float, float]:
-    """The point at a share of the length of row i."""
+    """Return the point at a parameter of row i."""
     x0 = rows[i, 0]
     y0 = rows[i, 1]
     dx = rows[i, 2] - x0
@@ -212,9 +212,9 @@ def _shared_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: Ou
 
 @kernel(allocates=False)
 def crossing(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    """Write what row i of ``one`` and row j of ``two`` share into found (4, 4); return how many.
+    """Write the common points of row i of ``one`` and row j of ``two``; return their number.
 
-    A row of ``found`` is x, y, and the shares of the lengths of the first and of the second.
+    A row of ``found`` is x, y, and the parameters on the first and on the second segment.
     """
     flat = abs(one[i, 4]) < BULGE
     other_flat = abs(two[j, 4]) < BULGE
@@ -234,7 +234,7 @@ def crossing(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64
     foot = (apart * apart + (ar - br) * (ar + br)) / (2.0 * apart)
     rise = math.sqrt(max(0.0, (ar - foot) * (ar + foot)))
     if min(abs(apart - (ar + br)), abs(apart - abs(ar - br))) <= ROUNDING * (apart + ar + br):
-        # They touch: the root would make a tenth of a micrometre of the last bit.
+        # They touch: the root would turn the last bit into a tenth of a micrometre.
         rise = 0.0
     ux = dx / apart
     uy = dy / apart
@@ -260,7 +260,7 @@ def _lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2
         if off * off > touch * touch * a2:
             return 0
         return _shared_ends(one, i, two, j, touch, found)
-    # Both ends of one clearly on one side of the other: most pairs end here.
+    # Both ends of one are clearly on one side of the other: true for most pairs.
     near = ax * cy - ay * cx
     far = near + cross
     if near * far > 0.0 and min(near * near, far * far) > touch * touch * a2:
@@ -298,7 +298,7 @@ def _line_arc(
     length = math.sqrt(dx * dx + dy * dy)
     ux = dx / length
     uy = dy / length
-    # From the centre square to the line.
+    # From the centre perpendicular to the line.
     off = ux * (cy - y0) - uy * (cx - x0)
     if abs(off) > radius + touch:
         return 0

@@ -1,6 +1,6 @@
-"""Leaving: how far a tool must go on until its whole width is past an edge of the board.
+"""leaving: length after which the whole width of a tool has passed an edge of the board.
 
-    directions, outward normals, widths -> how much further
+    directions, outward normals, widths -> additional length
 
 Source: the turning paper, section 1 (run-out and back-up).
 """
@@ -16,19 +16,19 @@ from knifetip.errors import CompensationError
 from knifetip.geometry.azimuth import left
 from knifetip.geometry.columns import F64
 
-#: A track that meets the edge more nearly along it never leaves (degrees from square).
+#: Largest angle between a track and the normal of the edge (degrees): beyond it the tool stays.
 _FLATTEST: Final = 89.0
 
 
 def run_out(travel: F64, outward: F64, width: float | F64, short: float | F64 = 0.0) -> F64:
-    """Return how much further a track goes until either corner of its tool is off the board.
+    """Return the additional length of a track until both corners of its tool are off the board.
 
     With u the direction of travel, n its left normal and m the outward normal of the edge, the
-    corners P1, P2 stand at c ± (W/2) n, and are past a straight edge after::
+    corners P1, P2 are at c ± (W/2) n, and have passed a straight edge after::
 
         ∓ (W/2) (n · m) / (u · m)                                 section 1
 
-    so that the later of them leaves after (W/2) |n · m| / (u · m).
+    so the later one leaves after (W/2) |n · m| / (u · m).
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def run_out(travel: F64, outward: F64, width: float | F64, short: float | F64 = 
     width : (n,) mm
         W, across the travel.
     short : (n,) mm
-        How far the track ends before the edge, square to it.
+        Distance between the end of the track and the edge.
 
     Returns
     -------

@@ -1,7 +1,7 @@
-"""Paths: many chains of lines and arcs in one set of columns.
+"""path: many chains of lines and arcs in one set of columns.
 
-Path p has the segments ``first[p] … first[p + 1] - 1``.  Each segment has both its ends, so that
-the chains need no separators: a chain is joined where one segment's end is the next one's start.
+Path p has the segments ``first[p] … first[p + 1] - 1``.  Each segment stores both ends, so that
+chains need no separators: segments are connected if the end of one is the start of the next.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from knifetip.geometry.tolerance import BULGE, POINT
 class Paths:
     """Chains of lines and arcs."""
 
-    start: F64  #: (n, 2) mm, where each segment begins
-    end: F64  #: (n, 2) mm, where it ends
+    start: F64  #: (n, 2) mm, start of each segment
+    end: F64  #: (n, 2) mm, end of each segment
     bulge: F64  #: (n,) tan(sweep / 4): 0 a line, > 0 an arc to the left
-    first: I32  #: (p + 1,) the first segment of each path, and n
+    first: I32  #: (p + 1,) first segment of each path, and n
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -50,8 +50,8 @@ class Paths:
 
     @property
     def areas(self) -> F64:
-        """(p,) Signed area that each path goes round (mm²), > 0 counter-clockwise."""
-        # From a point of the path itself, so that far from the origin no digits are lost.
+        """(p,) Signed area enclosed by each path (mm²), > 0 if counter-clockwise."""
+        # Relative to a point of the path, so that no digits are lost far from the origin.
         origin = self.start[self.first[:-1]][self.path_of]
         a, b = self.start - origin, self.end - origin
         swept = arc.sweep(self.bulge)
@@ -63,7 +63,7 @@ class Paths:
 
     @property
     def closed(self) -> Bool:
-        """(p,) Whether each path ends where it began."""
+        """(p,) Whether each path is closed."""
         gap = self.start[self.first[:-1]] - self.end[self.first[1:] - 1]
         result: Bool = np.hypot(gap[:, 0], gap[:, 1]) < POINT
         return result
@@ -75,14 +75,14 @@ def chained(xy: F64, bulge: F64) -> Paths:
 
 
 def trimmed(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
-    """Return the paths without their first and last millimetres, and the segment of each new one.
+    """Return paths shortened at both ends, and the origin of each segment.
 
-    A path that is no longer than what is taken off keeps no segments.
+    A path that is not longer than the removed lengths keeps no segments.
 
     Parameters
     ----------
     at_start, at_end : (p,) mm, not negative
-        Lengths to take off.
+        Lengths to remove.
     """
     along = arc.length(paths.start, paths.end, paths.bulge)
     owner = paths.path_of
@@ -91,7 +91,7 @@ def trimmed(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
     begin = reached - along - before[owner]
     low = (at_start[owner] - begin) / along
     high = (paths.lengths[owner] - at_end[owner] - begin) / along
-    # What is cut back by nothing must stay to the last bit.
+    # Paths that are not shortened must stay equal, bit for bit.
     low = np.where(low > POINT / along, low, 0.0)
     high = np.where(high < 1.0 - POINT / along, high, 1.0)
     kept = high - low > POINT / along
@@ -107,12 +107,12 @@ def trimmed(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
 
 
 def taken(paths: Paths, which: I32) -> tuple[Paths, I32]:
-    """Return some of the paths, and the segment of each new one.
+    """Return some of the paths, and the origin of each segment.
 
     Parameters
     ----------
     which : (q,)
-        Numbers of the paths; one may be taken more than once.
+        Numbers of the paths; they may repeat.
     """
     count = np.diff(paths.first)[which]
     first = np.concatenate([[0], np.cumsum(count)])
@@ -123,12 +123,12 @@ def taken(paths: Paths, which: I32) -> tuple[Paths, I32]:
 
 
 def interrupted(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths, I32, I32]:
-    """Return the paths, closed ones with gaps: each is then as many open ones as it has gaps.
+    """Return the paths with gaps; a closed path becomes as many open ones as it has gaps.
 
     Parameters
     ----------
     path, middle : (k,) and (k,) mm
-        Which paths have a gap, and where its middle is from their start; by path, ascending.
+        Path of each gap, and the position of its middle along the path; ascending by path.
     gap : mm
 
     Returns
@@ -142,7 +142,7 @@ def interrupted(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
     begin, end = np.zeros(len(owner)), length[owner]
     first = np.append(True, path[1:] != path[:-1])[: len(path)]
     following = np.append(middle[1:], 0.0)[: len(path)]
-    # The last piece goes on over the path's start.
+    # The last piece continues past the start of the path.
     last = np.flatnonzero(np.roll(first, -1))
     following[last] = middle[first] + length[path[last]]
     begin[gapped], end[gapped] = middle + gap / 2.0, following - gap / 2.0
@@ -153,7 +153,7 @@ def interrupted(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
 
 
 def _twice_round(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, those among ``which`` followed twice, and the segment of each new one."""
+    """Return the paths, those in ``which`` repeated twice, and the origin of each segment."""
     count = np.diff(paths.first)
     times = np.where(which, 2, 1)
     first = np.concatenate([[0], np.cumsum(count * times)])
@@ -184,7 +184,7 @@ def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
 
 
 def reversed_where(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, some travelled the other way, and the segment of each new one.
+    """Return the paths, some of them reversed, and the origin of each segment.
 
     Parameters
     ----------
@@ -210,20 +210,20 @@ def reversed_where(paths: Paths, which: Bool) -> tuple[Paths, I32]:
 
 
 def begun_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, some closed ones begun in the middle of a segment, and each one's segment.
+    """Return the paths, some closed ones starting in the middle of a segment, and the origins.
 
-    The segment is the path's longest line, or its longest arc where it has no line, so that the
-    place where a blade goes in and comes out is a smooth one.  It becomes two, first and last.
+    The segment is the longest line of the path, or its longest arc, so that the blade enters and
+    leaves at a smooth point.  It is split in two, which become first and last.
 
     Parameters
     ----------
     which : (p,)
-        The paths to begin elsewhere; they must be closed.
+        The paths to restart; they must be closed.
     """
     owner = paths.path_of
     along = arc.length(paths.start, paths.end, paths.bulge)
     line = np.abs(paths.bulge) < BULGE
-    # Of each path the last in the order of (line, length, earliest): one sort for all.
+    # The last row of each path in the order (line, length, earliest): one sort for all.
     ranked = np.lexsort((-np.arange(len(owner)), along, line, owner))
     longest = ranked[paths.first[1:] - 1]
     count = np.diff(paths.first) + which

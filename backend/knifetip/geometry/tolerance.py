@@ -1,30 +1,30 @@
-"""Every epsilon has its name here."""
+"""tolerance: all tolerances, by name."""
 
 from __future__ import annotations
 
 from typing import Final
 
-#: Two points nearer than this are one point (mm).  Far below what any machine can place.
+#: Points nearer than this are equal (mm); far below the precision of any machine.
 POINT: Final = 1e-6
-#: Two directions nearer than this are one direction (degrees): a smooth joint, a continued crease.
+#: Directions nearer than this are equal (degrees): a smooth joint, a continued crease.
 ANGLE: Final = 1.0
-#: Ends of edges nearer than this are joined into one path as they stand (mm): well below what a
-#: program may deviate.
+#: Ends of edges nearer than this are connected into one path unchanged (mm); well below the
+#: tolerance of a program.
 JOIN: Final = 0.002
 #: Ends of edges nearer than this were meant to touch (mm).
 GAP: Final = 0.05
-#: A cut that ends so near to another one goes on to it when contours are looked for (mm): a gap
-#: left in drawing or a nick, too narrow to hold a part in place.  Two edges that each stop 1.5 mm
-#: short of their square corner are 2.1 mm apart.  Only the order of work depends on this, never
-#: what is cut, so it may be generous.
+#: A cut that ends nearer than this to another one is extended to it when contours are searched
+#: (mm): a drawing error or a nick, too narrow to hold a part in place.  Two edges that each stop
+#: 1.5 mm before a right-angled corner are 2.1 mm apart.  Only the order of work depends on it, so
+#: it may be generous.
 CONTOUR_GAP: Final = 2.2
-#: Edges nearer than this to each other all along are one edge drawn twice (mm): no farther than
-#: the tip may be from its line.
+#: Edges nearer than this over their whole length are duplicates (mm); equal to the tolerance of
+#: the tip.
 SAME: Final = 0.01
-#: Lines nearer in direction than this are one line to a leaning blade (degrees): its tip moves by
-#: less than a thousandth of a millimetre.
+#: Lines nearer in direction than this are one line for a leaning blade (degrees): its tip moves by
+#: less than 0.001 mm.
 COLLINEAR: Final = 0.005
-#: A fitted curve stays within this of the true one (mm).
+#: Largest distance of a fitted curve from the exact one (mm).
 CURVE: Final = 0.01
-#: A bulge below this is a straight line: its arc stands off less than POINT on a metre.
+#: A smaller bulge is a line: its arc deviates by less than POINT over a metre.
 BULGE: Final = 1e-9

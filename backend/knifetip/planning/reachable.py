@@ -3,7 +3,7 @@
     Paths, radius of a cutter on their left -> ReachableStretches, at most one per raw offset piece
 
 A knife reaches everything.  A disc does not reach into inner corners, slots and necks that are
-narrower than itself: it reaches a segment where ``geometry.offset`` keeps the offset of it.
+narrower than itself: it reaches a segment where ``offset.offset_paths`` keeps the offset of it.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ import numpy as np
 from knifetip.errors import CompensationError, GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.offset import equidistant
 from knifetip.geometry.path import Paths
+from knifetip.offset.offset_paths import offset_paths
 
 
 class ReachableStretches(NamedTuple):
@@ -47,7 +47,7 @@ def reachable_by_disc(paths: Paths, radius: float) -> ReachableStretches:
     """
     group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
     try:
-        offset = equidistant(paths, radius, 1, group=group)
+        offset = offset_paths(paths, radius, 1, group=group)
     except (CompensationError, GeometryError):
         return all_reachable(paths)
     row = np.flatnonzero(~offset.inserted)

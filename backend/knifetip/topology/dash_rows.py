@@ -13,7 +13,7 @@ import numpy as np
 
 from knifetip.geometry.capacity import double_i32_2
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.cores import each, runs
+from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, Bool_1, OutBool_1, OutI32_1, kernel
 from knifetip.topology.edge_grid import EdgeGrid, cell_of, group_by_cell
 from knifetip.topology.intersections import MIN_CHUNK
@@ -34,9 +34,9 @@ def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64
     ends, bulge, node, twin, grid, touch, unit = lines
     facing = np.full(2 * len(bulge), -1, np.int32)
     cell = np.full(2 * len(bulge), -1, np.int32)
-    each(
+    parallel_map(
         lambda run: _tips(ends, bulge, node, twin, loose, grid, cell, *run),
-        runs(len(bulge), MIN_CHUNK),
+        chunks(len(bulge), MIN_CHUNK),
     )
     # Few lines have dangling ends, and each end is in one cell only.
     begins, tips = group_by_cell(cell, grid.side * grid.side, np.arange(len(cell), dtype=np.int32))
@@ -45,7 +45,7 @@ def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64
     def face(run: tuple[int, int]) -> None:
         _face(ends, bulge, touch, unit, grid, begins, tips, place, facing, *run)
 
-    each(face, runs(len(tips), MIN_CHUNK))
+    parallel_map(face, chunks(len(tips), MIN_CHUNK))
     dashed, link, gap_of = _rows(ends, facing, touch, reach, node, twin, loose)
     return dashed, link, gap_of
 

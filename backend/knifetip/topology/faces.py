@@ -15,7 +15,7 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32
-from knifetip.geometry.cores import both
+from knifetip.geometry.parallel import parallel_pair
 from knifetip.kernels import F64_1, F64_2, I32_1, kernel
 from knifetip.topology.nesting import enclosing_faces, find_left_neighbours
 from knifetip.topology.planar_graph import PlanarGraph
@@ -40,7 +40,7 @@ class Faces:
 def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, touch: float) -> Faces:
     """Return the faces of a graph of n edges, (n, 2, 2) and (n,)."""
     lines = (graph.vertex, graph.start, graph.end, graph.bulge, graph.same)
-    beside, (left, right, area) = both(
+    beside, (left, right, area) = parallel_pair(
         lambda: find_left_neighbours(graph, ends, bulge, touch),
         lambda: trace_sides(*lines),
     )

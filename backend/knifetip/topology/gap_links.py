@@ -9,7 +9,7 @@ import numpy as np
 
 from knifetip.geometry.capacity import double_f64, double_f64_2, double_i32, double_i32_2
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.cores import each, runs
+from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.kernels import (
     F64_1,
     F64_2,
@@ -72,7 +72,7 @@ def link_loose_ends(
     def find(run: tuple[int, int]) -> None:
         _find_targets(ends, bulge, node, twin, loose, ahead, gap_of, grid, partner, where, *run)
 
-    each(find, runs(len(bulge), MIN_CHUNK))
+    parallel_map(find, chunks(len(bulge), MIN_CHUNK))
     met = np.flatnonzero(partner >= 0).astype(np.int32)
     vertices = with_capacity(vertices, len(met))
     row, share, cut, link, count = _link(ends, bulge, touch, node, met, partner, where, vertices)
@@ -175,7 +175,7 @@ def split_links(lines: Lines, link: I32, vertices: VertexTable) -> tuple[Splits,
     def find(run: tuple[int, int]) -> None:
         _find_crossed(ends, bulge, touch, twin, link, vertices.point, grid, is_crossed, *run)
 
-    each(find, runs(len(link), MIN_CHUNK))
+    parallel_map(find, chunks(len(link), MIN_CHUNK))
     row, share, cut, link, point, onward, count = _cross(
         ends, bulge, touch, twin, link, np.flatnonzero(is_crossed), vertices, grid
     )

@@ -9,7 +9,7 @@ import numpy as np
 
 from knifetip.geometry.capacity import double_f64, double_f64_2, double_i32, double_i32_2
 from knifetip.geometry.columns import F64
-from knifetip.geometry.cores import each, number, runs
+from knifetip.geometry.parallel import chunks, core_count, parallel_map
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, I32_2, OutI32_1, kernel
 from knifetip.topology.edge_grid import EdgeGrid, cell_of
 from knifetip.topology.lines import Lines
@@ -46,7 +46,7 @@ def find_crossings(ends: F64, bulge: F64, touch: float, grid: EdgeGrid, most: in
     def crossed(run: tuple[int, int]) -> Any:
         return _crossed(ends, bulge, touch, grid, most, *run)
 
-    found = each(crossed, runs(grid.side * grid.side, MIN_CHUNK))
+    found = parallel_map(crossed, chunks(grid.side * grid.side, MIN_CHUNK))
     return Crossings(*(np.concatenate(column) for column in zip(*found, strict=True)))
 
 
@@ -71,9 +71,9 @@ def find_splits(
             lines.grid,
             *run,
         )
-        for run in runs(vertices.known, MIN_CHUNK, 2 * number())
+        for run in chunks(vertices.known, MIN_CHUNK, 2 * core_count())
     ]
-    (across, vertices), *found = each(
+    (across, vertices), *found = parallel_map(
         lambda work: work(), (partial(_split_at_crossings, ends, touch, pairs, vertices), *beside)
     )
     on = concatenate(*(Splits(*one) for one in found))

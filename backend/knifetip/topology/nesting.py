@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.cores import each, runs
+from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutBool_1, OutI32_1, inline_kernel, kernel
 from knifetip.topology.edge_grid import EdgeGrid
 from knifetip.topology.intersections import MIN_CHUNK
@@ -41,7 +41,7 @@ def find_left_neighbours(graph: PlanarGraph, ends: F64, bulge: F64, touch: float
             *beside, *run,
         )  # fmt: skip
 
-    each(find, runs(count, MIN_CHUNK))
+    parallel_map(find, chunks(count, MIN_CHUNK))
     return beside
 
 

@@ -19,9 +19,9 @@ from typing import Any
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.cores import both
-from knifetip.geometry.sets import settle, unite
+from knifetip.geometry.parallel import parallel_pair
 from knifetip.geometry.tolerance import GAP
+from knifetip.geometry.union_find import flatten, union
 from knifetip.kernels import F64_1, F64_2, I32_1, I32_2, kernel
 from knifetip.topology.dash_rows import link_dashes
 from knifetip.topology.edge_grid import EdgeGrid, build_grid
@@ -81,7 +81,7 @@ def build_graph(ends: F64, bulge: F64, touch: float, reach: float) -> PlanarGrap
     if count == 0:
         return None
     most = 64 * count + 4096
-    found, (vertices, node, twin) = both(
+    found, (vertices, node, twin) = parallel_pair(
         lambda: _find_crossings(ends, bulge, touch, reach, most), lambda: _merge(ends, bulge, touch)
     )
     if found is None:
@@ -101,7 +101,7 @@ def build_graph(ends: F64, bulge: F64, touch: float, reach: float) -> PlanarGrap
         bulge, node, *concatenate(on, across, met, through), links
     )
     point = vertices.point[: vertices.known]
-    same, (part, leftmost) = both(
+    same, (part, leftmost) = parallel_pair(
         lambda: first_coincident(start, end, bent, point, touch),
         lambda: connected_components(point, start, end),
     )
@@ -133,8 +133,8 @@ def connected_components(place: F64_2, start: I32_1, end: I32_1) -> Any:
     pieces, places = len(start), len(place)
     parent = np.arange(places)
     for p in range(pieces):
-        unite(parent, start[p], end[p])
-    settle(parent)
+        union(parent, start[p], end[p])
+    flatten(parent)
     number = np.full(places, -1, np.int32)
     part = np.empty(pieces, np.int32)
     parts = 0

@@ -23,7 +23,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.geometry.columns import F64, Bool
-from knifetip.geometry.distinct import distinct
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.model.drawing import Drawing, extents
 from knifetip.model.unit import MILLIMETRES, NAMES, UnitEvidence, factor
 from knifetip.units import weights
@@ -97,7 +97,7 @@ def edge_lengths(ends: F64, bulge: F64) -> Lengths:
     if not size > 0.0 or not np.isfinite(size) or not len(run):
         return Lengths(np.zeros(0), np.zeros(0), 0.0, len(run), width, height, (1.0,))
     step = 2.0 * _EXACT * size
-    first, kind = distinct(np.round(run / step).astype(np.int64))
+    first, kind = unique_rows(np.round(run / step).astype(np.int64))
     total: F64 = np.bincount(kind, weights=run, minlength=len(first)).astype(np.float64)
     repeats = np.bincount(kind, minlength=len(first))
     value = run[first]

@@ -13,8 +13,8 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.distinct import distinct
-from knifetip.geometry.sets import settle, unite
+from knifetip.geometry.union_find import flatten, union
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.kernels import OutI64_1, kernel
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, NAMES, factor
@@ -53,7 +53,7 @@ def _largest_parts(ends: F64) -> list[I64]:
     if not step > 0.0 or not np.isfinite(step):
         return []
     # The offset keeps round coordinates away from the borders between cells.
-    _, node = distinct(np.round((flat - low) / step + 0.37).astype(np.int64))
+    _, node = unique_rows(np.round((flat - low) / step + 0.37).astype(np.int64))
     root = _component_roots(node, int(node.max()) + 1)[node[::2]]
     edges = np.bincount(root)
     largest = np.argsort(-edges, kind="stable")[:_PARTS]
@@ -140,6 +140,6 @@ def _component_roots(node: OutI64_1, count: int) -> Any:
     """Return the root of each of ``count`` nodes; edge i joins nodes 2 i and 2 i + 1."""
     root = np.arange(count)
     for edge in range(len(node) // 2):
-        unite(root, node[2 * edge], node[2 * edge + 1])
-    settle(root)
+        union(root, node[2 * edge], node[2 * edge + 1])
+    flatten(root)
     return root

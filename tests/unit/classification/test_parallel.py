@@ -33,7 +33,7 @@ def test_several_cores_compute_the_same_as_one(seed: int, monkeypatch: pytest.Mo
         *(arrows, features, measures, part_kinds),
         *(dash_rows, gap_links, intersections, nesting),
     ):
-        monkeypatch.setattr(module, "runs", _five_chunks)
+        monkeypatch.setattr(module, "chunks", _five_chunks)
     five = _features(drawing)
     for column in fields(ShapeFeatures):
         np.testing.assert_array_equal(getattr(one, column.name), getattr(five, column.name))

@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 from knifetip.compensation.corner import contact_time, corners, durations, lengths, turns
 from knifetip.errors import CompensationError
 from knifetip.geometry.path import Paths, chained
-from knifetip.geometry.transition import Corner
 from knifetip.model.dieline import LineType
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Cutter
+from knifetip.offset.transition import Corner
 
 ROUTER = Cutter(radius=2.0, feed=12000.0, plunge=3000.0, speed=18000.0)
 HALF = np.array([0.5])

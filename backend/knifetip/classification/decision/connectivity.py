@@ -17,7 +17,7 @@ import numpy as np
 from knifetip.classification.shape.features import ShapeFeatures
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry.columns import U8, Bool
-from knifetip.geometry.sets import settle, unite
+from knifetip.geometry.union_find import flatten, union
 from knifetip.kernels import I32_2, kernel
 from knifetip.model.dieline import LineType
 
@@ -65,6 +65,6 @@ def _label_connected_faces(faces: int, sides: I32_2) -> Any:
     """Return a label of each face, (faces,), equal where pairs of ``sides``, (k, 2), connect it."""
     parent = np.arange(faces)
     for k in range(len(sides)):
-        unite(parent, sides[k, 0], sides[k, 1])
-    settle(parent)
+        union(parent, sides[k, 0], sides[k, 1])
+    flatten(parent)
     return parent

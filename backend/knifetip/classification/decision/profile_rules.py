@@ -25,7 +25,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, I64, U8
-from knifetip.geometry.distinct import distinct
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.profile import LineRule, LineRules
@@ -81,7 +81,7 @@ def tabulate_styles(drawing: Drawing) -> StyleTable:
     # All traits but the colours are packed into one number.
     key = (drawing.layer.astype(np.int64) * len(drawing.linetypes)) + drawing.linetype
     key = key * (len(kinds) * len(blocks)) + entity_key[drawing.entity]
-    first, style = distinct(key, drawing.colour, drawing.true_colour)
+    first, style = unique_rows(key, drawing.colour, drawing.true_colour)
     true_colour, colour = drawing.true_colour[first], drawing.colour[first]
     index = [_INDEX_BY_TRUE_COLOUR.get(value, 0) for value in true_colour.tolist()]
     true = [_TRUE_COLOUR_BY_INDEX.get(value, -1) for value in colour.tolist()]

@@ -17,7 +17,7 @@ from knifetip.classification.decision.conventions import FOLD_TYPES
 from knifetip.classification.shape.features import ShapeFeatures
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
-from knifetip.geometry.distinct import distinct
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.model.dieline import LineType
 
 #: Lines nearer than this share of the blank's size are the same line.
@@ -92,7 +92,7 @@ def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tup
     for shift in (0.0, 0.5):
         mirrored = _position_keys(blanks, rows, axis, -1.0, shift)
         plain = _position_keys(blanks, candidates, axis, 1.0, shift)
-        first, key = distinct(np.concatenate([plain, mirrored]))
+        first, key = unique_rows(np.concatenate([plain, mirrored]))
         image = first[key[len(candidates) :]]
         hit = image < len(candidates)
         found.append((rows[hit], candidates[image[hit]]))

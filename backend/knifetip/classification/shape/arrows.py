@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from knifetip.geometry.columns import Bool
-from knifetip.geometry.cores import each, runs
+from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.kernels import F64_1, F64_2, I32_1, Bool_1, OutBool_1, kernel
 from knifetip.topology.intersections import MIN_CHUNK
 from knifetip.topology.planar_graph import PlanarGraph
@@ -72,7 +72,7 @@ def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
     def mark(chunk: tuple[int, int]) -> None:
         _mark_arrowheads(columns, graph.bulge, incidence, unit, found, tip, *chunk)
 
-    each(mark, runs(len(tip), MIN_CHUNK))
+    parallel_map(mark, chunks(len(tip), MIN_CHUNK))
     _mark_extension_lines(columns, incidence, unit, found, tip)
     if tip.any():
         _mark_coincident(columns, graph.same, found)

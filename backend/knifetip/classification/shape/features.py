@@ -26,7 +26,7 @@ from knifetip.classification.shape.required_folds import find_required_folds
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
-from knifetip.geometry.cores import both, each, runs
+from knifetip.geometry.parallel import chunks, parallel_map, parallel_pair
 from knifetip.geometry.tolerance import GAP
 from knifetip.kernels import (
     F64_1,
@@ -185,7 +185,7 @@ class _Extraction(NamedTuple):
     def _features_in(self, graph: PlanarGraph) -> ShapeFeatures:
         """Return the features of the edges of a graph without arrows."""
         count, unit, touch = len(self.bulge), self.unit, GAP * self.unit
-        (length, boxes), faces = both(
+        (length, boxes), faces = parallel_pair(
             lambda: (
                 arc.over(graph.chords(), graph.bulge),
                 ComponentBoxes.measure(graph, unit),
@@ -201,7 +201,7 @@ class _Extraction(NamedTuple):
         def sum_up(chunk: tuple[int, int]) -> None:
             _sum_pieces(graph.first, pieces, narrow, edges, *chunk)
 
-        each(sum_up, runs(count, MIN_CHUNK))
+        parallel_map(sum_up, chunks(count, MIN_CHUNK))
         _fill_short_edges(edges, graph, self.ends, length, touch)
         # Component -1 takes the last entry: a drawing of only very short edges has no component.
         near_text: Bool = np.append(kinds.near_text, np.False_)[edges.component]
@@ -382,7 +382,7 @@ def _piece_roles(graph: PlanarGraph, faces: Faces, kinds: PartKinds) -> U8:
             table, row, graph.component, faces.left, faces.right, faces.outer_face, role, *chunk
         )
 
-    each(look_up, runs(len(role), MIN_CHUNK))
+    parallel_map(look_up, chunks(len(role), MIN_CHUNK))
     return role
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from knifetip.classification.shape.lettering import find_letters
 from knifetip.classification.vocabulary import name_meaning
 from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.cores import each, runs
+from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.geometry.tolerance import GAP
 from knifetip.kernels import F64_1, F64_2, I32_1, OutBool_1, OutF64_1, OutF64_2, OutI64_1, kernel
 from knifetip.model.dieline import LineType
@@ -202,7 +202,7 @@ def _locate_texts(annotations: Sequence[Inscription], box: F64) -> tuple[I64, Bo
         rows = slice(*chunk)
         _count_texts(positions, box[rows], inside[rows], near[rows])
 
-    each(locate, runs(len(box), _MIN_PAIRS // (len(positions) + 1)))
+    parallel_map(locate, chunks(len(box), _MIN_PAIRS // (len(positions) + 1)))
     return inside, near
 
 

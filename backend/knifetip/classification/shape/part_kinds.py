@@ -19,7 +19,7 @@ import numpy as np
 from knifetip.classification.shape.enclosing import Enclosures
 from knifetip.classification.shape.measures import ComponentBoxes, Measures
 from knifetip.geometry.columns import F64, Bool
-from knifetip.geometry.cores import both, each, runs
+from knifetip.geometry.parallel import chunks, parallel_map, parallel_pair
 from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_1, kernel
 from knifetip.model.drawing import Inscription
 from knifetip.topology.faces import Faces
@@ -74,7 +74,7 @@ class PartKinds:
         unit
             Number of drawing units in a millimetre.
         """
-        enclosures, measures = both(
+        enclosures, measures = parallel_pair(
             lambda: Enclosures.find(graph, faces, boxes, unit),
             lambda: Measures.measure(graph, faces, length, boxes.box, annotations, unit),
         )
@@ -143,7 +143,7 @@ def _find_doubtful(measures: Measures, box: F64, outlines: Bool, small: Bool, ti
             rows, open_box, open_dangling, box, box_area, blanks[slice(*chunk)], dangling
         )
 
-    each(add, runs(len(blanks), _MIN_PAIRS // (len(rows) + 1)))
+    parallel_map(add, chunks(len(blanks), _MIN_PAIRS // (len(rows) + 1)))
     return blank & (dangling > _MAX_DANGLING * measures.outline)
 
 

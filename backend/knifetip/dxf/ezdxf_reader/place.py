@@ -29,8 +29,8 @@ from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.curve import Ellipse, Segments, Spline
-from knifetip.geometry.distinct import distinct
 from knifetip.geometry.tolerance import BULGE, CURVE
+from knifetip.geometry.unique_rows import unique_rows
 
 _SHARE: Final = 1.0 / 250_000.0
 
@@ -118,7 +118,7 @@ def columns(
 
 def styled(found: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
     """Return columns with indices into the distinct styles, and these in order of first use."""
-    first, number = distinct(found.style)
+    first, number = unique_rows(found.style)
     used = [styles[style] for style in found.style[first].tolist()]
     return replace(found, style=number.astype(np.int32)), used
 

@@ -20,8 +20,8 @@ from knifetip.dxf.fast_reader.handle_set import paths_of
 from knifetip.dxf.fast_reader.tables import Tables
 from knifetip.dxf.location_boxes import boxes_of_entities, through
 from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.cores import both
-from knifetip.geometry.distinct import distinct
+from knifetip.geometry.parallel import parallel_pair
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.model.drawing import Inscription, LocationBoxes
 from knifetip.model.words import Repeated
 
@@ -105,7 +105,7 @@ def report_rows(tables: Tables, order: Order, inserts: Inserts, walk: ReportWrit
     left[inserts.spot] = False
     left[np.isin(order.ledger, order.walked)] = False
     spots = np.flatnonzero(left)
-    handles, (alike, standing) = both(
+    handles, (alike, standing) = parallel_pair(
         lambda: paths_of(tables.handles, walk.handle, own, insert),
         lambda: (
             [*_of_sheet(tables, order, inserts, spots), *_of_blocks(order, inserts)],
@@ -142,7 +142,7 @@ def _of_sheet(
         entity[rows[spots], column] for column in (f.PAPER, f.KIND, f.WORD, f.COUNT)
     )
     # The length of a text does not matter.
-    first, kind = distinct(paper, sort, word, np.where(sort == f.OTHER, 0, count))
+    first, kind = unique_rows(paper, sort, word, np.where(sort == f.OTHER, 0, count))
     for spot, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
         yield SharedOutcome(order.ledger[spots[same]], left_out(tables, int(rows[spots[spot]])))
     of_layer = {
@@ -154,7 +154,7 @@ def _of_sheet(
         there = order.drawn & (entity[rows, f.LAYER] == layer - 1)
         yield SharedOutcome(order.ledger[there], "", notes)
     layer = entity[rows[inserts.spot], f.LAYER]
-    first, kind = distinct(layer, inserts.block)
+    first, kind = unique_rows(layer, inserts.block)
     for one, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
         note = places(tables.block_name(int(inserts.block[one])))
         notes = of_layer.get(int(layer[one]) + 1, ())

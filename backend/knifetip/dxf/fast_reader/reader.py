@@ -54,9 +54,9 @@ from knifetip.dxf.fast_reader.tables import Tables, Unsupported
 from knifetip.dxf.units import known_unit
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry.columns import F64, I32, I64, Bool
-from knifetip.geometry.cores import both
-from knifetip.geometry.distinct import distinct
+from knifetip.geometry.parallel import parallel_pair
 from knifetip.geometry.tolerance import BULGE
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.model.drawing import Drawing, Inscription
 
 #: Columns of an entity's style.
@@ -129,7 +129,7 @@ class FastReader:
         self.first: I64
         self.ends: F64
         self.bulge: F64
-        (self.count, self.first, self.ends, self.bulge), self.tables = both(
+        (self.count, self.first, self.ends, self.bulge), self.tables = parallel_pair(
             lambda: _drawn(found), lambda: Tables(found)
         )
         # First entity of each block, and how many.
@@ -277,7 +277,7 @@ class FastReader:
         texts = rows[self._is_word[self.entity[rows, f.WORD]]]
         styles = self._entity_styles(rows)
         sheet = SheetRows(rows, ledger, before, shown)
-        done, words = both(
+        done, words = parallel_pair(
             lambda: self._placed(sheet, styles, int(segments.sum()), placed),
             lambda: inscriptions(self.tables, texts),
         )
@@ -415,7 +415,7 @@ class FastReader:
     def _entity_styles(self, rows: I64) -> I32:
         """Return the style index of each entity with segments in model space, (e,)."""
         drawn, key = style_keys(self.entity, rows, self.count)
-        first, kind = distinct(key)
+        first, kind = unique_rows(key)
         numbers = [
             self._numbers.setdefault(self.tables.style(row), len(self._numbers))
             for row in drawn[first].tolist()
@@ -426,7 +426,7 @@ class FastReader:
 
     def _variants(self, rows: I64, block: I64) -> tuple[I64, list[Variant]]:
         """Return the variant of its block for each INSERT."""
-        first, kind = distinct(*(self.entity[rows, column] for column in _STYLE), block)
+        first, kind = unique_rows(*(self.entity[rows, column] for column in _STYLE), block)
         return kind, [
             self._variant(int(block[one]), self.tables.style(int(rows[one]))) for one in first
         ]

@@ -25,7 +25,7 @@ from knifetip.dxf.fast_reader.group_values import MOST_NAMES
 from knifetip.dxf.fast_reader.tagging import scan_tags
 from knifetip.dxf.scan_tables import ScanTables
 from knifetip.geometry.columns import F64, I32, I64
-from knifetip.geometry.cores import each, number
+from knifetip.geometry.parallel import core_count, parallel_map
 from knifetip.kernels import I32_1, OutF64_2F, OutI32_2F, kernel
 
 #: Most numbers that are left to ``float``.
@@ -91,7 +91,7 @@ def _expected(data: bytes) -> int:
 
 def _cuts(data: bytes) -> list[int]:
     """Return the positions at which a large file is split, each before an entity."""
-    cores = min(number(), len(data) // _RUN)
+    cores = min(core_count(), len(data) // _RUN)
     first = data.find(b"ENTITIES")
     if cores < 2 or first < 0:
         return []
@@ -162,7 +162,7 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
         )
         return bool(scan_tags(text, *runs[run], tables, state[run]))
 
-    plain = all(each(passed, range(len(runs))))
+    plain = all(parallel_map(passed, range(len(runs))))
     tables = (value, vertex, base)
     plain = plain and all(
         _finish(data, tables, some[: end[s.UNSURES]]) for some, end in zip(left, state, strict=True)

@@ -1,9 +1,8 @@
-"""distinct: equal rows of a table of whole numbers, found in one pass.
+"""unique_rows: unique rows of an integer table, found by hashing.
 
-    (n, k) whole numbers -> the first row of each kind, the kind of each row
+    (n, k) integers -> the first row of each kind, the kind of each row
 
-A sheet of 100,000 edges has a few dozen kinds of them; sorting it to find out would take longer
-than to read it.
+Drawings have few kinds of rows, so hashing is much faster than sorting.
 """
 
 from __future__ import annotations
@@ -16,23 +15,23 @@ from numpy.typing import ArrayLike
 from knifetip.geometry.columns import I64
 from knifetip.kernels import I64_1, I64_2, kernel
 
-#: Where the table of kinds begins: most columns have no more.
+#: Initial size of the hash table.
 _SLOTS: Final = 1024
 
 
-def distinct(*columns: ArrayLike) -> tuple[I64, I64]:
-    """Return which rows are equal.
+def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
+    """Return the unique rows of integer columns.
 
     Parameters
     ----------
-    columns : (n,) or (n, k) whole numbers each
+    columns : (n,) or (n, k) integers each
 
     Returns
     -------
     first : (d,)
         The first row of each kind, in order.
     kind : (n,)
-        Which kind each row is.
+        Kind of each row.
     """
     wide = [np.asarray(column, np.int64) for column in columns]
     alone = len(wide) == 1 and wide[0].ndim == 1
@@ -80,7 +79,7 @@ def _same(table: I64_2, row: int, other: int) -> bool:
 
 @kernel
 def _slot(table: I64_2, row: int, slots: I64_1) -> Any:
-    """Return where a row is looked for first."""
+    """Return the first slot of the hash table to search for a row."""
     key = np.uint64(0)
     for column in range(table.shape[1]):
         key = (key ^ np.uint64(table[row, column])) * np.uint64(0x9E3779B97F4A7C15)

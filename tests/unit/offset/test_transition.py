@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from knifetip.errors import CompensationError, ZeroLengthEdge
 from knifetip.geometry import arc
 from knifetip.geometry.path import Paths
-from knifetip.geometry.transition import Corner, transitions
+from knifetip.offset.transition import Corner, transitions
 from tests.support.shapes import rotation
 
 #: φ in degrees, and L_B, L_C, L_D, l, r′ for r = 1 and k = ½.

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.geometry.sets import root, settle, unite
+from knifetip.geometry.union_find import find, flatten, union
 
 _PAIRS = st.lists(st.tuples(st.integers(0, 19), st.integers(0, 19)), max_size=30)
 
@@ -16,7 +16,7 @@ def test_the_least_of_all_that_hang_together_stands_for_them(pairs: list[tuple[i
     parent = np.arange(20)
     beside: list[set[int]] = [{one} for one in range(20)]
     for one, other in pairs:
-        unite(parent, one, other)
+        union(parent, one, other)
         beside[one].add(other)
         beside[other].add(one)
     least = []
@@ -27,6 +27,6 @@ def test_the_least_of_all_that_hang_together_stands_for_them(pairs: list[tuple[i
             reached |= fresh
             waiting.extend(fresh)
         least.append(min(reached))
-    assert [root(parent, one) for one in range(20)] == least
-    settle(parent)
+    assert [find(parent, one) for one in range(20)] == least
+    flatten(parent)
     assert parent.tolist() == least

@@ -1,4 +1,4 @@
-"""swept: the areas under a path, and under the edge that a tool leaves beside its own path.
+"""swept_area: areas under a path, and under the edge that a tool leaves beside its path.
 
 rows -> twice the area under them
 """
@@ -13,12 +13,12 @@ from knifetip.kernels import F64_1, F64_2, I64_2, OutF64_2, kernel
 
 @kernel
 def _cap_area(chord: float, b: float) -> float:
-    """The area between a chord and its arc, positive for a left turn."""
+    """Return the area between a chord and its arc, positive for a left turn."""
     if abs(b) < BULGE:
         return 0.0
     whole = 1.0 + b * b
     radius = chord * whole / (4.0 * b)
-    # Sine of the sweep, 4 atan b, by doubling twice.
+    # Sine of the sweep, 4 atan b, by two doublings.
     return 0.5 * radius * radius * (4.0 * math.atan(b) - 4.0 * b * (1.0 - b * b) / (whole * whole))
 
 
@@ -26,7 +26,7 @@ def _cap_area(chord: float, b: float) -> float:
 def _turn_area(
     x: float, y: float, ax: float, ay: float, bx: float, by: float, signed: float
 ) -> float:
-    """Twice the signed area between the tool's arc about (x, y) from a to b and its chord."""
+    """Return twice the signed area between an arc around (x, y) from a to b and its chord."""
     ax -= x
     ay -= y
     bx -= x
@@ -53,10 +53,10 @@ def swept_under(
     hops: OutF64_2,
     hop: int,
 ) -> tuple[float, float, float, int]:
-    """Twice the area under the edge that a tool leaves beside a chain; where that edge ends.
+    """Return twice the area under the edge that a tool leaves beside a chain, and its end point.
 
-    The edge of an open chain begins at (from_x, from_y).  Arcs of the edge about the chain's
-    corners are written into hops from ``hop`` on.
+    The edge of an open chain starts at (from_x, from_y).  Arcs of the edge around the corners of
+    the chain are written to ``hops`` from ``hop`` on.
     """
     twice = 0.0
     x, y = from_x, from_y
@@ -110,7 +110,7 @@ def swept_under(
 
 @kernel
 def area_under(start: F64_2, end: F64_2, bulge: F64_1, low: int, high: int) -> float:
-    """Twice the area under a path, its closing chord left out."""
+    """Return twice the area under a path, without its closing chord."""
     twice = 0.0
     for i in range(low, high):
         twice += start[i, 0] * end[i, 1] - start[i, 1] * end[i, 0]

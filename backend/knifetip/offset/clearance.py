@@ -1,8 +1,8 @@
-"""clearance: whether a place of the tool is clear of the contour.
+"""clearance: whether a position of the tool's centre is clear of the contours.
 
-    a point, the segments of the contours and a tree over them -> how near, and near to what
+    a point, the segments of the contours and a tree over them -> the distance to the nearest
 
-A result does not run through the transition of another corner either.
+A valid position is also not inside the transition of another corner.
 """
 
 from __future__ import annotations
@@ -10,21 +10,21 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from knifetip.geometry.beside import CONVEX, U1X, U1Y, U2X, U2Y
 from knifetip.geometry.boxes import next_near
-from knifetip.geometry.contours import BoxTree, RegionCorners
 from knifetip.geometry.intersect import circle
 from knifetip.geometry.tolerance import BULGE, POINT
-from knifetip.geometry.transition import reach
 from knifetip.kernels import F64_2, OutI64_2, kernel
+from knifetip.offset.raw_segments import CONVEX, U1X, U1Y, U2X, U2Y
+from knifetip.offset.records import BoxTree, RegionCorners
+from knifetip.offset.transition import reach
 
-#: A piece may come nearer to the contour than the radius by this (mm): rounding, no more.
+#: Tolerance of the distance between an offset and its contour (mm), for rounding.
 NEARER: Final = 1e-9
 
 
 @kernel
 def distance(rows: F64_2, i: int, x: float, y: float) -> float:
-    """Distance from a point to row i (mm)."""
+    """Return the distance from a point to row i (mm)."""
     x0 = rows[i, 0]
     y0 = rows[i, 1]
     dx = rows[i, 2] - x0
@@ -43,7 +43,7 @@ def distance(rows: F64_2, i: int, x: float, y: float) -> float:
     qy = y - cy
     away = math.sqrt(qx * qx + qy * qy)
     if away > 0.0:
-        # Where the ray from the centre through the point meets the circle: on the arc or not?
+        # Whether the ray from the centre through the point meets the arc.
         side = dx * (cy + qy * radius / away - y0) - dy * (cx + qx * radius / away - x0)
         if (side <= 0.0) == (b > 0.0):
             return abs(away - radius)
@@ -56,7 +56,7 @@ def distance(rows: F64_2, i: int, x: float, y: float) -> float:
 def _in_transition(
     kind: int, k: float, table: F64_2, before: int, here: int, vx: float, vy: float, signed: float
 ) -> bool:
-    """Whether a point, seen from the vertex, lies inside a transition of type C or D."""
+    """Return whether a point, relative to the vertex, is inside a transition of type C or D."""
     u1x = table[before, U2X]
     u1y = table[before, U2Y]
     u2x = table[here, U1X]
@@ -76,7 +76,7 @@ def _in_transition(
     straight, small = reach(kind, cross, dot, size, k)
     if straight < POINT:
         return False
-    # The ends of both straight parts, seen from the vertex, and the chord between them.
+    # The ends of both straight parts, relative to the vertex, and the chord between them.
     cx = straight * u1x - signed * u1y
     cy = straight * u1y + signed * u1x
     dx = -straight * u2x - signed * u2y
@@ -105,7 +105,7 @@ def clear(
     limit: float,
     corners: RegionCorners,
 ) -> bool:
-    """Whether a point is no nearer than ``limit`` to the contour, and in no transition."""
+    """Return whether a point is at least ``limit`` from the contours and in no transition."""
     size = abs(signed)
     around = size * 1.4142135623731 if corners.capped else limit
     stack[0, 0] = tree.height
@@ -155,7 +155,7 @@ def nearest(
     around: float,
     skip: int,
 ) -> tuple[int, float]:
-    """The segment other than ``skip`` that is nearest to a point, and how near, if < ``around``."""
+    """Return the segment nearest to a point, except ``skip``, and its distance if < ``around``."""
     best = around
     which = skip
     stack[0, 0] = tree.height

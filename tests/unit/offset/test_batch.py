@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from knifetip.errors import ZeroLengthEdge
-from knifetip.geometry import batch, cores
-from knifetip.geometry.offset import Equidistant, equidistant
+from knifetip.geometry import parallel
 from knifetip.geometry.path import Paths
+from knifetip.offset import batch
+from knifetip.offset.offset_paths import OffsetPaths, offset_paths
 from tests.support.shapes import paths as paths_of
 
 
@@ -28,11 +29,11 @@ def notched(count: int) -> Paths:
     )
 
 
-def on(number: int, monkeypatch: pytest.MonkeyPatch, *args: Any, **options: Any) -> Equidistant:
+def on(number: int, monkeypatch: pytest.MonkeyPatch, *args: Any, **options: Any) -> OffsetPaths:
     """Return an equidistant done on so many cores."""
     monkeypatch.setattr(batch, "_WORTH_A_CORE", 8)
     monkeypatch.setattr("os.cpu_count", lambda: number)
-    return equidistant(*args, **options)
+    return offset_paths(*args, **options)
 
 
 @pytest.mark.parametrize("number", [2, 3, 7, 64])
@@ -71,5 +72,5 @@ def test_of_several_failures_the_first_is_told(monkeypatch: pytest.MonkeyPatch) 
 
 def test_a_small_batch_is_left_to_one_core(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("os.cpu_count", lambda: 8)
-    monkeypatch.setattr(cores, "ThreadPoolExecutor", None)
-    assert len(equidistant(notched(100), 2.0, -1).paths) == 100
+    monkeypatch.setattr(parallel, "ThreadPoolExecutor", None)
+    assert len(offset_paths(notched(100), 2.0, -1).paths) == 100

@@ -1,8 +1,8 @@
-"""beside: every segment of a path moved to its side by the radius.
+"""raw_segments: the segments of a path, each moved to its side by the radius.
 
     segments of one path -> a table of tangents, radii and moved ends
 
-Neighbours still overlap or stand apart at corners: ``shortened`` and ``whole`` make rows of them.
+At corners the moved segments overlap or leave a gap; ``trim`` and ``untrimmed`` connect them.
 
 Source: "Tool radius compensation", equations 3 to 5, P_e = P + σ r n with σ = +1 left of travel.
 """
@@ -12,36 +12,36 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from knifetip.geometry.contours import Contours
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import F64_2, OutF64_2, kernel
+from knifetip.offset.records import Contours
 
-# What a kernel says of a path.
+# Results of kernels for a path.
 FINE: Final = 0
 NOT_A_NUMBER: Final = 1
 NO_LENGTH: Final = 2
 NO_ROOM: Final = 3
 TORN: Final = 4
 
-# Joints at the start of a segment; one that is smooth but for rounding moves the ends a little.
+# Kinds of joints at the start of a segment; a nearly smooth joint moves the ends slightly.
 OPEN: Final = 0
 SMOOTH: Final = 1
 CONVEX: Final = 2
 CONCAVE: Final = 3
 SLID: Final = 4
 
-# Columns of the table, one row a segment: tangents at both ends, chord, signed radius (0 a line),
-# ends of the moved segment, and its signed radius (0 a line, NaN nothing).
+# Columns of the table, one row per segment: tangents at both ends, chord, signed radius (0 for a
+# line), ends of the moved segment, and its signed radius (0 for a line, NaN if nothing is left).
 U1X, U1Y, U2X, U2Y, CHORD, RADIUS, SX, SY, EX, EY, MOVED = range(11)
 COLUMNS: Final = 11
 
-#: Ends that move by less than this leave an arc's bulge as it is (mm).
+#: Largest displacement of an end that keeps the bulge of an arc (mm).
 STILL: Final = 1e-10
 
 
 @kernel(allocates=False)
 def is_closed(contours: Contours, low: int, high: int) -> bool:
-    """Whether segments low … high - 1 end where they begin."""
+    """Return whether segments low … high - 1 end at their start."""
     start, end = contours.start, contours.end
     return math.hypot(start[low, 0] - end[high - 1, 0], start[low, 1] - end[high - 1, 1]) < POINT
 
@@ -50,7 +50,7 @@ def is_closed(contours: Contours, low: int, high: int) -> bool:
 def move_segments(
     contours: Contours, low: int, high: int, signed: float, table: OutF64_2, at: int
 ) -> tuple[int, int]:
-    """Fill the table for segments low … high - 1; return a failure and its segment."""
+    """Fill the table for segments low … high - 1; return a failure code and its segment."""
     start, end, bulge = contours.start, contours.end, contours.bulge
     for i in range(low, high):
         here = at + i - low
@@ -68,7 +68,7 @@ def move_segments(
         radius = 0.0
         beside = 0.0
         if abs(b) >= BULGE:
-            # Half the sweep, 2 atan b, without its angle.
+            # Cosine and sine of half the sweep, 2 atan b.
             whole = 1.0 + b * b
             cos = (1.0 - b * b) / whole
             sin = 2.0 * b / whole
@@ -97,12 +97,12 @@ def move_segments(
 def kept_bulge(
     table: F64_2, here: int, dx: float, dy: float, bulge: float, x: float, y: float
 ) -> float:
-    """The bulge of what is kept of a moved arc whose own began in (x, y); 0 if nothing is.
+    """Return the bulge of the remaining part of a moved arc that started at (x, y); 0 for none.
 
-    (dx, dy) is the chord of what is kept, from the start that now stands in the table.
+    (dx, dy) is the chord of the remaining part, from the start now in the table.
     """
     beside = table[here, MOVED]
-    # The ray from the centre to its start, square to the tangent there.
+    # The ray from the centre to the start, perpendicular to the tangent there.
     rx = table[here, SX] - x + table[here, RADIUS] * table[here, U1Y]
     ry = table[here, SY] - y - table[here, RADIUS] * table[here, U1X]
     sine = (rx * dx + ry * dy) / beside

@@ -1,9 +1,9 @@
-"""batch: large batches of equidistants, shared out to all the cores of the machine.
+"""batch: offset large batches of paths on all cores.
 
-    all paths, and which of them bound a region together -> columns of the results
+    all paths, and the groups that bound a region together -> columns of the results
 
-Regions know nothing of each other, so each core does a run of them, and the results are put behind
-each other: to the bit what one core would give, and of several failures the first.
+Regions are independent, so each core offsets a contiguous run of them, and the results are
+concatenated.  The result is bit for bit that of one core; of several failures the first is raised.
 """
 
 from __future__ import annotations
@@ -13,22 +13,22 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.geometry import cores
-from knifetip.geometry.beside import FINE
 from knifetip.geometry.columns import F64, I32, U8
-from knifetip.geometry.contours import Contours, CornerTypes, OffsetGroups
-from knifetip.geometry.groups import offset_groups
+from knifetip.geometry.parallel import core_count, parallel_map
 from knifetip.geometry.path import Paths
+from knifetip.offset.groups import offset_groups
+from knifetip.offset.raw_segments import FINE
+from knifetip.offset.records import Contours, CornerTypes, OffsetGroups
 
-#: Segments that one core has done before another has begun.
+#: Smallest number of segments worth a task on another core.
 _WORTH_A_CORE: Final = 10_000
 
 
 def on_all_cores(
     paths: Paths, member: I32, members: I32, signed: F64, corner: U8, k: F64, refuse: bool
 ) -> Any:
-    """Return what ``groups.offset_groups`` returns."""
-    runs = _runs(paths.first, member, members, cores.number())
+    """Return the result of ``groups.offset_groups``, computed on all cores."""
+    runs = _runs(paths.first, member, members, core_count())
 
     contours = Contours(paths.start, paths.end, paths.bulge, paths.first)
     corners = CornerTypes(corner, k, 0 if len(corner) == 1 else 1)
@@ -36,7 +36,7 @@ def on_all_cores(
     def done(run: I32) -> Any:
         return offset_groups(contours, OffsetGroups(member, run, signed), corners, refuse)
 
-    parts = cores.each(done, runs)
+    parts = parallel_map(done, runs)
     if len(parts) == 1:
         return parts[0]
     columns = [np.concatenate(column) for column in zip(*(part[:5] for part in parts), strict=True)]
@@ -51,7 +51,7 @@ def on_all_cores(
 
 
 def _runs(first: I32, member: I32, members: I32, number: int) -> list[I32]:
-    """Return where the groups of each run begin and where its last one ends, runs of one size."""
+    """Return the first group of each run and the end of the last one; runs of equal size."""
     before = np.append(0, np.cumsum(np.diff(first)[member]))[members]
     count = int(min(number, before[-1] // _WORTH_A_CORE, len(members) - 1))
     if count < 2:

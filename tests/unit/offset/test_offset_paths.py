@@ -15,9 +15,9 @@ from knifetip.errors import CompensationError, GeometryError, ZeroLengthEdge
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.intersect import crossings
-from knifetip.geometry.offset import NEARER, Equidistant, equidistant
 from knifetip.geometry.path import Paths, reversed_where, taken
-from knifetip.geometry.transition import Corner
+from knifetip.offset.offset_paths import NEARER, OffsetPaths, offset_paths
+from knifetip.offset.transition import Corner
 from tests.support.shapes import paths as paths_of
 from tests.support.shapes import rotation
 
@@ -97,12 +97,12 @@ def areas(paths: Paths) -> F64:
     return np.bincount(paths.path_of, 0.5 * under, minlength=len(paths)).astype(np.float64)
 
 
-def made_area(made: Equidistant, count: int) -> F64:
+def made_area(made: OffsetPaths, count: int) -> F64:
     """Return the signed area inside all results of each input path."""
     return np.bincount(made.owner, areas(made.paths), minlength=count).astype(np.float64)
 
 
-def clearance(made: Equidistant, paths: Paths, pieces: int = 16) -> float:
+def clearance(made: OffsetPaths, paths: Paths, pieces: int = 16) -> float:
     """Return the least distance from points of the results to the path that they belong to."""
     least = np.inf
     points = arc.points_along(made.paths.start, made.paths.end, made.paths.bulge, pieces + 1)
@@ -135,7 +135,7 @@ def region(paths: Paths) -> Any:
     return found
 
 
-def tight(made: Equidistant) -> bool:
+def tight(made: OffsetPaths) -> bool:
     """Return whether every result path hangs together and has no specks."""
     paths = made.paths
     chord = np.hypot(*(paths.end - paths.start).T)
@@ -149,7 +149,7 @@ def tight(made: Equidistant) -> bool:
 
 
 def test_inside_a_rectangle_the_path_is_a_smaller_rectangle() -> None:
-    made = equidistant(rings(SQUARE), 5.0, 1)
+    made = offset_paths(rings(SQUARE), 5.0, 1)
     np.testing.assert_allclose(made.paths.start, [[5, 5], [95, 5], [95, 55], [5, 55]])
     assert made.source.tolist() == [0, 1, 2, 3]
     assert not made.inserted.any()
@@ -164,7 +164,7 @@ def test_inside_a_rectangle_the_path_is_a_smaller_rectangle() -> None:
 def test_outside_a_rectangle_each_type_goes_round_its_own_way(
     kind: Corner, length: float, inserted: int
 ) -> None:
-    made = equidistant(rings(SQUARE), 5.0, -1, corner=kind, k=0.5)
+    made = offset_paths(rings(SQUARE), 5.0, -1, corner=kind, k=0.5)
     assert made.paths.closed.all()
     assert made.paths.lengths[0] == pytest.approx(320.0 + length)
     assert made.inserted.sum() == inserted
@@ -174,14 +174,14 @@ def test_outside_a_rectangle_each_type_goes_round_its_own_way(
 
 
 def test_each_corner_may_have_its_own_type() -> None:
-    made = equidistant(rings(SQUARE), 5.0, -1, corner=[0, 1, 2, 0], k=0.5)
+    made = offset_paths(rings(SQUARE), 5.0, -1, corner=[0, 1, 2, 0], k=0.5)
     assert np.bincount(made.source[made.inserted]).tolist() == [1, 2, 3, 1]
 
 
 def test_a_circle_stays_a_circle() -> None:
     circle = rings([(10, 0), (-10, 0)], bulge=[1.0, 1.0])
     for side, radius in ((1, 7.0), (-1, 13.0)):
-        made = equidistant(circle, 3.0, side)
+        made = offset_paths(circle, 3.0, side)
         np.testing.assert_allclose(
             arc.radius(made.paths.start, made.paths.end, made.paths.bulge), radius
         )
@@ -190,7 +190,7 @@ def test_a_circle_stays_a_circle() -> None:
 
 def test_nothing_is_left_of_a_circle_as_small_as_the_tool() -> None:
     circle = rings([(10, 0), (-10, 0)], bulge=[1.0, 1.0])
-    made = equidistant(circle, 12.0, 1)
+    made = offset_paths(circle, 12.0, 1)
     assert len(made.paths) == 0
     assert made.unreached[0] == pytest.approx(100.0 * np.pi)
 
@@ -199,14 +199,14 @@ def test_smooth_joints_need_no_transition() -> None:
     # A slot of two lines and two half circles.
     slot = rings([(0, 0), (50, 0), (50, 20), (0, 20)], bulge=[0.0, 1.0, 0.0, 1.0])
     for side in (1, -1):
-        made = equidistant(slot, 4.0, side)
+        made = offset_paths(slot, 4.0, side)
         assert made.source.tolist() == [0, 1, 2, 3]
         np.testing.assert_allclose(made.paths.bulge, [0, 1, 0, 1], atol=1e-12)
         assert made.unreached[0] == pytest.approx(0.0, abs=1e-9)
 
 
 def test_a_door_too_narrow_makes_two_rooms() -> None:
-    made = equidistant(rings(DUMBBELL), 7.0, 1)
+    made = offset_paths(rings(DUMBBELL), 7.0, 1)
     assert made.owner.tolist() == [0, 0]
     assert made.paths.closed.all()
     shape = shapely.Polygon(DUMBBELL)
@@ -218,12 +218,12 @@ def test_a_door_too_narrow_makes_two_rooms() -> None:
 
 
 def test_a_door_wide_enough_is_passed() -> None:
-    assert len(equidistant(rings(DUMBBELL), 4.9, 1).paths) == 1
-    assert len(equidistant(rings(DUMBBELL), 5.1, 1).paths) == 2
+    assert len(offset_paths(rings(DUMBBELL), 4.9, 1).paths) == 1
+    assert len(offset_paths(rings(DUMBBELL), 5.1, 1).paths) == 2
 
 
 def test_a_pocket_too_small_is_left_alone() -> None:
-    made = equidistant(rings(SQUARE), 30.5, 1)
+    made = offset_paths(rings(SQUARE), 30.5, 1)
     assert len(made.paths) == 0
     assert len(made.source) == 0
     assert made.unreached[0] == pytest.approx(6000.0)
@@ -246,7 +246,7 @@ def test_a_horseshoe_that_closes_leaves_a_ring_inside() -> None:
             (0, 60),
         ]
     )
-    made = equidistant(shoe, 5.0, -1)
+    made = offset_paths(shoe, 5.0, -1)
     assert len(made.paths) == 2
     assert clearance(made, shoe) >= 5.0 - NEARER
     outer, inner = areas(made.paths)
@@ -257,11 +257,11 @@ def test_a_horseshoe_that_closes_leaves_a_ring_inside() -> None:
 
 def test_an_island_is_kept_clear_of() -> None:
     outline = rings(SQUARE, [(45, 25), (45, 35), (55, 35), (55, 25)])
-    apart = equidistant(outline, 5.0, 1, group=[0, 0])
+    apart = offset_paths(outline, 5.0, 1, group=[0, 0])
     assert len(apart.paths) == 2
     assert apart.paths.lengths.sum() == pytest.approx(280.0 + 40.0 + 10.0 * np.pi)
     # Too wide to pass above and below the island: left and right of it remain.
-    made = equidistant(outline, 14.0, 1, group=[0, 0])
+    made = offset_paths(outline, 14.0, 1, group=[0, 0])
     assert len(made.paths) == 2
     want = shapely.Polygon(SQUARE, [[(45, 25), (45, 35), (55, 35), (55, 25)]])
     inside = want.buffer(-14.0, quad_segs=200)
@@ -269,12 +269,12 @@ def test_an_island_is_kept_clear_of() -> None:
     swept = inside.buffer(14.0, quad_segs=200)
     assert made.unreached.sum() == pytest.approx(want.area - swept.area, abs=0.1)
     # Alone, neither knows of the other.
-    assert equidistant(outline, 14.0, 1).owner.tolist() == [0, 1]
+    assert offset_paths(outline, 14.0, 1).owner.tolist() == [0, 1]
 
 
 def test_an_island_that_fills_the_pocket_leaves_nothing() -> None:
     outline = rings(SQUARE, [(10, 10), (10, 50), (90, 50), (90, 10)])
-    assert len(equidistant(outline, 6.0, 1, group=[0, 0]).paths) == 0
+    assert len(offset_paths(outline, 6.0, 1, group=[0, 0]).paths) == 0
 
 
 # Open paths.
@@ -282,17 +282,17 @@ def test_an_island_that_fills_the_pocket_leaves_nothing() -> None:
 
 @pytest.mark.parametrize(("side", "y"), [(1, 3.0), (-1, -3.0)])
 def test_beside_a_line_runs_a_line(side: int, y: float) -> None:
-    made = equidistant(strip((0, 0), (10, 0)), 3.0, side)
+    made = offset_paths(strip((0, 0), (10, 0)), 3.0, side)
     np.testing.assert_allclose(made.paths.start, [[0, y]], atol=1e-12)
     np.testing.assert_allclose(made.paths.end, [[10, y]], atol=1e-12)
 
 
 def test_an_open_angle_is_shortened_inside_and_rounded_outside() -> None:
     angle = strip((0, 0), (20, 0), (20, 20))
-    inside = equidistant(angle, 3.0, 1)
+    inside = offset_paths(angle, 3.0, 1)
     np.testing.assert_allclose(inside.paths.end, [[17, 3], [17, 20]])
     assert inside.unreached[0] == pytest.approx(9.0 * (1.0 - np.pi / 4.0))
-    outside = equidistant(angle, 3.0, -1)
+    outside = offset_paths(angle, 3.0, -1)
     assert outside.inserted.tolist() == [False, True, False]
     assert outside.paths.lengths[0] == pytest.approx(40.0 + 1.5 * np.pi)
 
@@ -301,7 +301,7 @@ def test_an_open_path_keeps_clear_of_its_own_ends_and_back() -> None:
     # A hook that comes back to 6 mm from its own beginning.
     hook = strip((0, 0), (40, 0), (40, 30), (20, 30), (20, 6))
     for side in (1, -1):
-        made = equidistant(hook, 8.0, side)
+        made = offset_paths(hook, 8.0, side)
         assert clearance(made, hook) >= 8.0 - NEARER
         assert tight(made)
         assert not made.paths.closed[0]
@@ -317,7 +317,7 @@ def test_an_open_path_keeps_clear_of_its_own_ends_and_back() -> None:
 )
 def test_a_thousand_stars_enclose_what_shapely_says(side: int, radius: float) -> None:
     paths = stars(1000, 17, seed=int(radius * 2) + side)
-    made = equidistant(paths, radius, side)
+    made = offset_paths(paths, radius, side)
     shapes = shapely.polygons(paths.start.reshape(1000, 17, 2))
     want = shapely.buffer(shapes, -side * radius, quad_segs=90)
     have = made_area(made, 1000)
@@ -342,7 +342,7 @@ def test_a_thousand_stars_enclose_what_shapely_says(side: int, radius: float) ->
 def test_hausdorff_distance_to_shapely_is_that_of_the_chords(seed: int) -> None:
     paths = stars(60, 14, seed)
     for side, radius in ((1, 4.0), (-1, 8.0)):
-        made = equidistant(paths, radius, side)
+        made = offset_paths(paths, radius, side)
         for path in range(60):
             corners = paths.start[path * 14 : path * 14 + 14]
             want = shapely.Polygon(corners).buffer(-side * radius, quad_segs=90)
@@ -374,7 +374,7 @@ def test_contours_with_arcs_enclose_what_shapely_says(seed: int, radius: float, 
         return
     # GEOS is wrong by millimetres on long concave runs of chords, unless all are short.
     shape = shape.segmentize(0.25)
-    made = equidistant(paths, radius, side)
+    made = offset_paths(paths, radius, side)
     want = shape.buffer(-side * radius, quad_segs=64)
     slack = 3e-3 * (want.length + 1.0)
     assert made_area(made, 1)[0] == pytest.approx(want.area, abs=slack)
@@ -402,7 +402,7 @@ def test_islands_in_pockets_against_shapely(seed: int, radius: float) -> None:
     if shape.geom_type != "Polygon" or len(shape.interiors) != len(kept):
         return
     paths = rings(outer, *kept)
-    made = equidistant(paths, radius, 1, group=np.zeros(len(paths)))
+    made = offset_paths(paths, radius, 1, group=np.zeros(len(paths)))
     want = shape.buffer(-radius, quad_segs=90)
     assert areas(made.paths).sum() == pytest.approx(
         want.area, abs=1e-4 * radius * want.length + 1e-3
@@ -417,7 +417,7 @@ def test_islands_in_pockets_against_shapely(seed: int, radius: float) -> None:
 # What every engine answers to.
 
 
-def described(made: Equidistant) -> tuple[float, float, float, int, int]:
+def described(made: OffsetPaths) -> tuple[float, float, float, int, int]:
     """Return what must not change when the board is turned."""
     size = np.bincount(made.owner, areas(made.paths), minlength=len(made.unreached))
     arcs = int((made.paths.bulge != 0.0).sum())
@@ -446,18 +446,18 @@ def test_turned_mirrored_reversed_or_begun_elsewhere_it_is_the_same(
     paths = simple(stars(1, 11, seed, arcs=True))
     if len(paths) == 0:
         return
-    plain = described(equidistant(paths, radius, side, corner=kind))
+    plain = described(offset_paths(paths, radius, side, corner=kind))
     spin = rotation(turn).T
     turned = Paths(paths.start @ spin, paths.end @ spin, paths.bulge, paths.first)
-    alike(described(equidistant(turned, radius, side, corner=kind)), plain)
+    alike(described(offset_paths(turned, radius, side, corner=kind)), plain)
     flip = np.array([-1.0, 1.0])
     mirrored = Paths(paths.start * flip, paths.end * flip, -paths.bulge, paths.first)
-    alike(described(equidistant(mirrored, radius, -side, corner=kind)), plain)
+    alike(described(offset_paths(mirrored, radius, -side, corner=kind)), plain)
     back, _ = reversed_where(paths, np.array([True]))
-    alike(described(equidistant(back, radius, -side, corner=kind)), plain)
+    alike(described(offset_paths(back, radius, -side, corner=kind)), plain)
     rows = np.roll(np.arange(11), shift)
     begun = Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], paths.first)
-    alike(described(equidistant(begun, radius, side, corner=kind)), plain)
+    alike(described(offset_paths(begun, radius, side, corner=kind)), plain)
 
 
 @settings(max_examples=150, deadline=None)
@@ -474,7 +474,7 @@ def test_c_and_d_stay_as_clear_as_b_and_never_shorter(
     if len(paths) == 0:
         return
     for kind in (Corner.C, Corner.D):
-        made = equidistant(paths, radius, side, corner=kind, k=k)
+        made = offset_paths(paths, radius, side, corner=kind, k=k)
         assert clearance(made, paths) >= radius - 1e-9
         assert made.paths.closed.all()
         assert tight(made)
@@ -486,11 +486,11 @@ def test_a_batch_is_the_same_as_one_by_one() -> None:
     assert count > 20
     radius = np.linspace(0.5, 9.0, count)
     side = np.where(np.arange(count) % 3, 1, -1)
-    made = equidistant(paths, radius, side)
+    made = offset_paths(paths, radius, side)
     at = 0
     for path in range(count):
         rows = slice(12 * path, 12 * path + 12)
-        alone = equidistant(
+        alone = offset_paths(
             paths_of(paths.start[rows], paths.end[rows], paths.bulge[rows], [0, 12]),
             radius[path],
             side[path],
@@ -505,7 +505,7 @@ def test_a_batch_is_the_same_as_one_by_one() -> None:
 
 def test_no_radius_gives_the_paths_back() -> None:
     paths = stars(5, 9, 2, arcs=True)
-    made = equidistant(paths, 0.0, 1)
+    made = offset_paths(paths, 0.0, 1)
     np.testing.assert_array_equal(made.paths.start, paths.start)
     np.testing.assert_array_equal(made.paths.bulge, paths.bulge)
     np.testing.assert_array_equal(made.paths.first, paths.first)
@@ -514,22 +514,22 @@ def test_no_radius_gives_the_paths_back() -> None:
 
 @pytest.mark.parametrize("radius", [1e-5, 1e-3, 1e3, 1e5])
 def test_tiny_and_huge_tools(radius: float) -> None:
-    made = equidistant(rings(SQUARE), radius, -1)
+    made = offset_paths(rings(SQUARE), radius, -1)
     assert areas(made.paths)[0] == pytest.approx(6000.0 + 320.0 * radius + np.pi * radius**2)
-    inside = equidistant(rings(SQUARE), radius, 1)
+    inside = offset_paths(rings(SQUARE), radius, 1)
     assert len(inside.paths) == (radius < 30.0)
 
 
 def test_no_paths_give_none() -> None:
     nothing = paths_of(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), [0])
-    made = equidistant(nothing, 1.0, 1)
+    made = offset_paths(nothing, 1.0, 1)
     assert len(made.paths) == 0
     assert len(made.unreached) == 0
 
 
 def test_round_both_sides_of_a_slit() -> None:
     # There and back again: the tool goes round both ends.
-    made = equidistant(rings([(0, 0), (40, 0)]), 5.0, -1)
+    made = offset_paths(rings([(0, 0), (40, 0)]), 5.0, -1)
     assert areas(made.paths)[0] == pytest.approx(400.0 + 25.0 * np.pi)
     assert (made.paths.bulge != 0.0).sum() == 2
 
@@ -537,7 +537,7 @@ def test_round_both_sides_of_a_slit() -> None:
 def test_twenty_thousand_segments_with_notches() -> None:
     paths = stars(1, 20_000, 3)
     ring = paths.start / np.hypot(*paths.start.T)[:, None] * 1000.0 + paths.start * 0.02
-    made = equidistant(rings(ring), 1.0, -1)
+    made = offset_paths(rings(ring), 1.0, -1)
     want = shapely.Polygon(ring).buffer(1.0, quad_segs=90)
     assert made.paths.closed.all()
     assert areas(made.paths).sum() == pytest.approx(want.area, rel=1e-6)
@@ -548,7 +548,7 @@ def test_twenty_thousand_segments_with_notches() -> None:
 
 def test_refuse_names_the_segments_and_the_depth() -> None:
     with pytest.raises(CompensationError, match="would cut") as caught:
-        equidistant(rings(SQUARE, DUMBBELL), 7.0, 1, interference="refuse")
+        offset_paths(rings(SQUARE, DUMBBELL), 7.0, 1, interference="refuse")
     assert len(caught.value.source) == 2
     assert {int(row) for row in caught.value.source} <= set(range(4, 16))
 
@@ -556,13 +556,13 @@ def test_refuse_names_the_segments_and_the_depth() -> None:
 def test_refuse_says_how_much_too_tight_an_arc_is() -> None:
     circle = rings([(10, 0), (-10, 0)], bulge=[1.0, 1.0])
     with pytest.raises(CompensationError, match="cut 2 mm into"):
-        equidistant(circle, 12.0, 1, interference="refuse")
+        offset_paths(circle, 12.0, 1, interference="refuse")
 
 
 def test_refuse_accepts_what_fits() -> None:
     paths = rings(SQUARE, DUMBBELL)
     for side in (1, -1):
-        assert len(equidistant(paths, 4.0, side, interference="refuse").paths) == 2
+        assert len(offset_paths(paths, 4.0, side, interference="refuse").paths) == 2
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
@@ -571,12 +571,12 @@ def test_a_coordinate_that_is_no_number_is_refused(value: float) -> None:
     end = np.roll(start, -1, axis=0)
     start[2, 1] = value
     with pytest.raises(GeometryError, match="Segment 2 has a coordinate"):
-        equidistant(paths_of(start, end, np.zeros(4), [0, 4]), 1.0, 1)
+        offset_paths(paths_of(start, end, np.zeros(4), [0, 4]), 1.0, 1)
 
 
 def test_a_segment_without_length_is_refused() -> None:
     with pytest.raises(ZeroLengthEdge, match="Edge 2"):
-        equidistant(rings([(0, 0), (10, 0), (10, 10), (10, 10), (0, 10)]), 1.0, 1)
+        offset_paths(rings([(0, 0), (10, 0), (10, 10), (10, 10), (0, 10)]), 1.0, 1)
 
 
 @pytest.mark.parametrize(
@@ -592,9 +592,9 @@ def test_a_segment_without_length_is_refused() -> None:
 )
 def test_what_makes_no_sense_is_refused(given_: dict[str, Any], words: str) -> None:
     with pytest.raises((GeometryError, CompensationError), match=words):
-        equidistant(rings(SQUARE), **({"distance": 1.0, "side": 1} | given_))
+        offset_paths(rings(SQUARE), **({"distance": 1.0, "side": 1} | given_))
 
 
 def test_a_group_has_one_tool_on_one_side() -> None:
     with pytest.raises(GeometryError, match="Path 1 has another"):
-        equidistant(rings(SQUARE, DUMBBELL), 1.0, [1, -1], group=[0, 0])
+        offset_paths(rings(SQUARE, DUMBBELL), 1.0, [1, -1], group=[0, 0])

@@ -1,15 +1,17 @@
-"""whole: the moved segments of a path as they are, where shortening is not enough.
+"""untrimmed: the moved segments of a path without trimming, if trimming is not enough.
 
-    one path -> rows that ``region`` cuts where they cross
+    one path -> rows that ``region`` splits where they cross
 
-Neighbours are shortened to where they meet if both keep half their length; all else is left whole.
+Neighbours are trimmed to their intersection only if both keep half their length.
 """
 
 from __future__ import annotations
 
 import math
 
-from knifetip.geometry.beside import (
+from knifetip.geometry.tolerance import POINT
+from knifetip.kernels import F64_2, kernel
+from knifetip.offset.raw_segments import (
     CHORD,
     CONCAVE,
     CONVEX,
@@ -29,11 +31,9 @@ from knifetip.geometry.beside import (
     U2Y,
     kept_bulge,
 )
-from knifetip.geometry.contours import Contours, CornerTypes, MovedSegments, RawRows
-from knifetip.geometry.shortened import concave_crossing
-from knifetip.geometry.tolerance import POINT
-from knifetip.geometry.transition import transition
-from knifetip.kernels import F64_2, kernel
+from knifetip.offset.records import Contours, CornerTypes, MovedSegments, RawRows
+from knifetip.offset.transition import transition
+from knifetip.offset.trim import concave_crossing
 
 
 @kernel
@@ -46,7 +46,7 @@ def _meeting(
     here: int,
     signed: float,
 ) -> tuple[float, float]:
-    """Where two neighbours at a concave corner are to be shortened to, or NaN."""
+    """Return the point to which two neighbours at a concave corner are trimmed, or NaN."""
     if table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0:
         u1x, u1y = table[before, U2X], table[before, U2Y]
         u2x, u2y = table[here, U1X], table[here, U1Y]
@@ -84,7 +84,7 @@ def _slide_joints(
     segments: MovedSegments,
     at: int,
 ) -> None:
-    """Note what each corner is, and shorten neighbours where both keep half their length."""
+    """Classify each corner, and trim neighbours that both keep half their length."""
     start, table, joint = contours.start, segments.table, segments.joint
     count = high - low
     size = abs(signed)
@@ -109,8 +109,8 @@ def _slide_joints(
             joint[here] = CONVEX
             continue
         else:
-            # What lies beyond the crossing of two neighbours is too near to one of them, but in a
-            # very flat corner by less than NEARER: it has to go before anyone measures that.
+            # Parts beyond the crossing are too close to a neighbour, but in a very flat corner by
+            # less than NEARER, so they are removed here.
             joint[here] = CONCAVE
             gx, gy = _meeting(contours, last, low + i, table, before, here, signed)
             if math.isnan(gx):
@@ -136,18 +136,18 @@ def raw_offset(
     put: int,
     member: int,
 ) -> int:
-    """Write the moved segments and transitions of a path whole into ``raw`` from row ``put`` on.
+    """Write the untrimmed moved segments and transitions of a path to ``raw`` from row ``put`` on.
 
-    An arc that is none any more is left out.
+    Arcs of which nothing is left are omitted.
 
     Parameters
     ----------
     low, high
         The path has the segments low … high - 1.
     segments, at
-        Their moved ones, from row ``at`` on.
+        The moved segments, from row ``at`` on.
     member
-        The path's number in ``raw``.
+        Number of the path in ``raw``.
 
     Returns
     -------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from knifetip.geometry import cores
+from knifetip.geometry import parallel
 
 
 def _fails() -> int:
@@ -12,27 +12,27 @@ def _fails() -> int:
 
 
 def test_runs_cover_everything_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cores, "number", lambda: 3)
-    assert cores.runs(10, 2) == [(0, 3), (3, 6), (6, 10)]
-    assert cores.runs(10, 6) == [(0, 10)]
-    assert cores.runs(0, 6) == [(0, 0)]
+    monkeypatch.setattr(parallel, "core_count", lambda: 3)
+    assert parallel.chunks(10, 2) == [(0, 3), (3, 6), (6, 10)]
+    assert parallel.chunks(10, 6) == [(0, 10)]
+    assert parallel.chunks(0, 6) == [(0, 0)]
 
 
 def test_what_is_done_of_each_run_is_in_the_order_of_the_runs() -> None:
-    assert cores.each(lambda run: run * run, [3, 1, 2]) == [9, 1, 4]
+    assert parallel.parallel_map(lambda run: run * run, [3, 1, 2]) == [9, 1, 4]
 
 
 @pytest.mark.parametrize("machine", [1, 2])
 def test_two_things_at_once_are_told_apart(machine: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cores, "number", lambda: machine)
-    assert cores.both(lambda: "one", lambda: "other") == ("one", "other")
+    monkeypatch.setattr(parallel, "core_count", lambda: machine)
+    assert parallel.parallel_pair(lambda: "one", lambda: "other") == ("one", "other")
     for pair in ((_fails, int), (int, _fails)):
         with pytest.raises(ZeroDivisionError):
-            cores.both(*pair)
+            parallel.parallel_pair(*pair)
 
 
 def test_nothing_to_do_is_done() -> None:
-    assert cores.each(lambda _: _fails(), []) == []
+    assert parallel.parallel_map(lambda _: _fails(), []) == []
 
 
 def test_all_runs_are_done_before_the_first_error_is_raised() -> None:
@@ -44,13 +44,13 @@ def test_all_runs_are_done_before_the_first_error_is_raised() -> None:
             raise ValueError(run)
 
     with pytest.raises(ValueError, match="1"):
-        cores.each(done, [0, 1, 2, 3])
+        parallel.parallel_map(done, [0, 1, 2, 3])
     assert sorted(seen) == [0, 1, 2, 3]
 
 
 def test_work_within_work_waits_for_nobody() -> None:
     def outer(run: int) -> int:
-        return sum(cores.each(lambda inner: run * inner, [1, 2, 3]))
+        return sum(parallel.parallel_map(lambda inner: run * inner, [1, 2, 3]))
 
     # More at once than there are cores, each with work of its own to share out.
-    assert cores.each(outer, list(range(40))) == [6 * run for run in range(40)]
+    assert parallel.parallel_map(outer, list(range(40))) == [6 * run for run in range(40)]

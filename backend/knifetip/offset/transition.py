@@ -1,10 +1,10 @@
-"""transition: how the tool's centre goes round a convex corner.
+"""transition: the path of the tool's centre around a convex corner.
 
     vertex, tangent in, tangent out, signed radius, type, k -> lines and arcs from B₀ to E₀
 
-B rolls about the vertex on an arc and touches it all the way.  C goes straight on, and touches the
-vertex only at both ends, but stops at its corners.  D is C with its corner rounded: it touches the
-vertex only at both ends and never turns a corner.
+B is an arc around the vertex, which the tool touches all the way.  C continues straight and touches
+the vertex only at both ends, but stops at its corners.  D is C with rounded corners: it touches the
+vertex only at both ends and does not stop.
 
 Source: "Radius compensation algorithm for convex contour closed-angle linear and circular arc
 composite transitional cutting tool" (Dalian Jiaotong University) names and draws the three; the
@@ -29,14 +29,14 @@ from knifetip.kernels import F64_1, F64_2, U8_1, OutF64_2, OutI32_1, kernel
 
 
 class Corner(IntEnum):
-    """The types of transition at a convex corner."""
+    """Types of transitions at convex corners."""
 
     B = 0
     C = 1
     D = 2
 
 
-#: The most segments that one transition has.
+#: Largest number of segments of a transition.
 MOST = 3
 
 
@@ -49,9 +49,9 @@ def transitions(
     side: ArrayLike,
     k: ArrayLike,
 ) -> Paths:
-    """Return the way of the tool's centre round each corner, one path to a corner.
+    """Return the path of the tool's centre around each corner.
 
-    With φ the angle of the corner, seen from the tool, and r the radius::
+    With φ the angle of the corner, relative to the tool, and r the radius::
 
         B   L = r φ
         C   L = 2 r tan(φ/2)          φ ≤ 90°, else 2 r (1 + sin(φ/2) - cos(φ/2))
@@ -96,7 +96,7 @@ def transitions(
 
 
 def check(corner: Any, k: F64) -> None:
-    """Refuse types that there are not, and a k that is not from 0 to 1 where it matters."""
+    """Raise if a type is unknown, or a knob that is used is outside 0 … 1."""
     if (np.asarray(corner) > Corner.D).any():
         row = int(np.flatnonzero(np.asarray(corner) > Corner.D)[0])
         raise CompensationError(
@@ -142,9 +142,9 @@ def _all(
 
 @kernel(allocates=False)
 def quarter_tangent(cross: float, dot: float) -> float:
-    """tan(φ/4), 0 ≤ φ ≤ π, from sin φ and cos φ."""
+    """Return tan(φ/4) for 0 ≤ φ ≤ π from sin φ and cos φ."""
     if dot < -0.99:
-        # There tan(φ/2) has few digits, or is infinite.
+        # There tan(φ/2) is inaccurate or infinite.
         sin = math.sqrt(0.5 * (1.0 - dot))
         return sin / (1.0 + abs(cross) / (2.0 * sin))
     half = abs(cross) / (1.0 + dot)
@@ -153,9 +153,9 @@ def quarter_tangent(cross: float, dot: float) -> float:
 
 @kernel(allocates=False)
 def reach(kind: int, cross: float, dot: float, size: float, k: float) -> tuple[float, float]:
-    """The straight part l and the radius r′ of D; l alone (r′ = 0) of C, r′ alone of B.
+    """Return the straight length l and the radius r′ of D; l (r′ = 0) for C, r′ for B.
 
-    For C beyond 90° l is r: it goes on by r, and across.
+    For C beyond 90° l is r: the path continues by r, then across.
     """
     if kind == 0:
         return 0.0, size
@@ -196,8 +196,8 @@ def transition(
 ) -> int:
     """Write the transition at a convex corner into rows (x0, y0, x1, y1, bulge) from ``at`` on.
 
-    ``signed`` is the radius, positive left of travel.  Returns the next free row.  What would have
-    pieces shorter than POINT is made with fewer pieces: C and D as B, D as C.
+    ``signed`` is the radius, positive left of travel.  Returns the next free row.  Transitions with
+    pieces shorter than POINT are simplified: C and D to B, D to C.
     """
     size = abs(signed)
     cross = u1x * u2y - u1y * u2x

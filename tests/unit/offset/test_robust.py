@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
-from knifetip.geometry.offset import Equidistant, equidistant
 from knifetip.geometry.path import Paths
-from knifetip.geometry.transition import Corner
+from knifetip.offset.offset_paths import OffsetPaths, offset_paths
+from knifetip.offset.transition import Corner
 from tests.support.shapes import paths as paths_of
 
 
@@ -27,7 +27,7 @@ def ring(corners: F64 | Sequence[tuple[float, float]]) -> Paths:
     return paths_of(xy, np.roll(xy, -1, axis=0), np.zeros(len(xy)), [0, len(xy)])
 
 
-def points(made: Equidistant) -> NDArray[Any]:
+def points(made: OffsetPaths) -> NDArray[Any]:
     paths = made.paths
     along = arc.points_along(paths.start, paths.end, paths.bulge, 9)
     found: NDArray[Any] = shapely.points(along.reshape(-1, 2))
@@ -51,7 +51,7 @@ def test_edges_drawn_in_pieces_and_rounded_make_the_same_path(
     after = np.roll(corners, -1, axis=0)
     pieces = (corners[:, None] + share * (after - corners)[:, None]).reshape(-1, 2)
     pieces += random.uniform(-jitter, jitter, pieces.shape)
-    made = equidistant(ring(pieces), radius, side)
+    made = offset_paths(ring(pieces), radius, side)
     want = shapely.Polygon(pieces).buffer(-side * radius, quad_segs=90)
     under = made.paths.start[:, 0] * made.paths.end[:, 1]
     under -= made.paths.start[:, 1] * made.paths.end[:, 0]
@@ -70,8 +70,8 @@ def test_walls_that_cross_by_micrometres_are_named_with_their_place(over: float)
     # A notch in the upper edge whose walls cross on their way down.
     contour = [(0, 0), (100, 0), (100, 60), (50 + over, 60), (50 - over, 30), (50 + over, 30),
                (50 - over, 60), (0, 60)]  # fmt: skip
-    with pytest.raises(CompensationError, match="meets itself at") as caught:
-        equidistant(ring(contour), 3.0, 1)
+    with pytest.raises(CompensationError, match="touches itself at") as caught:
+        offset_paths(ring(contour), 3.0, 1)
     assert list(caught.value.source) == ["3", "5"]
     x, y = map(float, re.findall(r"\((-?[\d.]+), (-?[\d.]+)\)", str(caught.value))[0])
     assert (x, y) == pytest.approx((50.0, 45.0), abs=1e-3)
@@ -81,7 +81,7 @@ def test_walls_that_cross_by_micrometres_are_named_with_their_place(over: float)
 @pytest.mark.parametrize("side", [1, -1])
 def test_a_slit_of_micrometres_is_gone_round_or_over(apart: float, side: int) -> None:
     contour = [(0, 0), (100, 0), (100, 60), (50 + apart, 60), (50, 30), (50 - apart, 60), (0, 60)]
-    made = equidistant(ring(contour), 3.0, side)
+    made = offset_paths(ring(contour), 3.0, side)
     assert shapely.distance(shapely.LinearRing(contour), points(made)).min() >= 3.0 - 1e-9
     assert made.paths.closed.all()
     # Round the slit's end inside; outside the tool does not see it.
@@ -98,7 +98,7 @@ def test_two_islands_of_a_pocket_may_touch_in_a_point(radius: float) -> None:
     xy = np.concatenate([outline, left, right]).astype(float)
     ends = np.concatenate([np.roll(np.array(c, float), -1, axis=0) for c in (outline, left, right)])
     paths = paths_of(xy, ends, np.zeros(12), [0, 4, 8, 12])
-    made = equidistant(paths, radius, 1, group=[0, 0, 0])
+    made = offset_paths(paths, radius, 1, group=[0, 0, 0])
     shape = shapely.Polygon(outline).difference(
         shapely.union(shapely.Polygon(left), shapely.Polygon(right))
     )
@@ -125,7 +125,7 @@ def test_open_paths_with_c_and_d_corners_keep_clear_and_start_square(
 ) -> None:
     random = np.random.default_rng(seed)
     xy = np.stack([np.arange(8) * 15.0, random.uniform(-20.0, 20.0, 8)], axis=1)
-    made = equidistant(
+    made = offset_paths(
         paths_of(xy[:-1], xy[1:], np.zeros(7), [0, 7]), radius, side, corner=kind, k=k
     )
     assert not made.paths.closed.any()
@@ -152,7 +152,7 @@ def test_islands_with_c_and_d_corners_stay_within_what_b_leaves(
     xy = np.concatenate([outline, hole]).astype(float)
     ends = np.concatenate([np.roll(np.array(c, float), -1, axis=0) for c in (outline, hole)])
     paths = paths_of(xy, ends, np.zeros(8), [0, 4, 8])
-    made = equidistant(paths, radius, 1, corner=kind, k=k, group=[0, 0])
+    made = offset_paths(paths, radius, 1, corner=kind, k=k, group=[0, 0])
     shape = shapely.Polygon(outline, [hole])
     assert made.paths.closed.all()
     allowed = shape.buffer(-radius, quad_segs=200).buffer(1e-3 * radius)

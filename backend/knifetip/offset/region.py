@@ -1,11 +1,11 @@
-"""region: the equidistant of one region with all its contours, where shortening is not enough.
+"""region: the offset of one region with all its contours, if trimming is not enough.
 
     contours of a region, radius and side -> chains, and the area that the tool cannot reach
 
-Every path is moved by itself, everything is cut where it crosses, what comes nearer than the
-radius to any contour is thrown away, and the rest is joined again: nothing, one path or several.
+Every path is moved by itself, all moved segments are split where they cross, pieces nearer than
+the radius to a contour are removed, and the rest is connected: to nothing, one path or several.
 
-Source: our own.
+Source: our derivation.
 """
 
 from __future__ import annotations
@@ -15,7 +15,22 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.geometry.beside import (
+from knifetip.geometry.boxes import FAN, STACK, Scratch, any_meet, tree, tree_size
+from knifetip.geometry.intersect import box, point_on
+from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import (
+    F64_2,
+    I32_1,
+    I64_1,
+    Bool_2,
+    OutBool_1,
+    OutF64_2,
+    OutI64_1,
+    OutI64_2,
+    kernel,
+)
+from knifetip.offset.clearance import NEARER, clear, distance, nearest
+from knifetip.offset.raw_segments import (
     COLUMNS,
     FINE,
     MOVED,
@@ -28,9 +43,7 @@ from knifetip.geometry.beside import (
     is_closed,
     move_segments,
 )
-from knifetip.geometry.boxes import FAN, STACK, any_meet, tree, tree_size
-from knifetip.geometry.clearance import NEARER, clear, distance, nearest
-from knifetip.geometry.contours import (
+from knifetip.offset.records import (
     BoxTree,
     Contours,
     CornerTypes,
@@ -42,36 +55,22 @@ from knifetip.geometry.contours import (
     RegionOffset,
     RegionPaths,
     ResultChains,
-    Scratch,
 )
-from knifetip.geometry.intersect import box, point_on
-from knifetip.geometry.pieces import find_cuts, follow_pieces, link_chains, split_rows
-from knifetip.geometry.shortened import trim_path
-from knifetip.geometry.swept import area_under, swept_under
-from knifetip.geometry.tolerance import BULGE
-from knifetip.geometry.transition import MOST, transition
-from knifetip.geometry.whole import raw_offset
-from knifetip.kernels import (
-    F64_2,
-    I32_1,
-    I64_1,
-    Bool_2,
-    OutBool_1,
-    OutF64_2,
-    OutI64_1,
-    OutI64_2,
-    kernel,
-)
+from knifetip.offset.slices import find_cuts, follow_pieces, link_chains, split_rows
+from knifetip.offset.swept_area import area_under, swept_under
+from knifetip.offset.transition import MOST, transition
+from knifetip.offset.trim import trim_path
+from knifetip.offset.untrimmed import raw_offset
 
-#: Cells along each side of the plane in which the paths of a large group are put in order.
+#: Cells per side of the grid that orders the paths of a large group.
 CELLS: Final = 1 << 15
 
 
 @kernel
 def _in_order(start: F64_2, first: I32_1, member: I32_1) -> Any:
-    """The members with those that are near each other together, along a Z-shaped curve.
+    """Return the members ordered along a Z-order curve, so that near ones are together.
 
-    The tree over their rows lives on that.
+    The tree of boxes depends on this order.
     """
     count = len(member)
     if count <= FAN:
@@ -110,7 +109,7 @@ def _tree_over(rows: F64_2, count: int) -> BoxTree:
 
 @kernel
 def _failed(code: int, row: int, other: int, depth: float) -> RegionOffset:
-    """Return a region without offset."""
+    """Return the failure of a region."""
     line = np.empty((0, 5))
     tag = np.empty((0, 4), np.int64)
     return RegionOffset(line, tag, np.zeros(1, np.int64), 0, 0.0, False, code, row, other, depth)
@@ -118,7 +117,7 @@ def _failed(code: int, row: int, other: int, depth: float) -> RegionOffset:
 
 @kernel
 def _region_paths(contours: Contours, members: I32_1) -> RegionPaths:
-    """Return the paths of a region in an order in which neighbours stand together."""
+    """Return the paths of a region in spatial order."""
     member = _in_order(contours.start, contours.first, members)
     count = len(member)
     begin = np.zeros(count + 1, np.int64)
@@ -134,7 +133,7 @@ def _region_paths(contours: Contours, members: I32_1) -> RegionPaths:
 def _region_segments(
     contours: Contours, paths: RegionPaths, corners: CornerTypes, source: OutI64_1, origin: OutF64_2
 ) -> RegionCorners:
-    """Write the segments of a region as rows, and return their corners, not moved yet."""
+    """Write the segments of a region as rows, and return their corners before the offset."""
     total = len(source)
     segments = MovedSegments(np.empty((total, COLUMNS)), np.empty(total, np.int64))
     before = np.empty(total, np.int64)
@@ -254,10 +253,10 @@ def _select_pieces(
     stack: OutI64_2,
     good: OutBool_1,
 ) -> tuple[int, int, float]:
-    """Note which pieces the tool can take: those no nearer to a contour than the radius.
+    """Select the valid pieces: those not nearer to a contour than the radius.
 
-    Returns the segment where the tool does not fit worst, or -1, the one that it is too near to,
-    and by how much; with ``refuse`` only.
+    With ``refuse``, returns the segment where the tool fits worst, or -1, the segment that it is
+    too close to, and the distance that is missing.
     """
     size = abs(signed)
     limit = size - NEARER
@@ -274,13 +273,13 @@ def _select_pieces(
         i = owner[q]
         runs_on = not refuse and q > 0 and q == opening[i] and follow[i - 1] == i
         if runs_on and not touched[i, 0] and not touched[i - 1, 1]:
-            # Only where lines cross does a way become too near, or clear again.
+            # Whether a piece is valid changes only at crossings.
             good[q] = good[q - 1]
             continue
         m = info[i, 3]
         mine = paths.begin[m] + info[i, 0] - contours.first[paths.member[m]]
         x, y = point_on(raw.rows, i, 0.5 * (piece[q, 4] + piece[q, 5]))
-        # What is lost is mostly lost to the next segments: ask them first.
+        # Most invalid pieces are too close to the next segments: test these first.
         near_by = False
         for near in range(max(mine - 2, 0), min(mine + 3, total)):
             near_by |= distance(origin, near, x, y) < limit
@@ -308,7 +307,7 @@ def _swept_area(
 ) -> tuple[float, bool, int, float]:
     """Return twice the area that the tool's edge encloses beside the chains of a region.
 
-    Returns besides whether some of it is swept twice, and a chain that should be closed and is not
+    Also returns whether some of it is swept twice, and a chain that should be closed but is not
     (-1 for none) with its length.
     """
     line, tag, bounds, ring = out
@@ -341,7 +340,7 @@ def _swept_area(
             x = contours.end[contours.first[paths.member[m] + 1] - 1, 0]
             y = contours.end[contours.first[paths.member[m] + 1] - 1, 1]
             swept += last[m, 0] * y - last[m, 1] * x
-    # Where these arcs meet, some of the area has been swept twice.
+    # If these arcs meet, some of the area was swept twice.
     overlaps: bool = (
         chains > 0
         and bool(ring[:chains].all())
@@ -360,7 +359,7 @@ def offset_region(
     refuse: bool,
     scratch: Scratch,
 ) -> RegionOffset:
-    """Return the offset of one region with all its contours, cut and joined.
+    """Return the offset of one region with all its contours, split and connected.
 
     Parameters
     ----------
@@ -437,7 +436,7 @@ def _radius_of(contours: Contours, i: int) -> float:
 def _other_side(
     contours: Contours, low: int, high: int, signed: float, raw: RawRows, put: int
 ) -> int:
-    """Write how far the other side of an open path and its two ends reach: no path, but it cuts."""
+    """Write the other side and the ends of an open path: rows that only split others."""
     count = high - low
     back = Contours(
         contours.end[low:high][::-1].copy(),
@@ -465,7 +464,7 @@ def _other_side(
 def unreached_area(
     contours: Contours, members: I32_1, signed: float, region: RegionOffset, scratch: Scratch
 ) -> float:
-    """Return the area that the tool does not reach: the offset moved back, beside the contours."""
+    """Return the unreachable area: between the contours and the offset of their offset back."""
     rows = region.bounds[region.chains]
     back = Contours(
         region.line[:rows, :2].copy(),

@@ -1,12 +1,13 @@
-"""offset: the equidistant, where the centre of a tool of radius r runs beside a contour.
+"""offset_paths: paths of the centre of a tool of radius r that runs beside contours.
 
-    Paths, radius and side -> Paths of the centre, and what the tool cannot reach
+    Paths, radius and side -> Paths of the centre, and the area that the tool cannot reach
 
-First beside each path alone: every segment is moved by r, convex corners get their transition, at
-concave ones the neighbours are shortened to where they meet.  Most contours are done with that.
-Where a segment is too short, an arc too tight or a path meets itself or its neighbours, everything
-is cut where it crosses, what comes nearer than r to a contour is thrown away, and the rest joined
-again: nothing, one path or several.  Lines stay lines and arcs arcs.
+First each path is offset by itself: every segment is moved by r, convex corners get their
+transition, and at concave corners neighbours are trimmed to their intersection.  This is enough
+for most contours.  If a segment is too short, an arc too tight, or a path meets itself or its
+neighbours, all moved segments are split where they cross, pieces nearer than r to a contour are
+removed, and the rest is connected again: to nothing, one path or several.  Lines stay lines and
+arcs stay arcs.
 
 Source: "Tool radius compensation", equations 3 to 5, P_e = P + σ r n with σ = +1 left of travel;
 corners from ``transition``.  The global part, in ``region``, is our own.
@@ -21,18 +22,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.errors import CompensationError, GeometryError, ZeroLengthEdge
-from knifetip.geometry.batch import on_all_cores
-from knifetip.geometry.beside import FINE, NO_LENGTH, NOT_A_NUMBER, TORN
 from knifetip.geometry.boxes import where_met
-from knifetip.geometry.clearance import NEARER as NEARER
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
-from knifetip.geometry.transition import Corner, check
+from knifetip.offset.batch import on_all_cores
+from knifetip.offset.clearance import NEARER as NEARER
+from knifetip.offset.raw_segments import FINE, NO_LENGTH, NOT_A_NUMBER, TORN
+from knifetip.offset.transition import Corner, check
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Equidistant:
-    """Where the centre of the tool runs: n segments in q paths, made from p input paths."""
+class OffsetPaths:
+    """Paths of the tool's centre: n segments in q paths, from p input paths."""
 
     paths: Paths  #: q result paths, in the direction of their input path
     source: I32  #: (n,) input segment of each; a transition has the segment after its corner
@@ -41,7 +42,7 @@ class Equidistant:
     unreached: F64  #: (p,) mm² beside each input path that the tool cannot reach
 
 
-def equidistant(
+def offset_paths(
     paths: Paths,
     distance: ArrayLike,
     side: ArrayLike,
@@ -50,8 +51,8 @@ def equidistant(
     k: ArrayLike = 0.5,
     interference: str = "trim",
     group: ArrayLike | None = None,
-) -> Equidistant:
-    """Return the path of a tool's centre beside each path.
+) -> OffsetPaths:
+    """Return the paths of a tool's centre beside paths.
 
     With n the left normal, σ the side and κ the signed curvature::
 
@@ -62,7 +63,7 @@ def equidistant(
     paths : Paths
         p contours, closed or open, that do not cross themselves.
     distance : (p,) mm, or one for all
-        The radius r; 0 gives the paths back.
+        The radius r; 0 returns the paths unchanged.
     side : (p,) or one for all
         σ: +1 left of travel, -1 right.
     corner, k : (n,) or one for all
@@ -75,7 +76,7 @@ def equidistant(
 
     Returns
     -------
-    Equidistant
+    OffsetPaths
         A closed path gives closed paths: none where the tool does not fit at all, several where it
         cannot pass a neck.  No point of a result is nearer to its contours than r, except within
         ``NEARER``.  A result path does not run through the transition of another corner either.
@@ -109,7 +110,7 @@ def equidistant(
         raise GeometryError("offset.bad-side")
     if interference not in ("trim", "refuse"):
         raise GeometryError("offset.bad-interference", interference=interference)
-    # One value for all stays one.
+    # A single value for all stays single.
     same = 1 if np.ndim(corner) == 0 and np.ndim(k) == 0 else rows
     kinds = _column(corner, same, np.uint8)
     share = _column(k, same, np.float64)
@@ -123,7 +124,7 @@ def equidistant(
         raise _refusal(failure, radius, paths)
     for column in (start, end, bulge, first):
         column.flags.writeable = False
-    return Equidistant(Paths(start, end, bulge, first), source, inserted, owner, unreached)
+    return OffsetPaths(Paths(start, end, bulge, first), source, inserted, owner, unreached)
 
 
 def _column(values: ArrayLike, count: int, dtype: Any) -> Any:
@@ -132,7 +133,7 @@ def _column(values: ArrayLike, count: int, dtype: Any) -> Any:
 
 
 def _grouped(group: ArrayLike | None, signed: F64) -> tuple[I32, I32]:
-    """Return the paths in the order of their groups, and where each group begins."""
+    """Return the paths ordered by group, and the start of each group."""
     count = len(signed)
     if group is None:
         return np.arange(count, dtype=np.int32), np.arange(count + 1, dtype=np.int32)

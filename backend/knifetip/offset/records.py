@@ -1,4 +1,4 @@
-"""contours: the groups of arrays that the kernels of the offset engine pass to each other."""
+"""records: groups of arrays that the kernels of the offset engine pass to each other."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from knifetip.kernels import (
 
 
 class Contours(NamedTuple):
-    """n segments of p paths, as they are drawn."""
+    """n segments of p paths, before offsetting."""
 
     start: F64_2  #: (n, 2) mm
     end: F64_2  #: (n, 2) mm
@@ -30,18 +30,18 @@ class Contours(NamedTuple):
 
 
 class CornerTypes(NamedTuple):
-    """The transition at the start of each segment, where that corner is convex."""
+    """Type of the transition at the start of each segment, for convex corners."""
 
     kind: U8_1  #: (n,) or (1,) ``transition.Corner``
     share: F64_1  #: (n,) or (1,) share of C in D
-    step: int  #: 1, or 0 where all corners have the first kind
+    step: int  #: 1, or 0 if all corners have the first kind
 
 
 class MovedSegments(NamedTuple):
-    """Segments moved to their side by the radius, each by itself."""
+    """Segments moved to their side by the radius, not yet connected."""
 
-    table: OutF64_2  #: (n, ``beside.COLUMNS``)
-    joint: OutI64_1  #: (n,) what is at the start of each, such as ``beside.CONVEX``
+    table: OutF64_2  #: (n, ``raw_segments.COLUMNS``)
+    joint: OutI64_1  #: (n,) kind of joint at the start of each, such as ``raw_segments.CONVEX``
 
 
 class OffsetSegments(NamedTuple):
@@ -54,17 +54,8 @@ class OffsetSegments(NamedTuple):
     inserted: OutBool_1  #: (m,) whether it belongs to a transition
 
 
-class CheckedSegments(NamedTuple):
-    """m segments that may have points in common."""
-
-    start: F64_2  #: (m, 2) mm
-    end: F64_2  #: (m, 2) mm
-    bulge: F64_1  #: (m,)
-    inserted: Bool_1  #: (m,) whether it belongs to a transition
-
-
 class RawRows(NamedTuple):
-    """Room for rows that are cut where they cross."""
+    """Room for rows that are split where they cross."""
 
     rows: OutF64_2  #: (m, 5) x0, y0, x1, y1, bulge
     info: OutI64_2  #: (m, 4) segment, whether inserted, whether the next row continues it, path
@@ -96,17 +87,10 @@ class BoxTree(NamedTuple):
     height: int  #: of the root
 
 
-class Scratch(NamedTuple):
-    """Room for what two segments have in common, and for one transition."""
-
-    pair: OutF64_2  #: (4, 5) rows
-    found: OutF64_2  #: (4, 4) x, y and the shares along both
-
-
 class JoinedPieces(NamedTuple):
     """q pieces of rows, and how they continue each other."""
 
-    piece: F64_2  #: (q, 6) x0, y0, x1, y1, and the shares of the row where it begins and ends
+    piece: F64_2  #: (q, 6) x0, y0, x1, y1, and the parameters of the row at its start and end
     owner: I64_1  #: (q,) row of each
     opening: I64_1  #: first piece of each row
     after: OutI64_1  #: (q,) piece that continues each, -1 for none
@@ -139,15 +123,15 @@ class OffsetChains(NamedTuple):
 
 
 class RegionOffset(NamedTuple):
-    """The offset of one region, or why there is none."""
+    """The offset of one region, or the failure."""
 
     line: OutF64_2  #: rows x0, y0, x1, y1, bulge
     tag: OutI64_2  #: of each row: segment, whether inserted, path, raw row
     bounds: OutI64_1  #: first row of each chain, and the number of rows
     chains: int  #: number of chains
     unreached: float  #: area that the tool does not reach (mm²)
-    overlaps: bool  #: whether that is an estimate: arcs of the tool's edge meet each other
-    code: int  #: ``beside.FINE`` or another failure
+    overlaps: bool  #: whether the area is an estimate, because arcs of the tool's edge overlap
+    code: int  #: ``raw_segments.FINE`` or another failure
     row: int  #: segment that fails
-    other: int  #: segment that it comes too near to
+    other: int  #: segment that it comes too close to
     depth: float  #: by which the tool would cut into it (mm)

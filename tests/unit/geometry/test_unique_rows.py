@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from knifetip.geometry.distinct import distinct
+from knifetip.geometry.unique_rows import unique_rows
 
 
 @pytest.mark.parametrize("kinds", [1, 3, 700, 40_000])
 def test_rows_of_few_and_of_many_kinds_are_told_apart(kinds: int) -> None:
     rng = np.random.default_rng(kinds)
     table = rng.integers(-(1 << 40), 1 << 40, (kinds, 3))[rng.integers(0, kinds, 60_000)]
-    first, kind = distinct(table)
+    first, kind = unique_rows(table)
     _, expected, inverse = np.unique(table, axis=0, return_index=True, return_inverse=True)
     # In the order of the rows, where numpy's is that of the values.
     np.testing.assert_array_equal(first, np.sort(expected))
@@ -21,9 +21,9 @@ def test_rows_of_few_and_of_many_kinds_are_told_apart(kinds: int) -> None:
 
 def test_columns_of_one_table_and_columns_by_themselves_are_the_same() -> None:
     one, two = np.array([5, 5, 5, 7]), np.array([1, 2, 1, 1], np.int32)
-    for result in (distinct(one, two), distinct(np.column_stack([one, two]))):
+    for result in (unique_rows(one, two), unique_rows(np.column_stack([one, two]))):
         assert [column.tolist() for column in result] == [[0, 1, 3], [0, 1, 0, 2]]
 
 
 def test_nothing_has_no_kinds() -> None:
-    assert [len(column) for column in distinct(np.zeros(0, np.int64))] == [0, 0]
+    assert [len(column) for column in unique_rows(np.zeros(0, np.int64))] == [0, 0]

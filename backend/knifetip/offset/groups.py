@@ -1,8 +1,8 @@
-"""groups: the equidistants of all regions, one after the other, in columns.
+"""groups: offset all groups of paths, one after the other, into columns.
 
-    all paths, and which of them bound a region together -> columns of the results
+    all paths, and the groups that bound a region together -> columns of the results
 
-What shortening can do is done in one go; the others go to ``region`` one by one.
+Closed paths are trimmed in one pass; groups that need more are passed to ``region``.
 """
 
 from __future__ import annotations
@@ -11,8 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.geometry.beside import COLUMNS, FINE, move_segments
-from knifetip.geometry.contours import (
+from knifetip.geometry.boxes import Scratch
+from knifetip.kernels import kernel
+from knifetip.offset.raw_segments import COLUMNS, FINE, move_segments
+from knifetip.offset.records import (
     Contours,
     CornerTypes,
     MovedSegments,
@@ -20,12 +22,10 @@ from knifetip.geometry.contours import (
     OffsetGroups,
     OffsetSegments,
     RegionOffset,
-    Scratch,
 )
-from knifetip.geometry.region import offset_region, unreached_area
-from knifetip.geometry.shortened import offset_simple
-from knifetip.geometry.transition import MOST
-from knifetip.kernels import kernel
+from knifetip.offset.region import offset_region, unreached_area
+from knifetip.offset.transition import MOST
+from knifetip.offset.trim import offset_simple
 
 
 @kernel
@@ -39,7 +39,7 @@ def _grown_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegmen
     bulge = np.empty(size)
     source = np.empty(size, np.int32)
     inserted = np.empty(size, np.bool_)
-    # Row by row: numba takes seconds to compile an assignment of slices.
+    # Row by row: an assignment of slices takes seconds to compile.
     for i in range(used):
         start[i, 0], start[i, 1] = out.start[i, 0], out.start[i, 1]
         end[i, 0], end[i, 1] = out.end[i, 0], out.end[i, 1]
@@ -71,7 +71,7 @@ def _copy_path(
     chains: OffsetChains,
     count: int,
 ) -> int:
-    """Write a path as it is, for a tool without radius; return the next free row."""
+    """Copy a path unchanged, for a tool without radius; return the next free row."""
     chains.first[count] = done
     chains.owner[count] = path
     for i in range(contours.first[path], contours.first[path + 1]):
@@ -112,8 +112,8 @@ def offset_groups(
 ) -> Any:
     """Return start, end, bulge, source, inserted, first, owner, unreached, and a failure.
 
-    With ``refuse`` the first place where the tool does not fit is a failure; otherwise it is left
-    out.
+    With ``refuse`` the first place where the tool does not fit is a failure; otherwise it is
+    omitted.
     """
     first, member, members, signed = contours.first, groups.member, groups.bounds, groups.signed
     count = len(first) - 1
@@ -154,7 +154,7 @@ def offset_groups(
             continue
         path = paths[0]
         if done + (MOST + 1) * rows > len(out.bulge):
-            # It may only have been this that was in the way: try again.
+            # The room may have been too small: try again.
             out = _grown_segments(out, done, done + (MOST + 1) * rows)
             if len(paths) == 1:
                 group -= 1

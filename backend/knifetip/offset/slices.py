@@ -1,8 +1,8 @@
-"""pieces: rows cut where they cross, and what is good of them joined again.
+"""slices: split rows where they cross, and connect the valid pieces again.
 
     rows, their followers and a tree over them -> pieces -> chains
 
-Source: our own.
+Source: our derivation.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry.boxes import apart, next_near
-from knifetip.geometry.contours import BoxTree, JoinedPieces, RawRows, ResultChains
 from knifetip.geometry.intersect import TOUCH, crossing
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import (
@@ -24,8 +23,9 @@ from knifetip.kernels import (
     OutI64_2,
     kernel,
 )
+from knifetip.offset.records import BoxTree, JoinedPieces, RawRows, ResultChains
 
-#: Pieces shorter than this are crossings that rounding has pulled apart (mm).
+#: Shortest piece; shorter ones are one crossing split by rounding (mm).
 SPECK: Final = 1e-7
 
 
@@ -46,9 +46,9 @@ def find_cuts(
     stack: OutI64_2,
     found: OutF64_2,
 ) -> tuple[Any, Any, int]:
-    """The places where rows cross: row numbers, and (share, x, y); and how many.
+    """Return the crossings of rows: row numbers, (parameter, x, y), and their count.
 
-    Rows from ``real`` on only cut others.
+    Rows from ``real`` on only split others.
     """
     room = 2 * count + 16
     which = np.empty(room, np.int64)
@@ -75,7 +75,7 @@ def find_cuts(
             if (follow[i] == j and _meet_at_ends(rows, i, j)) or (
                 j < real and follow[j] == i and _meet_at_ends(rows, j, i)
             ):
-                # Neighbours that run on into each other have no second point in common.
+                # Neighbours that continue each other have no second common point.
                 continue
             if apart(
                 rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4],
@@ -108,8 +108,8 @@ def find_cuts(
 def split_rows(
     rows: F64_2, real: int, which: I64_1, place: F64_2, cuts: int
 ) -> tuple[Any, Any, Any, Any, int]:
-    """The rows between their cuts: (x0, y0, x1, y1, low, high), their row, the first of each row,
-    and whether a row has cuts at its very start or end."""
+    """Return the pieces of rows (x0, y0, x1, y1, low, high), their rows, the first of each row, and
+    whether a row is split at its very start or end."""
     touched = np.zeros((real, 2), np.bool_)
     bound = np.zeros(real + 1, np.int64)
     for c in range(cuts):
@@ -122,7 +122,7 @@ def split_rows(
         i = which[c]
         at = filled[i]
         filled[i] += 1
-        # Insertion keeps the few cuts of a row in order.
+        # Insertion sort: a row has few splits.
         while at > bound[i] and place[order[at - 1], 0] > place[c, 0]:
             order[at] = order[at - 1]
             at -= 1
@@ -171,7 +171,7 @@ def split_rows(
 
 @kernel
 def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int) -> None:
-    """Which piece comes after which: the next one of the same line or arc, else the nearest."""
+    """Find the successor of each piece: the next one of the same row, otherwise the nearest."""
     piece, owner, opening, after, prior = pieces
     near = 10.0 * SPECK
     for q in range(count):
@@ -232,7 +232,7 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
 def link_chains(
     raw: RawRows, pieces: JoinedPieces, good: Bool_1, count: int, out: ResultChains
 ) -> int:
-    """Follow the pieces into chains: rows, tags, bounds, whether closed; return how many."""
+    """Connect pieces into chains: rows, tags, bounds, whether closed; return the count."""
     rows, info = raw
     piece, owner, _, after, prior = pieces
     line, tag, first, ring = out
@@ -250,7 +250,7 @@ def link_chains(
                 used[q] = True
                 i = owner[q]
                 if last >= 0 and owner[last] == i and q == last + 1:
-                    # A cut that was none: the piece goes on.
+                    # The split was not needed: the piece continues.
                     line[done - 1, 2] = piece[q, 2]
                     line[done - 1, 3] = piece[q, 3]
                     line[done - 1, 4] += piece[q, 5] - piece[q, 4]
@@ -288,7 +288,7 @@ def link_chains(
 
 @kernel
 def _tidied(rows: F64_2, line: OutF64_2, tag: OutI64_2, low: int, high: int, closed: bool) -> int:
-    """Give the rows their bulges, leave out specks, and let each begin where the last one ends."""
+    """Set the bulges, remove tiny rows, and let each row start at the end of the last one."""
     done = low
     for r in range(low, high):
         b = rows[tag[r, 3], 4]

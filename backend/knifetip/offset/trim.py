@@ -1,17 +1,20 @@
-"""shortened: the equidistant of a path whose neighbours are shortened to where they meet.
+"""trim: the offset of a path whose moved neighbours are trimmed to their intersection.
 
-    one path -> rows, and the area that the disc cannot reach in its corners; or why not
+    one path -> rows, and the area that the disc cannot reach in its corners; or a failure
 
-Most contours are done with this.  Beside a line or an arc the moved one is cut where its neighbour
-crosses it once; a segment that nothing is left of, two crossings or none mean that more than
-neighbours meet, and ``region`` takes over.
+Enough for most contours.  A moved segment is trimmed where its neighbour crosses it once.  If
+nothing is left of a segment, or neighbours cross twice or not at all, ``region`` takes over.
 """
 
 from __future__ import annotations
 
 import math
 
-from knifetip.geometry.beside import (
+from knifetip.geometry.boxes import CheckedSegments, Scratch, meets_itself
+from knifetip.geometry.intersect import TOUCH
+from knifetip.geometry.tolerance import POINT
+from knifetip.kernels import F64_2, OutF64_2, kernel
+from knifetip.offset.raw_segments import (
     CONCAVE,
     CONVEX,
     EX,
@@ -34,32 +37,26 @@ from knifetip.geometry.beside import (
     kept_bulge,
     move_segments,
 )
-from knifetip.geometry.boxes import meets_itself
-from knifetip.geometry.contours import (
-    CheckedSegments,
+from knifetip.offset.records import (
     Contours,
     CornerTypes,
     MovedSegments,
     OffsetChains,
     OffsetGroups,
     OffsetSegments,
-    Scratch,
 )
-from knifetip.geometry.intersect import TOUCH
-from knifetip.geometry.tolerance import POINT
-from knifetip.geometry.transition import MOST, quarter_tangent, transition
-from knifetip.kernels import F64_2, OutF64_2, kernel
+from knifetip.offset.transition import MOST, quarter_tangent, transition
 
 
 @kernel(allocates=False)
 def _sliver(x: float, y: float, radius: float) -> float:
-    """Twice the area between a chord (x, y) and its arc of less than half a turn."""
+    """Return twice the area between a chord (x, y) and its arc of less than half a turn."""
     if radius == 0.0:
         return 0.0
     square = min(0.25 * (x * x + y * y) / (radius * radius), 1.0)
     half = math.sqrt(square)
     if square < 0.01:
-        # The series of asin h - h √(1 - h²), which has few digits left where h is small.
+        # Series of asin h - h √(1 - h²), which cancels for small h.
         more = 0.0378605769230769 + square * (0.030078125 + square * 0.0246438419117647)
         more = 0.0694444444444444 + square * (0.0497159090909091 + square * more)
         more = 0.2 + square * (0.107142857142857 + square * more)
@@ -73,7 +70,7 @@ def _sliver(x: float, y: float, radius: float) -> float:
 def _holds(
     table: F64_2, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
 ) -> bool:
-    """Whether a moved segment from s to e, whose line or circle has (x, y), has it as well."""
+    """Return whether a moved segment from s to e contains a point of its line or circle."""
     dx, dy = ex - sx, ey - sy
     slack = TOUCH * (abs(dx) + abs(dy))
     radius = table[at, RADIUS]
@@ -94,10 +91,11 @@ def concave_crossing(
     here: int,
     signed: float,
 ) -> tuple[int, float, float, float, float, float]:
-    """Where the moved neighbours of a concave corner cross, at least one of them an arc.
+    """Intersect the moved neighbours of a concave corner, at least one of them an arc.
 
-    Returns how often, the point, and of what a disc there cannot reach: cosine and sine of the
-    angle between its feet, and twice the area without that of the disc.
+    Returns the number of intersections, the point, and for the area that a disc there cannot
+    reach: cosine and sine of the angle between its contact points, and twice the area without
+    that of the disc.
     """
     start, end = contours.start, contours.end
     x, y = start[next_, 0], start[next_, 1]
@@ -105,7 +103,7 @@ def concave_crossing(
     u2x, u2y = table[here, U1X], table[here, U1Y]
     radius1, radius2 = table[before, RADIUS], table[here, RADIUS]
     moved1, moved2 = table[before, MOVED], table[here, MOVED]
-    # All as seen from the corner, and the segments whole: a is the end of one, b the other's start.
+    # Relative to the corner, untrimmed segments: a is the end of one, b the start of the other.
     ax, ay = -signed * u1y, signed * u1x
     bx, by = -signed * u2y, signed * u2x
     sx = start[last, 0] - signed * table[before, U1Y] - x
@@ -145,7 +143,7 @@ def concave_crossing(
     ):
         hits += 1
         gx, gy = ox, oy
-    # The feet of the disc about g on both segments.
+    # Contact points of the disc around g with both segments.
     if radius1 == 0.0:
         share = gx * u1x + gy * u1y
         f1x, f1y = share * u1x, share * u1y
@@ -169,7 +167,7 @@ def concave_crossing(
 
 @kernel(allocates=False)
 def _turned(re: float, im: float, dot: float, sine: float) -> tuple[float, float, bool]:
-    """Return the product of two turns as complex numbers, and whether the sum came round."""
+    """Return the product of two unit complex numbers, and whether the sum of angles wrapped."""
     product = re * dot - im * sine
     up = re * sine + im * dot
     return product, up, im >= 0.0 > up and min(re, product) < 0.0
@@ -185,16 +183,16 @@ def _trim_corners(
     segments: MovedSegments,
     at: int,
 ) -> tuple[int, int, float, float]:
-    """Shorten neighbours to where they meet at concave corners, and note what each corner is.
+    """Trim neighbours at concave corners to their intersection, and classify each corner.
 
-    Returns a failure and its segment, twice the area lost at concave corners without that of the
-    disc, and the sum of the angles there.
+    Returns a failure code and its segment, twice the area lost at concave corners without that of
+    the disc, and the sum of the angles there.
     """
     start, table, joint = contours.start, segments.table, segments.joint
     count = high - low
     size = abs(signed)
     twice = 0.0
-    # The sum of all angles, as the product of complex numbers and how often that came round.
+    # The sum of all angles, as a product of complex numbers and the number of turns.
     re, im, turns = 1.0, 0.0, 0
     for i in range(count):
         here = at + i
@@ -216,7 +214,7 @@ def _trim_corners(
                 return NO_ROOM, low + i, 0.0, 0.0
             continue
         if smooth or (table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0):
-            # A smooth joint, but for rounding, meets in one point as two lines do.
+            # A nearly smooth joint is intersected like two lines.
             if dot < -1.0 + 1e-9:
                 return NO_ROOM, low + i, 0.0, 0.0
             share = signed / (1.0 + dot)
@@ -254,7 +252,7 @@ def _trim_corners(
 def _trimmed_bulge(
     contours: Contours, i: int, segments: MovedSegments, here: int, begins: bool, ends: bool
 ) -> float:
-    """Return the bulge of segment i as it is trimmed at its start or end, NaN if none is left."""
+    """Return the bulge of segment i trimmed at its start or end, NaN if nothing is left."""
     table = segments.table
     dx = table[here, EX] - table[here, SX]
     dy = table[here, EY] - table[here, SY]
@@ -266,7 +264,7 @@ def _trimmed_bulge(
     if abs(bent) <= 1.0 and dx * dx + dy * dy < POINT * POINT:
         return math.nan
     if begins and ends and abs(bent) > 1.0:
-        # Of more than half a turn the kept part and its opposite look alike.
+        # Beyond half a turn the remaining part cannot be told from its complement.
         return math.nan
     if begins or ends:
         bent = kept_bulge(table, here, dx, dy, bent, contours.start[i, 0], contours.start[i, 1])
@@ -340,16 +338,16 @@ def trim_path(
     put: int,
     rows: OutF64_2,
 ) -> tuple[int, int, int, float]:
-    """Write a path's offset: its moved segments, neighbours trimmed to where they meet.
+    """Write the offset of a path: moved segments, trimmed to their intersections.
 
     Parameters
     ----------
     low, high
         The path has the segments low … high - 1.
     segments, at
-        Their moved ones, from row ``at`` on.
+        The moved segments, from row ``at`` on.
     out, put
-        What is written to, from row ``put`` on.
+        Output, from row ``put`` on.
     rows
         Room for one transition.
 
@@ -401,9 +399,10 @@ def offset_simple(
     chains: OffsetChains,
     count: int,
 ) -> tuple[int, int, int]:
-    """Offset groups of one closed path each, from ``group`` on, until one needs more than trimming.
+    """Offset groups of one closed path each, from ``group`` on, while trimming is enough.
 
-    Returns that group, and how many rows and chains are done; it stops, too, where rows run out.
+    Returns the first group that is not done, and the number of rows and chains.  Also stops if
+    there is no room for more rows.
     """
     bounds, signed = groups.bounds, groups.signed
     checked = CheckedSegments(out.start, out.end, out.bulge, out.inserted)

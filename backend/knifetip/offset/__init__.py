@@ -1,0 +1,1 @@
+"""The offset engine: paths of the centre of a round tool beside contours, arcs as arcs."""
