@@ -33,4 +33,89 @@ overcut     ``stray_work`` and ``track_ends`` (past an end), ``groove_check``
 stray       ``stray_work``, ``milling_check``, ``motion_checks`` (rapids in the board)
 order       ``work_order``
 ==========  ========================================================================
+
+The codes of findings and of phrases in them (``rs274.*`` and ``hpgl.*`` are faults of the readers):
+
+=================================  =========================================
+code                               module
+=================================  =========================================
+verify.beam-on-rapid               checks.motion_checks
+verify.beam-refocused              checks.motion_checks
+verify.beside-line                 checks.stray_work
+verify.beyond-rotation             checks.motion_checks
+verify.beyond-travel               checks.motion_checks
+verify.bridge-near-corner          checks.bridge_check
+verify.bridge-spacing              checks.bridge_check
+verify.bridge-spare                checks.bridge_check
+verify.bridge-width                checks.bridge_check
+verify.centre-off-path             checks.milling_check
+verify.cleaning-beyond             checks.cleaning_check
+verify.cleaning-dropped            checks.cleaning_check
+verify.cleaning-incomplete         checks.cleaning_check
+verify.cleaning-invented           checks.cleaning_check
+verify.cleaning-moved              checks.cleaning_check
+verify.cleaning-type               checks.cleaning_check
+verify.comes-out-anywhere          checks.track_ends
+verify.comes-out-past              checks.track_ends
+verify.comes-out-short             checks.track_ends
+verify.crease-too-short            checks.crease_check
+verify.cuts-part                   checks.milling_check
+verify.cutter-at-rest              tools
+verify.flank-inside                checks.groove_check
+verify.flank-outside               checks.groove_check
+verify.flank-through-cut           checks.groove_check
+verify.goes-in-anywhere            checks.track_ends
+verify.groove-arc                  checks.groove_check
+verify.groove-past-ends            checks.groove_check
+verify.groove-shallower            checks.groove_check
+verify.inside-part                 checks.milling_check
+verify.knife-at-rest               tools
+verify.laser-off                   tools
+verify.loose-piece                 checks.work_order
+verify.lowers-second               checks.output_checks
+verify.moves-before-stated         checks.output_checks
+verify.moves-with-beam             checks.output_checks
+verify.never-stated                checks.output_checks
+verify.no-station                  checks.motion_checks
+verify.not-worked                  checks.check_base, checks.milling_check
+verify.off-line                    checks.check_base
+verify.oscillation-on              checks.motion_checks
+verify.other-placement             verify
+verify.output                      checks.output_checks
+verify.output-off                  checks.motion_checks
+verify.pass-too-deep               checks.groove_check, checks.milling_check
+verify.past-end                    checks.stray_work
+verify.past-open-cut               checks.milling_check
+verify.past-stop                   checks.stray_work
+verify.perforation-cut             checks.knife_check
+verify.perforation-gap             checks.knife_check
+verify.rapid-in-board              checks.motion_checks
+verify.slanted                     checks.motion_checks
+verify.spindle                     checks.output_checks
+verify.stray                       checks.milling_check, checks.stray_work
+verify.stray-along                 checks.stray_work
+verify.stray-plunge                checks.stray_work
+verify.stray-plunge-along          checks.stray_work
+verify.switches-at-unknown-height  checks.output_checks
+verify.switches-low                checks.output_checks
+verify.too-few-bridges             checks.bridge_check
+verify.turn-at-feed                checks.motion_checks
+verify.turn-in-board               checks.motion_checks
+verify.turn-off-path               checks.motion_checks
+verify.two-lowered                 checks.motion_checks
+verify.unclassified                verify
+verify.unknown-position            checks.motion_checks
+verify.where-from-start            checks.check_base, checks.milling_check
+verify.where-past-end              checks.check_base
+verify.where-past-start            checks.check_base
+verify.work-creased                checks.check_base
+verify.work-cut                    checks.check_base, checks.milling_check
+verify.work-grooved                checks.check_base
+verify.work-grooved-from-end       checks.check_base
+verify.work-grooved-from-start     checks.check_base
+verify.wrong-depth                 checks.check_base, checks.milling_check
+verify.wrong-feed                  checks.motion_checks
+verify.wrong-heading               checks.check_base
+verify.wrong-time                  checks.motion_checks
+=================================  =========================================
 """
