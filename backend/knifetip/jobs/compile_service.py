@@ -1,9 +1,9 @@
 """compile_service: compiles received jobs in the processes of a pool.
 
-    received job -> taken by a thread of this service -> worker process -> ready | refused
+    received job -> taken from the compile queue -> worker process -> ready | refused
 
-The table of jobs is the queue (ADR 28): a job is taken by the UPDATE that makes it ``compiling``
-with an owner, an epoch and a lease.  What a compile made is saved in the one transaction that moves
+Whichever queue it is (ADR 28), a job is taken by the UPDATE that makes it ``compiling`` with an
+owner, an epoch and a lease.  What a compile made is saved in the one transaction that moves
 the job, and only while the worker still has the job's epoch, so that a compile that runs twice
 leaves one result.  A job whose worker died is taken back and compiled again.
 """
@@ -21,6 +21,7 @@ from importlib.metadata import version
 
 from knifetip.errors import JobError, KnifetipError, OpenQuestions
 from knifetip.jobs import tasks
+from knifetip.jobs.compile_queue import CompileQueue, queue_of
 from knifetip.jobs.grace import Grace
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
@@ -33,7 +34,6 @@ from knifetip.model.stage import Stage
 from knifetip.model.tool import Engine, kind_of
 
 LIMIT = 120.0  #: seconds that a reading or a compile may take
-_POLL = 0.5  # seconds between two looks for jobs that another process received
 _RENEW = 0.2  # seconds between two renewals of a compile's lease
 _SWEEP = 1.0  # seconds between two sweeps
 
@@ -60,7 +60,7 @@ class CompileService:
     warm_up: WarmUp = field(default_factory=WarmUp)  #: started with the service
 
     _stopping: threading.Event = field(default_factory=threading.Event)
-    _received: threading.Event = field(default_factory=threading.Event)
+    _queue: CompileQueue | None = None
     _threads: list[threading.Thread] = field(default_factory=list)
 
     def start(self) -> None:
@@ -68,10 +68,11 @@ class CompileService:
         self.name = self.name or socket.gethostname()
         if self.compiles:
             self.store.compiles.recover(self.name)
-            for number in range(self.at_once):
-                self._start_thread(self._compile_received, f"compile-{number + 1}")
         self._start_thread(self._sweep, "sweep")
         self.warm_up.start(self.pool)
+        self._queue = queue_of(self.store, self.name, self.at_once, compiles=self.compiles)
+        if self._queue is not None:
+            self._queue.start(self.compile)
 
     def _start_thread(self, target: Callable[[], None], name: str) -> None:
         thread = threading.Thread(target=target, name=name, daemon=True)
@@ -81,28 +82,12 @@ class CompileService:
     def stop(self) -> None:
         """Stop at once: a compile under way is cancelled, and repeated at the next start."""
         self._stopping.set()
-        self._received.set()
         self.warm_up.close()
         self.pool.close()
+        if self._queue is not None:
+            self._queue.stop()
         for thread in self._threads:
             thread.join()
-
-    def _compile_received(self) -> None:
-        """Compile one received job after the other, in the order in which they came."""
-        with self.store.changes.subscribed(self._received.set):
-            while not self._stopping.is_set():
-                self._received.clear()
-                try:
-                    job = self.store.compiles.begin(self.name)
-                    if job is not None:
-                        self.compile(job)
-                        continue
-                except Exception:
-                    # A database that cannot be reached for a moment must not end the thread.
-                    if not self._stopping.is_set():
-                        _log.exception("a compile failed")
-                    self._stopping.wait(_SWEEP)
-                self._received.wait(_POLL)
 
     def _sweep(self) -> None:
         grace = Grace()

@@ -26,13 +26,28 @@ class CompileStore:
         self._db = database
         self._transitions = transitions
 
-    def begin(self, worker: str) -> Job | None:
-        """Take the received job that has waited longest; None if there is none."""
+    def received(self) -> list[tuple[str, int]]:
+        """Return the id and attempt of each job that waits for a compile."""
+        query = sa.select(Job.id, Job.attempt).where(Job.state == State.RECEIVED)
         with self._db.reading() as session:
-            if session.scalar(_NEXT) is None:
+            return [(id, attempt) for id, attempt in session.execute(query)]
+
+    def begin(self, worker: str, only: tuple[str, int] | None = None) -> Job | None:
+        """Take the received job that has waited longest; None if there is none.
+
+        Parameters
+        ----------
+        only
+            Id and attempt of the one job that may be taken; any if None.
+        """
+        query = _NEXT
+        if only is not None:
+            query = query.where(Job.id == only[0], Job.attempt == only[1])
+        with self._db.reading() as session:
+            if session.scalar(query) is None:
                 return None
         with self._db.writing() as session:
-            id = session.scalar(_NEXT.with_for_update(skip_locked=True))
+            id = session.scalar(query.with_for_update(skip_locked=True))
             if id is None:
                 return None
             row = self._transitions.locked(session, id)

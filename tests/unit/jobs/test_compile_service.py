@@ -174,7 +174,7 @@ def test_received_jobs_are_compiled_without_waiting_for_the_next_poll(
     compiles_by: Callable[[object], None],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("knifetip.jobs.compile_service._POLL", 60.0)
+    monkeypatch.setattr("knifetip.jobs.compile_queue._POLL", 60.0)
     compiles_by(crew_tasks.refuse)
     service.start()
     ended(store, job.id, "refused")

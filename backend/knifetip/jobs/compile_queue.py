@@ -1,0 +1,105 @@
+"""compile_queue: hands received jobs to the compile service, one by one.
+
+    received job -> taken by the UPDATE that makes it ``compiling`` -> compile(job)
+
+On one machine the table of jobs is the queue.  On PostgreSQL, where several processes or machines
+share the work, compiles are durable workflows of DBOS (``durable_queue``).  Both take a job with
+``CompileStore.begin``, and its epoch decides whose result is kept.
+"""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import Callable
+from typing import Protocol, TypeAlias
+
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Job
+
+#: Compiles a job that ``CompileStore.begin`` returned.
+Compile: TypeAlias = Callable[[Job], None]
+
+_POLL = 0.5  # seconds between two looks for jobs that another process received
+_PAUSE = 1.0  # seconds before the next attempt after the database could not be used
+
+_log = logging.getLogger("knifetip.jobs")
+
+
+class CompileQueue(Protocol):
+    """A source of jobs to compile."""
+
+    def start(self, compile: Compile) -> None:
+        """Begin to call ``compile`` with jobs, on threads of the queue."""
+
+    def stop(self) -> None:
+        """Take no further jobs, and return when the calls have ended."""
+
+
+class TableQueue:
+    """The table of jobs as a queue, for the processes of one machine.
+
+    Parameters
+    ----------
+    worker
+        Name under which jobs are taken.
+    at_once
+        Number of jobs that are compiled at the same time.
+    """
+
+    def __init__(self, store: Store, worker: str, at_once: int) -> None:
+        self._store = store
+        self._worker = worker
+        self._at_once = at_once
+        self._stopping = threading.Event()
+        self._received = threading.Event()
+        self._threads: list[threading.Thread] = []
+
+    def start(self, compile: Compile) -> None:
+        """Begin to call ``compile`` with jobs."""
+        for number in range(self._at_once):
+            thread = threading.Thread(
+                target=self._take_jobs, args=(compile,), name=f"compile-{number + 1}", daemon=True
+            )
+            thread.start()
+            self._threads.append(thread)
+
+    def _take_jobs(self, compile: Compile) -> None:
+        """Compile one received job after the other, in the order in which they came."""
+        with self._store.changes.subscribed(self._received.set):
+            while not self._stopping.is_set():
+                self._received.clear()
+                try:
+                    job = self._store.compiles.begin(self._worker)
+                    if job is not None:
+                        compile(job)
+                        continue
+                except Exception:
+                    # A database that cannot be reached for a moment must not end the thread.
+                    if not self._stopping.is_set():
+                        _log.exception("a compile failed")
+                    self._stopping.wait(_PAUSE)
+                self._received.wait(_POLL)
+
+    def stop(self) -> None:
+        """Take no further jobs, and return when the calls have ended."""
+        self._stopping.set()
+        self._received.set()
+        for thread in self._threads:
+            thread.join()
+
+
+def queue_of(store: Store, worker: str, at_once: int, *, compiles: bool) -> CompileQueue | None:
+    """Return the queue for a store; None where this process has nothing to do with it.
+
+    Parameters
+    ----------
+    compiles
+        False in a process that only receives jobs.
+    """
+    if store.database.url.startswith("postgresql"):
+        # DBOS takes 24 MB and polls, so it is imported only where it is used.
+        from knifetip.jobs.durable_queue import DurableQueue
+
+        return DurableQueue(store, worker, at_once if compiles else 0)
+    return TableQueue(store, worker, at_once) if compiles else None

@@ -1,0 +1,126 @@
+"""durable_queue: compiles as durable workflows of DBOS, for several processes or machines.
+
+    received job -> workflow "compile-JOB-ATTEMPT" on the DBOS queue -> a worker process
+
+A workflow carries the job's id and attempt only.  A job whose worker died gets another attempt, and
+with it another workflow; a workflow of an earlier attempt finds nothing to do.
+"""
+
+from __future__ import annotations
+
+import logging
+import threading
+from importlib.metadata import version
+
+from dbos import DBOS, DBOSConfig, SetWorkflowID
+
+from knifetip.jobs.compile_queue import Compile
+from knifetip.jobs.store import Store
+
+QUEUE = "compile"
+_POLL = 1.0  # seconds between two looks of DBOS at its queue, and of this module at the jobs
+
+_log = logging.getLogger("knifetip.jobs")
+
+
+class DurableQueue:
+    """A DBOS queue.  A process has at most one, as it has one DBOS.
+
+    Parameters
+    ----------
+    worker
+        Name under which jobs are taken; the same after a restart.
+    at_once
+        Number of jobs that are compiled at the same time; 0 in a process that only receives jobs.
+    """
+
+    def __init__(self, store: Store, worker: str, at_once: int) -> None:
+        self._store = store
+        self._worker = worker
+        self._at_once = at_once
+        self._stopping = threading.Event()
+        self._received = threading.Event()
+        self._submitting: threading.Thread | None = None
+        self._compile: Compile = lambda _job: None
+
+    def start(self, compile: Compile) -> None:
+        """Begin to call ``compile`` with jobs."""
+        global _running
+        if _running is not None:
+            raise RuntimeError("A process can run one DurableQueue. Stop the other one first.")
+        _running, self._compile = self, compile
+        url = self._store.database.url.replace("postgresql+psycopg://", "postgresql://")
+        DBOS(
+            config=DBOSConfig(
+                name="knifetip",
+                system_database_url=url,
+                executor_id=self._worker,
+                application_version=version("knifetip"),
+                log_level="ERROR",
+                enable_otlp=False,
+            )
+        )
+        DBOS.listen_queues([QUEUE] if self._at_once else [])
+        DBOS.launch()
+        DBOS.register_queue(
+            QUEUE,
+            worker_concurrency=max(self._at_once, 1),
+            polling_interval_sec=_POLL,
+            # A process that compiles decides how many at once.
+            on_conflict="always_update" if self._at_once else "never_update",
+        )
+        self._submitting = threading.Thread(target=self._submit, name="submit", daemon=True)
+        self._submitting.start()
+
+    def _submit(self) -> None:
+        """Put received jobs on the queue, at once those of this process."""
+        submitted: set[tuple[str, int]] = set()
+        with self._store.changes.subscribed(self._received.set):
+            while not self._stopping.is_set():
+                self._received.clear()
+                try:
+                    received = set(self._store.compiles.received())
+                    for job, attempt in sorted(received - submitted):
+                        # DBOS ignores a second workflow of the same name.
+                        with SetWorkflowID(f"{QUEUE}-{job}-{attempt}"):
+                            DBOS.enqueue_workflow(QUEUE, compile_job, job, attempt)
+                    submitted = received
+                except Exception:
+                    # A database that cannot be reached for a moment must not end the thread.
+                    if not self._stopping.is_set():
+                        _log.exception("received jobs were not queued")
+                self._received.wait(_POLL)
+
+    def compile(self, id: str, attempt: int) -> None:
+        """Compile a job, unless this attempt has nothing to do any more."""
+        job = self._store.compiles.begin(self._worker, (id, attempt))
+        if job is not None:
+            self._compile(job)
+
+    def stop(self) -> None:
+        """Take no further jobs, and return when the calls have ended."""
+        global _running
+        self._stopping.set()
+        self._received.set()
+        if self._submitting is not None:
+            self._submitting.join()
+        # Workflows that end now report to a DBOS that is going away.
+        logging.getLogger("dbos").setLevel(logging.CRITICAL)
+        DBOS.destroy()
+        _running = None
+
+
+# DBOS calls functions that are registered when this module is imported.
+_running: DurableQueue | None = None
+
+
+@DBOS.workflow(name="compile")
+def compile_job(job: str, attempt: int) -> None:
+    """Compile a job: the workflow that DBOS repeats after its process died."""
+    _compile(job, attempt)
+
+
+@DBOS.step(name="compile")
+def _compile(job: str, attempt: int) -> None:
+    if _running is not None:
+        _running.compile(job, attempt)

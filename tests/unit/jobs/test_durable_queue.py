@@ -1,0 +1,114 @@
+"""Compiles as workflows of DBOS: in SQLite here, in PostgreSQL where there is a server."""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from knifetip.jobs.compile_queue import TableQueue, queue_of
+from knifetip.jobs.durable_queue import DurableQueue
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Job
+from knifetip.model.interpretation import Interpretation
+
+# One DBOS to a process.
+pytestmark = pytest.mark.xdist_group("crew")
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def store(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Store]:
+    url = f"sqlite:///{tmp_path}/shop.sqlite"
+    if request.param == "postgresql":
+        url = os.environ.get("KNIFETIP_TEST_POSTGRESQL", "")
+        if not url:
+            pytest.skip("KNIFETIP_TEST_POSTGRESQL names no empty PostgreSQL database")
+    store = Store(url)
+    store.migrate()
+    yield store
+    store.close()
+
+
+def ordered(store: Store) -> Job:
+    drawing = store.drawings.add(
+        name="tray.dxf",
+        content=b"",
+        sha256="0" * 64,
+        interpretation=Interpretation("mm"),
+        summary={},
+        edges=b"",
+        ledger=b"",
+    )
+    return store.jobs.add(
+        drawing, machine="demo-table", board="e-flute", interpretation=Interpretation("mm")
+    )
+
+
+def until(condition: Callable[[], bool]) -> None:
+    end = time.monotonic() + 20.0
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+def test_each_received_job_is_compiled_once(store: Store) -> None:
+    compiled: list[tuple[str, int]] = []
+    queue = DurableQueue(store, "a worker", 1)
+    before = ordered(store)
+    queue.start(lambda job: compiled.append((job.id, job.epoch)))
+    try:
+        until(lambda: len(compiled) == 1)
+        later = ordered(store)
+        until(lambda: len(compiled) == 2)
+        time.sleep(1.2)
+        assert compiled == [(before.id, before.epoch + 1), (later.id, later.epoch + 1)]
+        assert store.jobs.get(later.id).state == "compiling"
+    finally:
+        queue.stop()
+
+
+def test_a_job_given_back_is_compiled_as_another_attempt(store: Store) -> None:
+    attempts: list[int] = []
+
+    def compile(job: Job) -> None:
+        attempts.append(job.attempt)
+        if job.attempt == 1:
+            store.compiles.give_back(job.id, job.epoch)
+
+    queue = DurableQueue(store, "a worker", 1)
+    job = ordered(store)
+    queue.start(compile)
+    try:
+        until(lambda: len(attempts) == 2)
+        assert attempts == [1, 2]
+        # The workflow of the first attempt finds nothing to do.
+        queue.compile(job.id, 1)
+        assert attempts == [1, 2]
+    finally:
+        queue.stop()
+
+
+def test_a_process_that_only_receives_jobs_compiles_none(store: Store) -> None:
+    compiled = threading.Event()
+    queue = DurableQueue(store, "a server", 0)
+    job = ordered(store)
+    queue.start(lambda _job: compiled.set())
+    try:
+        assert not compiled.wait(2.5)
+        assert store.jobs.get(job.id).state == "received"
+    finally:
+        queue.stop()
+
+
+def test_the_database_decides_on_the_queue(tmp_path: Path) -> None:
+    store = Store(f"sqlite:///{tmp_path}/shop.sqlite")
+    assert isinstance(queue_of(store, "a", 1, compiles=True), TableQueue)
+    assert queue_of(store, "a", 1, compiles=False) is None
+    store.database.url = "postgresql+psycopg://somewhere/shop"
+    assert isinstance(queue_of(store, "a", 1, compiles=True), DurableQueue)
+    assert isinstance(queue_of(store, "a", 1, compiles=False), DurableQueue)
+    store.close()
