@@ -9,8 +9,9 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
+from knifetip.messages import render
 from knifetip.messages.message import Message
-from knifetip.model.drawing import Drawing, Inscription, Ledger
+from knifetip.model.drawing import KEPT, Drawing, Inscription, Ledger
 
 #: Layer, AutoCAD colour index and linetype of an edge.
 Style: TypeAlias = tuple[str, int, str]
@@ -65,7 +66,7 @@ def drawing(
         tuple(kinds or ("ARC" if each else "LINE" for each in bend.tolist())),
         tuple(names),
         np.zeros(count, np.uint8),
-        ("kept",) * count,
+        (KEPT,) * count,
         np.ones(count),
     )
     return Drawing(
@@ -84,3 +85,8 @@ def drawing(
         header.stated,
         header.texts,
     )
+
+
+def report_reasons(drawing: Drawing) -> tuple[str, ...]:
+    """The reason of each row of the import report, in English."""
+    return tuple(map(render, drawing.ledger.reason))

@@ -18,12 +18,13 @@ import numpy as np
 
 from knifetip.cf2.records import Cf2File, Section
 from knifetip.drawing_builder.columns import Columns, Style
-from knifetip.drawing_builder.report import ReportWriter
+from knifetip.drawing_builder.report import ReportWriter, too_far
 from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.curve import each
 from knifetip.geometry.tolerance import BULGE
+from knifetip.messages import Message
 from knifetip.model.drawing import Inscription
 
 #: Relative difference of the radii at both ends of an arc above which a note is written.
@@ -61,8 +62,7 @@ class ExpandedFile:
         far = np.abs(ends).max(axis=(1, 2))
         beyond = ~(far <= reach) | ~np.isfinite(bulge)
         for one in np.flatnonzero(beyond).tolist():
-            where = f"{far[one]:g}" if np.isfinite(far[one]) else "not a number"
-            self.report.dropped[int(row[one])] = f"a coordinate is {where}; the limit is {reach:g}"
+            self.report.dropped[int(row[one])] = too_far(far[one], reach)
         # Both segments of an arc are dropped or kept together.
         keep = ~np.isin(row, row[beyond]) if beyond.any() else ~beyond
         return Columns(
@@ -78,8 +78,8 @@ class _Shape:
     bulge: F64  #: (n,)
     row: I64  #: (n,) of the section
     style: I64  #: (n,)
-    dropped: dict[int, str]  #: row -> why it is dropped
-    notes: dict[int, list[str]]  #: row -> notes in the import report
+    dropped: dict[int, Message]  #: row -> why it is dropped
+    notes: dict[int, list[Message]]  #: row -> notes in the import report
 
 
 def expand(source: Cf2File, linear: F64, tolerance: float, limits: Limits) -> ExpandedFile:
@@ -198,16 +198,16 @@ class _Expander:
             name = call.name.upper()
             child = self._source.subs.get(name)
             if child is None:
-                report.dropped[row] = f"the subroutine {call.name[:40]} does not exist"
+                report.dropped[row] = Message("import.missing-subroutine", name=call.name[:40])
                 x, y = linear @ np.array(call.place[:2]) + shift
                 report.set_location(row, (x, y, x, y))
             elif name in above:
-                report.dropped[row] = f"the subroutine {call.name[:40]} contains itself"
+                report.dropped[row] = Message("import.subroutine-in-itself", name=call.name[:40])
             elif not all(math.isfinite(value) for value in call.place):
-                report.dropped[row] = "its position is not a number"
+                report.dropped[row] = Message("import.place-not-a-number")
             else:
                 self._used.add(name)
-                report.notes[row] = [f"inserts the subroutine {call.name[:40]}"]
+                report.notes[row] = [Message("import.places-subroutine", name=call.name[:40])]
                 inner = linear @ _linear(*call.place[2:])
                 moved = linear @ np.array(call.place[:2]) + shift
                 self.add_section(child, inner, moved, f"{report.handle[row]}/", (*above, name))
@@ -241,8 +241,11 @@ class _Expander:
                     section.name,
                     "SUB",
                     section.name,
-                    f"the subroutine {section.name[:40]} with {len(section.kind)} records is never "
-                    "called",
+                    Message(
+                        "import.unused-subroutine",
+                        name=section.name[:40],
+                        records=len(section.kind),
+                    ),
                 )
 
     def _add_shape(self, shape: _Shape, linear: F64, shift: F64, row_of: I64) -> None:
@@ -273,8 +276,8 @@ class _Expander:
 
     def _shape_of(self, section: Section) -> _Shape:
         """Return the lines and arcs of a section."""
-        dropped: dict[int, str] = {}
-        notes: dict[int, list[str]] = {}
+        dropped: dict[int, Message] = {}
+        notes: dict[int, list[Message]] = {}
         lines, line_row = _coordinates(section.line, section.line_row, slice(4, 8), dropped)
         arcs, arc_row = _coordinates(section.arc, section.arc_row, slice(4, 11), dropped)
         ends, bulge, which = _split_arcs(arcs, arc_row, notes)
@@ -331,7 +334,7 @@ def _normalise_number(text: str) -> str:
         return text[:20] or "0"
 
 
-def _note_bridges(fields: Sequence[str], notes: list[str]) -> None:
+def _note_bridges(fields: Sequence[str], notes: list[Message]) -> None:
     """Add a note on the bridges of a rule in the die board."""
     try:
         count = float(fields[0])
@@ -339,7 +342,11 @@ def _note_bridges(fields: Sequence[str], notes: list[str]) -> None:
     except ValueError:
         return
     if count >= 1.0 and math.isfinite(count) and math.isfinite(width):
-        notes.append(f"{count:g} bridge{'s' * (count != 1.0)} of {width:g} in the die board")
+        notes.append(
+            Message("import.bridge", width=width)
+            if count == 1.0
+            else Message("import.bridges", bridges=count, width=width)
+        )
 
 
 def _linear(angle: float, x_scale: float, y_scale: float) -> F64:
@@ -354,7 +361,7 @@ def _linear(angle: float, x_scale: float, y_scale: float) -> F64:
 
 
 def _coordinates(
-    records: Sequence[Sequence[str]], rows: Sequence[int], where: slice, dropped: dict[int, str]
+    records: Sequence[Sequence[str]], rows: Sequence[int], where: slice, dropped: dict[int, Message]
 ) -> tuple[F64, I64]:
     """Return the coordinates of valid records, (n, k), and their rows, (n,)."""
     wide = where.stop - where.start
@@ -369,12 +376,12 @@ def _coordinates(
         try:
             values[at] = [float(text) for text in record[where]]
         except ValueError as reason:
-            dropped[rows[at]] = f"it cannot be read: {str(reason)[:80]}"
+            dropped[rows[at]] = Message("import.unreadable-record", reason=str(reason)[:80])
     good = np.array([one not in dropped for one in rows], bool)
     return values[good], row[good]
 
 
-def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[str]]) -> tuple[F64, F64, I64]:
+def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[F64, F64, I64]:
     """Split a arcs into segments of at most half a turn.
 
     The ends are those of the record.  If its centre is not equally distant from both, the arc
@@ -413,7 +420,7 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[str]]) -> tuple[F64,
         off = np.abs(radius - other) > _RADIUS_TOLERANCE * np.maximum(radius, other)
     for one in np.flatnonzero(off).tolist():
         notes.setdefault(int(rows[one]), []).append(
-            f"its centre is {radius[one]:g} from one end and {other[one]:g} from the other"
+            Message("import.uncentred-arc", first=radius[one], second=other[one])
         )
     every = np.arange(len(arcs))
     ends = np.concatenate(

@@ -22,6 +22,7 @@ from typing import Final, NamedTuple
 
 from knifetip.errors import DrawingTooLarge, NotADrawing
 from knifetip.formats.limits import Limits
+from knifetip.messages import Message
 
 #: Least number of fields of a record, and the least number that implies decimal commas.
 _FIELDS: Final = {"L": (8, 13), "A": (11, 17)}
@@ -54,7 +55,7 @@ class Section:
         default_factory=list
     )  #: (m,) number of the record in the file, from 1
     kind: list[str] = field(default_factory=list)  #: (m,) L, A, T, C, or an unknown first field
-    dropped: dict[int, str] = field(default_factory=dict)  #: row -> why it is dropped
+    dropped: dict[int, Message] = field(default_factory=dict)  #: row -> why it is dropped
     line_row: list[int] = field(default_factory=list)
     line: list[list[str]] = field(default_factory=list)  #: fields of each L
     arc_row: list[int] = field(default_factory=list)
@@ -62,7 +63,7 @@ class Section:
     calls: list[Call] = field(default_factory=list)
     texts: list[TextRecord] = field(default_factory=list)
 
-    def row(self, entity: int, kind: str, dropped: str = "") -> int:
+    def row(self, entity: int, kind: str, dropped: Message | None = None) -> int:
         """Add a row and return its number."""
         self.entity.append(entity)
         self.kind.append(kind)
@@ -209,7 +210,9 @@ class _Parser:
                     record=kind,
                     expected=many - 3,
                 )
-        section.row(entity, kind, f"line {self.number} has {len(fields)} fields")
+        section.row(
+            entity, kind, Message("import.wrong-field-count", line=self.number, fields=len(fields))
+        )
 
     def _record(self, section: Section | None, word: str, line: str) -> None:
         if section is None or word in ("L", "A"):
@@ -226,7 +229,7 @@ class _Parser:
         elif word == "T":
             self._text(section, fields)
         else:
-            section.row(self._next_number(), word[:20], "records of this type are not supported")
+            section.row(self._next_number(), word[:20], Message("import.unknown-record"))
 
     def _header(self, word: str, fields: list[str]) -> None:
         try:
@@ -245,7 +248,9 @@ class _Parser:
         try:
             values = [float(number) for number in fields[2:7] if number]
         except ValueError as reason:
-            section.row(entity, "C", f"line {self.number} cannot be read: {reason}")
+            section.row(
+                entity, "C", Message("import.unreadable-line", line=self.number, reason=reason)
+            )
             return
         x, y, angle, x_scale, y_scale = values + [0.0, 0.0, 0.0, 1.0, 1.0][len(values) :]
         row = section.row(entity, "C")
@@ -253,7 +258,7 @@ class _Parser:
         section.calls.append(Call(row, name, (x, y, angle, x_scale, y_scale)))
 
     def _text(self, section: Section, fields: list[str]) -> None:
-        row = section.row(self._next_number(), "T", "text is not cut")
+        row = section.row(self._next_number(), "T", Message("import.text"))
         text = next(self._next(), "")
         if text.upper() == "END":
             # The text is missing: this END is that of the section.

@@ -16,7 +16,7 @@ from knifetip.dxf.samples import samples
 from knifetip.errors import LibraryError
 from knifetip.formats import FORMATS
 from knifetip.geometry.columns import I64
-from knifetip.messages import with_text
+from knifetip.messages import render, with_text
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.model.interpretation import NO_OVERRIDE
@@ -122,7 +122,8 @@ def report_rows(drawing: Drawing) -> list[dict[str, Any]]:
             "kind": rows.kind[i],
             "layer": rows.layer[i],
             "fate": Fate(rows.fate[i]).name.lower(),
-            "reason": rows.reason[i],
+            **rows.reason[i].as_json(),
+            "reason": render(rows.reason[i]),
             "length": float(rows.length[i]),
         }
         for i in range(len(rows))
@@ -238,7 +239,7 @@ def register(app: typer.Typer) -> None:
         )
         handles = result.drawing.handles
         changed = np.flatnonzero(cleaned.changed).tolist()
-        _print_lines([f"{handles[row]:>8} edge {row}: {cleaned.words(row)}" for row in changed])
+        _print_lines([f"{handles[row]:>8} edge {row}: {cleaned.outcome(row)}" for row in changed])
 
     @app.command("samples")
     def write_samples(

@@ -23,7 +23,7 @@ from knifetip.geometry.tolerance import POINT
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.kernels import F64_1, F64_3, I64_1, Bool_1, OutI64_1, OutU64_1, kernel
 from knifetip.messages import Message
-from knifetip.model.drawing import Drawing, Fate, Inscription, Ledger, LocationBoxes
+from knifetip.model.drawing import KEPT, Drawing, Fate, Inscription, Ledger, LocationBoxes
 from knifetip.model.unit import UnitHint
 from knifetip.model.words import Repeated
 
@@ -38,7 +38,6 @@ class KnownUnit(NamedTuple):
     hints: tuple[UnitHint, ...] = ()  #: other statements of the header about it
 
 
-_KEPT: Final = "kept"
 #: Bulges that differ by less than this are equal.
 _TURN: Final = 1e-9
 #: Hash multipliers, one for each number of a segment's key.
@@ -202,12 +201,12 @@ def _place(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
 
 def _fates(
     sheet: ReportRows, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
-) -> tuple[U8, Repeated]:
+) -> tuple[U8, Repeated[Message]]:
     """Return fate and reason of each row of the report."""
     rows = len(sheet.handle)
     fate = np.full(rows, Fate.KEPT, np.uint8)
     reason = np.zeros(rows, np.int32)
-    reasons = {_KEPT: 0}
+    reasons = {KEPT: 0}
     alike = np.full(rows, -1, np.int32)
     for number, same in enumerate(sheet.shared):
         alike[same.rows] = number
@@ -226,24 +225,22 @@ def _fates(
     ):
         survivors.setdefault(row, Counter())[survivor] += 1
     for row in {*sheet.dropped, *sheet.notes, *longest, *survivors}:
-        notes = [*(sheet.shared[alike[row]].notes if alike[row] >= 0 else ())]
+        notes: list[Message] = [*(sheet.shared[alike[row]].notes if alike[row] >= 0 else ())]
         notes.extend(sheet.notes.get(row, ()))
-        said = ""
+        cause: Message | None = None
         if row in sheet.dropped:
-            fate[row], said = Fate.DROPPED, sheet.dropped[row]
+            fate[row], cause = Fate.DROPPED, sheet.dropped[row]
         elif total[row] and specks[row] == total[row]:
-            fate[row], said = Fate.DROPPED, f"it has no length: {longest[row]:g}"
+            fate[row], cause = Fate.DROPPED, Message("import.no-length", length=longest[row])
         elif specks[row]:
-            notes.append(f"{specks[row]} of {total[row]} pieces have no length")
-        if doubles[row] and not said:
-            same_as = _named(row, survivors[row], sheet.handle)
+            notes.append(Message("import.pieces-no-length", pieces=specks[row], all=total[row]))
+        if doubles[row] and cause is None:
+            handles, more = _named(row, survivors[row], sheet.handle)
             if doubles[row] + specks[row] == total[row]:
-                fate[row], said = Fate.MERGED, f"it is drawn twice: the same as {same_as}"
+                fate[row], cause = Fate.MERGED, _drawn_twice(handles, more)
             else:
-                notes.append(
-                    f"{doubles[row]} of {total[row]} pieces are drawn twice, with {same_as}"
-                )
-        reason[row] = reasons.setdefault(said or _kept(notes), len(reasons))
+                notes.append(_pieces_drawn_twice(doubles[row], total[row], handles, more))
+        reason[row] = reasons.setdefault(cause or _kept(notes), len(reasons))
     return fate, Repeated(tuple(reasons), reason)
 
 
@@ -268,12 +265,28 @@ def _location_boxes(
     return LocationBoxes(rows, box[seen][::-1][last])
 
 
-def _kept(notes: Sequence[str]) -> str:
-    return f"{_KEPT}: {'; '.join(notes)}" if notes else _KEPT
+def _kept(notes: Sequence[Message]) -> Message:
+    return Message("import.kept-changed", notes=notes) if notes else KEPT
 
 
-def _named(row: int, others: Counter[int], handles: Sequence[str]) -> str:
-    """Return the handles of entities with the same lines, those with most lines first."""
+def _drawn_twice(same: list[str], more: int) -> Message:
+    if more:
+        return Message("import.drawn-twice-often", same=same, more=more)
+    return Message("import.drawn-twice", same=same)
+
+
+def _pieces_drawn_twice(pieces: int, total: int, same: list[str], more: int) -> Message:
+    if more:
+        return Message(
+            "import.pieces-drawn-twice-often", pieces=pieces, all=total, same=same, more=more
+        )
+    return Message("import.pieces-drawn-twice", pieces=pieces, all=total, same=same)
+
+
+def _named(row: int, others: Counter[int], handles: Sequence[str]) -> tuple[list[str], int]:
+    """Return up to 5 handles of entities with the same lines, and the number of others.
+
+    Those with most lines are first.
+    """
     names = ["itself" if other == row else handles[other] for other, _ in others.most_common(6)]
-    more = f" and {len(others) - 5} more" if len(others) > 5 else ""
-    return ", ".join(names[:5]) + more
+    return names[:5], max(len(others) - 5, 0)

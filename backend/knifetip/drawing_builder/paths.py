@@ -19,12 +19,13 @@ from typing import Final
 import numpy as np
 
 from knifetip.drawing_builder.columns import Columns
-from knifetip.drawing_builder.report import ReportWriter
+from knifetip.drawing_builder.report import ReportWriter, curves_fitted, too_far
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.curve import EvaluateEach, each
 from knifetip.geometry.tolerance import CURVE
+from knifetip.messages import Message
 
 LINE: Final = 0
 CUBIC: Final = 1
@@ -79,8 +80,7 @@ def columns(
         far = _farthest(table, matrix, len(rows))
         reach = REACH / (scale or 1.0)
         for path in np.flatnonzero(~(far <= reach)).tolist():
-            where = f"{far[path]:g}" if np.isfinite(far[path]) else "not a number"
-            sheet.dropped[int(rows[path])] = f"a coordinate is {where}; the limit is {reach:g}"
+            sheet.dropped[int(rows[path])] = too_far(far[path], reach)
         good = (far <= reach)[table.path]
         table = Table(table.kind[good], table.numbers[good], table.path[good])
         placed = _Placed(table, matrix[table.path])
@@ -94,12 +94,10 @@ def columns(
             sheet.dropped[int(rows[table.path[segment]])] = why
         kept = ~lost[path_of]
         ends, bulge, of, path_of = ends[kept], bulge[kept], of[kept], path_of[kept]
-    share = "" if scale else " (1/250,000 of the drawing)"
     fitted = np.bincount(path_of[curved[of]], minlength=len(rows))
     for one in np.flatnonzero(fitted).tolist():
         sheet.notes.setdefault(int(rows[one]), []).append(
-            f"curves fitted with {fitted[one]} lines and arcs within {tolerance:.2g} file "
-            f"units{share}"
+            curves_fitted(int(fitted[one]), tolerance, relative=not scale)
         )
     return Columns(ends, bulge, rows[path_of], paths.style[path_of])
 
@@ -176,7 +174,7 @@ class _Placed:
 
     def __init__(self, table: Table, by: F64) -> None:
         numbers = table.numbers
-        self.failed: dict[int, str] = {}  #: segment that cannot be fitted -> why
+        self.failed: dict[int, Message] = {}  #: segment that cannot be fitted -> why
         self.kind = table.kind.copy()
         self.start = _linear(by, numbers[:, :2]) + by[:, 4:]
         self.end = _linear(by, numbers[:, 2:4]) + by[:, 4:]
@@ -372,7 +370,7 @@ def _fitted(
         )
     except GeometryError as reason:
         if len(which) == 1:
-            placed.failed[int(numbers[which[0]])] = reason.text
+            placed.failed[int(numbers[which[0]])] = reason.message
             return np.zeros((0, 2, 2)), np.zeros(0), np.zeros(0, np.int64)
         middle = len(which) // 2
         halves = [

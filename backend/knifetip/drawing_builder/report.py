@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from knifetip.geometry.columns import F64, I64
+from knifetip.messages import Message
 from knifetip.model.drawing import LocationBoxes
 
 
@@ -19,8 +20,8 @@ class SharedOutcome(NamedTuple):
     """The outcome that many rows have in common."""
 
     rows: I64
-    dropped: str  #: why the rows are left out; "" for rows that are drawn
-    notes: Sequence[str] = ()  #: what was changed
+    dropped: Message | None  #: why the rows are left out; None for rows that are drawn
+    notes: Sequence[Message] = ()  #: what was changed
 
 
 @dataclass(slots=True)
@@ -33,8 +34,8 @@ class ReportRows:
     handle: Sequence[str] = field(default_factory=list)
     kind: Sequence[str] = field(default_factory=list)
     layer: Sequence[str] = field(default_factory=list)
-    dropped: dict[int, str] = field(default_factory=dict)  #: row -> why it is left out
-    notes: dict[int, list[str]] = field(default_factory=dict)  #: row -> what was changed
+    dropped: dict[int, Message] = field(default_factory=dict)  #: row -> why it is left out
+    notes: dict[int, list[Message]] = field(default_factory=dict)  #: row -> what was changed
     shared: list[SharedOutcome] = field(default_factory=list)  #: no row is in two of them
     #: in file units, NaN where the location is unknown
     location_boxes: list[LocationBoxes] = field(default_factory=list)
@@ -49,7 +50,12 @@ class ReportWriter(ReportRows):
     layer: list[str] = field(default_factory=list)
 
     def row(
-        self, handle: str, kind: str, layer: str, dropped: str = "", notes: Iterable[str] = ()
+        self,
+        handle: str,
+        kind: str,
+        layer: str,
+        dropped: Message | None = None,
+        notes: Iterable[Message] = (),
     ) -> int:
         """Add a row to the report and return its number."""
         self.handle.append(handle)
@@ -66,3 +72,22 @@ class ReportWriter(ReportRows):
         """Record the location box of a row without segments: x min, y min, x max, y max."""
         boxes = np.array([box], np.float64)
         self.location_boxes.append(LocationBoxes(np.array([row], np.int32), boxes))
+
+
+def too_far(coordinate: float, limit: float) -> Message:
+    """Return the reason for leaving out an entity with a coordinate beyond the limit."""
+    if not np.isfinite(coordinate):
+        return Message("import.coordinate-not-a-number")
+    return Message("import.too-far", coordinate=coordinate, limit=limit)
+
+
+def curves_fitted(pieces: int, tolerance: float, *, relative: bool) -> Message:
+    """Return the note for curves that became lines and arcs.
+
+    Parameters
+    ----------
+    tolerance
+        File units; ``relative`` to the size of the drawing while the unit is unknown.
+    """
+    code = "import.curves-fitted-relative" if relative else "import.curves-fitted"
+    return Message(code, pieces=pieces, tolerance=tolerance)

@@ -14,6 +14,7 @@ from ezdxf.entities.dxfgfx import DXFGraphic
 
 from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.encoding import spelled
+from knifetip.messages import Message
 
 #: Linetype of entities that give none.
 BYLAYER: Final = "BYLAYER"
@@ -27,7 +28,7 @@ class Layer(NamedTuple):
     colour: int
     true_colour: int
     linetype: str
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 #: Stands for a layer that is not in the layer table.
@@ -42,9 +43,9 @@ def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, pl
     notes = [
         text
         for text, holds in (
-            ("its layer is off", colour < 0),
-            ("its layer is frozen", bool(flags & 1)),
-            ("its layer is not plotted", plot == 0),
+            (Message("import.layer-off"), colour < 0),
+            (Message("import.layer-frozen"), bool(flags & 1)),
+            (Message("import.layer-not-plotted"), plot == 0),
         )
         if holds
     ]
@@ -71,7 +72,7 @@ class Styles:
     def __init__(self, layers: dict[str, Layer]) -> None:
         self._layers = layers
 
-    def notes(self, layer: str) -> tuple[str, ...]:
+    def notes(self, layer: str) -> tuple[Message, ...]:
         """Return the notes for all entities on a layer: that it is off, frozen …"""
         return self._layers.get(layer.lower(), _SILENT).notes
 

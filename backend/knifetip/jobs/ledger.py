@@ -12,12 +12,14 @@ from collections import defaultdict
 from functools import lru_cache
 from typing import Any
 
-from knifetip.jobs.report import said, theme
+from knifetip.jobs.report import said
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, Fate, Inscription
 
 _FATES = {fate.value: fate.name.lower() for fate in Fate}
 #: Kinds, layers and reasons come again and again.
 _said = lru_cache(maxsize=4096)(said)
+_as_json = lru_cache(maxsize=4096)(Message.as_json)
 
 
 def listed(drawing: Drawing) -> list[dict[str, Any]]:
@@ -29,8 +31,7 @@ def listed(drawing: Drawing) -> list[dict[str, Any]]:
             "kind": _said(kind),
             "layer": _said(layer),
             "fate": _FATES[fate],
-            "reason": _said(reason),
-            "theme": _said(theme(reason)),
+            "reason": _as_json(reason),
             "length": round(length, 6),
         }
         for handle, kind, layer, fate, reason, length in zip(
@@ -69,7 +70,7 @@ def inscribed(drawing: Drawing) -> dict[int, Inscription]:
             named in words
             and "/" not in ledger.handle[row]
             and not (ledger.block and ledger.block[row])
-            and "paper space" not in ledger.reason[row]
+            and ledger.reason[row].code != "import.paper-space"
         ):
             rows[named].append(row)
     return {

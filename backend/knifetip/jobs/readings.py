@@ -16,9 +16,9 @@ import numpy as np
 from knifetip.geometry.columns import U8
 from knifetip.jobs.columns import packed, unpacked
 from knifetip.jobs.report import Report, said
-from knifetip.messages import Message, from_json
+from knifetip.messages import Message, from_json, render
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, Fate, Ledger
+from knifetip.model.drawing import KEPT, Drawing, Fate, Ledger
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.words import Repeated
 
@@ -57,7 +57,8 @@ def edge_block(drawing: Drawing, dieline: Dieline, report: Report) -> bytes:
             "rule_messages": [rule.as_json() for rule in dieline.rules],
             "alternatives": [[kind.word for kind in one] for one in dieline.alternatives],
             "fates": [fate.name.lower() for fate in Fate],
-            "reasons": [said(reason) for reason in report.reasons],
+            "reasons": [render(reason) for reason in report.reasons],
+            "reason_messages": [reason.as_json() for reason in report.reasons],
             "types": [kind.word for kind in LineType],
             "unit": drawing.unit,
         },
@@ -84,7 +85,7 @@ def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
         kind=Repeated(("",), np.zeros(count, np.int32)),
         layer=Repeated(layers, columns["layer"]),
         fate=np.full(count, Fate.KEPT, np.uint8),
-        reason=Repeated(("",), np.zeros(count, np.int32)),
+        reason=Repeated((KEPT,), np.zeros(count, np.int32)),
         length=columns["length"],
     )
     drawing = Drawing(

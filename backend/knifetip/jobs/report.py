@@ -8,33 +8,26 @@ on others, specks and the like are the cleaning's.  Both stand in one list, by r
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from knifetip.geometry.columns import F64, I32, U8
+from knifetip.messages import Message
 from knifetip.model.cleaned import Why
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, Fate
 
 _KINDS = 6  # of entity that a group names
 _NOTHING = 1e-9  # mm
-_THEMES = (
-    (re.compile(r"^the block .* of [\d,]+ entit(?:y|ies): "), "blocks: "),
-    (re.compile(r": the same as \S+"), ""),
-    (re.compile(r": \S*\d\S*$"), ""),
-    (re.compile(r"\S*\d\S*"), "…"),
-)
 #: Edges that are shown and not worked.
 _UNWORKED = {
-    LineType.IGNORED: "ignored: shown, and kept out of the tool path",
-    LineType.UNCLASSIFIED: "not decided yet",
+    LineType.IGNORED: Message("cleaning.ignored"),
+    LineType.UNCLASSIFIED: Message("cleaning.unclassified"),
 }
 
 
@@ -44,7 +37,7 @@ class Report:
 
     fate: U8  #: (n,) Fate
     reason: I32  #: (n,) index into ``reasons``
-    reasons: tuple[str, ...]  #: in the user's words; "" for what was simply kept
+    reasons: tuple[Message, ...]
     summary: dict[str, Any]  #: ``ReportOut``
 
 
@@ -67,7 +60,7 @@ def reported(drawing: Drawing, dieline: Dieline) -> Report:
             (Fate.DROPPED, Why.SPECK, np.where(held, cleaned.dropped, 0.0)),
         ]
     whole = lengths - sum(length for _, _, length in part)
-    reasons = [why.words for why in Why]
+    reasons = [why.message for why in Why]
     for line_type, words in _UNWORKED.items():
         reason[(dieline.line_type == line_type) & (fate == Fate.KEPT)] = len(reasons)
         reasons.append(words)
@@ -86,11 +79,20 @@ def reported(drawing: Drawing, dieline: Dieline) -> Report:
     ledger = drawing.ledger
     # The edges of an entity that was kept are told one by one.
     beside = np.flatnonzero(ledger.fate != Fate.KEPT)
+    first: dict[str, Message] = {}
     numbers: dict[str, int] = {}
-    told = [theme(ledger.reason[row]) for row in beside.tolist()]
-    codes = np.array([numbers.setdefault(words, len(numbers)) for words in told], np.int32)
+    codes = np.zeros(len(beside), np.int32)
+    for at, row in enumerate(beside.tolist()):
+        reason_of_row = ledger.reason[row]
+        first.setdefault(reason_of_row.code, reason_of_row)
+        codes[at] = numbers.setdefault(reason_of_row.code, len(numbers))
     others = _groups(
-        "entities", ledger.fate[beside], codes, list(numbers), ledger.length[beside], kinds[beside]
+        "entities",
+        ledger.fate[beside],
+        codes,
+        list(first.values()),
+        ledger.length[beside],
+        kinds[beside],
     )
     groups = _summed(groups) + others
     order = [Fate.DROPPED, Fate.MERGED, Fate.KEPT]
@@ -110,26 +112,28 @@ def _groups(
     what: str,
     fate: U8,
     reason: I32,
-    reasons: Sequence[str],
+    reasons: Sequence[Message],
     length: F64,
     kinds: NDArray[np.object_],
 ) -> list[dict[str, Any]]:
-    """Return rows by what became of them and why; rows of equal words are one group."""
-    words, same = np.unique(np.array(reasons or [""], dtype=object), return_inverse=True)
+    """Return rows by outcome and code of the reason; the message is that of the first row."""
+    numbers: dict[str, int] = {}
+    same = np.array([numbers.setdefault(one.code, len(numbers)) for one in reasons], np.int32)
+    examples = {numbers[one.code]: one for one in reversed(reasons)}
     pairs, group = np.unique(
-        np.stack([fate.astype(np.int32), same.reshape(-1)[reason]], axis=1),
+        np.stack([fate.astype(np.int32), same[reason]], axis=1),
         axis=0,
         return_inverse=True,
     )
     group = group.reshape(-1)
     made = []
-    for number, (code, word) in enumerate(pairs.tolist()):
+    for number, (outcome, example) in enumerate(pairs.tolist()):
         rows = group == number
         common = Counter(kinds[rows].tolist()).most_common(_KINDS)
         made.append(
             {
-                "fate": Fate(code),
-                "reason": said(words[word]),
+                "fate": Fate(outcome),
+                "reason": examples[example].as_json(),
                 "what": what,
                 "kinds": [said(kind) for kind, _ in common],
                 "count": int(rows.sum()),
@@ -143,19 +147,11 @@ def _summed(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Return the groups with those of one fate and reason as one."""
     found: dict[tuple[Fate, str], dict[str, Any]] = {}
     for one in groups:
-        known = found.setdefault((one["fate"], one["reason"]), one)
+        known = found.setdefault((one["fate"], one["reason"]["code"]), one)
         if known is not one:
             known["count"] += one["count"]
             known["length"] += one["length"]
     return list(found.values())
-
-
-@lru_cache(maxsize=4096)
-def theme(reason: str) -> str:
-    """Return a reason without the names and numbers that tell one entity from the next."""
-    for pattern, short in _THEMES:
-        reason = pattern.sub(short, reason)
-    return reason
 
 
 def unit_of(drawing: Drawing) -> dict[str, Any]:

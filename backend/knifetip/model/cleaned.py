@@ -9,6 +9,7 @@ from enum import IntEnum
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, U8, Bool, frozen
+from knifetip.messages import Message, with_text
 from knifetip.model.dieline import Dieline
 from knifetip.model.drawing import Fate
 
@@ -27,21 +28,21 @@ class Why(IntEnum):
     NO_WORK = 8  #: it is ignored or not classified, and left as it is
 
     @property
-    def words(self) -> str:
-        """The same for a list, without places and measures; "" where there is nothing to tell."""
-        return _WORDS[self]
+    def message(self) -> Message:
+        """The reason without positions and measures."""
+        return _MESSAGES[self]
 
 
-_WORDS = {
-    Why.AS_DRAWN: "",
-    Why.MOVED: "an end was moved to meet another edge",
-    Why.SHORTENED: "a part of it lies on other edges",
-    Why.LONGER: "other edges that go on in it are one with it",
-    Why.JOINED: "it goes on in another edge and is one with it",
-    Why.FITTED: "it is a part of a flattened curve that is one line or arc",
-    Why.TWICE: "it lies on other edges",
-    Why.SPECK: "it is a speck that holds nothing together",
-    Why.NO_WORK: "",
+_MESSAGES = {
+    Why.AS_DRAWN: Message("cleaning.as-drawn"),
+    Why.MOVED: Message("cleaning.moved"),
+    Why.SHORTENED: Message("cleaning.shortened"),
+    Why.LONGER: Message("cleaning.longer"),
+    Why.JOINED: Message("cleaning.joined"),
+    Why.FITTED: Message("cleaning.fitted"),
+    Why.TWICE: Message("cleaning.twice"),
+    Why.SPECK: Message("cleaning.speck"),
+    Why.NO_WORK: Message("cleaning.as-drawn"),
 }
 
 
@@ -103,12 +104,6 @@ class Cleaned:
             put(self, name, frozen(getattr(self, name), np.float64, rows))
 
     @property
-    def reasons(self) -> tuple[str, ...]:
-        """(n,) Why in words for each drawn edge, "" where there is nothing to tell."""
-        words = [why.words for why in Why]
-        return tuple(words[code] for code in self.why.tolist())
-
-    @property
     def changed(self) -> Bool:
         """(n,) Whether the edge is worked otherwise than as it was drawn."""
         return np.asarray(~np.isin(self.why, (Why.AS_DRAWN, Why.NO_WORK)))
@@ -118,32 +113,31 @@ class Cleaned:
         cleaned = self.of[row]
         return -1 if cleaned < 0 else int(self.dieline.source[cleaned])
 
-    def words(self, row: int) -> str:
-        """Return what became of a drawn edge, in the user's words."""
-        why = Why(self.why[row])
-        if why is Why.SPECK:
-            return f"dropped: {self.dropped[row]:.4g} mm long and holds nothing together"
-        if why is Why.NO_WORK:
-            return "left as it is: no work"
-        if why is Why.TWICE:
-            return f"merged: it lies on edge {self.into(row)}"
-        if why is Why.JOINED:
-            return f"merged: it goes on in edge {self.into(row)} and is one with it"
-        if why is Why.FITTED:
-            return (
-                f"merged: a flattened curve, one with edge {self.into(row)} "
-                f"within {self.off[row]:.2g} mm"
-            )
-        told = ["kept"]
+    def outcome(self, row: int) -> Message:
+        """Return what became of a drawn edge."""
+        match Why(self.why[row]):
+            case Why.SPECK:
+                return Message("cleaning.dropped-speck", length=self.dropped[row])
+            case Why.NO_WORK:
+                return Message("cleaning.no-work")
+            case Why.TWICE:
+                return Message("cleaning.on-edge", edge=self.into(row))
+            case Why.JOINED:
+                return Message("cleaning.joined-edge", edge=self.into(row))
+            case Why.FITTED:
+                return Message("cleaning.fitted-edge", edge=self.into(row), distance=self.off[row])
+        changes = []
         if self.merged[row] > 0.0:
-            told.append(f"{self.merged[row]:.4g} mm of it lie on other edges")
-        if why is Why.LONGER:
-            told.append("others that go on in it are one with it")
+            changes.append(Message("cleaning.length-on-others", length=self.merged[row]))
+        if self.why[row] == Why.LONGER:
+            changes.append(Message("cleaning.longer"))
         if self.moved[row] > 0.0:
-            told.append(f"an end moved by {self.moved[row]:.2g} mm to meet another")
+            changes.append(Message("cleaning.end-moved", distance=self.moved[row]))
         if self.dropped[row] > 0.0:
-            told.append(f"a speck of {self.dropped[row]:.2g} mm dropped")
-        return told[0] + (": " if told[1:] else "") + "; ".join(told[1:])
+            changes.append(Message("cleaning.part-dropped", length=self.dropped[row]))
+        if not changes:
+            return Message("cleaning.kept")
+        return Message("cleaning.kept-changed", changes=changes)
 
     @property
     def lengths(self) -> dict[str, float]:
@@ -184,7 +178,7 @@ class Cleaned:
                     "added": float(self.added[row]),
                     "moved": float(self.moved[row]),
                     "off": float(self.off[row]),
-                    "text": self.words(row),
+                    **with_text(self.outcome(row)),
                 }
                 for row in np.flatnonzero(self.changed).tolist()
             ],

@@ -35,6 +35,10 @@ NO_BOXES: Final = LocationBoxes(
 )
 
 
+#: Reason of entities that were kept as they are.
+KEPT: Final = Message("import.kept")
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Ledger:
     """The import report: one row for every entity of the file, with its outcome and the reason.
@@ -47,7 +51,7 @@ class Ledger:
     kind: Sequence[str]  #: (m,) LINE, ARC, INSERT …
     layer: Sequence[str]  #: (m,) layer name as the file writes it
     fate: U8  #: (m,) Fate
-    reason: Sequence[str]  #: (m,) why it was kept, merged or dropped, in the user's words
+    reason: Sequence[Message]  #: (m,) why it was kept, merged or dropped
     length: F64  #: (m,) length of its segments (mm; file units while the unit is unknown)
     block: Sequence[str] = ()  #: (m,) the block that holds it, "" for none; or () where unknown
     location_boxes: LocationBoxes = NO_BOXES  #: of entities without segments

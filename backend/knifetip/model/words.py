@@ -1,4 +1,4 @@
-"""words: columns of strings without one Python object for each row.
+"""words: columns of strings or messages without one Python object for each row.
 
 distinct strings and their numbers, or one text and the ends of its parts -> Sequence[str]
 """
@@ -6,28 +6,31 @@ distinct strings and their numbers, or one text and the ends of its parts -> Seq
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, overload
+from typing import Any, TypeVar, overload
 
 import numpy as np
 
 from knifetip.geometry.columns import I32, I64
 
 
-class _Column(Sequence[str]):
-    """A sequence of strings that compares equal to a tuple or list of the same strings."""
+_T = TypeVar("_T")
+
+
+class _Column(Sequence[_T]):
+    """A sequence that compares equal to a tuple or list of the same items."""
 
     @overload
-    def __getitem__(self, row: int) -> str: ...
+    def __getitem__(self, row: int) -> _T: ...
     @overload
-    def __getitem__(self, row: slice) -> tuple[str, ...]: ...
-    def __getitem__(self, row: int | slice) -> str | tuple[str, ...]:
+    def __getitem__(self, row: slice) -> tuple[_T, ...]: ...
+    def __getitem__(self, row: int | slice) -> _T | tuple[_T, ...]:
         if isinstance(row, slice):
             return tuple(self._word(one) for one in range(*row.indices(len(self))))
         if not -len(self) <= row < len(self):
             raise IndexError(row)
         return self._word(int(row) % len(self))
 
-    def _word(self, row: int) -> str:
+    def _word(self, row: int) -> _T:
         raise NotImplementedError
 
     def __eq__(self, other: object) -> bool:
@@ -44,8 +47,8 @@ class _Column(Sequence[str]):
         return repr(tuple(self))
 
 
-class Repeated(_Column):
-    """m strings with few distinct values: each is an index into the distinct ones.
+class Repeated(_Column[_T]):
+    """m strings or messages with few distinct values: each is an index into the distinct ones.
 
     Parameters
     ----------
@@ -53,17 +56,17 @@ class Repeated(_Column):
         Indices into ``names``; -1 is the last.
     """
 
-    def __init__(self, names: Sequence[str], number: I32) -> None:
+    def __init__(self, names: Sequence[_T], number: I32) -> None:
         self.names = tuple(names)
         self.number = number
 
     def __len__(self) -> int:
         return len(self.number)
 
-    def _word(self, row: int) -> str:
+    def _word(self, row: int) -> _T:
         return self.names[int(self.number[row])]
 
-    def __iter__(self) -> Iterator[str]:
+    def __iter__(self) -> Iterator[_T]:
         return map(self.names.__getitem__, self.number.tolist())
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
@@ -82,7 +85,7 @@ def numbered(words: Sequence[str]) -> tuple[list[str], I32]:
     return list(number), np.array(each, np.int32)
 
 
-class Spelled(_Column):
+class Spelled(_Column[str]):
     """m mostly distinct strings, as slices of one text.
 
     Parameters

@@ -19,6 +19,7 @@ from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix
 from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.messages import Message
 from knifetip.model.drawing import Inscription, LocationBoxes
 from knifetip.pdf.colours import Paint
 from knifetip.pdf.document import Box
@@ -66,7 +67,7 @@ class PageLines:
         self._limits = limits
         self._lines: list[PageLine] = []
 
-    def row(self, path: str, kind: str, mark: LayerMark, dropped: str = "") -> int:
+    def row(self, path: str, kind: str, mark: LayerMark, dropped: Message | None = None) -> int:
         """Add a row to the import report.
 
         Parameters
@@ -126,11 +127,9 @@ class PageLines:
         beside = ((high < clip[:, :2]) | (low > clip[:, 2:])).any(axis=1)
         over = ((low < clip[:, :2] - _MARGIN) | (high > clip[:, 2:] + _MARGIN)).any(axis=1)
         for one in np.flatnonzero(beside).tolist():
-            self.report.dropped[self._lines[one].row] = (
-                "it lies outside the visible area of the page"
-            )
+            self.report.dropped[self._lines[one].row] = Message("import.outside-page")
         for one in np.flatnonzero(over & ~beside).tolist():
-            self._note(self._lines[one].row, "part of it lies outside the visible area of the page")
+            self._note(self._lines[one].row, Message("import.partly-outside-page"))
         shown: Bool = np.logical_not(beside)
         return shown
 
@@ -146,11 +145,9 @@ class PageLines:
         for one in np.flatnonzero(areas).tolist():
             row = self._lines[one].row
             if stroked:
-                self.report.dropped.setdefault(
-                    row, "a filled area without a stroke, on a page with strokes"
-                )
+                self.report.dropped.setdefault(row, Message("import.filled-area-on-page"))
             else:
-                self._note(row, "outline of a filled area: the page has no strokes")
+                self._note(row, Message("import.area-outline-on-page"))
         return ~areas | (not stroked)
 
     def _assign_styles(self, lines: list[PageLine]) -> tuple[list[Style], I32]:
@@ -164,9 +161,9 @@ class PageLines:
             name = named[layer, spot]
             self.report.layer[line.row] = name
             if spot and name.lower() != spot.lower():
-                self._note(line.row, f"drawn in the spot colour {spot}")
+                self._note(line.row, Message("import.spot-colour", colour=spot))
             elif layer and name.lower() != layer.lower():
-                self._note(line.row, f"on the layer {layer}")
+                self._note(line.row, Message("import.on-layer", layer=layer))
             found = known.get(line.style)
             if found is None:
                 found = known[line.style] = len(styles)
@@ -175,5 +172,5 @@ class PageLines:
             style[number] = found
         return styles, style
 
-    def _note(self, row: int, what: str) -> None:
+    def _note(self, row: int, what: Message) -> None:
         self.report.notes.setdefault(row, []).append(what)

@@ -14,6 +14,7 @@ from pypdf.generic import DictionaryObject, StreamObject
 
 from knifetip.errors import DrawingTooLarge, NotADrawing
 from knifetip.geometry.affine import Matrix, chained
+from knifetip.messages import Message
 from knifetip.pdf.content import TruncatedStream
 from knifetip.pdf.document import UNBOUNDED, Box, Page, PdfFile
 from knifetip.pdf.layers import Layers
@@ -77,10 +78,10 @@ class _PageReader:
         none = LayerMark("", "")
         self.run(self._contents(page), state, StreamContext("", (), none, page.resources))
         if notes := len(self.file.array(page.node, "/Annots")):
-            what = f"{notes} notes and form fields on the page are not cut"
+            what = Message("import.annotations", count=notes)
             self.drawn.row("", "annotation", none, what)
         if page.count > 1:
-            what = f"only the first of {page.count} pages is read"
+            what = Message("import.other-pages", pages=page.count)
             self.drawn.row("", "page", none, what)
 
     def _contents(self, page: Page) -> bytes:

@@ -18,6 +18,7 @@ from pypdf.generic import DictionaryObject, IndirectObject, StreamObject
 
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry.affine import Matrix, chained
+from knifetip.messages import Message
 from knifetip.model.drawing import Inscription
 from knifetip.pdf.colours import BLACK, CMYK, GRAY, PATTERN, RGB, ColourSpace, Paint
 from knifetip.pdf.content import Name, parse_operations
@@ -116,18 +117,18 @@ class Stream:
             elif operator not in _IGNORED:
                 self._unknown(operator)
         if path.started:
-            self._drop_path("the page ends before the path is painted")
+            self._drop_path(Message("import.page-ends-early"))
 
-    def _row(self, kind: str, why: str, points: Sequence[Any] = ()) -> int:
+    def _row(self, kind: str, why: Message | None, points: Sequence[Any] = ()) -> int:
         """Add a row to the import report; ``points`` locate a dropped object."""
         mark, drawn = self._marks[-1], self._page.drawn
-        why = f"it is hidden: the layer {mark.hidden} is switched off" if mark.hidden else why
+        why = Message("import.hidden-layer", layer=mark.hidden) if mark.hidden else why
         row = drawn.row(self._context.path, kind, mark, why)
         if points:
             drawn.report.set_location(row, transformed_box(self._state.matrix, points))
         return row
 
-    def _drop_path(self, why: str) -> None:
+    def _drop_path(self, why: Message | None) -> None:
         """Drop the current path and report the reason."""
         path = self._page.drawn.path
         self._row("path", why, [] if path.wrong else path.ends().tolist())
@@ -143,17 +144,17 @@ class Stream:
         if not (path.started or strokes or fills or clips):
             return
         if path.wrong:
-            self._drop_path(f"the operands of its operator {path.wrong!r} are invalid")
+            self._drop_path(Message("import.bad-operands", operator=path.wrong))
             return
         stroked = strokes and state.stroke_seen and state.stroke.drawn
         filled = fills and state.fill_seen and state.fill.drawn
-        why = ""
+        why: Message | None = None
         if not strokes and not fills:
-            why = "it is only a clipping path" if clips else "it has neither a stroke nor a fill"
+            why = Message("import.clip-path" if clips else "import.no-paint")
         elif not stroked and not filled:
-            why = "it is fully transparent"
+            why = Message("import.not-visible")
         elif not path.size:
-            why = "its path is empty"
+            why = Message("import.empty-path")
         if clips:
             bounds = transformed_box(state.matrix, path.ends().tolist())
             self._state = state._replace(clip=intersect(state.clip, bounds))
@@ -161,7 +162,7 @@ class Stream:
         if why or mark.hidden:
             self._drop_path(why)
             return
-        row = self._row("path", "")
+        row = self._row("path", None)
         style = LineStyle(
             mark.layer,
             state.stroke if stroked else state.fill,
@@ -176,7 +177,7 @@ class Stream:
         unknown = self._page.unknown
         if operator not in unknown and len(unknown) < _MAX_UNKNOWN:
             unknown.add(operator)
-            self._row("operator", f"the operator {operator[:20]!r} is unknown")
+            self._row("operator", Message("import.unknown-operator", operator=operator[:20]))
 
     # ── The graphics state ────────────────────────────────────────────────────────────────────
 
@@ -279,21 +280,21 @@ class Stream:
         raw = page.resources.find(context.resources, "/XObject", name)
         node = page.file.resolve(raw)
         if page.drawn.path.started:
-            self._drop_path("another object starts before the path is painted")
+            self._drop_path(Message("import.interrupted-path"))
         mark = self._marks[-1]
         if isinstance(node, DictionaryObject) and "/OC" in node:
             mark = self._nested_mark(mark, node.raw_get("/OC"))
         self._marks.append(mark)
         kind = page.file.entry(node, "/Subtype")
         if kind == "/Image":
-            self._row("image", "images are not cut", _UNIT_SQUARE)
+            self._row("image", Message("import.image"), _UNIT_SQUARE)
         elif kind != "/Form" or not isinstance(node, StreamObject):
-            why = f"no form or image has the name {name[:40]!r}"
+            why = Message("import.nothing-named", name=name[:40])
             self._row("form", why, _UNIT_SQUARE[:1])
         else:
             key = (raw.idnum, raw.generation) if isinstance(raw, IndirectObject) else id(node)
             if key in context.inside:
-                self._row("form", "it contains itself")
+                self._row("form", Message("import.contains-itself"))
             elif len(context.inside) >= page.file.limits.insert_depth:
                 raise DrawingTooLarge(
                     "reading.nested-too-deep", limit=page.file.limits.insert_depth, format="PDF"
@@ -306,10 +307,10 @@ class Stream:
         self._marks.pop()
 
     def _inline_image(self, _operator: str, _given: list[Any]) -> None:
-        self._row("image", "images are not cut", _UNIT_SQUARE)
+        self._row("image", Message("import.image"), _UNIT_SQUARE)
 
     def _shade(self, _operator: str, _given: list[Any]) -> None:
-        row = self._row("shading", "shadings are not cut")
+        row = self._row("shading", Message("import.shading"))
         self._page.drawn.report.set_location(row, self._state.clip)
 
     def _text(self, operator: str, _given: list[Any]) -> None:
@@ -320,10 +321,10 @@ class Stream:
             return
         placed = self._text_object.placed_text(self._state.matrix)
         if placed is None:
-            why = "text is not cut, and its encoding is unknown"
+            why = Message("import.text-unknown-letters")
             self._row("text", why, self._text_object.begins)
             return
-        row = self._row("text", "text is not cut", self._text_object.begins)
+        row = self._row("text", Message("import.text"), self._text_object.begins)
         mark = self._marks[-1]
         if not mark.hidden:
             layer = self._page.drawn.report.layer[row]

@@ -20,6 +20,7 @@ from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix, chained
+from knifetip.messages import Message
 from knifetip.model.drawing import Inscription
 from knifetip.svg import layers, shapes
 from knifetip.svg.document import Node
@@ -61,17 +62,17 @@ _NOT_DRAWN: Final = frozenset(
         "meshgradient",
     )
 )
-_TEXT: Final = "text is not cut"
-_PICTURE: Final = "pictures are not cut"
+_TEXT: Final = Message("import.text")
+_PICTURE: Final = Message("import.picture")
 _REASONS: Final = {
     "text": _TEXT,
     "flowRoot": _TEXT,
     "image": _PICTURE,
     "video": _PICTURE,
-    "foreignObject": "its content is not SVG",
-    "script": "scripts are not run",
+    "foreignObject": Message("import.not-svg"),
+    "script": Message("import.script"),
 }
-_HIDDEN: Final = "it is hidden"
+_HIDDEN: Final = Message("import.hidden")
 #: Largest number of rules in a style style_sheet.
 _RULES: Final = 2000
 
@@ -106,7 +107,7 @@ class _Context(NamedTuple):
     path: str  #: handles of the containing ``use`` elements, each followed by a slash
     inside: tuple[Node, ...]  #: containing elements with an id, which it must not copy
     uses: int  #: number of containing ``use`` elements
-    left_out: str  #: why the content is not drawn, empty if it is
+    left_out: Message | None  #: why the content is not drawn, None if it is
     window: shapes.Window
 
 
@@ -153,14 +154,13 @@ class _Expansion:
             raise DrawingTooLarge("svg.too-many-rules", count=style_sheet.count, limit=_RULES)
         self._cascade = Cascade(style_sheet, root)
         if style_sheet.unsupported:
-            listed = ", ".join(selector[:40] for selector in style_sheet.unsupported[:5])
-            self.report.row(
-                "style", "style", layers.UNNAMED, f"rules that are not supported: {listed}"
-            )
+            rules = [selector[:40] for selector in style_sheet.unsupported[:5]]
+            why = Message("import.rules-not-read", rules=rules)
+            self.report.row("style", "style", layers.UNNAMED, why)
         box = view_box(root)
         wide, high = box[2:] if box else (0.0, 0.0)
         self._start = _Context(
-            INITIAL, page.matrix, layers.NO_LAYER, "", (), 0, "", _window(wide, high)
+            INITIAL, page.matrix, layers.NO_LAYER, "", (), 0, None, _window(wide, high)
         )
 
     def _check_size(self) -> None:
@@ -228,20 +228,21 @@ class _Expansion:
         if node.tag == "text":
             self._add_text(node, context, layer)
         if node.tag not in shapes.SHAPES:
-            why = _REASONS.get(node.tag, f"elements of type {node.tag} are not supported")
-            row = self.report.row(handle, node.tag, layer, why)
+            cause = _REASONS.get(node.tag)
+            cause = cause or Message("import.unsupported-element", kind=node.tag)
+            row = self.report.row(handle, node.tag, layer, cause)
             self._omit(row, shapes.frame_path_data, node, context)
             return None
-        why = context.left_out or ("" if context.appearance.visible else _HIDDEN)
+        why = context.left_out or (None if context.appearance.visible else _HIDDEN)
         appearance = context.appearance
         if not why and appearance.stroke is None and appearance.fill is None:
-            why = "it has neither a stroke nor a fill"
+            why = Message("import.no-paint")
         data = ""
         if not why:
             try:
                 data = shapes.shape_path_data(node, context.window)
             except shapes.Undrawable as reason:
-                why = str(reason)
+                why = reason.message
         row = self.report.row(handle, node.tag, layer, why)
         if why:
             self._omit(row, shapes.shape_path_data, node, context)
@@ -261,13 +262,13 @@ class _Expansion:
     def _context_of(self, node: Node, context: _Context) -> _Context:
         """Return the context of an element, with its own appearance and transform."""
         appearance = self._cascade.appearance(node, context.appearance)
-        left_out = context.left_out or ("" if appearance.shown else _HIDDEN)
+        left_out = context.left_out or (None if appearance.shown else _HIDDEN)
         outer = context.matrix
         if (text := node.attributes.get("transform")) is not None:
             try:
                 outer = chained(outer, parse_transform(text))
             except ValueError as reason:
-                left_out = left_out or f"its transform cannot be read: {reason}"
+                left_out = left_out or Message("import.bad-transform", reason=reason)
         inside = (*context.inside, node) if "id" in node.attributes else context.inside
         return context._replace(
             appearance=appearance, matrix=outer, left_out=left_out, inside=inside
@@ -292,7 +293,7 @@ class _Expansion:
             )
         except ValueError as reason:
             return context._replace(
-                left_out=context.left_out or f"its window cannot be read: {reason}"
+                left_out=context.left_out or Message("import.bad-window", reason=reason)
             )
         inner = chained(context.matrix, (1.0, 0.0, 0.0, 1.0, x, y))
         box = view_box(node)
@@ -311,19 +312,19 @@ class _Expansion:
         why = context.left_out
         if not why and target is None:
             why = (
-                f"no element has the id {href[1:41]!r}"
+                Message("import.missing-id", id=href[1:41])
                 if href.startswith("#")
-                else f"it refers to another file, {href[:60]!r}, which is not fetched"
+                else Message("import.other-file", file=href[:60])
             )
         if not why and target in context.inside:
-            why = "it contains itself"
+            why = Message("import.contains-itself")
         try:
             x, y = (
                 to_pixels(node.attributes.get(name, "0"), whole)
                 for name, whole in (("x", context.window[0]), ("y", context.window[1]))
             )
         except ValueError as reason:
-            why = why or f"its position cannot be read: {reason}"
+            why = why or Message("import.bad-place", reason=reason)
         if why or target is None:
             row = self.report.row(context.path + handle, "use", layer, why)
             self._omit(row, shapes.point_path_data, node, context)
@@ -378,13 +379,9 @@ class _Expansion:
         for number in self._fills:
             row = self.drawn.row[number]
             if self._stroked:
-                self.report.dropped[row] = (
-                    "a filled area without a stroke, in a drawing with strokes"
-                )
+                self.report.dropped[row] = Message("import.filled-area-beside-strokes")
             else:
-                self.report.notes.setdefault(row, []).append(
-                    "outline of a filled area: the drawing has no strokes"
-                )
+                self.report.notes.setdefault(row, []).append(Message("import.area-outline"))
         if self._stroked and self._fills:
             dropped = set(self._fills)
             self.drawn.omitted += [

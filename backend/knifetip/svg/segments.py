@@ -13,6 +13,7 @@ from knifetip.drawing_builder import paths
 from knifetip.drawing_builder.columns import Columns
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.formats.limits import Limits
+from knifetip.messages import Message
 from knifetip.model.drawing import LocationBoxes
 from knifetip.svg.expand import DrawnPaths, OmittedShape
 from knifetip.svg.path_data import scan_paths
@@ -39,14 +40,12 @@ def segment_columns(
     for path in np.flatnonzero(table.wrong >= 0).tolist():
         text = drawn.data[path]
         at = int(table.wrong[path])
-        where = (
-            f"is wrong at character {at + 1} ({text[at : at + 12]!r})"
+        note = (
+            Message("import.bad-path-data", character=at + 1, text=text[at : at + 12])
             if at < len(text)
-            else "ends inside a command"
+            else Message("import.short-path-data")
         )
-        report.notes.setdefault(drawn.row[path], []).append(
-            f"its path data {where}: read up to there, as in a browser"
-        )
+        report.notes.setdefault(drawn.row[path], []).append(note)
     if drawn.omitted:
         report.location_boxes.append(_location_boxes(drawn.omitted, limits))
     placed = paths.Paths(

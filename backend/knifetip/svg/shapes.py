@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
+from knifetip.messages import Message
 from knifetip.svg.document import Node
 from knifetip.svg.lengths import to_pixels
 
@@ -19,6 +20,10 @@ class Undrawable(Exception):
 
     ``svg.expand`` catches it.
     """
+
+    def __init__(self, message: Message) -> None:
+        super().__init__(message)
+        self.message = message
 
 
 #: The lengths that percentages refer to: width and height of the window, and its diagonal / √2.
@@ -54,13 +59,13 @@ def _size(node: Node, name: str, whole: float, default: float = 0.0) -> float:
     try:
         return to_pixels(text, whole)
     except ValueError as reason:
-        raise Undrawable(f"its {name} cannot be read: {reason}") from None
+        raise Undrawable(Message("import.bad-size", name=name, reason=reason)) from None
 
 
 def _path(node: Node, _window: Window) -> str:
     text = node.attributes.get("d", "")
     if not text.strip() or text.strip() == "none":
-        raise Undrawable("its path is empty")
+        raise Undrawable(Message("import.empty-path"))
     return text
 
 
@@ -73,9 +78,9 @@ def _line(node: Node, window: Window) -> str:
 def _polyline(node: Node, _window: Window) -> str:
     points = node.attributes.get("points", "")
     if not points.strip():
-        raise Undrawable("it has no points")
+        raise Undrawable(Message("import.no-points"))
     if points.lstrip(" \t\r\n,")[:1].isalpha():
-        raise Undrawable(f"its points cannot be read: {points.strip()[:30]!r}")
+        raise Undrawable(Message("import.bad-points", points=points.strip()[:30]))
     return "M" + points
 
 
@@ -87,7 +92,7 @@ def _rect(node: Node, window: Window) -> str:
     x, y = _size(node, "x", window[0]), _size(node, "y", window[1])
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
     if not (wide > 0.0 and high > 0.0):
-        raise Undrawable(f"its width and height are {wide:g} and {high:g}")
+        raise Undrawable(Message("import.no-size", width=wide, height=high))
     given = node.attributes
     rx, ry = (
         None if given.get(name, "auto") == "auto" else _size(node, name, whole)
@@ -124,7 +129,7 @@ def _ellipse(node: Node, window: Window) -> str:
 
 def _round(node: Node, window: Window, across: float, down: float) -> str:
     if not (across > 0.0 and down > 0.0):
-        raise Undrawable(f"its radius is {min(across, down):g}")
+        raise Undrawable(Message("import.bad-radius", radius=min(across, down)))
     x, y = _size(node, "cx", window[0]), _size(node, "cy", window[1])
     half = f"A{across!r} {down!r} 0 0 1 "
     return f"M{x + across!r} {y!r}{half}{x - across!r} {y!r}{half}{x + across!r} {y!r}"

@@ -1049,6 +1049,24 @@ export interface components {
          * @description What became of one edge that is not worked exactly as it was drawn.
          */
         CleaningRow: {
+            code: components["schemas"]["MessageCode"];
+            /**
+             * Arguments
+             * @description As the union Message has them for the code
+             */
+            arguments: {
+                [key: string]: unknown;
+            };
+            /**
+             * Text
+             * @description In English
+             */
+            text: string;
+            /**
+             * Hint
+             * @description What to do about it, in English; empty where nothing is to do
+             */
+            hint: string;
             /** Row */
             row: number;
             /** Handle */
@@ -1080,8 +1098,6 @@ export interface components {
             moved: number;
             /** Off */
             off: number;
-            /** Text */
-            text: string;
         };
         /**
          * ConfirmIn
@@ -1804,14 +1820,7 @@ export interface components {
              * @enum {string}
              */
             fate: "kept" | "merged" | "dropped";
-            /** Reason */
-            reason: string;
-            /**
-             * Theme
-             * @description The reason without names and numbers
-             * @default
-             */
-            theme: string;
+            reason: components["schemas"]["MessageOut"];
             /** Length */
             length: number;
             /**
@@ -2157,8 +2166,8 @@ export interface components {
              * @enum {string}
              */
             fate: "kept" | "merged" | "dropped";
-            /** Reason */
-            reason: string;
+            /** @description Of the first of them: others have their own measures */
+            reason: components["schemas"]["MessageOut"];
             /**
              * What
              * @description Edges have a place in the drawing; of other entities the ledger tells it
@@ -2617,7 +2626,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "stored.text" | "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-confirmation" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.stale" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.invalid" | "field.missing" | "field.misspelt" | "field.unknown" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.selects-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.swivel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "input.not-finite" | "job.being-cancelled" | "job.cancelled-before-request" | "job.compile-crashed" | "job.gateway-silent" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-to-confirm" | "job.other-board" | "job.program-refused" | "job.stale-epoch" | "job.unknown" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rs274.after-end" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.given" | "unit.header" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.in-file" | "unit.inconclusive" | "unit.not-given" | "unit.overruled" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.crease-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.moves-before-stated" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.not-worked" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.output" | "verify.output-off" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.rapid-in-board" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-position" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "worker.died" | "worker.memory" | "worker.timeout";
+        MessageCode: "stored.text" | "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "cleaning.as-drawn" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-confirmation" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.stale" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.invalid" | "field.missing" | "field.misspelt" | "field.unknown" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.selects-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.swivel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unreadable-line" | "import.unreadable-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.being-cancelled" | "job.cancelled-before-request" | "job.compile-crashed" | "job.gateway-silent" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-to-confirm" | "job.other-board" | "job.program-refused" | "job.stale-epoch" | "job.unknown" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rs274.after-end" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.given" | "unit.header" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.in-file" | "unit.inconclusive" | "unit.not-given" | "unit.overruled" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.crease-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.moves-before-stated" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.not-worked" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.output" | "verify.output-off" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.rapid-in-board" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-position" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "worker.died" | "worker.memory" | "worker.timeout";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -2989,6 +2998,103 @@ export interface components {
             arguments: {
                 reason: components["schemas"]["Message"];
             };
+        } | {
+            /** @constant */
+            code: "cleaning.as-drawn";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.dropped-speck";
+            arguments: {
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "cleaning.end-moved";
+            arguments: {
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "cleaning.fitted";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.fitted-edge";
+            arguments: {
+                edge: number;
+                distance: number;
+            };
+        } | {
+            /** @constant */
+            code: "cleaning.ignored";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.joined";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.joined-edge";
+            arguments: {
+                edge: number;
+            };
+        } | {
+            /** @constant */
+            code: "cleaning.kept";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.kept-changed";
+            arguments: {
+                changes: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "cleaning.length-on-others";
+            arguments: {
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "cleaning.longer";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.moved";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.no-work";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.on-edge";
+            arguments: {
+                edge: number;
+            };
+        } | {
+            /** @constant */
+            code: "cleaning.part-dropped";
+            arguments: {
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "cleaning.shortened";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.speck";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.twice";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.unclassified";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "command.bad-corner";
@@ -3971,6 +4077,625 @@ export interface components {
             /** @constant */
             code: "hpgl.x-without-y";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.angles-not-numbers";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.annotations";
+            arguments: {
+                count: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.area-outline";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.area-outline-on-page";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.array";
+            arguments: {
+                columns: number;
+                rows: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.bad-operands";
+            arguments: {
+                operator: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.bad-path-data";
+            arguments: {
+                character: number;
+                text: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.bad-place";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.bad-points";
+            arguments: {
+                points: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.bad-radius";
+            arguments: {
+                radius: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.bad-size";
+            arguments: {
+                name: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.bad-transform";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.bad-window";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.block-external";
+            arguments: {
+                block: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.block-in-itself";
+            arguments: {
+                block: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.block-missing";
+            arguments: {
+                block: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.bridge";
+            arguments: {
+                width: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.bridges";
+            arguments: {
+                bridges: number;
+                width: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.clip-path";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.contains-itself";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.coordinate-not-a-number";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.curves-fitted";
+            arguments: {
+                pieces: number;
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.curves-fitted-relative";
+            arguments: {
+                pieces: number;
+                tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.damaged";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.damaged-or-frame";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.dimension";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.drawn-twice";
+            arguments: {
+                same: string[];
+            };
+        } | {
+            /** @constant */
+            code: "import.drawn-twice-often";
+            arguments: {
+                same: string[];
+                more: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.empty-path";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.end-mark";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.endless-line";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.extrusion-not-a-number";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.few-vertices";
+            arguments: {
+                vertices: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.filled-area";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.filled-area-beside-strokes";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.filled-area-on-page";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.fit-points";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.font-shape";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.height-not-a-number";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.height-too-far";
+            arguments: {
+                height: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.hidden";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.hidden-layer";
+            arguments: {
+                layer: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.image";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.incomplete";
+            arguments: {
+                part: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.interrupted-path";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.invisible";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.kept";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.kept-changed";
+            arguments: {
+                notes: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "import.laid-flat";
+            arguments: {
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.layer-frozen";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.layer-not-plotted";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.layer-off";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.light";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.lone-vertex";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.mesh";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.missing-id";
+            arguments: {
+                id: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.missing-subroutine";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.multiple-line";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.no-length";
+            arguments: {
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.no-major-axis";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.no-paint";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.no-parameter-range";
+            arguments: {
+                parameter: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.no-points";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.no-scale";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.no-size";
+            arguments: {
+                width: number;
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.no-sweep";
+            arguments: {
+                degrees: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.not-a-line";
+            arguments: {
+                kind: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.not-clipped";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.not-flat";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.not-svg";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.not-visible";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.nothing-named";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.on-layer";
+            arguments: {
+                layer: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.other-file";
+            arguments: {
+                file: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.other-pages";
+            arguments: {
+                pages: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.outside-page";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.page-ends-early";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.paper-space";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.parameters-not-numbers";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.partly-outside-page";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.picture";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.picture-block";
+            arguments: {
+                block: string;
+                entities: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.pieces-drawn-twice";
+            arguments: {
+                pieces: number;
+                all: number;
+                same: string[];
+            };
+        } | {
+            /** @constant */
+            code: "import.pieces-drawn-twice-often";
+            arguments: {
+                pieces: number;
+                all: number;
+                same: string[];
+                more: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.pieces-no-length";
+            arguments: {
+                pieces: number;
+                all: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.place-not-a-number";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.placement-not-a-number";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.places-block";
+            arguments: {
+                block: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.places-subroutine";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.point";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.proxy";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.region";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.repeated";
+            arguments: {
+                times: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.rules-not-read";
+            arguments: {
+                rules: string[];
+            };
+        } | {
+            /** @constant */
+            code: "import.script";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.shading";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.short-path-data";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.solid";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.spot-colour";
+            arguments: {
+                colour: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.subroutine-in-itself";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.text";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.text-unknown-letters";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.tilted";
+            arguments: {
+                degrees: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.tilted-axis";
+            arguments: {
+                rise: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.too-far";
+            arguments: {
+                coordinate: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.too-many-fit-points";
+            arguments: {
+                points: number;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.uncentred-arc";
+            arguments: {
+                first: number;
+                second: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.underlay";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.uneven-height";
+            arguments: {
+                low: number;
+                high: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.unknown-operator";
+            arguments: {
+                operator: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.unknown-record";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.unreadable-line";
+            arguments: {
+                line: number;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.unreadable-record";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.unsupported-element";
+            arguments: {
+                kind: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.unused-block";
+            arguments: {
+                block: string;
+                entities: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.unused-subroutine";
+            arguments: {
+                name: string;
+                records: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.viewport";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.wrong-field-count";
+            arguments: {
+                line: number;
+                fields: number;
+            };
         } | {
             /** @constant */
             code: "input.not-finite";

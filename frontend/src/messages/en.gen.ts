@@ -291,6 +291,86 @@ export const TEXTS = {
     "text": "{reason}, with a text beside it",
     "hint": ""
   },
+  "cleaning.as-drawn": {
+    "text": "",
+    "hint": ""
+  },
+  "cleaning.dropped-speck": {
+    "text": "dropped: {length:.4g} mm long and connects nothing",
+    "hint": ""
+  },
+  "cleaning.end-moved": {
+    "text": "an end moved by {distance:.2g} mm to meet another",
+    "hint": ""
+  },
+  "cleaning.fitted": {
+    "text": "it is a part of a flattened curve that became one line or arc",
+    "hint": ""
+  },
+  "cleaning.fitted-edge": {
+    "text": "merged: a flattened curve, one with edge {edge} within {distance:.2g} mm",
+    "hint": ""
+  },
+  "cleaning.ignored": {
+    "text": "ignored: shown, and kept out of the tool path",
+    "hint": ""
+  },
+  "cleaning.joined": {
+    "text": "it was merged into a collinear edge",
+    "hint": ""
+  },
+  "cleaning.joined-edge": {
+    "text": "merged into the collinear edge {edge}",
+    "hint": ""
+  },
+  "cleaning.kept": {
+    "text": "kept",
+    "hint": ""
+  },
+  "cleaning.kept-changed": {
+    "text": "kept: {changes:; }",
+    "hint": ""
+  },
+  "cleaning.length-on-others": {
+    "text": "{length:.4g} mm of it lie on other edges",
+    "hint": ""
+  },
+  "cleaning.longer": {
+    "text": "collinear edges were merged into it",
+    "hint": ""
+  },
+  "cleaning.moved": {
+    "text": "an end was moved to meet another edge",
+    "hint": ""
+  },
+  "cleaning.no-work": {
+    "text": "left as it is: no work",
+    "hint": ""
+  },
+  "cleaning.on-edge": {
+    "text": "merged: it lies on edge {edge}",
+    "hint": ""
+  },
+  "cleaning.part-dropped": {
+    "text": "a speck of {length:.2g} mm dropped",
+    "hint": ""
+  },
+  "cleaning.shortened": {
+    "text": "a part of it lies on other edges",
+    "hint": ""
+  },
+  "cleaning.speck": {
+    "text": "it is a speck that connects nothing",
+    "hint": ""
+  },
+  "cleaning.twice": {
+    "text": "it lies on other edges",
+    "hint": ""
+  },
+  "cleaning.unclassified": {
+    "text": "not decided yet",
+    "hint": ""
+  },
   "command.bad-corner": {
     "text": "--corner-at {text!r} is not X,Y=TYPE or X,Y=TYPE:K.",
     "hint": "Write for example --corner-at 300,100=C or 300,100=D:0.3."
@@ -889,6 +969,478 @@ export const TEXTS = {
   },
   "hpgl.x-without-y": {
     "text": "An X has no Y.",
+    "hint": ""
+  },
+  "import.angles-not-numbers": {
+    "text": "its angles are not numbers",
+    "hint": ""
+  },
+  "import.annotations": {
+    "text": "{count} notes and form fields on the page are not cut",
+    "hint": ""
+  },
+  "import.area-outline": {
+    "text": "outline of a filled area: the drawing has no strokes",
+    "hint": ""
+  },
+  "import.area-outline-on-page": {
+    "text": "outline of a filled area: the page has no strokes",
+    "hint": ""
+  },
+  "import.array": {
+    "text": "{columns} columns × {rows} rows",
+    "hint": ""
+  },
+  "import.bad-operands": {
+    "text": "the operands of its operator {operator!r} are invalid",
+    "hint": ""
+  },
+  "import.bad-path-data": {
+    "text": "its path data is wrong at character {character} ({text!r}): read up to there, as in a browser",
+    "hint": ""
+  },
+  "import.bad-place": {
+    "text": "its position cannot be read: {reason}",
+    "hint": ""
+  },
+  "import.bad-points": {
+    "text": "its points cannot be read: {points!r}",
+    "hint": ""
+  },
+  "import.bad-radius": {
+    "text": "its radius is {radius:g}",
+    "hint": ""
+  },
+  "import.bad-size": {
+    "text": "its {name} cannot be read: {reason}",
+    "hint": ""
+  },
+  "import.bad-transform": {
+    "text": "its transform cannot be read: {reason}",
+    "hint": ""
+  },
+  "import.bad-window": {
+    "text": "its window cannot be read: {reason}",
+    "hint": ""
+  },
+  "import.block-external": {
+    "text": "its block {block!r} is in another file",
+    "hint": "Bind it before exporting."
+  },
+  "import.block-in-itself": {
+    "text": "its block {block!r} contains itself",
+    "hint": ""
+  },
+  "import.block-missing": {
+    "text": "its block {block!r} is not in the file",
+    "hint": ""
+  },
+  "import.bridge": {
+    "text": "1 bridge of {width:g} in the die board",
+    "hint": ""
+  },
+  "import.bridges": {
+    "text": "{bridges:g} bridges of {width:g} in the die board",
+    "hint": ""
+  },
+  "import.clip-path": {
+    "text": "it is only a clipping path",
+    "hint": ""
+  },
+  "import.contains-itself": {
+    "text": "it contains itself",
+    "hint": ""
+  },
+  "import.coordinate-not-a-number": {
+    "text": "a coordinate is not a number",
+    "hint": ""
+  },
+  "import.curves-fitted": {
+    "text": "curves fitted with {pieces} lines and arcs within {tolerance:.2g} file units",
+    "hint": ""
+  },
+  "import.curves-fitted-relative": {
+    "text": "curves fitted with {pieces} lines and arcs within {tolerance:.2g} file units (1/250,000 of the drawing)",
+    "hint": ""
+  },
+  "import.damaged": {
+    "text": "it is damaged: {reason}",
+    "hint": ""
+  },
+  "import.damaged-or-frame": {
+    "text": "it is damaged, or only the frame of a text",
+    "hint": ""
+  },
+  "import.dimension": {
+    "text": "dimensions and notes are not cut",
+    "hint": ""
+  },
+  "import.drawn-twice": {
+    "text": "it is drawn twice: the same as {same:, }",
+    "hint": ""
+  },
+  "import.drawn-twice-often": {
+    "text": "it is drawn twice: the same as {same:, } and {more} more",
+    "hint": ""
+  },
+  "import.empty-path": {
+    "text": "its path is empty",
+    "hint": ""
+  },
+  "import.end-mark": {
+    "text": "an end mark",
+    "hint": ""
+  },
+  "import.endless-line": {
+    "text": "a construction line without end",
+    "hint": ""
+  },
+  "import.extrusion-not-a-number": {
+    "text": "its extrusion is not a number",
+    "hint": ""
+  },
+  "import.few-vertices": {
+    "text": "it has {vertices} vertices: no line between them",
+    "hint": ""
+  },
+  "import.filled-area": {
+    "text": "a filled area has no line of its own",
+    "hint": ""
+  },
+  "import.filled-area-beside-strokes": {
+    "text": "a filled area without a stroke, in a drawing with strokes",
+    "hint": ""
+  },
+  "import.filled-area-on-page": {
+    "text": "a filled area without a stroke, on a page with strokes",
+    "hint": ""
+  },
+  "import.fit-points": {
+    "text": "drawn through its fit points",
+    "hint": ""
+  },
+  "import.font-shape": {
+    "text": "a shape out of a font file is not read: explode it into lines",
+    "hint": ""
+  },
+  "import.height-not-a-number": {
+    "text": "its height is not a number",
+    "hint": ""
+  },
+  "import.height-too-far": {
+    "text": "its height is {height:g}; the limit is {limit:g}",
+    "hint": ""
+  },
+  "import.hidden": {
+    "text": "it is hidden",
+    "hint": ""
+  },
+  "import.hidden-layer": {
+    "text": "it is hidden: the layer {layer} is switched off",
+    "hint": ""
+  },
+  "import.image": {
+    "text": "images are not cut",
+    "hint": ""
+  },
+  "import.incomplete": {
+    "text": "it is incomplete: it has no {part}",
+    "hint": ""
+  },
+  "import.interrupted-path": {
+    "text": "another object starts before the path is painted",
+    "hint": ""
+  },
+  "import.invisible": {
+    "text": "it is marked as invisible",
+    "hint": ""
+  },
+  "import.kept": {
+    "text": "kept",
+    "hint": ""
+  },
+  "import.kept-changed": {
+    "text": "kept: {notes:; }",
+    "hint": ""
+  },
+  "import.laid-flat": {
+    "text": "laid flat from z = {height:g}",
+    "hint": ""
+  },
+  "import.layer-frozen": {
+    "text": "its layer is frozen",
+    "hint": ""
+  },
+  "import.layer-not-plotted": {
+    "text": "its layer is not plotted",
+    "hint": ""
+  },
+  "import.layer-off": {
+    "text": "its layer is off",
+    "hint": ""
+  },
+  "import.light": {
+    "text": "a light is not cut",
+    "hint": ""
+  },
+  "import.lone-vertex": {
+    "text": "a vertex without its polyline",
+    "hint": ""
+  },
+  "import.mesh": {
+    "text": "it is a mesh, not a flat line",
+    "hint": ""
+  },
+  "import.missing-id": {
+    "text": "no element has the id {id!r}",
+    "hint": ""
+  },
+  "import.missing-subroutine": {
+    "text": "the subroutine {name} does not exist",
+    "hint": ""
+  },
+  "import.multiple-line": {
+    "text": "a multiple line is not read: explode it into lines",
+    "hint": ""
+  },
+  "import.no-length": {
+    "text": "it has no length: {length:g}",
+    "hint": ""
+  },
+  "import.no-major-axis": {
+    "text": "its major axis has a length of 0",
+    "hint": ""
+  },
+  "import.no-paint": {
+    "text": "it has neither a stroke nor a fill",
+    "hint": ""
+  },
+  "import.no-parameter-range": {
+    "text": "it has no length: it starts and ends at parameter {parameter:g}",
+    "hint": ""
+  },
+  "import.no-points": {
+    "text": "it has no points",
+    "hint": ""
+  },
+  "import.no-scale": {
+    "text": "its scale is {x:g} × {y:g}: nothing is left of it",
+    "hint": ""
+  },
+  "import.no-size": {
+    "text": "its width and height are {width:g} and {height:g}",
+    "hint": ""
+  },
+  "import.no-sweep": {
+    "text": "it has no length: it starts and ends at {degrees:g}°",
+    "hint": ""
+  },
+  "import.not-a-line": {
+    "text": "{kind} is not a kind of line that is read",
+    "hint": ""
+  },
+  "import.not-clipped": {
+    "text": "the clipping around it is not applied",
+    "hint": ""
+  },
+  "import.not-flat": {
+    "text": "it is not flat",
+    "hint": ""
+  },
+  "import.not-svg": {
+    "text": "its content is not SVG",
+    "hint": ""
+  },
+  "import.not-visible": {
+    "text": "it is fully transparent",
+    "hint": ""
+  },
+  "import.nothing-named": {
+    "text": "no form or image has the name {name!r}",
+    "hint": ""
+  },
+  "import.on-layer": {
+    "text": "on the layer {layer}",
+    "hint": ""
+  },
+  "import.other-file": {
+    "text": "it refers to another file, {file!r}, which is not fetched",
+    "hint": ""
+  },
+  "import.other-pages": {
+    "text": "only the first of {pages} pages is read",
+    "hint": ""
+  },
+  "import.outside-page": {
+    "text": "it lies outside the visible area of the page",
+    "hint": ""
+  },
+  "import.page-ends-early": {
+    "text": "the page ends before the path is painted",
+    "hint": ""
+  },
+  "import.paper-space": {
+    "text": "it is in paper space",
+    "hint": ""
+  },
+  "import.parameters-not-numbers": {
+    "text": "its parameters are not numbers",
+    "hint": ""
+  },
+  "import.partly-outside-page": {
+    "text": "part of it lies outside the visible area of the page",
+    "hint": ""
+  },
+  "import.picture": {
+    "text": "pictures are not cut",
+    "hint": ""
+  },
+  "import.picture-block": {
+    "text": "the block {block} of {entities:# entity|# entities}: it shows a dimension or a hatch",
+    "hint": ""
+  },
+  "import.pieces-drawn-twice": {
+    "text": "{pieces} of {all} pieces are drawn twice, with {same:, }",
+    "hint": ""
+  },
+  "import.pieces-drawn-twice-often": {
+    "text": "{pieces} of {all} pieces are drawn twice, with {same:, } and {more} more",
+    "hint": ""
+  },
+  "import.pieces-no-length": {
+    "text": "{pieces} of {all} pieces have no length",
+    "hint": ""
+  },
+  "import.place-not-a-number": {
+    "text": "its position is not a number",
+    "hint": ""
+  },
+  "import.placement-not-a-number": {
+    "text": "its place, scale or rotation is not a number",
+    "hint": ""
+  },
+  "import.places-block": {
+    "text": "places the block {block}",
+    "hint": ""
+  },
+  "import.places-subroutine": {
+    "text": "inserts the subroutine {name}",
+    "hint": ""
+  },
+  "import.point": {
+    "text": "a point has no length",
+    "hint": ""
+  },
+  "import.proxy": {
+    "text": "only the program that made it can read it: explode it into lines",
+    "hint": ""
+  },
+  "import.region": {
+    "text": "a region is not read: explode it into lines",
+    "hint": ""
+  },
+  "import.repeated": {
+    "text": "drawn {times} times",
+    "hint": ""
+  },
+  "import.rules-not-read": {
+    "text": "rules that are not supported: {rules:, }",
+    "hint": ""
+  },
+  "import.script": {
+    "text": "scripts are not run",
+    "hint": ""
+  },
+  "import.shading": {
+    "text": "shadings are not cut",
+    "hint": ""
+  },
+  "import.short-path-data": {
+    "text": "its path data ends inside a command: read up to there, as in a browser",
+    "hint": ""
+  },
+  "import.solid": {
+    "text": "it is a solid or a face, not a flat line",
+    "hint": ""
+  },
+  "import.spot-colour": {
+    "text": "drawn in the spot colour {colour}",
+    "hint": ""
+  },
+  "import.subroutine-in-itself": {
+    "text": "the subroutine {name} contains itself",
+    "hint": ""
+  },
+  "import.text": {
+    "text": "text is not cut",
+    "hint": ""
+  },
+  "import.text-unknown-letters": {
+    "text": "text is not cut, and its encoding is unknown",
+    "hint": ""
+  },
+  "import.tilted": {
+    "text": "it is not flat: its plane is tilted by {degrees:g}°",
+    "hint": ""
+  },
+  "import.tilted-axis": {
+    "text": "it is not flat: its major axis rises by {rise:g}",
+    "hint": ""
+  },
+  "import.too-far": {
+    "text": "a coordinate is {coordinate:g}; the limit is {limit:g}",
+    "hint": ""
+  },
+  "import.too-many-fit-points": {
+    "text": "it goes through {points:,} points; the limit is {limit:,}",
+    "hint": ""
+  },
+  "import.uncentred-arc": {
+    "text": "its centre is {first:g} from one end and {second:g} from the other",
+    "hint": ""
+  },
+  "import.underlay": {
+    "text": "a picture or an underlay is not cut",
+    "hint": ""
+  },
+  "import.uneven-height": {
+    "text": "it is not flat: z goes from {low:g} to {high:g}",
+    "hint": ""
+  },
+  "import.unknown-operator": {
+    "text": "the operator {operator!r} is unknown",
+    "hint": ""
+  },
+  "import.unknown-record": {
+    "text": "records of this type are not supported",
+    "hint": ""
+  },
+  "import.unreadable-line": {
+    "text": "line {line} cannot be read: {reason}",
+    "hint": ""
+  },
+  "import.unreadable-record": {
+    "text": "it cannot be read: {reason}",
+    "hint": ""
+  },
+  "import.unsupported-element": {
+    "text": "elements of type {kind} are not supported",
+    "hint": ""
+  },
+  "import.unused-block": {
+    "text": "the block {block} of {entities:# entity|# entities}: no INSERT places it on the sheet",
+    "hint": ""
+  },
+  "import.unused-subroutine": {
+    "text": "the subroutine {name} with {records:# record|# records} is never called",
+    "hint": ""
+  },
+  "import.viewport": {
+    "text": "a viewport shows lines and is none",
+    "hint": ""
+  },
+  "import.wrong-field-count": {
+    "text": "line {line} has {fields} fields",
     "hint": ""
   },
   "input.not-finite": {

@@ -3,7 +3,7 @@
 import { useMemo, useState } from "react";
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
 import type { Box, Edges } from "../geometry/records";
-import { errorText } from "../messages/render";
+import { errorText, renderText } from "../messages/render";
 import { entitiesOf, locateEntity } from "../state/importReport";
 import { useEdges, useLedger } from "../state/queries";
 import { useUiStore } from "../state/store";
@@ -27,8 +27,14 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
     <div className={css.entities} data-testid="entities">
       {edges !== undefined &&
         rows.slice(0, most).map((row, at) => (
-          // biome-ignore lint/suspicious/noArrayIndexKey: a file may name two entities alike
-          <Entity key={`${row.handle} ${at}`} row={row} edges={edges} drawing={drawing} />
+          <Entity
+            // biome-ignore lint/suspicious/noArrayIndexKey: a file may name two entities alike
+            key={`${row.handle} ${at}`}
+            row={row}
+            group={group}
+            edges={edges}
+            drawing={drawing}
+          />
         ))}
       {whole.error && <p className={panels.note}>{errorText(whole.error)}</p>}
       {(rows.length > most || whole.isFetching) && (
@@ -44,16 +50,18 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
 
 interface Props {
   row: LedgerRow;
+  group: ReportGroup;
   edges: Edges;
   drawing: Drawing;
 }
 
-function Entity({ row, edges, drawing }: Props) {
+function Entity({ row, group, edges, drawing }: Props) {
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const zoomToBox = useUiStore((ui) => ui.zoomToBox);
   const pin = useUiStore((ui) => ui.pin);
   const length = useFormatLength();
   const found = useMemo(() => locateEntity(edges, drawing, row), [edges, drawing, row]);
+  const reason = renderText(row.reason);
   const meant = found !== null && "pin" in found && same(pin, found.pin);
   return (
     <button
@@ -74,7 +82,7 @@ function Entity({ row, edges, drawing }: Props) {
         <small>
           {row.text === "" ? "" : `${row.kind} `}
           {row.handle} on {row.layer}
-          {particular(row) !== "" && ` · ${particular(row)}`}
+          {reason !== renderText(group.reason) && ` · ${reason}`}
         </small>
       </span>
       {row.length > 0 && <span className={panels.rowFigure}>{length(row.length)}</span>}
@@ -83,7 +91,3 @@ function Entity({ row, edges, drawing }: Props) {
 }
 
 const same = (a: Box | null, b: Box): boolean => a?.every((side, at) => side === b[at]) ?? false;
-
-/** The part of its reason that the group does not have. */
-const particular = ({ reason, theme }: LedgerRow): string =>
-  reason === theme ? "" : reason.replace(`${theme}: `, "");

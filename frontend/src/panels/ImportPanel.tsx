@@ -5,6 +5,7 @@ import { IconChevronRight, IconFocusCentered } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Drawing, ReportGroup } from "../api/client";
 import type { Fate } from "../geometry/records";
+import { renderText } from "../messages/render";
 import { pluralize } from "../state/format";
 import {
   groupsOf,
@@ -60,7 +61,7 @@ export function ImportPanel() {
       <div className={css.groups} data-testid="report-groups">
         {groups.map((group) => (
           <Group
-            key={`${group.fate} ${group.what} ${group.reason}`}
+            key={`${group.fate} ${group.what} ${renderText(group.reason)}`}
             group={group}
             drawing={drawing}
           />
@@ -111,7 +112,7 @@ function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
   const length = useFormatLength();
   const [open, setOpen] = useState(false);
   const lines = group.what === "edges";
-  const words = group.reason === "" ? "Kept as drawn" : group.reason;
+  const words = renderText(group.reason) || "Kept as drawn";
   const several = group.kinds.length > 0 && !lines;
   return (
     <div>

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
 import type { Edges } from "../geometry/records";
+import type { Code } from "../messages/catalogue";
 import {
   entitiesOf,
   groupsOf,
@@ -14,9 +15,16 @@ import { summarizeEdges } from "./inspect";
 
 type Report = NonNullable<Drawing["report"]>;
 
+const message = (code: Code, args: Record<string, unknown> = {}) => ({
+  code,
+  arguments: args,
+  text: "",
+  hint: "",
+});
+
 const group = (part: Partial<ReportGroup>): ReportGroup => ({
   fate: "kept",
-  reason: "",
+  reason: message("cleaning.as-drawn"),
   what: "edges",
   kinds: [],
   count: 1,
@@ -24,8 +32,11 @@ const group = (part: Partial<ReportGroup>): ReportGroup => ({
   ...part,
 });
 
-const SPECKS = group({ fate: "dropped", reason: "a speck" });
-const TEXTS = group({ fate: "dropped", reason: "text is not cut", what: "entities" });
+const SPECKS = group({
+  fate: "dropped",
+  reason: { ...message("cleaning.speck"), text: "a speck" },
+});
+const TEXTS = group({ fate: "dropped", reason: message("import.text"), what: "entities" });
 const REPORT: Report = {
   drawn: 200,
   kept: 150,
@@ -71,7 +82,7 @@ describe("the import report", () => {
     expect(rowsOfGroup(EDGES, SPECKS)).toEqual([1]);
     expect(rowsOfGroup(EDGES, group({}))).toEqual([0, 2]);
     expect(rowsOfGroup(EDGES, TEXTS)).toEqual([]);
-    const row = { fate: "dropped", reason: "text is not cut: 12", theme: "text is not cut" };
+    const row = { fate: "dropped", reason: message("import.text") };
     expect(entitiesOf([row as LedgerRow], TEXTS)).toHaveLength(1);
     expect(entitiesOf([row as LedgerRow], SPECKS)).toHaveLength(0);
     expect([0, 1, 2].map((edge) => isDropped(EDGES, edge))).toEqual([false, true, false]);
@@ -106,8 +117,7 @@ const entity = (part: Partial<LedgerRow>): LedgerRow => ({
   kind: "TEXT",
   layer: "NOTES",
   fate: "dropped",
-  reason: "text is not cut",
-  theme: "text is not cut",
+  reason: message("import.text"),
   length: 0,
   text: "",
   ...part,
@@ -116,7 +126,7 @@ const entity = (part: Partial<LedgerRow>): LedgerRow => ({
 describe("an entity of the report", () => {
   test("is found by its edges, or by the one that it lies on", () => {
     expect(locateEntity(EDGES, DRAWING, entity({ handle: "C" }))).toEqual({ rows: [2] });
-    const twice = entity({ handle: "D", reason: "it is drawn twice: the same as A" });
+    const twice = entity({ handle: "D", reason: message("import.drawn-twice", { same: ["A"] }) });
     expect(locateEntity(EDGES, DRAWING, twice)).toEqual({ rows: [0] });
   });
 

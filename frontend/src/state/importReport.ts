@@ -2,6 +2,7 @@
 
 import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
 import { type Box, type Edges, FATES, type Fate, fateOf } from "../geometry/records";
+import { typed } from "../messages/render";
 import { rowsOfHandles } from "./rows";
 
 /** Filters of the import report, in display order. */
@@ -39,7 +40,7 @@ export function rowsOfGroup(edges: Edges, group: ReportGroup): number[] {
   const rows: number[] = [];
   for (let row = 0; row < edges.bulge.length; row++) {
     const reason = edges.reasons[edges.reason[row] ?? 0] ?? "";
-    if (reason === group.reason) rows.push(row);
+    if (reason === group.reason.text) rows.push(row);
   }
   return rows;
 }
@@ -48,7 +49,7 @@ export function rowsOfGroup(edges: Edges, group: ReportGroup): number[] {
 export const entitiesOf = (ledger: readonly LedgerRow[], group: ReportGroup): LedgerRow[] =>
   group.what === "edges"
     ? []
-    : ledger.filter((row) => row.fate === group.fate && (row.theme || row.reason) === group.reason);
+    : ledger.filter((row) => row.fate === group.fate && row.reason.code === group.reason.code);
 
 /** Location of an entity: its edges, those that it coincides with, or its bounding box. */
 export type EntityLocation =
@@ -64,7 +65,8 @@ const BOX_MARGIN = 0.75;
 const MIN_MARGIN = 0.25;
 
 export function locateEntity(edges: Edges, drawing: Drawing, row: LedgerRow): EntityLocation {
-  const twin = /: the same as (\S+)$/.exec(row.reason)?.[1];
+  const reason = typed(row.reason);
+  const twin = reason.code === "import.drawn-twice" ? reason.arguments.same[0] : undefined;
   const own = rowsOfHandles(edges, [row.handle]);
   const rows = own.length > 0 || twin === undefined ? own : rowsOfHandles(edges, [twin]);
   if (rows.length > 0) return { rows };

@@ -19,11 +19,12 @@ from knifetip.formats.limits import Limits
 from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing, Fate
+from tests.support.drawings import report_reasons
 from tests.support.writers.cf2_text import arc, carton, cf2, line, sub
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:
-    return dict(zip(drawing.ledger.handle, drawing.ledger.reason, strict=True))
+    return dict(zip(drawing.ledger.handle, report_reasons(drawing), strict=True))
 
 
 # ── Records ───────────────────────────────────────────────────────────────────────────────────
@@ -69,7 +70,7 @@ def test_an_arc_with_a_wrong_centre_keeps_its_ends_and_is_noted() -> None:
 def test_bridges_are_notes_and_not_gaps() -> None:
     drawing = read(cf2(line(0, 0, 100, 0, bridges="3,6"), line(0, 1, 9, 1, bridges="1,4.5")))
     assert drawing.lengths.tolist() == [100.0, 9.0]
-    assert drawing.ledger.reason == (
+    assert report_reasons(drawing) == (
         "kept: 3 bridges of 6 in the die board",
         "kept: 1 bridge of 4.5 in the die board",
     )
@@ -147,7 +148,7 @@ def test_invalid_calls_are_reported() -> None:
     assert reason["#1/#4/#5"] == "the subroutine A contains itself"
     assert reason["#2"] == "the subroutine NONE does not exist"
     assert reason["#3"] == "its position is not a number"
-    assert reason["IDLE"] == "the subroutine IDLE with 1 records is never called"
+    assert reason["IDLE"] == "the subroutine IDLE with 1 record is never called"
 
 
 def test_without_calls_subroutines_keep_their_coordinates() -> None:
@@ -249,7 +250,7 @@ def test_a_file_truncated_anywhere_is_refused_or_complete() -> None:
             refusals += 1
             continue
         # The end mark may be missing; a call of a missing subroutine is reported.
-        lost = [reason for reason in part.ledger.reason if "does not exist" in reason]
+        lost = [reason for reason in report_reasons(part) if "does not exist" in reason]
         assert part.ends.tolist() == drawing.ends.tolist() or len(lost) == 2, whole[length - 30 :]
     assert refusals > 0.9 * len(whole) - 200
 

@@ -17,6 +17,7 @@ from knifetip.dxf.read import read
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Drawing, Fate
+from tests.support.drawings import report_reasons
 from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, line, tags
 
 DOWN = ((210, 0.0), (220, 0.0), (230, -1.0))
@@ -31,7 +32,7 @@ def only(drawing: Drawing, fate: Fate = Fate.KEPT) -> str:
     """The reason of a drawing's single ledger row, which has this fate."""
     assert len(drawing.ledger) == 1
     assert drawing.ledger.fate[0] == fate
-    return drawing.ledger.reason[0]
+    return report_reasons(drawing)[0]
 
 
 def polyline(vertices: Sequence[Sequence[Any]], *head: Tag, flags: int = 0) -> str:
@@ -241,7 +242,7 @@ def test_ellipse_is_fitted_within_a_hundredth_and_says_so() -> None:
     far = max(float(np.hypot(*(true - place).T).min()) for place in walk)
     assert far <= 0.0105
     assert (
-        only(drawing) == f"kept: fitted with {len(drawing)} lines and arcs within 0.01 file units"
+        only(drawing) == f"kept: curves fitted with {len(drawing)} lines and arcs within 0.01 file units"
     )
 
 
@@ -271,7 +272,7 @@ def test_spline_through_fit_points_passes_them() -> None:
         (70, 8), (71, 3), (74, 3), *body,
     )  # fmt: skip
     drawing = read(dxf(text, version="AC1015"))
-    assert only(drawing).startswith("kept: drawn through its fit points; fitted with")
+    assert only(drawing).startswith("kept: drawn through its fit points; curves fitted with")
     joints = drawing.ends.reshape(-1, 2)
     for x, y in points:
         assert np.hypot(*(joints - (x, y)).T).min() < 0.5
@@ -320,7 +321,7 @@ def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(
 
 def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(0, 0, 2e7, 0), line(0, 0, 10, 0)))
-    assert drawing.ledger.reason == ("a coordinate is 2e+07; the limit is 1e+07", "kept")
+    assert report_reasons(drawing) == ("a coordinate is 2e+07; the limit is 1e+07", "kept")
 
 
 @pytest.mark.parametrize(
@@ -339,7 +340,7 @@ def test_what_is_no_line_is_dropped_with_the_reason(kind: str, reason: str) -> N
     text = entity(kind, (10, 1), (20, 1), (11, 5), (21, 0), (12, 3), (22, 3), (13, 0), (23, 0))
     drawing = read(dxf(text, line(0, 0, 1, 0)))
     assert drawing.ledger.kind == (kind, "LINE")
-    assert drawing.ledger.reason == (reason, "kept")
+    assert report_reasons(drawing) == (reason, "kept")
 
 
 def test_every_kind_agrees_with_ezdxf_on_where_it_lies() -> None:

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
+from tests.support.drawings import report_reasons
 from tests.support.truth.readers import difference, ours, read_by_both
 from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, layer, line
 
@@ -54,7 +55,7 @@ def test_array_of_a_thousand_million_is_counted_and_not_expanded() -> None:
 def test_cyclic_blocks_are_dropped_and_the_rest_is_read() -> None:
     blocks = (block("A", insert("B")), block("B", insert("A"), _LINE))
     drawing = read(dxf(insert("A"), _LINE, blocks=blocks))
-    assert drawing.ledger.reason[0] == "its block 'A' contains itself"
+    assert report_reasons(drawing)[0] == "its block 'A' contains itself"
     assert len(drawing) == 1
 
 
@@ -81,7 +82,7 @@ def test_absurd_coordinates_drop_their_entity_alone(value: str) -> None:
 def test_spline_with_absurd_knots_is_dropped(data: bytes) -> None:
     drawing = read(data)
     assert len(drawing) == 0
-    assert "damaged" in drawing.ledger.reason[0]
+    assert "damaged" in report_reasons(drawing)[0]
 
 
 def test_spline_through_twenty_thousand_points_is_not_solved() -> None:
@@ -90,7 +91,7 @@ def test_spline_through_twenty_thousand_points_is_not_solved() -> None:
         tags += [(11, n % 77 * 3.3), (21, n % 11 * 2.2), (31, 0)]
     data = dxf(entity("SPLINE", *tags), version="AC1015")
     assert _within(5.0, data) == ""
-    assert "goes through 20,000 points; the limit is 1,000" in read(data).ledger.reason[0]
+    assert "goes through 20,000 points; the limit is 1,000" in report_reasons(read(data))[0]
 
 
 def test_half_a_gigabyte_is_refused_before_anything() -> None:

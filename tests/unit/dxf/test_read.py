@@ -16,6 +16,7 @@ from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Drawing, Fate
+from tests.support.drawings import report_reasons
 from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line, tags
 
 #: Drawings by other hands that are refused, each with its class.
@@ -23,7 +24,7 @@ REFUSED = {"danst0__Box-Generator/template.dxf": NotADrawing}
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:
-    return dict(zip(drawing.ledger.handle, drawing.ledger.reason, strict=True))
+    return dict(zip(drawing.ledger.handle, report_reasons(drawing), strict=True))
 
 
 def counted(data: bytes) -> Counter[str]:
@@ -138,7 +139,7 @@ def test_same_line_twice_is_merged_and_names_the_survivor() -> None:
     )
     assert drawing.handles == ["2F3", "2F6"]
     assert list(drawing.ledger.fate) == [Fate.KEPT, Fate.MERGED, Fate.MERGED, Fate.KEPT]
-    assert drawing.ledger.reason[1] == "it is drawn twice: the same as 2F3"
+    assert report_reasons(drawing)[1] == "it is drawn twice: the same as 2F3"
     assert_array_equal(drawing.ledger.length, [10, 0, 0, 11])
 
 
@@ -188,7 +189,7 @@ def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged() -> None:
 def test_line_without_length_is_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(5, 5, 5, 5.0000000001), line(0, 0, 1, 0)))
     assert drawing.ledger.fate[0] == Fate.DROPPED
-    assert drawing.ledger.reason[0].startswith("it has no length: 1e-10")
+    assert report_reasons(drawing)[0].startswith("it has no length: 1e-10")
     assert len(drawing) == 1
 
 
@@ -201,18 +202,18 @@ def test_entities_without_handles_are_numbered_in_the_order_of_the_file() -> Non
 
 def test_paper_space_is_dropped() -> None:
     drawing = read(dxf(line(0, 0, 10, 0, (67, 1)), line(0, 0, 5, 0)))
-    assert drawing.ledger.reason == ("it stands in paper space", "kept")
+    assert report_reasons(drawing) == ("it is in paper space", "kept")
 
 
 def test_invisible_line_is_dropped() -> None:
     drawing = read(dxf(line(0, 0, 10, 0, (60, 1)), line(0, 0, 5, 0), version="AC1015"))
-    assert drawing.ledger.reason[0] == "it is marked as invisible"
+    assert report_reasons(drawing)[0] == "it is marked as invisible"
 
 
 def test_block_that_nothing_places_is_named() -> None:
     drawing = read(dxf(line(0, 0, 1, 0), blocks=(block("SPARE", line(0, 0, 5, 0)),)))
     assert drawing.ledger.kind == ("LINE", "BLOCK")
-    assert drawing.ledger.reason[1] == (
+    assert report_reasons(drawing)[1] == (
         "the block SPARE of 1 entity: no INSERT places it on the sheet"
     )
 
@@ -250,7 +251,7 @@ def test_layer_that_is_off_or_frozen_is_read_and_says_so() -> None:
         )
     )
     assert drawing.colour.tolist() == [3, 4]
-    assert drawing.ledger.reason == ("kept: its layer is off", "kept: its layer is frozen")
+    assert report_reasons(drawing) == ("kept: its layer is off", "kept: its layer is frozen")
 
 
 def test_block_contents_take_layer_colour_and_linetype_of_their_insert() -> None:
@@ -319,7 +320,7 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
     # Turned by 90°, a step to the next column goes up and one to the next row goes left.
     starts = {tuple(start) for start in np.round(drawing.ends[:, 0]).tolist()}
     assert starts == {(0, 0), (0, 10), (0, 20), (-100, 0), (-100, 10), (-100, 20)}
-    assert drawing.ledger.reason == (
+    assert report_reasons(drawing) == (
         "kept: places the block PART; 3 columns × 2 rows",
         "kept: drawn 6 times",
     )
@@ -348,7 +349,7 @@ def test_mirrored_insert_turns_arcs_around() -> None:
 )
 def test_insert_that_cannot_be_placed_is_dropped(text: str, reason: str) -> None:
     drawing = read(dxf(text, line(0, 0, 1, 0), blocks=(block("PART", line(0, 0, 1, 0)),)))
-    assert drawing.ledger.reason[0] == reason
+    assert report_reasons(drawing)[0] == reason
     assert len(drawing) == 1
 
 
@@ -561,5 +562,5 @@ def test_same_bytes_give_the_same_drawing() -> None:
     data = dxf(line(0, 0, 10, 0), entity("CIRCLE", (10, 0), (20, 0), (40, 3)))
     first, second = read(data), read(data)
     assert first.ends.tobytes() == second.ends.tobytes()
-    assert first.ledger.reason == second.ledger.reason
+    assert report_reasons(first) == report_reasons(second)
     assert first.ledger.handle == second.ledger.handle

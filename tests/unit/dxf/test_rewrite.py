@@ -11,7 +11,9 @@ from ezdxf.lldxf.const import DXFError
 
 from knifetip.dxf.ezdxf_reader.entities import REASONS
 from knifetip.dxf.ezdxf_reader.rewrite import lines_only, with_markers
+from knifetip.messages import render
 from knifetip.model.drawing import Drawing
+from tests.support.drawings import report_reasons
 from tests.support.truth.readers import difference, read_by_both, reading
 
 LINE = "0\nLINE\n5\nA0\n8\nCUT\n10\n0\n20\n0\n11\n5\n21\n0\n"
@@ -69,7 +71,7 @@ def test_a_spline_of_any_version_has_its_degree_and_its_layer(version: str, mark
 def test_a_spline_of_r12_in_paper_space_stays_there(marks: bool) -> None:
     found = read_alike(drawing("AC1009", marked(SPLINE, "AcDbSpline", marks, paper=1)))
     assert len(found) == 0
-    assert found.ledger.reason == ("it stands in paper space",)
+    assert report_reasons(found) == ("it is in paper space",)
 
 
 def test_markers_stand_before_what_other_programs_added() -> None:
@@ -108,7 +110,7 @@ def test_one_entity_that_is_no_line_costs_no_line_of_the_drawing(kind: str, vers
     found = read_alike(data)
     assert found.ends.tolist() == [[[0, 0], [5, 0]]]
     assert found.ledger.kind == ("LINE", kind)
-    assert found.ledger.reason[1] == REASONS[kind]
+    assert report_reasons(found)[1] == render(REASONS[kind])
 
 
 @pytest.mark.parametrize("kind", UNREADABLE)

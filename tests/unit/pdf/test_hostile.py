@@ -16,6 +16,7 @@ from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
 from knifetip.model.drawing import Fate
 from knifetip.pdf.read import read
+from tests.support.drawings import report_reasons
 from tests.support.writers.pdf_text import carton, objects, pdf, stream
 
 FEW = Limits(bytes=1 << 20, entities=50, segments=1000, seconds=10.0)
@@ -194,7 +195,7 @@ def test_missing_and_circular_references_do_not_affect_other_lines() -> None:
 def test_invalid_operands_drop_only_their_path(numbers: str, why: str) -> None:
     drawing = read(pdf(f"0 0 m {numbers} l S {LINE}"))
     assert len(drawing) == 1
-    rows = zip(drawing.ledger.kind, drawing.ledger.reason, strict=True)
+    rows = zip(drawing.ledger.kind, report_reasons(drawing), strict=True)
     assert [reason for kind, reason in rows if kind == "path"] == [why, "kept"]
 
 

@@ -19,16 +19,17 @@ from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.pdf.read import read
 from knifetip.svg.read import read as read_svg
+from tests.support.drawings import report_reasons
 from tests.support.writers import svg_text
 from tests.support.writers.pdf_text import MM, bends, carton, objects, pdf, separation, stream
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:
-    return dict(zip(drawing.ledger.handle, drawing.ledger.reason, strict=True))
+    return dict(zip(drawing.ledger.handle, report_reasons(drawing), strict=True))
 
 
 def fates(drawing: Drawing) -> list[tuple[str, str]]:
-    return list(zip(drawing.ledger.kind, drawing.ledger.reason, strict=True))
+    return list(zip(drawing.ledger.kind, report_reasons(drawing), strict=True))
 
 
 # ── The same carton as SVG ────────────────────────────────────────────────────────────────────
@@ -388,7 +389,7 @@ def test_a_layer_that_is_off_is_hidden(default: str, shown: list[int]) -> None:
     assert [("Cut", "Perf").index(name) for name in drawing.layers] == shown
     for row in {0, 1} - set(shown):
         name = ("Cut", "Perf")[row]
-        assert drawing.ledger.reason[row] == f"it is hidden: the layer {name} is switched off"
+        assert report_reasons(drawing)[row] == f"it is hidden: the layer {name} is switched off"
         assert drawing.ledger.layer[row] == name
 
 
@@ -417,7 +418,7 @@ def test_a_visible_layer_inside_a_hidden_one_is_hidden() -> None:
             default="/OFF [6 0 R]",
         )
     )
-    assert drawing.ledger.reason == ("it is hidden: the layer Cut is switched off", "kept")
+    assert report_reasons(drawing) == ("it is hidden: the layer Cut is switched off", "kept")
 
 
 # ── Forms ─────────────────────────────────────────────────────────────────────────────────────

@@ -20,11 +20,12 @@ from knifetip.library import load
 from knifetip.model.drawing import Drawing, Fate
 from knifetip.svg.read import read
 from knifetip.units.evidence import find_unit
+from tests.support.drawings import report_reasons
 from tests.support.writers.svg_text import SVG, carton, svg
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:
-    return dict(zip(drawing.ledger.handle, drawing.ledger.reason, strict=True))
+    return dict(zip(drawing.ledger.handle, report_reasons(drawing), strict=True))
 
 
 def only(text: str, **fields: str) -> Drawing:

@@ -21,8 +21,7 @@ class LedgerRow(BaseModel):
     kind: str
     layer: str
     fate: FateWord
-    reason: str
-    theme: str = Field(default="", description="The reason without names and numbers, for grouping")
+    reason: MessageOut
     length: float
     text: str = Field(default="", description="Content of a text entity")
     place: list[float] | None = Field(
@@ -83,7 +82,7 @@ class CleaningCounts(BaseModel):
     dropped: int
 
 
-class CleaningRow(BaseModel):
+class CleaningRow(MessageOut):
     """Cleaning outcome of one edge that is not worked exactly as drawn."""
 
     row: int
@@ -97,7 +96,6 @@ class CleaningRow(BaseModel):
     added: float
     moved: float
     off: float
-    text: str
 
 
 class CleaningOut(BaseModel):
@@ -133,7 +131,7 @@ class ReportGroup(BaseModel):
     """Edges or entities with the same outcome and reason."""
 
     fate: FateWord
-    reason: str
+    reason: MessageOut = Field(description="Of the first of them: others have their own measures")
     what: Literal["edges", "entities"] = Field(
         description="What is counted: edges of the drawing, or entities that gave no edge"
     )

@@ -28,12 +28,13 @@ from knifetip.dxf.shapes import moved, turning
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64, frozen
+from knifetip.messages import Message
 
 #: Linear map of entities outside of blocks: the identity.
 ON_SHEET: Final[F64] = frozen(np.eye(2)[None], np.float64, 1, 2, 2)
 
 #: Reason for entities in paper space.
-IN_PAPER_SPACE: Final = "it stands in paper space"
+IN_PAPER_SPACE: Final = Message("import.paper-space")
 
 
 class Placed(NamedTuple):
@@ -108,24 +109,20 @@ class Block:
         return self.make()
 
 
-def not_read(kind: str) -> str:
+def not_read(kind: str) -> Message:
     """Return the reason for leaving out entities of a kind that has no geometry to cut."""
-    return REASONS.get(kind, f"{kind} is not a kind of line that is read")
+    return REASONS.get(kind) or Message("import.not-a-line", kind=kind)
 
 
-def places(name: str) -> str:
+def places(name: str) -> Message:
     """Return the note for an INSERT."""
-    return f"places the block {name}"
+    return Message("import.places-block", block=name)
 
 
-def idle(name: str, number: int) -> str:
+def idle(name: str, number: int) -> Message:
     """Return the reason for leaving out a block that no INSERT places."""
-    why = (
-        "it pictures a dimension or a hatch"
-        if name.startswith("*")
-        else "no INSERT places it on the sheet"
-    )
-    return f"the block {name} of {number} entit{'y' if number == 1 else 'ies'}: {why}"
+    code = "import.picture-block" if name.startswith("*") else "import.unused-block"
+    return Message(code, block=name, entities=number)
 
 
 class BlockExpansion:
@@ -223,10 +220,10 @@ class BlockExpansion:
             self._left(counted, handle, here, not_read(counted.kind))
             return
         if found is None:
-            self._left(counted, handle, here, "it is damaged, or only the frame of a text")
+            self._left(counted, handle, here, Message("import.damaged-or-frame"))
             return
         if found.hidden:
-            self._left(counted, handle, here, "it is marked as invisible")
+            self._left(counted, handle, here, Message("import.invisible"))
             return
         try:
             style = found.style(self._styles, around)
@@ -235,21 +232,20 @@ class BlockExpansion:
                 return
             what = found.drawn()
         except (Undrawable, GeometryError) as reason:
-            text = reason.text if isinstance(reason, GeometryError) else str(reason)
-            self._left(counted, handle, here, text)
+            self._left(counted, handle, here, reason.message)
             return
         except (ArithmeticError, ValueError, TypeError, LookupError, AttributeError) as reason:
             # Damaged entities raise any of these in ezdxf.
-            self._left(counted, handle, here, f"it is damaged: {reason}")
+            self._left(counted, handle, here, Message("import.damaged", reason=reason))
             return
         notes = [*self._styles.notes(style.layer), *what.notes]
         if len(here[0]) > 1:
-            notes.append(f"drawn {len(here[0])} times")
-        row = self.sheet.row(handle, counted.kind, style.layer, "", notes)
+            notes.append(Message("import.repeated", times=len(here[0])))
+        row = self.sheet.row(handle, counted.kind, style.layer, None, notes)
         self.placed.append(Placed(row, what.shape, *here, style))
 
     def _left(
-        self, counted: PrescannedEntity, handle: str, here: tuple[F64, F64], why: str
+        self, counted: PrescannedEntity, handle: str, here: tuple[F64, F64], why: Message
     ) -> None:
         """Add a report row for an entity without geometry, with its location box."""
         row = self.sheet.row(handle, counted.kind, counted.layer, why)
@@ -261,33 +257,33 @@ class BlockExpansion:
         name = insert.block
         block = self._blocks.get(name.lower())
         if block is None:
-            raise Undrawable(f"its block {name!r} is not in the file")
+            raise Undrawable(Message("import.block-missing", block=name))
         if name.lower() in self._endless:
-            raise Undrawable(f"its block {name!r} contains itself")
+            raise Undrawable(Message("import.block-in-itself", block=name))
         if block.external:
-            raise Undrawable(f"its block {name!r} is in another file: bind it before exporting")
+            raise Undrawable(Message("import.block-external", block=name))
         notes = flat((insert.at[2],))
         at, scale = np.array(insert.at[:2]), np.array(insert.scale)
         spacing = np.array(insert.spacing)
         numbers = np.concatenate([scale, [insert.rotation], spacing, at, block.base])
         if not np.isfinite(numbers).all() or np.abs(numbers).max() > 1e100:
-            raise Undrawable("its place, scale or rotation is not a number")
+            raise Undrawable(Message("import.placement-not-a-number"))
         if (scale == 0.0).any():
-            raise Undrawable(f"its scale is {scale[0]:g} × {scale[1]:g}: nothing is left of it")
+            raise Undrawable(Message("import.no-scale", x=scale[0], y=scale[1]))
         if insert.clipped:
-            notes.append("the clipping around it is not applied")
+            notes.append(Message("import.not-clipped"))
         self.used.add(name.lower())
         columns, rows = insert.cells
         cells = columns * rows
         if cells > 1:
-            notes.append(f"{columns} columns × {rows} rows")
+            notes.append(Message("import.array", columns=columns, rows=rows))
         if len(here[0]) > 1:
-            notes.append(f"drawn {len(here[0])} times")
+            notes.append(Message("import.repeated", times=len(here[0])))
         self.sheet.row(
             handle,
             "INSERT",
             style.layer,
-            "",
+            None,
             [places(block.name), *self._styles.notes(style.layer), *notes],
         )
         cos, sin = turning(insert.rotation)

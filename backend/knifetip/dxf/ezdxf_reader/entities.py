@@ -28,6 +28,7 @@ from knifetip.dxf.shapes import (
 from knifetip.formats.limits import REACH
 from knifetip.geometry.columns import F64
 from knifetip.geometry.curve import Ellipse, Spline
+from knifetip.messages import Message
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -46,24 +47,28 @@ class Drawn:
     """The shape of an entity, and notes on what was changed."""
 
     shape: Shape
-    notes: list[str] = field(default_factory=list)
+    notes: list[Message] = field(default_factory=list)
 
 
 class Undrawable(Exception):
-    """Raised for an entity without geometry; the message is the reason in the import report."""
+    """Raised for an entity without geometry."""
+
+    def __init__(self, message: Message) -> None:
+        super().__init__(message)
+        self.message = message  #: the reason in the import report
 
 
 #: Heights that differ by less than this are equal (file units).
 _FLAT: Final = 1e-6
 
 #: Kinds without geometry to cut, and the reason in the import report.
-_TEXT: Final = "text is not cut"
-_NOTE: Final = "dimensions and notes are not cut"
-_AREA: Final = "a filled area has no line of its own"
-_SOLID: Final = "it is a solid or a face, not a flat line"
-_ENDLESS: Final = "a construction line without end"
-_PICTURE: Final = "a picture or an underlay is not cut"
-REASONS: Final[dict[str, str]] = {
+_TEXT: Final = Message("import.text")
+_NOTE: Final = Message("import.dimension")
+_AREA: Final = Message("import.filled-area")
+_SOLID: Final = Message("import.solid")
+_ENDLESS: Final = Message("import.endless-line")
+_PICTURE: Final = Message("import.underlay")
+REASONS: Final[dict[str, Message]] = {
     "TEXT": _TEXT,
     "MTEXT": _TEXT,
     "ATTRIB": _TEXT,
@@ -93,24 +98,24 @@ REASONS: Final[dict[str, str]] = {
     "LOFTEDSURFACE": _SOLID,
     "REVOLVEDSURFACE": _SOLID,
     "SWEPTSURFACE": _SOLID,
-    "HELIX": "it is not flat",
-    "REGION": "a region is not read: explode it into lines",
-    "MLINE": "a multiple line is not read: explode it into lines",
-    "SHAPE": "a shape out of a font file is not read: explode it into lines",
-    "ACAD_PROXY_ENTITY": "only the program that made it can read it: explode it into lines",
+    "HELIX": Message("import.not-flat"),
+    "REGION": Message("import.region"),
+    "MLINE": Message("import.multiple-line"),
+    "SHAPE": Message("import.font-shape"),
+    "ACAD_PROXY_ENTITY": Message("import.proxy"),
     "RAY": _ENDLESS,
     "XLINE": _ENDLESS,
-    "POINT": "a point has no length",
+    "POINT": Message("import.point"),
     "IMAGE": _PICTURE,
     "OLEFRAME": _PICTURE,
     "OLE2FRAME": _PICTURE,
     "PDFUNDERLAY": _PICTURE,
     "DWFUNDERLAY": _PICTURE,
     "DGNUNDERLAY": _PICTURE,
-    "VIEWPORT": "a viewport shows lines and is none",
-    "LIGHT": "a light is not cut",
-    "VERTEX": "a vertex without its polyline",
-    "SEQEND": "an end mark",
+    "VIEWPORT": Message("import.viewport"),
+    "LIGHT": Message("import.light"),
+    "VERTEX": Message("import.lone-vertex"),
+    "SEQEND": Message("import.end-mark"),
 }
 
 
@@ -120,12 +125,12 @@ def drawn(entity: DXFGraphic) -> Drawn:
     Raises
     ------
     Undrawable
-        It has no geometry to cut; the message is the reason.
+        It has no geometry to cut.
     """
     return READ[entity.dxftype()](entity)
 
 
-def flat(heights: Iterable[float]) -> list[str]:
+def flat(heights: Iterable[float]) -> list[Message]:
     """Return the notes for a shape at these heights: none where all are 0.
 
     Raises
@@ -136,12 +141,14 @@ def flat(heights: Iterable[float]) -> list[str]:
     every = list(heights)
     low, high = min(every), max(every)
     if not (math.isfinite(low) and math.isfinite(high)):
-        raise Undrawable("its height is not a number")
+        raise Undrawable(Message("import.height-not-a-number"))
     if max(abs(low), abs(high)) > REACH:
-        raise Undrawable(f"its height is {max(low, high, key=abs):g}; the limit is {REACH:g}")
+        height = max(low, high, key=abs)
+        raise Undrawable(Message("import.height-too-far", height=height, limit=REACH))
     if high - low > _FLAT:
-        raise Undrawable(f"it is not flat: z goes from {low:g} to {high:g}")
-    return [f"laid flat from z = {low:g}"] if max(abs(low), abs(high)) > _FLAT else []
+        raise Undrawable(Message("import.uneven-height", low=low, high=high))
+    is_raised = max(abs(low), abs(high)) > _FLAT
+    return [Message("import.laid-flat", height=low)] if is_raised else []
 
 
 def mirrored(entity: DXFGraphic) -> bool:
@@ -155,18 +162,18 @@ def mirrored(entity: DXFGraphic) -> bool:
     x, y, z = entity.dxf.get("extrusion", (0.0, 0.0, 1.0))
     size = math.sqrt(x * x + y * y + z * z)
     if not math.isfinite(size):
-        raise Undrawable("its extrusion is not a number")
+        raise Undrawable(Message("import.extrusion-not-a-number"))
     if size == 0.0:
         return False
     if math.hypot(x, y) > 1e-9 * size:
         tilt = math.degrees(math.atan2(math.hypot(x, y), z))
-        raise Undrawable(f"it is not flat: its plane is tilted by {tilt:g}°")
+        raise Undrawable(Message("import.tilted", degrees=tilt))
     return bool(z < 0.0)
 
 
 def _number(entity: DXFGraphic, name: str, word: str) -> Any:
     if not entity.dxf.hasattr(name):
-        raise Undrawable(f"it is incomplete: it has no {word}")
+        raise Undrawable(Message("import.incomplete", part=word))
     return entity.dxf.get(name)
 
 
@@ -180,7 +187,7 @@ def _line(entity: DXFGraphic) -> Drawn:
 def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool) -> Lines:
     """Return an arc as segments of at most half a turn; angles in degrees."""
     if not radius > 0.0:
-        raise Undrawable(f"its radius is {radius:g}")
+        raise Undrawable(Message("import.bad-radius", radius=radius))
     rows = round_count(sweep)
     ends, bulge = np.empty((rows, 2, 2)), np.empty(rows)
     round_rows(float(centre.x), float(centre.y), float(radius), first, sweep, ends, bulge, 0)
@@ -195,9 +202,9 @@ def _arc(entity: DXFGraphic) -> Drawn:
     first = _number(entity, "start_angle", "start angle")
     last = _number(entity, "end_angle", "end angle")
     if not (math.isfinite(first) and math.isfinite(last)):
-        raise Undrawable("its angles are not numbers")
+        raise Undrawable(Message("import.angles-not-numbers"))
     if last == first:
-        raise Undrawable(f"it has no length: it starts and ends at {first:g}°")
+        raise Undrawable(Message("import.no-sweep", degrees=first))
     sweep = swept(float(first), float(last))
     notes = flat((centre.z,))
     return Drawn(_round(centre, radius, float(first), sweep, mirrored(entity)), notes)
@@ -213,7 +220,7 @@ def _circle(entity: DXFGraphic) -> Drawn:
 def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
     """Return the segments between vertices (n, 2); arcs of more than half a turn as two."""
     if len(xy) < 2:
-        raise Undrawable(f"it has {len(xy)} vertices: no line between them")
+        raise Undrawable(Message("import.few-vertices", vertices=len(xy)))
     vertex = np.column_stack([xy, bulge])
     rows = chain_count(vertex, 0, len(vertex), closed)
     ends, turns = np.empty((rows, 2, 2)), np.empty(rows)
@@ -235,11 +242,11 @@ _FRAME: Final = 16
 
 def _polyline(entity: Any) -> Drawn:
     if entity.is_polygon_mesh or entity.is_poly_face_mesh:
-        raise Undrawable("it is a mesh, not a flat line")
+        raise Undrawable(Message("import.mesh"))
     vertices = [v for v in entity.vertices if not int(v.dxf.get("flags", 0)) & _FRAME]
     places = [_number(v, "location", "place of a vertex") for v in vertices]
     if not places:
-        raise Undrawable("it has 0 vertices: no line between them")
+        raise Undrawable(Message("import.few-vertices", vertices=0))
     xy = np.array([(p.x, p.y) for p in places])
     bulge = np.array([float(v.dxf.get("bulge", 0.0)) for v in vertices])
     if entity.is_3d_polyline:
@@ -257,18 +264,18 @@ def _ellipse(entity: DXFGraphic) -> Drawn:
     first = float(entity.dxf.get("start_param", 0.0))
     last = float(entity.dxf.get("end_param", 2.0 * math.pi))
     if not (math.isfinite(first) and math.isfinite(last)):
-        raise Undrawable("its parameters are not numbers")
+        raise Undrawable(Message("import.parameters-not-numbers"))
     notes = flat((centre.z,))
     if abs(major.z) > _FLAT:
-        raise Undrawable(f"it is not flat: its major axis rises by {major.z:g}")
+        raise Undrawable(Message("import.tilted-axis", rise=major.z))
     size = math.hypot(major.x, major.y)
     if not size > 0.0:
-        raise Undrawable("its major axis has a length of 0")
+        raise Undrawable(Message("import.no-major-axis"))
     side = -1.0 if mirrored(entity) else 1.0
     sweep = (last - first) % (2.0 * math.pi)
     if sweep < 1e-12 or 2.0 * math.pi - sweep < 1e-12:
         if abs(last - first) < math.pi:
-            raise Undrawable(f"it has no length: it starts and ends at parameter {first:g}")
+            raise Undrawable(Message("import.no-parameter-range", parameter=first))
         sweep = 2.0 * math.pi
     u = np.array([major.x, major.y])
     v = np.array([-major.y, major.x]) * (ratio * side)
@@ -282,8 +289,11 @@ _MOST_FIT_POINTS: Final = 1000
 def _spline(entity: Any) -> Drawn:
     if not entity.control_point_count() and entity.fit_point_count() > _MOST_FIT_POINTS:
         raise Undrawable(
-            f"it goes through {entity.fit_point_count():,} points; the limit is "
-            f"{_MOST_FIT_POINTS:,}"
+            Message(
+                "import.too-many-fit-points",
+                points=entity.fit_point_count(),
+                limit=_MOST_FIT_POINTS,
+            )
         )
     curve = entity.construction_tool()
     control = curve.control_points
@@ -291,7 +301,7 @@ def _spline(entity: Any) -> Drawn:
     xy = np.array([(point.x, point.y) for point in control])
     weights = np.array(curve.weights() or np.ones(len(xy)), dtype=np.float64)
     if not entity.control_point_count():
-        notes.append("drawn through its fit points")
+        notes.append(Message("import.fit-points"))
     return Drawn(
         Spline(xy, weights, np.array(curve.knots(), dtype=np.float64), curve.order - 1), notes
     )

@@ -20,7 +20,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.drawing_builder.columns import Columns, Style
-from knifetip.drawing_builder.report import ReportWriter
+from knifetip.drawing_builder.report import ReportWriter, curves_fitted, too_far
 from knifetip.dxf.ezdxf_reader.block_expansion import ON_SHEET, Placed
 from knifetip.dxf.ezdxf_reader.entities import Lines, Shape
 from knifetip.dxf.shapes import moved
@@ -71,8 +71,7 @@ def columns(
     for number, (placed, (low, high)) in enumerate(zip(shapes, near, strict=True)):
         farthest = float(np.abs([low, high]).max())
         if not farthest <= reach:
-            where = f"{farthest:g}" if np.isfinite(farthest) else "not a number"
-            sheet.dropped[placed.row] = f"a coordinate is {where}; the limit is {reach:g}"
+            sheet.dropped[placed.row] = too_far(farthest, reach)
             continue
         if isinstance(placed.shape, Lines):
             total += len(placed.linear) * len(placed.shape.bulge)
@@ -84,17 +83,16 @@ def columns(
             parts[number] = done
             boxes.append(_box(done[0]))
     tolerance = CURVE / scale if scale else _relative(boxes)
-    share = "" if scale else " (1/250,000 of the drawing)"
     for number in curved:
         placed = shapes[number]
         refuse_after(until, limits)
         try:
             ends, bulge = _realised(placed, tolerance)
         except GeometryError as reason:
-            sheet.dropped[placed.row] = reason.text
+            sheet.dropped[placed.row] = reason.message
             continue
         sheet.notes.setdefault(placed.row, []).append(
-            f"fitted with {len(bulge)} lines and arcs within {tolerance:.2g} file units{share}"
+            curves_fitted(len(bulge), tolerance, relative=not scale)
         )
         if not isinstance(placed.shape, Lines):
             total += len(bulge)

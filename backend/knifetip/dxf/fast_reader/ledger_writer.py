@@ -22,6 +22,7 @@ from knifetip.dxf.location_boxes import boxes_of_entities, through
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.parallel import parallel_pair
 from knifetip.geometry.unique_rows import unique_rows
+from knifetip.messages import Message
 from knifetip.model.drawing import Inscription, LocationBoxes
 from knifetip.model.words import Repeated
 
@@ -31,7 +32,7 @@ class Variant(NamedTuple):
 
     layers: list[str]  #: of its entities
     outcomes: dict[
-        int, tuple[str, tuple[str, ...]]
+        int, tuple[Message | None, tuple[Message, ...]]
     ]  #: by the number of the entity, as in ``SharedOutcome``
     first: int  #: where the styles of its segments begin
 
@@ -55,8 +56,8 @@ class Order(NamedTuple):
     walked: I64  #: (w,) rows of the ledger for those of what was walked through
 
 
-def left_out(tables: Tables, row: int) -> str:
-    """Return the reason for leaving out an entity, "" for one that is drawn."""
+def left_out(tables: Tables, row: int) -> Message | None:
+    """Return the reason for leaving out an entity, None for one that is drawn."""
     line = tables.found.entity[row].tolist()
     if line[f.PAPER]:
         return IN_PAPER_SPACE
@@ -64,8 +65,8 @@ def left_out(tables: Tables, row: int) -> str:
     if kind == f.OTHER:
         return not_read(tables.words[line[f.WORD]])
     if kind in (f.LWPOLYLINE, f.POLYLINE) and line[f.COUNT] < 2:
-        return f"it has {line[f.COUNT]} vertices: no line between them"
-    return ""
+        return Message("import.few-vertices", vertices=line[f.COUNT])
+    return None
 
 
 def report_rows(tables: Tables, order: Order, inserts: Inserts, walk: ReportWriter) -> ReportRows:
@@ -152,13 +153,13 @@ def _of_sheet(
     }
     for layer, notes in of_layer.items():
         there = order.drawn & (entity[rows, f.LAYER] == layer - 1)
-        yield SharedOutcome(order.ledger[there], "", notes)
+        yield SharedOutcome(order.ledger[there], None, notes)
     layer = entity[rows[inserts.spot], f.LAYER]
     first, kind = unique_rows(layer, inserts.block)
     for one, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
         note = places(tables.block_name(int(inserts.block[one])))
         notes = of_layer.get(int(layer[one]) + 1, ())
-        yield SharedOutcome(order.ledger[inserts.spot[same]], "", (note, *notes))
+        yield SharedOutcome(order.ledger[inserts.spot[same]], None, (note, *notes))
 
 
 def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:

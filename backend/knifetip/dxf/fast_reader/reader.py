@@ -57,6 +57,7 @@ from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.parallel import parallel_pair
 from knifetip.geometry.tolerance import BULGE
 from knifetip.geometry.unique_rows import unique_rows
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, Inscription
 
 #: Columns of an entity's style.
@@ -434,7 +435,7 @@ class FastReader:
     def _variant(self, block: int, around: Style) -> Variant:
         low, size = self.tables.span.get(block, (0, 0))
         layers: list[str] = []
-        given: dict[int, tuple[str, tuple[str, ...]]] = {}
+        given: dict[int, tuple[Message | None, tuple[Message, ...]]] = {}
         styles = np.zeros(size, np.int32)
         for number, row in enumerate(range(low, low + size)):
             if why := left_out(self.tables, row):
@@ -445,7 +446,7 @@ class FastReader:
             styles[number] = self._numbers.setdefault(style, len(self._numbers))
             layers.append(style.layer)
             if notes := self.tables.styles.notes(style.layer):
-                given[number] = "", notes
+                given[number] = None, notes
         variant = Variant(layers, given, sum(map(len, self._variant_styles)))
         self._variant_styles.append(np.repeat(styles, self.count[low : low + size]))
         return variant
