@@ -848,7 +848,7 @@ export interface components {
     schemas: {
         /**
          * BoardOut
-         * @description A board of the library.
+         * @description A board of the library (mm, degrees).
          */
         BoardOut: {
             /** Name */
@@ -884,19 +884,19 @@ export interface components {
         };
         /**
          * CalibrationIn
-         * @description Points measured on a contour that a machine's cutter cut in a board.
+         * @description Points measured on a contour that was cut in a board.
          */
         CalibrationIn: {
             /** Machine */
             machine: string;
             /**
              * Tool
-             * @description Name of its station
+             * @description Name of the cutter's station
              */
             tool: string;
             /**
              * Side
-             * @description Of travel, where the cutter ran; knifetip's programs: left
+             * @description Side on which the cutter ran, in travel direction (knifetip: left)
              * @default left
              * @enum {string}
              */
@@ -906,7 +906,7 @@ export interface components {
         };
         /**
          * CalibrationOut
-         * @description How far the cutter gives way in the board, and the lines to keep in the board's file.
+         * @description Deflection of the cutter in the board, and the TOML lines for the board's file.
          */
         CalibrationOut: {
             /** Board */
@@ -917,17 +917,17 @@ export interface components {
             tool: string;
             /**
              * X
-             * @description mm, where the contour runs along Y
+             * @description Deflection where the contour runs along Y (mm)
              */
             x: number;
             /**
              * Y
-             * @description mm, where it runs along X
+             * @description Deflection where the contour runs along X (mm)
              */
             y: number;
             /**
              * Residual
-             * @description mm, the farthest that a point is from what these say
+             * @description Largest residual of a point (mm)
              */
             residual: number;
             /** Toml */
@@ -935,7 +935,7 @@ export interface components {
         };
         /**
          * ChangeOut
-         * @description Edges that would be something else.
+         * @description Edges that would get another line type.
          */
         ChangeOut: {
             /**
@@ -953,21 +953,24 @@ export interface components {
         };
         /**
          * Claim
-         * @description A job for this gateway alone, until the lease runs out.
+         * @description A job assigned to this gateway until the lease expires.
          */
         Claim: {
             /** Job */
             job: string;
-            /** Epoch */
+            /**
+             * Epoch
+             * @description Increases with each claim; to be sent with every report
+             */
             epoch: number;
             /**
              * Lease
-             * @description Seconds; each heartbeat renews it
+             * @description Seconds; renewed by each heartbeat
              */
             lease: number;
             /**
              * Program
-             * @description URL of the program's bytes
+             * @description URL of the program
              */
             program: string;
             /** Sha256 */
@@ -978,14 +981,14 @@ export interface components {
             copies: number;
             /**
              * Confirm
-             * @description Send nothing to the machine: heartbeats with `waiting` until one is answered with `start`
+             * @description Send nothing to the machine; send heartbeats with `waiting` until the answer is `start`
              * @default false
              */
             confirm: boolean;
         };
         /**
          * ClaimIn
-         * @description A gateway asks for work and says how long it will wait for it.
+         * @description Request of a gateway for the next job of its machine.
          */
         ClaimIn: {
             /** Gateway */
@@ -994,13 +997,14 @@ export interface components {
             machine: string;
             /**
              * Wait
+             * @description Longest wait for a job (s)
              * @default 20
              */
             wait: number;
         };
         /**
          * CleaningCounts
-         * @description How many edges have each fate.
+         * @description Number of edges by outcome.
          */
         CleaningCounts: {
             /** Kept */
@@ -1032,7 +1036,7 @@ export interface components {
         };
         /**
          * CleaningOut
-         * @description The ledger of cleaning.
+         * @description Cleaning report of a drawing.
          */
         CleaningOut: {
             lengths: components["schemas"]["CleaningLengths"];
@@ -1046,25 +1050,25 @@ export interface components {
         };
         /**
          * CleaningRow
-         * @description What became of one edge that is not worked exactly as it was drawn.
+         * @description Cleaning outcome of one edge that is not worked exactly as drawn.
          */
         CleaningRow: {
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description As the union Message has them for the code
+             * @description Arguments of the code; their types are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
             };
             /**
              * Text
-             * @description In English
+             * @description What is reported, in English
              */
             text: string;
             /**
              * Hint
-             * @description What to do about it, in English; empty where nothing is to do
+             * @description What the user can do, in English; empty if there is nothing to do
              */
             hint: string;
             /** Row */
@@ -1083,7 +1087,7 @@ export interface components {
             why: "moved" | "shortened" | "longer" | "joined" | "fitted" | "twice" | "speck";
             /**
              * Into
-             * @description Row of the edge that stands for its work, -1 for none
+             * @description Row of the edge that is worked instead; -1 for none
              */
             into: number;
             /** Kept */
@@ -1101,24 +1105,24 @@ export interface components {
         };
         /**
          * ConfirmIn
-         * @description What the operator found on the table; each of it may be left out.
+         * @description Confirmation of the operator; all fields are optional.
          */
         ConfirmIn: {
             /**
              * Board
-             * @description The board that lies there; another than the job's is refused
+             * @description Board on the table; refused if it is not the board of the job
              */
             board?: string | null;
             /**
              * By
-             * @description Who confirms, for the record
+             * @description Name of the operator, for the record
              * @default
              */
             by: string;
         };
         /**
          * CornerAt
-         * @description One corner, named by its place, that is made otherwise than the rest.
+         * @description Type of one corner, selected by its position.
          */
         CornerAt: {
             /**
@@ -1135,16 +1139,16 @@ export interface components {
             type: "auto" | "B" | "C" | "D";
             /**
              * K
-             * @description None for that of the rest
+             * @description Default: the k of the other corners
              */
             k?: number | null;
         };
         /**
          * Corners
-         * @description How a router, or a beam with its kerf, goes round corners that stand out towards it.
+         * @description Path of a router or a laser round outer corners.
          *
-         *     B on an arc, C on straight lines with a stop at each bend, D on line, arc and line; auto takes
-         *     for each corner what is over soonest on the machine.
+         *     B: along an arc; C: along straight lines with a stop at each bend; D: line, arc, line; auto:
+         *     the fastest of them on the machine, for each corner.
          */
         Corners: {
             /**
@@ -1155,13 +1159,13 @@ export interface components {
             type: "auto" | "B" | "C" | "D";
             /**
              * K
-             * @description Of the D type: 0 is as B, 1 as C
+             * @description Parameter k of type D: 0 is like B, 1 is like C
              * @default 0.5
              */
             k: number;
             /**
              * Interference
-             * @description Where the cutter does not fit: leave that uncut, or refuse
+             * @description Where the cutter does not fit: leave the place uncut, or refuse the job
              * @default trim
              * @enum {string}
              */
@@ -1174,7 +1178,7 @@ export interface components {
         };
         /**
          * DeflectionOut
-         * @description How far a tool gives way in a board (mm).
+         * @description Deflection of a tool in a board (mm).
          */
         DeflectionOut: {
             /** Tool */
@@ -1186,14 +1190,14 @@ export interface components {
         };
         /**
          * DrawingOut
-         * @description A drawing that was read and classified.
+         * @description A drawing that has been read and classified.
          */
         DrawingOut: {
             /** Id */
             id: string;
             /**
              * Revision
-             * @description Counts the drawing's changes; its ETag
+             * @description Increases with each change of the drawing; its ETag
              */
             revision: number;
             /** Name */
@@ -1206,26 +1210,29 @@ export interface components {
             unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /**
              * Unit Given
-             * @description By somebody; null for what the file says
+             * @description Set by the user; null if the unit is that of the file
              */
             unit_given: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
-            /** Evidence */
+            /**
+             * Evidence
+             * @description How the unit was determined
+             */
             evidence: string;
-            /** @description The same, with its code */
+            /** @description The same with its code */
             evidence_message?: components["schemas"]["MessageOut"] | null;
-            /** @description As for report */
+            /** @description Null if the drawing was read by an older version */
             unit_finding?: components["schemas"]["UnitFindingOut"] | null;
             /** Profile */
             profile: string;
             /**
              * Profile State
-             * @description Whether the profile is still as it was when this was classified
+             * @description Whether the profile has changed since the drawing was classified
              * @enum {string}
              */
             profile_state: "current" | "changed" | "deleted";
             /**
              * Rules
-             * @description The customer's profile as it was then (TOML); empty for one that is shipped
+             * @description The profile with which it was classified (TOML); empty for one of the library
              */
             rules: string;
             /** Segments */
@@ -1247,44 +1254,47 @@ export interface components {
             layers: components["schemas"]["LayerOut"][];
             /** Questions */
             questions: components["schemas"]["QuestionOut"][];
-            /** Overrides */
+            /**
+             * Overrides
+             * @description Number of edges with a line type set by the user
+             */
             overrides: number;
             ledger: components["schemas"]["LedgerOut"];
-            /** @description None of an older knifetip */
+            /** @description Null if the drawing was read by an older version */
             report?: components["schemas"]["ReportOut"] | null;
         };
         /**
          * DrawingPatch
-         * @description What somebody decided about a drawing.
+         * @description A change of the unit or the profile of a drawing.
          */
         DrawingPatch: {
             /**
              * Unit
-             * @description "file" takes back what somebody said: as the file has it
+             * @description "file" restores the unit of the file
              */
             unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | "file" | null;
             /**
              * Profile
-             * @description The same one again brings it up to date where it has changed
+             * @description The same name again applies the current version of the profile
              */
             profile?: string | null;
             /**
              * Rules
-             * @description The customer's profile as it was once, or as it was before it was deleted (TOML); without it, as it is now
+             * @description Earlier or deleted version of the profile (TOML). Default: the current one
              * @default
              */
             rules: string;
         };
         /**
          * DrawingSummary
-         * @description A drawing in a list.
+         * @description Summary of a drawing, for lists.
          */
         DrawingSummary: {
             /** Id */
             id: string;
             /**
              * Revision
-             * @description Counts the drawing's changes; its ETag
+             * @description Increases with each change of the drawing; its ETag
              */
             revision: number;
             /** Name */
@@ -1299,12 +1309,15 @@ export interface components {
             height: number;
             /** Segments */
             segments: number;
-            /** Questions */
+            /**
+             * Questions
+             * @description Number of open questions
+             */
             questions: number;
         };
         /**
          * EdgeOut
-         * @description One edge and why it is what it is.
+         * @description One edge with its line type, the deciding rule and its import outcome.
          */
         EdgeOut: {
             /** Row */
@@ -1328,7 +1341,7 @@ export interface components {
             confidence: number;
             /**
              * Alternatives
-             * @description What else it could be, likeliest first
+             * @description Other possible line types, most likely first
              */
             alternatives: ("unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi")[];
             /**
@@ -1338,7 +1351,7 @@ export interface components {
             fate: "kept" | "merged" | "dropped";
             /**
              * Reason
-             * @description Why it was merged or dropped
+             * @description Why the edge was merged or dropped
              */
             reason: string;
             /** Length */
@@ -1358,7 +1371,7 @@ export interface components {
         };
         /**
          * EdgesOut
-         * @description All edges of a drawing; the viewer asks for them as columns instead (see ``columns``).
+         * @description All edges of a drawing; ``format=columns`` returns the same as binary columns.
          */
         EdgesOut: {
             /** Edges */
@@ -1366,7 +1379,7 @@ export interface components {
         };
         /**
          * EdgesPatch
-         * @description Overrides, the later ones on top.
+         * @description Overrides, applied in order; later ones replace earlier ones.
          */
         EdgesPatch: {
             /** Overrides */
@@ -1374,25 +1387,25 @@ export interface components {
         };
         /**
          * FindingOut
-         * @description One fault that the verifier found, with its place.
+         * @description One finding of the verifier, with its location.
          */
         FindingOut: {
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description As the union Message has them for the code
+             * @description Arguments of the code; their types are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
             };
             /**
              * Text
-             * @description In English
+             * @description What is reported, in English
              */
             text: string;
             /**
              * Hint
-             * @description What to do about it, in English; empty where nothing is to do
+             * @description What the user can do, in English; empty if there is nothing to do
              */
             hint: string;
             /** Kind */
@@ -1404,20 +1417,20 @@ export interface components {
             measure: number;
             /**
              * Edge
-             * @description Row of the drawing, -1 where it is about none
+             * @description Row of the edge, -1 if it concerns none
              */
             edge: number;
             /** Handle */
             handle: string;
             /**
              * Line
-             * @description 1-based line of the program, -1 where it is about none
+             * @description 1-based line of the program, -1 if it concerns none
              */
             line: number;
         };
         /**
          * FinishIn
-         * @description How it ended.
+         * @description Report of a gateway that a job has ended.
          */
         FinishIn: {
             /** Job */
@@ -1426,7 +1439,7 @@ export interface components {
             epoch: number;
             /**
              * Outcome
-             * @description returned: the claim is given back, nothing was sent to the machine
+             * @description returned: the job is released; nothing was sent to the machine
              * @enum {string}
              */
             outcome: "done" | "interrupted" | "cancelled" | "returned";
@@ -1437,12 +1450,12 @@ export interface components {
             why: string;
             /**
              * Line
-             * @description The last line executed, where it is not the last heartbeat's
+             * @description Last executed line. Default: that of the last heartbeat
              */
             line?: number | null;
             /**
              * Copies Done
-             * @description Under this claim
+             * @description Copies completed since this claim
              */
             copies_done?: number | null;
         };
@@ -1498,7 +1511,7 @@ export interface components {
         };
         /**
          * FormatOut
-         * @description A file format that drawings are imported from.
+         * @description An import format of drawings.
          */
         FormatOut: {
             /** Name */
@@ -1507,13 +1520,13 @@ export interface components {
             title: string;
             /**
              * Extensions
-             * @description Of file names, with the dot, the usual one first
+             * @description File name extensions with the dot, most common first
              */
             extensions: string[];
         };
         /**
          * Health
-         * @description Whether the service is alive and ready.
+         * @description Whether the service runs and is ready for requests.
          */
         Health: {
             /**
@@ -1533,7 +1546,7 @@ export interface components {
         };
         /**
          * HeartbeatIn
-         * @description What the machine did since the last one.
+         * @description Report of a gateway on the progress of its job.
          */
         HeartbeatIn: {
             /** Job */
@@ -1554,7 +1567,7 @@ export interface components {
             held: boolean;
             /**
              * Waiting
-             * @description Nothing has been sent to the machine yet: the gateway waits for `start`
+             * @description Nothing has been sent to the machine; the gateway waits for `start`
              * @default false
              */
             waiting: boolean;
@@ -1570,7 +1583,7 @@ export interface components {
         };
         /**
          * HeartbeatOut
-         * @description What the gateway is to do.
+         * @description Command for the gateway.
          */
         HeartbeatOut: {
             /**
@@ -1583,7 +1596,7 @@ export interface components {
         };
         /**
          * JobEvent
-         * @description One transition of a job: when, who and why.
+         * @description One transition of a job: its time, cause and reason.
          */
         JobEvent: {
             /** Id */
@@ -1604,14 +1617,14 @@ export interface components {
         };
         /**
          * JobIn
-         * @description An order: this drawing, on this board, on this machine.
+         * @description A new job: a drawing, a machine and a board.
          */
         JobIn: {
             /** Drawing */
             drawing: string;
             /**
              * Revision
-             * @description Of the drawing that was looked at; 412 if it has changed since
+             * @description Expected revision of the drawing; 412 if it has changed since
              */
             revision?: number | null;
             /**
@@ -1638,18 +1651,18 @@ export interface components {
              * @default []
              */
             overrides: components["schemas"]["Override"][];
-            /** @description Only for machines that mill; left to the machine where null */
+            /** @description Only for machines that mill; null: chosen by duration */
             corners?: components["schemas"]["Corners"] | null;
             /**
              * Release
-             * @description Queue it as soon as it is ready
+             * @description Queue the job as soon as it is ready
              * @default false
              */
             release: boolean;
         };
         /**
          * JobOut
-         * @description A job and where it stands.
+         * @description A job with its state and progress.
          */
         JobOut: {
             /** Id */
@@ -1689,20 +1702,20 @@ export interface components {
             updated: number;
             /**
              * Waiting For
-             * @description What keeps it from going on, with the words in reason and hint: the operator's confirmation of table, board and tools; of the next sheet; the machine; its turn in the queue
+             * @description What the job waits for: the confirmation of table, board and tools; the confirmation of the next sheet; the machine; its turn in the queue. `reason` and `hint` describe it
              * @default
              * @enum {string}
              */
             waiting_for: "" | "confirmation" | "sheet" | "machine" | "turn";
             /**
              * Tools
-             * @description Stations that the program uses; empty before it is compiled
+             * @description Stations that the program uses; empty before the job is compiled
              * @default []
              */
             tools: components["schemas"]["JobTool"][];
             /**
              * Requested Action
-             * @description What the operator requested and the machine has not done yet
+             * @description Action that the operator requested and the machine has not executed yet
              * @default
              * @enum {string}
              */
@@ -1714,19 +1727,19 @@ export interface components {
             stage: components["schemas"]["Stage"] | "";
             /**
              * Progress
-             * @description 0 … 1 of the compile, or of the run
+             * @description Completed share of the compile or of the run, 0 … 1
              */
             progress: number;
             /**
              * Line
-             * @description Lines of the program that the machine has executed
+             * @description Number of executed lines of the program
              */
             line: number;
             /** Lines */
             lines: number;
             /**
              * Position
-             * @description Head axis X, Y, tip Z, C while running, in sheet coordinates
+             * @description X, Y of the head axis, Z of the tip and C on the sheet; while running
              */
             position: [
                 number,
@@ -1736,7 +1749,7 @@ export interface components {
             ] | null;
             /**
              * Seconds
-             * @description Nominal machine time of one copy
+             * @description Estimated machine time of one copy (s)
              */
             seconds: number;
             /** Seconds Left */
@@ -1748,20 +1761,20 @@ export interface components {
             /**
              * Mend
              * @deprecated
-             * @description The former name of hint
+             * @description Former name of hint
              */
             readonly mend: string;
             /**
              * Wish
              * @deprecated
-             * @description The former name of requested_action
+             * @description Former name of requested_action
              * @enum {string}
              */
             readonly wish: "" | "hold" | "resume" | "cancel";
         };
         /**
          * JobTool
-         * @description A station that a job's program uses.
+         * @description A station that the program of a job uses.
          */
         JobTool: {
             /** Station */
@@ -1773,7 +1786,7 @@ export interface components {
         };
         /**
          * LayerOut
-         * @description One pair of layer and colour as the drawing has it.
+         * @description Edges of one layer and colour.
          */
         LayerOut: {
             /** Name */
@@ -1789,7 +1802,7 @@ export interface components {
         };
         /**
          * LedgerOut
-         * @description The entities of the file, counted and listed.
+         * @description Import report: number of entities by outcome, and a row for each entity.
          */
         LedgerOut: {
             /** Kept */
@@ -1800,13 +1813,13 @@ export interface components {
             dropped: number;
             /**
              * Rows
-             * @description The first 2,000; all of them under …/ledger
+             * @description At most 2,000 in a drawing; all with GET …/ledger
              */
             rows: components["schemas"]["LedgerRow"][];
         };
         /**
          * LedgerRow
-         * @description What became of one entity of the file.
+         * @description Import outcome of one entity of the file.
          */
         LedgerRow: {
             /** Handle */
@@ -1825,24 +1838,24 @@ export interface components {
             length: number;
             /**
              * Text
-             * @description What is written there, where the entity is words
+             * @description Content of a text entity
              * @default
              */
             text: string;
             /**
              * Place
-             * @description x, y and height of words (mm; file units while the unit is unknown)
+             * @description x, y and height of a text (mm; file units while the unit is unknown)
              */
             place?: number[] | null;
             /**
              * Box
-             * @description x min, y min, x max, y max of what gave no line, where the file tells it (mm; file units while the unit is unknown)
+             * @description x min, y min, x max, y max of an entity without edges, if its location is in the file (mm; file units while the unit is unknown)
              */
             box?: number[] | null;
         };
         /**
          * LineTypeCount
-         * @description How much of a drawing has one line type.
+         * @description Number and total length of the edges of one line type.
          */
         LineTypeCount: {
             /**
@@ -1857,7 +1870,7 @@ export interface components {
         };
         /**
          * MachineOut
-         * @description A machine of the library and what is on it now.
+         * @description A machine of the library with its current job.
          */
         MachineOut: {
             /** Name */
@@ -1881,12 +1894,12 @@ export interface components {
             into_mat: number;
             /**
              * Offset Cuts
-             * @description cuts run beside their line, so that the types of corners can be chosen
+             * @description Cuts run at an offset from their edge, so corner types can be chosen
              */
             offset_cuts: boolean;
             /**
              * Feed
-             * @description manual: every job and every copy waits until an operator has confirmed that its sheet lies on the table
+             * @description manual: every job and every copy waits until the operator confirms that the sheet is on the table
              * @enum {string}
              */
             feed: "manual" | "automatic";
@@ -1903,22 +1916,25 @@ export interface components {
              * @enum {string}
              */
             gateway: "connected" | "absent";
-            /** Job */
+            /**
+             * Job
+             * @description Job on the machine's table
+             */
             job: string | null;
         };
         /**
          * MeasuredPoint
-         * @description One point of a contour that was cut and measured.
+         * @description One measured point of a cut contour.
          */
         MeasuredPoint: {
             /**
              * Azimuth
-             * @description Degrees, of the cutter's travel there
+             * @description Direction of travel at the point (degrees)
              */
             azimuth: number;
             /**
              * Dx
-             * @description mm: where it came to lie, less as drawn
+             * @description Measured minus drawn position (mm)
              */
             dx: number;
             /** Dy */
@@ -1926,33 +1942,33 @@ export interface components {
         };
         /**
          * MessageOut
-         * @description Something to report: its code and arguments, and both in English.
+         * @description A message: code, arguments, and the text and hint in English.
          */
         MessageOut: {
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description As the union Message has them for the code
+             * @description Arguments of the code; their types are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
             };
             /**
              * Text
-             * @description In English
+             * @description What is reported, in English
              */
             text: string;
             /**
              * Hint
-             * @description What to do about it, in English; empty where nothing is to do
+             * @description What the user can do, in English; empty if there is nothing to do
              */
             hint: string;
         };
         /**
          * Override
-         * @description Give edges a line type, named by row, by handle, or by layer (and colour).
+         * @description Set the line type of edges, selected by row, by handle, or by layer (and colour).
          *
-         *     ``type`` null takes an earlier override back.
+         *     ``type`` null removes an earlier override.
          */
         Override: {
             /** Type */
@@ -1968,14 +1984,14 @@ export interface components {
         };
         /**
          * PreviewOut
-         * @description What a profile would do to a drawing.
+         * @description Effect of a profile on a drawing.
          */
         PreviewOut: {
             /** Rules */
             rules: components["schemas"]["PreviewRule"][];
             /**
              * Open
-             * @description Edges that no rule takes
+             * @description Number of edges that no rule matches
              */
             open: number;
             /** Changes */
@@ -1983,7 +1999,7 @@ export interface components {
         };
         /**
          * PreviewRule
-         * @description One rule, and what it takes of a drawing.
+         * @description One rule, with number and length of the edges it matches.
          */
         PreviewRule: {
             /**
@@ -2020,7 +2036,7 @@ export interface components {
             block: string[];
             /**
              * Inherited
-             * @description From the profile that this one extends
+             * @description Whether the rule comes from the extended profile
              * @default false
              */
             inherited: boolean;
@@ -2031,19 +2047,19 @@ export interface components {
         };
         /**
          * ProfileIn
-         * @description A customer's profile: the first rule that an edge meets decides.
+         * @description A customer's profile; the first rule that an edge meets decides its line type.
          */
         ProfileIn: {
             /** Title */
             title: string;
             /**
              * Extends
-             * @description A shipped profile, whose rules are met
+             * @description Profile of the library whose rules also apply
              */
             extends?: string | null;
             /**
              * Overrules
-             * @description These rules before those that it extends
+             * @description Whether these rules come before those of the extended profile
              * @default true
              */
             overrules: boolean;
@@ -2051,7 +2067,7 @@ export interface components {
             rules: components["schemas"]["RuleIn"][];
             /**
              * Version
-             * @description That was looked at; or send If-Match
+             * @description Expected version; may also be sent as If-Match
              */
             version?: number | null;
         };
@@ -2066,7 +2082,7 @@ export interface components {
             title: string;
             /**
              * Shipped
-             * @description With knifetip: read it, do not change it
+             * @description Part of knifetip's library; cannot be changed
              * @default false
              */
             shipped: boolean;
@@ -2079,7 +2095,7 @@ export interface components {
             overrules: boolean;
             /**
              * Version
-             * @description Counts the changes; 0 of those that are shipped
+             * @description Increases with each change; 0 in the library
              * @default 0
              */
             version: number;
@@ -2092,54 +2108,54 @@ export interface components {
             rules: components["schemas"]["RuleOut"][];
             /**
              * Fault
-             * @description Why it cannot be used any more
+             * @description Why the profile can no longer be used
              * @default
              */
             fault: string;
         };
         /**
          * ProposalOut
-         * @description A rule that would have said what somebody corrected.
+         * @description A proposed rule that gives the line types which the user set by hand.
          */
         ProposalOut: {
             rule: components["schemas"]["RuleOut"];
             /**
              * Explains
-             * @description Corrected edges that it covers
+             * @description Corrected edges that the rule matches
              */
             explains: number[];
             /**
              * Sure
-             * @description It changes no edge that was decided
+             * @description Whether the rule changes no edge with a decided line type
              */
             sure: boolean;
             /**
              * Changes
-             * @description What else would become something else
+             * @description Other edges whose line type would change
              */
             changes: components["schemas"]["ChangeOut"][];
         };
         /**
          * QuestionOut
-         * @description Something that somebody must decide before anything is cut.
+         * @description A decision that the user must make before the drawing can be compiled.
          */
         QuestionOut: {
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description As the union Message has them for the code
+             * @description Arguments of the code; their types are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
             };
             /**
              * Text
-             * @description In English
+             * @description What is reported, in English
              */
             text: string;
             /**
              * Hint
-             * @description What to do about it, in English; empty where nothing is to do
+             * @description What the user can do, in English; empty if there is nothing to do
              */
             hint: string;
             /**
@@ -2158,7 +2174,7 @@ export interface components {
         };
         /**
          * ReportGroup
-         * @description What became of edges or entities for one reason.
+         * @description Edges or entities with the same outcome and reason.
          */
         ReportGroup: {
             /**
@@ -2170,13 +2186,13 @@ export interface components {
             reason: components["schemas"]["MessageOut"];
             /**
              * What
-             * @description Edges have a place in the drawing; of other entities the ledger tells it
+             * @description What is counted: edges of the drawing, or entities that gave no edge
              * @enum {string}
              */
             what: "edges" | "entities";
             /**
              * Kinds
-             * @description Kinds of the entities, the most frequent first
+             * @description Kinds of entities, most frequent first
              */
             kinds: string[];
             /** Count */
@@ -2186,7 +2202,7 @@ export interface components {
         };
         /**
          * ReportOut
-         * @description What became of all that was drawn: kept + merged + dropped = drawn (mm).
+         * @description Import and cleaning report by reason: kept + merged + dropped = drawn (mm).
          */
         ReportOut: {
             /** Drawn */
@@ -2202,9 +2218,9 @@ export interface components {
         };
         /**
          * RuleIn
-         * @description One rule: an edge that meets every condition has the type.
+         * @description One rule: gives the line type to edges that meet all conditions.
          *
-         *     Patterns are shell globs, compared without regard to case; an empty list is no condition.
+         *     Patterns are shell globs, case-insensitive; an empty list is no condition.
          */
         RuleIn: {
             /**
@@ -2278,7 +2294,7 @@ export interface components {
             block: string[];
             /**
              * Inherited
-             * @description From the profile that this one extends
+             * @description Whether the rule comes from the extended profile
              * @default false
              */
             inherited: boolean;
@@ -2311,7 +2327,7 @@ export interface components {
         Stage: "prepare" | "read" | "classify" | "store" | "clean" | "plan" | "compensate" | "sequence" | "process" | "verify" | "done";
         /**
          * StationOut
-         * @description A station: joint position = programmed position + datum.
+         * @description A station of the head: joint position = programmed position + datum.
          */
         StationOut: {
             /** Number */
@@ -2328,7 +2344,7 @@ export interface components {
         };
         /**
          * StationTool
-         * @description A tool and where it is mounted.
+         * @description A tool with its machine and station.
          */
         StationTool: {
             /** Kind */
@@ -2337,7 +2353,7 @@ export interface components {
             dimensions: {
                 [key: string]: number | boolean;
             };
-            /** @description what to draw of it, and where its tip lies */
+            /** @description Outline of the tool for drawing, and the position of its tip */
             footprint: components["schemas"]["Footprint"];
             /** Machine */
             machine: string;
@@ -2348,7 +2364,7 @@ export interface components {
         };
         /**
          * ToolOut
-         * @description A tool with the dimensions that the engines use.
+         * @description A tool with its dimensions (mm, degrees).
          */
         ToolOut: {
             /** Kind */
@@ -2357,12 +2373,12 @@ export interface components {
             dimensions: {
                 [key: string]: number | boolean;
             };
-            /** @description what to draw of it, and where its tip lies */
+            /** @description Outline of the tool for drawing, and the position of its tip */
             footprint: components["schemas"]["Footprint"];
         };
         /**
          * UnitEvidenceOut
-         * @description Something that speaks for a unit.
+         * @description Evidence for one unit of the drawing.
          */
         UnitEvidenceOut: {
             /**
@@ -2374,39 +2390,39 @@ export interface components {
             text: string;
             /**
              * Weight
-             * @description Logarithm of how much likelier than in the worst unit
+             * @description Logarithm of the likelihood ratio to the least likely unit
              */
             weight: number;
         };
         /**
          * UnitFindingOut
-         * @description What the file says and shows of its unit.
+         * @description Unit in the file's header, and the evidence for each unit.
          */
         UnitFindingOut: {
             /**
              * Stated
-             * @description By the file's header
+             * @description Unit in the file's header; empty if there is none
              */
             stated: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | "";
             /**
              * Ranking
-             * @description The likeliest first
+             * @description Units, most likely first
              */
             ranking: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px")[];
             /**
              * Evidence
-             * @description The heaviest first
+             * @description Highest weight first
              */
             evidence: components["schemas"]["UnitEvidenceOut"][];
             /**
              * Warnings
-             * @description What somebody should look at, whatever the unit
+             * @description Contradictions that the user should check
              */
             warnings: string[];
         };
         /**
          * UnreachedOut
-         * @description A place that no cutter gets to.
+         * @description An area that no cutter reaches.
          */
         UnreachedOut: {
             /**
@@ -2416,7 +2432,7 @@ export interface components {
             area: number;
             /**
              * X
-             * @description mm in the drawing, of its middle
+             * @description Position of its centre in the drawing (mm)
              */
             x: number;
             /** Y */
@@ -2424,24 +2440,30 @@ export interface components {
         };
         /**
          * VerdictOut
-         * @description The verdict, edge by edge: row i is edge i of the drawing.
+         * @description A verdict with a value for each edge; row i belongs to edge i of the drawing.
          *
-         *     As columns it has the map of deviations besides (``sample_edge``, ``sample_place`` as a share of
-         *     the edge's length, ``sample_deviation`` in mm to its left), and the outlines of what is not
-         *     reached (``area_ends``, ``area_bulge``, ``area_first``, ``area_size``).
+         *     ``format=columns`` also contains samples of the deviation (``sample_edge``, ``sample_place`` as
+         *     a share of the edge's length, ``sample_deviation`` in mm, positive to the left), and outlines of
+         *     unreached areas (``area_ends``, ``area_bulge``, ``area_first``, ``area_size``).
          */
         VerdictOut: {
             /** Accepted */
             accepted: boolean;
             /** Tolerance */
             tolerance: number;
-            /** Deviation */
+            /**
+             * Deviation
+             * @description Greatest distance of the tip from an edge (mm)
+             */
             deviation: number;
-            /** Overcut */
+            /**
+             * Overcut
+             * @description Greatest length cut beyond the end of an edge (mm)
+             */
             overcut: number;
             /**
              * Uncut
-             * @description Greatest length of one edge that is not cut (mm)
+             * @description Greatest uncut length of one edge (mm)
              */
             uncut: number;
             /**
@@ -2458,28 +2480,31 @@ export interface components {
             setback_total: number;
             /**
              * Unreached
-             * @description mm² that no cutter gets to
+             * @description Area that no cutter reaches (mm²)
              * @default 0
              */
             unreached: number;
             /**
              * Unreached Places
-             * @description In so many places
+             * @description Number of places that no cutter reaches
              * @default 0
              */
             unreached_places: number;
-            /** Seconds */
+            /**
+             * Seconds
+             * @description Machine time of the program (s)
+             */
             seconds: number;
             /**
              * Seconds Retracted
-             * @description What it would take if every turn were a full retract
+             * @description Duration if every turn were a full retract (s)
              */
             seconds_retracted?: number | null;
             /** Findings */
             findings: components["schemas"]["FindingOut"][];
             /**
              * Areas
-             * @description What no cutter gets to, the largest first
+             * @description Areas that no cutter reaches, largest first
              */
             areas: components["schemas"]["UnreachedOut"][];
             /** Edge Deviation */
@@ -2492,51 +2517,57 @@ export interface components {
             edge_setback: number[];
             /**
              * Edge Width
-             * @description Of a V-groove at the top face; 0 for others
+             * @description Width of a V-groove at the top face (mm); 0 for other edges
              */
             edge_width: number[];
             /**
              * Edge Web
-             * @description Of board left below a V-groove; 0 for others
+             * @description Board left below a V-groove (mm); 0 for other edges
              */
             edge_web: number[];
             /**
              * Edge Flank
-             * @description The farthest that a groove's flank is off
+             * @description Greatest deviation of a V-groove's flank (mm)
              */
             edge_flank: number[];
             /**
              * Edge Unreached
-             * @description Length that no cutter can touch
+             * @description Length that no cutter reaches (mm)
              */
             edge_unreached: number[];
             /**
              * Edge Bottom Uncut
-             * @description Length not cut through the bottom face
+             * @description Length not cut at the bottom face (mm)
              */
             edge_bottom_uncut: number[];
             /**
              * Edge Top Overcut
-             * @description Cut past the edge's ends in the top face
+             * @description Length cut beyond the ends at the top face (mm)
              */
             edge_top_overcut: number[];
         };
         /**
          * VerdictSummary
-         * @description The verdict in figures (mm, s).
+         * @description Figures of a verdict (mm, s).
          */
         VerdictSummary: {
             /** Accepted */
             accepted: boolean;
             /** Tolerance */
             tolerance: number;
-            /** Deviation */
+            /**
+             * Deviation
+             * @description Greatest distance of the tip from an edge (mm)
+             */
             deviation: number;
-            /** Overcut */
+            /**
+             * Overcut
+             * @description Greatest length cut beyond the end of an edge (mm)
+             */
             overcut: number;
             /**
              * Uncut
-             * @description Greatest length of one edge that is not cut (mm)
+             * @description Greatest uncut length of one edge (mm)
              */
             uncut: number;
             /**
@@ -2553,45 +2584,48 @@ export interface components {
             setback_total: number;
             /**
              * Unreached
-             * @description mm² that no cutter gets to
+             * @description Area that no cutter reaches (mm²)
              * @default 0
              */
             unreached: number;
             /**
              * Unreached Places
-             * @description In so many places
+             * @description Number of places that no cutter reaches
              * @default 0
              */
             unreached_places: number;
-            /** Seconds */
+            /**
+             * Seconds
+             * @description Machine time of the program (s)
+             */
             seconds: number;
             /**
              * Seconds Retracted
-             * @description What it would take if every turn were a full retract
+             * @description Duration if every turn were a full retract (s)
              */
             seconds_retracted?: number | null;
         };
         /**
          * Problem
-         * @description An error as RFC 9457 has it, with the hint and the entities that it is about.
+         * @description An error in the format of RFC 9457, with a hint and the entities it concerns.
          */
         Problem: {
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description As the union Message has them for the code
+             * @description Arguments of the code; their types are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
             };
             /**
              * Text
-             * @description In English
+             * @description What is reported, in English
              */
             text: string;
             /**
              * Hint
-             * @description What to do about it, in English; empty where nothing is to do
+             * @description What the user can do, in English; empty if there is nothing to do
              */
             hint: string;
             /**
@@ -2605,11 +2639,12 @@ export interface components {
             status: number;
             /**
              * Detail
-             * @description The text, under its name in RFC 9457
+             * @description The same as text, under its name in RFC 9457
              */
             detail: string;
             /**
              * Source
+             * @description Handles of the entities, or fields of the request, it concerns
              * @default []
              */
             source: string[];
@@ -2620,7 +2655,7 @@ export interface components {
             questions: components["schemas"]["QuestionOut"][];
             /**
              * Revision
-             * @description Of the drawing now, where the request named an older one
+             * @description Current revision, if the request named an older one
              * @default null
              */
             revision: number | null;
