@@ -96,7 +96,7 @@ class _Reasons:
         self.alternatives: list[tuple[LineType, ...]] = []
         self._index: dict[tuple[Message, tuple[LineType, ...]], int] = {}
 
-    def index(self, message: Message, alternatives: tuple[LineType, ...]) -> int:
+    def row_of(self, message: Message, alternatives: tuple[LineType, ...]) -> int:
         """Return the index of a reason with its alternatives, adding it if it is new."""
         index = self._index.setdefault((message, alternatives), len(self.messages))
         if index == len(self.messages):
@@ -129,7 +129,7 @@ def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
         others = decision.others
         if decision.asked and decision.kind != LineType.UNCLASSIFIED:
             others = (decision.kind, *others)
-        index[number] = reasons.index(decision.reason, others)
+        index[number] = reasons.row_of(decision.reason, others)
     decided = np.where(asked, LineType.UNCLASSIFIED, kinds).astype(np.uint8)
     return _EdgeDecisions(decided[row], kinds[row], confidence[row], index[row], reasons)
 
@@ -171,7 +171,7 @@ def _restore_folds_on_cuts(
         message = Message("classification.on-cut", rule=rule)
         edges.line_type[row] = edges.guess[row]
         edges.confidence[row] = matches.confidence[style]
-        edges.reason[row] = edges.reasons.index(message, ())
+        edges.reason[row] = edges.reasons.row_of(message, ())
 
 
 def _withdraw_contradicted(
@@ -193,7 +193,7 @@ def _withdraw_contradicted(
         rule = edges.reasons.messages[before]
         message = Message("classification.contradicted", rule=rule, reason=why)
         edges.line_type[row], edges.confidence[row] = LineType.UNCLASSIFIED, 0.5
-        edges.reason[row] = edges.reasons.index(message, (kind, other))
+        edges.reason[row] = edges.reasons.row_of(message, (kind, other))
 
 
 def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatches) -> ShapeFeatures:
@@ -268,7 +268,7 @@ def apply_overrides(dieline: Dieline, line_type: U8) -> Dieline:
     return replace(
         dieline,
         line_type=np.where(overridden, given, dieline.line_type),
-        rule=np.where(overridden, rules.index(message), dieline.rule),
+        rule=np.where(overridden, rules.row_of(message), dieline.rule),
         confidence=np.where(overridden, 1.0, dieline.confidence),
         rules=rules,
     )
