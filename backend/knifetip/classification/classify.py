@@ -263,12 +263,12 @@ def apply_overrides(dieline: Dieline, line_type: U8) -> Dieline:
         raise ValueError(f"{given[wrong][0]} is not a line type")
     if not overridden.any():
         return dieline
-    message = Message("classification.override")
-    rules = dieline.rules if message in dieline.rules else (*dieline.rules, message)
+    override = Message("classification.override")
+    rules = dieline.rules if override in dieline.rules else (*dieline.rules, override)
     return replace(
         dieline,
         line_type=np.where(overridden, given, dieline.line_type),
-        rule=np.where(overridden, rules.row_of(message), dieline.rule),
+        rule=np.where(overridden, rules.index(override), dieline.rule),
         confidence=np.where(overridden, 1.0, dieline.confidence),
         rules=rules,
     )
