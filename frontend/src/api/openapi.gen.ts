@@ -1461,7 +1461,7 @@ export interface components {
         };
         /**
          * Footprint
-         * @description What a tool takes of the board or presses, and where its tip lies: for a drawing of it.
+         * @description Shape of a tool's mark on the board, and position of its tip, for the page to draw.
          *
          *     ``line``: no wider than its line.  ``disc``: ``radius`` about its tip.  ``groove``: sideways by
          *     ``slope`` per mm of depth, along ``blade``.  ``wheel``: a rim ``width`` wide on ``radius``.
