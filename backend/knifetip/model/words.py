@@ -12,7 +12,6 @@ import numpy as np
 
 from knifetip.geometry.columns import I32, I64
 
-
 _T = TypeVar("_T")
 
 
